@@ -1,12 +1,12 @@
 #include "storage/repository/migrations.hpp"
 
-#include <fstream>
 #include <optional>
 #include <string>
 #include <utility>
 
 #include "storage/repository/replacement.hpp"
 #include "storage/repository/schema.hpp"
+#include "storage/repository/store_mark.hpp"
 #include "storage/sqlite/damaged_pages.hpp"
 #include "storage/sqlite/database_files.hpp"
 #include "storage/sqlite/failure.hpp"
@@ -16,20 +16,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Says that a folder holds a store, so that one without its database is no new one.
-fs::path mark_in(const fs::path& store) { return store / "floeplan.use"; }
-
 void refuse_folder_without_its_database(const fs::path& store) {
   std::error_code none;
-  if (fs::exists(sqlite::database_in(store), none) || fs::file_size(mark_in(store), none) == 0 || none)
-    return;
+  if (fs::exists(sqlite::database_in(store), none) || !is_marked_as_store(store)) return;
   throw sqlite::Failure{
       "the folder " + store.string() +
       " held a store, but its floeplan.sqlite is gone; put it back, for example with floeplan "
       "restore FILE, or choose an empty folder"};
 }
-
-void mark(const fs::path& store) { std::ofstream{mark_in(store), std::ios::app} << "a store of Floeplan\n"; }
 
 }  // namespace
 
@@ -44,7 +38,7 @@ sqlite::Connection open_store(const fs::path& store) {
     db = sqlite::Connection::open(store);
   }
   bring_to_newest_schema(*db);
-  if (fs::file_size(mark_in(store)) == 0) mark(store);
+  mark_as_store(store);
   return std::move(*db);
 }
 

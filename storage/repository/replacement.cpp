@@ -4,6 +4,7 @@
 
 #include "storage/repository/rebuilding.hpp"
 #include "storage/repository/schema.hpp"
+#include "storage/repository/store_mark.hpp"
 #include "storage/sqlite/backup.hpp"
 #include "storage/sqlite/database_files.hpp"
 
@@ -13,10 +14,10 @@ namespace {
 namespace fs = std::filesystem;
 
 enum class Losses { refused, accepted };
-enum class OldLog {
-  moved_in,
-  useless
-};  // into the old database, or belonging to one that cannot be read any more
+enum class OldDatabase {
+  settled,    // one file, which keeps its place until the new one takes it
+  unreadable  // or gone: with a log that cannot be moved into it
+};
 
 std::string in_words(const StoredThing& thing) {
   return "the " + thing.kind + (thing.id.empty() ? " in row " + std::to_string(thing.row) : " " + thing.id);
@@ -32,9 +33,9 @@ void refuse_changed_header(const fs::path& database) {
 }
 
 /// Builds the new database beside the old one, of which `from` may be the file, and puts it in its place as the last step:
-/// a kill before leaves the store as it was.
+/// a kill before leaves the store as it was, or, of one that could not be read, without a database until it is restored again.
 Replacement replace(const fs::path& store, const fs::path& from, const std::string& why, Losses losses,
-                    OldLog log, const core::ProgressCallback& progress) {
+                    OldDatabase was, const core::ProgressCallback& progress) {
   const fs::path beside = store / "rebuilding";
   Replacement replacement;
   replacement.lost = rebuild(from, beside, progress);
@@ -49,8 +50,11 @@ Replacement replace(const fs::path& store, const fs::path& from, const std::stri
     bring_to_newest_schema(db);
   }
   sqlite::settle(sqlite::database_in(beside));
-  if (log == OldLog::useless) sqlite::set_log_aside(sqlite::database_in(store));
-  replacement.kept = sqlite::put_in_place(sqlite::database_in(beside), sqlite::database_in(store), why);
+  const fs::path place = sqlite::database_in(store);
+  mark_as_store(store);
+  if (was == OldDatabase::unreadable) replacement.kept = sqlite::set_aside(place, why);
+  const fs::path kept = sqlite::put_in_place(sqlite::database_in(beside), place, why);
+  if (!kept.empty()) replacement.kept = kept;
   fs::remove_all(beside);
   return replacement;
 }
@@ -66,7 +70,7 @@ Replacement bring_up_to_date(const fs::path& store, const core::ProgressCallback
   refuse_newer_schema(header.schema);
   if (header.schema == newest_schema() && header.has_checksums) return {};  // somebody else did meanwhile
   return replace(store, database, "schema-" + std::to_string(newest_schema()), Losses::refused,
-                 OldLog::moved_in, progress);
+                 OldDatabase::settled, progress);
 }
 
 Replacement repair_store(const fs::path& store, const core::ProgressCallback& progress) {
@@ -75,7 +79,7 @@ Replacement repair_store(const fs::path& store, const core::ProgressCallback& pr
   refuse_changed_header(database);
   sqlite::settle(database);
   refuse_newer_schema(sqlite::header_of(database).schema);
-  return replace(store, database, "repair", Losses::accepted, OldLog::moved_in, progress);
+  return replace(store, database, "repair", Losses::accepted, OldDatabase::settled, progress);
 }
 
 Replacement restore_store(const fs::path& store, const fs::path& backup,
@@ -94,9 +98,9 @@ Replacement restore_store(const fs::path& store, const fs::path& backup,
     refuse_changed_header(database);
     sqlite::settle(database);
   };
-  const bool is_readable = !fs::exists(database) || meets_no_damage(settle);
-  return replace(store, backup, "restore", Losses::refused, is_readable ? OldLog::moved_in : OldLog::useless,
-                 progress);
+  const bool is_settled = fs::exists(database) && meets_no_damage(settle);
+  return replace(store, backup, "restore", Losses::refused,
+                 is_settled ? OldDatabase::settled : OldDatabase::unreadable, progress);
 }
 
 }  // namespace floeplan::repository

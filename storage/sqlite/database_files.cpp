@@ -71,10 +71,23 @@ void settle(const fs::path& database) {
   }
 }
 
-void set_log_aside(const fs::path& database) {
-  std::error_code ignored;
-  fs::rename(database.string() + "-wal", free_name(database.string() + "-wal", "restore"), ignored);
-  fs::remove(database.string() + "-shm", ignored);
+fs::path set_aside(const fs::path& database, const std::string& why) {
+  const fs::path log = database.string() + "-wal";
+  try {
+    fs::path kept;
+    if (fs::exists(database)) {
+      kept = free_name(database, why);
+      fs::rename(database, kept);
+      flush(database.parent_path());
+    }
+    if (fs::exists(log)) fs::rename(log, free_name(log, why));
+    fs::remove(database.string() + "-shm");
+    flush(database.parent_path());
+    return kept;
+  } catch (const fs::filesystem_error& error) {
+    throw Failure{std::string{"the damaged database cannot be set aside ("} + error.what() + ")",
+                  Trouble::not_writable};
+  }
 }
 
 fs::path put_in_place(const fs::path& finished, const fs::path& place, const std::string& why) {

@@ -26,8 +26,11 @@ void flush(const std::filesystem::path& path);
 /// Errors  Failure when the database is damaged, or a program that knows no StoreUse has it open
 void settle(const std::filesystem::path& database);
 
-/// Takes the log of a database that cannot be settled out of the way of the one that comes in its place.
-void set_log_aside(const std::filesystem::path& database);
+/// Takes a database that cannot be settled, and its log, out of the way of the one that comes in its place: the database
+/// first. A store without a database is opened by nobody, but one without the log that belongs to it might be, and would
+/// then lack what was promised last; and a log that stayed would be written over the database that comes.
+/// Returns  the database's new name; empty when only a log was left of it
+[[nodiscard]] std::filesystem::path set_aside(const std::filesystem::path& database, const std::string& why);
 
 /// Puts a finished database, which no log belongs to, in the place of another. The other one is kept beside it under a
 /// name of its own, which says `why`; at every instant one of the two has the place. The caller is alone with the store.

@@ -2,10 +2,12 @@
 
 #include <fstream>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "storage/repository/damage.hpp"
+#include "storage/repository/job_repository.hpp"
 #include "storage/repository/migrations.hpp"
 #include "storage/repository/plan_repository.hpp"
 #include "storage/repository/replacement.hpp"
@@ -20,7 +22,6 @@ namespace floeplan::repository::killed_replacement_test {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::Each;
 using testing::HasSubstr;
 using Contents = std::vector<std::string>;
 
@@ -41,10 +42,16 @@ void fill(const fs::path& store, const std::string& mark) {
   }
 }
 
-/// What each plan of a store says; "damaged" or "gone" for one that does not.
+/// What each plan of a store says, and the number of the last change of a job; "damaged" or "gone" for one that does not, and nothing of a store that is not opened.
 Contents contents_of(const fs::path& store) {
-  auto db = open_store(store);
   Contents contents;
+  std::optional<sqlite::Connection> opened;
+  try {
+    opened = open_store(store);
+  } catch (const sqlite::Failure&) {
+    return contents;
+  }
+  sqlite::Connection& db = *opened;
   for (int i = 0; i < plans; ++i) {
     const bool whole = meets_no_damage([&] {
       const auto plan = PlanRepository{db}.find(id_of(i));
@@ -52,6 +59,7 @@ Contents contents_of(const fs::path& store) {
     });
     if (!whole) contents.emplace_back("damaged");
   }
+  contents.push_back("change " + std::to_string(JobRepository{db}.last_change()));
   return contents;
 }
 
@@ -88,20 +96,54 @@ class KilledReplacement : public testing::Test {
  protected:
   void SetUp() override { fill(store_, "as it was"); }
 
+  [[nodiscard]] fs::path backup_of_another() const {
+    const fs::path other = folder_.path() / "other";
+    fill(other, "from the backup");
+    auto db = open_store(other);
+    sqlite::back_up(db, folder_.path() / "backup");
+    return folder_.path() / "backup";
+  }
+
   const support::TemporaryFolder folder_;
   const fs::path store_ = folder_.path() / "store";
 };
 
 TEST_F(KilledReplacement, OfARestoredStoreLeavesTheOldOneOrTheBackup) {
-  const fs::path other = folder_.path() / "other";
-  const fs::path backup = folder_.path() / "backup";
-  fill(other, "from the backup");
-  {
-    auto db = open_store(other);
-    sqlite::back_up(db, backup);
-  }
+  const fs::path backup = backup_of_another();
 
   expect_whole_whenever_killed(store_, [&](const fs::path& store) { (void)restore_store(store, backup); });
+}
+
+/// Where the database cannot be read, its log cannot be moved into it: neither may pass for a store without the other, nor
+/// may the log ever meet the backup.
+TEST_F(KilledReplacement, OfAStoreThatCannotBeReadLeavesNoneOrTheBackup) {
+  const fs::path backup = backup_of_another();
+  const fs::path kept = folder_.path() / "kept";
+  {
+    auto db = open_store(store_);  // its log is there while it is open
+    sqlite::execute(db, "UPDATE job_clock SET change = 1000");
+    fs::copy(store_, kept);
+  }
+  for (const bool is_gone : {false, true}) {
+    const auto spoil = [&](const fs::path& store) {
+      fs::remove_all(store);
+      fs::copy(kept, store);
+      ASSERT_GT(fs::file_size(sqlite::database_in(store).string() + "-wal"), 0U);
+      if (is_gone)
+        fs::remove(sqlite::database_in(store));
+      else
+        std::fstream{sqlite::database_in(store), std::ios::in | std::ios::out | std::ios::binary}
+            << "unreadable";
+    };
+    spoil(store_);
+    ASSERT_TRUE(contents_of(store_).empty());
+    spoil(store_);
+
+    expect_whole_whenever_killed(store_, [&](const fs::path& store) { (void)restore_store(store, backup); });
+
+    (void)restore_store(store_, backup);
+    EXPECT_EQ(contents_of(store_), contents_of(folder_.path() / "other"));
+  }
 }
 
 TEST_F(KilledReplacement, OfAnOlderStoreLeavesAllItHeld) {
@@ -111,7 +153,7 @@ TEST_F(KilledReplacement, OfAnOlderStoreLeavesAllItHeld) {
   }
 
   expect_whole_whenever_killed(store_, [](const fs::path& store) { const auto db = open_store(store); });
-  EXPECT_THAT(contents_of(store_), Each(HasSubstr("as it was")));
+  EXPECT_THAT(contents_of(store_), testing::Contains(HasSubstr("as it was")).Times(plans));
 }
 
 TEST_F(KilledReplacement, OfARepairedStoreLeavesTheDamagedOneOrWhatIsWhole) {
