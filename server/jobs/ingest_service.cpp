@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "api/codec/dataset_document.hpp"
+#include "storage/ingest/files/file_digest.hpp"
 #include "storage/ingest/process/staging_folder.hpp"
 #include "storage/json/json.hpp"
 #include "storage/repository/dataset_owners.hpp"
@@ -38,6 +39,12 @@ tl::expected<std::vector<std::filesystem::path>, std::string> lay_out(const code
     const auto upload = stored.find(id);
     if (!upload)
       return tl::unexpected("the upload " + id + " was removed or has expired; send the file again");
+    const auto digest = ingest::sha256_of_file(stored.file_of(*upload));
+    if (!digest || *digest != upload->sha256)
+      return tl::unexpected(
+          "the upload " + upload->name +
+          " is no longer as it arrived: the server's disk has changed it; send the file again, "
+          "and have the server's operator look at the disk");
     const std::filesystem::path file = folder / upload->name;
     std::error_code error;
     std::filesystem::create_hard_link(stored.file_of(*upload), file, error);

@@ -48,6 +48,23 @@ core::UtcTime time_of_change(const fs::path& path) {
   return std::chrono::time_point_cast<core::Seconds>(changed);
 }
 
+/// Nothing of a description that the disk has changed: the list of the others does without it.
+std::optional<Upload> parse_upload(const std::string& id, const json& document) {
+  try {
+    Upload upload{.id = id,
+                  .name = document.at("name"),
+                  .bytes = document.at("bytes"),
+                  .sha256 = document.at("sha256"),
+                  .owner = document.value("owner", ""),  // of versions that knew none
+                  .created = core::from_unix_seconds(document.at("created_s").get<double>()),
+                  .expires = core::from_unix_seconds(document.at("expires_s").get<double>())};
+    if (upload.name != plain_file_name(upload.name)) return std::nullopt;
+    return upload;
+  } catch (const json::exception&) {
+    return std::nullopt;
+  }
+}
+
 }  // namespace
 
 std::string plain_file_name(const std::string& name) {
@@ -93,15 +110,7 @@ Upload UploadRepository::add(const fs::path& file, const std::string& name, cons
 std::optional<Upload> UploadRepository::find(const std::string& id) const {
   if (!is_id(id)) return std::nullopt;
   std::ifstream in{folder_ / id / "upload.json"};
-  const json document = json::parse(in, nullptr, false);
-  if (!document.is_object()) return std::nullopt;
-  return Upload{.id = id,
-                .name = document.at("name"),
-                .bytes = document.at("bytes"),
-                .sha256 = document.at("sha256"),
-                .owner = document.value("owner", ""),  // of versions that knew none
-                .created = core::from_unix_seconds(document.at("created_s").get<double>()),
-                .expires = core::from_unix_seconds(document.at("expires_s").get<double>())};
+  return parse_upload(id, json::parse(in, nullptr, false));
 }
 
 std::vector<Upload> UploadRepository::list() const {

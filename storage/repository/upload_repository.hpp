@@ -38,7 +38,7 @@ class UploadRepository {
   /// Takes over a file that lies on the same disk.
   Upload add(const std::filesystem::path& file, const std::string& name, const std::string& sha256,
              const std::string& owner, core::UtcTime now);
-  /// Nothing for an id that is unknown or none.
+  /// Nothing for an id that is unknown or none, or whose description is damaged.
   [[nodiscard]] std::optional<Upload> find(const std::string& id) const;
   /// All, the newest first; ties by id.
   [[nodiscard]] std::vector<Upload> list() const;

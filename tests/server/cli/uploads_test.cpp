@@ -78,6 +78,17 @@ TEST_F(Uploads, KeepTheirBytesUntilTheyAreRemoved) {
   EXPECT_THAT(refused.body, HasSubstr("/inputs/uploads/0"));
 }
 
+TEST_F(Uploads, ThatTheDiskHasChangedAreNotIngested) {
+  const std::string id = send(bed, "bed.asc");
+  std::ofstream{over_http_.folder() / "store" / "uploads" / id / "data", std::ios::in | std::ios::out}
+      << "NCOLS 9";
+
+  const auto refused = served_.execute("ingest", {{"uploads", {id}}, {"positive", "up"}});
+
+  EXPECT_THAT(refused.body, HasSubstr("no longer as it arrived"));
+  EXPECT_TRUE(served_.get("/datasets").json().at("datasets").empty());
+}
+
 TEST_F(Uploads, ThatArriveWithAnotherDigestAreRefusedAndLeaveNothing) {
   const auto refused = served_.upload(bed, "?name=bed.asc&sha256=" + std::string(64, '0'));
   EXPECT_EQ(refused.status, 400);

@@ -7,6 +7,7 @@
 #include <csignal>
 #include <fstream>
 
+#include "api/codec/sha256.hpp"
 #include "server/jobs/job_board.hpp"
 #include "storage/repository/dataset_repository.hpp"
 #include "storage/repository/migrations.hpp"
@@ -99,9 +100,10 @@ TEST(KilledServer, StoresAnUploadWholeAndOnceWheneverItIsKilled) {
   support::for_each_seed(3, [](std::mt19937_64& rng) {
     const support::TemporaryFolder store;
     auto db = repository::open_store(store.path());
-    std::ofstream{store.path() / "arriving"} << large_grid();
+    const std::string grid = large_grid();
+    std::ofstream{store.path() / "arriving"} << grid;
     const auto upload = repository::UploadRepository{store.path() / "uploads"}.add(
-        store.path() / "arriving", "bed.asc", "", "", std::chrono::system_clock::now());
+        store.path() / "arriving", "bed.asc", codec::sha256(grid), "", std::chrono::system_clock::now());
     JobBoard queue;
     const auto job =
         queue.submit(db, submission("ingest", R"({"positive": "up", "uploads": [")" + upload.id + "\"]}"),

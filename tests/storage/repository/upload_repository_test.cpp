@@ -5,6 +5,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "tests/support/property.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace floeplan::repository::upload_repository_test {
@@ -48,6 +49,29 @@ TEST_F(UploadRepositoryTest, ListsTheNewestFirst) {
   EXPECT_THAT(uploads_.list(), testing::ElementsAre(testing::Field(&Upload::name, "third"),
                                                     testing::Field(&Upload::name, "second"),
                                                     testing::Field(&Upload::name, "first")));
+}
+
+/// Whatever a disk does to a description: the other uploads are there, and no name becomes a path.
+TEST_F(UploadRepositoryTest, WhoseDescriptionIsChangedIsPassedOver) {
+  const Upload whole = send("whole");
+  const Upload changed = send("changed.nc");
+  const auto description = folder_.path() / "uploads" / changed.id / "upload.json";
+  std::ifstream in{description};
+  const std::string text{std::istreambuf_iterator<char>{in}, {}};
+  support::for_each_seed(300, [&](std::mt19937_64& rng) {
+    std::string spoilt = text;
+    const auto at = static_cast<std::size_t>(support::uniform_int(rng, 0, static_cast<int>(text.size()) - 1));
+    spoilt[at] = static_cast<char>(spoilt[at] ^ (1 << support::uniform_int(rng, 0, 7)));
+    std::ofstream{description} << spoilt;
+
+    EXPECT_THAT(uploads_.list(), testing::Contains(testing::Field(&Upload::id, whole.id)));
+    if (const auto found = uploads_.find(changed.id)) {
+      EXPECT_EQ(found->name, plain_file_name(found->name));
+    }
+  });
+  std::ofstream{description}
+      << R"({"name": "../../x", "bytes": 4, "sha256": "", "created_s": 1, "expires_s": 2})";
+  EXPECT_FALSE(uploads_.find(changed.id).has_value());
 }
 
 TEST_F(UploadRepositoryTest, TakesNoIdForAPath) {
