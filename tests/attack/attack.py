@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Attacks a server on loopback and watches what others notice: how soon they are answered, and its memory.
 
-usage: attack.py PROGRAM              starts a server of its own, on an empty store
-       attack.py PORT PID [TOKEN]     nothing but a server of your own
+usage: attack.py PROGRAM             starts a server of its own, on an empty store, with a token for an admin
+       attack.py PORT PID TOKEN      nothing but a server of your own; the token of an admin
 Ends with 1 if a bound was broken.
 
 Bounds: others are answered within 100 ms, the server takes less than 1 GB, and nothing is answered by 5xx but 503. What
@@ -18,6 +18,7 @@ import pathlib
 import random
 import resource
 import socket
+import subprocess
 import sys
 import tempfile
 import time
@@ -27,12 +28,13 @@ from served import Served  # noqa: E402
 
 if len(sys.argv) == 2:
     STORE = tempfile.TemporaryDirectory(prefix="floeplan-attack-")
+    TOKEN = subprocess.run([sys.argv[1], "--data", STORE.name, "token", "add", "attacked", "--role", "admin"],
+                           capture_output=True, text=True, check=True).stdout.split()[-1]
     SERVER = Served(sys.argv[1], STORE.name)
     PORT, PID = int(SERVER.address.rsplit(":", 1)[1]), SERVER.process.pid
 else:
-    SERVER, PORT, PID = None, int(sys.argv[1]), int(sys.argv[2])
-TOKEN = sys.argv[3] if len(sys.argv) > 3 else ""
-AUTHORIZED = {"Authorization": "Bearer " + TOKEN} if TOKEN else {}
+    SERVER, PORT, PID, TOKEN = None, int(sys.argv[1]), int(sys.argv[2]), sys.argv[3]
+AUTHORIZED = {"Authorization": "Bearer " + TOKEN}
 LONGEST_S, MOST_BYTES = 0.1, 1_000_000_000
 
 faults = []
@@ -212,16 +214,51 @@ def bombs():
         "Content-Length": len(body), "Content-Type": "application/json", "Prefer": "respond-sync"}) + body, "200")
 
 
-def guesses():
-    def guess(_):
-        token = "floeplan_%016x_%064x" % (random.getrandbits(64), random.getrandbits(256))
-        return send_all(f"GET /datasets HTTP/1.1\r\nHost: 127.0.0.1\r\nConnection: close\r\nAuthorization: Bearer {token}\r\n\r\n"
-                        .encode())[9:12]
+def shown(token, address):
+    """The status with which a token that is shown from this address is answered."""
+    try:
+        with connected(address) as wire:
+            wire.sendall(f"GET /datasets HTTP/1.1\r\nHost: 127.0.0.1\r\nConnection: close\r\nAuthorization: Bearer {token}\r\n\r\n"
+                         .encode())
+            return wire.makefile("rb").readline()[9:12].decode("latin-1")
+    except OSError:
+        return "none"
+
+
+def tried(tokens_and_addresses):
     with concurrent.futures.ThreadPoolExecutor(20) as crowd:
-        answers = list(crowd.map(guess, range(1000)))
-    print(f"  1000 guesses: {answers.count(b'401')} times 401, {answers.count(b'429')} times 429")
-    if TOKEN and answers.count(b"401") > 100:
-        faults.append("guesses are not slowed")
+        return list(crowd.map(lambda pair: shown(*pair), tokens_and_addresses))
+
+
+def check_guesses(name, answers, most_looked_at):
+    """None lets in, and after a few nothing is looked at any more."""
+    print(f"  {name}: {answers.count('401')} times 401, {answers.count('429')} times 429, {answers.count('200')} times 200")
+    if answers.count("401") + answers.count("429") != len(answers):
+        faults.append(f"{name}: a guess was answered otherwise than by 401 or 429")
+    if answers.count("401") > most_looked_at:
+        faults.append(f"{name}: guesses are not slowed")
+
+
+def check_let_in(name, address):
+    status = shown(TOKEN, address)
+    if status != "200":
+        faults.append(f"{name}: the right token is answered by {status}")
+
+
+def guesses():
+    """Tokens that nobody has, from one address: who has the right one comes in from every other, and from one at which it
+    was right before even when everybody guesses at that token."""
+    guesser, pilot, neighbour = "127.0.2.1", "127.0.2.2", "127.0.2.3"
+    check_let_in("before the guesses", pilot)
+    unknown = ["floeplan_%016x_%064x" % (random.getrandbits(64), random.getrandbits(256)) for _ in range(1000)]
+    check_guesses("1000 tokens from one address", tried((token, guesser) for token in unknown), 100)
+    check_let_in("from where it was used before", pilot)
+    check_let_in("from an address that is new", neighbour)
+    public = TOKEN.rsplit("_", 1)[0]
+    secrets = ["%s_%064x" % (public, random.getrandbits(256)) for _ in range(1000)]
+    check_guesses("1000 secrets of one token, from 100 addresses",
+                  tried((token, f"127.0.3.{1 + number % 100}") for number, token in enumerate(secrets)), 100)
+    check_let_in("while others guess at it, from where it was used before", pilot)
 
 
 def standing(wires):
@@ -275,7 +312,7 @@ def main():
     attacked("smuggling", smuggled)
     attacked("wrong bytes and paths", written_wrong)
     attacked("decompression bombs", bombs)
-    attacked("1000 guessed tokens", guesses)
+    attacked("2000 guessed tokens", guesses)
     os.kill(PID, 0)
     if SERVER and SERVER.end() != 0:
         faults.append("the server did not end well")
