@@ -25,7 +25,7 @@ int set_up(archive* writer, Packing packing) {
   return ARCHIVE_FATAL;
 }
 
-void require(bool good) {
+void require_written(bool good) {
   if (!good) throw std::runtime_error{"the test's archive cannot be written"};
 }
 
@@ -33,8 +33,8 @@ void require(bool good) {
 
 void write_archive(const std::filesystem::path& file, Packing packing, const ArchiveMembers& members) {
   const std::unique_ptr<archive, int (*)(archive*)> writer{archive_write_new(), archive_write_free};
-  require(set_up(writer.get(), packing) == ARCHIVE_OK);
-  require(archive_write_open_filename(writer.get(), file.c_str()) == ARCHIVE_OK);
+  require_written(set_up(writer.get(), packing) == ARCHIVE_OK);
+  require_written(archive_write_open_filename(writer.get(), file.c_str()) == ARCHIVE_OK);
   for (const auto& [name, content] : members) {
     const std::unique_ptr<archive_entry, void (*)(archive_entry*)> entry{archive_entry_new(),
                                                                          archive_entry_free};
@@ -42,11 +42,11 @@ void write_archive(const std::filesystem::path& file, Packing packing, const Arc
     archive_entry_set_size(entry.get(), static_cast<la_int64_t>(content.size()));
     archive_entry_set_filetype(entry.get(), AE_IFREG);
     archive_entry_set_perm(entry.get(), 0644);
-    require(archive_write_header(writer.get(), entry.get()) == ARCHIVE_OK);
-    require(archive_write_data(writer.get(), content.data(), content.size()) ==
-            static_cast<la_ssize_t>(content.size()));
+    require_written(archive_write_header(writer.get(), entry.get()) == ARCHIVE_OK);
+    require_written(archive_write_data(writer.get(), content.data(), content.size()) ==
+                    static_cast<la_ssize_t>(content.size()));
   }
-  require(archive_write_close(writer.get()) == ARCHIVE_OK);
+  require_written(archive_write_close(writer.get()) == ARCHIVE_OK);
 }
 
 ArchiveMembers members_of(const std::vector<std::filesystem::path>& files, const std::string& folder) {
