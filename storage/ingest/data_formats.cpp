@@ -1,7 +1,5 @@
 #include "storage/ingest/data_formats.hpp"
 
-#include <gdal_priv.h>
-
 #include "storage/ingest/files/file_digest.hpp"
 #include "storage/ingest/files/first_bytes.hpp"
 #include "storage/ingest/formats/netcdf/hdf5_references.hpp"
