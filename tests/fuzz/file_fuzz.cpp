@@ -9,6 +9,7 @@
 #include <string>
 #include <string_view>
 
+#include "storage/ingest/common/gdal_guard.hpp"
 #include "storage/ingest/formats/zarr/zarr3_description.hpp"
 #include "storage/ingest/notation/stated_depth.hpp"
 #include "storage/ingest/notation/stated_period.hpp"
@@ -70,6 +71,12 @@ void check_texts(std::string_view text) {
 }
 
 }  // namespace
+
+/// As the process that reads files does before it looks at one.
+extern "C" int LLVMFuzzerInitialize(int* /*argc*/, char*** /*argv*/) {
+  register_drivers();
+  return 0;
+}
 
 /// The first byte chooses the reader, as a letter from 'a'; the others are the file.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
