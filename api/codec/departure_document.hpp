@@ -3,7 +3,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <vector>
 
-#include "engine/planning/departure.hpp"
+#include "engine/planning/problem/window_plan.hpp"
 
 namespace floeplan::codec {
 

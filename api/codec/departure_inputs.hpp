@@ -3,7 +3,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "api/codec/input_reader.hpp"
-#include "engine/planning/plan_request.hpp"
+#include "engine/planning/problem/plan_request.hpp"
 #include "storage/repository/environment_loader.hpp"
 
 namespace floeplan::codec {

@@ -3,7 +3,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "api/codec/input_reader.hpp"
-#include "engine/planning/objective.hpp"
+#include "engine/planning/problem/objective.hpp"
 
 namespace floeplan::codec {
 

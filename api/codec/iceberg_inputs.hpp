@@ -3,7 +3,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "api/codec/input_reader.hpp"
-#include "engine/planning/iceberg_rules.hpp"
+#include "engine/planning/problem/iceberg_rules.hpp"
 #include "storage/repository/environment_loader.hpp"
 
 namespace floeplan::codec {

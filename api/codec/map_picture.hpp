@@ -5,7 +5,7 @@
 
 #include "engine/geo/polygon.hpp"
 #include "engine/ocean/iceberg.hpp"
-#include "engine/planning/plan.hpp"
+#include "engine/planning/problem/plan.hpp"
 
 namespace floeplan::codec {
 

@@ -2,7 +2,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "engine/planning/plan.hpp"
+#include "engine/planning/problem/plan.hpp"
 
 namespace floeplan::codec {
 

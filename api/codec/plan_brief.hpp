@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "api/codec/map_picture.hpp"
-#include "engine/planning/plan.hpp"
+#include "engine/planning/problem/plan.hpp"
 
 namespace floeplan::codec {
 

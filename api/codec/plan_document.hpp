@@ -6,8 +6,8 @@
 
 #include "engine/geo/lon_lat.hpp"
 #include "engine/ocean/environment.hpp"
-#include "engine/planning/infeasible.hpp"
-#include "engine/planning/plan.hpp"
+#include "engine/planning/problem/infeasible.hpp"
+#include "engine/planning/problem/plan.hpp"
 
 namespace floeplan::codec {
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "engine/planning/plan.hpp"
+#include "engine/planning/problem/plan.hpp"
 
 namespace floeplan::codec {
 

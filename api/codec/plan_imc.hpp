@@ -6,7 +6,7 @@
 
 #include "engine/core/units.hpp"
 #include "engine/mission/shoals.hpp"
-#include "engine/planning/plan.hpp"
+#include "engine/planning/problem/plan.hpp"
 #include "engine/vehicle/glider_profile.hpp"
 
 namespace floeplan::codec {

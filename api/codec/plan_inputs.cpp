@@ -14,7 +14,7 @@
 #include "api/codec/vehicle_inputs.hpp"
 #include "api/codec/zone_inputs.hpp"
 #include "engine/core/utc_text.hpp"
-#include "engine/planning/layout.hpp"
+#include "engine/planning/cost/layout.hpp"
 #include "storage/json/json.hpp"
 
 namespace floeplan::codec {
@@ -99,7 +99,7 @@ void read_via_order(InputReader& reader, planning::PlanRequest& request) {
 geo::BoundingBox area_of_a_plan(planning::PlanRequest request) {
   request.via.clear();
   return request.from == request.to ? geo::bounding_box(std::vector{request.from})
-                                    : planning::planning_area(request);
+                                    : planning::cost::planning_area(request);
 }
 
 /// Areas of data lie on this lattice, so that requests that differ little read, and may keep, the same.
@@ -142,7 +142,7 @@ json common_json(const planning::PlanRequest& request, const repository::Environ
 }  // namespace
 
 geo::BoundingBox area_of_data(const planning::PlanRequest& request) {
-  return geo::on_lattice(planning::planning_area(request), lattice_deg);
+  return geo::on_lattice(planning::cost::planning_area(request), lattice_deg);
 }
 
 tl::expected<PlanInputs, core::Violations> parse_plan_inputs(const json& inputs) {

@@ -9,7 +9,7 @@
 #include "engine/core/violation.hpp"
 #include "engine/geo/bounding_box.hpp"
 #include "engine/geo/lon_lat.hpp"
-#include "engine/planning/plan_request.hpp"
+#include "engine/planning/problem/plan_request.hpp"
 #include "storage/repository/environment_loader.hpp"
 
 namespace floeplan::codec {

@@ -11,7 +11,7 @@ namespace floeplan::codec {
 namespace {
 
 using nlohmann::json;
-using Direction = planning::ReachRequest::Direction;
+using Direction = planning::IsochroneRequest::Direction;
 
 double metre_degrees(double degrees) { return std::round(degrees * 1e6) / 1e6; }
 
@@ -44,11 +44,11 @@ json multi_polygon(const std::vector<geo::Polygon>& polygons) {
 
 }  // namespace
 
-json reach_document(const planning::Reach& reach, const planning::ReachRequest& request,
+json reach_document(const planning::Isochrones& reach, const planning::IsochroneRequest& request,
                     const std::string& name) {
   const bool from = request.direction == Direction::from;
   json features = json::array();
-  for (const planning::ReachArea& area : reach.areas) {
+  for (const planning::Isochrone& area : reach.areas) {
     features.push_back({{"type", "Feature"},
                         {"properties",
                          {{"hours", area.span.count() / 3600.0},

@@ -13,13 +13,13 @@ namespace floeplan::codec {
 namespace {
 
 using nlohmann::json;
-using planning::ReachRequest;
-using Direction = ReachRequest::Direction;
+using planning::IsochroneRequest;
+using Direction = IsochroneRequest::Direction;
 
-constexpr double most_hours = ReachRequest::longest_span.count() / 3600.0;
+constexpr double most_hours = IsochroneRequest::longest_span.count() / 3600.0;
 
 /// The place and the time that belong together; notes what is missing or does not go together.
-void read_direction(InputReader& reader, ReachRequest& request) {
+void read_direction(InputReader& reader, IsochroneRequest& request) {
   const bool from = reader.member("from") != nullptr;
   const bool to = reader.member("to") != nullptr;
   const auto start = reader.place("from");
@@ -43,13 +43,13 @@ void read_direction(InputReader& reader, ReachRequest& request) {
   }
 }
 
-void read_hours(InputReader& reader, ReachRequest& request) {
+void read_hours(InputReader& reader, IsochroneRequest& request) {
   reader.require("hours", "is required: one number of hours or an array of them, as [6, 12, 24]");
   const json* value = reader.member("hours");
   if (value == nullptr) return;
   const json hours = value->is_array() ? *value : json::array({*value});
-  if (hours.empty() || hours.size() > ReachRequest::most_spans) {
-    reader.refuse("/hours", "must have 1 to " + std::to_string(ReachRequest::most_spans) + " entries");
+  if (hours.empty() || hours.size() > IsochroneRequest::most_spans) {
+    reader.refuse("/hours", "must have 1 to " + std::to_string(IsochroneRequest::most_spans) + " entries");
     return;
   }
   for (std::size_t i = 0; i < hours.size(); ++i) {
@@ -70,7 +70,7 @@ void read_hours(InputReader& reader, ReachRequest& request) {
 tl::expected<ReachInputs, core::Violations> parse_reach_inputs(const json& inputs) {
   InputReader reader{inputs};
   ReachInputs result;
-  ReachRequest& request = result.request;
+  IsochroneRequest& request = result.request;
   read_direction(reader, request);
   read_hours(reader, request);
   read_vehicle(reader, request.vehicle);
@@ -96,7 +96,7 @@ tl::expected<ReachInputs, core::Violations> parse_reach_inputs(const json& input
 }
 
 json to_json(const ReachInputs& inputs) {
-  const ReachRequest& request = inputs.request;
+  const IsochroneRequest& request = inputs.request;
   const bool from = request.direction == Direction::from;
   json hours = json::array();
   for (const core::Seconds span : request.spans) hours.push_back(span.count() / 3600.0);

@@ -6,14 +6,14 @@
 #include <vector>
 
 #include "engine/core/violation.hpp"
-#include "engine/planning/reach_request.hpp"
+#include "engine/planning/problem/isochrone_request.hpp"
 #include "storage/repository/environment_loader.hpp"
 
 namespace floeplan::codec {
 
 /// Inputs of process reach. `data`'s area, period and dive depth follow from the request.
 struct ReachInputs {
-  planning::ReachRequest request;
+  planning::IsochroneRequest request;
   repository::EnvironmentQuery data;
   std::string name;
   std::vector<std::string> warnings;  // what of the inputs is left out

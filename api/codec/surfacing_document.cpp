@@ -4,7 +4,7 @@
 
 #include "api/codec/document_values.hpp"
 #include "engine/core/utc_text.hpp"
-#include "engine/planning/objective.hpp"
+#include "engine/planning/problem/objective.hpp"
 #include "storage/json/json.hpp"
 
 namespace floeplan::codec {

@@ -4,7 +4,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 
-#include "engine/planning/surfacing_plan.hpp"
+#include "engine/planning/problem/surfacing_plan.hpp"
 
 namespace floeplan::codec {
 

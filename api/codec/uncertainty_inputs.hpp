@@ -3,8 +3,8 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "api/codec/input_reader.hpp"
-#include "engine/planning/uncertainty_report.hpp"
-#include "engine/planning/uncertainty_rules.hpp"
+#include "engine/planning/problem/uncertainty_report.hpp"
+#include "engine/planning/problem/uncertainty_rules.hpp"
 
 namespace floeplan::codec {
 

@@ -3,7 +3,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "api/codec/input_reader.hpp"
-#include "engine/planning/under_ice_rules.hpp"
+#include "engine/planning/problem/under_ice_rules.hpp"
 
 namespace floeplan::codec {
 

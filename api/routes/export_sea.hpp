@@ -5,7 +5,7 @@
 
 #include "engine/mission/safe_places.hpp"
 #include "engine/mission/shoals.hpp"
-#include "engine/planning/plan.hpp"
+#include "engine/planning/problem/plan.hpp"
 #include "storage/repository/plan_repository.hpp"
 #include "storage/sqlite/connection.hpp"
 

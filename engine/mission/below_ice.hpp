@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "engine/core/units.hpp"
-#include "engine/planning/plan.hpp"
+#include "engine/planning/problem/plan.hpp"
 
 namespace floeplan::mission {
 

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "engine/core/units.hpp"
-#include "engine/planning/plan.hpp"
+#include "engine/planning/problem/plan.hpp"
 
 namespace floeplan::mission {
 

@@ -6,7 +6,7 @@
 #include "engine/mission/flight_route.hpp"
 #include "engine/mission/route_check.hpp"
 #include "engine/ocean/environment.hpp"
-#include "engine/planning/plan_request.hpp"
+#include "engine/planning/problem/plan_request.hpp"
 
 namespace floeplan::mission {
 

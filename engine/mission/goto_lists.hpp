@@ -7,7 +7,7 @@
 #include "engine/core/violation.hpp"
 #include "engine/mission/file_origin.hpp"
 #include "engine/mission/mission_file.hpp"
-#include "engine/planning/plan.hpp"
+#include "engine/planning/problem/plan.hpp"
 
 namespace floeplan::mission {
 

@@ -6,7 +6,7 @@
 #include "engine/mission/document.hpp"
 #include "engine/mission/flight_route.hpp"
 #include "engine/mission/route_check.hpp"
-#include "engine/planning/plan.hpp"
+#include "engine/planning/problem/plan.hpp"
 
 namespace floeplan::mission {
 

@@ -7,7 +7,7 @@
 
 #include "engine/core/units.hpp"
 #include "engine/core/violation.hpp"
-#include "engine/planning/plan.hpp"
+#include "engine/planning/problem/plan.hpp"
 
 namespace floeplan::mission {
 

@@ -10,8 +10,8 @@
 #include "engine/mission/goto_lists.hpp"
 #include "engine/mission/mission_file.hpp"
 #include "engine/mission/shoals.hpp"
-#include "engine/planning/plan.hpp"
-#include "engine/planning/under_ice_rules.hpp"
+#include "engine/planning/problem/plan.hpp"
+#include "engine/planning/problem/under_ice_rules.hpp"
 #include "engine/vehicle/glider_profile.hpp"
 
 namespace floeplan::mission {

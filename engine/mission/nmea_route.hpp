@@ -4,7 +4,7 @@
 #include <string>
 
 #include "engine/mission/mission_file.hpp"
-#include "engine/planning/plan.hpp"
+#include "engine/planning/problem/plan.hpp"
 
 namespace floeplan::mission {
 

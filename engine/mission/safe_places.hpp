@@ -6,7 +6,7 @@
 #include "engine/core/violation.hpp"
 #include "engine/geo/lon_lat.hpp"
 #include "engine/ocean/environment.hpp"
-#include "engine/planning/plan.hpp"
+#include "engine/planning/problem/plan.hpp"
 #include "engine/vehicle/glider_profile.hpp"
 
 namespace floeplan::mission {

@@ -11,7 +11,7 @@
 #include "engine/mission/file_origin.hpp"
 #include "engine/mission/mission_file.hpp"
 #include "engine/mission/shoals.hpp"
-#include "engine/planning/plan.hpp"
+#include "engine/planning/problem/plan.hpp"
 #include "engine/vehicle/glider_profile.hpp"
 
 namespace floeplan::mission {

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "engine/core/units.hpp"
-#include "engine/planning/plan.hpp"
+#include "engine/planning/problem/plan.hpp"
 #include "engine/vehicle/glider_profile.hpp"
 
 namespace floeplan::mission {

@@ -11,7 +11,7 @@
 #include "engine/mission/flight_files.hpp"
 #include "engine/mission/route_check.hpp"
 #include "engine/mission/thruster_yo.hpp"
-#include "engine/planning/objective.hpp"
+#include "engine/planning/problem/objective.hpp"
 #include "engine/vehicle/dive_band.hpp"
 
 namespace floeplan::mission {

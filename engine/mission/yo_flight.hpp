@@ -6,8 +6,8 @@
 #include "engine/core/violation.hpp"
 #include "engine/geo/lon_lat.hpp"
 #include "engine/ocean/environment.hpp"
-#include "engine/planning/plan.hpp"
-#include "engine/planning/plan_request.hpp"
+#include "engine/planning/problem/plan.hpp"
+#include "engine/planning/problem/plan_request.hpp"
 
 namespace floeplan::mission {
 

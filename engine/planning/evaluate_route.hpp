@@ -5,10 +5,10 @@
 
 #include "engine/geo/lon_lat.hpp"
 #include "engine/ocean/environment.hpp"
-#include "engine/planning/infeasible.hpp"
-#include "engine/planning/plan.hpp"
-#include "engine/planning/plan_request.hpp"
-#include "engine/planning/route_ground.hpp"
+#include "engine/planning/problem/infeasible.hpp"
+#include "engine/planning/problem/plan.hpp"
+#include "engine/planning/problem/plan_request.hpp"
+#include "engine/planning/search/route_ground.hpp"
 
 namespace floeplan::planning {
 
@@ -24,7 +24,8 @@ namespace floeplan::planning {
 /// The same on the ground of the route's site, which gives the same figures whichever route it was laid out for; of the
 /// request only the places may differ from the one that it was laid out for.
 /// Errors   also std::invalid_argument for a ground of another site
-[[nodiscard]] Result<Plan> evaluate_route(const RouteGround& ground, const std::vector<geo::LonLat>& route,
-                                          const PlanRequest& request, const std::stop_token& stop = {});
+[[nodiscard]] Result<Plan> evaluate_route(const search::RouteGround& ground,
+                                          const std::vector<geo::LonLat>& route, const PlanRequest& request,
+                                          const std::stop_token& stop = {});
 
 }  // namespace floeplan::planning

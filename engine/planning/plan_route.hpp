@@ -5,10 +5,10 @@
 #include "engine/core/clock.hpp"
 #include "engine/core/progress.hpp"
 #include "engine/ocean/environment.hpp"
-#include "engine/planning/infeasible.hpp"
-#include "engine/planning/plan.hpp"
-#include "engine/planning/plan_request.hpp"
-#include "engine/planning/strong_currents.hpp"
+#include "engine/planning/problem/infeasible.hpp"
+#include "engine/planning/problem/plan.hpp"
+#include "engine/planning/problem/plan_request.hpp"
+#include "engine/planning/problem/wider_sea.hpp"
 
 namespace floeplan::planning {
 
@@ -26,11 +26,5 @@ namespace floeplan::planning {
 [[nodiscard]] Result<Plan> plan_route(const ocean::Environment& environment, const PlanRequest& request,
                                       const std::stop_token& stop, const core::ProgressCallback& progress,
                                       const core::SteadyClock& clock = {}, const WiderSea& wider = {});
-
-/// The same for who asks again and again: an infeasible request is not told what would help, and one sort of grids is
-/// tried whatever the currents.
-[[nodiscard]] Result<Plan> try_to_plan(const ocean::Environment& environment, const PlanRequest& request,
-                                       const std::stop_token& stop, const core::ProgressCallback& progress,
-                                       const core::SteadyClock& clock = {});
 
 }  // namespace floeplan::planning

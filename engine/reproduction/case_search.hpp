@@ -9,7 +9,7 @@
 #include "engine/graph/label_setting_search.hpp"
 #include "engine/graph/tve_search.hpp"
 #include "engine/motion/edge_time.hpp"
-#include "engine/planning/timed_way.hpp"
+#include "engine/planning/optimal_control/timed_way.hpp"
 #include "engine/reproduction/grid_case.hpp"
 
 namespace floeplan::reproduction {
@@ -29,7 +29,7 @@ class CaseSearch {
 
   /// The way that the search finds, with the times that it really takes; empty: it finds none, or its way
   /// cannot be travelled.
-  [[nodiscard]] std::optional<planning::TimedWay> fastest() const {
+  [[nodiscard]] std::optional<planning::optimal_control::TimedWay> fastest() const {
     const auto at_departure = [&](const graph::Edge& edge, core::Seconds, core::Seconds latest) {
       return edge_time(edge, query_.depart, latest);
     };
@@ -38,7 +38,7 @@ class CaseSearch {
                      : graph::find_earliest_arrivals_tve(graph_, query_, edges(), std::stop_token{});
     const std::vector<graph::Vertex> path = graph::path_to(graph_, tree, *query_.goal);
     if (path.empty()) return std::nullopt;
-    return planning::time_way(points_of(path), query_.depart, legs());
+    return planning::optimal_control::time_way(points_of(path), query_.depart, legs());
   }
 
   /// Ways through different corridors, the earliest first: at most `most`.
@@ -50,7 +50,7 @@ class CaseSearch {
     return ways;
   }
 
-  [[nodiscard]] planning::LegTimer legs() const {
+  [[nodiscard]] planning::optimal_control::LegTimer legs() const {
     return [this](geo::PlanePoint from, geo::PlanePoint to, core::Seconds depart) {
       const auto time = leg_time(from, to, depart, core::Seconds{INFINITY});
       return time ? std::optional{*time} : std::nullopt;

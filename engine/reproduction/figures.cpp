@@ -2,8 +2,8 @@
 
 #include <cstdio>
 
-#include "engine/planning/analytic_currents.hpp"
-#include "engine/planning/optimal_control.hpp"
+#include "engine/planning/currents/analytic_currents.hpp"
+#include "engine/planning/optimal_control/optimal_control.hpp"
 #include "engine/reproduction/case_search.hpp"
 #include "engine/reproduction/paper_cases.hpp"
 
@@ -45,16 +45,18 @@ struct Water {
     constexpr std::size_t corridors = 3;
     const GridCase& searched = find_case(cases, "3-sector").searched;
     const CaseSearch search{searched, current, through_water, tolerance};
-    const planning::Crossing crossing{searched.grid.point(searched.grid.start),
-                                      searched.grid.point(searched.grid.goal), core::Seconds{0.0},
-                                      through_water};
-    const auto extremal = planning::find_extremal(crossing, current, search.corridors(corridors));
+    const planning::optimal_control::Crossing crossing{searched.grid.point(searched.grid.start),
+                                                       searched.grid.point(searched.grid.goal),
+                                                       core::Seconds{0.0}, through_water};
+    const auto extremal =
+        planning::optimal_control::find_extremal(crossing, current, search.corridors(corridors));
     FigurePath path{.name = optimum_name,
                     .travel_time = extremal.value().duration.count(),
                     .colour = black,
                     .dashed = true,
                     .points = {}};
-    for (const planning::SteeredPoint& at : extremal->points) path.points.push_back({at.x_m, at.y_m});
+    for (const planning::optimal_control::SteeredPoint& at : extremal->points)
+      path.points.push_back({at.x_m, at.y_m});
     return path;
   }
 
@@ -80,8 +82,9 @@ struct Water {
   }
 };
 
-Figure river_figure(int number, const std::string& title, const Water<planning::RiverCurrent>& river,
-                    const FigurePath& optimum, const std::vector<Shown>& rows) {
+Figure river_figure(int number, const std::string& title,
+                    const Water<planning::currents::RiverCurrent>& river, const FigurePath& optimum,
+                    const std::vector<Shown>& rows) {
   Figure figure{.number = number,
                 .title = title,
                 .x = {"x in m", 0.0, 300.0, 50.0, 750.0},
@@ -118,7 +121,7 @@ Figure jet_figure(int number, const std::string& title, double width_pixels) {
 }
 
 /// The path so far.
-FigurePath until(const FigurePath& path, const planning::TimedWay& way, core::Seconds time) {
+FigurePath until(const FigurePath& path, const planning::optimal_control::TimedWay& way, core::Seconds time) {
   FigurePath result = path;
   result.points.clear();
   for (std::size_t i = 0; i < way.points.size() && way.times[i] < time; ++i) {
@@ -128,7 +131,7 @@ FigurePath until(const FigurePath& path, const planning::TimedWay& way, core::Se
   return result;
 }
 
-Figure time_sequence(const Water<planning::MeanderingJet>& jet) {
+Figure time_sequence(const Water<planning::currents::MeanderingJet>& jet) {
   constexpr int panels = 6;
   Figure figure = jet_figure(8, "Figure 8: the way by the 3-sector grid as time goes by", 460.0);
   figure.panels_in_a_row = 2;
@@ -150,7 +153,7 @@ Figure time_sequence(const Water<planning::MeanderingJet>& jet) {
 }
 
 /// All paths over the water at one time, half-way.
-Figure comparison(const Figure& blank, const Water<planning::MeanderingJet>& jet,
+Figure comparison(const Figure& blank, const Water<planning::currents::MeanderingJet>& jet,
                   std::vector<FigurePath> paths, const std::vector<Obstacle>& obstacles) {
   constexpr double half_way = 8.5;
   Figure figure = blank;
@@ -165,7 +168,7 @@ Figure comparison(const Figure& blank, const Water<planning::MeanderingJet>& jet
 }  // namespace
 
 std::vector<Figure> reproduce_figures() {
-  const Water<planning::RiverCurrent> river{{}, river_speed, river_cases()};
+  const Water<planning::currents::RiverCurrent> river{{}, river_speed, river_cases()};
   const FigurePath over_the_river = river.optimum();
   std::vector<Figure> figures;
   figures.push_back(river_figure(5, "Figure 5: one aspect ratio, three grid sizes", river, over_the_river,
@@ -175,7 +178,7 @@ std::vector<Figure> reproduce_figures() {
   figures.push_back(river_figure(7, "Figure 7: three grid structures", river, over_the_river,
                                  {{"1-sector", orange}, {"2-sector", green}, {"3-sector", blue}}));
 
-  const Water<planning::MeanderingJet> jet{{}, jet_speed, jet_cases()};
+  const Water<planning::currents::MeanderingJet> jet{{}, jet_speed, jet_cases()};
   figures.push_back(time_sequence(jet));
   std::vector<FigurePath> open = jet.paths({{"1-sector", orange}, {"2-sector", green}, {"3-sector", blue}});
   open.push_back(jet.optimum());

@@ -3,9 +3,9 @@
 #include <string>
 #include <utility>
 
-#include "engine/planning/analytic_currents.hpp"
-#include "engine/planning/optimal_control.hpp"
-#include "engine/planning/refinement.hpp"
+#include "engine/planning/currents/analytic_currents.hpp"
+#include "engine/planning/optimal_control/optimal_control.hpp"
+#include "engine/planning/refinement/refinement.hpp"
 #include "engine/reproduction/case_search.hpp"
 
 namespace floeplan::reproduction {
@@ -14,7 +14,7 @@ namespace {
 constexpr double converged = 1e-7;
 constexpr double product_default = 1e-4;
 
-std::optional<double> seconds(const std::optional<planning::TimedWay>& way) {
+std::optional<double> seconds(const std::optional<planning::optimal_control::TimedWay>& way) {
   return way ? std::optional{way->duration().count()} : std::nullopt;
 }
 
@@ -35,9 +35,10 @@ class Table {
 
   void add_optimal_control(PrintedRow printed) {
     constexpr std::size_t corridors = 3;
-    const planning::Crossing crossing{start(), goal(), core::Seconds{0.0}, through_water_};
+    const planning::optimal_control::Crossing crossing{start(), goal(), core::Seconds{0.0}, through_water_};
     const CaseSearch search{water_, current_, through_water_, product_default};
-    const auto extremal = planning::find_extremal(crossing, current_, search.corridors(corridors));
+    const auto extremal =
+        planning::optimal_control::find_extremal(crossing, current_, search.corridors(corridors));
     if (extremal) optimum_s_ = extremal->duration.count();
     ReproducedRow row{.printed = std::move(printed)};
     row.ours_s = optimum_s_;
@@ -60,15 +61,17 @@ class Table {
     ReproducedRow row{.printed = {.row = "refined, " + std::to_string(legs) + " legs",
                                   .remark = "the 3-sector way, its points moved off the grid"}};
     if (const auto found = product.fastest()) {
-      planning::Route way{found->points, std::vector<bool>(found->points.size(), false)};
+      planning::cost::Route way{found->points, std::vector<bool>(found->points.size(), false)};
       way.fixed.front() = way.fixed.back() = true;
-      const planning::LegTimer leg = product.legs();
-      const planning::Itinerary start =
-          planning::LegMeter{leg, {}}.timed(std::move(way), found->times.front()).value();
-      const planning::Itinerary refined =
-          planning::refine_route(leg, start, {.most_legs = legs, .least_gain = 0.0}, {}).itinerary;
+      const planning::optimal_control::LegTimer leg = product.legs();
+      const planning::cost::Itinerary start =
+          planning::refinement::LegMeter{leg, {}}.timed(std::move(way), found->times.front()).value();
+      const planning::cost::Itinerary refined =
+          planning::refinement::refine_route(leg, start, {.most_legs = legs, .least_gain = 0.0}, {})
+              .itinerary;
       const CaseSearch exact{water_, current_, through_water_, converged};
-      row.ours_s = seconds(planning::time_way(refined.route.points, core::Seconds{0.0}, exact.legs()));
+      row.ours_s = seconds(
+          planning::optimal_control::time_way(refined.route.points, core::Seconds{0.0}, exact.legs()));
       row.ours_at_default_tolerance_s = refined.travel_time().count();
     }
     rows_.push_back(std::move(row));
@@ -90,7 +93,7 @@ class Table {
   [[nodiscard]] geo::PlanePoint goal() const { return water_.grid.point(water_.grid.goal); }
   [[nodiscard]] std::optional<double> direct_s(double tolerance) const {
     const CaseSearch search{water_, current_, through_water_, tolerance};
-    return seconds(planning::time_way({start(), goal()}, core::Seconds{0.0}, search.legs()));
+    return seconds(planning::optimal_control::time_way({start(), goal()}, core::Seconds{0.0}, search.legs()));
   }
 
   GridCase water_;
@@ -104,7 +107,7 @@ class Table {
 }  // namespace
 
 std::vector<ReproducedRow> reproduce_table_2() {
-  const planning::RiverCurrent river;
+  const planning::currents::RiverCurrent river;
   const std::vector<PaperCase> cases = river_cases();
   Table table{cases.front().searched.grid, river, river_speed};
   table.add_direct_drive({.row = "direct drive",
@@ -118,7 +121,7 @@ std::vector<ReproducedRow> reproduce_table_2() {
 }
 
 std::vector<ReproducedRow> reproduce_table_3() {
-  const planning::MeanderingJet jet;
+  const planning::currents::MeanderingJet jet;
   const std::vector<PaperCase> cases = jet_cases();
   Table table{cases.front().searched.grid, jet, jet_speed};
   table.add_direct_drive({.row = "direct drive", .remark = "not possible, as the paper says"});

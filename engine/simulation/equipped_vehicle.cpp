@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "engine/core/random.hpp"
-#include "engine/planning/plane_box.hpp"
+#include "engine/planning/plane/plane_box.hpp"
 
 namespace floeplan::simulation {
 namespace {

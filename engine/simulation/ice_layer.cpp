@@ -2,8 +2,10 @@
 
 namespace floeplan::simulation {
 IceLayer::IceLayer(const ocean::Environment& environment, const planning::UnderIceRules& rules,
-                   const geo::LocalProjection& projection, const planning::PlaneBox& area,
+                   const geo::LocalProjection& projection, const planning::plane::PlaneBox& area,
                    core::UtcTime epoch)
-    : epoch_{epoch}, cover_{planning::IceCovers{environment, rules, projection, area, epoch}}, area_{area} {}
+    : epoch_{epoch},
+      cover_{planning::ice::IceCovers{environment, rules, projection, area, epoch}},
+      area_{area} {}
 
 }  // namespace floeplan::simulation

@@ -4,8 +4,8 @@
 
 #include "engine/geo/local_projection.hpp"
 #include "engine/ocean/environment.hpp"
-#include "engine/planning/ice_covers.hpp"
-#include "engine/planning/plane_box.hpp"
+#include "engine/planning/ice/ice_covers.hpp"
+#include "engine/planning/plane/plane_box.hpp"
 
 namespace floeplan::simulation {
 
@@ -18,7 +18,8 @@ class IceLayer {
   explicit IceLayer(core::Metres draft) : even_m_{draft.value} {}
   /// `environment` must have ice.
   IceLayer(const ocean::Environment& environment, const planning::UnderIceRules& rules,
-           const geo::LocalProjection& projection, const planning::PlaneBox& area, core::UtcTime epoch);
+           const geo::LocalProjection& projection, const planning::plane::PlaneBox& area,
+           core::UtcTime epoch);
 
   /// Whether there is any, somewhere and some time.
   [[nodiscard]] bool has_ice() const { return cover_.has_value() || even_m_ > 0.0; }
@@ -32,8 +33,8 @@ class IceLayer {
  private:
   double even_m_{};
   core::UtcTime epoch_{};
-  std::optional<planning::IceCovers> cover_{};
-  planning::PlaneBox area_{};
+  std::optional<planning::ice::IceCovers> cover_{};
+  planning::plane::PlaneBox area_{};
 };
 
 }  // namespace floeplan::simulation

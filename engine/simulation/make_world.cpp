@@ -16,10 +16,10 @@
 namespace floeplan::simulation {
 namespace {
 
-planning::PlaneBox box_about(std::span<const geo::LonLat> route, const geo::LocalProjection& projection,
-                             core::Metres margin) {
+planning::plane::PlaneBox box_about(std::span<const geo::LonLat> route,
+                                    const geo::LocalProjection& projection, core::Metres margin) {
   const geo::PlanePoint first = projection.to_plane(route.front());
-  planning::PlaneBox box{first, first};
+  planning::plane::PlaneBox box{first, first};
   for (const geo::LonLat place : route) box.include(projection.to_plane(place));
   return box.grown(margin.value);
 }
@@ -43,7 +43,7 @@ std::vector<Body::Fix> true_track(const std::vector<ocean::IcebergFix>& forecast
 }
 
 bool comes_near(const std::vector<Body::Fix>& track, core::UtcTime begin, core::UtcTime end,
-                const planning::PlaneBox& area) {
+                const planning::plane::PlaneBox& area) {
   const auto in_time = [&](std::size_t i) {
     const bool over = i + 1 < track.size() && track[i + 1].time < begin;
     return !over && (track[i].time <= end || i == 0);
@@ -73,7 +73,7 @@ World make_world(const ocean::Environment& environment, std::span<const geo::Lon
     throw std::invalid_argument{found.front().field + " " + found.front().rule};
 
   const geo::LocalProjection projection{route.front()};
-  const planning::PlaneBox area = box_about(route, projection, settings.margin);
+  const planning::plane::PlaneBox area = box_about(route, projection, settings.margin);
   const CurrentErrorField error{settings.current_error, begin, seed};
   WorldParts parts{.origin = route.front()};
   if (environment.bathymetry) parts.bed = SeaBed{environment.bathymetry, projection, area};

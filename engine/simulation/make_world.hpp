@@ -8,7 +8,7 @@
 #include "engine/core/violation.hpp"
 #include "engine/geo/lon_lat.hpp"
 #include "engine/ocean/environment.hpp"
-#include "engine/planning/under_ice_rules.hpp"
+#include "engine/planning/problem/under_ice_rules.hpp"
 #include "engine/simulation/current_error_field.hpp"
 #include "engine/simulation/world.hpp"
 

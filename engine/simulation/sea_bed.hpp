@@ -5,8 +5,8 @@
 
 #include "engine/geo/local_projection.hpp"
 #include "engine/ocean/bathymetry.hpp"
-#include "engine/planning/plane_bed.hpp"
-#include "engine/planning/plane_box.hpp"
+#include "engine/planning/obstacles/plane_bed.hpp"
+#include "engine/planning/plane/plane_box.hpp"
 
 namespace floeplan::simulation {
 
@@ -18,8 +18,8 @@ class SeaBed {
   explicit SeaBed(core::Metres flat) : flat_{flat.value} {}
   /// `bathymetry` must not be null.
   SeaBed(std::shared_ptr<const ocean::Bathymetry> bathymetry, const geo::LocalProjection& projection,
-         const planning::PlaneBox& area)
-      : data_{planning::PlaneBed{std::move(bathymetry), projection, area, {}}}, area_{area} {}
+         const planning::plane::PlaneBox& area)
+      : data_{planning::obstacles::PlaneBed{std::move(bathymetry), projection, area, {}}}, area_{area} {}
 
   /// Positive down; empty where there is none, or where it is not known, as beyond the area.
   [[nodiscard]] std::optional<double> depth_m(double east_m, double north_m) const {
@@ -34,8 +34,8 @@ class SeaBed {
 
  private:
   std::optional<double> flat_{};
-  std::optional<planning::PlaneBed> data_{};
-  planning::PlaneBox area_{};
+  std::optional<planning::obstacles::PlaneBed> data_{};
+  planning::plane::PlaneBox area_{};
 };
 
 }  // namespace floeplan::simulation

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <utility>
 
-#include "engine/planning/plane_box.hpp"
+#include "engine/planning/plane/plane_box.hpp"
 #include "engine/simulation/equipped_vehicle.hpp"
 #include "engine/simulation/flight_path.hpp"
 
@@ -28,7 +28,7 @@ std::vector<core::Metres> depths_of(const YoOrders& yo) {
   return depths;
 }
 
-avoidance::CarriedForecast::Grid grid_over(const planning::PlaneBox& area) {
+avoidance::CarriedForecast::Grid grid_over(const planning::plane::PlaneBox& area) {
   avoidance::CarriedForecast::Grid grid;
   const double longer_m = std::max(area.width_m(), area.height_m());
   const double spacing_m = std::max(least_spacing_m, longer_m / (most_places - 1));
@@ -44,7 +44,7 @@ avoidance::CarriedForecast::Grid grid_over(const planning::PlaneBox& area) {
 SystemOnBoard system_for(const World& world, const MissionOrders& orders, geo::LonLat start,
                          core::UtcTime departure, core::Seconds duration) {
   const geo::PlanePoint from = world.projection().to_plane(start);
-  planning::PlaneBox area{from, from};
+  planning::plane::PlaneBox area{from, from};
   std::vector<geo::PlanePoint> waypoints;
   for (const RouteStop& stop : flight_path(world, orders, start).stops) {
     waypoints.push_back({stop.place.east, stop.place.north});

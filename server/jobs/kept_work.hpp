@@ -4,7 +4,7 @@
 #include <string>
 
 #include "engine/geo/bounding_box.hpp"
-#include "engine/planning/route_ground.hpp"
+#include "engine/planning/search/route_ground.hpp"
 #include "storage/repository/current_grid_cache.hpp"
 #include "storage/repository/recently_used.hpp"
 
@@ -15,7 +15,7 @@ struct GroundKey {
   std::string conditions;  // the request but for its route
   std::string contents;    // of the store
   geo::BoundingBox area;   // of which the data are
-  planning::RouteSite site;
+  planning::search::RouteSite site;
 
   friend bool operator==(const GroundKey&, const GroundKey&) = default;
 };
@@ -25,7 +25,7 @@ struct GroundKey {
 /// Threads  all members may be used from several threads at once
 struct KeptWork {
   repository::CurrentGridCache currents;
-  repository::RecentlyUsed<GroundKey, planning::RouteGround> grounds;
+  repository::RecentlyUsed<GroundKey, planning::search::RouteGround> grounds;
 };
 
 }  // namespace floeplan::jobs

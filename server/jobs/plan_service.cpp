@@ -10,10 +10,10 @@
 #include "api/codec/plan_document.hpp"
 #include "api/codec/sha256.hpp"
 #include "engine/core/utc_text.hpp"
-#include "engine/planning/departure.hpp"
 #include "engine/planning/evaluate_route.hpp"
-#include "engine/planning/latest_departure.hpp"
+#include "engine/planning/plan_arrival.hpp"
 #include "engine/planning/plan_route.hpp"
+#include "engine/planning/plan_window.hpp"
 #include "storage/json/json.hpp"
 #include "storage/repository/dataset_repository.hpp"
 #include "storage/repository/environment_loader.hpp"
@@ -100,7 +100,7 @@ GroundKey ground_key(sqlite::Connection& db, const codec::EvaluateInputs& inputs
   return {.conditions = conditions.dump(),
           .contents = repository::DatasetRepository{db}.contents(),
           .area = inputs.data.area,
-          .site = planning::site_of(on_route)};
+          .site = planning::search::site_of(on_route)};
 }
 
 }  // namespace
@@ -161,7 +161,7 @@ tl::expected<json, core::Violations> evaluate_route_document(sqlite::Connection&
       return tl::unexpected(core::Violations{{"/plan_id", "no plan has the id " + *inputs.plan_id}});
     codec::set_route(inputs, codec::route_of(json::parse(stored->document_json)));
   }
-  const planning::PlanRequest on_route = planning::request_along(inputs.route, inputs.request);
+  const planning::PlanRequest on_route = planning::search::request_along(inputs.route, inputs.request);
   const sqlite::Snapshot one_moment{db};
   const GroundKey key = ground_key(db, inputs, on_route);
   auto ground = kept != nullptr ? kept->grounds.find(key) : nullptr;
@@ -170,7 +170,7 @@ tl::expected<json, core::Violations> evaluate_route_document(sqlite::Connection&
   if (!ground) {
     const auto environment = repository::load_environment(db, inputs.data, reading(stop, kept));
     if (!environment) return tl::unexpected(environment.error());
-    const auto laid_out = planning::lay_out_ground(*environment, on_route, key.site, stop);
+    const auto laid_out = planning::search::lay_out_ground(*environment, on_route, key.site, stop);
     if (!laid_out) return codec::infeasible_document(laid_out.error(), *environment);
     ground = *laid_out;
     if (kept != nullptr) kept->grounds.keep(key, ground, ground->bytes());

@@ -6,7 +6,7 @@
 
 #include "api/codec/plan_document.hpp"
 #include "api/codec/reach_document.hpp"
-#include "engine/planning/reach.hpp"
+#include "engine/planning/find_isochrones.hpp"
 #include "storage/json/json.hpp"
 #include "storage/repository/environment_loader.hpp"
 
@@ -23,7 +23,7 @@ tl::expected<nlohmann::json, core::Violations> reach_document(sqlite::Connection
   if (!environment) return tl::unexpected(environment.error());
 
   const auto begin = std::chrono::steady_clock::now();
-  auto reach = planning::find_reach(*environment, inputs.request, stop, progress);
+  auto reach = planning::find_isochrones(*environment, inputs.request, stop, progress);
   if (!reach) return codec::infeasible_document(reach.error(), *environment);
   std::ranges::copy(inputs.warnings, std::back_inserter(reach->warnings));
   reach->search.duration = std::chrono::steady_clock::now() - begin;

@@ -89,8 +89,9 @@ WorkerPool::WorkerPool(const OpenStore& open_store, JobBoard& board, std::size_t
       workers_{workers},
       place_{std::move(place)},
       limits_{limits},
-      kept_{.currents = repository::CurrentGridCache{most_kept_currents},
-            .grounds = repository::RecentlyUsed<GroundKey, planning::RouteGround>{most_kept_grounds}} {
+      kept_{
+          .currents = repository::CurrentGridCache{most_kept_currents},
+          .grounds = repository::RecentlyUsed<GroundKey, planning::search::RouteGround>{most_kept_grounds}} {
   auto db = open_store();
   JobRepository{db}.release_all_leases(now());
   // Every connection is made here: what goes wrong then keeps the pool from starting, and does not end a thread.

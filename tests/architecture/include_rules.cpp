@@ -12,7 +12,8 @@ namespace {
 namespace fs = std::filesystem;
 using Names = std::set<std::string>;
 
-/// What a folder may include besides itself: the folders it uses with all that these use, and single headers.
+/// What a folder may include besides itself: the folders it uses with all that these use, and single headers, or the
+/// headers of a folder without what that one uses.
 struct Folder {
   Names uses;
   Names headers{};
@@ -28,11 +29,31 @@ const std::map<std::string, Folder>& folders() {
       {"engine/motion", {{"engine/geo"}}},
       {"engine/ocean", {{"engine/geo", "engine/tide"}}},
       {"engine/vehicle", {{"engine/geo"}}},
-      {"engine/planning", {{"engine/graph", "engine/motion", "engine/ocean", "engine/vehicle"}}},
-      {"engine/reproduction", {{"engine/planning"}}},
-      {"engine/mission", {{"engine/planning"}}},
+      {"engine/planning/problem", {{"engine/motion", "engine/ocean", "engine/vehicle"}}},
+      {"engine/planning/plane", {{"engine/ocean"}}},
+      {"engine/planning/obstacles", {{"engine/planning/plane", "engine/planning/problem"}}},
+      {"engine/planning/ice", {{"engine/planning/obstacles"}}},
+      {"engine/planning/currents", {{"engine/planning/ice"}}},
+      {"engine/planning/energy", {{"engine/planning/currents"}}},
+      {"engine/planning/cost", {{"engine/planning/energy", "engine/graph"}}},
+      {"engine/planning/optimal_control", {{"engine/planning/cost"}}},
+      {"engine/planning/refinement", {{"engine/planning/cost"}}},
+      {"engine/planning/search/grid", {{"engine/planning/cost"}}},
+      {"engine/planning/search/bounds", {{"engine/planning/search/grid"}}},
+      {"engine/planning/search/waiting", {{"engine/planning/search/bounds"}}},
+      {"engine/planning/search/surfacing", {{"engine/planning/search/waiting"}}},
+      {"engine/planning/search", {{"engine/planning/search/surfacing"}}},
+      {"engine/planning/search/energy", {{"engine/planning/search"}}},
+      {"engine/planning/publish",
+       {{"engine/planning/search", "engine/planning/refinement", "engine/planning/optimal_control"}}},
+      {"engine/planning/planner", {{"engine/planning/publish", "engine/planning/search/energy"}}},
+      {"engine/planning/diagnosis", {{"engine/planning/planner"}}},
+      {"engine/planning", {{"engine/planning/diagnosis"}}},
+      // Outside the planner its five verbs are known, what they take and give, and little else.
+      {"engine/reproduction", {{"engine/planning/optimal_control", "engine/planning/refinement"}}},
+      {"engine/mission", {{"engine/planning/problem"}, {"engine/planning"}}},
       {"engine/avoidance", {{"engine/graph", "engine/motion", "engine/vehicle"}}},
-      {"engine/simulation", {{"engine/mission", "engine/avoidance"}}},
+      {"engine/simulation", {{"engine/mission", "engine/avoidance", "engine/planning/ice"}}},
       {"storage/sqlite", {{"engine/core"}}},
       {"storage/json", {{}}},
       {"storage/repository", {{"storage/sqlite", "storage/json", "engine/mission", "engine/simulation"}}},
@@ -64,11 +85,14 @@ const std::map<std::string, Folder>& folders() {
          "storage/ingest/readers/coastline", "storage/ingest/readers/tracks"}}},
       {"storage/ingest/process", {{"storage/ingest", "storage/sandbox"}}},
       {"storage/demo", {{"storage/ingest"}}},
-      {"api/codec", {{"storage/repository", "storage/xml"}}},
+      {"api/codec",
+       {{"storage/repository", "storage/xml"}, {"engine/planning", "engine/planning/cost/layout.hpp"}}},
       {"api/openapi", {{}}},
       {"api/log", {{"engine/core"}}},
       {"api/routes", {{"api/codec", "api/openapi", "api/log"}}},
-      {"server/jobs", {{"storage/ingest/process", "api/codec", "api/log"}, {"api/routes/job_gateway.hpp"}}},
+      {"server/jobs",
+       {{"storage/ingest/process", "api/codec", "api/log"},
+        {"api/routes/job_gateway.hpp", "engine/planning", "engine/planning/search/route_ground.hpp"}}},
       // The listener speaks in messages and problems; it knows no resource.
       {"server/http",
        {{"engine/core", "api/log"},
@@ -106,7 +130,9 @@ void add_reach(const std::string& folder, Names& reached) {
 }
 
 bool may_include(const std::string& from, const fs::path& header) {
-  if (folders().at(from).headers.contains(header.generic_string())) return true;
+  const Names& headers = folders().at(from).headers;
+  if (headers.contains(header.generic_string()) || headers.contains(header.parent_path().generic_string()))
+    return true;
   Names reached;
   add_reach(from, reached);
   return reached.contains(header.parent_path().generic_string());

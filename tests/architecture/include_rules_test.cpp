@@ -55,10 +55,10 @@ TEST_F(SpoiltTree, ShowsAnArrowThatPointsBack) {
 
 TEST_F(SpoiltTree, ShowsStorageInTheEngineAndAvoidanceThatSeesTheOcean) {
   append("engine/avoidance/spoilt.cpp", "#include \"engine/ocean/current_field.hpp\"");
-  append("engine/planning/plan.hpp", "#include \"storage/repository/dataset.hpp\"");
+  append("engine/planning/problem/plan.hpp", "#include \"storage/repository/dataset.hpp\"");
 
   EXPECT_THAT(new_faults(), ElementsAre(HasSubstr("engine/avoidance/spoilt.cpp:1: "),
-                                        HasSubstr("engine/planning must not use")));
+                                        HasSubstr("engine/planning/problem must not use")));
 }
 
 TEST_F(SpoiltTree, ShowsRoomsOfReadersThatLeanOnEachOther) {

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "engine/planning/plane_box.hpp"
+#include "engine/planning/plane/plane_box.hpp"
 #include "engine/simulation/equipped_vehicle.hpp"
 #include "engine/simulation/random_icebergs.hpp"
 #include "server/jobs/parallel_runs.hpp"
@@ -49,7 +49,7 @@ IcebergField bank() {
       ocean::HorizontalGrid{geo::GridFrame{}, ocean::Axis{lon}, ocean::Axis{lat}}, depth_m);
   WorldParts parts{.origin = start};
   parts.bed = SeaBed{bathymetry, geo::LocalProjection{start},
-                     planning::PlaneBox{{-15'000.0, -15'000.0}, {15'000.0, 15'000.0}}};
+                     planning::plane::PlaneBox{{-15'000.0, -15'000.0}, {15'000.0, 15'000.0}}};
   return {World{std::move(parts)}, field.orders, field.vehicle, {}};
 }
 

@@ -6,9 +6,9 @@
 
 #include "engine/graph/grid_graph.hpp"
 #include "engine/motion/edge_time.hpp"
-#include "engine/planning/flown_depths.hpp"
+#include "engine/planning/currents/flown_depths.hpp"
+#include "engine/planning/currents/plane_currents.hpp"
 #include "engine/planning/plan_route.hpp"
-#include "engine/planning/plane_currents.hpp"
 #include "tests/bench/benchmarks.hpp"
 #include "tests/support/small_sea.hpp"
 
@@ -42,9 +42,10 @@ ocean::Environment environment() {
 
 Row edge_row(const ocean::Environment& sea) {
   const geo::LocalProjection projection{{-53.0, 69.0}};
-  const planning::PlaneBox area{{-60'000.0, -60'000.0}, {60'000.0, 60'000.0}};
-  const planning::PlaneCurrents currents{*sea.currents, false, planning::FlownDepths{{}, nullptr},
-                                         projection,    area,  core::from_unix_seconds(support::sea_start_s)};
+  const planning::plane::PlaneBox area{{-60'000.0, -60'000.0}, {60'000.0, 60'000.0}};
+  const planning::currents::PlaneCurrents currents{
+      *sea.currents, false, planning::currents::FlownDepths{{}, nullptr},
+      projection,    area,  core::from_unix_seconds(support::sea_start_s)};
   const auto point_by_point = [&](geo::PlanePoint point, core::Seconds time) {
     return currents(point, time);
   };

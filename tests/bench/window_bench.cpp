@@ -2,8 +2,8 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "engine/planning/departure.hpp"
 #include "engine/planning/plan_route.hpp"
+#include "engine/planning/planner/departure.hpp"
 #include "tests/bench/benchmarks.hpp"
 #include "tests/support/small_sea.hpp"
 
@@ -43,7 +43,7 @@ std::vector<Row> window_rows() {
   window.departures.until = window.depart + (departures - 1) * window.departures.step;
   std::vector<planning::DepartureOutcome> curve;
   const double seconds =
-      least_seconds(1, [&] { curve = planning::compare_departures(sea, window, {}, {}).value(); });
+      least_seconds(1, [&] { curve = planning::planner::compare_departures(sea, window, {}, {}).value(); });
 
   int planned = 0;
   const double alone_s = least_seconds(1, [&] {

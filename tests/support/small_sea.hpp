@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "engine/ocean/environment.hpp"
-#include "engine/planning/plan_request.hpp"
+#include "engine/planning/problem/plan_request.hpp"
 
 /// Small seas with known answers, around 69 N 53 W.
 namespace floeplan::support {

@@ -11,7 +11,7 @@ namespace floeplan::codec::reach_inputs_test {
 namespace {
 
 using nlohmann::json;
-using planning::ReachRequest;
+using planning::IsochroneRequest;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -38,7 +38,7 @@ TEST(ReachInputs, ReadAPlaceAndItsDeparture) {
   const auto parsed = parse_reach_inputs(from);
 
   ASSERT_TRUE(parsed.has_value());
-  EXPECT_EQ(parsed->request.direction, ReachRequest::Direction::from);
+  EXPECT_EQ(parsed->request.direction, IsochroneRequest::Direction::from);
   EXPECT_EQ(parsed->request.spans,
             (std::vector<core::Seconds>{core::Seconds{21600.0}, core::Seconds{45000.0}}));
   EXPECT_EQ(parsed->data.depart, core::parse_iso8601("2026-11-20T06:00:00Z"));
@@ -49,7 +49,7 @@ TEST(ReachInputs, ReadAPlaceAndTheArrivalThere) {
   const auto parsed = parse_reach_inputs(to);
 
   ASSERT_TRUE(parsed.has_value());
-  EXPECT_EQ(parsed->request.direction, ReachRequest::Direction::to);
+  EXPECT_EQ(parsed->request.direction, IsochroneRequest::Direction::to);
   EXPECT_EQ(parsed->data.depart, core::parse_iso8601("2026-11-21T06:00:00Z"));
   EXPECT_EQ(parsed->data.until->time, core::parse_iso8601("2026-11-22T06:00:00Z"));
 }
@@ -96,7 +96,7 @@ TEST(ReachInputs, NameEveryFault) {
 }
 
 TEST(ReachDocument, IsGeoJsonWithClosedRings) {
-  planning::Reach reach;
+  planning::Isochrones reach;
   reach.areas.push_back({.span = core::Seconds{21600.0},
                          .time = core::parse_iso8601("2026-11-20T12:00:00Z").value(),
                          .polygons = {{.outer = {{-53.0, 69.0}, {-52.0, 69.0}, {-52.0, 70.0}}, .holes = {}}},

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "engine/geo/geodesic.hpp"
-#include "engine/planning/plan.hpp"
+#include "engine/planning/problem/plan.hpp"
 #include "tests/support/property.hpp"
 
 namespace floeplan::support {

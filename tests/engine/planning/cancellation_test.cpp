@@ -7,11 +7,13 @@
 #include <string>
 #include <vector>
 
-#include "engine/planning/departure.hpp"
 #include "engine/planning/evaluate_route.hpp"
-#include "engine/planning/latest_departure.hpp"
+#include "engine/planning/find_isochrones.hpp"
+#include "engine/planning/plan_arrival.hpp"
 #include "engine/planning/plan_route.hpp"
-#include "engine/planning/reach.hpp"
+#include "engine/planning/plan_window.hpp"
+#include "engine/planning/planner/departure.hpp"
+#include "engine/planning/search/waiting/latest_departure.hpp"
 #include "tests/support/small_sea.hpp"
 
 /// Every kind of request is stopped at each of its stages.
@@ -113,13 +115,13 @@ std::vector<Kind> kinds_of_request() {
                      return reason_of(plan_arrival(bay(), arrival, stop, progress, {}));
                    }});
 
-  ReachRequest reach;
+  IsochroneRequest reach;
   reach.place = coarse_request().from;
   reach.time = coarse_request().depart;
   reach.vehicle = coarse_request().vehicle;
   reach.spans = {core::Seconds{6.0 * 3600.0}, core::Seconds{12.0 * 3600.0}};
   kinds.push_back({"a reach", [reach](const auto& stop, const auto& progress) {
-                     return reason_of(find_reach(bay(), reach, stop, progress));
+                     return reason_of(find_isochrones(bay(), reach, stop, progress));
                    }});
 
   kinds.push_back({"an evaluation", [](const auto& stop, const auto& progress) {

@@ -11,7 +11,7 @@
 
 #include "engine/geo/geodesic.hpp"
 #include "engine/geo/local_projection.hpp"
-#include "engine/planning/plan.hpp"
+#include "engine/planning/problem/plan.hpp"
 #include "tests/support/property.hpp"
 #include "tests/support/small_sea.hpp"
 

@@ -5,8 +5,8 @@
 
 #include "engine/core/utc_text.hpp"
 #include "engine/geo/geodesic.hpp"
-#include "engine/planning/departure.hpp"
 #include "engine/planning/plan_route.hpp"
+#include "engine/planning/planner/departure.hpp"
 #include "tests/engine/planning/drifting_bergs.hpp"
 #include "tests/support/small_sea.hpp"
 
@@ -165,7 +165,7 @@ TEST(Circling, IsNoDepartureOfAWindowEither) {
   request.departures.until = start + core::Seconds{24.0 * hour_s};
   request.departures.step = core::Seconds{8.0 * hour_s};
 
-  const auto outcomes = compare_departures(environment, request, {}, {});
+  const auto outcomes = planner::compare_departures(environment, request, {}, {});
 
   ASSERT_TRUE(outcomes);
   ASSERT_EQ(outcomes->size(), 4U);

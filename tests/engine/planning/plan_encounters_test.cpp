@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "engine/planning/encounter_map.hpp"
+#include "engine/planning/obstacles/encounter_map.hpp"
 #include "engine/planning/plan_route.hpp"
 #include "tests/engine/planning/drifting_bergs.hpp"
 #include "tests/support/property.hpp"
@@ -96,11 +96,11 @@ TEST(EncounterMap, ReadsFromItsLatticeWhatIsExpectedOfAMove) {
         {support::uniform(rng, -53.2, -52.8), support::uniform(rng, 68.95, 69.05)}, 100.0)};
     environment.icebergs[0].position_uncertainty = core::Metres{support::uniform(rng, 3000.0, 6000.0)};
     const geo::LocalProjection projection{{-53.0, 69.0}};
-    const PlaneBox area{{-20'000.0, -12'000.0}, {20'000.0, 12'000.0}};
+    const plane::PlaneBox area{{-20'000.0, -12'000.0}, {20'000.0, 12'000.0}};
     const core::Seconds day{24.0 * hour_s};
-    const IcebergDiscs discs{environment, request.icebergs, projection, area, request.depart, day};
+    const obstacles::IcebergDiscs discs{environment, request.icebergs, projection, area, request.depart, day};
     const core::MetresPerSecond speed{0.35};
-    const EncounterMap map{discs, area, day, speed, {}};
+    const obstacles::EncounterMap map{discs, area, day, speed, {}};
     const geo::PlanePoint a{support::uniform(rng, -15'000.0, 0.0), support::uniform(rng, -8'000.0, 8'000.0)};
     const geo::PlanePoint b{support::uniform(rng, 0.0, 15'000.0), support::uniform(rng, -8'000.0, 8'000.0)};
     const core::Seconds time{std::hypot(b.x_m - a.x_m, b.y_m - a.y_m) / speed.value};

@@ -7,6 +7,7 @@
 #include "engine/geo/geodesic.hpp"
 #include "engine/planning/evaluate_route.hpp"
 #include "engine/planning/plan_route.hpp"
+#include "engine/planning/planner/try_to_plan.hpp"
 #include "tests/engine/planning/drifting_bergs.hpp"
 #include "tests/support/property.hpp"
 #include "tests/support/small_sea.hpp"
@@ -92,9 +93,9 @@ TEST(PlanAmongIcebergs, ComesOfAnyWayThatTheSearchFinds) {
     const auto [request, environment] = tidal_scene(rng);
     PlanRequest as_found = request;
     as_found.max_leg = core::Metres{160.0};
-    if (!try_to_plan(environment, as_found, {}, {})) return;
+    if (!planner::try_to_plan(environment, as_found, {}, {})) return;
     ++found;
-    if (!try_to_plan(environment, request, {}, {})) ++refused;
+    if (!planner::try_to_plan(environment, request, {}, {})) ++refused;
   });
   EXPECT_GT(found, 30);
   EXPECT_EQ(refused, 0);

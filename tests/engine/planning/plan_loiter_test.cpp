@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "engine/planning/cost/loiter.hpp"
 #include "engine/planning/evaluate_route.hpp"
-#include "engine/planning/loiter.hpp"
 #include "engine/planning/plan_route.hpp"
 #include "tests/engine/planning/drifting_bergs.hpp"
 #include "tests/support/property.hpp"
@@ -58,10 +58,10 @@ TEST(Loiter, EndsBeforeACurrentThatIsTooStrongForMinutesOnly) {
   const ocean::Environment environment{.currents = support::currents_from(currents, 48)};
   const PlanRequest request = support::eastward_request();
   const geo::LocalProjection projection{request.from};
-  const Sea sea{
+  const cost::Sea sea{
       environment, request, projection, {{-20'000.0, -20'000.0}, {20'000.0, 20'000.0}}, core::Metres{1000.0}};
 
-  const core::Seconds held = can_stay_until(sea, {}, core::Seconds{450.0}, core::Seconds{8.0 * hour_s});
+  const core::Seconds held = cost::can_stay_until(sea, {}, core::Seconds{450.0}, core::Seconds{8.0 * hour_s});
 
   EXPECT_LT(held.count(), 5.0 * hour_s);
   EXPECT_GT(held.count(), 4.5 * hour_s);
@@ -195,18 +195,20 @@ TEST(Loiter, IsPossibleOnlyWhereTheCurrentIsWeakerThanTheVehicle) {
           [](geo::LonLat, double hour) { return geo::VelocityEn{{hour <= 5.0 ? 0.1 : 0.5}, {0.0}}; }, 48)};
   PlanRequest request = support::eastward_request();
   const geo::LocalProjection projection{{-53.0, 69.0}};
-  const PlaneBox area{{-20'000.0, -10'000.0}, {20'000.0, 10'000.0}};
-  const Sea sea{environment, request, projection, area, core::Metres{500.0}};
+  const plane::PlaneBox area{{-20'000.0, -10'000.0}, {20'000.0, 10'000.0}};
+  const cost::Sea sea{environment, request, projection, area, core::Metres{500.0}};
   const geo::PlanePoint here{0.0, 0.0};
   const core::Seconds from{1.0 * hour_s};
 
-  EXPECT_EQ(can_stay_until(sea, here, from, core::Seconds{4.0 * hour_s}).count(), 4.0 * hour_s);
+  EXPECT_EQ(cost::can_stay_until(sea, here, from, core::Seconds{4.0 * hour_s}).count(), 4.0 * hour_s);
   // Between the hours the current grows evenly: 0.35 m/s at 5.6 h.
-  EXPECT_NEAR(can_stay_until(sea, here, from, core::Seconds{20.0 * hour_s}).count(), 5.6 * hour_s, 900.0);
-  EXPECT_LT(can_stay_until(sea, here, core::Seconds{7.0 * hour_s}, core::Seconds{8.0 * hour_s}).count(),
+  EXPECT_NEAR(cost::can_stay_until(sea, here, from, core::Seconds{20.0 * hour_s}).count(), 5.6 * hour_s,
+              900.0);
+  EXPECT_LT(cost::can_stay_until(sea, here, core::Seconds{7.0 * hour_s}, core::Seconds{8.0 * hour_s}).count(),
             7.0 * hour_s);
-  EXPECT_LT(can_stay_until(sea, here, core::Seconds{47.0 * hour_s}, core::Seconds{60.0 * hour_s}).count(),
-            48.1 * hour_s)
+  EXPECT_LT(
+      cost::can_stay_until(sea, here, core::Seconds{47.0 * hour_s}, core::Seconds{60.0 * hour_s}).count(),
+      48.1 * hour_s)
       << "the current is not known any longer";
 }
 
@@ -216,10 +218,11 @@ TEST(Loiter, EndsBeforeADiscComesOverThePlace) {
   ocean::Environment environment;
   environment.icebergs = {drifting_berg({-53.2, 69.0}, 100.0, 0.2, 90.0)};
   const geo::LocalProjection projection{{-53.0, 69.0}};
-  const PlaneBox area{{-20'000.0, -10'000.0}, {20'000.0, 10'000.0}};
-  const Sea sea{environment, request, projection, area, core::Metres{500.0}};
+  const plane::PlaneBox area{{-20'000.0, -10'000.0}, {20'000.0, 10'000.0}};
+  const cost::Sea sea{environment, request, projection, area, core::Metres{500.0}};
 
-  const core::Seconds end = can_stay_until(sea, {0.0, 0.0}, core::Seconds{0.0}, core::Seconds{48.0 * hour_s});
+  const core::Seconds end =
+      cost::can_stay_until(sea, {0.0, 0.0}, core::Seconds{0.0}, core::Seconds{48.0 * hour_s});
 
   // The berg is 7.98 km away; the disc's radius is 550 m.
   EXPECT_NEAR(end.count(), (7980.0 - 550.0) / 0.2, 300.0);

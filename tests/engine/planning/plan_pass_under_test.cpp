@@ -4,8 +4,9 @@
 #include <cmath>
 
 #include "engine/planning/evaluate_route.hpp"
-#include "engine/planning/pass_under.hpp"
+#include "engine/planning/obstacles/pass_under.hpp"
 #include "engine/planning/plan_route.hpp"
+#include "engine/planning/planner/try_to_plan.hpp"
 #include "tests/engine/planning/drifting_bergs.hpp"
 #include "tests/support/property.hpp"
 #include "tests/support/small_sea.hpp"
@@ -14,7 +15,7 @@ namespace floeplan::planning::plan_pass_under_test {
 namespace {
 
 Result<Plan> plan(const ocean::Environment& environment, const PlanRequest& request) {
-  return try_to_plan(environment, request, {}, {}, {});
+  return planner::try_to_plan(environment, request, {}, {}, {});
 }
 
 /// A berg of a stated draft in the only gap of a wall.
@@ -59,7 +60,7 @@ TEST(PassUnder, LeadsBelowTheKeelAndSaysSo) {
 
 TEST(PassUnder, LeavesRoomForADiveBelowTheKeelWhateverTheMargins) {
   const geo::LocalProjection projection{{-53.0, 69.0}};
-  const PlaneBox area{{-20'000.0, -20'000.0}, {20'000.0, 20'000.0}};
+  const plane::PlaneBox area{{-20'000.0, -20'000.0}, {20'000.0, 20'000.0}};
   int open = 0;
   support::for_each_seed(200, [&](std::mt19937_64& rng) {
     const double bed_m = support::uniform(rng, 20.0, 250.0);
@@ -73,9 +74,9 @@ TEST(PassUnder, LeavesRoomForADiveBelowTheKeelWhateverTheMargins) {
     vehicle.dive_depth = core::Metres{support::uniform(rng, 30.0, 200.0)};
     ocean::Iceberg berg = support::iceberg_at({-53.0, 69.0}, 60.0);
     berg.draft = core::Metres{support::uniform(rng, 1.0, 100.0)};
-    const PassUnder under{
+    const obstacles::PassUnder under{
         rules, vehicle,
-        lay_out_bed(environment.bathymetry, vehicle, projection, area, core::Metres{500.0}, {})};
+        obstacles::lay_out_bed(environment.bathymetry, vehicle, projection, area, core::Metres{500.0}, {})};
 
     const auto keel = under.keel_of(berg);
     if (!keel || !under.has_room({0.0, 0.0}, keel->upper_turn)) return;

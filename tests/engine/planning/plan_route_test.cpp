@@ -6,10 +6,11 @@
 #include <cmath>
 
 #include "engine/geo/geodesic.hpp"
-#include "engine/planning/coast_lines.hpp"
+#include "engine/planning/cost/layout.hpp"
 #include "engine/planning/evaluate_route.hpp"
-#include "engine/planning/layout.hpp"
-#include "engine/planning/plane_distance.hpp"
+#include "engine/planning/plane/coast_lines.hpp"
+#include "engine/planning/plane/plane_distance.hpp"
+#include "engine/planning/planner/try_to_plan.hpp"
 #include "tests/support/property.hpp"
 #include "tests/support/small_sea.hpp"
 
@@ -173,16 +174,16 @@ TEST(PlanRoute, MeasuresItsDistanceFromACoastHoweverFarAway) {
     const auto found = plan(environment, request);
 
     ASSERT_TRUE(found.has_value());
-    const geo::LocalProjection projection = lay_out(request, first_reach).projection;
+    const geo::LocalProjection projection = cost::lay_out(request, cost::first_reach).projection;
     const geo::PlanePoint from = projection.to_plane(request.from);
     const geo::PlanePoint to = projection.to_plane(request.to);
     double least_m = INFINITY;
     for (const geo::Polygon& land : environment.land) {
-      for_each_coast_line(land.outer, projection, [&](geo::PlanePoint a, geo::PlanePoint b) {
+      plane::for_each_coast_line(land.outer, projection, [&](geo::PlanePoint a, geo::PlanePoint b) {
         for (double share = 0.0; share <= 1.0; share += 1.0 / 1024.0) {
           const geo::PlanePoint at{from.x_m + share * (to.x_m - from.x_m),
                                    from.y_m + share * (to.y_m - from.y_m)};
-          least_m = std::min(least_m, distance_to_line(at, a, b));
+          least_m = std::min(least_m, plane::distance_to_line(at, a, b));
         }
       });
     }
@@ -290,9 +291,9 @@ TEST(PlanRoute, IsNoSlowerForBeingRefinedToFewWaypoints) {
       zone.area.outer = {a, {b.lon_deg, a.lat_deg}, b, {a.lon_deg, b.lat_deg}};
       request.zones.push_back(zone);
     }
-    const auto refined = try_to_plan(environment, request, {}, {});
+    const auto refined = planner::try_to_plan(environment, request, {}, {});
     request.refine = false;
-    const auto unrefined = try_to_plan(environment, request, {}, {});
+    const auto unrefined = planner::try_to_plan(environment, request, {}, {});
 
     if (!unrefined || unrefined->waypoints.size() > static_cast<std::size_t>(*request.max_waypoints)) return;
     ++compared;

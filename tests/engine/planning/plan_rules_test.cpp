@@ -7,10 +7,12 @@
 #include <vector>
 
 #include "engine/geo/geodesic.hpp"
-#include "engine/planning/departure.hpp"
 #include "engine/planning/evaluate_route.hpp"
-#include "engine/planning/latest_departure.hpp"
+#include "engine/planning/plan_arrival.hpp"
 #include "engine/planning/plan_route.hpp"
+#include "engine/planning/plan_window.hpp"
+#include "engine/planning/planner/departure.hpp"
+#include "engine/planning/search/waiting/latest_departure.hpp"
 #include "tests/engine/planning/drifting_bergs.hpp"
 
 /// Every way of making a plan keeps every rule of the request. The water is still, so that a plan's vehicle moves

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/planning/plan_route.hpp"
+#include "engine/planning/planner/try_to_plan.hpp"
 #include "tests/support/property.hpp"
 #include "tests/support/small_sea.hpp"
 
@@ -128,13 +129,13 @@ TEST(PlanSurvey, IsPossibleAndAsEarlyWhereAreasCloseAndOpenWhateverTheOrderGiven
     std::vector<std::size_t> order{0, 1, 2};
     do {
       for (std::size_t i = 0; i < order.size(); ++i) given.via[i] = request.via[order[i]];
-      const auto as_given = try_to_plan({}, given, {}, {});
+      const auto as_given = planner::try_to_plan({}, given, {}, {});
       if (!as_given) continue;
       ++possible;
       PlanRequest best = given;
       best.via_in_best_order = true;
 
-      const auto found = try_to_plan({}, best, {}, {});
+      const auto found = planner::try_to_plan({}, best, {}, {});
 
       ASSERT_TRUE(found.has_value()) << found.error().explanation;
       EXPECT_LE(found->travel_time().count(), 1.05 * as_given->travel_time().count());
@@ -190,7 +191,7 @@ TEST(PlanSurvey, DoesNotCallAtAPlaceThatItCannotLeaveInTime) {
                     .from = request.depart + there + core::Seconds{1800.0},
                     .until = request.depart + core::Seconds{20.0 * 3600.0}}};
 
-  const auto found = try_to_plan({}, request, {}, {});
+  const auto found = planner::try_to_plan({}, request, {}, {});
 
   ASSERT_TRUE(found.has_value()) << found.error().explanation;
   ASSERT_TRUE(found->via_order.has_value());

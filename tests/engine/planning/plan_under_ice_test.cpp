@@ -10,10 +10,11 @@
 
 #include "engine/core/message_rank.hpp"
 #include "engine/geo/geodesic.hpp"
-#include "engine/planning/ice_beside.hpp"
+#include "engine/planning/cost/sea.hpp"
+#include "engine/planning/cost/surfacing.hpp"
+#include "engine/planning/ice/nearest_ice.hpp"
 #include "engine/planning/plan_route.hpp"
-#include "engine/planning/sea.hpp"
-#include "engine/planning/surfacing.hpp"
+#include "engine/planning/planner/try_to_plan.hpp"
 #include "tests/support/property.hpp"
 #include "tests/support/small_sea.hpp"
 
@@ -88,9 +89,10 @@ TEST(PlanUnderIce, WarnsOfDeeperIceWithinTheErrorOfPosition) {
   request.method = Method::direct;
   const auto warns = testing::Contains(testing::HasSubstr("within the error of its position"));
 
-  EXPECT_THAT(try_to_plan(sea_with(60.0), request, {}, {}, {}).value().warnings, testing::Not(warns));
+  EXPECT_THAT(planner::try_to_plan(sea_with(60.0), request, {}, {}, {}).value().warnings,
+              testing::Not(warns));
   request.under_ice.surfacing_interval = core::Seconds{86'400.0};
-  EXPECT_THAT(try_to_plan(sea_with(69.02), request, {}, {}, {}).value().warnings, warns);
+  EXPECT_THAT(planner::try_to_plan(sea_with(69.02), request, {}, {}, {}).value().warnings, warns);
 }
 
 TEST(PlanUnderIce, WarnsOfOpeningsThatKeepTheBoundAndMayBeMissed) {
@@ -543,14 +545,14 @@ TEST(PlanUnderIce, FindsSmallIceToAnySide) {
       }
     }
     const ocean::Environment environment{.ice = std::make_shared<const ocean::IceField>(std::move(samples))};
-    const Sea sea{environment,
-                  request,
-                  projection,
-                  {{-20'000.0, -20'000.0}, {20'000.0, 20'000.0}},
-                  core::Metres{1000.0}};
+    const cost::Sea sea{environment,
+                        request,
+                        projection,
+                        {{-20'000.0, -20'000.0}, {20'000.0, 20'000.0}},
+                        core::Metres{1000.0}};
 
     const auto nearest =
-        nearest_ice_within(core::Metres{15'000.0}, *sea.ice(), {0.0, 0.0}, core::Seconds{0.0});
+        ice::nearest_ice_within(core::Metres{15'000.0}, *sea.ice(), {0.0, 0.0}, core::Seconds{0.0});
 
     ASSERT_TRUE(nearest.has_value()) << bearing_deg;
     EXPECT_NEAR(nearest->value, 10'000.0, 700.0) << bearing_deg;
@@ -648,21 +650,21 @@ TEST(PlanUnderIce, TheErrorGrowsWithTheSpeedOfEachLegsDrive) {
   request.vehicle = vehicle::find_profile("slocum-g3-200-thruster").value();
   request.energy.objective = energy_objective;
   const geo::LocalProjection projection{{-53.0, 69.0}};
-  const Sea sea{ice_everywhere,
-                request,
-                projection,
-                {{-30'000.0, -30'000.0}, {30'000.0, 30'000.0}},
-                core::Metres{1000.0}};
+  const cost::Sea sea{ice_everywhere,
+                      request,
+                      projection,
+                      {{-30'000.0, -30'000.0}, {30'000.0, 30'000.0}},
+                      core::Metres{1000.0}};
   const std::vector<geo::PlanePoint> route{{-10'000.0, 0.0}, {0.0, 0.0}, {10'000.0, 0.0}};
   const std::vector<vehicle::Drive> drives{vehicle::Drive::thruster, vehicle::Drive::buoyancy};
-  Schedule schedule{{core::Seconds{0.0}}, std::vector<core::Seconds>(route.size())};
+  cost::Schedule schedule{{core::Seconds{0.0}}, std::vector<core::Seconds>(route.size())};
   for (std::size_t i = 0; i < drives.size(); ++i) {
     const auto time =
         sea.leg_time(route[i], route[i + 1], schedule.arrivals[i], core::Seconds{INFINITY}, drives[i]);
     schedule.arrivals.push_back(schedule.arrivals[i] + time.value());
   }
 
-  const SurfacingPlan plan = plan_surfacings(sea, request, route, schedule, drives);
+  const SurfacingPlan plan = cost::plan_surfacings(sea, request, route, schedule, drives);
 
   double error_m = 0.0;
   for (std::size_t i = 0; i < drives.size(); ++i) {

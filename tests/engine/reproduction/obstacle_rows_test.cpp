@@ -4,7 +4,7 @@
 #include <numeric>
 
 #include "engine/motion/edge_time.hpp"
-#include "engine/planning/analytic_currents.hpp"
+#include "engine/planning/currents/analytic_currents.hpp"
 #include "engine/reproduction/case_search.hpp"
 #include "engine/reproduction/paper_cases.hpp"
 
@@ -59,9 +59,9 @@ struct BruteForce {
         const double leave_s = arrival[index(tail)];
         if (!std::isfinite(leave_s)) continue;
         const core::Metres length{std::hypot(dx * searched.grid.dx, dy * searched.grid.dy)};
-        const auto time = motion::edge_time({searched.grid.point(tail), searched.grid.point(head), length},
-                                            core::Seconds{leave_s}, jet_speed, planning::MeanderingJet{},
-                                            {.relative_tolerance = tolerance});
+        const auto time = motion::edge_time(
+            {searched.grid.point(tail), searched.grid.point(head), length}, core::Seconds{leave_s}, jet_speed,
+            planning::currents::MeanderingJet{}, {.relative_tolerance = tolerance});
         if (!time || leave_s + time->count() >= arrival[index(head)]) continue;
         arrival[index(head)] = leave_s + time->count();
         changed = true;
@@ -75,7 +75,7 @@ void expect_as_by_brute_force(const std::string& row, std::int64_t paper_edges) 
   const std::vector<PaperCase> cases = jet_cases();
   const GridCase& searched = find_case(cases, row).searched;
 
-  const planning::MeanderingJet jet;
+  const planning::currents::MeanderingJet jet;
   const auto found = CaseSearch{searched, jet, jet_speed, tolerance}.fastest();
 
   const BruteForce brute{searched};

@@ -7,7 +7,7 @@
 #include <sstream>
 #include <string>
 
-#include "engine/planning/river_extremal.hpp"
+#include "engine/planning/optimal_control/river_extremal.hpp"
 #include "tests/support/places.hpp"
 
 namespace floeplan::reproduction::tables_test {
@@ -78,8 +78,9 @@ TEST(Tables, GiveTheStandInOfTableThreeAndNoDirectWay) {
 TEST(Tables, GiveTheExtremalOfTheRiverAsTheClosedSolutionHasIt) {
   const auto table = reproduce_table_2();
 
-  const double closed_s =
-      planning::river_crossing_by_optimal_control(planning::RiverCurrent{}, river_speed).count();
+  const double closed_s = planning::optimal_control::river_crossing_by_optimal_control(
+                              planning::currents::RiverCurrent{}, river_speed)
+                              .count();
   EXPECT_NEAR(find_row(table, "optimal control")->ours_s.value(), closed_s, 1e-6);
 }
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "engine/ocean/bathymetry.hpp"
-#include "engine/planning/plane_box.hpp"
+#include "engine/planning/plane/plane_box.hpp"
 #include "engine/simulation/sea_bed.hpp"
 #include "tests/engine/simulation/flown.hpp"
 
@@ -14,7 +14,7 @@ namespace floeplan::support {
 /// A sea bed about `flight_origin` from its depth as a function of metres east and north, on nodes 25 m apart.
 template <class Depth>
 simulation::SeaBed graded_bed(const Depth& depth_m,
-                              planning::PlaneBox area = {{-600.0, -1500.0}, {2600.0, 1500.0}}) {
+                              planning::plane::PlaneBox area = {{-600.0, -1500.0}, {2600.0, 1500.0}}) {
   constexpr double spacing_m = 25.0;
   const geo::LocalProjection projection{flight_origin};
   std::vector<double> lon;

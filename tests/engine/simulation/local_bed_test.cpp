@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "engine/core/random.hpp"
-#include "engine/planning/plane_box.hpp"
+#include "engine/planning/plane/plane_box.hpp"
 #include "engine/simulation/sound_rays.hpp"
 #include "tests/support/property.hpp"
 
@@ -33,7 +33,7 @@ World hilly_world() {
   const auto bathymetry = std::make_shared<const ocean::Bathymetry>(
       ocean::HorizontalGrid{geo::GridFrame{}, ocean::Axis{lon}, ocean::Axis{lat}}, depth_m);
   WorldParts parts{.origin = origin};
-  parts.bed = SeaBed{bathymetry, projection, planning::PlaneBox{{-5000.0, -5000.0}, {5000.0, 5000.0}}};
+  parts.bed = SeaBed{bathymetry, projection, planning::plane::PlaneBox{{-5000.0, -5000.0}, {5000.0, 5000.0}}};
   return World{std::move(parts)};
 }
 

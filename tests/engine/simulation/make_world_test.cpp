@@ -6,7 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "engine/planning/ice_covers.hpp"
+#include "engine/planning/ice/ice_covers.hpp"
 #include "tests/support/property.hpp"
 #include "tests/support/small_sea.hpp"
 
@@ -45,12 +45,12 @@ TEST(MakeWorld, HasIceWhereAPlanByTheSameRulesMayNotSurface) {
     WorldSettings settings;
     settings.ice.max_concentration_to_surface = support::uniform(rng, 0.05, 0.95);
     const World world = make_world(icy, route, begin, end, settings, 1);
-    const planning::PlaneBox around{{-20e3, -20e3}, {20e3, 20e3}};
-    const planning::IceCovers plans{icy, settings.ice, world.projection(), around, begin};
+    const planning::plane::PlaneBox around{{-20e3, -20e3}, {20e3, 20e3}};
+    const planning::ice::IceCovers plans{icy, settings.ice, world.projection(), around, begin};
 
     for (int i = 0; i < 20; ++i) {
       const geo::PlanePoint place{support::uniform(rng, -9e3, 9e3), support::uniform(rng, -9e3, 9e3)};
-      const planning::IceAbove above = plans.above(place, core::Seconds{0.0});
+      const planning::ice::IceAbove above = plans.above(place, core::Seconds{0.0});
       EXPECT_EQ(world.ice_draft_m(place.x_m, place.y_m, begin) > 0.0, !above.may_surface);
     }
   });

@@ -88,7 +88,7 @@ TEST(PlanService, AnotherPlanForTheSameInputsAndDataHasAnIdOfItsOwn) {
 KeptWork room_for_work() {
   constexpr std::size_t most = 64 << 20;
   return {.currents = repository::CurrentGridCache{most},
-          .grounds = repository::RecentlyUsed<GroundKey, planning::RouteGround>{most}};
+          .grounds = repository::RecentlyUsed<GroundKey, planning::search::RouteGround>{most}};
 }
 
 TEST(PlanService, EvaluatesOnKeptGroundAsOnNew) {

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <cstddef>
+#include <deque>
+#include <memory>
+#include <optional>
+#include <stop_token>
+
+#include "engine/core/units.hpp"
+#include "engine/geo/local_projection.hpp"
+#include "engine/ocean/environment.hpp"
+#include "engine/planning/currents/flown_depths.hpp"
+#include "engine/planning/currents/plane_currents.hpp"
+#include "engine/planning/ice/under_ice.hpp"
+#include "engine/planning/plane/plane_box.hpp"
+#include "engine/planning/problem/plan_request.hpp"
+#include "engine/vehicle/dive_band.hpp"
+
+namespace floeplan::planning::cost {
+
+/// The currents of one environment as requests one after the other have them laid out. The two that were used last are
+/// kept, for the smaller and the larger grid of one request, and used again where a request would have the same.
+/// Threads  one at a time
+class CurrentsShelf {
+ public:
+  /// `environment` is borrowed and outlives the shelf.
+  explicit CurrentsShelf(const ocean::Environment& environment) : environment_{environment} {}
+
+  /// As `lay_out_currents`, of the shelf's environment.
+  [[nodiscard]] std::shared_ptr<const currents::PlaneCurrents> take(
+      const PlanRequest& request, const currents::FlownDepths& depths, const ice::UnderIce* ice,
+      const geo::LocalProjection& projection, const plane::PlaneBox& area, const std::stop_token& stop);
+  /// Whether those of the request are kept.
+  [[nodiscard]] bool holds(const PlanRequest& request, const geo::LocalProjection& projection,
+                           const plane::PlaneBox& area) const;
+
+ private:
+  /// Where the dives turn below ice.
+  struct BelowIce {
+    double max_concentration_to_surface;
+    core::Metres margin;
+    core::Metres draft_if_unknown;
+
+    friend bool operator==(const BelowIce&, const BelowIce&) = default;
+  };
+  /// All of a request that its currents depend on.
+  struct Key {
+    geo::LonLat origin;  // of the plane
+    plane::PlaneBox area;
+    core::UtcTime epoch;
+    vehicle::DiveLimits limits;
+    std::optional<BelowIce> below_ice;  // empty: nothing is known of ice
+
+    friend bool operator==(const Key&, const Key&) = default;
+  };
+  struct Kept {
+    Key key;
+    std::shared_ptr<const currents::PlaneCurrents> currents;
+  };
+  static constexpr std::size_t most_kept = 2;
+
+  [[nodiscard]] Key key_of(const PlanRequest& request, const geo::LocalProjection& projection,
+                           const plane::PlaneBox& area) const;
+
+  const ocean::Environment& environment_;
+  std::deque<Kept> kept_;  // the one used last in front
+};
+
+}  // namespace floeplan::planning::cost

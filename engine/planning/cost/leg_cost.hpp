@@ -1,0 +1,29 @@
+#pragma once
+
+#include <concepts>
+
+#include "engine/core/units.hpp"
+#include "engine/geo/local_projection.hpp"
+
+namespace floeplan::planning::cost {
+
+/// What a straight leg takes.
+struct LegCost {
+  core::Seconds time{};
+  double cost{};  // by the objective, in its own unit
+};
+
+/// Where nothing but the time counts.
+[[nodiscard]] inline LegCost cost_of_leg(core::Seconds time) { return {time, time.count()}; }
+[[nodiscard]] inline LegCost cost_of_leg(const LegCost& leg) { return leg; }
+
+/// Travel time, or time and cost, of the straight leg from a to b when leaving a at `depart`; empty, or an error: it is
+/// closed then.
+/// Law  the same arguments give the same answer
+template <class F>
+concept CostedLeg = requires(const F& leg, geo::PlanePoint a, geo::PlanePoint b, core::Seconds depart) {
+  { leg(a, b, depart).has_value() } -> std::same_as<bool>;
+  { cost_of_leg(*leg(a, b, depart)) } -> std::same_as<LegCost>;
+};
+
+}  // namespace floeplan::planning::cost

@@ -1,0 +1,92 @@
+#pragma once
+
+#include <tl/expected.hpp>
+#include <utility>
+#include <vector>
+
+#include "engine/motion/edge_closed.hpp"
+#include "engine/planning/cost/sea.hpp"
+#include "engine/planning/problem/time_span.hpp"
+
+namespace floeplan::planning::cost {
+
+/// A leg and how long the vehicle waits at its beginning before it sets out.
+struct WaitedLeg {
+  core::Seconds wait{};
+  core::Seconds time{};  // of the travel
+
+  [[nodiscard]] core::Seconds total() const { return wait + time; }
+};
+
+/// Whether a wait may bring the vehicle through what it could not pass before: it has leave to, and zones, icebergs or
+/// currents are in its way for a while only.
+[[nodiscard]] bool waits_may_help(const Sea& sea);
+
+/// When a place is next closed for a while, or has been since, for who is there at `from`; infinite: never again.
+[[nodiscard]] core::Seconds next_closure(const Sea& sea, geo::PlanePoint place, core::Seconds from);
+
+/// Until when the vehicle can stay at a place where it is at `from`, no later than `until`. A glider cannot stand
+/// still: it keeps its place by making way against the current, so it stays only where and as long as the current is
+/// known and weaker than its speed through the water, nothing that is closed for a while comes over it, and there is
+/// room below the ice.
+/// Accuracy  room below the ice is looked at every quarter of an hour; the current and what closes the place are exact
+[[nodiscard]] core::Seconds can_stay_until(const Sea& sea, geo::PlanePoint place, core::Seconds from,
+                                           core::Seconds until);
+/// The same as if nothing closed and opened in time.
+[[nodiscard]] bool current_lets_stay(const Sea& sea, geo::PlanePoint place, core::Seconds from,
+                                     core::Seconds until);
+
+/// To within so much a wait is the least after a departure that was refused.
+inline constexpr core::Seconds punctual{0.1};
+
+/// Between the departures that are tried when only the exact drive of a leg is closed, by the time that it takes.
+[[nodiscard]] core::Seconds fineness_of_waits(core::Seconds leg_time);
+
+/// Between the departures that are tried until a current slackens, for a vehicle that can stay for so long.
+/// Precondition  the currents change
+[[nodiscard]] core::Seconds between_tries(const Sea& sea, core::Seconds stays);
+
+/// The leg for a vehicle that is at its beginning at `arrive`: at once, or after the least wait, up to the request's
+/// longest, that lets it through what is closed for a while, or against a current that slackens.
+/// `not_before`: an earliest departure beside the arrival.
+/// Errors    as Sea::leg_time, for the departure at once
+/// Accuracy  that of Sea::first_clear_departure, or `punctual` where the leg is still closed then and stays open once
+///           it is; one that is open for less than `fineness_of_waits`, or a quarter of an hour, may be overlooked; one
+///           that a current closed, if it is open for less than `between_tries`
+[[nodiscard]] tl::expected<WaitedLeg, motion::EdgeClosed> leg_when_open(
+    const Sea& sea, geo::PlanePoint a, geo::PlanePoint b, core::Seconds arrive,
+    core::Seconds latest = core::Seconds{INFINITY}, core::Seconds not_before = core::Seconds{0.0});
+
+/// Its wait and travel together.
+[[nodiscard]] tl::expected<core::Seconds, motion::EdgeClosed> time_with_wait(const Sea& sea,
+                                                                             geo::PlanePoint a,
+                                                                             geo::PlanePoint b,
+                                                                             core::Seconds arrive);
+
+/// Which of a place's times between closures a moment belongs to: how many closures are over by then.
+[[nodiscard]] std::size_t interval_of(const std::vector<TimeSpan>& closed, core::Seconds time);
+
+/// Calls `emit(leg)` for the earliest arrival in each of the times between closures of the leg's end, as far as
+/// waiting at its beginning leads there.
+/// `closed_at_end`: when the leg's end is closed, ascending.
+template <class Emit>
+void for_each_opening(const Sea& sea, geo::PlanePoint a, geo::PlanePoint b,
+                      const std::vector<TimeSpan>& closed_at_end, core::Seconds arrive, core::Seconds latest,
+                      Emit&& emit) {
+  auto leg = leg_when_open(sea, a, b, arrive, latest);
+  if (!leg) return;
+  emit(*leg);
+  if (sea.longest_wait().count() <= 0.0) return;
+  for (const TimeSpan& closed : closed_at_end) {
+    const core::Seconds there = arrive + leg->total();
+    if (closed.until <= there) continue;
+    if (closed.until - leg->time > arrive + sea.longest_wait()) return;
+    const auto later = leg_when_open(sea, a, b, arrive, latest, closed.until - leg->time);
+    if (!later) return;
+    if (arrive + later->total() <= closed.until) continue;
+    leg = later;
+    emit(*leg);
+  }
+}
+
+}  // namespace floeplan::planning::cost

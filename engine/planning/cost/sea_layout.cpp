@@ -1,0 +1,150 @@
+#include "engine/planning/cost/sea_layout.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/geo/geodesic.hpp"
+
+namespace floeplan::planning::cost {
+namespace {
+
+constexpr core::Seconds day{86'400.0};
+
+/// After as long the International Ice Patrol itself gives up a berg that was not seen again.
+constexpr core::Seconds longest_drift = 30.0 * day;
+
+/// The last moment at which the vehicle may leave.
+core::UtcTime last_departure(const PlanRequest& request) {
+  const DepartureRules& rules = request.departures;
+  return std::max(
+      {request.depart, rules.until.value_or(request.depart), rules.arrive_by.value_or(request.depart)});
+}
+
+/// How long after the first departure drift matters. The last departure has what it would have alone, so that
+/// whether others are compared with it changes nothing: no less than the way needs, and to the end of the
+/// currents, but no longer than the longest drift.
+core::Seconds forecast_horizon(const ocean::Environment& environment, const PlanRequest& request) {
+  const core::UtcTime last = last_departure(request);
+  core::Seconds under_way = drift_for_the_way(request);
+  if (environment.currents && !environment.steady_currents) {
+    const core::UtcTime end = core::from_unix_seconds(environment.currents->times_s().back());
+    under_way = std::max<core::Seconds>(under_way, end - last);
+  }
+  return (last - request.depart) + std::min(under_way, longest_drift);
+}
+
+std::optional<obstacles::PassUnder> lay_out_under(const PlanRequest& request,
+                                                  std::shared_ptr<const obstacles::BedCells> bed) {
+  if (!request.icebergs.pass_under) return std::nullopt;
+  return obstacles::PassUnder{request.icebergs, request.vehicle, std::move(bed)};
+}
+
+/// What a way that is searched for keeps from the rims of icebergs and zones beside what is asked: a route that just
+/// touches one is judged again from written positions, in a plane of its own. Mission files round to a ten-thousandth
+/// of a minute, 0.19 m.
+core::Metres kept_for_rounding(const PlanRequest& request) {
+  return core::Metres{request.method == Method::direct ? 0.0 : 0.3};
+}
+
+/// Where the vehicle surfaces whatever the way. The places between the ends of a way that is given are its turns, and
+/// it may pass them below icebergs.
+std::vector<geo::PlanePoint> stops_in_plane(const PlanRequest& request,
+                                            const geo::LocalProjection& projection) {
+  std::vector<geo::PlanePoint> stops{projection.to_plane(request.from), projection.to_plane(request.to)};
+  if (request.method == Method::direct) return stops;
+  for (const geo::LonLat via : request.via) stops.push_back(projection.to_plane(via));
+  return stops;
+}
+
+}  // namespace
+
+core::Seconds drift_for_the_way(const PlanRequest& request) {
+  constexpr double detours = 6.0;
+  // It may wait at any number of places.
+  if (request.max_loiter.count() > 0.0) return longest_drift;
+  core::Metres way{0.0};
+  geo::LonLat last = request.from;
+  for (const geo::LonLat via : request.via) {
+    way = way + geo::geodesic_between(last, via).length;
+    last = via;
+  }
+  way = way + geo::geodesic_between(last, request.to).length;
+  if (request.room) way = way + *request.room;
+  const core::Seconds longest = detours * (way / request.vehicle.speed_through_water) + day;
+  return std::ceil(longest / day) * day;
+}
+
+/// A glider comes to the surface between its dives.
+obstacles::ZoneRules lay_out_zones(const ocean::Environment& environment, const PlanRequest& request) {
+  std::vector<ocean::Zone> zones = environment.zones;
+  zones.insert(zones.end(), request.zones.begin(), request.zones.end());
+  return obstacles::sort_zones(zones, {core::Metres{0.0}, request.vehicle.dive_depth});
+}
+
+obstacles::TimedZones lay_out_timed_zones(const std::vector<ocean::Zone>& timed, const PlanRequest& request,
+                                          const geo::LocalProjection& projection,
+                                          const plane::PlaneBox& area) {
+  if (request.method == Method::direct) return {timed, projection, area, request.depart};
+  // Times over ground of one route agree in two planes to a few parts in a million; the rest is what rounding moves a
+  // place.
+  constexpr double of_the_way = 1e-5;
+  constexpr core::Seconds of_rounding{1.0};
+  constexpr core::Seconds most{60.0};
+  const core::Seconds time = std::min(most, of_rounding + of_the_way * drift_for_the_way(request));
+  return {timed, projection, area, request.depart, obstacles::Room{kept_for_rounding(request), time}};
+}
+
+std::shared_ptr<const obstacles::BedCells> lay_out_bed_below(const ocean::Environment& environment,
+                                                             const PlanRequest& request,
+                                                             const geo::LocalProjection& projection,
+                                                             const plane::PlaneBox& area, core::Metres cell,
+                                                             const std::stop_token& stop) {
+  if (!request.icebergs.pass_under || !environment.bathymetry) return nullptr;
+  return obstacles::lay_out_bed(environment.bathymetry, request.vehicle, projection, area, cell, stop);
+}
+
+obstacles::IcebergDiscs lay_out_icebergs(const ocean::Environment& environment, const PlanRequest& request,
+                                         const geo::LocalProjection& projection, const plane::PlaneBox& area,
+                                         std::shared_ptr<const obstacles::BedCells> bed,
+                                         const std::stop_token& stop) {
+  return {environment,
+          request.icebergs,
+          projection,
+          area,
+          request.depart,
+          forecast_horizon(environment, request),
+          stop,
+          lay_out_under(request, std::move(bed)),
+          stops_in_plane(request, projection),
+          kept_for_rounding(request)};
+}
+
+std::shared_ptr<const currents::PlaneCurrents> lay_out_currents(
+    const ocean::Environment& environment, const PlanRequest& request, const currents::FlownDepths& depths,
+    const ice::UnderIce* ice, const geo::LocalProjection& projection, const plane::PlaneBox& area,
+    const std::stop_token& stop) {
+  if (!environment.currents) return nullptr;
+  return std::make_shared<const currents::PlaneCurrents>(*environment.currents, environment.steady_currents,
+                                                         depths, projection, area, request.depart, stop, ice);
+}
+
+std::optional<ice::UnderIce> lay_out_ice(const ocean::Environment& environment, const PlanRequest& request,
+                                         const geo::LocalProjection& projection, const plane::PlaneBox& area,
+                                         core::Metres cell, std::shared_ptr<const obstacles::BedCells> bed,
+                                         const std::stop_token& stop) {
+  if (!environment.ice) return std::nullopt;
+  return ice::UnderIce{environment, request, projection, area, cell, stop, std::move(bed)};
+}
+
+std::optional<obstacles::EncounterMap> lay_out_encounters(const obstacles::IcebergDiscs& icebergs,
+                                                          const ocean::Environment& environment,
+                                                          const PlanRequest& request,
+                                                          const plane::PlaneBox& area,
+                                                          const std::stop_token& stop) {
+  if (request.icebergs.encounter_weight.count() <= 0.0 || icebergs.empty()) return std::nullopt;
+  return obstacles::EncounterMap{
+      icebergs, area, forecast_horizon(environment, request),
+      drive_speed(request.vehicle, drives(request.energy, request.vehicle).front()), stop};
+}
+
+}  // namespace floeplan::planning::cost

@@ -1,0 +1,212 @@
+#include "engine/planning/cost/surfacing.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "engine/planning/cost/met_currents.hpp"
+#include "engine/planning/ice/nearest_ice.hpp"
+#include "engine/planning/problem/position_error.hpp"
+
+namespace floeplan::planning::cost {
+namespace {
+
+/// Follows the vehicle from look to look.
+class Log {
+ public:
+  Log(const Sea& sea, const PlanRequest& request, geo::PlanePoint start)
+      : sea_{sea},
+        request_{request},
+        here_{{start, core::Seconds{0.0}}},
+        fix_{.look = here_},
+        last_open_{here_},
+        last_sure_{.look = here_} {}
+
+  /// The next look: until then the vehicle is under way by `drive`.
+  void look(const Sea::Passage& now, vehicle::Drive drive) {
+    const Look last = here_;
+    here_ = {now, last.error + grown_error(request_.under_ice, sea_.speed(drive), now.time - last.at.time),
+             last.carried + carried_between(sea_, last.at, now)};
+    const bool open = sea_.may_surface(now.point, now.time);
+    if (request_.under_ice.surfacing_interval) surface_when_due(open);
+    if (!(open && was_open_))
+      plan.longest_without = std::max(plan.longest_without, now.time - last_open_.at.time);
+    if (open) {
+      last_open_ = here_;
+      if (!request_.under_ice.surfacing_interval) fix_ = next_fix(fix_, here_);
+    }
+    was_open_ = open;
+    const bool sure = open && !ice_within(error_since(last_sure_, here_));
+    if (!(sure && was_sure_))
+      plan.longest_without_sure = std::max(plan.longest_without_sure, now.time - last_sure_.look.at.time);
+    if (sure) last_sure_ = next_fix(last_sure_, here_);
+    was_sure_ = sure;
+    const core::Metres turn = sea_.least_upper_turn(now.point, now.time);
+    const core::Metres step = sea_.ground_length(last.at.point, now.point);
+    leg_upper_turn_ = std::max(leg_upper_turn_, turn);
+    const bool below_ice = sea_.ice() && sea_.ice()->least_upper_turn(now.point, now.time).value > 0.0;
+    ice_free_before_ = below_ice || was_below_ice_ ? core::Metres{0.0} : ice_free_before_ + step;
+    was_below_ice_ = below_ice;
+    if (sea_.ice() && !sea_.ice()->above(now.point, now.time).known)
+      plan.unknown_ice = plan.unknown_ice + step;
+    look_beside();
+  }
+
+  /// The leg, or the start, ends at the last look, where the next leg begins.
+  void reach_waypoint() {
+    plan.waypoints.push_back(state());
+    if (plan.waypoints.size() > 1) plan.waypoints.back().leg_upper_turn = leg_upper_turn_;
+    leg_upper_turn_ = plan.waypoints.back().least_upper_turn;
+    plan.reckoned.push_back({carried_off(fix_, here_), fix_.assumed});
+  }
+
+  SurfacingPlan plan;
+
+ private:
+  struct Look {
+    Sea::Passage at;
+    core::Metres error{};  // grown since the start without any fix
+    CarriedWay carried{};  // by the currents since the start
+  };
+  /// A fix of the position, and the current that the vehicle reckons with from then on.
+  struct Fix {
+    Look look;
+    motion::CurrentXy assumed{};  // none before the first dive is over
+  };
+  /// A look at which the vehicle might have surfaced.
+  struct Opening {
+    Look look;
+    std::optional<core::Metres> nearest_ice;  // within the error of the position then
+    core::Metres room;  // beyond that error, below zero; of no account where there is no ice
+
+    [[nodiscard]] bool is_clear() const { return !nearest_ice; }
+    [[nodiscard]] bool is_as_good_as(const Opening& other) const {
+      return is_clear() || (!other.is_clear() && room >= other.room);
+    }
+  };
+
+  /// At the last look.
+  [[nodiscard]] SurfacingState state() const {
+    const auto [point, time] = here_.at;
+    SurfacingState state{.may_surface = sea_.may_surface(point, time),
+                         .since_surfacing = time - last_open_.at.time,
+                         .position_error = error_at(here_),
+                         .least_upper_turn = sea_.least_upper_turn(point, time),
+                         .ice_free_before = ice_free_before_,
+                         .error_without_fix = here_.error};
+    state.nearest_ice = ice_within(farthest_ice_told);
+    if (state.may_surface) state.since_surfacing = core::Seconds{0.0};
+    return state;
+  }
+
+  /// Of the last look, on the ground.
+  [[nodiscard]] std::optional<core::Metres> ice_within(core::Metres distance) const {
+    if (!sea_.ice()) return std::nullopt;
+    const auto& [point, time] = here_.at;
+    const auto ice = ice::nearest_ice_within(distance, *sea_.ice(), point, time);
+    if (!ice) return std::nullopt;
+    return sea_.ground_length(point, {point.x_m + ice->value, point.y_m});
+  }
+
+  void look_beside() {
+    if (!sea_.ice()) return;
+    const core::Metres error = error_at(here_);
+    const auto& [point, time] = here_.at;
+    const core::Metres turn = ice::deepest_turn_within(error, *sea_.ice(), point, time);
+    if (turn > plan.ice_beside.upper_turn)
+      plan.ice_beside = {turn, error, sea_.projection().to_lon_lat(point)};
+  }
+
+  /// Grown since the fix, and how far the currents have carried the vehicle against the one that it reckons with.
+  [[nodiscard]] static core::Metres error_since(const Fix& fix, const Look& look) {
+    return look.error - fix.look.error + carried_off(fix, look).length();
+  }
+  [[nodiscard]] static CarriedWay carried_off(const Fix& fix, const Look& look) {
+    return look.carried - fix.look.carried - fix.assumed * (look.at.time - fix.look.at.time);
+  }
+
+  /// It tells of the current since the fix before.
+  [[nodiscard]] static Fix next_fix(const Fix& before, const Look& look) {
+    const core::Seconds under_water = look.at.time - before.look.at.time;
+    if (under_water.count() <= 0.0) return {look, before.assumed};
+    return {look, (look.carried - before.look.carried).over(under_water)};
+  }
+
+  [[nodiscard]] core::Metres error_at(const Look& look) const { return error_since(fix_, look); }
+
+  [[nodiscard]] bool is_due() const {
+    return here_.at.time - fix_.look.at.time > *request_.under_ice.surfacing_interval;
+  }
+
+  [[nodiscard]] Opening opening_here() const {
+    const core::Metres error = error_at(here_);
+    const auto ice = ice_within(error);
+    return {here_, ice, ice.value_or(error) - error};
+  }
+
+  /// At the best opening since the last fix, once the interval is over and no better one comes.
+  void surface_when_due(bool open) {
+    std::optional<Opening> now = open ? std::optional{opening_here()} : std::nullopt;
+    const auto comes_no_better = [&] {
+      return best_opening_->is_clear() || !now || !now->is_as_good_as(*best_opening_);
+    };
+    if (best_opening_ && is_due() && comes_no_better()) {
+      surface(*best_opening_);
+      if (open) now = opening_here();  // less off since that fix
+    }
+    if (now && (!best_opening_ || now->is_as_good_as(*best_opening_))) best_opening_ = now;
+    if (best_opening_ && is_due() && best_opening_->is_clear()) surface(*best_opening_);
+  }
+
+  void surface(const Opening& opening) {
+    const Look look = opening.look;
+    plan.surfacings.push_back({sea_.projection().to_lon_lat(look.at.point), request_.depart + look.at.time,
+                               error_at(look), opening.nearest_ice});
+    fix_ = next_fix(fix_, look);
+    best_opening_.reset();
+  }
+
+  const Sea& sea_;
+  const PlanRequest& request_;
+  Look here_;
+  Fix fix_;
+  Look last_open_;
+  Fix last_sure_;                          // open with no ice within the error since the one before
+  std::optional<Opening> best_opening_{};  // since the last fix, the last of those as good
+  bool was_open_{true};                    // the vehicle starts at the surface
+  bool was_sure_{true};
+  core::Metres leg_upper_turn_{};   // the deepest since the last waypoint
+  core::Metres ice_free_before_{};  // counted from the first open look: what lies before it may be closed
+  bool was_below_ice_{false};       // at the last look
+};
+
+void look_while_waiting(Log& log, geo::PlanePoint place, core::Seconds from, core::Seconds until,
+                        vehicle::Drive drive) {
+  constexpr core::Seconds between_looks{900.0};
+  while (from < until) {
+    from = std::min(from + between_looks, until);
+    log.look({place, from}, drive);
+  }
+}
+
+}  // namespace
+
+SurfacingPlan plan_surfacings(const Sea& sea, const PlanRequest& request,
+                              const std::vector<geo::PlanePoint>& route, const Schedule& schedule,
+                              const std::vector<vehicle::Drive>& drives) {
+  const core::Metres step = sea.surfacing_look();
+  Log log{sea, request, route.front()};
+  log.look({route.front(), schedule.arrivals.front()}, sea.drives().front());
+  log.reach_waypoint();
+  for (std::size_t i = 1; i < route.size(); ++i) {
+    const vehicle::Drive drive = drives[i - 1];
+    const core::Seconds leaves = schedule.leaves(i - 1);
+    look_while_waiting(log, route[i - 1], schedule.arrivals[i - 1], leaves, drive);
+    for (const Sea::Passage& passage : sea.passages(route[i - 1], route[i], leaves, step, drive))
+      log.look(passage, drive);
+    log.reach_waypoint();
+  }
+  return std::move(log.plan);
+}
+
+}  // namespace floeplan::planning::cost

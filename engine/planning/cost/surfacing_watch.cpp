@@ -1,0 +1,59 @@
+#include "engine/planning/cost/surfacing_watch.hpp"
+
+#include "engine/motion/drive_looks.hpp"
+
+namespace floeplan::planning::cost {
+
+std::optional<motion::EdgeClosed> SurfacingWatch::operator()(const motion::EdgePiece& piece) {
+  std::optional<motion::EdgeClosed> closed;
+  const auto longest = sea_.longest_without_surfacing();
+  double now_s = piece.t0_s;
+  if (sea_.ice() && !ice_)
+    ice_.emplace(*sea_.ice(), motion::place_along(edge_, piece.way0_m), core::Seconds{piece.t0_s});
+  motion::look_along(edge_, piece, sea_.surfacing_look(), [&](geo::PlanePoint point, core::Seconds time) {
+    const ice::UnderIce::Leave leave = sea_.leave(ice_, point, time);
+    const bool open_all_along = leave.to_surface && since_s_ == 0.0;
+    if (!open_all_along) since_s_ += time.count() - now_s;
+    if (!leave.to_transit) {
+      closed = motion::EdgeClosed::under_ice;
+    } else if (longest && since_s_ > longest->count()) {
+      closed = motion::EdgeClosed::no_surfacing;
+    }
+    if (leave.to_surface) since_s_ = 0.0;
+    now_s = time.count();
+    return !closed;
+  });
+  return closed;
+}
+
+SurfacingOutlook::SurfacingOutlook(const Sea& sea, const motion::PlaneEdge& edge, core::Seconds depart)
+    : sea_{sea}, edge_{edge}, looks_{{depart.count(), sea.may_surface(edge.from, depart)}} {
+  if (sea.ice()) ice_.emplace(*sea.ice(), edge.from, depart);
+}
+
+std::optional<motion::EdgeClosed> SurfacingOutlook::operator()(const motion::EdgePiece& piece) {
+  std::optional<motion::EdgeClosed> closed;
+  motion::look_along(edge_, piece, sea_.surfacing_look(), [&](geo::PlanePoint point, core::Seconds time) {
+    const ice::UnderIce::Leave leave = sea_.leave(ice_, point, time);
+    looks_.push_back({time.count(), leave.to_surface});
+    if (!leave.to_transit) closed = motion::EdgeClosed::under_ice;
+    return !closed;
+  });
+  return closed;
+}
+
+tl::expected<core::Seconds, motion::EdgeClosed> SurfacingOutlook::until_surfacing(
+    core::Seconds at_end) const {
+  const auto longest = sea_.longest_without_surfacing();
+  double until_s = at_end.count();
+  for (std::size_t i = looks_.size() - 1; i-- > 0;) {
+    const Look& look = looks_[i];
+    const bool open_all_along = look.may_surface && until_s == 0.0;
+    if (!open_all_along) until_s += looks_[i + 1].time_s - look.time_s;
+    if (longest && until_s > longest->count()) return tl::unexpected(motion::EdgeClosed::no_surfacing);
+    if (look.may_surface) until_s = 0.0;
+  }
+  return core::Seconds{until_s};
+}
+
+}  // namespace floeplan::planning::cost

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstddef>
+
+#include "engine/core/units.hpp"
+#include "engine/geo/local_projection.hpp"
+#include "engine/motion/plane_edge.hpp"
+#include "engine/motion/quadratic_stretch.hpp"
+#include "engine/ocean/horizontal_grid.hpp"
+#include "engine/planning/currents/plane_currents.hpp"
+#include "engine/planning/plane/fast_axis.hpp"
+
+namespace floeplan::planning::currents {
+
+/// The current along one edge, as a vehicle on it meets it: in each cell of the data and each step of their
+/// time it is a quadratic in the way and linear in time, exactly.
+/// Accuracy the line is taken as straight in the data's coordinates, in parts so short that it is nowhere
+///          further from them than a four thousandth of a cell
+class CurrentLine {
+ public:
+  /// Both are borrowed and outlive the line.
+  CurrentLine(const PlaneCurrents& currents, const motion::PlaneEdge& edge);
+
+  /// Puts the vehicle on the edge's start; false where there are no data then.
+  bool begin(core::Seconds depart);
+  [[nodiscard]] const motion::QuadraticStretch& stretch() const { return stretch_; }
+  /// The vehicle goes on beyond the end of the stretch in place, or in time; false where there are no data.
+  bool pass_way();
+  bool pass_time();
+
+ private:
+  /// One coordinate of the data along the part of the line, and the cell that the vehicle is in.
+  struct Course {
+    double start{};
+    double per_metre{};
+    std::size_t cell{};
+    double exit_way_m{};  // infinite when it does not leave the cell before the part's end
+  };
+
+  bool begin_part(std::size_t part);
+  bool enter(Course& course, const plane::FastAxis& axis, double from, double to) const;
+  void find_exit(Course& course, const plane::FastAxis& axis) const;
+  bool leave_cells_before(Course& course, const plane::FastAxis& axis, double way_m) const;
+  bool lay_cell();
+  bool lay_time_step();
+  [[nodiscard]] bool sample(std::size_t slice, motion::WayQuadratic& result) const;
+
+  const PlaneCurrents& currents_;
+  const motion::PlaneEdge& edge_;
+  motion::EdgeDirection direction_;
+  std::size_t parts_{1};
+  std::size_t part_{};
+  double part_start_m_{};
+  double part_end_m_{};
+  geo::GridPoint part_end_;  // in the data's coordinates
+  Course x_;
+  Course y_;
+  std::size_t slice_{};
+  motion::WayQuadratic later_;  // at the end of the step of time
+  motion::QuadraticStretch stretch_;
+};
+
+}  // namespace floeplan::planning::currents

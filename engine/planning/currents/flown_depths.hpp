@@ -1,0 +1,27 @@
+#pragma once
+
+#include <memory>
+
+#include "engine/ocean/bathymetry.hpp"
+#include "engine/vehicle/dive_band.hpp"
+
+namespace floeplan::planning::currents {
+
+/// The depths between which a glider saw-tooths at each place.
+/// Threads  const members may be called from several threads at once
+class FlownDepths {
+ public:
+  /// No bathymetry: everywhere as deep as asked.
+  FlownDepths(const vehicle::DiveLimits& limits, std::shared_ptr<const ocean::Bathymetry> bathymetry);
+
+  /// As deep as asked where the sea bed is not known.
+  [[nodiscard]] vehicle::DiveBand at(geo::LonLat place) const;
+  [[nodiscard]] const vehicle::DiveLimits& limits() const { return limits_; }
+  [[nodiscard]] const std::shared_ptr<const ocean::Bathymetry>& bathymetry() const { return bathymetry_; }
+
+ private:
+  vehicle::DiveLimits limits_;
+  std::shared_ptr<const ocean::Bathymetry> bathymetry_;
+};
+
+}  // namespace floeplan::planning::currents

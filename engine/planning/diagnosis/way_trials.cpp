@@ -1,0 +1,331 @@
+#include "engine/planning/diagnosis/way_trials.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "engine/graph/label_setting_search.hpp"
+#include "engine/planning/cost/loiter.hpp"
+#include "engine/planning/cost/route_cost.hpp"
+#include "engine/planning/publish/improvement.hpp"
+#include "engine/planning/publish/published_plan.hpp"
+#include "engine/planning/search/bounds/foresight.hpp"
+#include "engine/planning/search/chart.hpp"
+#include "engine/planning/search/grid/grid_travel.hpp"
+#include "engine/planning/search/surfacing/surfacing_search.hpp"
+#include "engine/planning/search/waiting/later_ways.hpp"
+#include "engine/planning/search/waiting/time_killing.hpp"
+
+namespace floeplan::planning::diagnosis {
+namespace {
+
+// Measured on the demonstration data: what sets the pace, not what it takes.
+constexpr std::int64_t work_of_a_leg = 6;
+constexpr std::int64_t work_of_a_label = 600;   // all legs from it
+constexpr std::int64_t work_of_a_berg = 2000;   // its forecast
+constexpr double work_of_a_vertex = 10.0;       // its part of the maps, and which of its edges are open
+constexpr double work_of_a_value = 1.0 / 50.0;  // of the currents, to average them over the depths flown
+constexpr double work_of_a_node = 2.0;          // of a table through which data are looked up
+constexpr std::size_t most_labels_of_a_trial = 100'000;
+
+/// Towards the goal by what no vehicle is faster than: the search finds the earliest way.
+struct TowardsEarliestWay {
+  search::ForesightBound foresight;
+  core::Seconds arrive;
+
+  [[nodiscard]] core::Seconds least_time(const graph::Edge& edge, core::Seconds depart) const {
+    return foresight.least_time(edge, depart);
+  }
+  [[nodiscard]] core::Seconds remaining(graph::Vertex v) const { return foresight.remaining(v); }
+  [[nodiscard]] core::Seconds latest_use(graph::Vertex v) const { return foresight.latest_use(v); }
+};
+
+/// Towards the goal by about the time that is left: the search goes almost straight to a way there. Not the earliest
+/// one, because what is left depends on the hour; where time is short it may overlook a way.
+struct TowardsAnyWay : TowardsEarliestWay {
+  [[nodiscard]] core::Seconds remaining(graph::Vertex v) const { return arrive - latest_use(v); }
+};
+
+/// Where a way comes to the goal of a grid.
+struct Reached {
+  std::vector<geo::PlanePoint> path;  // empty: no way was found
+  core::Seconds since_surfacing{};
+};
+
+/// The search for any way over one grid, by the steps in which the planner looks for the best one.
+class GridTrial {
+ public:
+  /// `left`: of the work; below zero once it is done. Everything is borrowed and outlives the trial.
+  GridTrial(const cost::Sea& sea, const search::OpenGrid& open, std::int64_t& left,
+            const std::stop_token& stop)
+      : sea_{sea}, open_{open}, left_{left}, stop_{stop}, foresight_{sea, open} {}
+
+  Reached operator()(core::Seconds depart, core::Seconds since_surfacing) {
+    std::vector<geo::PlanePoint> path = unbounded_way(depart);
+    if (!sea_.bounds_surfacing() || path.empty()) return {std::move(path), {}};
+    constexpr core::Seconds whenever_there{INFINITY};
+    if (const auto since = cost::since_surfacing_at_end(sea_, path, depart, since_surfacing, whenever_there))
+      return {std::move(path), *since};
+    return with_surfacings(depart, since_surfacing);
+  }
+
+ private:
+  /// As if the time without surfacing were not bounded.
+  std::vector<geo::PlanePoint> unbounded_way(core::Seconds depart) {
+    const auto untimed = [this](const graph::Edge& edge, core::Seconds leaves, core::Seconds latest) {
+      return sea_.leg_time_without_timed_closures(open_.grid.point(edge.tail), open_.grid.point(edge.head),
+                                                  leaves, latest);
+    };
+    const search::GridTravelTime timed{sea_, open_.grid};
+    if (!sea_.has_timed_closures()) {
+      Way at_once = likely_or_earliest_way(depart, timed);
+      return at_once.path.empty() && cost::waits_may_help(sea_) ? path_with_waits(depart)
+                                                                : std::move(at_once.path);
+    }
+
+    Way way = likely_or_earliest_way(depart, untimed);
+    if (way.path.empty() || cost::schedule_along(sea_, way.path, depart)) return std::move(way.path);
+    if (search::end_opens_too_late(sea_, open_.grid.point(open_.grid.goal), depart, way.arrival)) return {};
+    // Round what is in the way: seldom much farther, and what is out of reach in that time need not be looked at.
+    constexpr double detour = 1.25;
+    const core::Seconds soon = depart + detour * (way.arrival - depart);
+    const core::Seconds at_once = way.arrival;
+    way = way_by<TowardsAnyWay>(depart, soon, timed);
+    if (way.path.empty()) way = way_by<TowardsEarliestWay>(depart, whenever, timed);
+    if (way.path.empty() && left_ > 0) way.path = later_path(depart);
+    if (search::circles_too_long(sea_, open_, way.path, depart, at_once, stop_)) return {};
+    return std::move(way.path);
+  }
+
+  [[nodiscard]] std::size_t affordable_labels() const {
+    const auto affordable = static_cast<std::size_t>(std::max<std::int64_t>(1, left_ / work_of_a_label));
+    return std::min(most_labels_of_a_trial, affordable);
+  }
+
+  Reached with_surfacings(core::Seconds depart, core::Seconds since_surfacing) {
+    const std::size_t affordable = std::max<std::size_t>(1, affordable_labels() / 3);
+    search::RouteSearch found = search::search_with_surfacings(sea_, open_, depart, since_surfacing, stop_,
+                                                               [](double) {}, {affordable, affordable});
+    left_ -= work_of_a_leg * found.statistics.edge_evaluations;
+    if (found.statistics.cut_short) left_ = std::min<std::int64_t>(left_, 0);
+    if (search::circles_too_long(sea_, open_, found.path, depart, std::nullopt, stop_)) return {};
+    return {std::move(found.path), found.since_surfacing};
+  }
+
+  struct Way {
+    std::vector<geo::PlanePoint> path;  // empty: there is none
+    core::Seconds arrival{};
+  };
+  static constexpr core::Seconds whenever{INFINITY};
+
+  /// Times a leg as long as there is work left; after that each counts as closed, and a search comes to its end.
+  template <class LegTimes>
+  auto rationed(const LegTimes& leg_times) {
+    return [this, &leg_times](const graph::Edge& edge, core::Seconds leaves,
+                              core::Seconds latest) -> tl::expected<core::Seconds, motion::EdgeClosed> {
+      if (left_ <= 0) return tl::unexpected(motion::EdgeClosed::too_late);
+      left_ -= work_of_a_leg;
+      return leg_times(edge, leaves, latest);
+    };
+  }
+
+  /// The way that is likely to be about the best where it is open, else the earliest one.
+  template <class LegTimes>
+  Way likely_or_earliest_way(core::Seconds depart, const LegTimes& leg_times) {
+    if (foresight_.is_useful()) {
+      Way way = likely_way(depart, leg_times);
+      if (!way.path.empty()) return way;
+    }
+    return way_by<TowardsEarliestWay>(depart, whenever, leg_times);
+  }
+
+  template <class LegTimes>
+  Way likely_way(core::Seconds depart, const LegTimes& leg_times) {
+    const auto times = rationed(leg_times);
+    Way way{.path = {open_.grid.point(open_.grid.start)}, .arrival = depart};
+    const std::vector<graph::Edge> edges = foresight_.likely_way(depart, stop_, {});
+    for (const graph::Edge& edge : edges) {
+      const auto time = times(edge, way.arrival, whenever);
+      if (!time) return {};
+      way.path.push_back(open_.grid.point(edge.head));
+      way.arrival += *time;
+    }
+    return edges.empty() ? Way{} : way;
+  }
+
+  /// A way that is at the goal by `latest`.
+  template <class Bound, class LegTimes>
+  Way way_by(core::Seconds depart, core::Seconds latest, const LegTimes& leg_times) {
+    const graph::SearchTree tree = arrivals_by<Bound>(depart, latest, rationed(leg_times));
+    Way way;
+    for (const graph::Vertex v : graph::path_to(open_.graph, tree, open_.grid.goal))
+      way.path.push_back(open_.grid.point(v));
+    way.arrival = core::Seconds{tree.arrival_s(open_.grid.goal)};
+    return way;
+  }
+
+  template <class Bound, class TravelTime>
+  graph::SearchTree arrivals_by(core::Seconds depart, core::Seconds latest, const TravelTime& travel_time) {
+    const search::StraightBound straight{sea_, open_.grid, open_.graph, open_.grid.goal};
+    const graph::Query query{open_.grid.start, open_.grid.goal, depart, latest};
+    // Beyond the end of the data nothing is open: what cannot be at the goal by then is not looked at.
+    const auto end = sea_.currents() ? sea_.currents()->end() : std::nullopt;
+    const core::Seconds last = std::min(latest, end.value_or(latest));
+    if (!std::isfinite(last.count()) || !foresight_.is_useful())
+      return graph::find_earliest_arrivals(open_.graph, query, travel_time, stop_, straight);
+    const graph::SearchTree& until_when = foresight_.until_when_of_use(depart, last, stop_);
+    const Bound bound{TowardsEarliestWay{{foresight_, straight, until_when}, last}};
+    if (bound.latest_use(open_.grid.start) < depart) return graph::SearchTree{open_.graph.size()};
+    return graph::find_earliest_arrivals(open_.graph, query, travel_time, stop_, bound);
+  }
+
+  /// Where the current slackens for who waits.
+  std::vector<geo::PlanePoint> path_with_waits(core::Seconds depart) {
+    const search::StraightBound straight{sea_, open_.grid, open_.graph, open_.grid.goal};
+    const graph::Query query{open_.grid.start, open_.grid.goal, depart, whenever};
+    // A leg that is closed is timed at many departures.
+    constexpr std::int64_t times_of_a_wait = 24;
+    const search::GridTravelTime timed{sea_, open_.grid};
+    const search::WaitedTravelTime waited{sea_, open_.grid};
+    const auto in_time_or_later = [&](const graph::Edge& edge, core::Seconds leaves, core::Seconds latest) {
+      const auto at_once = timed(edge, leaves, latest);
+      if (at_once || at_once.error() != motion::EdgeClosed::current_too_strong) return at_once;
+      left_ -= times_of_a_wait * work_of_a_leg;
+      return waited(edge, leaves, latest);
+    };
+    const graph::SearchTree tree =
+        graph::find_earliest_arrivals(open_.graph, query, rationed(in_time_or_later), stop_, straight);
+    std::vector<geo::PlanePoint> path;
+    for (const graph::Vertex v : graph::path_to(open_.graph, tree, open_.grid.goal))
+      path.push_back(open_.grid.point(v));
+    return path.empty() ? path_after_wait_at_start(depart) : path;
+  }
+
+  /// The same where it has to wait at the start already.
+  std::vector<geo::PlanePoint> path_after_wait_at_start(core::Seconds depart) {
+    constexpr int most_tries = 6;
+    const geo::PlanePoint start = open_.grid.point(open_.grid.start);
+    const core::Seconds stays = cost::can_stay_until(sea_, start, depart, depart + sea_.longest_wait());
+    const search::GridTravelTime timed{sea_, open_.grid};
+    for (int i = 1; i <= most_tries && stays > depart && left_ > 0; ++i) {
+      const core::Seconds later = depart + (static_cast<double>(i) / most_tries) * (stays - depart);
+      Way way = way_by<TowardsEarliestWay>(later, whenever, timed);
+      if (!way.path.empty()) return std::move(way.path);
+    }
+    return {};
+  }
+
+  std::vector<geo::PlanePoint> later_path(core::Seconds depart) {
+    search::LaterWay later =
+        search::search_later_ways(sea_, open_, depart, whenever, whenever, affordable_labels(), stop_);
+    left_ -= work_of_a_leg * later.counters.edge_evaluations;
+    if (later.cut_short) left_ = std::min<std::int64_t>(left_, 0);
+    return std::move(later.path);
+  }
+
+  const cost::Sea& sea_;
+  const search::OpenGrid& open_;
+  std::int64_t& left_;
+  const std::stop_token& stop_;
+  search::Foresight foresight_;
+};
+
+/// The way from stop to stop; empty where there is none, or no work left to find one.
+std::optional<cost::Route> search_all(const cost::Sea& sea, const std::vector<cost::RouteGrid>& grids,
+                                      int sectors, std::int64_t& left, const std::stop_token& stop) {
+  cost::Route route;
+  core::Seconds now{0.0};
+  core::Seconds since_surfacing{0.0};
+  for (const cost::RouteGrid& grid : grids) {
+    const search::OpenGrid open = search::open_grid(sea, grid, sectors, stop);
+    if (route.points.empty()) {
+      route.points.push_back(grid.point(grid.start));
+      route.fixed.push_back(true);
+    }
+    const Reached reached = GridTrial{sea, open, left, stop}(now, since_surfacing);
+    if (reached.path.empty()) return std::nullopt;
+    const auto arrivals = cost::arrivals_along(sea, reached.path, now, since_surfacing);
+    if (!arrivals) return std::nullopt;
+    now = arrivals->back();
+    since_surfacing = reached.since_surfacing;
+    for (std::size_t i = 1; i < reached.path.size(); ++i) {
+      route.points.push_back(reached.path[i]);
+      route.fixed.push_back(i + 1 == reached.path.size());
+    }
+  }
+  return route;
+}
+
+/// About as a GridLookup lays it over the area.
+double nodes_of_a_table(const plane::PlaneBox& area) {
+  constexpr double step_m = 2000.0;
+  constexpr double most_a_side = 1000.0;
+  const double step = std::max(step_m, std::max(area.width_m(), area.height_m()) / most_a_side);
+  return area.width_m() / step * (area.height_m() / step);
+}
+
+}  // namespace
+
+PlanRequest for_any_way(const PlanRequest& request) {
+  PlanRequest plain = request;
+  plain.energy.objective = time_objective;
+  plain.icebergs.encounter_weight = core::Seconds{0.0};
+  plain.refine = false;
+  plain.optimality_gap = false;
+  plain.max_waypoints.reset();
+  return plain;
+}
+
+TrialOutcome WayTrials::operator()(const PlanRequest& request) {
+  const PlanRequest plain = for_any_way(request);
+  const std::int64_t share = left_ / 4;
+  std::int64_t of_share = share;
+  TrialOutcome outcome = TrialOutcome::impossible;
+  for (const cost::GridReach reach : cost::reaches(request)) {
+    outcome = within(reach, plain, of_share);
+    if (outcome != TrialOutcome::impossible || plain.method == Method::direct) break;
+  }
+  left_ -= share - of_share;
+  return outcome;
+}
+
+std::int64_t WayTrials::work_of_a_chart(const PlanRequest& request, const cost::Layout& layout) const {
+  double work = static_cast<double>(environment_.icebergs.size()) * static_cast<double>(work_of_a_berg);
+  for (const cost::RouteGrid& grid : layout.grids) work += work_of_a_vertex * grid.vertex_count();
+  double tables = 0.0;
+  if (environment_.bathymetry) tables += 2.0;  // what is closed, and how deep dives are
+  if (environment_.ice) tables += 1.0 + static_cast<double>(environment_.further_ice.size());
+  if (environment_.currents && !shelf_.holds(request, layout.projection, layout.area())) {
+    work += work_of_a_value * static_cast<double>(environment_.currents->samples().u.size());
+    tables += 1.0;
+  }
+  work += tables * work_of_a_node * nodes_of_a_table(layout.area());
+  return std::llround(std::min(work, 1e15));
+}
+
+TrialOutcome WayTrials::within(cost::GridReach reach, const PlanRequest& request, std::int64_t& share) {
+  const std::int64_t laid_out = work_of_a_chart(request, cost::lay_out(request, reach));
+  if (laid_out >= share) return TrialOutcome::not_known;
+  share -= laid_out;
+  const Result<search::Chart> chart =
+      search::draw_chart(environment_, request, reach, stop_, &shelf_, search::Moves::left_out);
+  if (stop_.stop_requested()) return TrialOutcome::not_known;
+  if (!chart) return TrialOutcome::impossible;
+
+  std::optional<cost::Route> way = cost::fixed_route(chart->layout.points);
+  if (request.method != Method::direct) {
+    way = search_all(chart->sea, chart->layout.grids, request.sectors, share, stop_);
+  }
+  if (stop_.stop_requested() || (!way && share <= 0)) return TrialOutcome::not_known;
+  if (!way) return TrialOutcome::impossible;
+  const publish::Improved improved = publish::improve(chart->sea, *way, request, stop_, {});
+  const auto plan = publish::publish(*chart, environment_, request, improved, {}, stop_);
+  if (stop_.stop_requested()) return TrialOutcome::not_known;
+  const auto& wanted = request.departures.arrive_by;
+  const bool in_time = plan && (!wanted || plan->arrival <= *wanted);
+  return in_time ? TrialOutcome::possible : TrialOutcome::impossible;
+}
+
+}  // namespace floeplan::planning::diagnosis

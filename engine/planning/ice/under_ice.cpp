@@ -1,0 +1,70 @@
+#include "engine/planning/ice/under_ice.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "engine/motion/drive_looks.hpp"
+
+namespace floeplan::planning::ice {
+namespace {
+
+/// Whether no ice is known above that the vehicle would have to keep below, or was known last.
+bool is_free(const IceAbove& ice) { return ice.may_surface || (!ice.known && !(ice.draft_m > 0.0)); }
+
+}  // namespace
+
+UnderIce::UnderIce(const ocean::Environment& environment, const PlanRequest& request,
+                   const geo::LocalProjection& projection, const plane::PlaneBox& area, core::Metres cell,
+                   const std::stop_token& stop, std::shared_ptr<const obstacles::BedCells> bed)
+    : rules_{request.under_ice},
+      cover_{environment, request.under_ice, projection, area, request.depart, stop},
+      bed_{std::move(bed)},
+      needed_below_m_{request.vehicle.least_water_below_turn().value},
+      dive_room_m_{needed_below_m_ - request.vehicle.altimeter_margin.value},
+      dive_depth_m_{request.vehicle.dive_depth.value},
+      step_m_{std::min(cell.value, 0.25 * cover_.spacing().value)} {
+  if (!bed_ && environment.bathymetry && cover_.has_dense_ice())
+    bed_ = obstacles::lay_out_bed(environment.bathymetry, request.vehicle, projection, area, cell, stop);
+}
+
+core::Metres UnderIce::turn_below(const IceAbove& ice) const {
+  return is_free(ice) ? core::Metres{0.0} : core::Metres{ice.draft_m} + rules_.margin_below_ice;
+}
+
+bool UnderIce::has_room_below(core::Metres turn, geo::PlanePoint a, geo::PlanePoint b) const {
+  if (turn.value == 0.0) return true;
+  if (turn.value + dive_room_m_ > dive_depth_m_) return false;
+  return !bed_ || bed_->is_deep_along(a, b, turn + core::Metres{needed_below_m_});
+}
+
+core::Metres UnderIce::least_upper_turn(geo::PlanePoint point, core::Seconds time) const {
+  return turn_below(cover_.above(point, time));
+}
+
+bool UnderIce::may_transit(geo::PlanePoint point, core::Seconds time) const {
+  return has_room_below(least_upper_turn(point, time), point, point);
+}
+
+bool UnderIce::may_transit_along(const motion::PlaneEdge& edge, const motion::EdgePiece& piece) const {
+  if (!may_be_dense_along(edge.from, edge.to)) return true;
+  IceWatch watch{*this, motion::place_along(edge, piece.way0_m), core::Seconds{piece.t0_s}};
+  bool open = true;
+  motion::look_along(edge, piece, step(), [&](geo::PlanePoint point, core::Seconds time) {
+    open = watch.look(point, time).to_transit;
+    return open;
+  });
+  return open;
+}
+
+UnderIce::Leave IceWatch::look(geo::PlanePoint point, core::Seconds time) {
+  const IceAbove ice = ice_.above(point, time);
+  const core::Metres turn = ice_.turn_below(ice);
+  const UnderIce::Leave leave{.to_surface = ice.may_surface,
+                              .to_transit = ice_.has_room_below(std::max(last_turn_, turn), last_, point)};
+  last_ = point;
+  last_turn_ = turn;
+  return leave;
+}
+
+}  // namespace floeplan::planning::ice

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <stop_token>
+
+#include "engine/core/clock.hpp"
+#include "engine/core/progress.hpp"
+#include "engine/ocean/environment.hpp"
+#include "engine/planning/problem/infeasible.hpp"
+#include "engine/planning/problem/plan.hpp"
+#include "engine/planning/problem/plan_request.hpp"
+#include "engine/planning/problem/wider_sea.hpp"
+
+namespace floeplan::planning {
+
+/// The plan with the latest departure that arrives by the request's `departures.arrive_by`: the plan for this
+/// departure alone. Its arrival is within a minute, or a thousandth of the travel time, of the wanted one unless
+/// the sea lets none arrive then.
+/// Errors   Reason::arrival_too_early when even the earliest departure, `request.depart`, arrives later; else
+///          as plan_route
+/// Throws   std::invalid_argument when `request.violations()` is not empty or no arrival is asked for
+/// `clock` and `wider`: as plan_route's. More room is tried where no departure has a plan in time for currents as fast
+/// as the vehicle.
+[[nodiscard]] Result<Plan> plan_arrival(const ocean::Environment& environment, const PlanRequest& request,
+                                        const std::stop_token& stop, const core::ProgressCallback& progress,
+                                        const core::SteadyClock& clock = {}, const WiderSea& wider = {});
+
+}  // namespace floeplan::planning

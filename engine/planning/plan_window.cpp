@@ -1,0 +1,57 @@
+#include "engine/planning/plan_window.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "engine/planning/diagnosis/what_would_help.hpp"
+#include "engine/planning/planner/departure.hpp"
+#include "engine/planning/planner/strong_currents.hpp"
+#include "engine/planning/planner/try_to_plan.hpp"
+
+namespace floeplan::planning {
+
+namespace {
+
+/// With the changes that make the window's first departure possible: they make the window so.
+Infeasible what_would_help(const ocean::Environment& environment, const PlanRequest& request, Infeasible why,
+                           const std::stop_token& stop, const core::ProgressCallback& progress) {
+  why = diagnosis::with_what_would_help(environment, leaving_at(request, request.depart), std::move(why),
+                                        stop, progress);
+  // The window ends where it did: leaving later than that is another request.
+  const auto departs_later = [](const Change& change) { return change.input == "depart"; };
+  std::erase_if(why.changes, [&](const Change& change) {
+    return departs_later(change) || std::ranges::any_of(change.with, departs_later);
+  });
+  return why;
+}
+
+}  // namespace
+
+WindowPlan plan_window(const ocean::Environment& environment, const PlanRequest& request,
+                       const std::stop_token& stop, const core::ProgressCallback& progress,
+                       const core::SteadyClock& clock, const WiderSea& wider) {
+  WindowPlan window = planner::try_to_plan_window(environment, request, stop, progress, clock);
+  if (window.plan) {
+    const planner::PlanOnce plan_once = [&](const ocean::Environment& sea, const PlanRequest& asked) {
+      return planner::try_to_plan(sea, asked, stop, progress, clock);
+    };
+    const PlanRequest best = leaving_at(request, window.plan->departure);
+    window.plan =
+        planner::best_of_more_grids(std::move(window.plan), environment, best, wider, plan_once, stop);
+    return window;
+  }
+  if (planner::more_room_may_help(window.plan.error(), environment, request, stop)) {
+    const auto roomy = planner::with_more_room(environment, request, wider);
+    if (roomy) {
+      WindowPlan in_room = planner::try_to_plan_window(roomy->sea, roomy->request, stop, progress, clock);
+      if (in_room.plan) return in_room;
+    }
+    window.plan = tl::unexpected(
+        planner::with_area_searched(std::move(window.plan.error()), roomy ? roomy->request : request));
+  }
+  window.plan =
+      tl::unexpected(what_would_help(environment, request, std::move(window.plan.error()), stop, progress));
+  return window;
+}
+
+}  // namespace floeplan::planning

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "engine/geo/local_projection.hpp"
+
+namespace floeplan::planning::plane {
+
+/// On the straight line from a to b, at a share of its length; beyond its ends below 0 and above 1.
+[[nodiscard]] inline geo::PlanePoint place_between(geo::PlanePoint a, geo::PlanePoint b, double share) {
+  return {a.x_m + share * (b.x_m - a.x_m), a.y_m + share * (b.y_m - a.y_m)};
+}
+
+}  // namespace floeplan::planning::plane

@@ -1,0 +1,287 @@
+#include "engine/planning/planner/cost_plan.hpp"
+
+#include <cmath>
+#include <optional>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "engine/planning/cost/route.hpp"
+#include "engine/planning/planner/fastest_plan.hpp"
+#include "engine/planning/publish/battery_check.hpp"
+#include "engine/planning/publish/cost_refinement.hpp"
+#include "engine/planning/publish/plan_assembly.hpp"
+#include "engine/planning/publish/published_plan.hpp"
+#include "engine/planning/refinement/refinement_budget.hpp"
+#include "engine/planning/search/chart.hpp"
+#include "engine/planning/search/energy/cost_search.hpp"
+#include "engine/planning/search/explanation.hpp"
+#include "engine/planning/search/voyage_grids.hpp"
+
+namespace floeplan::planning::planner {
+namespace {
+
+constexpr const char* met_its_bound =
+    "the search met its bound on memory before it was done; a plan that costs less may exist";
+constexpr const char* no_gap = "only plans for the least time are compared with the best way";
+
+/// The route to publish and what its refinement did.
+struct ImprovedDrive {
+  cost::DrivenRoute route;
+  std::optional<RefinementReport> refinement;
+};
+
+cost::DrivenRoute straight_way(const cost::Layout& layout, vehicle::Drive drive) {
+  const std::size_t points = layout.points.size();
+  return {.points = layout.points,
+          .fixed = std::vector<bool>(points, true),
+          .drives = std::vector<vehicle::Drive>(points - 1, drive)};
+}
+
+/// The straight way on the drives that make the whole cost least, begun from each drive on all legs: on one of them
+/// alone it may be closed.
+cost::DrivenRoute best_straight_way(const cost::Sea& sea, const cost::Layout& layout,
+                                    const Objective& objective, const std::stop_token& stop) {
+  cost::DrivenRoute best = straight_way(layout, sea.drives().front());
+  double least = INFINITY;
+  for (const vehicle::Drive drive : sea.drives()) {
+    cost::DrivenRoute route =
+        cost::choose_drives(sea, straight_way(layout, drive), objective, cost::at_departure, stop);
+    const auto times = cost::drive_along(sea, route, cost::at_departure);
+    if (!times || !(times->cost(objective) < least)) continue;
+    least = times->cost(objective);
+    best = std::move(route);
+  }
+  return best;
+}
+
+/// The way of the grid with its points moved.
+publish::RefinedDrive refined(const cost::Sea& sea, const cost::DrivenRoute& way, const PlanRequest& request,
+                              const std::stop_token& stop, const core::SteadyClock& clock) {
+  const Objective objective = request.objective();
+  std::optional<std::size_t> most_legs;
+  if (request.max_waypoints) most_legs = static_cast<std::size_t>(*request.max_waypoints) - 1;
+  const double legs_per_second =
+      refinement::metered_legs_per_second / static_cast<double>(sea.drives().size());
+  publish::RefinedDrive result = publish::refine_drive(
+      sea, cost::drop_costless_points(sea, way, objective, cost::at_departure, stop), objective, most_legs,
+      refinement::refinement_budget(request, legs_per_second, stop, clock));
+  if (const auto on_grid = cost::drive_along(sea, way, cost::at_departure)) {
+    result.report.before = on_grid->arrivals.back() - cost::at_departure;
+    result.report.energy_before = on_grid->energy.total();
+  }
+  return result;
+}
+
+/// What is done to the way of the grid before it is published.
+ImprovedDrive improve(const cost::Sea& sea, const cost::DrivenRoute& way, const PlanRequest& request,
+                      const std::stop_token& stop, const core::SteadyClock& clock) {
+  const Objective objective = request.objective();
+  ImprovedDrive improved{way, std::nullopt};
+  if (request.refine && request.method != Method::direct) {
+    publish::RefinedDrive moved = refined(sea, way, request, stop, clock);
+    improved = {std::move(moved.route), std::move(moved.report)};
+  }
+  if (request.max_waypoints) {
+    const auto most = static_cast<std::size_t>(*request.max_waypoints);
+    improved.route = cost::drop_to(sea, improved.route, objective, cost::at_departure, most, stop);
+  }
+  improved.route = cost::choose_drives(sea, improved.route, objective, cost::at_departure, stop);
+  if (request.max_leg) improved.route = cost::part_long_legs(sea, improved.route, *request.max_leg);
+  return improved;
+}
+
+Result<Plan> publish(const search::Chart& chart, const ocean::Environment& environment,
+                     const PlanRequest& request, const ImprovedDrive& improved,
+                     const SearchStatistics& statistics, const std::stop_token& stop) {
+  const cost::Sea& sea = chart.sea;
+  const cost::DrivenRoute& route = improved.route;
+  const auto times = cost::drive_along(sea, route, cost::at_departure);
+  if (!times) {
+    const cost::RouteClosed closed{.reason = times.error(), .at = route.points.front()};
+    return tl::unexpected(search::explain_route(closed, sea, request));
+  }
+  const cost::Schedule schedule{times->arrivals, std::vector<core::Seconds>(times->arrivals.size())};
+  Plan plan = publish::assemble_plan(sea, environment, request, route.points, schedule, route.drives);
+  plan.search = statistics;
+  plan.refinement = improved.refinement;
+  if (plan.refinement) {
+    plan.refinement->after = plan.travel_time();
+    // The planned surfacings, which the search knows nothing of, belong to both.
+    const core::Joules of_surfacings = plan.energy->use.total() - times->energy.total();
+    if (plan.refinement->energy_before)
+      plan.refinement->energy_before = *plan.refinement->energy_before + of_surfacings;
+    plan.refinement->energy_after = plan.energy->use.total();
+  }
+  if (request.optimality_gap) plan.optimality_gap_reason = no_gap;
+  if (auto exceeded = publish::check_battery(plan, request)) return tl::unexpected(std::move(*exceeded));
+  if (auto none =
+          publish::add_escapes(plan, chart, request, route.points, times->arrivals, route.drives, stop))
+    return tl::unexpected(std::move(*none));
+  publish::add_warnings(plan, request);
+  if (statistics.cut_short) {
+    plan.warnings.emplace_back(met_its_bound);
+  }
+  return plan;
+}
+
+/// A plan on grids of one reach and whether a larger reach may do better.
+struct CostAttempt {
+  Result<Plan> plan;
+  bool wider_may_help{false};
+};
+
+CostAttempt plan_cost_within(cost::GridReach reach, const ocean::Environment& environment,
+                             const PlanRequest& request, const std::stop_token& stop,
+                             const core::ProgressCallback& progress, const core::SteadyClock& clock) {
+  progress("environment", 0.0);
+  const Result<search::Chart> chart = search::draw_chart(environment, request, reach, stop);
+  if (!chart) return {tl::unexpected(chart.error())};
+  const cost::Sea& sea = chart->sea;
+
+  search::CostWay way;
+  if (request.method == Method::direct) {
+    way.route = best_straight_way(sea, chart->layout, request.objective(), stop);
+  } else {
+    const auto report = [&](double fraction) { progress("search", 0.1 + 0.6 * fraction); };
+    const std::vector<search::OpenGrid> grids =
+        search::open_grids(sea, chart->layout.grids, request.sectors, stop);
+    auto found = search::search_least_cost(sea, grids, request, cost::at_departure, stop, report);
+    if (!found) {
+      const bool cancelled = found.error().reason == Reason::cancelled;
+      return {tl::unexpected(std::move(found.error())), !cancelled};
+    }
+    way = std::move(*found);
+  }
+  // Who came to no end on these grids comes to none on wider ones.
+  const bool wider_may_help = way.touches_rim && !way.statistics.cut_short;
+  progress("refinement", 0.7);
+  const ImprovedDrive improved = improve(sea, way.route, request, stop, clock);
+  if (stop.stop_requested()) return {tl::unexpected(search::explain_cancelled(request))};
+  return {publish(*chart, environment, request, improved, way.statistics, stop), wider_may_help};
+}
+
+ThrusterUse only(vehicle::Drive drive) {
+  return drive == vehicle::Drive::thruster ? ThrusterUse::on : ThrusterUse::off;
+}
+
+void silent(std::string_view, double) {}
+
+bool costs_less(const Result<Plan>& a, const Result<Plan>& b, const Objective& objective) {
+  return a && (!b || cost_of(*a, objective) < cost_of(*b, objective));
+}
+
+/// On the nearer grids, and on the wider ones where they may do better.
+Result<Plan> plan_on_either_reach(const ocean::Environment& environment, const PlanRequest& request,
+                                  const std::stop_token& stop, const core::ProgressCallback& progress,
+                                  const core::SteadyClock& clock) {
+  const std::vector<cost::GridReach> to_try = cost::reaches(request);
+  CostAttempt attempt = plan_cost_within(to_try.front(), environment, request, stop, progress, clock);
+  if (!attempt.wider_may_help || to_try.size() == 1) return std::move(attempt.plan);
+  CostAttempt wider = plan_cost_within(to_try.back(), environment, request, stop, progress, clock);
+  const bool is_better =
+      costs_less(wider.plan, attempt.plan, request.objective()) || (!attempt.plan && !wider.plan);
+  return std::move(is_better ? wider.plan : attempt.plan);
+}
+
+bool was_cut_short(const Result<Plan>& plan) {
+  return plan ? plan->search.cut_short : plan.error().search_cut_short;
+}
+
+/// The known plan or, if it costs less, what a search found; a search that came to no end leaves its warning.
+Result<Plan> better_of(Result<Plan> known, Result<Plan> found, const Objective& objective) {
+  if (costs_less(found, known, objective) || !known) return found;
+  if (was_cut_short(found)) known->warnings.emplace_back(met_its_bound);
+  return known;
+}
+
+/// What searches on the request's grids find: for all drives, and for some by themselves, which takes little and is
+/// often better where a search for all does not look at everything.
+Result<Plan> best_on_grids(const ocean::Environment& environment, const PlanRequest& request,
+                           const std::vector<vehicle::Drive>& alone, const std::stop_token& stop,
+                           const core::ProgressCallback& progress, const core::SteadyClock& clock) {
+  Result<Plan> best = plan_on_either_reach(environment, request, stop, progress, clock);
+  const bool is_cut_short = was_cut_short(best);
+  for (const vehicle::Drive drive : alone) {
+    if (stop.stop_requested() || drives(request.energy, request.vehicle).size() == 1) break;
+    PlanRequest on_drive = request;
+    on_drive.energy.thruster = only(drive);
+    Result<Plan> found = plan_on_either_reach(environment, on_drive, stop, silent, clock);
+    if (!costs_less(found, best, request.objective())) continue;
+    best = std::move(found);
+    if (is_cut_short && !was_cut_short(best)) {
+      best->search.cut_short = true;
+      best->warnings.emplace_back(met_its_bound);
+    }
+  }
+  return best;
+}
+
+}  // namespace
+
+double cost_of(const Plan& plan, const Objective& objective) {
+  return objective.cost(plan.travel_time(), plan.energy->use.total(), plan.iceberg_encounters.value_or(0.0));
+}
+
+PlanRequest fastest_request(const PlanRequest& request, vehicle::Drive drive) {
+  PlanRequest fastest = request;
+  fastest.optimality_gap = false;
+  fastest.energy.objective = time_objective;
+  fastest.energy.thruster = only(drive);
+  return fastest;
+}
+
+Result<Plan> publish_straight_way(const search::Chart& chart, const ocean::Environment& environment,
+                                  const PlanRequest& request, const std::stop_token& stop) {
+  cost::DrivenRoute route = best_straight_way(chart.sea, chart.layout, request.objective(), stop);
+  if (request.max_leg) route = cost::part_long_legs(chart.sea, route, *request.max_leg);
+  return publish(chart, environment, request, {std::move(route), std::nullopt}, {}, stop);
+}
+
+Result<Plan> search_least_cost_plan(const KnownPlan& known, const ocean::Environment& environment,
+                                    const PlanRequest& request, const std::stop_token& stop,
+                                    const core::ProgressCallback& progress, const core::SteadyClock& clock) {
+  // Only the fastest plans wait.
+  PlanRequest on_the_move = request;
+  on_the_move.max_loiter = core::Seconds{0.0};
+  const Objective objective = request.objective();
+  // Refinement makes up for larger steps, and a search takes a third of the time on them or less. They may close
+  // passages, though, that the known plan takes: a way that costs more than that by much, a judgement, is no evidence.
+  constexpr double much = 0.01;
+  const bool may_be_coarse =
+      known.plan && request.refine && request.method != Method::direct && !request.spacing_along;
+  Result<Plan> best = known.plan;
+  if (may_be_coarse) {
+    Result<Plan> coarse = best_on_grids(environment, cost::on_coarser_grids(on_the_move), known.on_drives,
+                                        stop, progress, clock);
+    const bool is_near =
+        coarse && cost_of(*coarse, objective) <= (1.0 + much) * cost_of(*known.plan, objective);
+    const bool is_evidence = is_near || was_cut_short(coarse);  // more places would not have helped then
+    if (is_evidence && !stop.stop_requested()) return better_of(known.plan, std::move(coarse), objective);
+    if (costs_less(coarse, best, objective)) best = std::move(coarse);
+  }
+  if (stop.stop_requested()) return tl::unexpected(search::explain_cancelled(request));
+  const std::vector<vehicle::Drive> none;
+  Result<Plan> found =
+      best_on_grids(environment, on_the_move, may_be_coarse ? none : known.on_drives, stop, progress, clock);
+  if (stop.stop_requested()) return tl::unexpected(search::explain_cancelled(request));
+  return better_of(std::move(best), std::move(found), objective);
+}
+
+Result<Plan> plan_least_cost(const ocean::Environment& environment, const PlanRequest& request,
+                             const std::stop_token& stop, const core::ProgressCallback& progress,
+                             const core::SteadyClock& clock) {
+  KnownPlan fastest{.plan = tl::unexpected(Infeasible{}), .on_drives = {}};
+  for (const vehicle::Drive drive : drives(request.energy, request.vehicle)) {
+    if (stop.stop_requested()) return tl::unexpected(search::explain_cancelled(request));
+    Result<Plan> plan = plan_fastest(environment, fastest_request(request, drive), stop, silent, clock);
+    if (plan) fastest.on_drives.push_back(drive);
+    if (costs_less(plan, fastest.plan, request.objective())) fastest.plan = std::move(plan);
+  }
+  Result<Plan> best = search_least_cost_plan(fastest, environment, request, stop, progress, clock);
+  if (best && request.optimality_gap) best->optimality_gap_reason = no_gap;
+  progress("done", 1.0);
+  return best;
+}
+
+}  // namespace floeplan::planning::planner

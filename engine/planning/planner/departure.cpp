@@ -1,0 +1,360 @@
+#include "engine/planning/planner/departure.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+#include <map>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "engine/planning/cost/driven_route.hpp"
+#include "engine/planning/cost/route_cost.hpp"
+#include "engine/planning/cost/sea_members.hpp"
+#include "engine/planning/planner/cost_plan.hpp"
+#include "engine/planning/planner/robust_plan.hpp"
+#include "engine/planning/planner/try_to_plan.hpp"
+#include "engine/planning/search/chart.hpp"
+#include "engine/planning/search/energy/cost_search.hpp"
+#include "engine/planning/search/explanation.hpp"
+#include "engine/planning/search/grid/open_grid.hpp"
+#include "engine/planning/search/voyage_grids.hpp"
+#include "engine/planning/search/voyage_search.hpp"
+
+namespace floeplan::planning::planner {
+namespace {
+
+/// A sweep back costs about as much as the search for one departure.
+constexpr double departures_a_sweep = 2.0;
+
+/// Departures of a window of which the curve knows a way and no plan comes, before the window is given up: each takes a
+/// whole plan. First the best ones, then those that are furthest from all that were refused.
+constexpr std::size_t best_refused = 12;
+constexpr std::size_t most_refused = 24;
+
+/// Departures with a robust objective that are planned whole, in every member each.
+constexpr std::size_t most_planned = 6;
+
+/// The departure with a way that is furthest from those without; empty: there is none.
+std::optional<std::size_t> furthest_from_refused(const std::vector<DepartureOutcome>& outcomes) {
+  const std::size_t count = outcomes.size();
+  std::vector<std::size_t> away(count, count);  // from the nearest that was refused
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!outcomes[i].travel_time) away[i] = 0;
+    if (i > 0) away[i] = std::min(away[i], away[i - 1] + 1);
+  }
+  for (std::size_t i = count - 1; i-- > 0;) away[i] = std::min(away[i], away[i + 1] + 1);
+  const auto furthest = std::ranges::max_element(away);
+  if (*furthest == 0) return std::nullopt;
+  return static_cast<std::size_t>(furthest - away.begin());
+}
+
+/// What one departure leads to, on grids of one reach.
+struct Journey {
+  core::Seconds arrival{};
+  core::Joules energy{};
+  double cost{};  // by the request's objective
+  bool touches_rim{false};
+};
+
+/// Searches the same grids for one departure after another.
+class DepartureSweep {
+ public:
+  /// Errors   as draw_chart
+  static Result<DepartureSweep> on_grids(cost::GridReach reach, const ocean::Environment& environment,
+                                         const PlanRequest& request, const std::stop_token& stop) {
+    // Only the fastest way waits.
+    PlanRequest drawn = request;
+    if (!request.energy.objective.is_time()) drawn.max_loiter = core::Seconds{0.0};
+    auto chart = search::draw_chart(environment, drawn, reach, stop);
+    if (!chart) return tl::unexpected(chart.error());
+    std::vector<search::OpenGrid> grids;
+    if (request.method != Method::direct) {
+      grids = search::open_grids(chart->sea, chart->layout.grids, request.sectors, stop);
+    }
+    DepartureSweep sweep{std::move(*chart), std::move(grids), request};
+    if (request.energy.objective.is_time()) return sweep;
+    for (const vehicle::Drive drive : drives(request.energy, request.vehicle)) {
+      auto other = on_grids(reach, environment, fastest_request(request, drive), stop);
+      if (!other) return other;
+      sweep.fastest_.push_back(std::move(*other));
+    }
+    return sweep;
+  }
+
+  /// What costs least, as a plan for one departure would choose.
+  Result<Journey> leave(core::Seconds after, const std::stop_token& stop) {
+    if (auto closed = search::closed_start(*chart_, request_, after))
+      return tl::unexpected(std::move(*closed));
+    if (request_.energy.objective.is_time()) return earliest(after, stop);
+    Result<Journey> best = request_.method == Method::direct ? straight(after) : cheapest(after, stop);
+    for (DepartureSweep& sweep : fastest_) {
+      if (stop.stop_requested()) return tl::unexpected(search::explain_cancelled(request_));
+      auto other = sweep.leave(after, stop);
+      if (!other) continue;
+      other->cost = cost(other->arrival - after, other->energy);
+      if (!best || other->cost < best->cost) best = std::move(other);
+    }
+    return best;
+  }
+
+ private:
+  Result<Journey> earliest(core::Seconds after, const std::stop_token& stop) {
+    if (request_.method == Method::direct) return straight(after);
+    auto found = search::search_voyage(chart_->sea, grids_, request_, after, stop, [](double) {},
+                                       {.way = last_ ? &*last_ : nullptr, .foresights = &foresights_});
+    if (!found) return tl::unexpected(std::move(found.error()));
+    last_ = std::move(*found);
+    return on_first_drive(last_->route.points, last_->touches_rim, after);
+  }
+
+  DepartureSweep(search::Chart chart, std::vector<search::OpenGrid> grids, const PlanRequest& request)
+      : chart_{std::make_unique<const search::Chart>(std::move(chart))},
+        grids_{std::move(grids)},
+        request_{request} {
+    const core::Seconds ahead = departures_a_sweep * request.departures.step;
+    const core::Seconds window = request.departures.departures(request.depart).back() - request.depart;
+    for (const search::OpenGrid& open : grids_) {
+      if (request.energy.objective.is_time()) {
+        foresights_.emplace_back(chart_->sea, open, ahead);
+      } else {
+        guides_.emplace_back(chart_->sea, open, window);
+      }
+    }
+  }
+
+  Result<Journey> straight(core::Seconds after) const {
+    return on_first_drive(chart_->layout.points, false, after);
+  }
+
+  Result<Journey> cheapest(core::Seconds after, const std::stop_token& stop) {
+    const auto found =
+        search::search_least_cost(chart_->sea, grids_, request_, after, stop, [](double) {}, &guides_);
+    if (!found) return tl::unexpected(found.error());
+    const auto times = cost::drive_along(chart_->sea, found->route, after);
+    if (!times) {
+      const cost::RouteClosed closed{.reason = times.error(), .at = found->route.points.front()};
+      return tl::unexpected(search::explain_route(closed, chart_->sea, request_));
+    }
+    return journey(times->arrivals, times->energy, found->touches_rim);
+  }
+
+  Result<Journey> on_first_drive(const std::vector<geo::PlanePoint>& points, bool touches_rim,
+                                 core::Seconds after) const {
+    const cost::Sea& sea = chart_->sea;
+    const auto arrivals = cost::arrivals_along(sea, points, after);
+    if (!arrivals) return tl::unexpected(search::explain_route(arrivals.error(), sea, request_));
+    EnergyUse energy;
+    for (std::size_t i = 1; i < points.size(); ++i) {
+      energy += sea.energy_along(points[i - 1], points[i], (*arrivals)[i - 1],
+                                 (*arrivals)[i] - (*arrivals)[i - 1], sea.drives().front());
+    }
+    return journey(*arrivals, energy, touches_rim);
+  }
+
+  [[nodiscard]] Journey journey(const std::vector<core::Seconds>& arrivals, const EnergyUse& energy,
+                                bool touches_rim) const {
+    const core::Seconds time = arrivals.back() - arrivals.front();
+    return {arrivals.back(), energy.total(), cost(time, energy.total()), touches_rim};
+  }
+
+  [[nodiscard]] double cost(core::Seconds time, core::Joules energy) const {
+    return request_.energy.objective.cost(time, energy);
+  }
+
+  std::unique_ptr<const search::Chart> chart_;
+  std::vector<search::OpenGrid> grids_;
+  std::vector<search::Foresight> foresights_;  // one for each grid, for the least time
+  std::vector<search::CostGuide> guides_;      // likewise, for another objective
+  PlanRequest request_;
+  std::optional<search::FoundWay> last_;  // of the departure before
+  std::vector<DepartureSweep> fastest_;   // on each drive by itself, where it is not time that counts
+};
+
+/// Whether wider grids may have a way where there was none for this reason.
+bool may_be_mended(Reason why) {
+  return why != Reason::cancelled && why != Reason::start_near_iceberg && why != Reason::start_in_zone;
+}
+
+/// As a plan for this departure alone would choose between the two reaches.
+class Comparison {
+ public:
+  Comparison(const ocean::Environment& environment, const PlanRequest& request, const std::stop_token& stop)
+      : environment_{environment}, request_{request}, stop_{stop} {}
+
+  Result<Journey> leave(core::Seconds after) {
+    const std::vector<cost::GridReach> to_try = cost::reaches(request_);
+    auto first = on(near_, to_try.front(), after);
+    const bool wider_may_help = first ? first->touches_rim : may_be_mended(first.error().reason);
+    if (!wider_may_help || to_try.size() == 1 || request_.method == Method::direct) return first;
+    auto second = on(wide_, to_try.back(), after);
+    if (first && (!second || first->cost <= second->cost)) return first;
+    return second;
+  }
+
+ private:
+  Result<Journey> on(std::optional<Result<DepartureSweep>>& sweep, cost::GridReach reach,
+                     core::Seconds after) {
+    if (!sweep) sweep.emplace(DepartureSweep::on_grids(reach, environment_, request_, stop_));
+    if (!*sweep) return tl::unexpected(sweep->error());
+    return (*sweep)->leave(after, stop_);
+  }
+
+  const ocean::Environment& environment_;
+  const PlanRequest& request_;
+  const std::stop_token& stop_;
+  std::optional<Result<DepartureSweep>> near_;
+  std::optional<Result<DepartureSweep>> wide_;  // laid out when it is first needed
+};
+
+/// Gives each departure what the request's robust objective counts of the best ways in all members.
+/// Returns  false once `stop` is requested
+bool weigh_members(std::vector<DepartureOutcome>& outcomes, const ocean::Environment& environment,
+                   const PlanRequest& request, const std::stop_token& stop,
+                   const std::function<void(std::size_t, std::size_t)>& report) {
+  const cost::SeaMembers members{environment, request.uncertainty};
+  std::vector<std::vector<std::optional<double>>> costs(outcomes.size());  // [departure][member]
+  for (std::size_t member = 0; member < members.size(); ++member) {
+    const ocean::Environment sea = members.environment(member);
+    Comparison comparison{sea, request, stop};
+    for (std::size_t i = 0; i < outcomes.size(); ++i) {
+      report(1 + member, i);
+      const auto found = comparison.leave(outcomes[i].departure - request.depart);
+      if (!found && found.error().reason == Reason::cancelled) return false;
+      costs[i].push_back(found ? std::optional{found->cost} : std::nullopt);
+    }
+  }
+  for (std::size_t i = 0; i < outcomes.size(); ++i) {
+    const MemberSpread spread{costs[i]};
+    outcomes[i].robust_cost = what_counts(spread, request.uncertainty);
+    outcomes[i].members_closed = members.size() - spread.known();
+  }
+  return true;
+}
+
+/// Takes the members' own best ways out of what a departure counts, and its plan's way into it.
+void count_plan(DepartureOutcome& outcome, const Plan& plan, const UncertaintyRules& rules) {
+  const MemberSpread& costs = *plan.uncertainty->costs;
+  outcome.robust_cost = what_counts(costs, rules);
+  outcome.members_closed = plan.uncertainty->spread.travel_times().size() - costs.known();
+}
+
+/// The best of the departures that were planned, which others may undercut.
+std::size_t best_planned(const std::vector<DepartureOutcome>& outcomes,
+                         const std::map<std::size_t, Plan>& planned, const Objective& objective) {
+  std::vector<DepartureOutcome> of_planned;
+  std::vector<std::size_t> departures;
+  for (const auto& [departure, plan] : planned) {
+    of_planned.push_back(outcomes[departure]);
+    departures.push_back(departure);
+  }
+  return departures[*best_departure(of_planned, objective)];
+}
+
+}  // namespace
+
+Result<std::vector<DepartureOutcome>> compare_departures(const ocean::Environment& environment,
+                                                         const PlanRequest& request,
+                                                         const std::stop_token& stop,
+                                                         const core::ProgressCallback& progress) {
+  throw_if_invalid(request);
+  const std::vector<core::UtcTime> departures = request.departures.departures(request.depart);
+  const bool is_robust = request.uncertainty.objective != RobustObjective::none &&
+                         cost::has_uncertain_currents(environment, request);
+  const std::size_t seas = is_robust ? 1 + cost::SeaMembers{environment, request.uncertainty}.size() : 1;
+  const auto report = [&](std::size_t sea, std::size_t departure) {
+    if (!progress) return;
+    const double done = static_cast<double>(departure) / static_cast<double>(departures.size());
+    progress("departures", (static_cast<double>(sea) + done) / static_cast<double>(seas));
+  };
+
+  Comparison comparison{environment, request, stop};
+  std::vector<DepartureOutcome> outcomes;
+  for (const core::UtcTime departure : departures) {
+    report(0, outcomes.size());
+    auto found = comparison.leave(departure - request.depart);
+    DepartureOutcome outcome{.departure = departure};
+    if (found) {
+      outcome.travel_time = found->arrival - (departure - request.depart);
+      outcome.energy = found->energy;
+    } else if (found.error().reason == Reason::cancelled) {
+      return tl::unexpected(std::move(found.error()));
+    } else {
+      outcome.closed = std::move(found.error());
+    }
+    outcomes.push_back(std::move(outcome));
+  }
+  if (is_robust && !weigh_members(outcomes, environment, request, stop, report))
+    return tl::unexpected(search::explain_cancelled(request));
+  return outcomes;
+}
+
+WindowPlan try_to_plan_window(const ocean::Environment& environment, const PlanRequest& request,
+                              const std::stop_token& stop, const core::ProgressCallback& progress,
+                              const core::SteadyClock& clock) {
+  auto outcomes = compare_departures(environment, request, stop, progress);
+  if (!outcomes) return {.departures = {}, .plan = tl::unexpected(outcomes.error())};
+  std::optional<Infeasible> refused;
+  std::map<std::size_t, Plan> planned;
+  for (std::size_t tries = 0; tries < most_refused; ++tries) {
+    const auto best = tries < best_refused || !planned.empty()
+                          ? best_departure(*outcomes, request.energy.objective)
+                          : furthest_from_refused(*outcomes);
+    if (!best) break;
+    if (const auto known = planned.find(*best); known != planned.end())
+      return {.departures = std::move(*outcomes), .plan = std::move(known->second)};
+    if (planned.size() == most_planned) break;
+    DepartureOutcome& outcome = (*outcomes)[*best];
+    auto plan = try_to_plan(environment, leaving_at(request, outcome.departure), stop, progress, clock);
+    if (plan && outcome.robust_cost) {
+      count_plan(outcome, *plan, request.uncertainty);
+      planned.emplace(*best, std::move(*plan));
+      continue;
+    }
+    if (plan || plan.error().reason == Reason::cancelled)
+      return {.departures = std::move(*outcomes), .plan = std::move(plan)};
+    // What a whole plan is asked for beyond its way, such as the battery, lets another departure do.
+    outcome = {.departure = outcome.departure, .closed = plan.error()};
+    if (!refused) refused = std::move(plan.error());
+  }
+  if (!planned.empty()) {
+    Plan best = std::move(planned.at(best_planned(*outcomes, planned, request.energy.objective)));
+    best.warnings.push_back(
+        "of " + std::to_string(outcomes->size()) + " departures " + std::to_string(planned.size()) +
+        " were planned whole, and this is the best of them; the members' own best ways leave "
+        "open whether another is better: a shorter window looks at all of its own");
+    return {.departures = std::move(*outcomes), .plan = std::move(best)};
+  }
+  Infeasible why = refused ? std::move(*refused) : outcomes->front().closed.value();
+  const auto left = std::ranges::count_if(
+      *outcomes, [](const DepartureOutcome& outcome) { return outcome.travel_time.has_value(); });
+  if (left > 0) {
+    why.explanation += "; " + std::to_string(most_refused) + " of " + std::to_string(outcomes->size()) +
+                       " departures were tried, " + std::to_string(left) +
+                       " with a way were not: a shorter window looks at them";
+  }
+  return {.departures = std::move(*outcomes), .plan = tl::unexpected(std::move(why))};
+}
+
+std::optional<std::size_t> best_departure(const std::vector<DepartureOutcome>& outcomes,
+                                          const Objective& objective) {
+  constexpr double rounding = 1e-9;  // of sums of times, by which departures of one cost differ
+  std::optional<std::size_t> best;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < outcomes.size(); ++i) {
+    const DepartureOutcome& outcome = outcomes[i];
+    if (!outcome.travel_time) continue;
+    const double cost = outcome.robust_cost.value_or(
+        objective.cost(*outcome.travel_time, outcome.energy.value_or(core::Joules{})));
+    const std::size_t most_closed = best ? outcomes[*best].members_closed : outcome.members_closed;
+    if (outcome.members_closed > most_closed) continue;
+    const bool is_cheaper = !best || outcome.members_closed < most_closed || cost < (1.0 - rounding) * least;
+    if (!is_cheaper) continue;
+    best = i;
+    least = cost;
+  }
+  return best;
+}
+
+}  // namespace floeplan::planning::planner

@@ -1,0 +1,203 @@
+#include "engine/planning/planner/fastest_plan.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "engine/planning/cost/route.hpp"
+#include "engine/planning/cost/route_cost.hpp"
+#include "engine/planning/publish/improvement.hpp"
+#include "engine/planning/publish/published_plan.hpp"
+#include "engine/planning/search/chart.hpp"
+#include "engine/planning/search/explanation.hpp"
+#include "engine/planning/search/voyage_grids.hpp"
+#include "engine/planning/search/voyage_search.hpp"
+#include "engine/planning/search/waiting/time_killing.hpp"
+
+namespace floeplan::planning::planner {
+namespace {
+
+/// A plan on grids of one reach, where its route lies, and whether a larger reach may do better.
+struct Attempt {
+  Result<Plan> plan;
+  std::optional<search::Chart> chart{};  // of a plan
+  cost::Route route{};                   // likewise
+  bool wider_may_help{false};
+};
+
+/// Of a plan whose search was cut short.
+std::string what_may_be_better(const Plan& plan) {
+  std::string text = "the search for better ways was cut short at its bound on memory: there may be one";
+  const auto gain = plan.search.possible_gain;
+  if (!gain) return text;
+  char most[80];
+  std::snprintf(most, sizeof most, ", by %.0f min (%.1f %%) at most before refinement",
+                std::ceil(gain->count() / 60.0), 100.0 * (*gain / plan.travel_time()));
+  return text + most;
+}
+
+/// The way that the grids give, and what became of it.
+struct RefinedWay {
+  search::FoundWay found;
+  publish::Improved improved;
+};
+
+/// Searches the grids, and moves the points of what it finds.
+class WayFinder {
+ public:
+  /// Everything is borrowed and outlives the finder.
+  WayFinder(const search::Chart& chart, const PlanRequest& request, const std::stop_token& stop,
+            const core::ProgressCallback& progress, const core::SteadyClock& clock)
+      : chart_{chart}, request_{request}, stop_{stop}, progress_{progress}, clock_{clock} {
+    if (request.method != Method::direct)
+      grids_ = search::open_grids(chart.sea, chart.layout.grids, request.sectors, stop);
+  }
+
+  [[nodiscard]] Result<RefinedWay> find() const {
+    if (!chart_.sea.bounds_surfacing()) return find_in(chart_.sea);
+    // What is best without the bound and keeps it is best with it. Refinement often takes a way out of the ice that
+    // the grid cannot keep clear of.
+    auto free = find_in(chart_.sea.without_bound_on_surfacing());
+    if (!free || cost::arrivals_along(chart_.sea, free->improved.route.points, cost::at_departure))
+      return free;
+    return find_in(chart_.sea);
+  }
+
+ private:
+  [[nodiscard]] Result<RefinedWay> find_in(const cost::Sea& sea) const {
+    search::FoundWay way;
+    way.route = cost::fixed_route(chart_.layout.points);
+    if (request_.method != Method::direct) {
+      const auto report = [&](double fraction) { progress_("search", 0.1 + 0.8 * fraction); };
+      auto found = search::search_voyage(sea, grids_, request_, cost::at_departure, stop_, report);
+      if (!found) return tl::unexpected(std::move(found.error()));
+      way = std::move(*found);
+    }
+    progress_("refinement", 0.9);
+    publish::Improved improved = publish::improve(sea, way.route, request_, stop_, clock_);
+    return RefinedWay{std::move(way), std::move(improved)};
+  }
+
+  const search::Chart& chart_;
+  const PlanRequest& request_;
+  const std::stop_token& stop_;
+  const core::ProgressCallback& progress_;
+  const core::SteadyClock& clock_;
+  std::vector<search::OpenGrid> grids_;  // none for the direct way
+};
+
+Attempt plan_within(cost::GridReach reach, const ocean::Environment& environment, const PlanRequest& request,
+                    const std::stop_token& stop, const core::ProgressCallback& progress,
+                    const core::SteadyClock& clock) {
+  progress("environment", 0.0);
+  Result<search::Chart> chart = search::draw_chart(environment, request, reach, stop);
+  if (!chart) return {.plan = tl::unexpected(std::move(chart.error()))};
+
+  Result<RefinedWay> way = WayFinder{*chart, request, stop, progress, clock}.find();
+  if (!way) {
+    const bool cancelled = way.error().reason == Reason::cancelled;
+    return {.plan = tl::unexpected(std::move(way.error())), .wider_may_help = !cancelled};
+  }
+  if (stop.stop_requested()) return {.plan = tl::unexpected(search::explain_cancelled(request))};
+  Result<Plan> plan =
+      publish::publish(*chart, environment, request, way->improved, way->found.statistics, stop);
+  if (plan && way->found.statistics.cut_short) {
+    plan->warnings.push_back(what_may_be_better(*plan));
+  }
+  return {.plan = std::move(plan),
+          .chart = std::move(*chart),
+          .route = std::move(way->improved.route),
+          .wider_may_help = way->found.touches_rim};
+}
+
+/// On the nearer grids, and on the wider ones where they may do better.
+Attempt best_attempt(const ocean::Environment& environment, const PlanRequest& request,
+                     const std::stop_token& stop, const core::ProgressCallback& progress,
+                     const core::SteadyClock& clock) {
+  const std::vector<cost::GridReach> to_try = cost::reaches(request);
+  Attempt best = plan_within(to_try.front(), environment, request, stop, progress, clock);
+  if (best.wider_may_help && to_try.size() > 1) {
+    Attempt wider = plan_within(to_try.back(), environment, request, stop, progress, clock);
+    const bool nearer_will_do = best.plan && (!wider.plan || best.plan->arrival <= wider.plan->arrival);
+    if (!nearer_will_do) best = std::move(wider);
+  }
+  return best;
+}
+
+bool search_was_cut_short(const Attempt& attempt) {
+  return attempt.plan ? attempt.plan->search.cut_short : attempt.plan.error().search_cut_short;
+}
+
+/// On grids as fine as asked for. Where that was left open and a search with surfacings came to no end, on coarser
+/// ones, too, on which it comes further.
+Attempt plan_on_grids(const ocean::Environment& environment, const PlanRequest& request,
+                      const std::stop_token& stop, const core::ProgressCallback& progress,
+                      const core::SteadyClock& clock) {
+  Attempt best = best_attempt(environment, request, stop, progress, clock);
+  if (request.under_ice.max_time_without_surfacing && !request.spacing_along && search_was_cut_short(best)) {
+    Attempt coarse = best_attempt(environment, cost::on_coarser_grids(request), stop, progress, clock);
+    if (coarse.plan && (!best.plan || coarse.plan->arrival < best.plan->arrival)) best = std::move(coarse);
+  }
+  if (best.plan) publish::rate(*best.plan, best.chart->sea, request, best.route, stop);
+  if (stop.stop_requested()) best.plan = tl::unexpected(search::explain_cancelled(request));
+  return best;
+}
+
+bool waits_somewhere(const Result<Plan>& plan) {
+  return plan && std::ranges::any_of(plan->waypoints,
+                                     [](const Waypoint& waypoint) { return waypoint.wait.count() > 0.0; });
+}
+
+/// Whether a plan only seems the better one: it kills time under way where the other one waits, and is earlier by no
+/// more than the searches are exact to.
+bool only_kills_time(const Attempt& moving, const Result<Plan>& waiting) {
+  constexpr double just_as_good = 2e-3;  // of a search and of a refinement
+  if (!waits_somewhere(waiting) || waiting->travel_time() > (1.0 + just_as_good) * moving.plan->travel_time())
+    return false;
+  const cost::Sea& sea = moving.chart->sea;
+  const auto schedule = cost::schedule_along(sea, moving.route.points, cost::at_departure);
+  return schedule && search::longest_killing_of_time(sea, moving.route, *schedule).has_value();
+}
+
+/// The request without its leave to wait and to pass under icebergs; empty where neither can make a difference.
+std::optional<PlanRequest> without_leave(const ocean::Environment& environment, const PlanRequest& request) {
+  const bool has_icebergs = !environment.icebergs.empty();
+  const bool currents_change =
+      environment.currents && !environment.steady_currents && environment.currents->times_s().size() > 1;
+  const bool something_opens =
+      has_icebergs || !environment.zones.empty() || !request.zones.empty() || currents_change;
+  const bool may_wait = request.max_loiter.count() > 0.0 && something_opens;
+  const bool may_pass_under = request.icebergs.pass_under && has_icebergs;
+  if (!may_wait && !may_pass_under) return std::nullopt;
+  PlanRequest strict = request;
+  strict.max_loiter = core::Seconds{0.0};
+  strict.icebergs.pass_under = false;
+  return strict;
+}
+
+}  // namespace
+
+Result<Plan> plan_fastest(const ocean::Environment& environment, const PlanRequest& request,
+                          const std::stop_token& stop, const core::ProgressCallback& progress,
+                          const core::SteadyClock& clock) {
+  Attempt best = plan_on_grids(environment, request, stop, progress, clock);
+  const std::optional<PlanRequest> strict = without_leave(environment, request);
+  if (strict && !stop.stop_requested()) {
+    // Refinement finds other ways where less is allowed: a leave must never make a plan later, but for the time that is
+    // killed else.
+    best.chart.reset();  // of no use any longer, and large
+    Attempt without = plan_on_grids(environment, *strict, stop, progress, clock);
+    if (stop.stop_requested()) return tl::unexpected(search::explain_cancelled(request));
+    const bool is_no_later = without.plan && (!best.plan || without.plan->arrival <= best.plan->arrival);
+    const bool may_wait = request.max_loiter.count() > 0.0;
+    if (is_no_later && !(may_wait && only_kills_time(without, best.plan))) best = std::move(without);
+  }
+  progress("done", 1.0);
+  return std::move(best.plan);
+}
+
+}  // namespace floeplan::planning::planner

@@ -1,0 +1,218 @@
+#include "engine/planning/planner/robust_plan.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "engine/ocean/ensemble_mean.hpp"
+#include "engine/planning/cost/driven_route.hpp"
+#include "engine/planning/cost/route.hpp"
+#include "engine/planning/cost/sea_members.hpp"
+#include "engine/planning/planner/route_evaluation.hpp"
+#include "engine/planning/problem/member_spread.hpp"
+#include "engine/planning/search/chart.hpp"
+#include "engine/planning/search/explanation.hpp"
+
+namespace floeplan::planning::planner {
+namespace {
+
+std::vector<geo::LonLat> places_of(const Plan& plan) {
+  std::vector<geo::LonLat> places;
+  places.reserve(plan.waypoints.size());
+  for (const Waypoint& waypoint : plan.waypoints) places.push_back(waypoint.place);
+  return places;
+}
+
+/// The plan's legs on the drives that it has in the first currents: they are what is flown, whichever currents come
+/// true.
+cost::DrivenRoute route_of(const Plan& plan, const geo::LocalProjection& projection) {
+  cost::DrivenRoute route;
+  for (const Waypoint& waypoint : plan.waypoints) {
+    route.points.push_back(projection.to_plane(waypoint.place));
+    route.fixed.push_back(true);
+    if (waypoint.drive) route.drives.push_back(*waypoint.drive);
+  }
+  return route;
+}
+
+/// How the plans fare in one sea, on the charts that plans are made on: on the nearer one, and those that leave it or
+/// are closed there on the wider one. A chart is opened along the routes: its cells may fall otherwise than those that
+/// a route was found on, and must not close a passage out of caution.
+std::vector<std::optional<cost::DrivenTimes>> drive_all(const ocean::Environment& environment,
+                                                        const PlanRequest& request,
+                                                        const std::vector<Plan>& plans,
+                                                        const std::stop_token& stop) {
+  std::vector<std::optional<cost::DrivenTimes>> result(plans.size());
+  for (const cost::GridReach reach : cost::reaches(request)) {
+    if (stop.stop_requested() ||
+        std::ranges::all_of(result, [](const auto& times) { return times.has_value(); }))
+      break;
+    Result<search::Chart> chart = search::draw_chart(environment, request, reach, stop);
+    if (!chart) continue;
+    std::vector<cost::DrivenRoute> routes;
+    std::vector<std::vector<geo::PlanePoint>> points;
+    for (const Plan& plan : plans) {
+      routes.push_back(route_of(plan, chart->layout.projection));
+      points.push_back(routes.back().points);
+    }
+    chart->sea.safety().open_along(points, chart->layout.projection);
+    for (std::size_t i = 0; i < plans.size(); ++i) {
+      if (result[i]) continue;
+      if (auto times = cost::drive_in_time(chart->sea, routes[i], cost::at_departure))
+        result[i] = std::move(*times);
+    }
+  }
+  return result;
+}
+
+/// How a plan fares in each member.
+class Fares {
+ public:
+  /// Empty: the member does not let it through.
+  void add(const std::optional<cost::DrivenTimes>& times, const Objective& objective) {
+    times_.push_back(times ? std::optional{times->arrivals.back() - cost::at_departure} : std::nullopt);
+    costs_.push_back(times ? std::optional{times->cost(objective)} : std::nullopt);
+  }
+
+  [[nodiscard]] ArrivalSpread arrivals() const { return ArrivalSpread{times_}; }
+  [[nodiscard]] MemberSpread costs() const { return MemberSpread{costs_}; }
+
+ private:
+  std::vector<std::optional<core::Seconds>> times_;
+  std::vector<std::optional<double>> costs_;
+};
+
+UncertaintyReport report_of(const Fares& fares, const UncertaintyRules& rules, core::UtcTime depart,
+                            std::size_t candidates) {
+  UncertaintyReport report{.spread = fares.arrivals(),
+                           .objective = rules.objective,
+                           .quantile = rules.quantile,
+                           .candidates = candidates,
+                           .arrive_before = rules.arrive_before,
+                           .chance = {},
+                           .costs = fares.costs()};
+  if (rules.arrive_before) report.chance = report.spread.chance_within(*rules.arrive_before - depart);
+  return report;
+}
+
+/// Where members let no route through that was looked at: empty where all do.
+std::string warning_of_closed(const UncertaintyReport& report) {
+  const std::size_t members = report.spread.travel_times().size();
+  const std::size_t closed = members - report.spread.arrived();
+  if (closed == 0 || report.objective == RobustObjective::none) return "";
+  std::string text =
+      "in " + std::to_string(closed) + " of " + std::to_string(members) +
+      " members the vehicle does not come through on this way, and no way that was compared comes "
+      "through in more of them";
+  if (report.objective == RobustObjective::mean) return text + ": the mean leaves them out";
+  if (report.spread.quantile(report.quantile)) return text;
+  char share[120];
+  std::snprintf(
+      share, sizeof share,
+      ": the share of %.0f %% that is to arrive early cannot be met; the way is the best in the mean of "
+      "the others",
+      100.0 * report.quantile);
+  return text + share;
+}
+
+}  // namespace
+
+double what_counts(const MemberSpread& costs, const UncertaintyRules& rules) {
+  const auto cost =
+      rules.objective == RobustObjective::quantile ? costs.quantile(rules.quantile) : costs.mean();
+  return cost.value_or(std::numeric_limits<double>::infinity());
+}
+
+bool is_better(const MemberSpread& a, const MemberSpread& b, const UncertaintyRules& rules) {
+  if (a.known() != b.known()) return a.known() > b.known();
+  const double of_a = what_counts(a, rules);
+  const double of_b = what_counts(b, rules);
+  // Of two that miss the share that is asked for, the one that is better where it comes through.
+  if (std::isinf(of_a) && std::isinf(of_b) && a.known() > 0) return *a.mean() < *b.mean();
+  return of_a < of_b;
+}
+
+core::UtcTime arrival_that_counts(const Plan& plan, const UncertaintyRules& rules) {
+  if (!plan.uncertainty || rules.objective == RobustObjective::none) return plan.arrival;
+  const ArrivalSpread& spread = plan.uncertainty->spread;
+  const auto time =
+      rules.objective == RobustObjective::quantile ? spread.quantile(rules.quantile) : spread.mean();
+  return plan.departure + time.value_or(core::Seconds{std::numeric_limits<double>::infinity()});
+}
+
+Result<Plan> plan_uncertain(const ocean::Environment& environment, const PlanRequest& request,
+                            const PlanIn& plan_in, const std::stop_token& stop,
+                            const core::ProgressCallback& progress) {
+  const UncertaintyRules& rules = request.uncertainty;
+  const cost::SeaMembers members{environment, rules};
+  Result<Plan> base = plan_in(environment);
+  if (!base) return base;
+
+  std::vector<Plan> candidates{*base};
+  const auto add_candidate = [&](const ocean::Environment& sea) {
+    const Result<Plan> plan = plan_in(sea);
+    if (!plan) return;
+    // A route that the first currents do not let through could not be published.
+    const std::vector<geo::LonLat> route = places_of(*plan);
+    const PlanRequest on_route = search::request_along(route, request);
+    const auto ground = search::lay_out_ground(environment, on_route, search::site_of(on_route), stop);
+    if (!ground) return;
+    Result<Plan> in_first = evaluate_on_ground(**ground, route, request, stop);
+    if (in_first) candidates.push_back(std::move(*in_first));
+  };
+  const auto report = [&](double from, std::size_t member) {
+    progress("members", from + 0.5 * static_cast<double>(member) / static_cast<double>(members.size()));
+  };
+  for (std::size_t member = 0; rules.objective != RobustObjective::none && member < members.size();
+       ++member) {
+    if (stop.stop_requested()) return tl::unexpected(search::explain_cancelled(request));
+    report(0.0, member);
+    add_candidate(members.environment(member));
+  }
+  // Between the members' own ways there may be one that is good in all of them: that in their mean is most likely to
+  // be.
+  if (stop.stop_requested()) return tl::unexpected(search::explain_cancelled(request));
+  if (rules.objective != RobustObjective::none && rules.drawn_members == 0) {
+    if (auto mean = ocean::ensemble_mean(environment.members)) {
+      ocean::Environment sea = environment;
+      sea.members.clear();
+      sea.drift_members.clear();
+      sea.currents = std::make_shared<const ocean::CurrentGrid>(std::move(*mean));
+      add_candidate(sea);
+    }
+  }
+
+  const Objective objective = request.objective();
+  std::vector<Fares> fares(candidates.size());
+  for (std::size_t member = 0; member < members.size(); ++member) {
+    if (stop.stop_requested()) return tl::unexpected(search::explain_cancelled(request));
+    report(0.5, member);
+    const auto driven = drive_all(members.environment(member), request, candidates, stop);
+    for (std::size_t i = 0; i < candidates.size(); ++i) fares[i].add(driven[i], objective);
+  }
+  if (stop.stop_requested()) return tl::unexpected(search::explain_cancelled(request));
+
+  std::vector<MemberSpread> costs;
+  costs.reserve(fares.size());
+  for (const Fares& each : fares) costs.push_back(each.costs());
+  std::size_t best = 0;
+  for (std::size_t i = 1; i < costs.size(); ++i) {
+    if (is_better(costs[i], costs[best], rules)) best = i;
+  }
+  Plan& chosen = candidates[best];
+  chosen.method = base->method;
+  chosen.search = base->search;
+  chosen.encounter_trade = base->encounter_trade;
+  chosen.uncertainty = report_of(fares[best], rules, request.depart, candidates.size());
+  if (std::string closed = warning_of_closed(*chosen.uncertainty); !closed.empty())
+    chosen.warnings.push_back(std::move(closed));
+  return std::move(chosen);
+}
+
+}  // namespace floeplan::planning::planner

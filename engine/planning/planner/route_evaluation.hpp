@@ -1,0 +1,19 @@
+#pragma once
+
+#include <stop_token>
+#include <vector>
+
+#include "engine/geo/lon_lat.hpp"
+#include "engine/planning/problem/infeasible.hpp"
+#include "engine/planning/problem/plan.hpp"
+#include "engine/planning/problem/plan_request.hpp"
+#include "engine/planning/search/route_ground.hpp"
+
+namespace floeplan::planning::planner {
+
+/// Times a given route on a ground that was laid out for it or for one of the same site: see `evaluate_route`.
+[[nodiscard]] Result<Plan> evaluate_on_ground(const search::RouteGround& ground,
+                                              const std::vector<geo::LonLat>& route,
+                                              const PlanRequest& request, const std::stop_token& stop);
+
+}  // namespace floeplan::planning::planner

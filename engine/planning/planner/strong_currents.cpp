@@ -1,0 +1,170 @@
+#include "engine/planning/planner/strong_currents.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "engine/geo/geodesic.hpp"
+#include "engine/planning/cost/layout.hpp"
+#include "engine/planning/planner/cost_plan.hpp"
+#include "engine/planning/planner/robust_plan.hpp"
+#include "engine/planning/search/explanation.hpp"
+
+namespace floeplan::planning::planner {
+namespace {
+
+constexpr int most_sectors = 5;
+
+/// Ways that were found in the Agulhas Current, the Kuroshio, the Gulf Stream and off the Falklands lead round eddies
+/// of 100 to 250 km, four times as far as from start to goal where these are 50 km apart.
+constexpr double distances_of_room = 5.0;
+constexpr core::Metres least_room{50'000.0};  // for eddies are no smaller where the way is short
+constexpr core::Metres most_room{250'000.0};
+constexpr double most_samples = 3.2e7;  // of the currents of an area with room: a quarter of a gigabyte
+
+/// Legs that were timed for a plan; a few seconds.
+constexpr std::int64_t much_work = 5'000'000;
+
+constexpr const char* several_grids_warning =
+    "currents somewhere in the area are as fast as the vehicle: a little closes or opens a way, and "
+    "this plan is the best of those on several grids; another --spacing, or a place to pass (--via), may "
+    "lead to a better one";
+
+core::MetresPerSecond through_water(const PlanRequest& request) {
+  return drive_speed(request.vehicle, drives(request.energy, request.vehicle).back());
+}
+
+/// Between stops that follow each other.
+core::Metres longest_stretch(const PlanRequest& request) {
+  std::vector<geo::LonLat> stops = request.via;
+  stops.insert(stops.begin(), request.from);
+  stops.push_back(request.to);
+  core::Metres longest{0.0};
+  for (std::size_t i = 1; i < stops.size(); ++i)
+    longest = std::max(longest, geo::geodesic_between(stops[i - 1], stops[i]).length);
+  return longest;
+}
+
+/// Beside the straight line and beyond its ends, as usual grids reach at most.
+core::Metres usual_room(const PlanRequest& request) {
+  return std::max(cost::second_reach.across * longest_stretch(request), cost::second_reach.at_least);
+}
+
+/// Of a box in degrees, for comparison with another one at about the same latitude.
+double size(const geo::BoundingBox& box) { return geo::width_deg(box) * (box.north_deg - box.south_deg); }
+
+double samples_of(const ocean::Environment& environment) {
+  const auto count = [](const auto& currents) { return static_cast<double>(currents->samples().u.size()); };
+  double samples = environment.currents ? count(environment.currents) : 0.0;
+  for (const auto& member : environment.members) samples += count(member);
+  return samples;
+}
+
+PlanRequest with_more_directions(PlanRequest request) {
+  request.sectors = std::max(request.sectors, most_sectors);
+  return request;
+}
+
+bool takes_more_than_one_try(const Plan& known, const ocean::Environment& environment,
+                             const PlanRequest& request) {
+  return known.strongest_current >= through_water(request) && !known.search.cut_short &&
+         known.search.edge_evaluations < much_work && !request.under_ice.max_time_without_surfacing &&
+         !cost::has_uncertain_currents(environment, request);
+}
+
+bool is_cheaper(const Plan& a, const Plan& b, const Objective& objective) {
+  return cost_of(a, objective) < cost_of(b, objective);
+}
+
+std::string kilometres_text(core::Metres length) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.0f km", length.value / 1000.0);
+  return text;
+}
+
+}  // namespace
+
+bool any_current_may_close(const ocean::CurrentGrid& currents, const PlanRequest& request,
+                           const std::stop_token& stop) {
+  constexpr std::size_t between_looks = 1 << 20;  // about a millisecond of samples
+  const auto fastest = static_cast<float>(through_water(request).value);
+  const auto& samples = currents.samples();
+  for (std::size_t i = 0; i < samples.u.size(); ++i) {
+    if (i % between_looks == 0 && stop.stop_requested()) return false;
+    if (samples.u[i] * samples.u[i] + samples.v[i] * samples.v[i] >= fastest * fastest) return true;
+  }
+  return false;
+}
+
+std::optional<Roomy> with_more_room(const ocean::Environment& environment, const PlanRequest& request,
+                                    const WiderSea& wider) {
+  const double usual_deg2 = size(cost::planning_area(request));
+  PlanRequest roomy = with_more_directions(request);
+  roomy.room = std::clamp(distances_of_room * longest_stretch(request), least_room, most_room);
+  const core::Metres usual = usual_room(request);
+  while (usual < *roomy.room) {
+    const double grows_by = size(cost::planning_area(roomy)) / usual_deg2;
+    if (!wider) return Roomy{std::move(roomy), environment};
+    if (grows_by * samples_of(environment) <= most_samples) {
+      auto sea = wider(roomy);
+      if (!sea) return std::nullopt;
+      return Roomy{std::move(roomy), std::move(*sea)};
+    }
+    roomy.room = 0.5 * *roomy.room;
+  }
+  return std::nullopt;
+}
+
+bool more_room_may_help(const Infeasible& why, const ocean::Environment& environment,
+                        const PlanRequest& request, const std::stop_token& stop) {
+  if (request.method == Method::direct || !why.moves.empty() || why.search_cut_short) return false;
+  switch (why.reason) {
+    case Reason::current_too_strong: return true;
+    case Reason::goal_unreachable:
+    case Reason::outside_data:
+    case Reason::arrival_too_early:
+      return environment.currents && any_current_may_close(*environment.currents, request, stop);
+    default: return false;
+  }
+}
+
+Infeasible with_area_searched(Infeasible why, const PlanRequest& looked_for) {
+  const core::Metres usual = usual_room(looked_for);
+  why.explanation += "; ways were looked for no further than " +
+                     kilometres_text(std::max(looked_for.room.value_or(usual), usual)) +
+                     " beside the straight line and beyond its ends";
+  return why;
+}
+
+Result<Plan> best_of_more_grids(Result<Plan> known, const ocean::Environment& environment,
+                                const PlanRequest& request, const WiderSea& wider, const PlanOnce& plan_once,
+                                const std::stop_token& stop) {
+  if (request.method == Method::direct || stop.stop_requested()) return known;
+  const bool is_worth_it = known ? takes_more_than_one_try(*known, environment, request)
+                                 : more_room_may_help(known.error(), environment, request, stop);
+  if (!is_worth_it) return known;
+  Result<Plan> best = std::move(known);
+  const auto consider = [&](const ocean::Environment& sea, const PlanRequest& other) {
+    if (stop.stop_requested()) return;
+    Result<Plan> plan = plan_once(sea, other);
+    if (plan && (!best || is_cheaper(*plan, *best, request.objective()))) best = std::move(plan);
+  };
+  const bool is_known = best.has_value();
+  const PlanRequest dense = with_more_directions(request);
+  const auto roomy = with_more_room(environment, request, wider);
+  if (roomy) consider(roomy->sea, roomy->request);
+  if (!roomy || !best) consider(environment, dense);
+  if (!request.spacing_along && (is_known || !best)) consider(environment, cost::on_coarser_grids(dense));
+  if (stop.stop_requested()) return tl::unexpected(search::explain_cancelled(request));
+  if (!best)
+    return tl::unexpected(with_area_searched(std::move(best.error()), roomy ? roomy->request : request));
+  best->warnings.insert(best->warnings.begin(), several_grids_warning);
+  return best;
+}
+
+}  // namespace floeplan::planning::planner

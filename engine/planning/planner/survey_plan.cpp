@@ -1,0 +1,106 @@
+#include "engine/planning/planner/survey_plan.hpp"
+
+#include <cstddef>
+#include <numeric>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "engine/planning/planner/survey_order.hpp"
+#include "engine/planning/search/explanation.hpp"
+
+namespace floeplan::planning::planner {
+namespace {
+
+/// Of travel times on coarse grids; a plan that takes longer than that met what they do not tell.
+constexpr double accuracy = 0.03;
+
+/// Beside the best one. A judgement: each takes a plan; with a bound on the time without surfacing that may be a
+/// minute.
+constexpr std::size_t most_other_orders = 4;
+constexpr std::size_t most_other_orders_with_surfacings = 1;
+
+ViaOrder order_given(const PlanRequest& request) {
+  ViaOrder order{std::vector<std::size_t>(request.via.size()), false};
+  std::iota(order.vias.begin(), order.vias.end(), std::size_t{0});
+  return order;
+}
+
+/// Plans one order after the other, and keeps the earliest plan.
+class SurveyPlans {
+ public:
+  SurveyPlans(const PlanRequest& request,
+              const std::function<Result<Plan>(const PlanRequest&)>& plan_in_order)
+      : request_{request}, plan_in_order_{plan_in_order} {}
+
+  /// Unless it was planned before.
+  void plan(const ViaOrder& order) {
+    for (const std::vector<std::size_t>& before : tried_)
+      if (before == order.vias) return;
+    tried_.push_back(order.vias);
+    PlanRequest ordered = request_;
+    ordered.via_in_best_order = false;
+    for (std::size_t i = 0; i < order.vias.size(); ++i) ordered.via[i] = request_.via[order.vias[i]];
+    Result<Plan> plan = plan_in_order_(ordered);
+    if (plan) plan->via_order = order;
+    if (plan && best_ && best_->arrival <= plan->arrival) return;
+    if (plan) {
+      best_ = std::move(*plan);
+    } else if (order.vias == order_given(request_).vias) {
+      why_not_as_given_ = std::move(plan.error());
+    }
+  }
+
+  [[nodiscard]] bool is_later_than(core::Seconds travel_time) const {
+    return !best_ || best_->travel_time() > travel_time;
+  }
+
+  /// The earliest plan; without one why there is none in the order given, which is tried, too.
+  [[nodiscard]] Result<Plan> best() && {
+    if (best_) return std::move(*best_);
+    if (tried_.size() > 1) {
+      why_not_as_given_.explanation += " (in the order given; of the orders that promised more, " +
+                                       std::to_string(tried_.size() - 1) +
+                                       " were tried, too, and none has a plan)";
+    }
+    return tl::unexpected(std::move(why_not_as_given_));
+  }
+
+ private:
+  const PlanRequest& request_;
+  const std::function<Result<Plan>(const PlanRequest&)>& plan_in_order_;
+  std::vector<std::vector<std::size_t>> tried_;
+  std::optional<Plan> best_;
+  Infeasible why_not_as_given_;
+};
+
+}  // namespace
+
+Result<Plan> plan_survey(const ocean::Environment& environment, const PlanRequest& request,
+                         const std::function<Result<Plan>(const PlanRequest&)>& plan_in_order,
+                         const std::stop_token& stop, const core::ProgressCallback& progress) {
+  progress("order of visits", 0.0);
+  const auto first = best_via_order(environment, request, stop);
+  const bool minds_time = request.energy.objective.is_time() && request.objective().of_encounters == 0.0;
+  const bool bounds_surfacing = request.under_ice.max_time_without_surfacing.has_value();
+  SurveyPlans plans{request, plan_in_order};
+  if (first && !stop.stop_requested()) plans.plan(first->order);
+
+  const core::Seconds promised = first ? (1.0 + accuracy) * first->travel_time : core::Seconds{0.0};
+  if (first && plans.is_later_than(minds_time ? promised : core::Seconds{INFINITY})) {
+    const std::size_t others = bounds_surfacing ? most_other_orders_with_surfacings : most_other_orders;
+    bool may_be_later = true;  // than orders that were not tried yet
+    for (const EstimatedOrder& other : promising_via_orders(environment, request, 1 + others, stop)) {
+      may_be_later = !stop.stop_requested() && plans.is_later_than(other.travel_time);
+      if (!may_be_later) break;
+      plans.plan(other.order);
+    }
+    if (may_be_later && !stop.stop_requested()) plans.plan(order_given(request));
+  }
+  if (!first && !stop.stop_requested()) plans.plan(order_given(request));
+  if (stop.stop_requested()) return tl::unexpected(search::explain_cancelled(request));
+  return std::move(plans).best();
+}
+
+}  // namespace floeplan::planning::planner

@@ -1,0 +1,298 @@
+#include "engine/planning/planner/visiting_order.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+namespace floeplan::planning::planner {
+namespace {
+
+constexpr double no_arrival = std::numeric_limits<double>::infinity();
+
+double arrival_s(const TourLegTime& leg_time, std::size_t from, std::size_t to, double depart_s) {
+  if (!(depart_s < no_arrival)) return no_arrival;
+  const auto time = leg_time(from, to, core::Seconds{depart_s});
+  return time ? depart_s + time->count() : no_arrival;
+}
+
+/// Arrival at the goal by this order, `no_arrival` when a leg has no way.
+double end_of_tour_s(const std::vector<std::size_t>& order, std::size_t goal, double depart_s,
+                     const TourLegTime& leg_time) {
+  double now = depart_s;
+  std::size_t here = 0;
+  for (const std::size_t next : order) {
+    now = arrival_s(leg_time, here, next, now);
+    here = next;
+  }
+  return arrival_s(leg_time, here, goal, now);
+}
+
+/// Earliest arrival at the last place of each set of places, and which place was visited before it.
+struct SetTable {
+  explicit SetTable(std::size_t n)
+      : places{n}, earliest_s(n << n, no_arrival), before(n << n, std::uint8_t{0}) {}
+
+  [[nodiscard]] std::size_t at(std::size_t set, std::size_t last) const { return set * places + last; }
+
+  std::size_t places;
+  std::vector<double> earliest_s;    // [set][last]
+  std::vector<std::uint8_t> before;  // [set][last]
+};
+
+/// Finds which place of a set is best visited before the last one.
+class BestBefore {
+ public:
+  /// Everything is borrowed and outlives this.
+  BestBefore(const SetTable& table, const TourLegTime& leg_time, const LeastLegTime& least_time)
+      : table_{table}, leg_time_{leg_time}, least_time_{least_time} {}
+
+  struct Found {
+    double arrival_s{no_arrival};
+    std::size_t before{};
+  };
+
+  /// `set`  the places visited before, not empty; `next`: numbered as legs are
+  [[nodiscard]] Found of(std::size_t set, std::size_t next) {
+    candidates_.clear();
+    for (std::size_t last = 0; last < table_.places; ++last) {
+      const double here_s = table_.earliest_s[table_.at(set, last)];
+      if (!(here_s < no_arrival)) continue;
+      const double least_s = least_time_ ? least_time_(last + 1, next).count() : 0.0;
+      candidates_.push_back({here_s + least_s, last});
+    }
+    std::ranges::sort(candidates_);
+    Found best;
+    for (const auto& [earliest_s, last] : candidates_) {
+      if (earliest_s > best.arrival_s) break;
+      const double next_s = arrival_s(leg_time_, last + 1, next, table_.earliest_s[table_.at(set, last)]);
+      const bool is_better =
+          next_s < best.arrival_s || (next_s == best.arrival_s && last < best.before && next_s < no_arrival);
+      if (is_better) best = {next_s, last};
+    }
+    return best;
+  }
+
+ private:
+  const SetTable& table_;
+  const TourLegTime& leg_time_;
+  const LeastLegTime& least_time_;
+  std::vector<std::pair<double, std::size_t>> candidates_;  // earliest conceivable arrivals, and from where
+};
+
+std::optional<VisitingOrder> exact_order(std::size_t n, double depart_s, const TourLegTime& leg_time,
+                                         const std::stop_token& stop, const LeastLegTime& least_time) {
+  const std::size_t goal = n + 1;
+  if (n == 0) {
+    const double end = arrival_s(leg_time, 0, goal, depart_s);
+    return end < no_arrival ? std::optional{VisitingOrder{{}, core::Seconds{end}, true}} : std::nullopt;
+  }
+  SetTable table{n};
+  for (std::size_t first = 0; first < n; ++first) {
+    table.earliest_s[table.at(std::size_t{1} << first, first)] = arrival_s(leg_time, 0, first + 1, depart_s);
+  }
+  const std::size_t all = (std::size_t{1} << n) - 1;
+  BestBefore best_before{table, leg_time, least_time};
+  for (std::size_t set = 1; set < all; ++set) {
+    if (stop.stop_requested()) return std::nullopt;
+    for (std::size_t next = 0; next < n; ++next) {
+      if ((set >> next & 1) != 0) continue;
+      const BestBefore::Found found = best_before.of(set, next + 1);
+      const std::size_t entry = table.at(set | std::size_t{1} << next, next);
+      table.earliest_s[entry] = found.arrival_s;
+      table.before[entry] = static_cast<std::uint8_t>(found.before);
+    }
+  }
+
+  const auto [best_s, before_goal] = best_before.of(all, goal);
+  if (!(best_s < no_arrival)) return std::nullopt;
+
+  VisitingOrder result{{}, core::Seconds{best_s}, true};
+  std::size_t last = before_goal;
+  for (std::size_t set = all; set != 0;) {
+    result.places.push_back(last + 1);
+    const std::size_t before = table.before[table.at(set, last)];
+    set &= ~(std::size_t{1} << last);
+    last = before;
+  }
+  std::ranges::reverse(result.places);
+  return result;
+}
+
+/// A tour while it is improved.
+class Tour {
+ public:
+  Tour(std::size_t n, double depart_s, const TourLegTime& leg_time, const std::stop_token& stop)
+      : goal_{n + 1}, depart_s_{depart_s}, leg_time_{leg_time}, stop_{stop} {
+    insert_all(n);
+  }
+
+  void improve() {
+    while (!stop_.stop_requested() && (reverse_a_stretch() || move_neighbours())) {
+    }
+  }
+
+  [[nodiscard]] const std::vector<std::size_t>& order() const { return order_; }
+  [[nodiscard]] double end_s() const { return end_s_; }
+
+ private:
+  /// Takes the place and the position that end the tour earliest, one after the other.
+  void insert_all(std::size_t n) {
+    std::vector<std::size_t> left(n);
+    std::iota(left.begin(), left.end(), std::size_t{1});
+    while (!left.empty()) {
+      std::vector<std::size_t> best;
+      double best_s = no_arrival;
+      std::size_t taken = 0;
+      for (std::size_t i = 0; i < left.size() && !stop_.stop_requested(); ++i) {
+        for (std::size_t position = 0; position <= order_.size(); ++position) {
+          std::vector<std::size_t> tried = order_;
+          tried.insert(tried.begin() + static_cast<std::ptrdiff_t>(position), left[i]);
+          const double tried_s = end_of_tour_s(tried, goal_, depart_s_, leg_time_);
+          if (!best.empty() && !(tried_s < best_s)) continue;
+          best = std::move(tried);
+          best_s = tried_s;
+          taken = i;
+        }
+      }
+      if (best.empty()) return;
+      order_ = std::move(best);
+      end_s_ = best_s;
+      left.erase(left.begin() + static_cast<std::ptrdiff_t>(taken));
+    }
+  }
+
+  bool adopt(std::vector<std::size_t> tried) {
+    const double tried_s = end_of_tour_s(tried, goal_, depart_s_, leg_time_);
+    if (!(tried_s < end_s_)) return false;
+    order_ = std::move(tried);
+    end_s_ = tried_s;
+    return true;
+  }
+
+  bool reverse_a_stretch() {
+    for (std::size_t from = 0; from + 1 < order_.size(); ++from) {
+      for (std::size_t to = from + 2; to <= order_.size() && !stop_.stop_requested(); ++to) {
+        std::vector<std::size_t> tried = order_;
+        std::reverse(tried.begin() + static_cast<std::ptrdiff_t>(from),
+                     tried.begin() + static_cast<std::ptrdiff_t>(to));
+        if (adopt(std::move(tried))) return true;
+      }
+    }
+    return false;
+  }
+
+  bool move_neighbours() {
+    for (std::size_t count = 1; count <= 3 && count < order_.size(); ++count) {
+      for (std::size_t from = 0; from + count <= order_.size(); ++from) {
+        for (std::size_t to = 0; to + count <= order_.size() && !stop_.stop_requested(); ++to) {
+          if (to == from) continue;
+          const auto first = order_.begin() + static_cast<std::ptrdiff_t>(from);
+          const std::vector<std::size_t> moved(first, first + static_cast<std::ptrdiff_t>(count));
+          std::vector<std::size_t> tried = order_;
+          tried.erase(tried.begin() + static_cast<std::ptrdiff_t>(from),
+                      tried.begin() + static_cast<std::ptrdiff_t>(from + count));
+          tried.insert(tried.begin() + static_cast<std::ptrdiff_t>(to), moved.begin(), moved.end());
+          if (adopt(std::move(tried))) return true;
+        }
+      }
+    }
+    return false;
+  }
+
+  std::size_t goal_;
+  double depart_s_;
+  const TourLegTime& leg_time_;
+  const std::stop_token& stop_;
+  std::vector<std::size_t> order_;
+  double end_s_{no_arrival};
+};
+
+/// Every order of visits, one place after the other; a tour that is already later than all that are kept is not gone on
+/// with.
+class AllOrders {
+ public:
+  /// `most`: are kept, at least one.
+  AllOrders(std::size_t places, const TourLegTime& leg_time, std::size_t most, const std::stop_token& stop)
+      : leg_time_{leg_time}, most_{most}, stop_{stop}, left_(places) {
+    std::iota(left_.begin(), left_.end(), std::size_t{1});
+  }
+
+  /// The earliest first.
+  std::vector<VisitingOrder> best(core::Seconds depart) && {
+    go_on_from(0, depart.count());
+    return std::move(best_);
+  }
+
+ private:
+  [[nodiscard]] double to_beat_s() const {
+    return best_.size() < most_ ? no_arrival : best_.back().arrival.count();
+  }
+
+  void keep(double end_s) {
+    const core::Seconds arrival{end_s};
+    if (best_.size() == most_) best_.pop_back();
+    const auto later = std::ranges::upper_bound(best_, arrival, {}, &VisitingOrder::arrival);
+    best_.insert(later, VisitingOrder{order_, arrival, false});
+  }
+
+  void go_on_from(std::size_t here, double now_s) {
+    if (stop_.stop_requested() || !(now_s < to_beat_s())) return;
+    if (left_.empty()) {
+      const double end_s = arrival_s(leg_time_, here, order_.size() + 1, now_s);
+      if (end_s < to_beat_s()) keep(end_s);
+      return;
+    }
+    for (std::size_t i = 0; i < left_.size(); ++i) {
+      const std::size_t next = left_[i];
+      left_.erase(left_.begin() + static_cast<std::ptrdiff_t>(i));
+      order_.push_back(next);
+      go_on_from(next, arrival_s(leg_time_, here, next, now_s));
+      order_.pop_back();
+      left_.insert(left_.begin() + static_cast<std::ptrdiff_t>(i), next);
+    }
+  }
+
+  const TourLegTime& leg_time_;
+  std::size_t most_;
+  const std::stop_token& stop_;
+  std::vector<std::size_t> left_;
+  std::vector<std::size_t> order_;
+  std::vector<VisitingOrder> best_;
+};
+
+}  // namespace
+
+std::optional<VisitingOrder> best_visiting_order(std::size_t places, core::Seconds depart,
+                                                 const TourLegTime& leg_time, const std::stop_token& stop,
+                                                 const LeastLegTime& least_time) {
+  if (places <= most_places_ordered_exactly)
+    return exact_order(places, depart.count(), leg_time, stop, least_time);
+  Tour tour{places, depart.count(), leg_time, stop};
+  tour.improve();
+  if (tour.order().size() != places || !(tour.end_s() < no_arrival)) return std::nullopt;
+  return VisitingOrder{tour.order(), core::Seconds{tour.end_s()}, false};
+}
+
+std::vector<VisitingOrder> best_visiting_orders_without_fifo(std::size_t places, core::Seconds depart,
+                                                             const TourLegTime& leg_time, std::size_t most,
+                                                             const std::stop_token& stop) {
+  if (places <= most_places_tried_in_all_orders) {
+    std::vector<VisitingOrder> orders = AllOrders{places, leg_time, most, stop}.best(depart);
+    if (!orders.empty()) orders.front().exact = true;
+    return orders;
+  }
+  auto order = best_visiting_order(places, depart, leg_time, stop);
+  if (!order) return {};
+  order->exact = false;
+  return {std::move(*order)};
+}
+
+std::optional<core::Seconds> end_of_tour(const std::vector<std::size_t>& places, core::Seconds depart,
+                                         const TourLegTime& leg_time) {
+  const double end_s = end_of_tour_s(places, places.size() + 1, depart.count(), leg_time);
+  return end_s < no_arrival ? std::optional{core::Seconds{end_s}} : std::nullopt;
+}
+
+}  // namespace floeplan::planning::planner

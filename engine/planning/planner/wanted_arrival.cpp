@@ -1,0 +1,243 @@
+#include "engine/planning/planner/wanted_arrival.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "engine/core/utc_text.hpp"
+#include "engine/planning/planner/departure.hpp"
+#include "engine/planning/planner/robust_plan.hpp"
+#include "engine/planning/planner/try_to_plan.hpp"
+#include "engine/planning/search/chart.hpp"
+#include "engine/planning/search/explanation.hpp"
+#include "engine/planning/search/voyage_grids.hpp"
+#include "engine/planning/search/waiting/latest_departure.hpp"
+
+namespace floeplan::planning::planner {
+namespace {
+
+constexpr core::Seconds close_enough{60.0};
+constexpr double close_enough_share = 1e-3;  // of the travel time
+constexpr int most_plans = 16;  // halves a day to within two seconds, more than `close_enough` asks for
+
+/// Where the search begins.
+struct Beginning {
+  core::UtcTime depart;  // by the legs of the grids; the earliest one when they know of none
+  core::UtcTime arrive;  // the last moment up to the wanted arrival at which the goal is open
+};
+
+core::Seconds last_open_moment(const cost::Sea& sea, geo::PlanePoint place, core::Seconds until) {
+  constexpr core::Seconds clear{1.0};
+  for (const TimeSpan& closed : sea.closed_times(place))
+    if (closed.from <= until && until <= closed.until) return closed.from - clear;
+  return until;
+}
+
+Result<Beginning> begin(const ocean::Environment& environment, const PlanRequest& request,
+                        const std::stop_token& stop) {
+  constexpr core::Seconds earliest{0.0};
+  Beginning beginning{request.depart, *request.departures.arrive_by};
+  for (const cost::GridReach reach : cost::reaches(request)) {
+    const auto chart = search::draw_chart(environment, request, reach, stop);
+    if (!chart) return tl::unexpected(chart.error());
+    const core::Seconds arrive = last_open_moment(chart->sea, chart->layout.points.back(),
+                                                  *request.departures.arrive_by - request.depart);
+    if (arrive > earliest) beginning.arrive = request.depart + arrive;
+    if (request.method == Method::direct) break;
+    const auto grids = search::open_grids(chart->sea, chart->layout.grids, request.sectors, stop);
+    const auto depart = search::latest_departure(chart->sea, grids, arrive, earliest, stop);
+    if (stop.stop_requested()) return tl::unexpected(search::explain_cancelled(request));
+    if (!depart) continue;
+    beginning.depart = request.depart + *depart;
+    break;
+  }
+  return beginning;
+}
+
+core::UtcTime whole_second(core::UtcTime time) {
+  return core::from_unix_seconds(std::floor(core::unix_seconds(time)));
+}
+
+Infeasible too_early(const PlanRequest& request, const Plan& earliest) {
+  const core::UtcTime wanted = *request.departures.arrive_by;
+  const core::UtcTime arrival = arrival_that_counts(earliest, request.uncertainty);
+  Infeasible why{
+      .reason = Reason::arrival_too_early,
+      .at = request.to,
+      .when = wanted,
+      .explanation = "leaving at " + core::iso8601(request.depart) + ", the earliest departure, ",
+      .suggestion = "arrive by then or later, allow an earlier departure (--depart), or raise the speed",
+      .binding = Constraint::caller};
+  if (!std::isfinite(core::unix_seconds(arrival))) {
+    why.explanation += "arrives in too few of the members of the currents";
+    return why;
+  }
+  const core::UtcTime possible = core::from_unix_seconds(std::ceil(core::unix_seconds(arrival)));
+  const std::string possible_text = core::iso8601(possible);
+  why.explanation += "arrives at " + possible_text;
+  why.changes = {{"arrive_by", wanted, possible, "arrive by " + possible_text}};
+  return why;
+}
+
+core::UtcTime between(core::UtcTime early, core::UtcTime late) {
+  return whole_second(early + 0.5 * (late - early));
+}
+
+/// Looks for later and later departures that arrive in time.
+class LatestDeparture {
+ public:
+  /// Everything is borrowed and outlives this.
+  LatestDeparture(const ocean::Environment& environment, const PlanRequest& request,
+                  const std::stop_token& stop, const core::ProgressCallback& progress,
+                  const core::SteadyClock& clock)
+      : environment_{environment},
+        request_{request},
+        wanted_{*request.departures.arrive_by},
+        stop_{stop},
+        progress_{progress},
+        clock_{clock} {}
+
+  Result<Plan> find() {
+    const auto beginning = begin(environment_, request_, stop_);
+    if (!beginning) return tl::unexpected(beginning.error());
+    wanted_ = beginning->arrive;
+    climb(std::max(whole_second(beginning->depart), request_.depart));
+    // Where what closes and opens breaks the order of arrivals, a later departure may be in time again.
+    if (!is_cancelled() && !is_late_enough() && !is_closed_for_good()) look_through_the_rest();
+    if (is_cancelled()) return tl::unexpected(search::explain_cancelled(request_));
+    if (!best_) return explained();
+    wanted_ = *request_.departures.arrive_by;
+    if (!is_late_enough()) best_->warnings.push_back(early_text());
+    if (best_->arrival > wanted_) best_->warnings.push_back(late_text());
+    return std::move(*best_);
+  }
+
+ private:
+  static constexpr int samples = 16;  // of the departures between the best one and the wanted arrival
+
+  [[nodiscard]] bool is_cancelled() const { return stop_.stop_requested(); }
+  [[nodiscard]] core::Seconds left(const Plan& plan) const {
+    return wanted_ - arrival_that_counts(plan, request_.uncertainty);
+  }
+  [[nodiscard]] bool is_late_enough() const {
+    return best_ && left(*best_) <= std::max(close_enough, close_enough_share * best_->travel_time());
+  }
+
+  /// Whether no plan came because of what is there at all times.
+  [[nodiscard]] bool is_closed_for_good() const {
+    if (some_arrive_ || !binds_) return false;
+    return binds_ == Constraint::land || binds_ == Constraint::depth || binds_ == Constraint::data_area ||
+           binds_ == Constraint::memory;
+  }
+
+  /// A whole plan; kept as the best if it arrives in time.
+  std::optional<core::Seconds> try_at(core::UtcTime depart) {
+    auto plan = try_to_plan(environment_, leaving_at(request_, depart), stop_, progress_, clock_);
+    if (!plan) {
+      binds_ = plan.error().binding;
+      return std::nullopt;
+    }
+    const core::Seconds spare = left(*plan);
+    some_arrive_ = true;
+    if (spare.count() >= 0.0 && (!best_ || plan->departure > best_->departure)) best_ = std::move(*plan);
+    return spare;
+  }
+
+  /// What is left of the time is added to the departure as long as the arrival stays in time, what is missing
+  /// taken from it: under FIFO both come to rest at the latest departure.
+  /// `fails`: a departure of which no plan comes that is in time.
+  void climb(core::UtcTime depart, std::optional<core::UtcTime> fails = std::nullopt) {
+    for (int tries = 0; tries < most_plans && !is_cancelled(); ++tries) {
+      const auto spare = try_at(depart);
+      if (is_late_enough()) return;
+      if (spare && spare->count() >= 0.0 && !fails) {
+        depart = whole_second(depart + *spare);
+        continue;
+      }
+      if (!spare || spare->count() < 0.0) fails = depart;
+      if (best_) {
+        if (*fails - best_->departure < close_enough) return;
+        depart = between(best_->departure, *fails);
+        continue;
+      }
+      if (!spare || depart <= request_.depart) return;
+      const core::Seconds back = std::isfinite(spare->count()) ? -*spare : 0.5 * (depart - request_.depart);
+      depart = std::max(whole_second(depart - back - close_enough), request_.depart);
+    }
+  }
+
+  /// The curve of the departures after the best one, or of all: from the last one on it that is in time the search goes
+  /// on.
+  void look_through_the_rest() {
+    PlanRequest window = request_;
+    if (best_) window.depart = best_->departure;
+    const core::Seconds least = least_travel_time();
+    window.departures = {.until = wanted_ - least, .step = (wanted_ - least - window.depart) / samples};
+    if (window.departures.step < close_enough) return;
+    window.uncertainty.objective = RobustObjective::none;  // whole plans are asked about the members
+    const auto curve = compare_departures(environment_, window, stop_, progress_);
+    if (!curve) return;
+    std::optional<core::UtcTime> fails;
+    for (std::size_t i = curve->size(); i-- > 0 && !is_cancelled();) {
+      const DepartureOutcome& outcome = (*curve)[i];
+      if (best_ && outcome.departure <= best_->departure) return;
+      const bool is_in_time = outcome.travel_time && outcome.arrival() <= wanted_;
+      if (is_in_time) climb(whole_second(outcome.departure), fails);
+      fails = outcome.departure;
+      if (is_in_time && best_ && best_->departure >= whole_second(outcome.departure)) return;
+    }
+  }
+
+  /// Of a vehicle that the strongest current takes along.
+  [[nodiscard]] core::Seconds least_travel_time() const {
+    if (!best_) return core::Seconds{0.0};
+    return 0.25 * best_->travel_time();
+  }
+
+  [[nodiscard]] std::string early_text() const {
+    char hours[32];
+    std::snprintf(hours, sizeof hours, "%.1f h", left(*best_).count() / 3600.0);
+    return std::string{"this plan is there "} + hours +
+           " before the wanted arrival: no later departure was found that is in time";
+  }
+
+  /// Of a plan that is in time by its members and not by itself.
+  [[nodiscard]] std::string late_text() const {
+    return "in the currents that the plan is made with it arrives at " + core::iso8601(best_->arrival) +
+           ", after the wanted arrival: what counts is the " +
+           (request_.uncertainty.objective == RobustObjective::quantile ? "quantile" : "mean") +
+           " of the members, " + core::iso8601(arrival_that_counts(*best_, request_.uncertainty));
+  }
+
+  /// Why nothing is in time.
+  Result<Plan> explained() {
+    auto earliest =
+        try_to_plan(environment_, leaving_at(request_, request_.depart), stop_, progress_, clock_);
+    if (earliest && left(*earliest).count() >= 0.0) return earliest;
+    if (earliest) return tl::unexpected(too_early(request_, *earliest));
+    return earliest;
+  }
+
+  const ocean::Environment& environment_;
+  const PlanRequest& request_;
+  core::UtcTime wanted_;  // or the last moment before it at which the goal is open
+  const std::stop_token& stop_;
+  const core::ProgressCallback& progress_;
+  const core::SteadyClock& clock_;
+  std::optional<Plan> best_;         // the latest departure that is in time
+  bool some_arrive_{false};          // in time or not
+  std::optional<Constraint> binds_;  // where no plan came, the last time
+};
+
+}  // namespace
+
+Result<Plan> try_to_plan_arrival(const ocean::Environment& environment, const PlanRequest& request,
+                                 const std::stop_token& stop, const core::ProgressCallback& progress,
+                                 const core::SteadyClock& clock) {
+  return LatestDeparture{environment, request, stop, progress, clock}.find();
+}
+
+}  // namespace floeplan::planning::planner

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "engine/core/units.hpp"
+#include "engine/planning/problem/member_spread.hpp"
+
+namespace floeplan::planning {
+
+/// How long one route takes in each member of uncertain currents. A member in which the route is not possible never
+/// arrives: it counts as later than every other.
+class ArrivalSpread {
+ public:
+  /// Travel time in each member, empty where the route is not possible. At least one member.
+  explicit ArrivalSpread(std::vector<std::optional<core::Seconds>> travel_times);
+
+  [[nodiscard]] const std::vector<std::optional<core::Seconds>>& travel_times() const {
+    return travel_times_;
+  }
+  [[nodiscard]] std::size_t arrived() const { return spread_.known(); }
+  /// Of the members that arrive; empty when none does.
+  [[nodiscard]] std::optional<core::Seconds> mean() const;
+  /// Of the members that arrive; empty for fewer than two.
+  [[nodiscard]] std::optional<core::Seconds> standard_deviation() const;
+  /// Time that this share of all members keeps; empty where it would take a member that does not arrive.
+  [[nodiscard]] std::optional<core::Seconds> quantile(double share) const;
+  /// Share of all members that arrive within the time.
+  [[nodiscard]] double chance_within(core::Seconds time) const;
+
+ private:
+  std::vector<std::optional<core::Seconds>> travel_times_;
+  MemberSpread spread_;  // of the seconds
+};
+
+}  // namespace floeplan::planning

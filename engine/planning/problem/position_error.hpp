@@ -1,0 +1,16 @@
+#pragma once
+
+#include "engine/core/units.hpp"
+#include "engine/planning/problem/plan_request.hpp"
+
+namespace floeplan::planning {
+
+/// How much the error of a vehicle's dead reckoning grows while it is under way: a share of its way through the water
+/// and what is not known of the currents.
+[[nodiscard]] inline core::Metres grown_error(const UnderIceRules& rules, core::MetresPerSecond through_water,
+                                              core::Seconds time) {
+  const core::Metres way{through_water.value * time.count()};
+  return rules.dead_reckoning_share * way + core::Metres{rules.current_uncertainty.value * time.count()};
+}
+
+}  // namespace floeplan::planning

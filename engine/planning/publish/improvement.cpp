@@ -1,0 +1,194 @@
+#include "engine/planning/publish/improvement.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <utility>
+#include <vector>
+
+#include "engine/planning/cost/loiter.hpp"
+#include "engine/planning/cost/route.hpp"
+#include "engine/planning/cost/route_cost.hpp"
+#include "engine/planning/cost/straightening.hpp"
+#include "engine/planning/refinement/refinement.hpp"
+#include "engine/planning/refinement/refinement_budget.hpp"
+#include "engine/planning/refinement/shortening.hpp"
+#include "engine/planning/search/waiting/time_killing.hpp"
+
+namespace floeplan::planning::publish {
+namespace {
+
+constexpr double cost_of_waiting = 8.0;  // of a leg that is timed at several departures until it opens
+
+/// What asks the sea, in the shape that refinement wants.
+struct SeaTimer {
+  const cost::Sea& sea;
+
+  tl::expected<core::Seconds, motion::EdgeClosed> operator()(geo::PlanePoint a, geo::PlanePoint b,
+                                                             core::Seconds depart) const {
+    return cost::time_with_wait(sea, a, b, depart);
+  }
+};
+
+refinement::RefinementBudget budget_of(const cost::Sea& sea, const PlanRequest& request,
+                                       const std::stop_token& stop, const core::SteadyClock& clock) {
+  const bool waits = cost::waits_may_help(sea);
+  const double per_second =
+      waits ? refinement::timed_legs_per_second / cost_of_waiting : refinement::timed_legs_per_second;
+  return refinement::refinement_budget(request, per_second, stop, clock);
+}
+
+std::optional<std::size_t> most_legs(const PlanRequest& request) {
+  if (!request.max_waypoints) return std::nullopt;
+  return static_cast<std::size_t>(*request.max_waypoints) - 1;
+}
+
+/// The way of a grid after refinement; as it is when it is closed, for publishing to tell why.
+Improved refined(const cost::Sea& sea, const cost::Route& way, const PlanRequest& request,
+                 const std::stop_token& stop, const core::SteadyClock& clock) {
+  const SeaTimer timer{sea};
+  refinement::LegMeter legs{timer, {.stop = stop}};
+  const auto on_grid = legs.timed(way, cost::at_departure);
+  const auto start =
+      legs.timed(cost::drop_needless_points(sea, way, cost::at_departure, stop), cost::at_departure);
+  if (!on_grid || !start) return {way, std::nullopt};
+  const auto most = most_legs(request);
+  std::vector<cost::Itinerary> shorter;
+  if (most)
+    shorter = {refinement::shorten_to(legs, *start, *most), refinement::shorten_to(legs, *on_grid, *most)};
+  refinement::Refined result = refinement::refine_route(timer, *start, {.most_legs = most},
+                                                        budget_of(sea, request, stop, clock), shorter);
+  result.report.before = on_grid->travel_time();
+  return {std::move(result.itinerary.route), std::move(result.report)};
+}
+
+cost::Route thinned(const cost::Sea& sea, const cost::Route& route, std::size_t most,
+                    const std::stop_token& stop) {
+  const SeaTimer timer{sea};
+  refinement::LegMeter legs{timer, {.stop = stop}};
+  auto timed = legs.timed(route, cost::at_departure);
+  return timed ? refinement::shorten_to(legs, std::move(*timed), most).route : route;
+}
+
+/// The route with a wait and a straight leg for each part that only kills time, as long as it arrives no later.
+cost::Route waiting_instead(const cost::Sea& sea, cost::Route route, const std::stop_token& stop) {
+  auto schedule = cost::schedule_along(sea, route.points, cost::at_departure);
+  while (schedule && !stop.stop_requested()) {
+    const auto killed = search::longest_killing_of_time(sea, route, *schedule);
+    if (!killed) break;
+    const auto from = static_cast<std::ptrdiff_t>(killed->from) + 1;
+    const auto to = static_cast<std::ptrdiff_t>(killed->to);
+    cost::Route shorter = route;
+    shorter.points.erase(shorter.points.begin() + from, shorter.points.begin() + to);
+    shorter.fixed.erase(shorter.fixed.begin() + from, shorter.fixed.begin() + to);
+    auto waiting = cost::schedule_along(sea, shorter.points, cost::at_departure);
+    if (!waiting || waiting->arrivals.back() > schedule->arrivals.back()) break;
+    route = std::move(shorter);
+    schedule = std::move(waiting);
+  }
+  return route;
+}
+
+/// Whether the route is open as a whole, for what is right of each leg alone need not be of all. Where the time without
+/// a possible surfacing is bounded, the drive along other legs is looked at in other places, which may count a little
+/// more time under ice; where the vehicle waits, there must be places to wait at; and a leg that was joined is followed
+/// in longer pieces, which keep somewhat more from icebergs.
+bool stays_open(const cost::Sea& sea, const cost::Route& route) {
+  return cost::arrivals_along(sea, route.points, cost::at_departure).has_value();
+}
+
+/// The route with fixed points where it comes out of the ice and where it goes below it: what moves between them leaves
+/// the places to surface where they are, and can only shorten the time without one.
+cost::Route held_at_the_ice(const cost::Sea& sea, const cost::Route& route) {
+  const auto schedule = cost::schedule_along(sea, route.points, cost::at_departure);
+  if (!schedule) return route;
+  cost::Route held{{route.points.front()}, {true}};
+  const auto add = [&](geo::PlanePoint point, bool fixed) {
+    const geo::PlanePoint last = held.points.back();
+    if (last.x_m == point.x_m && last.y_m == point.y_m) {
+      held.fixed.back() = held.fixed.back() || fixed;
+    } else {
+      held.points.push_back(point);
+      held.fixed.push_back(fixed);
+    }
+  };
+  bool was_open = sea.may_surface(route.points.front(), schedule->leaves(0));
+  for (std::size_t i = 0; i < route.legs(); ++i) {
+    const geo::PlanePoint end = route.points[i + 1];
+    geo::PlanePoint before = route.points[i];
+    for (const cost::Sea::Passage& passage : sea.passages(route.points[i], end, schedule->leaves(i),
+                                                          sea.surfacing_look(), sea.drives().front())) {
+      const bool is_open = sea.may_surface(passage.point, passage.time);
+      if (is_open != was_open) add(is_open ? passage.point : before, true);
+      was_open = is_open;
+      before = passage.point;
+    }
+    add(end, route.fixed[i + 1]);
+  }
+  return held;
+}
+
+/// A route that was held at more points than `way`, with the freedom of that one.
+cost::Route released(cost::Route route, const cost::Route& way) {
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < route.points.size(); ++i) {
+    const auto is_at = [&](std::size_t j) {
+      return way.points[j].x_m == route.points[i].x_m && way.points[j].y_m == route.points[i].y_m;
+    };
+    if (!route.fixed[i]) continue;
+    std::size_t same = next;
+    while (same < way.points.size() && !is_at(same)) ++same;
+    route.fixed[i] = same < way.points.size() && way.fixed[same];
+    if (same < way.points.size()) next = same + 1;
+  }
+  return route;
+}
+
+/// The way with as few of its points as keep it open.
+cost::Route joined_where_open(const cost::Sea& sea, const cost::Route& way) {
+  cost::Route joined = cost::join_collinear(way);
+  for (std::size_t most = std::bit_floor(way.legs()); most > 1 && !stays_open(sea, joined); most /= 2)
+    joined = cost::join_collinear(way, most);
+  return stays_open(sea, joined) ? joined : way;
+}
+
+/// What comes after the waypoints were moved.
+cost::Route finished(const cost::Sea& sea, cost::Route route, const PlanRequest& request,
+                     const std::stop_token& stop) {
+  // Where an opening sets the arrival, refinement leaves detours that a wait makes needless.
+  if (request.refine && sea.longest_wait().count() > 0.0)
+    route = waiting_instead(sea, cost::drop_needless_points(sea, route, cost::at_departure, stop), stop);
+  // Refinement has cut the number already; where it could not, this cannot either.
+  if (const auto most = most_legs(request)) route = thinned(sea, route, *most, stop);
+  if (request.max_leg) route = cost::part_long_legs(sea, route, *request.max_leg);
+  return route;
+}
+
+}  // namespace
+
+Improved improve(const cost::Sea& sea, const cost::Route& way, const PlanRequest& request,
+                 const std::stop_token& stop, const core::SteadyClock& clock) {
+  Improved improved{way, std::nullopt};
+  if (request.method != Method::direct) {
+    improved.route = joined_where_open(sea, way);
+    if (request.refine) improved = refined(sea, improved.route, request, stop, clock);
+  }
+  improved.route = finished(sea, improved.route, request, stop);
+  if (stays_open(sea, improved.route)) return improved;
+  const cost::Route joined = joined_where_open(sea, way);
+  if (request.refine && request.method != Method::direct && sea.bounds_surfacing()) {
+    Improved held = refined(sea, held_at_the_ice(sea, joined), request, stop, clock);
+    held.route = finished(sea, released(std::move(held.route), joined), request, stop);
+    if (stays_open(sea, held.route)) return held;
+  }
+  const cost::Route straightened =
+      request.refine ? cost::drop_needless_points(sea, joined, cost::at_departure, stop) : joined;
+  if (request.max_leg) {
+    for (const cost::Route& route : {straightened, way}) {
+      const cost::Route parted = cost::part_long_legs(sea, route, *request.max_leg);
+      if (stays_open(sea, parted)) return {parted, std::nullopt};
+    }
+  }
+  return {stays_open(sea, straightened) ? straightened : way, std::nullopt};
+}
+
+}  // namespace floeplan::planning::publish

@@ -1,0 +1,364 @@
+#include "engine/planning/publish/plan_assembly.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <iterator>
+#include <limits>
+#include <optional>
+
+#include "engine/core/message_rank.hpp"
+#include "engine/core/utc_text.hpp"
+#include "engine/geo/coarse_outline.hpp"
+#include "engine/geo/geodesic.hpp"
+#include "engine/planning/cost/met_currents.hpp"
+#include "engine/planning/cost/surfacing.hpp"
+#include "engine/planning/plane/coast_lines.hpp"
+#include "engine/planning/plane/plane_distance.hpp"
+#include "engine/planning/publish/ice_dangers.hpp"
+#include "engine/planning/publish/water_warnings.hpp"
+#include "engine/planning/publish/zone_warnings.hpp"
+#include "engine/vehicle/dive_band.hpp"
+
+namespace floeplan::planning::publish {
+namespace {
+
+constexpr double sample_step_m =
+    250.0;  // along the route, for clearances: about the finest bathymetry in use
+
+/// Calls `visit(point)` at both ends of every leg and between them.
+template <class Visit>
+void for_each_sample(const std::vector<geo::PlanePoint>& route, Visit&& visit) {
+  visit(route.front());
+  for (std::size_t i = 1; i < route.size(); ++i) {
+    const geo::PlanePoint a = route[i - 1];
+    const geo::PlanePoint b = route[i];
+    const int pieces = std::max(1, static_cast<int>(std::ceil(geo::distance_m(a, b) / sample_step_m)));
+    for (int piece = 1; piece <= pieces; ++piece) {
+      const double share = static_cast<double>(piece) / pieces;
+      visit(geo::PlanePoint{a.x_m + share * (b.x_m - a.x_m), a.y_m + share * (b.y_m - a.y_m)});
+    }
+  }
+}
+
+/// The waits and drives of the plan's vehicle as even moves, leg by leg: `visit(leg, move)`.
+template <class Visit>
+void for_each_move(const cost::Sea& sea, const std::vector<geo::PlanePoint>& route,
+                   const cost::Schedule& schedule, const std::vector<vehicle::Drive>& drives, Visit&& visit) {
+  for (std::size_t i = 1; i < route.size(); ++i) {
+    const core::Seconds leaves = schedule.leaves(i - 1);
+    if (schedule.waits[i - 1].count() > 0.0) {
+      visit(i,
+            motion::EvenMove{route[i - 1], route[i - 1], schedule.arrivals[i - 1].count(), leaves.count()});
+    }
+    for (const motion::EvenMove& move : sea.drive(route[i - 1], route[i], leaves, drives[i - 1]))
+      visit(i, move);
+  }
+}
+
+/// From the hulls where they are forecast to be as the vehicle passes.
+std::optional<core::Metres> iceberg_clearance(const cost::Sea& sea, const std::vector<geo::PlanePoint>& route,
+                                              const cost::Schedule& schedule,
+                                              const std::vector<vehicle::Drive>& drives) {
+  std::optional<core::Metres> least;
+  if (sea.icebergs().empty()) return least;
+  for_each_move(sea, route, schedule, drives, [&](std::size_t, const motion::EvenMove& move) {
+    const auto nearest = sea.icebergs().distance_from_hulls(move);
+    if (nearest && (!least || *nearest < *least)) least = nearest;
+  });
+  return least;
+}
+
+/// Expected encounters with icebergs whose positions are not known well, leg by leg and in all.
+void add_iceberg_encounters(Plan& plan, const cost::Sea& sea, const std::vector<geo::PlanePoint>& route,
+                            const cost::Schedule& schedule, const std::vector<vehicle::Drive>& drives) {
+  if (sea.icebergs().empty()) return;
+  std::vector<double> of_leg(route.size(), 0.0);
+  for_each_move(sea, route, schedule, drives, [&](std::size_t leg, const motion::EvenMove& move) {
+    of_leg[leg] += sea.icebergs().expected_encounters(move);
+  });
+  double all = 0.0;
+  for (std::size_t i = 1; i < route.size(); ++i) {
+    plan.waypoints[i].iceberg_encounters = of_leg[i];
+    all += of_leg[i];
+  }
+  plan.iceberg_encounters = all;
+}
+
+/// Where the vehicle is below icebergs; two stays in one disc that follow each other are one.
+void add_passages_under(Plan& plan, const cost::Sea& sea, const std::vector<geo::PlanePoint>& route,
+                        const cost::Schedule& schedule, const std::vector<vehicle::Drive>& drives) {
+  constexpr core::Seconds apart{1.0};
+  std::vector<obstacles::IcebergDiscs::Under> stays;
+  for_each_move(sea, route, schedule, drives, [&](std::size_t, const motion::EvenMove& move) {
+    for (const obstacles::IcebergDiscs::Under& stay : sea.icebergs().passed_under(move)) {
+      const auto goes_on = [&](const obstacles::IcebergDiscs::Under& other) {
+        return other.berg == stay.berg && stay.span.from <= other.span.until + apart;
+      };
+      const auto known = std::ranges::find_if(stays, goes_on);
+      if (known == stays.end()) {
+        stays.push_back(stay);
+      } else {
+        known->span.until = std::max(known->span.until, stay.span.until);
+      }
+    }
+  });
+  for (const obstacles::IcebergDiscs::Under& stay : stays) {
+    plan.passed_under.push_back({sea.icebergs().name(stay.berg), sea.icebergs().keel(stay.berg),
+                                 plan.departure + stay.span.from, plan.departure + stay.span.until});
+    const PassedUnder& passed = plan.passed_under.back();
+    char text[240];
+    std::snprintf(
+        text, sizeof text,
+        "the plan passes under iceberg %.60s: no surfacing from %s to %s, and dives that turn no higher "
+        "than %.0f m",
+        passed.iceberg.c_str(), core::iso8601(passed.from).c_str(), core::iso8601(passed.until).c_str(),
+        std::ceil(passed.keel.upper_turn.value));
+    plan.warnings.emplace_back(text);
+  }
+}
+
+std::optional<core::Metres> bottom_clearance(const cost::Sea& sea, const ocean::Environment& environment,
+                                             const PlanRequest& request,
+                                             const std::vector<geo::PlanePoint>& route) {
+  if (!environment.bathymetry) return std::nullopt;
+  std::optional<core::Metres> least;
+  for_each_sample(route, [&](geo::PlanePoint point) {
+    const auto bed = environment.bathymetry->shoalest(sea.projection().to_lon_lat(point));
+    if (!bed) return;
+    const core::Metres deepest =
+        std::min(request.vehicle.dive_depth, *bed - request.vehicle.altimeter_margin);
+    const core::Metres left = *bed - deepest;
+    if (!least || left < *least) least = left;
+  });
+  return least;
+}
+
+/// Least distance from the route to the lines of the coast. Looked for ever further out, so that what is far away is
+/// hardly looked at.
+std::optional<core::Metres> land_clearance(const cost::Sea& sea, const ocean::Environment& environment,
+                                           const std::vector<geo::PlanePoint>& route) {
+  constexpr core::Metres first_look{4000.0};
+  constexpr core::Metres round_the_globe{2.1e7};
+  // Of the plane's to the ground's distances: polar stereographic ones have 0.933 at the pole, the others at least 1.
+  constexpr double least_scale = 0.9;
+  if (environment.land.empty()) return std::nullopt;
+  std::vector<geo::PlanePoint> samples;
+  std::vector<geo::LonLat> places;
+  for_each_sample(route, [&](geo::PlanePoint point) {
+    samples.push_back(point);
+    places.push_back(sea.projection().to_lon_lat(point));
+  });
+  std::ranges::sort(samples, {}, &geo::PlanePoint::x_m);
+  const geo::BoundingBox along = geo::bounding_box(places);
+
+  double least = std::numeric_limits<double>::infinity();
+  const auto approach = [&](geo::PlanePoint a, geo::PlanePoint b) {
+    const auto [west, east] = std::minmax(a.x_m, b.x_m);
+    const auto [south, north] = std::minmax(a.y_m, b.y_m);
+    auto sample = std::ranges::lower_bound(samples, west - least, {}, &geo::PlanePoint::x_m);
+    for (; sample != samples.end() && sample->x_m <= east + least; ++sample) {
+      if (sample->y_m < south - least || sample->y_m > north + least) continue;
+      least = std::min(least, plane::distance_to_line(*sample, a, b));
+    }
+  };
+  for (core::Metres within = first_look;; within = 8.0 * within) {
+    least = std::numeric_limits<double>::infinity();
+    const geo::BoundingBox near = geo::grown(along, within);
+    for (const geo::Polygon& polygon : environment.land)
+      plane::for_each_coast_line(geo::coarse_beyond(near, {polygon.outer, {}}).outer, sea.projection(),
+                                 approach);
+    if (least <= least_scale * within.value || within > round_the_globe) break;
+  }
+  if (!std::isfinite(least)) return std::nullopt;
+  return core::Metres{least};
+}
+
+/// Names the icebergs that count for an earlier departure only.
+void warn_of_old_sightings(Plan& plan, const ocean::Environment& environment, const PlanRequest& request) {
+  constexpr std::size_t most_names = 10;
+  std::size_t dropped = 0;
+  std::string names;
+  for (const ocean::Iceberg& iceberg : environment.icebergs) {
+    if (!ocean::is_too_old(iceberg, request.depart)) continue;
+    if (dropped < most_names)
+      names += (dropped > 0 ? ", " : "") + (iceberg.id.empty() ? "one without a name" : iceberg.id);
+    ++dropped;
+  }
+  if (dropped == 0) return;
+  if (dropped > most_names) names += " and " + std::to_string(dropped - most_names) + " more";
+  plan.warnings.push_back(core::as_danger(
+      std::to_string(dropped) + (dropped == 1 ? " iceberg" : " icebergs") +
+      " ignored: not seen for too long by the departure at " + core::iso8601(request.depart) + " (" + names +
+      "). Each may still be near the route, and the plan avoids none of them. Depart earlier, ingest newer "
+      "sightings, or raise the maximum sighting age (--max-sighting-age)"));
+}
+
+/// Of those that are planned; a vehicle that has an interval of its own counts them already.
+void add_energy_of_surfacings(Plan& plan, const PlanRequest& request) {
+  if (request.vehicle.energy.surfacing_interval) return;
+  for (const PlannedSurfacing& surfacing : plan.surfacing->surfacings) {
+    plan.energy->use.hotel = plan.energy->use.hotel + request.vehicle.energy.surfacing;
+    for (Waypoint& waypoint : plan.waypoints)
+      if (waypoint.eta >= surfacing.time)
+        waypoint.energy = *waypoint.energy + request.vehicle.energy.surfacing;
+  }
+}
+
+/// Under ice the currents are those of the dives flown there; under icebergs, which are small and drift, they are not.
+void warn_of_deep_turns(Plan& plan, const PlanRequest& request) {
+  core::Metres deepest{0.0};
+  for (const PassedUnder& passed : plan.passed_under) deepest = std::max(deepest, passed.keel.upper_turn);
+  if (deepest <= request.vehicle.climb_to) return;
+  char text[240];
+  std::snprintf(
+      text, sizeof text,
+      "below icebergs the dives turn as deep as %.0f m, and the energy is reckoned so; the currents "
+      "are those of dives that turn at %.0f m: plan with --climb-to %.0f to see how much that matters",
+      std::ceil(deepest.value), request.vehicle.climb_to.value, std::ceil(deepest.value));
+  plan.warnings.emplace_back(text);
+}
+
+/// Ice that a vehicle may come below that is off its way by no more than the error of its position.
+void warn_of_ice_beside(Plan& plan, const PlanRequest& request) {
+  const IceBeside& beside = plan.surfacing->ice_beside;
+  core::Metres deepest = request.vehicle.climb_to;
+  for (const SurfacingState& state : plan.surfacing->waypoints)
+    deepest = std::max({deepest, state.least_upper_turn, state.leg_upper_turn.value_or(core::Metres{0.0})});
+  if (std::ceil(beside.upper_turn.value) <= std::ceil(deepest.value)) return;
+  const double turn_m = std::ceil(beside.upper_turn.value);
+  const double least_dive_m = turn_m + vehicle::lowest_tooth.value;
+  char text[320];
+  std::snprintf(
+      text, sizeof text,
+      "within the error of its position, %.1f km at %.4f, %.4f, the vehicle may come below ice where dives "
+      "must turn no higher than %.0f m, yet those of the plan turn at %.0f m: ",
+      beside.error.value / 1000.0, beside.place.lon_deg, beside.place.lat_deg, turn_m,
+      std::ceil(deepest.value));
+  char remedy[160];
+  if (least_dive_m > request.vehicle.depth_rating.value) {
+    std::snprintf(remedy, sizeof remedy,
+                  "this vehicle cannot dive below that ice; take one that can, or bound the time without "
+                  "surfacing");
+  } else {
+    std::snprintf(
+        remedy, sizeof remedy,
+        least_dive_m > request.vehicle.dive_depth.value
+            ? "keep below that ice all the way (--climb-to %.0f --dive-depth %.0f), or bound the "
+              "time without surfacing"
+            : "keep below that ice all the way (--climb-to %.0f), or bound the time without surfacing",
+        turn_m, least_dive_m);
+  }
+  plan.warnings.push_back(std::string{text} + remedy);
+}
+
+void warn_of_surfacings_near_ice(Plan& plan) {
+  const auto is_near = [](const PlannedSurfacing& surfacing) { return surfacing.nearest_ice.has_value(); };
+  const auto& surfacings = plan.surfacing->surfacings;
+  const auto first = std::ranges::find_if(surfacings, is_near);
+  if (first == surfacings.end()) return;
+  char text[320];
+  std::snprintf(
+      text, sizeof text,
+      "%td of %td planned surfacings have ice nearer than the position may be off, the first of them at "
+      "%s: ice at %.1f km, error %.1f km; surface more often (--surfacing-interval), or keep off the ice",
+      std::ranges::count_if(surfacings, is_near), std::ssize(surfacings), core::iso8601(first->time).c_str(),
+      first->nearest_ice->value / 1000.0, first->position_error.value / 1000.0);
+  plan.warnings.emplace_back(text);
+}
+
+/// Of openings in the ice that the bound counts on and the vehicle may miss.
+void warn_of_openings_missed(Plan& plan, const PlanRequest& request) {
+  const auto& bound = request.under_ice.max_time_without_surfacing;
+  const core::Seconds sure = plan.surfacing->longest_without_sure;
+  if (!bound || sure <= std::max(*bound, plan.surfacing->longest_without)) return;
+  char text[320];
+  std::snprintf(
+      text, sizeof text,
+      "the bound of %.1f h without a place to surface is kept by openings in the ice that the vehicle may "
+      "miss: counting those that are wider than the error of its position it is %.1f h; allow less time "
+      "(--max-time-without-surfacing), or keep off the ice",
+      bound->count() / 3600.0, sure.count() / 3600.0);
+  plan.warnings.emplace_back(text);
+}
+
+void add_surfacings(Plan& plan, const cost::Sea& sea, const PlanRequest& request,
+                    const std::vector<geo::PlanePoint>& route, const cost::Schedule& schedule,
+                    const std::vector<vehicle::Drive>& drives) {
+  const UnderIceRules& rules = request.under_ice;
+  const bool asked = rules.max_time_without_surfacing || rules.surfacing_interval || rules.escape_plan;
+  if (!sea.ice() && !asked && plan.passed_under.empty()) return;
+  plan.surfacing = cost::plan_surfacings(sea, request, route, schedule, drives);
+  if (plan.surfacing->unknown_ice.value > 0.0) {
+    char text[160];
+    std::snprintf(
+        text, sizeof text,
+        "nothing is known of the ice on %.1f km of the route: passed, but not counted on for surfacing",
+        plan.surfacing->unknown_ice.value / 1000.0);
+    plan.warnings.emplace_back(text);
+  }
+  add_energy_of_surfacings(plan, request);
+  warn_of_deep_turns(plan, request);
+  warn_of_ice_beside(plan, request);
+  warn_of_surfacings_near_ice(plan);
+  warn_of_openings_missed(plan, request);
+  tell_of_ice_above(plan, request);
+}
+
+}  // namespace
+
+Plan assemble_plan(const cost::Sea& sea, const ocean::Environment& environment, const PlanRequest& request,
+                   const std::vector<geo::PlanePoint>& route, const cost::Schedule& schedule,
+                   const std::vector<vehicle::Drive>& drives) {
+  const std::vector<core::Seconds>& arrivals = schedule.arrivals;
+  Plan plan;
+  plan.method = request.method;
+  plan.vehicle = request.vehicle.name;
+  plan.departure = request.depart;
+  plan.arrival = request.depart + arrivals.back();
+  const auto currents = cost::leg_currents(sea, route, schedule, drives);
+  EnergyUse drawn;
+  for (std::size_t i = 0; i < route.size(); ++i) {
+    Waypoint waypoint;
+    waypoint.place = sea.projection().to_lon_lat(route[i]);
+    waypoint.eta = request.depart + arrivals[i];
+    waypoint.current = currents[i];
+    if (environment.bathymetry) waypoint.depth = environment.bathymetry->depth(waypoint.place);
+    if (i > 0) {
+      const geo::GeodesicLine leg = geo::geodesic_between(plan.waypoints.back().place, waypoint.place);
+      waypoint.leg_length = leg.length;
+      waypoint.course_deg = leg.course_at_start.degrees();
+      const core::Seconds duration = arrivals[i] - schedule.leaves(i - 1);
+      waypoint.speed_over_ground = core::MetresPerSecond{leg.length.value / duration.count()};
+      plan.distance = plan.distance + leg.length;
+      drawn += sea.energy_along(route[i - 1], route[i], schedule.leaves(i - 1), duration, drives[i - 1]);
+      waypoint.drive = drives[i - 1];
+      waypoint.speed_through_water = sea.speed(drives[i - 1]);
+    }
+    waypoint.energy = drawn.total();
+    if (schedule.waits[i].count() > 0.0) {
+      waypoint.wait = schedule.waits[i];
+      drawn += sea.energy_along(route[i], route[i], arrivals[i], waypoint.wait, drives[i]);
+    }
+    plan.waypoints.push_back(waypoint);
+  }
+  plan.clearances.iceberg = iceberg_clearance(sea, route, schedule, drives);
+  add_iceberg_encounters(plan, sea, route, schedule, drives);
+  plan.energy = PlanEnergy{.use = drawn, .usable = request.vehicle.energy.usable()};
+  plan.clearances.bottom = bottom_clearance(sea, environment, request, route);
+  plan.clearances.land = land_clearance(sea, environment, route);
+  plan.optimality_gap_reason = "not asked for";
+  if (sea.currents()) plan.strongest_current = sea.currents()->strongest();
+  plan.datasets = environment.datasets;
+  plan.warnings = environment.warnings;
+  warn_of_old_sightings(plan, environment, request);
+  std::ranges::move(water_warnings(sea, environment, request, route, schedule, drives),
+                    std::back_inserter(plan.warnings));
+  if (auto text = zone_warning(sea, request, route, schedule, drives))
+    plan.warnings.push_back(*std::move(text));
+  add_passages_under(plan, sea, route, schedule, drives);
+  add_surfacings(plan, sea, request, route, schedule, drives);
+  return plan;
+}
+
+}  // namespace floeplan::planning::publish

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/ocean/environment.hpp"
+#include "engine/planning/cost/route_cost.hpp"
+#include "engine/planning/cost/sea.hpp"
+#include "engine/planning/problem/plan.hpp"
+#include "engine/planning/problem/plan_request.hpp"
+
+namespace floeplan::planning::publish {
+
+/// Makes a plan of a route and its arrivals: waypoints with legs, clearances, warnings, the data used.
+/// Precondition  as many arrivals as points, at least two, and a drive for each leg
+[[nodiscard]] Plan assemble_plan(const cost::Sea& sea, const ocean::Environment& environment,
+                                 const PlanRequest& request, const std::vector<geo::PlanePoint>& route,
+                                 const cost::Schedule& schedule, const std::vector<vehicle::Drive>& drives);
+
+}  // namespace floeplan::planning::publish

@@ -1,0 +1,162 @@
+#include "engine/planning/publish/water_warnings.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <optional>
+
+#include "engine/core/utc_text.hpp"
+#include "engine/planning/currents/flown_depths.hpp"
+
+namespace floeplan::planning::publish {
+namespace {
+
+/// Of the speed through the water. A forecast of currents is hardly ever as true as this. A judgement.
+constexpr double hardly_enough = 0.95;
+/// Of the depths flown: with less below the currents that are known, their mean is hardly another. A judgement.
+constexpr double most_unknown = 0.25;
+
+/// Points along a route for what changes as slowly as a model's cells.
+template <class Visit>
+void for_each_stretch_of(const std::vector<geo::PlanePoint>& route, const Visit& visit) {
+  constexpr double step_m = 500.0;
+  for (std::size_t i = 1; i < route.size(); ++i) {
+    const double length_m = geo::distance_m(route[i - 1], route[i]);
+    const int steps = std::max(1, static_cast<int>(std::ceil(length_m / step_m)));
+    for (int step = 0; step < steps; ++step) {
+      const double share = (step + 0.5) / steps;
+      visit(geo::PlanePoint{std::lerp(route[i - 1].x_m, route[i].x_m, share),
+                            std::lerp(route[i - 1].y_m, route[i].y_m, share)},
+            length_m / steps);
+    }
+  }
+}
+
+std::optional<std::string> of_extended(const cost::Sea& sea, const std::vector<geo::PlanePoint>& route) {
+  double extended_m = 0.0;
+  double all_m = 0.0;
+  for_each_stretch_of(route, [&](geo::PlanePoint point, double length_m) {
+    all_m += length_m;
+    if (sea.currents()->is_extended(point)) extended_m += length_m;
+  });
+  if (extended_m == 0.0) return std::nullopt;
+  char text[160];
+  std::snprintf(
+      text, sizeof text,
+      "on %.0f %% of the route the current is that of the nearest water in the model, whose coast is coarser",
+      std::max(1.0, 100.0 * extended_m / all_m));
+  return text;
+}
+
+/// How deep the currents of a column are known, half way to the first level without any; empty where they are known
+/// as deep as the data go, and where there is no water.
+std::optional<core::Metres> known_down_to(const ocean::CurrentGrid& currents, geo::LonLat place) {
+  const ocean::CurrentGrid::Samples& samples = currents.samples();
+  const auto at = samples.depths_m ? samples.grid.locate(place) : std::nullopt;
+  if (!at) return std::nullopt;
+  const auto nearest = [](const ocean::AxisPosition& position) {
+    return position.fraction < 0.5 ? position.lower : position.upper;
+  };
+  const std::size_t node = nearest(at->y) * samples.grid.x().size() + nearest(at->x);
+  const std::vector<double>& levels_m = samples.depths_m->nodes();
+  std::size_t wet = 0;
+  while (wet < levels_m.size() && !std::isnan(samples.u[wet * samples.grid.size() + node])) ++wet;
+  if (wet == 0 || wet == levels_m.size()) return std::nullopt;
+  return core::Metres{0.5 * (levels_m[wet - 1] + levels_m[wet])};
+}
+
+std::optional<std::string> of_unknown_depths(const cost::Sea& sea, const ocean::Environment& environment,
+                                             const PlanRequest& request,
+                                             const std::vector<geo::PlanePoint>& route) {
+  const currents::FlownDepths depths{request.vehicle.dive_limits(), environment.bathymetry};
+  double unknown_m = 0.0;
+  double worst_m = 0.0;
+  core::Metres known{0.0};
+  core::Metres flown{0.0};
+  for_each_stretch_of(route, [&](geo::PlanePoint point, double length_m) {
+    const geo::LonLat place = sea.projection().to_lon_lat(point);
+    const auto down_to = known_down_to(*environment.currents, place);
+    if (!down_to) return;
+    const vehicle::DiveBand band = depths.at(place);
+    const core::Metres missing = band.bottom - std::max(*down_to, band.top);
+    if (missing.value <= most_unknown * band.thickness().value) return;
+    unknown_m += length_m;
+    if (missing.value <= worst_m) return;
+    worst_m = missing.value;
+    known = *down_to;
+    flown = band.bottom;
+  });
+  if (unknown_m == 0.0) return std::nullopt;
+  char text[320];
+  std::snprintf(
+      text, sizeof text,
+      "on %.1f km of the route dives go much deeper than the model's water, at worst to %.0f m where its "
+      "currents are known to %.0f m: those are taken all the way down",
+      unknown_m / 1000.0, flown.value, known.value);
+  return text;
+}
+
+/// The share of its speed through the water that the vehicle needs to hold a course and make way on it.
+double needed_share(const motion::CurrentXy& current, geo::PlanePoint from, geo::PlanePoint to,
+                    core::MetresPerSecond through_water) {
+  const double length_m = geo::distance_m(from, to);
+  const double x = (to.x_m - from.x_m) / length_m;
+  const double y = (to.y_m - from.y_m) / length_m;
+  const double along = current.x_m_s * x + current.y_m_s * y;
+  const double across = current.y_m_s * x - current.x_m_s * y;
+  return (along < 0.0 ? std::hypot(along, across) : std::abs(across)) / through_water.value;
+}
+
+std::optional<std::string> of_hardly_enough_speed(const cost::Sea& sea, const PlanRequest& request,
+                                                  const std::vector<geo::PlanePoint>& route,
+                                                  const cost::Schedule& schedule,
+                                                  const std::vector<vehicle::Drive>& drives) {
+  constexpr double looks = 16.0;  // along a leg, chosen: currents change little from one to the next
+  std::size_t legs = 0;
+  double most = 0.0;
+  cost::Sea::Passage where{};
+  std::size_t leg_there = 0;
+  for (std::size_t leg = 0; leg + 1 < route.size(); ++leg) {
+    const core::Metres look{geo::distance_m(route[leg], route[leg + 1]) / looks};
+    if (!(look.value > 0.0)) continue;
+    double most_on_leg = 0.0;
+    for (const cost::Sea::Passage& passage :
+         sea.passages(route[leg], route[leg + 1], schedule.leaves(leg), look, drives[leg])) {
+      const auto current = (*sea.currents())(passage.point, passage.time);
+      if (!current) continue;
+      const double share = needed_share(*current, route[leg], route[leg + 1], sea.speed(drives[leg]));
+      most_on_leg = std::max(most_on_leg, share);
+      if (share <= most) continue;
+      most = share;
+      where = passage;
+      leg_there = leg + 1;
+    }
+    if (most_on_leg > hardly_enough) ++legs;
+  }
+  if (legs == 0) return std::nullopt;
+  char text[320];
+  std::snprintf(
+      text, sizeof text,
+      "on %zu %s the current takes more than %.0f %% of the vehicle's speed to hold the course, most on leg "
+      "%zu at %s, %.1f %%: a vehicle a little slower is carried away there; plan with a lower speed to "
+      "keep some in reserve",
+      legs, legs == 1 ? "leg" : "legs", 100.0 * hardly_enough, leg_there,
+      core::iso8601(request.depart + where.time).c_str(), 100.0 * std::min(most, 1.0));
+  return text;
+}
+
+}  // namespace
+
+std::vector<std::string> water_warnings(const cost::Sea& sea, const ocean::Environment& environment,
+                                        const PlanRequest& request, const std::vector<geo::PlanePoint>& route,
+                                        const cost::Schedule& schedule,
+                                        const std::vector<vehicle::Drive>& drives) {
+  if (!sea.currents() || !environment.currents) return {};
+  std::vector<std::string> warnings;
+  for (auto& warning : {of_extended(sea, route), of_unknown_depths(sea, environment, request, route),
+                        of_hardly_enough_speed(sea, request, route, schedule, drives)})
+    if (warning) warnings.push_back(*warning);
+  return warnings;
+}
+
+}  // namespace floeplan::planning::publish

@@ -1,0 +1,75 @@
+#include "engine/planning/publish/zone_warnings.hpp"
+
+#include <cmath>
+#include <cstdio>
+
+#include "engine/core/utc_text.hpp"
+
+namespace floeplan::planning::publish {
+namespace {
+
+/// How far the speed through the water of a glider is from what it is taken for, one sigma.
+/// Source  Claus and Bachmayer 2015, Terrain-aided navigation for an underwater glider, J. Field Robotics 32,
+///         doi:10.1002/rob.21563, as for simulated flights (NavigationErrors)
+constexpr double unknown_share_of_speed = 0.05;
+constexpr core::Metres between_looks{100.0};  // areas narrower than that may be overlooked
+
+/// A place of the route, and when the areas there change their rule next to the passage.
+struct Passing {
+  cost::Sea::Passage at;
+  core::Seconds changes;
+
+  [[nodiscard]] bool opens() const { return changes <= at.time; }
+  [[nodiscard]] core::Seconds spare() const { return opens() ? at.time - changes : changes - at.time; }
+  /// Of the time under way.
+  [[nodiscard]] double share() const { return spare() / at.time; }
+};
+
+class Tightest {
+ public:
+  explicit Tightest(const cost::Sea& sea) : sea_{sea} {}
+
+  void look(const cost::Sea::Passage& at) {
+    if (at.time.count() <= 0.0) return;
+    for (const TimeSpan& closed : sea_.closed_times_by_zones(at.point)) {
+      const Passing passing{at, closed.until <= at.time ? closed.until : closed.from};
+      if (std::isfinite(passing.changes.count()) && (!found || passing.share() < found->share()))
+        found = passing;
+    }
+  }
+
+  std::optional<Passing> found;
+
+ private:
+  const cost::Sea& sea_;
+};
+
+}  // namespace
+
+std::optional<std::string> zone_warning(const cost::Sea& sea, const PlanRequest& request,
+                                        const std::vector<geo::PlanePoint>& route,
+                                        const cost::Schedule& schedule,
+                                        const std::vector<vehicle::Drive>& drives) {
+  if (sea.timed_zones().empty()) return std::nullopt;
+  Tightest tightest{sea};
+  for (std::size_t i = 1; i < route.size(); ++i) {
+    tightest.look({route[i - 1], schedule.leaves(i - 1)});
+    for (const cost::Sea::Passage& passage :
+         sea.passages(route[i - 1], route[i], schedule.leaves(i - 1), between_looks, drives[i - 1]))
+      tightest.look(passage);
+  }
+  if (!tightest.found || tightest.found->share() >= unknown_share_of_speed) return std::nullopt;
+  const Passing& passing = *tightest.found;
+  const geo::LonLat place = sea.projection().to_lon_lat(passing.at.point);
+  char text[320];
+  std::snprintf(text, sizeof text,
+                "the plan is at %.4f, %.4f only %.0f min %s an area %s there (%s), after %.1f h under way: a "
+                "vehicle %.0f %% %s than planned would break its rule",
+                place.lon_deg, place.lat_deg, passing.spare().count() / 60.0,
+                passing.opens() ? "after" : "before", passing.opens() ? "opens" : "closes",
+                core::iso8601(request.depart + passing.changes).c_str(), passing.at.time.count() / 3600.0,
+                100.0 * unknown_share_of_speed, passing.opens() ? "faster" : "slower");
+  return text;
+}
+
+}  // namespace floeplan::planning::publish

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <stop_token>
+#include <utility>
+
+#include "engine/planning/cost/leg_cost.hpp"
+#include "engine/planning/cost/route.hpp"
+#include "engine/planning/problem/refinement_report.hpp"
+
+namespace floeplan::planning::refinement {
+
+/// How long refinement may go on.
+struct RefinementBudget {
+  std::int64_t most_evaluations{1'000'000};  // of a leg
+  std::function<bool()> out_of_time{};       // the caller's clock; empty: no limit
+  std::stop_token stop{};
+};
+
+/// Times legs, adds up what they cost, and keeps count. Once the budget has ended every leg counts as closed, so that
+/// nothing which is found afterwards can be taken.
+/// Threads  one at a time
+template <cost::CostedLeg Leg>
+class LegMeter {
+ public:
+  LegMeter(const Leg& leg, RefinementBudget budget) : leg_{leg}, budget_{std::move(budget)} {}
+
+  [[nodiscard]] std::optional<cost::LegCost> operator()(geo::PlanePoint a, geo::PlanePoint b,
+                                                        core::Seconds depart) {
+    if (has_ended()) return std::nullopt;
+    ++evaluations_;
+    const auto taken = leg_(a, b, depart);
+    if (!taken.has_value()) return std::nullopt;
+    return cost::cost_of_leg(*taken);
+  }
+
+  /// The route with its times and costs; empty when a leg is closed.
+  [[nodiscard]] std::optional<cost::Itinerary> timed(cost::Route route, core::Seconds depart) {
+    cost::Itinerary result{std::move(route), {depart}, {0.0}};
+    const auto& points = result.route.points;
+    for (std::size_t i = 1; i < points.size(); ++i) {
+      const auto leg = (*this)(points[i - 1], points[i], result.times.back());
+      if (!leg) return std::nullopt;
+      result.append(*leg);
+    }
+    return result;
+  }
+
+  [[nodiscard]] std::int64_t evaluations() const { return evaluations_; }
+  /// Share of the evaluations that are allowed.
+  [[nodiscard]] double spent() const {
+    return static_cast<double>(evaluations_) / static_cast<double>(budget_.most_evaluations);
+  }
+  [[nodiscard]] RefinementEnd end() const { return end_; }
+
+ private:
+  bool has_ended() {
+    if (end_ != RefinementEnd::converged) return true;
+    if (budget_.stop.stop_requested()) {
+      end_ = RefinementEnd::cancelled;
+    } else if (evaluations_ >= budget_.most_evaluations) {
+      end_ = RefinementEnd::evaluations;
+    } else if (budget_.out_of_time && budget_.out_of_time()) {
+      end_ = RefinementEnd::time;
+    }
+    return end_ != RefinementEnd::converged;
+  }
+
+  const Leg& leg_;
+  RefinementBudget budget_;
+  std::int64_t evaluations_{};
+  RefinementEnd end_{RefinementEnd::converged};
+};
+
+}  // namespace floeplan::planning::refinement

@@ -1,0 +1,182 @@
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "engine/planning/refinement/hat_moves.hpp"
+#include "engine/planning/refinement/kept_points.hpp"
+#include "engine/planning/refinement/leg_meter.hpp"
+#include "engine/planning/refinement/leg_trade.hpp"
+#include "engine/planning/refinement/smooth_moves.hpp"
+#include "engine/planning/refinement/thinning.hpp"
+
+namespace floeplan::planning::refinement {
+
+/// How many legs a refined route may have.
+struct RefinementLimits {
+  std::size_t finest_legs{128};            // to work with, unless the route comes with more
+  std::optional<std::size_t> most_legs{};  // of the result; empty: as many as serve
+  double least_gain{5e-4};                 // share of the cost for which twice as many legs are taken
+};
+
+/// A route after its points were moved.
+struct Refined {
+  cost::Itinerary itinerary{};
+  RefinementReport report;
+};
+
+/// The refinement of one route.
+template <cost::CostedLeg Leg>
+class Refiner {
+ public:
+  Refiner(const Leg& leg, const RefinementLimits& limits, const RefinementBudget& budget)
+      : leg_{leg}, legs_{leg, budget}, limits_{limits} {}
+
+  Refined operator()(const cost::Itinerary& start, const std::vector<cost::Itinerary>& shorter) {
+    found_.offer(start);
+    for (const cost::Itinerary& other : shorter) {
+      found_.offer(other);
+      found_.offer(settle(other));
+    }
+    fewer_and_fewer(more_and_more(start));
+    place_better(found_.choose(limits_.least_gain, limits_.most_legs));
+    constexpr double worth_a_last_round = 5e-7;
+    found_.offer(settle(found_.choose(limits_.least_gain, limits_.most_legs), worth_a_last_round));
+    const cost::Itinerary& chosen = found_.choose(limits_.least_gain, limits_.most_legs);
+    const bool costs_more = chosen.cost() > start.cost();
+    const cost::Itinerary& kept = costs_more ? found_.choose(0.0, limits_.most_legs) : chosen;
+    return {tidied(kept),
+            {.before = start.travel_time(),
+             .after = kept.travel_time(),
+             .evaluations = legs_.evaluations(),
+             .end = legs_.end(),
+             .trade = found_.trade()}};
+  }
+
+ private:
+  /// Without legs too short to steer, where that costs nothing.
+  cost::Itinerary tidied(const cost::Itinerary& kept) {
+    constexpr core::Metres too_short{0.1};
+    constexpr double rounding = 1e-9;   // of sums that differ by a leg of almost no length
+    LegMeter<Leg> unlimited{leg_, {}};  // the budget may have ended
+    const auto tidy = unlimited.timed(cost::without_repeats(kept.route, too_short), kept.times.front());
+    return tidy && tidy->cost() <= (1.0 + rounding) * kept.cost() ? *tidy : kept;
+  }
+
+  /// Moves the points of a route until a round gains less than this share of the cost.
+  cost::Itinerary settle(cost::Itinerary timed, double worth_a_round = 5e-6) {
+    constexpr double most_steps_in_a_round = 20.0;
+    for (;;) {
+      const double before = timed.cost();
+      SmoothMoves moves = descend_smoothly(legs_, std::move(timed), worth_a_round / most_steps_in_a_round);
+      timed = moves.met_closed ? HatMoves{legs_, std::move(moves.itinerary)}() : std::move(moves.itinerary);
+      if (before - timed.cost() <= worth_a_round * before) return timed;
+    }
+  }
+
+  /// Doubles the legs and settles until that gains too little.
+  cost::Itinerary more_and_more(const cost::Itinerary& start) {
+    constexpr std::size_t at_first = 32;   // fewer lose the corridor's bends, or its way round an obstacle
+    constexpr double spent_on_more = 0.2;  // a round costs twice the last one, and thinning must be paid
+    cost::Itinerary best = start;
+    std::size_t wanted = std::bit_ceil(std::max(at_first, start.route.legs()));
+    for (;;) {
+      cost::Itinerary finer = settle(split_to(legs_, best, wanted));
+      found_.offer(finer);
+      const bool gains = best.cost() - finer.cost() > limits_.least_gain * best.cost();
+      if (finer.cost() < best.cost()) best = std::move(finer);
+      wanted *= 2;
+      // Points are well placed for so many legs when they were chosen from twice as many.
+      const bool enough = !gains && wanted > 2 * limits_.most_legs.value_or(0);
+      if (legs_.spent() > spent_on_more) return best;
+      if (enough || wanted > limits_.finest_legs) return best;
+    }
+  }
+
+  /// Halves the legs and settles until the route would close.
+  void fewer_and_fewer(const cost::Itinerary& finest) {
+    std::vector<cost::Itinerary> levels{finest};
+    while (levels.back().route.legs() > 1) {
+      const std::size_t legs = levels.back().route.legs();
+      const std::size_t most = limits_.most_legs.value_or(0);
+      const std::size_t half = std::bit_ceil(legs) / 2;
+      auto settled = settled_with(half < most && most < legs ? most : half, levels);
+      if (!settled) return;
+      levels.push_back(std::move(*settled));
+    }
+  }
+
+  /// With so few legs: the better of two choices of points, which settle in different places. Empty where no point can go.
+  std::optional<cost::Itinerary> settled_with(std::size_t fewer, const std::vector<cost::Itinerary>& levels) {
+    const cost::Itinerary& last = levels.back();
+    cost::Itinerary first = thinned(last, fewer);
+    if (first.route.legs() == last.route.legs()) return std::nullopt;
+    const auto second = chosen_otherwise(fewer, levels);
+    cost::Itinerary best = settle(std::move(first));
+    found_.offer(best);
+    if (!second) return best;
+    cost::Itinerary other = settle(*second);
+    found_.offer(other);
+    if (other.route.legs() == best.route.legs() && other.cost() < best.cost()) best = std::move(other);
+    return best;
+  }
+
+  /// So few legs from the points of the last of `levels` that has many for each of them: of points that were thinned before
+  /// the best may be gone. Where there is none but the last, its points are taken out one after the other.
+  std::optional<cost::Itinerary> chosen_otherwise(std::size_t fewer,
+                                                  const std::vector<cost::Itinerary>& levels) {
+    constexpr std::size_t many = 4;
+    const auto has_many = [&](const cost::Itinerary& level) { return level.route.legs() >= many * fewer; };
+    const auto found = std::find_if(levels.rbegin(), levels.rend(), has_many);
+    const cost::Itinerary& from = found == levels.rend() ? levels.front() : *found;
+    if (&from != &levels.back()) return keep_best_points(legs_, from, fewer);
+    return thin_to(legs_, from, fewer);
+  }
+
+  /// With so many legs; with more where the route would close.
+  cost::Itinerary thinned(const cost::Itinerary& timed, std::size_t most) {
+    auto kept = keep_best_points(legs_, timed, most);
+    return kept ? std::move(*kept) : thin_to(legs_, timed, most);
+  }
+
+  /// Twice the legs and back to as many as before, so that the points end up where they serve best: again and again
+  /// until that gains nothing more.
+  void place_better(cost::Itinerary chosen) {
+    constexpr double worth_a_round = 1e-5;  // share of the cost
+    const std::size_t legs = chosen.route.legs();
+    for (;;) {
+      cost::Itinerary finer = settle(split_to(legs_, chosen, 2 * legs));
+      cost::Itinerary placed = settle(thinned(finer, legs));
+      found_.offer(placed);
+      const double gain = chosen.cost() - placed.cost();
+      if (placed.route.legs() != legs || gain <= worth_a_round * chosen.cost()) return;
+      chosen = std::move(placed);
+    }
+  }
+
+  const Leg& leg_;
+  LegMeter<Leg> legs_;
+  RefinementLimits limits_;
+  LegTradeOff found_;
+};
+
+/// Moves the free points of a route until its cost stops falling: first with many legs, then with
+/// fewer and fewer, each time from the best way with more of them.
+/// `shorter`  routes with no more legs than `most_legs`: without them the points of many legs, thinned to few, may
+///            settle far from the best
+/// Returns  the route with the fewest legs of which twice as many would not gain `least_gain`; fixed points
+///          stay, no leg is closed, and it costs no more than the route that came unless `most_legs` forces it, and no
+///          more than any of the shorter ones
+/// Stops    when the budget ends, with the best found until then
+template <cost::CostedLeg Leg>
+Refined refine_route(const Leg& leg, const cost::Itinerary& start, const RefinementLimits& limits,
+                     const RefinementBudget& budget, const std::vector<cost::Itinerary>& shorter = {}) {
+  return Refiner<Leg>{leg, limits, budget}(start, shorter);
+}
+
+}  // namespace floeplan::planning::refinement

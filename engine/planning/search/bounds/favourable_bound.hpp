@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <stop_token>
+#include <vector>
+
+#include "engine/graph/search_tree.hpp"
+#include "engine/planning/search/bounds/favourable_grid.hpp"
+
+namespace floeplan::planning::search {
+
+/// What is known of the times on a grid before any search: what is left to its goal at the best hour of every edge.
+/// Worth its making where many departures are searched on one grid.
+/// Satisfies  graph::TravelTimeBound, but that `remaining` is consistent with the edges' true times and not with the
+///            lesser ones that `least_time` gives
+/// Threads    const members may be called from several threads at once
+class FavourableBound {
+ public:
+  /// Both are borrowed and outlive this. Once `stop` is requested it must not be used.
+  FavourableBound(const cost::Sea& sea, const OpenGrid& open, const std::stop_token& stop)
+      : to_goal_s_(open.graph.size(), graph::SearchTree::never) {
+    const FavourableGrid grid{sea, open};  // its currents are large: what is kept is what a search asks for
+    to_goal_s_[open.grid.goal] = 0.0;
+    lower_times(to_goal_s_, graph::SearchTree::never, stop,
+                [&](graph::Vertex v, double time_s, const auto& visit) {
+                  grid.for_each_edge_to(
+                      v, [&](const graph::Edge& edge, double edge_s) { visit(edge.tail, time_s + edge_s); });
+                });
+    for (std::size_t step = 0; step < open.graph.offsets().size(); ++step)
+      straight_s_.push_back(
+          grid.straight_s({open.grid.start, open.grid.start, static_cast<std::uint8_t>(step)}));
+  }
+
+  /// With the strongest current anywhere astern: less than what `remaining` counts for the edge, and as right.
+  [[nodiscard]] core::Seconds least_time(const graph::Edge& edge, core::Seconds) const {
+    return core::Seconds{straight_s_[edge.step]};
+  }
+  [[nodiscard]] core::Seconds remaining(graph::Vertex v) const { return core::Seconds{to_goal_s_[v]}; }
+  [[nodiscard]] static core::Seconds latest_use(graph::Vertex) {
+    return core::Seconds{graph::SearchTree::never};
+  }
+
+ private:
+  std::vector<double> to_goal_s_;
+  std::vector<double> straight_s_;  // by step of the grid
+};
+
+}  // namespace floeplan::planning::search

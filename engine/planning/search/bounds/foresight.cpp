@@ -1,0 +1,239 @@
+#include "engine/planning/search/bounds/foresight.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "engine/graph/label_setting_search.hpp"
+
+namespace floeplan::planning::search {
+namespace {
+
+constexpr double slowest_share = 0.6;  // of the speed through water: slower drives are not told apart
+constexpr double least_share =
+    0.1;  // likewise of drives that are estimated: the longest edge on a closed course
+constexpr double most_share = 0.95;  // likewise of a current that leaves room on every course
+/// Times that are integrated may be short of the true ones by their tolerance; what an edge is short of shifts the
+/// departures of those before it by no more than a few times as much.
+constexpr double tolerances = 5.0;
+/// By so much closures are taken to be shorter than they are: more than integrated times are in error by.
+constexpr core::Seconds border{5.0};
+
+std::vector<geo::PlanePoint> edges_of(const OpenGrid& open) {
+  std::vector<geo::PlanePoint> edges;
+  for (const graph::Offset offset : open.graph.offsets()) {
+    edges.push_back({offset.dx * open.grid.along.x_m + offset.dy * open.grid.across.x_m,
+                     offset.dx * open.grid.along.y_m + offset.dy * open.grid.across.y_m});
+  }
+  return edges;
+}
+
+/// A travel time for a search: asks for all edges of a vertex when it is asked for the first.
+template <class TimeFan>
+class FanTravelTime {
+ public:
+  explicit FanTravelTime(const TimeFan& time_fan) : time_fan_{time_fan} {}
+
+  std::optional<core::Seconds> operator()(const graph::Edge& edge, core::Seconds depart,
+                                          core::Seconds latest) const {
+    const bool is_new = edge.tail != tail_;
+    tail_ = edge.tail;
+    return time_fan_(edge, depart, latest, is_new);
+  }
+
+ private:
+  const TimeFan& time_fan_;
+  mutable graph::Vertex tail_{Foresight::no_vertex};
+};
+
+/// On the film run backwards, whose clock shows -t: nobody is at a vertex before the earliest arrival there.
+struct NotBefore {
+  const StraightBound& straight;
+  const graph::SearchTree& earliest;
+
+  [[nodiscard]] core::Seconds least_time(const graph::Edge& edge, core::Seconds) const {
+    return straight.least_time(edge);
+  }
+  [[nodiscard]] static core::Seconds remaining(graph::Vertex) { return core::Seconds{0.0}; }
+  [[nodiscard]] core::Seconds latest_use(graph::Vertex v) const {
+    return core::Seconds{rounding_of_times_s - earliest.arrival_s(v)};
+  }
+};
+
+}  // namespace
+
+Foresight::Foresight(const cost::Sea& sea, const OpenGrid& open, core::Seconds ahead)
+    : sea_{sea},
+      open_{open},
+      ahead_{ahead},
+      straight_{sea, open.grid, open.graph, open.grid.goal},
+      fan_{edges_of(open)},
+      through_water_{std::max(sea.speed(sea.drives().front()), sea.speed(sea.drives().back()))} {
+  longest_edge_ = core::Metres{static_cast<double>(std::ranges::max(fan_.length_m))};
+  longest_drive_ = longest_edge_ / (slowest_share * through_water_);
+  if (sea.currents()) nearby_.emplace(*sea.currents(), longest_edge_, longest_drive_);
+}
+
+std::optional<motion::NearbyCurrent> Foresight::water_at(graph::Vertex v, core::Seconds time,
+                                                         currents::NearbyCurrents::Film film) {
+  if (nearby_) return nearby_->on_film(open_.grid.point(v), time, film);
+  motion::NearbyCurrent still;
+  still.known_s = std::numeric_limits<float>::infinity();
+  return still;
+}
+
+bool Foresight::look(graph::Vertex v, core::Seconds time, currents::NearbyCurrents::Film film,
+                     Fidelity fidelity) {
+  tail_ = no_vertex;
+  const auto near = water_at(v, time, film);
+  if (!near) return false;
+  const motion::FanVehicle vehicle{
+      .through_water_m_s = static_cast<float>(through_water_.value),
+      .ground_per_plane = static_cast<float>(sea_.least_ground_per_plane(open_.grid.point(v), longest_edge_)),
+      .longest_s = static_cast<float>(longest_drive_.count()),
+      .never_stopped = !sea_.currents() || sea_.currents()->strongest() < most_share * through_water_};
+  if (fidelity == Fidelity::estimate) {
+    motion::estimate_fan(fan_, *near, vehicle, times_);
+  } else {
+    motion::bound_fan(fan_, *near, vehicle, times_);
+  }
+  return true;
+}
+
+const motion::FanTimes* Foresight::estimates(graph::Vertex v, core::Seconds depart, vehicle::Drive drive) {
+  tail_ = no_vertex;
+  const auto near = water_at(v, depart, currents::NearbyCurrents::Film::forwards);
+  if (!near) return nullptr;
+  const core::MetresPerSecond speed = sea_.speed(drive);
+  const motion::FanVehicle vehicle{
+      .through_water_m_s = static_cast<float>(speed.value),
+      .ground_per_plane = static_cast<float>(sea_.least_ground_per_plane(open_.grid.point(v), longest_edge_)),
+      .longest_s = static_cast<float>((longest_edge_ / (least_share * speed)).count())};
+  motion::estimate_fan(fan_, *near, vehicle, times_);
+  return &times_;
+}
+
+std::vector<graph::Edge> Foresight::likely_way(core::Seconds depart, const std::stop_token& stop,
+                                               const Minding& minding) {
+  const cost::RouteGrid& grid = open_.grid;
+  const auto is_barred = [&](const graph::Edge& edge) {
+    return std::ranges::any_of(minding.barred, [&](const graph::Edge& barred) {
+      return barred.tail == edge.tail && barred.step == edge.step;
+    });
+  };
+  const auto is_closed = [&](const graph::Edge& edge, core::Seconds now, core::Seconds time) {
+    const geo::PlanePoint tail = grid.point(edge.tail);
+    const geo::PlanePoint head = grid.point(edge.head);
+    return is_barred(edge) || sea_.closed_between(tail, head) ||
+           (minding.timed_closures && !sea_.first_clear_departure(tail, head, time, now, now));
+  };
+  bool is_known = false;
+  const auto time_fan = [&](const graph::Edge& edge, core::Seconds now, core::Seconds latest,
+                            bool is_new) -> std::optional<core::Seconds> {
+    if (is_new) is_known = look(edge.tail, now, currents::NearbyCurrents::Film::forwards, Fidelity::estimate);
+    if (!is_known) return std::nullopt;
+    const core::Seconds time{static_cast<double>(times_.time_s[edge.step])};
+    if (now + time >= latest || is_closed(edge, now, time)) return std::nullopt;
+    return time;
+  };
+  const StraightBound straight{sea_, grid, open_.graph, grid.goal};
+  const graph::SearchTree tree = graph::find_earliest_arrivals(
+      open_.graph, graph::Query{grid.start, grid.goal, depart}, FanTravelTime{time_fan}, stop, straight);
+  std::vector<graph::Edge> way;
+  const std::vector<graph::Vertex> path = graph::path_to(open_.graph, tree, grid.goal);
+  for (std::size_t i = 1; i < path.size(); ++i) way.push_back({path[i - 1], path[i], tree.step(path[i])});
+  return way;
+}
+
+core::Seconds Foresight::proven(const graph::Edge& edge, bool is_known) const {
+  const core::Seconds least = straight_.least_time(edge);
+  if (!is_known) return least;
+  const double share = 1.0 - tolerances * sea_.edge_tolerance();
+  return std::max(least, core::Seconds{share * static_cast<double>(times_.time_s[edge.step])});
+}
+
+core::Seconds Foresight::least_time(const graph::Edge& edge, core::Seconds depart) {
+  if (edge.tail != tail_) {
+    tail_is_known_ = look(edge.tail, depart, currents::NearbyCurrents::Film::forwards, Fidelity::bound);
+    tail_ = edge.tail;
+  }
+  return proven(edge, tail_is_known_);
+}
+
+const graph::SearchTree& Foresight::until_when_of_use(core::Seconds depart, core::Seconds arrive,
+                                                      const std::stop_token& stop) {
+  if (!found_ || depart < found_->depart || arrive > found_->arrive) {
+    found_.emplace(Found{depart, arrive + ahead_, sweep_back(depart, arrive + ahead_, stop)});
+  }
+  return found_->until_when;
+}
+
+graph::SearchTree Foresight::sweep_forth(core::Seconds depart, core::Seconds arrive,
+                                         const std::stop_token& stop, VertexClosures& closures) {
+  const cost::RouteGrid& grid = open_.grid;
+  const StraightBound to_goal{sea_, grid, open_.graph, grid.goal};
+  const auto when_open = [&](graph::Vertex v, core::Seconds time) {
+    for (const TimeSpan& closed : closures.at(v)) {
+      if (closed.from + border < time && time < closed.until - border) return closed.until - border;
+    }
+    return time;
+  };
+  bool is_known = false;
+  const auto time_fan = [&](const graph::Edge& edge, core::Seconds now, core::Seconds latest,
+                            bool is_new) -> std::optional<core::Seconds> {
+    if (is_new) is_known = look(edge.tail, now, currents::NearbyCurrents::Film::forwards, Fidelity::bound);
+    const core::Seconds there = now + proven(edge, is_known);
+    if (there >= latest) return std::nullopt;
+    const core::Seconds open = when_open(edge.head, there);
+    if (open >= latest || sea_.closed_between(grid.point(edge.tail), grid.point(edge.head)))
+      return std::nullopt;
+    return open - now;
+  };
+  const graph::Query query{.source = grid.start, .goal = {}, .depart = depart, .latest = arrive};
+  return graph::find_earliest_arrivals(open_.graph, query, FanTravelTime{time_fan}, stop, to_goal);
+}
+
+graph::SearchTree Foresight::sweep_back(core::Seconds depart, core::Seconds arrive,
+                                        const std::stop_token& stop) {
+  const StraightBound to_start{sea_, open_.grid, open_.graph, open_.grid.start};
+  return sweep_back(depart, arrive, stop, nullptr, to_start);
+}
+
+graph::SearchTree Foresight::sweep_back(core::Seconds depart, core::Seconds arrive,
+                                        const std::stop_token& stop, VertexClosures& closures,
+                                        const graph::SearchTree& earliest) {
+  return sweep_back(depart, arrive, stop, &closures, NotBefore{straight_, earliest});
+}
+
+template <class Bound>
+graph::SearchTree Foresight::sweep_back(core::Seconds depart, core::Seconds arrive,
+                                        const std::stop_token& stop, VertexClosures* closures,
+                                        const Bound& bound) {
+  const cost::RouteGrid& grid = open_.grid;
+  // On the film a closed vertex is come to when its closure begins.
+  const auto when_open = [&](graph::Vertex v, core::Seconds film_time) {
+    if (closures == nullptr) return film_time;
+    for (const TimeSpan& closed : closures->at(v)) {
+      const bool is_closed = closed.from + border < -film_time && -film_time < closed.until - border;
+      if (is_closed) return -(closed.from + border);
+    }
+    return film_time;
+  };
+  bool is_known = false;
+  const auto time_fan = [&](const graph::Edge& edge, core::Seconds film_time, core::Seconds latest,
+                            bool is_new) -> std::optional<core::Seconds> {
+    if (is_new)
+      is_known = look(edge.tail, -film_time, currents::NearbyCurrents::Film::backwards, Fidelity::bound);
+    core::Seconds time = proven(edge, is_known);
+    if (film_time + time >= latest) return std::nullopt;
+    time = when_open(edge.head, film_time + time) - film_time;
+    if (film_time + time >= latest) return std::nullopt;
+    if (sea_.closed_between(grid.point(edge.head), grid.point(edge.tail))) return std::nullopt;
+    return time;
+  };
+  const graph::Query query{
+      .source = grid.goal, .goal = {}, .depart = when_open(grid.goal, -arrive), .latest = -depart};
+  return graph::find_earliest_arrivals(open_.graph, query, FanTravelTime{time_fan}, stop, bound);
+}
+
+}  // namespace floeplan::planning::search

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstddef>
+#include <stop_token>
+#include <vector>
+
+#include "engine/planning/cost/sea.hpp"
+#include "engine/planning/problem/objective.hpp"
+#include "engine/planning/search/bounds/arrival_ladder.hpp"
+#include "engine/planning/search/bounds/foresight.hpp"
+#include "engine/planning/search/grid/open_grid.hpp"
+
+namespace floeplan::planning::search {
+
+/// About what the rest of a voyage costs by an objective of time and energy, from each vertex of a grid at any time:
+/// what a search for the least cost steers by. Worked out backwards from the goal, slice of time by slice of time, from
+/// quick estimates of all edges. Leaves out closures between vertices and what encounters cost.
+/// Accuracy  mostly within some hundredths of what the grid's edges cost, either way: no bound
+/// Source    Bellman 1957, Dynamic Programming: value iteration, on a grid of places and times, linear between the
+///           times
+/// Threads   const members may be called from several threads at once
+class CostOutlook {
+ public:
+  /// For voyages between `depart` and `last`. `foresight` and `closures` are of the same grid, the first useful. `use`:
+  /// until when the vertices are of use at most. None of them is needed afterwards. Once `stop` is requested
+  /// the outlook must not be used.
+  CostOutlook(const cost::Sea& sea, const OpenGrid& open, const Objective& objective, Foresight& foresight,
+              VertexClosures& closures, const ArrivalLadder& use, core::Seconds depart, core::Seconds last,
+              const std::stop_token& stop);
+
+  /// Infinite where no way was seen.
+  [[nodiscard]] double rest(graph::Vertex v, double t_s) const { return between(slices_.at(t_s), v); }
+
+ private:
+  /// A time between two slices.
+  struct Moment {
+    std::size_t before;
+    float share;  // of the step to the next slice
+  };
+  /// Times at equal steps.
+  struct Slices {
+    double first_s;
+    double step_s;
+    std::size_t count;  // at least two
+
+    [[nodiscard]] core::Seconds time(std::size_t slice) const {
+      return core::Seconds{first_s + static_cast<double>(slice) * step_s};
+    }
+    [[nodiscard]] Moment at(double t_s) const;
+  };
+  static Slices lay_slices(core::Seconds depart, core::Seconds last, std::size_t vertices);
+  [[nodiscard]] float between(Moment moment, graph::Vertex v) const;
+
+  std::size_t vertices_;
+  Slices slices_;
+  std::vector<float> rest_;  // [slice][vertex]
+};
+
+}  // namespace floeplan::planning::search

@@ -1,0 +1,275 @@
+#include "engine/planning/search/energy/cost_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+
+#include "engine/graph/label_search.hpp"
+#include "engine/planning/search/energy/cost_voyage.hpp"
+#include "engine/planning/search/explanation.hpp"
+#include "engine/planning/search/route_search.hpp"
+#include "engine/planning/search/voyage_search.hpp"
+#include "engine/planning/search/waiting/openings.hpp"
+#include "engine/planning/search/waiting/time_killing.hpp"
+
+namespace floeplan::planning::search {
+namespace {
+
+constexpr std::size_t most_labels = 200'000;  // some seconds, and about 20 MB with their lists and the queue
+/// On larger grids a search for the least cost is steered: one that is not would mostly meet its bound on labels.
+constexpr std::int64_t few_vertices = 2'500;
+/// A steered search that has looked so often at each place on the average looks in vain, mostly where things open and
+/// close.
+constexpr std::int64_t labels_a_vertex = 4;
+constexpr std::int64_t fewest_labels = 50'000;
+/// On still larger ones an outlook takes too long between looks at a stop, and keeps too few times in its memory.
+constexpr std::int64_t many_vertices = 500'000;
+/// Of the cost of the fastest way: what a steered search may leave, far less than its outlook is off.
+constexpr double near_enough = 2e-4;
+/// An outlook serves voyages that end so much after its last slice, from which on its water stays as it is.
+constexpr core::Seconds beyond_outlook{3600.0};
+
+using Way = std::vector<graph::Label<CostVoyage::State>>;
+
+std::vector<geo::PlanePoint> points_of(const cost::RouteGrid& grid, const Way& way) {
+  std::vector<geo::PlanePoint> points;
+  for (const auto& label : way) points.push_back(grid.point(label.vertex));
+  return points;
+}
+
+/// Adds the way over one grid; answers whether it keeps to the grid's rim.
+bool append(cost::DrivenRoute& route, const cost::Sea& sea, const cost::RouteGrid& grid, const Way& way) {
+  const std::vector<geo::PlanePoint> points = points_of(grid, way);
+  for (std::size_t i = 1; i < way.size(); ++i) {
+    route.points.push_back(points[i]);
+    route.fixed.push_back(i + 1 == way.size());
+    route.drives.push_back(sea.drives()[way[i].choice]);
+  }
+  return touches_rim(points, grid);
+}
+
+/// When a search begins, and how long ago the vehicle might have surfaced then.
+struct Beginning {
+  core::Seconds depart;
+  core::Seconds since_surfacing{};
+};
+
+/// The way of the earliest arrival, all on the first drive.
+Result<CostWay> earliest_way(const cost::Sea& sea, const std::vector<OpenGrid>& grids,
+                             const PlanRequest& request, core::Seconds depart, const std::stop_token& stop,
+                             const std::function<void(double)>& report_fraction,
+                             const RouteSearch* first = nullptr) {
+  auto found = search_voyage(sea, grids, request, depart, stop, report_fraction, {.first = first});
+  if (!found) return tl::unexpected(std::move(found.error()));
+  const std::size_t legs = found->route.points.size() - 1;
+  return CostWay{.route = {.points = std::move(found->route.points),
+                           .fixed = std::move(found->route.fixed),
+                           .drives = std::vector<vehicle::Drive>(legs, sea.drives().front())},
+                 .statistics = found->statistics,
+                 .touches_rim = found->touches_rim};
+}
+
+std::size_t labels_of_steered(const OpenGrid& open) {
+  const auto most = static_cast<std::int64_t>(most_labels);
+  return static_cast<std::size_t>(std::clamp(labels_a_vertex * open.vertices, fewest_labels, most));
+}
+
+/// What the way costs at once and without waits; infinite where it is closed then, or leaves less of the bound on the
+/// time without surfacing than what comes after needs.
+double cost_along(const cost::Sea& sea, const OpenGrid& open, const std::vector<geo::PlanePoint>& path,
+                  const Objective& objective, const Beginning& beginning, vehicle::Drive drive) {
+  if (path.empty()) return INFINITY;
+  const cost::DrivenRoute route{.points = path, .fixed = {}, .drives = std::vector(path.size() - 1, drive)};
+  const auto times =
+      cost::drive_along(sea, route, beginning.depart, beginning.since_surfacing, cost::Dives::over_map);
+  if (!times) return INFINITY;
+  if (sea.bounds_surfacing() &&
+      times->since_surfacing + open.needed_after_goal() > *sea.longest_without_surfacing())
+    return INFINITY;
+  return times->cost(objective);
+}
+
+/// The same on the drive that makes it the cheapest.
+double least_cost_along(const cost::Sea& sea, const OpenGrid& open, const std::vector<geo::PlanePoint>& path,
+                        const Objective& objective, const Beginning& beginning) {
+  double least = INFINITY;
+  for (const vehicle::Drive drive : sea.drives())
+    least = std::min(least, cost_along(sea, open, path, objective, beginning, drive));
+  return least;
+}
+
+/// Whether the goal is closed from before anybody can be there until then.
+bool is_closed_until(const cost::Sea& sea, const OpenGrid& open, core::Seconds depart, core::Seconds opens) {
+  const geo::PlanePoint goal = open.grid.point(open.grid.goal);
+  const core::Seconds earliest = depart + sea.least_time(open.grid.point(open.grid.start), goal);
+  return std::ranges::any_of(sea.closed_times(goal), [&](const TimeSpan& closed) {
+    return closed.until == opens && closed.from <= earliest;
+  });
+}
+
+/// Whether no way need be looked for, on whatever drive, where the search for the fastest one found none: nobody
+/// is at the goal before the data end, or it opens too late for the fastest way, which all are measured by, and
+/// nobody is there before it closes.
+bool leaves_no_hope(const RouteSearch& fastest, const cost::Sea& sea, const OpenGrid& open,
+                    core::Seconds depart, CostGuide& guide, const std::stop_token& stop) {
+  if (!fastest.path.empty()) return false;
+  const auto& later = fastest.opens_later;
+  const bool opens_too_late = later && later->end_opens;
+  if (opens_too_late && is_closed_until(sea, open, depart, *later->end_opens)) return true;
+  const auto end = sea.currents() ? sea.currents()->end() : std::nullopt;
+  if (!end) return false;
+  constexpr std::size_t one_rung = 1;
+  return !ArrivalLadder{guide.foresight(), guide.closures(), open, depart, *end, stop, one_rung}.has_hope();
+}
+
+/// What the fastest way over a grid tells a search for the cheapest: no more than its cost need be spent, and no more
+/// time than so much can buy.
+class KnownLimit {
+ public:
+  KnownLimit(const cost::Sea& sea, const OpenGrid& open, const PlanRequest& request,
+             const Beginning& beginning, CostGuide& guide, const std::stop_token& stop) {
+    constexpr double rounding = 1e-9;  // of sums of costs
+    if (!guide.foresight().is_useful()) return;
+    PlanRequest by_time = request;
+    by_time.method = Method::astar;
+    const core::Seconds depart = beginning.depart;
+    fastest_ = search_route(
+        sea, open, by_time, depart, stop, [](double) {}, core::Seconds{INFINITY}, beginning.since_surfacing,
+        &guide.foresight());
+    if (stop.stop_requested()) return;
+    is_hopeless_ = leaves_no_hope(*fastest_, sea, open, depart, guide, stop);
+    if (is_hopeless_ || stop.stop_requested()) return;
+    double cost = least_cost_along(sea, open, fastest_->path, request.objective(), beginning);
+    if (fastest_->path.empty() && sea.drives().size() > 1) {
+      // A bound on the time without surfacing, or the current, may leave a way to the faster drive alone.
+      const RouteSearch faster = search_route(
+          sea.driven_by(sea.drives().back()), open, by_time, depart, stop, [](double) {},
+          core::Seconds{INFINITY}, beginning.since_surfacing, &guide.foresight());
+      cost = least_cost_along(sea, open, faster.path, request.objective(), beginning);
+    }
+    if (!std::isfinite(cost) || stop.stop_requested()) return;
+    last_ = depart + core::Seconds{cost / CostVoyage::least_rate(sea, request.objective())};
+    const auto end = sea.currents() ? sea.currents()->end() : std::nullopt;
+    last_ = std::min(last_, end.value_or(last_));
+    const std::size_t rungs = is_steered(open) ? 1 : ArrivalLadder::most_rungs;
+    ladder_.emplace(guide.foresight(), guide.closures(), open, depart, last_, stop, rungs);
+    if (ladder_->has_hope()) limit_ = CostVoyage::Limit{(1.0 + rounding) * cost, &*ladder_};
+  }
+  KnownLimit(const KnownLimit&) = delete;
+  KnownLimit& operator=(const KnownLimit&) = delete;
+
+  /// The search for the fastest way by A*; empty where nothing is known beforehand.
+  [[nodiscard]] const std::optional<RouteSearch>& fastest() const { return fastest_; }
+  /// Whether no way need be looked for, on whatever drive.
+  [[nodiscard]] bool is_hopeless() const { return is_hopeless_; }
+  [[nodiscard]] const std::optional<CostVoyage::Limit>& limit() const { return limit_; }
+  /// Null without a limit.
+  [[nodiscard]] const ArrivalLadder* ladder() const { return limit_ ? &*ladder_ : nullptr; }
+  /// When a voyage of that cost ends at the latest.
+  [[nodiscard]] core::Seconds last() const { return last_; }
+  [[nodiscard]] static bool is_steered(const OpenGrid& open) {
+    return open.vertices > few_vertices && open.vertices <= many_vertices;
+  }
+
+ private:
+  std::optional<ArrivalLadder> ladder_;
+  std::optional<CostVoyage::Limit> limit_;
+  core::Seconds last_{};
+  std::optional<RouteSearch> fastest_;
+  bool is_hopeless_{false};
+};
+
+}  // namespace
+
+const CostOutlook& CostGuide::outlook(const Objective& objective, core::Seconds depart, core::Seconds last,
+                                      const std::stop_token& stop) {
+  if (!outlook_ || depart < from_ || last > until_ + beyond_outlook) {
+    from_ = depart;
+    until_ = last + ahead_;
+    const ArrivalLadder use{foresight_, closures_, open_, from_, until_, stop, 1};
+    outlook_.emplace(sea_, open_, objective, foresight_, closures_, use, from_, until_, stop);
+  }
+  return *outlook_;
+}
+
+Result<CostWay> search_least_cost(const cost::Sea& sea, const std::vector<OpenGrid>& grids,
+                                  const PlanRequest& request, core::Seconds depart,
+                                  const std::stop_token& stop,
+                                  const std::function<void(double)>& report_fraction,
+                                  std::vector<CostGuide>* guides) {
+  // One drive at one power: energy is power times time, and the earliest arrival costs least.
+  const bool is_by_time = request.objective().of_encounters == 0.0 && sea.energy_is_even();
+  if (sea.drives().size() == 1 && is_by_time) {
+    return earliest_way(sea, grids, request, depart, stop, report_fraction);
+  }
+  CostWay found;
+  found.route.points.push_back(grids.front().grid.point(grids.front().grid.start));
+  found.route.fixed.push_back(true);
+  Beginning beginning{depart};
+  std::optional<RouteSearch> first;  // on the first grid, as the earliest way has it
+  const auto earliest_of_all = [&] {
+    return earliest_way(sea, grids, request, depart, stop, report_fraction, first ? &*first : nullptr);
+  };
+  // A bound on the time without surfacing, or the current, may leave a way to it alone.
+  const auto earliest_on_faster_drive = [&](Result<CostWay> failed) {
+    if (sea.drives().size() == 1 || stop.stop_requested()) return failed;
+    auto earliest =
+        earliest_way(sea.driven_by(sea.drives().back()), grids, request, depart, stop, report_fraction);
+    return earliest ? std::move(earliest) : std::move(failed);
+  };
+  for (std::size_t i = 0; i < grids.size(); ++i) {
+    const OpenGrid& open = grids[i];
+    std::optional<CostGuide> own_guide;
+    CostGuide& guide = guides != nullptr ? (*guides)[i] : own_guide.emplace(sea, open);
+    KnownLimit known{sea, open, request, beginning, guide, stop};
+    if (i == 0 && request.method == Method::astar) first = known.fastest();
+    if (stop.stop_requested()) return tl::unexpected(explain_cancelled(request));
+    if (known.is_hopeless()) return earliest_of_all();
+    std::optional<Openings> openings;
+    if (sea.has_timed_closures())
+      openings.emplace(sea, open, core::Seconds{INFINITY}, stop, &guide.closures(), known.ladder());
+    const CostOutlook* outlook =
+        known.limit() && KnownLimit::is_steered(open)
+            ? &guide.outlook(request.objective(), beginning.depart, known.last(), stop)
+            : nullptr;
+    if (stop.stop_requested()) return tl::unexpected(explain_cancelled(request));
+    CostVoyage voyage{sea,           open,   request.objective(), openings ? &*openings : nullptr,
+                      known.limit(), outlook};
+    const double slack = outlook != nullptr ? near_enough * known.limit()->most_cost : 0.0;
+    const std::size_t labels = outlook != nullptr ? labels_of_steered(open) : most_labels;
+    const auto report = [&](std::int64_t expansions) {
+      const double share = static_cast<double>(expansions) / static_cast<double>(labels);
+      report_fraction((static_cast<double>(i) + std::min(share, 1.0)) / static_cast<double>(grids.size()));
+    };
+    const double now_s = beginning.depart.count();
+    const CostVoyage::State state{.surfaced_s = now_s - beginning.since_surfacing.count()};
+    const auto search = graph::find_best_labels(open.graph, open.grid.start, open.grid.goal, now_s, state,
+                                                voyage, labels, stop, report, slack);
+    if (search.stopped) return tl::unexpected(explain_cancelled(request));
+    found.statistics.cut_short = found.statistics.cut_short || search.full;
+    found.statistics.vertices += open.vertices;
+    found.statistics.edges += open.edges;
+    found.statistics.edge_evaluations += search.counters.edge_evaluations;
+    found.statistics.expansions += search.counters.expansions;
+    const auto way = search.goal ? graph::way_to(search, *search.goal) : Way{};
+    if (way.empty() ||
+        circles_too_long(sea, open, points_of(open.grid, way), beginning.depart, std::nullopt, stop)) {
+      auto earliest = earliest_of_all();
+      if (!earliest) earliest = earliest_on_faster_drive(std::move(earliest));
+      if (!earliest) {
+        earliest.error().search_cut_short |= search.full;
+        return earliest;
+      }
+      earliest->statistics.cut_short |= search.full;
+      earliest->route = cost::choose_drives(sea, earliest->route, request.objective(), depart, stop);
+      return earliest;
+    }
+    beginning.depart = core::Seconds{way.back().arrival_s};
+    beginning.since_surfacing = beginning.depart - core::Seconds{way.back().state.surfaced_s};
+    if (append(found.route, sea, open.grid, way)) found.touches_rim = true;
+  }
+  return found;
+}
+
+}  // namespace floeplan::planning::search

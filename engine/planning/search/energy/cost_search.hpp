@@ -1,0 +1,66 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <stop_token>
+#include <vector>
+
+#include "engine/planning/cost/driven_route.hpp"
+#include "engine/planning/cost/sea.hpp"
+#include "engine/planning/problem/infeasible.hpp"
+#include "engine/planning/problem/plan.hpp"
+#include "engine/planning/problem/plan_request.hpp"
+#include "engine/planning/search/energy/cost_outlook.hpp"
+#include "engine/planning/search/grid/open_grid.hpp"
+
+namespace floeplan::planning::search {
+
+/// The way of least cost by the request's objective, from stop to stop as the grids give it.
+struct CostWay {
+  cost::DrivenRoute route;
+  SearchStatistics statistics;
+  bool touches_rim{false};  // it keeps to the rim of a grid, beyond which a better way may lie
+};
+
+/// What searches for the least cost over one grid know of it, kept from one departure to the next.
+/// Threads  one at a time
+class CostGuide {
+ public:
+  /// `sea` and `open` are borrowed and outlive this. `ahead`: how much later than the first the last departure is.
+  CostGuide(const cost::Sea& sea, const OpenGrid& open, core::Seconds ahead = core::Seconds{0.0})
+      : sea_{sea}, open_{open}, ahead_{ahead}, closures_{sea, open.grid}, foresight_{sea, open} {}
+
+  [[nodiscard]] Foresight& foresight() { return foresight_; }
+  [[nodiscard]] VertexClosures& closures() { return closures_; }
+  /// For voyages from `depart` to `last`; made when it is first asked for, and again for voyages that it does not
+  /// cover.
+  /// Precondition: the foresight is useful. Once `stop` is requested the guide must not be used.
+  [[nodiscard]] const CostOutlook& outlook(const Objective& objective, core::Seconds depart,
+                                           core::Seconds last, const std::stop_token& stop);
+
+ private:
+  const cost::Sea& sea_;
+  const OpenGrid& open_;
+  core::Seconds ahead_;
+  VertexClosures closures_;
+  Foresight foresight_;
+  std::optional<CostOutlook> outlook_;
+  core::Seconds from_{};  // of the outlook
+  core::Seconds until_{};
+};
+
+/// Searches grid after grid for the least cost to the next stop, each from the arrival at the last: between two
+/// stops the best, over several stops as good as it gets without looking ahead. Where a search comes to no way, it is
+/// that of the earliest arrival, each leg on its best drive.
+/// Accuracy as CostVoyage on grids of few vertices; on others the search is steered by an outlook, and mostly within a
+///          hundredth of that
+/// `guides` of these grids, one each; null: made and not kept.
+/// Errors   where and why there is no way
+/// Stops    with Reason::cancelled once `stop` is requested
+[[nodiscard]] Result<CostWay> search_least_cost(const cost::Sea& sea, const std::vector<OpenGrid>& grids,
+                                                const PlanRequest& request, core::Seconds depart,
+                                                const std::stop_token& stop,
+                                                const std::function<void(double)>& report_fraction,
+                                                std::vector<CostGuide>* guides = nullptr);
+
+}  // namespace floeplan::planning::search

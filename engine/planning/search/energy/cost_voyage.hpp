@@ -1,0 +1,119 @@
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <optional>
+
+#include "engine/graph/label_search.hpp"
+#include "engine/planning/cost/sea.hpp"
+#include "engine/planning/problem/objective.hpp"
+#include "engine/planning/search/bounds/arrival_ladder.hpp"
+#include "engine/planning/search/energy/cost_outlook.hpp"
+#include "engine/planning/search/grid/open_grid.hpp"
+#include "engine/planning/search/waiting/openings.hpp"
+
+namespace floeplan::planning::search {
+
+/// A voyage on which energy counts: the model of `graph::find_best_labels`. Each edge is travelled on every
+/// drive that the request allows; the choice of a label is the drive's index in the sea's list.
+/// Accuracy  in steady waters exact on the grid; where the time without a possible surfacing is bounded, to ten minutes
+///           of that time. In waters that change, an arrival gives way to another that
+///           costs no more and is not in a later span of ten minutes: the cheapest way may be missed where
+///           leaving a place later makes the rest of the way cheaper by more than was lost until then. Where
+///           something near is closed for a while, only within the same span. Where the time without a possible
+///           surfacing is bounded, only to one whose last one lies in the same part of that bound or a later one
+/// Threads   const members may be called from several threads at once
+class CostVoyage {
+ public:
+  struct State {
+    double cost{};        // by the objective, since the departure
+    double surfaced_s{};  // when the vehicle might have surfaced last, where that is bounded
+  };
+
+  /// What is known beforehand of the voyage; changes no result.
+  struct Limit {
+    double most_cost{};       // that of a way known to be possible
+    ArrivalLadder* ladder{};  // as far as that cost may last; borrowed
+  };
+
+  /// `sea` and the grid are borrowed and outlive the voyage.
+  /// `openings`: where and when it matters that something opens again, borrowed likewise; null: everywhere.
+  /// `outlook`: steers the search, borrowed likewise. The way is found soon then, and costs more than the least by no
+  /// more than the outlook is off.
+  CostVoyage(const cost::Sea& sea, const OpenGrid& open, const Objective& objective,
+             const Openings* openings = nullptr, const std::optional<Limit>& limit = std::nullopt,
+             const CostOutlook* outlook = nullptr);
+
+  /// No second of any voyage costs less.
+  [[nodiscard]] static double least_rate(const cost::Sea& sea, const Objective& objective);
+
+  void extend(const graph::Edge& edge, double arrival_s, const State& state, auto&& emit) const {
+    const geo::PlanePoint tail = grid_.point(edge.tail);
+    const geo::PlanePoint head = grid_.point(edge.head);
+    double latest_s = INFINITY;
+    if (limit_) {
+      const double least_s = limit_->ladder->least_time_s(edge, arrival_s);
+      if (!is_worthwhile(edge.head, arrival_s + least_s, state.cost + least_rate_ * least_s)) return;
+      latest_s = limit_->ladder->latest_use_s(edge.head);
+    }
+    for (std::uint32_t choice = 0; choice < sea_.drives().size(); ++choice) {
+      const vehicle::Drive drive = sea_.drives()[choice];
+      const auto travelled = travel(tail, head, arrival_s, state.surfaced_s, latest_s, drive);
+      if (!travelled || !can_surface_in_time(edge.head, travelled->leg.since_surfacing)) continue;
+      const cost::Sea::Leg& leg = travelled->leg;
+      const double encounters = sea_.encounters(tail, head, core::Seconds{arrival_s}, leg.time);
+      const double cost = state.cost + objective_.cost(leg.time, travelled->energy.total(), encounters);
+      const double head_s = arrival_s + leg.time.count();
+      if (limit_ && !is_worthwhile(edge.head, head_s, cost)) continue;
+      emit(head_s, State{.cost = cost, .surfaced_s = head_s - leg.since_surfacing.count()}, choice);
+    }
+  }
+
+  void wait(graph::Vertex, double, const State&, auto&&) const {}
+
+  [[nodiscard]] double key(graph::Vertex v, double arrival_s, const State& state) const;
+
+  [[nodiscard]] bool dominates(graph::Vertex v, const graph::Label<State>& a,
+                               const graph::Label<State>& b) const {
+    if (a.state.cost > b.state.cost) return false;
+    const bool may_open = closures_ && (openings_ == nullptr || openings_->matter(v, b.arrival_s));
+    if (may_open) return surfaced_as_late(a, b) && span(a.arrival_s) == span(b.arrival_s);
+    // In steady waters the hour matters for nothing but how long ago the vehicle might have surfaced.
+    if (steady_)
+      return !longest_without_surfacing_ || span(since_surfacing_s(a)) <= span(since_surfacing_s(b));
+    return surfaced_as_late(a, b) && span(a.arrival_s) <= span(b.arrival_s);
+  }
+
+ private:
+  /// The least that the rest of the way costs.
+  [[nodiscard]] double rest(graph::Vertex v, double arrival_s) const;
+  [[nodiscard]] bool is_worthwhile(graph::Vertex v, double arrival_s, double cost) const {
+    return cost + rest(v, arrival_s) <= limit_->most_cost;
+  }
+  static double span(double time_s) { return std::floor(time_s / 600.0); }
+  static double since_surfacing_s(const graph::Label<State>& label) {
+    return label.arrival_s - label.state.surfaced_s;
+  }
+
+  [[nodiscard]] tl::expected<cost::Sea::MeteredLeg, motion::EdgeClosed> travel(
+      geo::PlanePoint tail, geo::PlanePoint head, double arrival_s, double surfaced_s, double latest_s,
+      vehicle::Drive drive) const;
+  /// Or be at the last stop.
+  [[nodiscard]] bool can_surface_in_time(graph::Vertex v, core::Seconds since_surfacing) const;
+  [[nodiscard]] bool surfaced_as_late(const graph::Label<State>& a, const graph::Label<State>& b) const;
+
+  const cost::Sea& sea_;
+  const cost::RouteGrid& grid_;
+  core::Seconds least_after_goal_;
+  Objective objective_;
+  const Openings* openings_;
+  std::optional<Limit> limit_;
+  const CostOutlook* outlook_;
+  double least_rate_;
+  geo::PlanePoint goal_;
+  std::optional<core::Seconds> longest_without_surfacing_;  // where it matters
+  bool steady_;                                             // nothing in these waters changes with time
+  bool closures_;  // something opens again, so that arriving later can be the only way through
+};
+
+}  // namespace floeplan::planning::search

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <stop_token>
+#include <vector>
+
+#include "engine/planning/cost/layout.hpp"
+#include "engine/planning/cost/sea.hpp"
+#include "engine/planning/problem/infeasible.hpp"
+#include "engine/planning/problem/plan_request.hpp"
+#include "engine/planning/problem/surfacing_plan.hpp"
+
+namespace floeplan::planning::search {
+
+/// The fastest way from each point of a route to a place where the vehicle may surface when it gets there, by a
+/// search of its own on the grid's steps around the point, at most 200 of them in every direction; going on along the
+/// route where that is no slower. Where the time without surfacing is bounded, the way keeps what is left of it.
+/// Drives   along the route those of its legs, elsewhere the sea's first
+/// Precondition  `arrivals`, `drives` and `waypoints` are those of the route
+/// Errors   Reason::no_escape at the first point without such a way; Reason::cancelled once `stop` is requested
+[[nodiscard]] Result<std::vector<EscapeWay>> plan_escapes(const cost::Sea& sea, const cost::Layout& layout,
+                                                          const PlanRequest& request,
+                                                          const std::vector<geo::PlanePoint>& route,
+                                                          const std::vector<core::Seconds>& arrivals,
+                                                          const std::vector<vehicle::Drive>& drives,
+                                                          const std::vector<SurfacingState>& waypoints,
+                                                          const std::stop_token& stop);
+
+}  // namespace floeplan::planning::search

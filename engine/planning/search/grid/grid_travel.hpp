@@ -1,0 +1,128 @@
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <tl/expected.hpp>
+#include <vector>
+
+#include "engine/graph/grid_graph.hpp"
+#include "engine/motion/edge_closed.hpp"
+#include "engine/planning/cost/loiter.hpp"
+#include "engine/planning/cost/route_grid.hpp"
+#include "engine/planning/cost/sea.hpp"
+
+namespace floeplan::planning::search {
+
+/// An edge that the current closed when a search came to its tail.
+struct RefusedEdge {
+  graph::Edge edge;
+  core::Seconds when{};
+};
+
+/// The edges refused in one search, in its order; bounded, the rest are not kept.
+struct RefusedEdges {
+  static constexpr std::size_t most = 1'000'000;  // 24 MB
+  std::vector<RefusedEdge> edges;
+};
+
+/// Adds an edge that the current closed to the list, if there is one, and hands its time on.
+inline tl::expected<core::Seconds, motion::EdgeClosed> note_refusal(
+    RefusedEdges* refused, const graph::Edge& edge, core::Seconds depart,
+    tl::expected<core::Seconds, motion::EdgeClosed> time) {
+  if (!time && time.error() == motion::EdgeClosed::current_too_strong && refused != nullptr &&
+      refused->edges.size() < RefusedEdges::most) {
+    refused->edges.push_back({edge, depart});
+  }
+  return time;
+}
+
+/// The paper's wfunc on the plane grid. Borrows sea, grid and, when given, the list of refused edges.
+struct GridTravelTime {
+  const cost::Sea& sea;
+  const cost::RouteGrid& grid;
+  RefusedEdges* refused{nullptr};
+
+  tl::expected<core::Seconds, motion::EdgeClosed> operator()(const graph::Edge& edge, core::Seconds depart,
+                                                             core::Seconds latest) const {
+    return note_refusal(refused, edge, depart,
+                        sea.leg_time(grid.point(edge.tail), grid.point(edge.head), depart, latest));
+  }
+};
+
+/// The same as if nothing closed and opened in time.
+struct UntimedTravelTime {
+  const cost::Sea& sea;
+  const cost::RouteGrid& grid;
+  RefusedEdges* refused{nullptr};
+
+  tl::expected<core::Seconds, motion::EdgeClosed> operator()(const graph::Edge& edge, core::Seconds depart,
+                                                             core::Seconds latest) const {
+    return note_refusal(
+        refused, edge, depart,
+        sea.leg_time_without_timed_closures(grid.point(edge.tail), grid.point(edge.head), depart, latest));
+  }
+};
+
+/// With a wait at the tail, as long as the request allows, until the edge is open.
+struct WaitedTravelTime {
+  const cost::Sea& sea;
+  const cost::RouteGrid& grid;
+
+  tl::expected<core::Seconds, motion::EdgeClosed> operator()(const graph::Edge& edge, core::Seconds depart,
+                                                             core::Seconds latest) const {
+    return cost::leg_when_open(sea, grid.point(edge.tail), grid.point(edge.head), depart, latest)
+        .map([](const cost::WaitedLeg& leg) { return leg.total(); });
+  }
+};
+
+/// GridTravelTime on the film run backwards, whose clock shows -t: an edge from tail to head there is the leg that ends
+/// at the tail at the time -depart.
+struct GridTravelTimeBack {
+  const cost::Sea& sea;
+  const cost::RouteGrid& grid;
+
+  tl::expected<core::Seconds, motion::EdgeClosed> operator()(const graph::Edge& edge, core::Seconds depart,
+                                                             core::Seconds latest) const {
+    return sea.leg_time_back(grid.point(edge.head), grid.point(edge.tail), -depart, -latest);
+  }
+};
+
+/// Straight to a vertex with the strongest current astern all the way.
+struct StraightBound {
+  const cost::Sea& sea;
+  const cost::RouteGrid& grid;
+  graph::Vertex target;
+  std::vector<core::Seconds> least_times;  // of an edge, by its step
+
+  StraightBound(const cost::Sea& the_sea, const cost::RouteGrid& the_grid, const graph::GridGraph& graph,
+                graph::Vertex the_target)
+      : sea{the_sea}, grid{the_grid}, target{the_target} {
+    for (const graph::Offset offset : graph.offsets()) {
+      least_times.push_back(
+          sea.least_time({0.0, 0.0}, {offset.dx * grid.along.x_m + offset.dy * grid.across.x_m,
+                                      offset.dx * grid.along.y_m + offset.dy * grid.across.y_m}));
+    }
+  }
+
+  /// Whatever the hour.
+  [[nodiscard]] core::Seconds least_time(const graph::Edge& edge, core::Seconds = {}) const {
+    return least_times[edge.step];
+  }
+  [[nodiscard]] core::Seconds remaining(graph::Vertex v) const {
+    return sea.least_time(grid.point(v), grid.point(target));
+  }
+  [[nodiscard]] static core::Seconds latest_use(graph::Vertex) { return core::Seconds{INFINITY}; }
+};
+
+/// The same knowledge of edges, none of the way to the goal: Dijkstra's search.
+struct EdgeBound {
+  const StraightBound& straight;
+
+  [[nodiscard]] core::Seconds least_time(const graph::Edge& edge, core::Seconds) const {
+    return straight.least_time(edge);
+  }
+  [[nodiscard]] static core::Seconds remaining(graph::Vertex) { return core::Seconds{0.0}; }
+  [[nodiscard]] static core::Seconds latest_use(graph::Vertex) { return core::Seconds{INFINITY}; }
+};
+
+}  // namespace floeplan::planning::search

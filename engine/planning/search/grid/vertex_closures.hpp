@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <vector>
+
+#include "engine/planning/cost/sea.hpp"
+#include "engine/planning/search/grid/open_grid.hpp"
+
+namespace floeplan::planning::search {
+
+/// When the vertices of a grid are closed for a while, by timed zones or icebergs that move; worked out when it is
+/// first asked.
+/// Threads  one at a time
+class VertexClosures {
+ public:
+  /// Both are borrowed and outlive this.
+  VertexClosures(const cost::Sea& sea, const cost::RouteGrid& grid)
+      : sea_{sea}, grid_{grid}, kept_(sea.has_timed_closures() ? count(grid) : 0, not_asked) {}
+
+  /// Ascending, apart from each other. Borrowed from this.
+  [[nodiscard]] const std::vector<TimeSpan>& at(graph::Vertex v) {
+    if (kept_.empty()) return spans_.front();
+    if (kept_[v] == not_asked) {
+      std::vector<TimeSpan> closed = sea_.closed_times(grid_.point(v));
+      kept_[v] = closed.empty() ? never_closed : static_cast<std::uint32_t>(spans_.size());
+      if (!closed.empty()) spans_.push_back(std::move(closed));
+    }
+    return spans_[kept_[v]];
+  }
+
+ private:
+  static constexpr std::uint32_t never_closed = 0;
+  static constexpr std::uint32_t not_asked = UINT32_MAX;
+  [[nodiscard]] static std::size_t count(const cost::RouteGrid& grid) {
+    return static_cast<std::size_t>(grid.nx) * static_cast<std::size_t>(grid.ny);
+  }
+
+  const cost::Sea& sea_;
+  const cost::RouteGrid& grid_;
+  std::vector<std::uint32_t> kept_;  // of each vertex: which of the spans; none where nothing is ever closed
+  std::deque<std::vector<TimeSpan>> spans_{
+      std::vector<TimeSpan>{}};  // of vertices that close, after an empty one
+};
+
+}  // namespace floeplan::planning::search

@@ -1,0 +1,206 @@
+#include "engine/planning/search/surfacing/surfacing_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <vector>
+
+#include "engine/planning/search/bounds/foresight.hpp"
+#include "engine/planning/search/surfacing/surfacing_voyage.hpp"
+
+namespace floeplan::planning::search {
+namespace {
+
+using graph::Edge;
+
+/// Where the vehicle may wait each label takes some hundred microseconds: with no more of them than this a plan without
+/// waits, which is looked for too, does not have to wait long.
+constexpr std::size_t most_waiting_labels = 20'000;
+
+/// Of the bound on the time without surfacing: how finely last surfacings are told apart when any way will do.
+constexpr double any_share = 1.0 / 4.0;
+
+/// A search for what is better than all that was found before.
+struct Pass {
+  double share_of_bound;  // as above
+  double weight;          // of the rest of the way, see SurfacingVoyage
+};
+/// Ever finer, each in haste but for the last. Among forty holes in 75 km of ice, for bounds of 12 to 24 h, they come
+/// to within 1 % of the best way; passes without haste run out of memory up to 7 % from it.
+constexpr Pass passes[] = {{1.0 / 6.0, 1.2}, {1.0 / 24.0, 1.1}, {1.0 / 100.0, 1.0}};
+
+/// Where no way keeps the bound: with so many arrivals, of which those towards the goal come first, it shows where ways
+/// end.
+constexpr std::size_t most_futile_labels = 10'000;
+
+using Labels = graph::LabelSearch<SurfacingVoyage::State>;
+
+/// The arrival nearest to the goal, the earliest of equals; null when there is none.
+const SurfacingVoyage::Label* nearest_to_goal(const cost::RouteGrid& grid, const Labels& search) {
+  const geo::PlanePoint goal = grid.point(grid.goal);
+  const SurfacingVoyage::Label* nearest = nullptr;
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto& label : search.labels) {
+    const geo::PlanePoint point = grid.point(label.vertex);
+    const double distance = geo::distance_m(point, goal);
+    if (distance >= least) continue;
+    least = distance;
+    nearest = &label;
+  }
+  return nearest;
+}
+
+void describe_bounded_end(RouteSearch& result, const cost::Sea& sea, const OpenGrid& open,
+                          const Labels& search) {
+  const auto* nearest = nearest_to_goal(open.grid, search);
+  result.nearest = open.grid.point(nearest != nullptr ? nearest->vertex : open.grid.start);
+  if (nearest == nullptr) return;
+  result.nearest_arrival = core::Seconds{nearest->arrival_s};
+  open.graph.for_each_edge(nearest->vertex, [&](const Edge& edge) {
+    const geo::PlanePoint head = open.grid.point(edge.head);
+    const auto leg = sea.leg(result.nearest, head, result.nearest_arrival,
+                             core::Seconds{nearest->arrival_s - nearest->state.surfaced_s});
+    if (leg) return;
+    result.closed_at_nearest.push_back(leg.error());
+    result.out_of_time = result.out_of_time || (leg.error() == motion::EdgeClosed::outside_data &&
+                                                sea.currents_known_to_end(head, result.nearest_arrival));
+  });
+}
+
+/// Searches one grid for one departure, ever more finely.
+class Searches {
+ public:
+  Searches(const cost::Sea& sea, const OpenGrid& open, core::Seconds depart, core::Seconds since_surfacing,
+           const std::stop_token& stop, const std::function<void(double)>& report_fraction)
+      : sea_{sea},
+        depart_{depart},
+        since_surfacing_{since_surfacing},
+        stop_{stop},
+        report_fraction_{report_fraction},
+        closures_{sea, open.grid},
+        reach_{sea, open, depart, since_surfacing, stop},
+        foresight_{sea, reach_.grid()},
+        has_hope_{reach_.has_hope()} {
+    const auto end = sea.currents() ? sea.currents()->end() : std::nullopt;
+    if (end && has_hope_) look_ahead(*end);
+  }
+
+  /// Whether any way at all may keep the bound and be at the goal in time.
+  [[nodiscard]] bool has_hope() const { return has_hope_; }
+
+  /// The bounds for ways that are at the goal by then.
+  void look_ahead(core::Seconds last) {
+    if (!foresight_.is_useful()) return;
+    ladder_ = std::make_unique<ArrivalLadder>(foresight_, closures_, reach_.grid(), depart_, last, stop_);
+    if (ladder_->has_hope()) return;
+    ladder_.reset();
+    has_hope_ = false;
+  }
+
+  /// A way that is found soon, at the price of time; what opens near a place later is not waited for.
+  [[nodiscard]] Labels find_any(std::size_t most_labels) {
+    return find({.pass = {any_share, 1.0}, .aim = SurfacingVoyage::Aim::any_way}, Openings{}, most_labels);
+  }
+  /// The best one that is at the goal before then, near enough.
+  [[nodiscard]] Labels find_best(Pass pass, core::Seconds before, std::size_t most_labels) {
+    const Openings openings = sea_.has_timed_closures()
+                                  ? Openings{sea_, reach_.grid(), before, stop_, &closures_, ladder_.get()}
+                                  : Openings{};
+    return find({.pass = pass, .slack = sea_.edge_tolerance(), .before = before}, openings, most_labels);
+  }
+
+ private:
+  struct Wanted {
+    Pass pass;
+    double slack{0.0};  // of the least time that the way takes
+    core::Seconds before{INFINITY};
+    SurfacingVoyage::Aim aim{SurfacingVoyage::Aim::best_way};
+  };
+  [[nodiscard]] Labels find(const Wanted& wanted, const Openings& openings, std::size_t most_labels) {
+    const core::Seconds resolution = wanted.pass.share_of_bound * *sea_.longest_without_surfacing();
+    const OpenGrid& open = reach_.grid();
+    SurfacingVoyage voyage{sea_,
+                           open,
+                           {closures_, openings, reach_, ladder_.get()},
+                           resolution,
+                           wanted.before,
+                           wanted.aim,
+                           wanted.pass.weight};
+    const auto report = [&](std::int64_t expansions) {
+      const auto vertices = static_cast<double>(std::max<std::int64_t>(1, open.vertices));
+      report_fraction_(std::min(1.0, static_cast<double>(expansions) / vertices));
+    };
+    const std::size_t affordable =
+        voyage.may_wait() ? std::min(most_labels, most_waiting_labels) : most_labels;
+    const cost::RouteGrid& grid = open.grid;
+    const double least_s = sea_.least_time(grid.point(grid.start), grid.point(grid.goal)).count();
+    const SurfacingVoyage::State start{.surfaced_s = (depart_ - since_surfacing_).count()};
+    return graph::find_best_labels(open.graph, grid.start, grid.goal, depart_.count(), start, voyage,
+                                   affordable, stop_, report, wanted.slack * least_s);
+  }
+
+  const cost::Sea& sea_;
+  core::Seconds depart_;
+  core::Seconds since_surfacing_;
+  const std::stop_token& stop_;
+  const std::function<void(double)>& report_fraction_;
+  VertexClosures closures_;
+  SurfacingReach reach_;
+  Foresight foresight_;
+  bool has_hope_;
+  std::unique_ptr<ArrivalLadder> ladder_;  // null: a straight line's bounds
+};
+
+void add(SearchStatistics& statistics, const graph::LabelCounters& counters) {
+  statistics.expansions += counters.expansions;
+  statistics.edge_evaluations += counters.edge_evaluations;
+}
+
+}  // namespace
+
+RouteSearch search_with_surfacings(const cost::Sea& sea, const OpenGrid& open, core::Seconds depart,
+                                   core::Seconds since_surfacing, const std::stop_token& stop,
+                                   const std::function<void(double)>& report_fraction,
+                                   SurfacingBudget budget) {
+  RouteSearch result;
+  result.statistics.vertices = open.vertices;
+  result.statistics.edges = open.edges;
+  Searches search{sea, open, depart, since_surfacing, stop, report_fraction};
+  const auto adopt = [&](const Labels& found) {
+    add(result.statistics, found.counters);
+    result.cancelled = found.stopped;
+    if (!found.goal) return;
+    result.path.clear();
+    for (const auto& label : graph::way_to(found, *found.goal))
+      result.path.push_back(open.grid.point(label.vertex));
+    result.arrival = core::Seconds{found.labels[*found.goal].arrival_s};
+    result.since_surfacing = result.arrival - core::Seconds{found.labels[*found.goal].state.surfaced_s};
+  };
+
+  if (!search.has_hope()) {
+    const Labels futile = search.find_any(std::min(budget.any_way, most_futile_labels));
+    adopt(futile);
+    if (!result.cancelled) describe_bounded_end(result, sea, open, futile);
+    return result;
+  }
+  adopt(search.find_any(budget.any_way));
+  if (result.cancelled) return result;
+  core::Seconds before{INFINITY};
+  for (const Pass pass : passes) {
+    if (!result.path.empty()) {
+      before = result.arrival;
+      search.look_ahead(before);
+      if (!search.has_hope()) break;
+    }
+    const Labels found = search.find_best(pass, before, budget.best_way);
+    adopt(found);
+    result.statistics.cut_short = found.full;
+    if (result.path.empty() && !result.cancelled) describe_bounded_end(result, sea, open, found);
+    // A finer search keeps more labels for each place and would not come as far.
+    if (result.cancelled || found.full) break;
+  }
+  return result;
+}
+
+}  // namespace floeplan::planning::search

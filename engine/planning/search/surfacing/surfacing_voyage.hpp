@@ -1,0 +1,179 @@
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "engine/graph/label_search.hpp"
+#include "engine/planning/cost/loiter.hpp"
+#include "engine/planning/cost/sea.hpp"
+#include "engine/planning/cost/surfacing_wait.hpp"
+#include "engine/planning/search/bounds/arrival_ladder.hpp"
+#include "engine/planning/search/grid/open_grid.hpp"
+#include "engine/planning/search/grid/vertex_closures.hpp"
+#include "engine/planning/search/surfacing/surfacing_reach.hpp"
+#include "engine/planning/search/waiting/openings.hpp"
+
+namespace floeplan::planning::search {
+
+/// The best arrivals so far at each vertex of a grid, by when they come and in which span of time their last possible
+/// surfacing lies: a later span is better.
+class SurfacingFronts {
+ public:
+  explicit SurfacingFronts(std::size_t vertices) : fronts_(vertices) {}
+
+  [[nodiscard]] bool holds_better(graph::Vertex v, double arrival_s, std::int64_t span) const;
+  void add(graph::Vertex v, double arrival_s, std::int64_t span);
+
+ private:
+  struct Arrival {
+    double s;
+    std::int64_t span;
+  };
+  std::vector<std::vector<Arrival>> fronts_;
+};
+
+/// A voyage on which the time since the last possible surfacing is bounded: the model of `graph::find_best_labels`.
+/// Resolution  of two arrivals the earlier one is the better unless its last possible surfacing lies in an earlier span
+///          of time. Below ice that moment stays what it is, so that a way loses the width of one span at most
+///          from one surfacing to the next, however many arrivals give way to each other
+/// Closures  near what opens again, only within the same span of time, the time the vehicle needs for a step of the
+///           grid
+/// Threads  one search at a time
+class SurfacingVoyage {
+ public:
+  struct State {
+    double surfaced_s{};     // when it might have surfaced last
+    std::size_t interval{};  // which of the place's times between closures, where the vehicle may wait
+  };
+  using Label = graph::Label<State>;
+
+  /// What is known of a grid beforehand. Everything is borrowed and outlives the voyage.
+  struct Known {
+    VertexClosures& closures;
+    const Openings& openings;
+    const SurfacingReach& reach;
+    ArrivalLadder* ladder;  // bounds that change no result; null: a straight line's
+  };
+  enum class Aim {
+    best_way,
+    any_way  // soon: the straight rest of the way counts double (weighted A*), an arrival earlier by less than a
+             // step of the grid is no better, and how long ago a surfacing lies stands for when it was
+  };
+  /// `resolution`: width of the spans of surfacings. `before`: what is not at the goal by then is of no use.
+  /// `weight`: of the rest of the way, at least 1; by that factor at most, what is found is later than the best
+  /// (weighted A*).
+  SurfacingVoyage(const cost::Sea& sea, const OpenGrid& open, const Known& known, core::Seconds resolution,
+                  core::Seconds before, Aim aim = Aim::best_way, double weight = 1.0);
+
+  void extend(const graph::Edge& edge, double arrival_s, const State& state, auto&& emit) {
+    const geo::PlanePoint tail = grid_.point(edge.tail);
+    const geo::PlanePoint head = grid_.point(edge.head);
+    const double least_s = least_arrival_s(edge, arrival_s);
+    if (!is_of_use(edge.head, least_s)) return;
+    const bool stays_below = !may_surface_along(tail, head);
+    if (stays_below && !can_surface_in_time(edge.head, least_s - state.surfaced_s)) return;
+    if (may_wait_) return extend_with_waits(edge, arrival_s, state, emit);
+    if (stays_below && is_beaten(edge.head, least_s, span_of(state.surfaced_s, least_s))) return;
+
+    const core::Seconds since{arrival_s - state.surfaced_s};
+    const auto leg = sea_.leg(tail, head, core::Seconds{arrival_s}, since);
+    if (!leg) return;
+    const double head_s = arrival_s + leg->time.count();
+    const double surfaced_s = stays_below ? state.surfaced_s : head_s - leg->since_surfacing.count();
+    if (!is_of_use(edge.head, head_s) || !can_surface_in_time(edge.head, head_s - surfaced_s)) return;
+    const bool at_surface = leg->since_surfacing.count() == 0.0;
+    const std::int64_t span = at_surface ? latest_span : span_of(surfaced_s, head_s);
+    if (is_beaten(edge.head, head_s, span)) return;
+    fronts_.add(edge.head, head_s, span);
+    emit(head_s, State{.surfaced_s = surfaced_s}, 0U);
+  }
+
+  void wait(graph::Vertex, double, const State&, auto&&) const {}
+
+  [[nodiscard]] bool may_wait() const { return may_wait_; }
+  [[nodiscard]] double key(graph::Vertex v, double arrival_s, const State&) const {
+    if (aim_ == Aim::best_way) return arrival_s + weight_ * (earliest_at_goal_s(v, arrival_s) - arrival_s);
+    return arrival_s + any_weight * sea_.least_time(grid_.point(v), goal_).count();
+  }
+
+  [[nodiscard]] double order(graph::Vertex, double arrival_s) const { return -arrival_s; }
+
+  /// In currents that change, the later of two vehicles under ice gains on the earlier one; it has been there for
+  /// longer only if its last surfacing lies further back, not if the time since then is greater now.
+  [[nodiscard]] bool dominates(graph::Vertex v, const Label& a, const Label& b) const {
+    if (a.arrival_s > b.arrival_s + indifferent_s_) return false;
+    if (may_wait_) return may_wait_for(v, a, b);
+    if (openings_.matter(v, b.arrival_s) && step_of(a.arrival_s) != step_of(b.arrival_s)) return false;
+    return a.state.surfaced_s == a.arrival_s ||
+           span_of(a.state.surfaced_s, a.arrival_s) >= span_of(b.state.surfaced_s, b.arrival_s);
+  }
+
+ private:
+  static constexpr std::int64_t latest_span = std::numeric_limits<std::int64_t>::max();
+  /// Round the demonstration data's ice 2 took fewer labels than 1.5; 3 took still fewer there, but more where there is
+  /// no way.
+  static constexpr double any_weight = 2.0;
+
+  [[nodiscard]] double earliest_at_goal_s(graph::Vertex v, double arrival_s) const;
+  [[nodiscard]] std::int64_t span_of(double surfaced_s, double arrival_s) const;
+  [[nodiscard]] double step_of(double arrival_s) const { return std::floor(arrival_s / step_s_); }
+  /// Whether another arrival so far is the better one wherever it goes from here.
+  [[nodiscard]] bool is_beaten(graph::Vertex v, double arrival_s, std::int64_t span) const {
+    return !openings_.matter(v, arrival_s) && fronts_.holds_better(v, arrival_s + indifferent_s_, span);
+  }
+  /// At the edge's head, for who leaves its tail then.
+  [[nodiscard]] double least_arrival_s(const graph::Edge& edge, double depart_s) const;
+  [[nodiscard]] bool is_of_use(graph::Vertex v, double arrival_s) const;
+  [[nodiscard]] bool may_surface_along(geo::PlanePoint tail, geo::PlanePoint head) const;
+  /// Or be at the last stop; at the goal, with what has to be left there.
+  [[nodiscard]] bool can_surface_in_time(graph::Vertex v, double since_surfacing_s) const;
+  /// Whether who comes first can stay until the other one is there, and be no worse off then.
+  [[nodiscard]] bool may_wait_for(graph::Vertex v, const Label& first, const Label& other) const;
+  /// At once, and after the least wait for each of the head's times between closures.
+  void extend_with_waits(const graph::Edge& edge, double arrival_s, const State& state, auto&& emit);
+
+  const cost::Sea& sea_;
+  const cost::RouteGrid& grid_;
+  geo::PlanePoint goal_;
+  VertexClosures& closures_;
+  const Openings& openings_;
+  const SurfacingReach& reach_;
+  ArrivalLadder* ladder_;
+  double step_s_;
+  double longest_s_;
+  double left_at_goal_s_;
+  double resolution_s_;
+  double before_s_;
+  Aim aim_;
+  double weight_;
+  bool may_wait_;
+  double indifferent_s_;  // by so much a later arrival is as good
+  SurfacingFronts fronts_;
+};
+
+void SurfacingVoyage::extend_with_waits(const graph::Edge& edge, double arrival_s, const State& state,
+                                        auto&& emit) {
+  const geo::PlanePoint tail = grid_.point(edge.tail);
+  const geo::PlanePoint head = grid_.point(edge.head);
+  const std::vector<TimeSpan>& closed = closures_.at(edge.head);
+  const core::Seconds arrive{arrival_s};
+  cost::for_each_opening(
+      sea_, tail, head, closed, arrive, core::Seconds{before_s_}, [&](const cost::WaitedLeg& leg) {
+        const core::Seconds leaves = arrive + leg.wait;
+        const auto since = cost::since_surfacing_after_wait(sea_, tail, arrive, leaves,
+                                                            core::Seconds{arrival_s - state.surfaced_s});
+        if (!since) return;
+        const auto drive = sea_.leg(tail, head, leaves, *since);
+        if (!drive) return;
+        const core::Seconds there = leaves + drive->time;
+        if (!is_of_use(edge.head, there.count())) return;
+        if (!can_surface_in_time(edge.head, drive->since_surfacing.count())) return;
+        emit(there.count(), State{(there - drive->since_surfacing).count(), cost::interval_of(closed, there)},
+             0U);
+      });
+}
+
+}  // namespace floeplan::planning::search

@@ -1,0 +1,78 @@
+#include "tests/architecture/components.hpp"
+
+#include <gmock/gmock.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <fstream>
+
+#include "tests/support/places.hpp"
+
+namespace floeplan::support::components_test {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::ElementsAre;
+
+/// Rings that there are still. This list only shrinks.
+const std::vector<std::string> known_rings{
+    "api/codec/route_choice api/codec/route_file api/codec/route_formats",
+    "api/routes/context api/routes/idempotency api/routes/remembered api/routes/router",
+    "api/routes/export_sea api/routes/mission_service",
+    "api/routes/probe_service api/routes/probe_tide",
+    "engine/mission/argument_rules engine/mission/code_rules",
+    "engine/mission/flight_files engine/mission/ice_files engine/mission/mission_set",
+    "engine/motion/edge_fan engine/motion/fan_path_limit",
+    "engine/planning/cost/energy_meter engine/planning/cost/sea engine/planning/cost/surfacing_watch",
+    "engine/simulation/adcp_settings engine/simulation/janus",
+    "server/http/server server/http/session",
+    "storage/repository/environment_bathymetry storage/repository/environment_draft "
+    "storage/repository/environment_drift storage/repository/environment_ice "
+    "storage/repository/environment_loader storage/repository/environment_water",
+};
+
+/// Folders with more code files than a reader takes in at a glance, and how many they may have. Most hold lists of
+/// independent things. This list, and its numbers, only shrink.
+const std::map<std::string, int> large_folders{
+    {"api/codec", 132},        {"api/routes", 129}, {"engine/mission", 79},      {"engine/ocean", 52},
+    {"engine/simulation", 81}, {"server/cli", 49},  {"storage/repository", 107},
+};
+
+constexpr int most_code_files = 40;
+
+TEST(Components, IncludeEachOtherInNoRingButTheKnownOnes) {
+  EXPECT_THAT(include_rings(source_folder()), testing::ElementsAreArray(known_rings));
+}
+
+TEST(Components, OfARingAreNamed) {
+  const fs::path root = fs::path{testing::TempDir()} / ("rings_" + std::to_string(::getpid()));
+  for (const char* layer : {"engine/geo", "storage", "api", "server"}) fs::create_directories(root / layer);
+  std::ofstream{root / "engine/geo/a.hpp"} << "#include \"engine/geo/b.hpp\"\n";
+  std::ofstream{root / "engine/geo/b.hpp"} << "#pragma once\n";
+  std::ofstream{root / "engine/geo/b.cpp"}
+      << "#include \"engine/geo/b.hpp\"\n#include \"engine/geo/c.hpp\"\n";
+  std::ofstream{root / "engine/geo/c.hpp"} << "#include \"engine/geo/a.hpp\"\n";
+  std::ofstream{root / "engine/geo/d.hpp"} << "#include \"engine/geo/a.hpp\"\n";
+  EXPECT_THAT(include_rings(root), ElementsAre("engine/geo/a engine/geo/b engine/geo/c"));
+  fs::remove_all(root);
+}
+
+TEST(Folders, HoldAtMostFortyCodeFilesButTheKnownOnes) {
+  for (const auto& [folder, count] : code_files_by_folder(source_folder())) {
+    const auto known = large_folders.find(folder);
+    const int most = known == large_folders.end() ? most_code_files : known->second;
+    EXPECT_LE(count, most) << folder << ": divide it into rooms";
+  }
+}
+
+TEST(Folders, AreTakenFromTheListOnceTheyAreSmall) {
+  const std::map<std::string, int> counts = code_files_by_folder(source_folder());
+  for (const auto& [folder, most] : large_folders) {
+    ASSERT_TRUE(counts.contains(folder)) << folder << " is gone: take it from the list";
+    EXPECT_EQ(counts.at(folder), most) << folder << ": give the list the number that it has now";
+    EXPECT_GT(most, most_code_files) << folder << ": take it from the list";
+  }
+}
+
+}  // namespace
+}  // namespace floeplan::support::components_test
