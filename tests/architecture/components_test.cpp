@@ -23,7 +23,6 @@ const std::vector<std::string> known_rings{
     "engine/mission/argument_rules engine/mission/code_rules",
     "engine/mission/flight_files engine/mission/ice_files engine/mission/mission_set",
     "engine/motion/edge_fan engine/motion/fan_path_limit",
-    "engine/planning/cost/energy_meter engine/planning/cost/sea engine/planning/cost/surfacing_watch",
     "engine/simulation/adcp_settings engine/simulation/janus",
     "server/http/server server/http/session",
     "storage/repository/environment_bathymetry storage/repository/environment_draft "

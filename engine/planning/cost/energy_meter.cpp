@@ -8,31 +8,33 @@
 namespace floeplan::planning::cost {
 namespace {
 
-std::optional<energy::DiveLine> dives_by(Dives dives, const Sea& sea, const motion::PlaneEdge& edge) {
+std::optional<energy::DiveLine> dives_by(Dives dives, const energy::EnergyMap& energy,
+                                         const motion::PlaneEdge& edge) {
   if (dives == Dives::over_map) return std::nullopt;
-  return sea.energy().dives_along(edge.from, edge.to);
+  return energy.dives_along(edge.from, edge.to);
 }
 
 /// How far from where it really is the vehicle may be taken to be.
-core::Metres most_deviation(const Sea& sea, Dives dives) {
+core::Metres most_deviation(const energy::EnergyMap& energy, Dives dives) {
   constexpr double of_cell = 0.002;
-  const core::Metres cell = sea.energy().cell();
-  return of_cell * (dives == Dives::over_map ? cell : std::min(cell, sea.energy().look()));
+  const core::Metres cell = energy.cell();
+  return of_cell * (dives == Dives::over_map ? cell : std::min(cell, energy.look()));
 }
 
 }  // namespace
 
-EnergyMeter::EnergyMeter(const Sea& sea, const motion::PlaneEdge& edge, core::Seconds depart,
-                         vehicle::Drive drive, Dives dives)
-    : sea_{sea},
+EnergyMeter::EnergyMeter(const energy::EnergyMap& energy, const Overhead& overhead,
+                         const motion::PlaneEdge& edge, core::Seconds depart, vehicle::Drive drive,
+                         Dives dives)
+    : energy_{energy},
+      overhead_{overhead},
       edge_{edge},
       length_m_{geo::distance_m(edge.from, edge.to)},
       drive_{drive},
-      looks_up_{(sea.ice() && sea.ice()->may_be_dense_along(edge.from, edge.to)) ||
-                sea.icebergs().may_pass_under()},
-      dives_{dives_by(dives, sea, edge)},
-      is_even_{!looks_up_ && (dives_ ? dives_->is_even() : sea.energy().is_even_along(edge.from, edge.to))},
-      most_deviation_m_{most_deviation(sea, dives).value},
+      looks_up_{overhead.may_be_above(edge.from, edge.to)},
+      dives_{dives_by(dives, energy, edge)},
+      is_even_{!looks_up_ && (dives_ ? dives_->is_even() : energy.is_even_along(edge.from, edge.to))},
+      most_deviation_m_{most_deviation(energy, dives).value},
       here_{edge.from},
       now_s_{depart.count()} {}
 
@@ -60,24 +62,24 @@ double EnergyMeter::share(geo::PlanePoint place) const {
 
 EnergyUse EnergyMeter::use(const motion::EvenMove& move, core::Metres upper_turn) const {
   const core::Seconds time{move.t1_s - move.t0_s};
-  if (!dives_) return sea_.energy().use(move.from, move.to, time, drive_, upper_turn);
+  if (!dives_) return energy_.use(move.from, move.to, time, drive_, upper_turn);
   const double from = share(move.from);
   const vehicle::DiveBand band = dives_->mean_band(from, std::max(from, share(move.to)), upper_turn);
-  return sea_.energy().use(band, time, drive_);
+  return energy_.use(band, time, drive_);
 }
 
 EnergyUse EnergyMeter::use(const motion::EvenMove& move) const {
   constexpr double most_looks = 4096.0;
   if (!looks_up_) return use(move, {});
   const core::Seconds time{move.t1_s - move.t0_s};
-  const double wanted = std::ceil(geo::distance_m(move.from, move.to) / sea_.surfacing_look().value);
+  const double wanted = std::ceil(geo::distance_m(move.from, move.to) / overhead_.look().value);
   const int looks = static_cast<int>(std::clamp(wanted, 1.0, most_looks));
   const auto at = [&](double part) { return plane::place_between(move.from, move.to, part); };
   EnergyUse drawn;
   for (int i = 0; i < looks; ++i) {
     const double middle = (i + 0.5) / looks;
     const core::Metres upper_turn =
-        sea_.least_upper_turn(at(middle), core::Seconds{move.t0_s} + middle * time);
+        overhead_.least_upper_turn(at(middle), core::Seconds{move.t0_s} + middle * time);
     const double begins_s = move.t0_s + static_cast<double>(i) / looks * time.count();
     const double ends_s = move.t0_s + (i + 1.0) / looks * time.count();
     drawn += use({at(static_cast<double>(i) / looks), at((i + 1.0) / looks), begins_s, ends_s}, upper_turn);

@@ -73,7 +73,7 @@ bool replaces(const Sea& sea, geo::PlanePoint point, const std::vector<TimeSpan>
 std::optional<Stage> stage_after(const Sea& sea, geo::PlanePoint from, geo::PlanePoint to, const Stage& stage,
                                  const WaitedLeg& leg) {
   Stage next{.arrival = stage.arrival + leg.total(), .since_surfacing = {}, .waited = leg.wait};
-  if (!sea.bounds_surfacing()) return next;
+  if (!sea.overhead().bounds_surfacing()) return next;
   const core::Seconds leaves = stage.arrival + leg.wait;
   const auto waited = since_surfacing_after_wait(sea, from, stage.arrival, leaves, stage.since_surfacing);
   if (!waited) return std::nullopt;
@@ -130,7 +130,8 @@ tl::expected<Schedule, RouteClosed> schedule_along(const Sea& sea, const std::ve
   auto at_once = without_waits(sea, route, depart, since_surfacing);
   if (at_once || !waits_may_help(sea)) return at_once;
   auto waited = with_waits(sea, route, depart, since_surfacing);
-  if (at_once.error().reason == motion::EdgeClosed::current_too_strong && !sea.bounds_surfacing()) {
+  if (at_once.error().reason == motion::EdgeClosed::current_too_strong &&
+      !sea.overhead().bounds_surfacing()) {
     auto delayed = delayed_schedule(sea, route, depart);
     if (delayed && (!waited || delayed->arrivals.back() < waited->arrivals.back()))
       waited = std::move(delayed);

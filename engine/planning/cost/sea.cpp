@@ -6,7 +6,6 @@
 
 #include "engine/motion/drive_looks.hpp"
 #include "engine/motion/edge_time_back.hpp"
-#include "engine/planning/cost/energy_meter.hpp"
 #include "engine/planning/cost/sea_layout.hpp"
 #include "engine/planning/cost/surfacing_watch.hpp"
 #include "engine/planning/currents/current_drive.hpp"
@@ -46,18 +45,18 @@ Sea::Sea(const ocean::Environment& environment, const PlanRequest& request, obst
       thruster_speed_{request.vehicle.thruster ? request.vehicle.thruster->speed : buoyancy_speed_},
       edge_tolerance_{request.edge_tolerance},
       longest_wait_{request.max_loiter},
-      longest_without_surfacing_{request.under_ice.max_time_without_surfacing},
       safety_{environment, request.vehicle.least_water(), std::move(zones.standing), projection, area, cell,
               stop},
       timed_zones_{lay_out_timed_zones(zones.timed, request, projection, area)},
       bed_{lay_out_bed_below(environment, request, projection, area, cell, stop)},
-      icebergs_{lay_out_icebergs(environment, request, projection, area, bed_, stop)},
-      encounters_{lay_out_encounters(icebergs_, environment, request, area, stop)},
-      ice_{lay_out_ice(environment, request, projection, area, cell, bed_, stop)},
+      overhead_{lay_out_ice(environment, request, projection, area, cell, bed_, stop),
+                lay_out_icebergs(environment, request, projection, area, bed_, stop),
+                request.under_ice.max_time_without_surfacing},
+      encounters_{lay_out_encounters(icebergs(), environment, request, area, stop)},
       depths_{request.vehicle.dive_limits(), environment.bathymetry},
       currents_{shelf != nullptr
-                    ? shelf->take(request, depths_, ice_ ? &*ice_ : nullptr, projection, area, stop)
-                    : lay_out_currents(environment, request, depths_, ice_ ? &*ice_ : nullptr, projection,
+                    ? shelf->take(request, depths_, ice() ? &*ice() : nullptr, projection, area, stop)
+                    : lay_out_currents(environment, request, depths_, ice() ? &*ice() : nullptr, projection,
                                        area, stop)},
       energy_{request.vehicle, depths_, projection, area, stop} {
   accuracy_ = currents::drive_accuracy(currents_.get(), request.edge_tolerance);
@@ -78,8 +77,8 @@ Sea::Sea(const ocean::Environment& environment, const PlanRequest& request, obst
 
 std::size_t Sea::bytes() const {
   // The ice counts the bed that it shares.
-  const std::size_t of_bed = bed_ && !ice_ ? bed_->bytes() : 0;
-  return safety_.bytes() + icebergs_.bytes() + energy_.bytes() + of_bed + (ice_ ? ice_->bytes() : 0) +
+  const std::size_t of_bed = bed_ && !ice() ? bed_->bytes() : 0;
+  return safety_.bytes() + icebergs().bytes() + energy_.bytes() + of_bed + (ice() ? ice()->bytes() : 0) +
          (currents_ ? currents_->bytes() : 0);
 }
 
@@ -110,20 +109,20 @@ double Sea::least_ground_per_plane(geo::PlanePoint from, core::Metres length) co
 std::optional<motion::EdgeClosed> Sea::closed_between(geo::PlanePoint a, geo::PlanePoint b) const {
   if (const auto closed = safety_.closed_between(a, b)) return closed;
   constexpr double at_any_time_s = 1.0;
-  if (icebergs_.standing() && icebergs_.touched({a, b, 0.0, at_any_time_s}))
+  if (icebergs().standing() && icebergs().touched({a, b, 0.0, at_any_time_s}))
     return motion::EdgeClosed::obstacle;
   return std::nullopt;
 }
 
 bool Sea::open_about(geo::PlanePoint point, core::Metres reach) const {
-  const bool may_stand = icebergs_.standing() && !icebergs_.empty();
+  const bool may_stand = icebergs().standing() && !icebergs().empty();
   return !may_stand && safety_.open_about(point, reach);
 }
 
 EnergyUse Sea::energy_along(geo::PlanePoint a, geo::PlanePoint b, core::Seconds depart, core::Seconds time,
                             vehicle::Drive drive) const {
   const motion::PlaneEdge edge{a, b, ground_length(a, b)};
-  EnergyMeter meter{*this, edge, depart, drive, Dives::over_bed};
+  EnergyMeter meter{energy_, overhead_, edge, depart, drive, Dives::over_bed};
   (void)drive_time(edge, depart, core::Seconds{INFINITY}, speed(drive),
                    [&](const motion::EdgePiece& piece) -> std::optional<motion::EdgeClosed> {
                      meter.add(piece);
@@ -151,7 +150,7 @@ tl::expected<core::Seconds, motion::EdgeClosed> Sea::leg_time(geo::PlanePoint a,
                                                               core::Seconds depart, core::Seconds latest,
                                                               vehicle::Drive drive) const {
   if (const auto closed = closed_between(a, b)) return tl::unexpected(*closed);
-  const bool below_ice = ice_ && ice_->may_be_dense_along(a, b);
+  const bool below_ice = ice() && ice()->may_be_dense_along(a, b);
   if (!has_timed_closures() && !below_ice) {
     return drive_time({a, b, ground_length(a, b)}, depart, latest, speed(drive), motion::VisitNoPiece{});
   }
@@ -160,7 +159,7 @@ tl::expected<core::Seconds, motion::EdgeClosed> Sea::leg_time(geo::PlanePoint a,
   return drive_time(edge, depart, latest, speed(drive),
                     [&](const motion::EdgePiece& piece) -> std::optional<motion::EdgeClosed> {
                       if (const auto closed = closed_then(edge, piece, error_m)) return closed;
-                      if (below_ice && !ice_->may_transit_along(edge, piece))
+                      if (below_ice && !ice()->may_transit_along(edge, piece))
                         return motion::EdgeClosed::under_ice;
                       return std::nullopt;
                     });
@@ -169,7 +168,7 @@ tl::expected<core::Seconds, motion::EdgeClosed> Sea::leg_time(geo::PlanePoint a,
 std::optional<motion::EdgeClosed> Sea::closed_then(const motion::PlaneEdge& edge,
                                                    const motion::EdgePiece& piece, double error_m) const {
   if (timed_zones_.forbid(edge, piece)) return motion::EdgeClosed::in_zone;
-  if (!icebergs_.standing() && icebergs_.touched(edge, piece, error_m)) return motion::EdgeClosed::obstacle;
+  if (!icebergs().standing() && icebergs().touched(edge, piece, error_m)) return motion::EdgeClosed::obstacle;
   return std::nullopt;
 }
 
@@ -207,8 +206,8 @@ std::optional<core::Seconds> Sea::first_clear_departure(geo::PlanePoint a, geo::
     return timed_zones_.forbid(a, b, {leaves, leaves + duration});
   };
   while (depart <= latest) {
-    if (!icebergs_.standing()) {
-      const auto clear = icebergs_.first_clear(a, b, duration, depart, latest);
+    if (!icebergs().standing()) {
+      const auto clear = icebergs().first_clear(a, b, duration, depart, latest);
       if (!clear) return std::nullopt;
       depart = *clear;
     }
@@ -255,7 +254,7 @@ tl::expected<core::Seconds, motion::EdgeClosed> Sea::leg_time_back(geo::PlanePoi
                                                                    core::Seconds earliest) const {
   if (const auto closed = closed_between(a, b)) return tl::unexpected(*closed);
   const auto time = drive_time_back({a, b, ground_length(a, b)}, arrive, earliest);
-  const bool below_ice = ice_ && ice_->may_be_dense_along(a, b);
+  const bool below_ice = ice() && ice()->may_be_dense_along(a, b);
   if (!time || !(has_timed_closures() || below_ice)) return time;
   // What closes for a while, and the room below the ice, is tested along the drive itself.
   const auto forwards = leg_time(a, b, arrive - *time);
@@ -273,14 +272,14 @@ tl::expected<Sea::Leg, motion::EdgeClosed> Sea::leg(geo::PlanePoint a, geo::Plan
                                                     core::Seconds depart, core::Seconds since_surfacing,
                                                     vehicle::Drive drive) const {
   constexpr core::Seconds never{INFINITY};
-  if (!ice_ && !bounds_surfacing()) {
+  if (!ice() && !overhead_.bounds_surfacing()) {
     return leg_time(a, b, depart, never, drive).map([](core::Seconds time) {
       return Leg{time, core::Seconds{0.0}};
     });
   }
   if (const auto closed = closed_between(a, b)) return tl::unexpected(*closed);
   const motion::PlaneEdge edge{a, b, ground_length(a, b)};
-  SurfacingWatch watch{*this, edge, since_surfacing};
+  SurfacingWatch watch{overhead_, edge, since_surfacing};
   const double error_m = edge_tolerance_ * geo::distance_m(a, b);
   const auto time = drive_time(edge, depart, never, speed(drive),
                                [&](const motion::EdgePiece& piece) -> std::optional<motion::EdgeClosed> {
@@ -299,16 +298,16 @@ tl::expected<Sea::MeteredLeg, motion::EdgeClosed> Sea::metered_leg(geo::PlanePoi
   if (const auto closed = closed_between(a, b)) return tl::unexpected(*closed);
   const motion::PlaneEdge edge{a, b, ground_length(a, b)};
   const double error_m = edge_tolerance_ * geo::distance_m(a, b);
-  const bool below_ice = ice_ && ice_->may_be_dense_along(a, b);
+  const bool below_ice = ice() && ice()->may_be_dense_along(a, b);
   std::optional<SurfacingWatch> watch;
-  if (bounds_surfacing()) watch.emplace(*this, edge, since_surfacing);
-  EnergyMeter meter{*this, edge, depart, drive, dives};
+  if (overhead_.bounds_surfacing()) watch.emplace(overhead_, edge, since_surfacing);
+  EnergyMeter meter{energy_, overhead_, edge, depart, drive, dives};
   const auto time = drive_time(edge, depart, latest, speed(drive),
                                [&](const motion::EdgePiece& piece) -> std::optional<motion::EdgeClosed> {
                                  if (const auto closed = closed_then(edge, piece, error_m)) return closed;
                                  if (watch) {
                                    if (const auto closed = (*watch)(piece)) return closed;
-                                 } else if (below_ice && !ice_->may_transit_along(edge, piece)) {
+                                 } else if (below_ice && !ice()->may_transit_along(edge, piece)) {
                                    return motion::EdgeClosed::under_ice;
                                  }
                                  meter.add(piece);
@@ -328,7 +327,7 @@ tl::expected<Sea::LegBack, motion::EdgeClosed> Sea::leg_back(geo::PlanePoint a, 
   const auto time = drive_time_back(edge, arrive, earliest);
   if (!time) return tl::unexpected(time.error());
   const core::Seconds depart = arrive - *time;
-  SurfacingOutlook outlook{*this, edge, depart};
+  SurfacingOutlook outlook{overhead_, edge, depart};
   const double error_m = edge_tolerance_ * geo::distance_m(a, b);
   const auto forwards = drive_time(edge, depart, core::Seconds{INFINITY}, through_water(),
                                    [&](const motion::EdgePiece& piece) -> std::optional<motion::EdgeClosed> {
@@ -341,28 +340,16 @@ tl::expected<Sea::LegBack, motion::EdgeClosed> Sea::leg_back(geo::PlanePoint a, 
   });
 }
 
-ice::UnderIce::Leave Sea::leave(std::optional<ice::IceWatch>& watch, geo::PlanePoint point,
-                                core::Seconds time) const {
-  ice::UnderIce::Leave leave = watch ? watch->look(point, time) : ice::UnderIce::Leave{true, true};
-  leave.to_surface = leave.to_surface && !icebergs_.least_upper_turn(point, time);
-  return leave;
-}
-
-core::Metres Sea::surfacing_look() const {
-  constexpr core::Metres without_ice{250.0};  // a quarter of the least disc round an iceberg
-  return ice_ ? ice_->step() : without_ice;
-}
-
 core::Seconds Sea::least_time_to_opening(geo::PlanePoint point) const {
-  const core::Metres way = ice_ ? ice_->least_way_to_opening(point) : core::Metres{0.0};
+  const core::Metres way = ice() ? ice()->least_way_to_opening(point) : core::Metres{0.0};
   return core::Seconds{least_slowness_s_m_ * way.value / largest_scale_};
 }
 
 std::vector<double> Sea::least_times_to_opening_s(const std::vector<geo::PlanePoint>& points,
                                                   core::Seconds from, core::Seconds until) const {
   std::vector<double> times_s(points.size(), 0.0);
-  if (!ice_) return times_s;
-  const std::vector<core::Metres> ways = ice_->least_ways_to_opening(points, from, until);
+  if (!ice()) return times_s;
+  const std::vector<core::Metres> ways = ice()->least_ways_to_opening(points, from, until);
   for (std::size_t i = 0; i < ways.size(); ++i)
     times_s[i] = least_slowness_s_m_ * ways[i].value / largest_scale_;
   return times_s;
@@ -408,7 +395,7 @@ core::Seconds Sea::least_time(core::Metres length, core::MetresPerSecond astern)
 
 bool Sea::is_steady() const {
   // Ice comes and goes, and even of one step it is known for some days only.
-  const bool ice_matters = ice_ && (ice_->has_dense_ice() || bounds_surfacing());
+  const bool ice_matters = ice() && (ice()->has_dense_ice() || overhead_.bounds_surfacing());
   return !has_timed_closures() && (!currents_ || !currents_->end()) && !ice_matters;
 }
 

@@ -11,6 +11,8 @@
 #include "engine/motion/edge_time.hpp"
 #include "engine/ocean/environment.hpp"
 #include "engine/planning/cost/currents_shelf.hpp"
+#include "engine/planning/cost/energy_meter.hpp"
+#include "engine/planning/cost/overhead.hpp"
 #include "engine/planning/currents/flown_depths.hpp"
 #include "engine/planning/currents/plane_currents.hpp"
 #include "engine/planning/energy/energy_map.hpp"
@@ -24,10 +26,6 @@
 #include "engine/vehicle/drive.hpp"
 
 namespace floeplan::planning::cost {
-
-/// What the dives of a way are taken from that is metered: the sea bed itself, or its map for searches; see
-/// `EnergyMap`.
-enum class Dives : std::uint8_t { over_bed, over_map };
 
 /// The environment of one request laid out in its local plane: the one cost function that searches,
 /// refinement and published plans share. Times are counted from the request's departure.
@@ -71,7 +69,7 @@ class Sea {
                                        core::Seconds time, vehicle::Drive drive) const;
   /// Whether every place costs the same at every time, so that energy is power times time.
   [[nodiscard]] bool energy_is_even() const {
-    return energy_.is_even() && !(ice_ && ice_->has_dense_ice()) && !icebergs_.may_pass_under();
+    return energy_.is_even() && !(ice() && ice()->has_dense_ice()) && !icebergs().may_pass_under();
   }
   /// The same as if nothing closed and opened in time: never more than `leg_time`, for it drives the same way.
   [[nodiscard]] tl::expected<core::Seconds, motion::EdgeClosed> leg_time_without_timed_closures(
@@ -97,7 +95,7 @@ class Sea {
   }
   /// By icebergs that move alone.
   [[nodiscard]] std::vector<TimeSpan> closed_times_by_icebergs(geo::PlanePoint point) const {
-    return icebergs_.standing() ? std::vector<TimeSpan>{} : icebergs_.closed_times(point);
+    return icebergs().standing() ? std::vector<TimeSpan>{} : icebergs().closed_times(point);
   }
   /// Travel time of the straight leg for a vehicle that is to be at its end at `arrive`: it leaves that much
   /// earlier. Closed where the vehicle that leaves then finds the leg closed; too_late when it would certainly have
@@ -146,39 +144,16 @@ class Sea {
   /// The vehicle along an open leg, at most `step` apart, its end included and its beginning not.
   [[nodiscard]] std::vector<Passage> passages(geo::PlanePoint a, geo::PlanePoint b, core::Seconds depart,
                                               core::Metres step, vehicle::Drive drive) const;
-  /// Whether the vehicle may come to the surface: anywhere where nothing is known of ice in the whole area.
-  [[nodiscard]] bool may_surface(geo::PlanePoint point, core::Seconds time) const {
-    return (!ice_ || ice_->may_surface(point, time)) && !icebergs_.least_upper_turn(point, time);
-  }
-  /// The same, and whether there is room below the ice from the last look at it; `watch` is empty where nothing is
-  /// known of ice.
-  [[nodiscard]] ice::UnderIce::Leave leave(std::optional<ice::IceWatch>& watch, geo::PlanePoint point,
-                                           core::Seconds time) const;
-  /// How close together looks at what is above are.
-  [[nodiscard]] core::Metres surfacing_look() const;
   /// Never more than the time to where the vehicle may surface, at whatever time it is there; infinite where that is
   /// nowhere.
   [[nodiscard]] core::Seconds least_time_to_opening(geo::PlanePoint point) const;
   /// The same for each point, to where it may surface at some time between these two; in seconds.
   [[nodiscard]] std::vector<double> least_times_to_opening_s(const std::vector<geo::PlanePoint>& points,
                                                              core::Seconds from, core::Seconds until) const;
-  /// How deep the dives must turn there and then, below ice or an iceberg's keel; zero where nothing is above.
-  [[nodiscard]] core::Metres least_upper_turn(geo::PlanePoint point, core::Seconds time) const {
-    const core::Metres of_ice = ice_ ? ice_->least_upper_turn(point, time) : core::Metres{0.0};
-    return std::max(of_ice, icebergs_.least_upper_turn(point, time).value_or(core::Metres{0.0}));
-  }
   /// Encounters with icebergs to expect on the straight way, for searches that weigh them; zero where none does.
   [[nodiscard]] double encounters(geo::PlanePoint a, geo::PlanePoint b, core::Seconds depart,
                                   core::Seconds time) const {
     return encounters_ ? encounters_->along(a, b, depart, time) : 0.0;
-  }
-  /// Whether the time without a possible surfacing is bounded, and something may be above the vehicle, so that a leg
-  /// depends on those before it.
-  [[nodiscard]] bool bounds_surfacing() const {
-    return longest_without_surfacing_ && (ice_ || icebergs_.may_pass_under());
-  }
-  [[nodiscard]] std::optional<core::Seconds> longest_without_surfacing() const {
-    return longest_without_surfacing_;
   }
   /// The same sea for a vehicle that is driven so all the way.
   [[nodiscard]] Sea driven_by(vehicle::Drive drive) const {
@@ -189,7 +164,7 @@ class Sea {
   /// The same sea for a vehicle that may stay below for as long as it takes.
   [[nodiscard]] Sea without_bound_on_surfacing() const {
     Sea unbounded = *this;
-    unbounded.longest_without_surfacing_.reset();
+    unbounded.overhead_.lift_bound_on_surfacing();
     return unbounded;
   }
 
@@ -211,11 +186,13 @@ class Sea {
   [[nodiscard]] const geo::LocalProjection& projection() const { return projection_; }
   [[nodiscard]] const obstacles::SafetyMap& safety() const { return safety_; }
   [[nodiscard]] obstacles::SafetyMap& safety() { return safety_; }
-  [[nodiscard]] const obstacles::IcebergDiscs& icebergs() const { return icebergs_; }
+  /// What is above the vehicle.
+  [[nodiscard]] const Overhead& overhead() const { return overhead_; }
+  [[nodiscard]] const obstacles::IcebergDiscs& icebergs() const { return overhead_.icebergs(); }
   /// Whether something is closed at some times only, so that arriving later can be better.
-  [[nodiscard]] bool has_timed_closures() const { return !timed_zones_.empty() || !icebergs_.standing(); }
+  [[nodiscard]] bool has_timed_closures() const { return !timed_zones_.empty() || !icebergs().standing(); }
   [[nodiscard]] const obstacles::TimedZones& timed_zones() const { return timed_zones_; }
-  [[nodiscard]] const std::optional<ice::UnderIce>& ice() const { return ice_; }
+  [[nodiscard]] const std::optional<ice::UnderIce>& ice() const { return overhead_.ice(); }
   /// Null: still water.
   [[nodiscard]] const currents::PlaneCurrents* currents() const { return currents_.get(); }
   [[nodiscard]] core::Metres ground_length(geo::PlanePoint a, geo::PlanePoint b) const;
@@ -251,15 +228,13 @@ class Sea {
   core::MetresPerSecond thruster_speed_;  // as the buoyancy drive where there is none
   double edge_tolerance_;
   core::Seconds longest_wait_;
-  std::optional<core::Seconds> longest_without_surfacing_;
   motion::EdgeAccuracy accuracy_;
   obstacles::SafetyMap safety_;
   obstacles::TimedZones timed_zones_;
   std::shared_ptr<const obstacles::BedCells>
       bed_;  // for icebergs and ice; null where no iceberg may be passed under
-  obstacles::IcebergDiscs icebergs_;
+  Overhead overhead_;
   std::optional<obstacles::EncounterMap> encounters_;  // empty: nothing weighs them
-  std::optional<ice::UnderIce> ice_;                   // empty: nothing is known of ice
   currents::FlownDepths depths_;
   std::shared_ptr<const currents::PlaneCurrents>
       currents_;  // null: still water; seas laid out alike share it

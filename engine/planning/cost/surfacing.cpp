@@ -27,7 +27,7 @@ class Log {
     const Look last = here_;
     here_ = {now, last.error + grown_error(request_.under_ice, sea_.speed(drive), now.time - last.at.time),
              last.carried + carried_between(sea_, last.at, now)};
-    const bool open = sea_.may_surface(now.point, now.time);
+    const bool open = sea_.overhead().may_surface(now.point, now.time);
     if (request_.under_ice.surfacing_interval) surface_when_due(open);
     if (!(open && was_open_))
       plan.longest_without = std::max(plan.longest_without, now.time - last_open_.at.time);
@@ -41,7 +41,7 @@ class Log {
       plan.longest_without_sure = std::max(plan.longest_without_sure, now.time - last_sure_.look.at.time);
     if (sure) last_sure_ = next_fix(last_sure_, here_);
     was_sure_ = sure;
-    const core::Metres turn = sea_.least_upper_turn(now.point, now.time);
+    const core::Metres turn = sea_.overhead().least_upper_turn(now.point, now.time);
     const core::Metres step = sea_.ground_length(last.at.point, now.point);
     leg_upper_turn_ = std::max(leg_upper_turn_, turn);
     const bool below_ice = sea_.ice() && sea_.ice()->least_upper_turn(now.point, now.time).value > 0.0;
@@ -88,10 +88,10 @@ class Log {
   /// At the last look.
   [[nodiscard]] SurfacingState state() const {
     const auto [point, time] = here_.at;
-    SurfacingState state{.may_surface = sea_.may_surface(point, time),
+    SurfacingState state{.may_surface = sea_.overhead().may_surface(point, time),
                          .since_surfacing = time - last_open_.at.time,
                          .position_error = error_at(here_),
-                         .least_upper_turn = sea_.least_upper_turn(point, time),
+                         .least_upper_turn = sea_.overhead().least_upper_turn(point, time),
                          .ice_free_before = ice_free_before_,
                          .error_without_fix = here_.error};
     state.nearest_ice = ice_within(farthest_ice_told);
@@ -194,7 +194,7 @@ void look_while_waiting(Log& log, geo::PlanePoint place, core::Seconds from, cor
 SurfacingPlan plan_surfacings(const Sea& sea, const PlanRequest& request,
                               const std::vector<geo::PlanePoint>& route, const Schedule& schedule,
                               const std::vector<vehicle::Drive>& drives) {
-  const core::Metres step = sea.surfacing_look();
+  const core::Metres step = sea.overhead().look();
   Log log{sea, request, route.front()};
   log.look({route.front(), schedule.arrivals.front()}, sea.drives().front());
   log.reach_waypoint();

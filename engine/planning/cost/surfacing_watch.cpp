@@ -6,12 +6,12 @@ namespace floeplan::planning::cost {
 
 std::optional<motion::EdgeClosed> SurfacingWatch::operator()(const motion::EdgePiece& piece) {
   std::optional<motion::EdgeClosed> closed;
-  const auto longest = sea_.longest_without_surfacing();
+  const auto longest = overhead_.longest_without_surfacing();
   double now_s = piece.t0_s;
-  if (sea_.ice() && !ice_)
-    ice_.emplace(*sea_.ice(), motion::place_along(edge_, piece.way0_m), core::Seconds{piece.t0_s});
-  motion::look_along(edge_, piece, sea_.surfacing_look(), [&](geo::PlanePoint point, core::Seconds time) {
-    const ice::UnderIce::Leave leave = sea_.leave(ice_, point, time);
+  if (overhead_.ice() && !ice_)
+    ice_.emplace(*overhead_.ice(), motion::place_along(edge_, piece.way0_m), core::Seconds{piece.t0_s});
+  motion::look_along(edge_, piece, overhead_.look(), [&](geo::PlanePoint point, core::Seconds time) {
+    const ice::UnderIce::Leave leave = overhead_.leave(ice_, point, time);
     const bool open_all_along = leave.to_surface && since_s_ == 0.0;
     if (!open_all_along) since_s_ += time.count() - now_s;
     if (!leave.to_transit) {
@@ -26,15 +26,16 @@ std::optional<motion::EdgeClosed> SurfacingWatch::operator()(const motion::EdgeP
   return closed;
 }
 
-SurfacingOutlook::SurfacingOutlook(const Sea& sea, const motion::PlaneEdge& edge, core::Seconds depart)
-    : sea_{sea}, edge_{edge}, looks_{{depart.count(), sea.may_surface(edge.from, depart)}} {
-  if (sea.ice()) ice_.emplace(*sea.ice(), edge.from, depart);
+SurfacingOutlook::SurfacingOutlook(const Overhead& overhead, const motion::PlaneEdge& edge,
+                                   core::Seconds depart)
+    : overhead_{overhead}, edge_{edge}, looks_{{depart.count(), overhead.may_surface(edge.from, depart)}} {
+  if (overhead.ice()) ice_.emplace(*overhead.ice(), edge.from, depart);
 }
 
 std::optional<motion::EdgeClosed> SurfacingOutlook::operator()(const motion::EdgePiece& piece) {
   std::optional<motion::EdgeClosed> closed;
-  motion::look_along(edge_, piece, sea_.surfacing_look(), [&](geo::PlanePoint point, core::Seconds time) {
-    const ice::UnderIce::Leave leave = sea_.leave(ice_, point, time);
+  motion::look_along(edge_, piece, overhead_.look(), [&](geo::PlanePoint point, core::Seconds time) {
+    const ice::UnderIce::Leave leave = overhead_.leave(ice_, point, time);
     looks_.push_back({time.count(), leave.to_surface});
     if (!leave.to_transit) closed = motion::EdgeClosed::under_ice;
     return !closed;
@@ -44,7 +45,7 @@ std::optional<motion::EdgeClosed> SurfacingOutlook::operator()(const motion::Edg
 
 tl::expected<core::Seconds, motion::EdgeClosed> SurfacingOutlook::until_surfacing(
     core::Seconds at_end) const {
-  const auto longest = sea_.longest_without_surfacing();
+  const auto longest = overhead_.longest_without_surfacing();
   double until_s = at_end.count();
   for (std::size_t i = looks_.size() - 1; i-- > 0;) {
     const Look& look = looks_[i];

@@ -6,26 +6,26 @@
 
 #include "engine/motion/edge_closed.hpp"
 #include "engine/motion/edge_time.hpp"
-#include "engine/planning/cost/sea.hpp"
+#include "engine/planning/cost/overhead.hpp"
 
 namespace floeplan::planning::cost {
 
 /// Watches a drive for what is above: closes it where there is no room below the ice, and where the last possible
 /// surfacing lies too far back. A visitor of the pieces of an edge.
-/// Accuracy  looked at every `surfacing_look()` of the sea; the time between two looks counts as without a surfacing
+/// Accuracy  looked at every `look()` of the overhead; the time between two looks counts as without a surfacing
 ///           unless the vehicle may surface at both, so that what counts is never shorter than the truth but for ice,
 ///           or an iceberg, narrower than that
 class SurfacingWatch {
  public:
-  /// `sea` and `edge` are borrowed.
-  SurfacingWatch(const Sea& sea, const motion::PlaneEdge& edge, core::Seconds since_surfacing)
-      : sea_{sea}, edge_{edge}, since_s_{since_surfacing.count()} {}
+  /// `overhead` and `edge` are borrowed.
+  SurfacingWatch(const Overhead& overhead, const motion::PlaneEdge& edge, core::Seconds since_surfacing)
+      : overhead_{overhead}, edge_{edge}, since_s_{since_surfacing.count()} {}
 
   std::optional<motion::EdgeClosed> operator()(const motion::EdgePiece& piece);
   [[nodiscard]] core::Seconds since_surfacing() const { return core::Seconds{since_s_}; }
 
  private:
-  const Sea& sea_;
+  const Overhead& overhead_;
   const motion::PlaneEdge& edge_;
   std::optional<ice::IceWatch> ice_{};  // from the first piece on, where anything is known of ice
   double since_s_;
@@ -35,12 +35,12 @@ class SurfacingWatch {
 /// there and is watched meanwhile finds the same times without one.
 class SurfacingOutlook {
  public:
-  /// `sea` and `edge` are borrowed.
-  SurfacingOutlook(const Sea& sea, const motion::PlaneEdge& edge, core::Seconds depart);
+  /// `overhead` and `edge` are borrowed.
+  SurfacingOutlook(const Overhead& overhead, const motion::PlaneEdge& edge, core::Seconds depart);
 
   std::optional<motion::EdgeClosed> operator()(const motion::EdgePiece& piece);
   /// For a vehicle that may surface so long after the drive's end; no_surfacing where the time without one becomes
-  /// longer than the sea allows.
+  /// longer than the overhead allows.
   [[nodiscard]] tl::expected<core::Seconds, motion::EdgeClosed> until_surfacing(core::Seconds at_end) const;
 
  private:
@@ -49,7 +49,7 @@ class SurfacingOutlook {
     bool may_surface;
   };
 
-  const Sea& sea_;
+  const Overhead& overhead_;
   const motion::PlaneEdge& edge_;
   std::optional<ice::IceWatch> ice_{};  // where anything is known of ice
   std::vector<Look> looks_;             // from the drive's beginning to its end

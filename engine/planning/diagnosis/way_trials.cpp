@@ -64,7 +64,7 @@ class GridTrial {
 
   Reached operator()(core::Seconds depart, core::Seconds since_surfacing) {
     std::vector<geo::PlanePoint> path = unbounded_way(depart);
-    if (!sea_.bounds_surfacing() || path.empty()) return {std::move(path), {}};
+    if (!sea_.overhead().bounds_surfacing() || path.empty()) return {std::move(path), {}};
     constexpr core::Seconds whenever_there{INFINITY};
     if (const auto since = cost::since_surfacing_at_end(sea_, path, depart, since_surfacing, whenever_there))
       return {std::move(path), *since};

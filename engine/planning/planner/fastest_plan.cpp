@@ -58,7 +58,7 @@ class WayFinder {
   }
 
   [[nodiscard]] Result<RefinedWay> find() const {
-    if (!chart_.sea.bounds_surfacing()) return find_in(chart_.sea);
+    if (!chart_.sea.overhead().bounds_surfacing()) return find_in(chart_.sea);
     // What is best without the bound and keeps it is best with it. Refinement often takes a way out of the ice that
     // the grid cannot keep clear of.
     auto free = find_in(chart_.sea.without_bound_on_surfacing());

@@ -42,7 +42,7 @@ std::optional<TourLegs::Way> TourLegs::searched(Leg& leg, long departure) {
   const auto known = leg.ways.find(departure);
   if (known != leg.ways.end()) return known->second;
   const core::Seconds depart = static_cast<double>(departure) * between_departures;
-  auto way = sea_.bounds_surfacing() ? bounded(leg.open, depart) : unbounded(leg, depart);
+  auto way = sea_.overhead().bounds_surfacing() ? bounded(leg.open, depart) : unbounded(leg, depart);
   if (stop_.stop_requested()) return std::nullopt;
   return leg.ways.emplace(departure, std::move(way)).first->second;
 }
@@ -127,7 +127,8 @@ std::optional<core::Seconds> TourLegs::bearable_time(std::size_t from, std::size
   const bool may_wait = sea_.longest_wait().count() > 0.0;
   if (!may_wait && !search::is_bearable(depart, arrival, opens)) return std::nullopt;
   // Ways that keep a bound on the time without surfacing are searched with what closes and opens.
-  if (!sea_.has_timed_closures() || sea_.bounds_surfacing() || arrival == depart) return opens - depart;
+  if (!sea_.has_timed_closures() || sea_.overhead().bounds_surfacing() || arrival == depart)
+    return opens - depart;
   const auto arrives = arrival_past_closures({from, to}, depart, arrival, opens);
   return arrives ? std::optional{*arrives - depart} : std::nullopt;
 }

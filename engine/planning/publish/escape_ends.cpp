@@ -19,7 +19,7 @@ struct Flight {
 
 Flight flown(const EscapeWay& escape, const cost::Sea& sea, const UnderIceRules& rules,
              core::Seconds arrives) {
-  const core::Metres step = sea.surfacing_look();
+  const core::Metres step = sea.overhead().look();
   Flight flight{.carried = {}, .grown = {}, .ends = arrives};
   geo::PlanePoint from = sea.projection().to_plane(escape.way.front());
   for (std::size_t i = 1; i < escape.way.size(); ++i) {

@@ -111,13 +111,13 @@ cost::Route held_at_the_ice(const cost::Sea& sea, const cost::Route& route) {
       held.fixed.push_back(fixed);
     }
   };
-  bool was_open = sea.may_surface(route.points.front(), schedule->leaves(0));
+  bool was_open = sea.overhead().may_surface(route.points.front(), schedule->leaves(0));
   for (std::size_t i = 0; i < route.legs(); ++i) {
     const geo::PlanePoint end = route.points[i + 1];
     geo::PlanePoint before = route.points[i];
     for (const cost::Sea::Passage& passage : sea.passages(route.points[i], end, schedule->leaves(i),
-                                                          sea.surfacing_look(), sea.drives().front())) {
-      const bool is_open = sea.may_surface(passage.point, passage.time);
+                                                          sea.overhead().look(), sea.drives().front())) {
+      const bool is_open = sea.overhead().may_surface(passage.point, passage.time);
       if (is_open != was_open) add(is_open ? passage.point : before, true);
       was_open = is_open;
       before = passage.point;
@@ -175,7 +175,7 @@ Improved improve(const cost::Sea& sea, const cost::Route& way, const PlanRequest
   improved.route = finished(sea, improved.route, request, stop);
   if (stays_open(sea, improved.route)) return improved;
   const cost::Route joined = joined_where_open(sea, way);
-  if (request.refine && request.method != Method::direct && sea.bounds_surfacing()) {
+  if (request.refine && request.method != Method::direct && sea.overhead().bounds_surfacing()) {
     Improved held = refined(sea, held_at_the_ice(sea, joined), request, stop, clock);
     held.route = finished(sea, released(std::move(held.route), joined), request, stop);
     if (stays_open(sea, held.route)) return held;

@@ -77,9 +77,9 @@ std::optional<TimedWay> way_onwards(const cost::Sea& sea, const std::vector<geo:
     const auto time = sea.leg_time(route[i], route[i + 1], arrivals[i], core::Seconds{INFINITY}, drives[i]);
     if (!time || arrivals[i] + *time + rounding < arrivals[i + 1]) return std::nullopt;
     for (const cost::Sea::Passage& passage :
-         sea.passages(route[i], route[i + 1], arrivals[i], sea.surfacing_look(), drives[i])) {
+         sea.passages(route[i], route[i + 1], arrivals[i], sea.overhead().look(), drives[i])) {
       if (passage.time > latest) return std::nullopt;
-      if (!sea.may_surface(passage.point, passage.time)) continue;
+      if (!sea.overhead().may_surface(passage.point, passage.time)) continue;
       way.go_on(passage.point, passage.time, drives[i]);
       return way;
     }
@@ -113,7 +113,7 @@ Result<std::vector<EscapeWay>> plan_escapes(const cost::Sea& sea, const cost::La
       return sea.leg_time(grid.point(edge.tail), grid.point(edge.head), from, until);
     };
     const auto open = [&](graph::Vertex v, core::Seconds then) {
-      return sea.may_surface(grid.point(v), then);
+      return sea.overhead().may_surface(grid.point(v), then);
     };
 
     const auto found = graph::find_nearest_goal(graph, grid.start, depart, latest, travel_time, open, stop);

@@ -249,7 +249,7 @@ Infeasible explain_search(const RouteSearch& search, const cost::Sea& sea, const
   // first kind.
   using enum motion::EdgeClosed;
   // Where each of them is open by itself, it is the time without a surfacing that ran out before their ends.
-  motion::EdgeClosed binding = sea.bounds_surfacing() ? no_surfacing : on_land;
+  motion::EdgeClosed binding = sea.overhead().bounds_surfacing() ? no_surfacing : on_land;
   std::ptrdiff_t most = 0;
   for (const motion::EdgeClosed kind :
        {outside_data, current_too_strong, no_surfacing, under_ice, too_shallow, on_land, in_zone, obstacle}) {

@@ -383,10 +383,10 @@ RouteSearch search_route(const cost::Sea& sea, const OpenGrid& open, const PlanR
                          core::Seconds since_surfacing, Foresight* kept_foresight) {
   RouteSearch found =
       search_unbounded(sea, open, request, depart, stop, report_fraction, latest, kept_foresight);
-  if (!sea.bounds_surfacing() || found.cancelled || found.path.empty()) return found;
+  if (!sea.overhead().bounds_surfacing() || found.cancelled || found.path.empty()) return found;
   // The best way of all is the best of those that keep the bound, if it does.
   const auto since = cost::since_surfacing_at_end(sea, found.path, depart, since_surfacing, found.arrival);
-  if (since && *since + open.needed_after_goal() <= *sea.longest_without_surfacing()) {
+  if (since && *since + open.needed_after_goal() <= *sea.overhead().longest_without_surfacing()) {
     found.since_surfacing = *since;
     return found;
   }

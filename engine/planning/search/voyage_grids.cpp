@@ -9,7 +9,7 @@ std::vector<OpenGrid> open_grids(const cost::Sea& sea, const std::vector<cost::R
   std::vector<OpenGrid> result;
   result.reserve(grids.size());
   for (const cost::RouteGrid& grid : grids) result.push_back(open_grid(sea, grid, sectors, stop));
-  if (!sea.bounds_surfacing()) return result;
+  if (!sea.overhead().bounds_surfacing()) return result;
   for (std::size_t i = result.size(); i-- > 1;) {
     const OpenGrid& next = result[i];
     result[i - 1].least_after_goal = core::Seconds{least_until_surfacing_s(sea, next, stop)[next.grid.start]};

@@ -133,7 +133,7 @@ class Parts {
 
   /// Whether the part before, which ends as early as it can, may have left too little of the bound.
   [[nodiscard]] bool is_for_want_of_surfacing(const RouteSearch& search) const {
-    return sea_.bounds_surfacing() && !parts_.empty() && end_.since_surfacing.count() > 0.0 &&
+    return sea_.overhead().bounds_surfacing() && !parts_.empty() && end_.since_surfacing.count() > 0.0 &&
            !search.opens_later;
   }
 
@@ -141,7 +141,7 @@ class Parts {
   /// there, and more where what is above has changed until then. Replaces the part before where that leads on.
   /// `failed`: is given back where it does not
   RouteSearch search_with_more_left(RouteSearch failed, std::size_t i) {
-    const core::Seconds longest = *sea_.longest_without_surfacing();
+    const core::Seconds longest = *sea_.overhead().longest_without_surfacing();
     const RouteSearch rested = search_from(grids_[i], i, {end_.depart, core::Seconds{0.0}});
     if (rested.path.empty()) {
       failed.cancelled = rested.cancelled;

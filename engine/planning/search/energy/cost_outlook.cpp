@@ -31,7 +31,7 @@ class Rates {
   void look(Vertex v, core::Seconds time) {
     constexpr core::Seconds second{1.0};
     const geo::PlanePoint point = grid_.point(v);
-    const core::Metres upper_turn = sea_.least_upper_turn(point, time);
+    const core::Metres upper_turn = sea_.overhead().least_upper_turn(point, time);
     for (std::size_t d = 0; d < sea_.drives().size(); ++d) {
       const core::Joules drawn =
           sea_.energy().use(point, point, second, sea_.drives()[d], upper_turn).total();

@@ -84,8 +84,8 @@ double cost_along(const cost::Sea& sea, const OpenGrid& open, const std::vector<
   const auto times =
       cost::drive_along(sea, route, beginning.depart, beginning.since_surfacing, cost::Dives::over_map);
   if (!times) return INFINITY;
-  if (sea.bounds_surfacing() &&
-      times->since_surfacing + open.needed_after_goal() > *sea.longest_without_surfacing())
+  if (sea.overhead().bounds_surfacing() &&
+      times->since_surfacing + open.needed_after_goal() > *sea.overhead().longest_without_surfacing())
     return INFINITY;
   return times->cost(objective);
 }

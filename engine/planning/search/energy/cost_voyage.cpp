@@ -25,7 +25,8 @@ CostVoyage::CostVoyage(const cost::Sea& sea, const OpenGrid& open, const Objecti
       outlook_{outlook},
       least_rate_{least_rate(sea, objective)},
       goal_{open.grid.point(open.grid.goal)},
-      longest_without_surfacing_{sea.bounds_surfacing() ? sea.longest_without_surfacing() : std::nullopt},
+      longest_without_surfacing_{
+          sea.overhead().bounds_surfacing() ? sea.overhead().longest_without_surfacing() : std::nullopt},
       steady_{sea.is_steady()},
       closures_{sea.has_timed_closures()} {}
 

@@ -93,7 +93,7 @@ std::size_t last_of_use(const Spans& spans, const FavourableGrid& grid, double l
 HourlyReach reach_hour_by_hour(const cost::Sea& sea, const FavourableGrid& grid, core::Seconds depart,
                                core::Seconds since_surfacing, const std::stop_token& stop) {
   const OpenGrid& open = grid.open();
-  const double longest_s = sea.longest_without_surfacing()->count() + rounding_of_times_s;
+  const double longest_s = sea.overhead().longest_without_surfacing()->count() + rounding_of_times_s;
   HourlyReach result{.reached = std::vector<bool>(open.graph.size(), false)};
   if (!sea.ice()) {
     result.reaches_goal = true;

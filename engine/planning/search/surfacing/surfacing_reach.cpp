@@ -60,7 +60,7 @@ void spread_backwards(std::vector<double>& until_s, const FavourableGrid& grid, 
 
 /// The bound, with room for rounding.
 double longest(const cost::Sea& sea) {
-  return sea.longest_without_surfacing()->count() + rounding_of_times_s;
+  return sea.overhead().longest_without_surfacing()->count() + rounding_of_times_s;
 }
 
 }  // namespace

@@ -118,7 +118,8 @@ class Searches {
     SurfacingVoyage::Aim aim{SurfacingVoyage::Aim::best_way};
   };
   [[nodiscard]] Labels find(const Wanted& wanted, const Openings& openings, std::size_t most_labels) {
-    const core::Seconds resolution = wanted.pass.share_of_bound * *sea_.longest_without_surfacing();
+    const core::Seconds resolution =
+        wanted.pass.share_of_bound * *sea_.overhead().longest_without_surfacing();
     const OpenGrid& open = reach_.grid();
     SurfacingVoyage voyage{sea_,
                            open,

@@ -33,7 +33,7 @@ SurfacingVoyage::SurfacingVoyage(const cost::Sea& sea, const OpenGrid& open, con
       reach_{known.reach},
       ladder_{known.ladder},
       step_s_{step_time(open.grid, sea.through_water()).count()},
-      longest_s_{sea.longest_without_surfacing()->count()},
+      longest_s_{sea.overhead().longest_without_surfacing()->count()},
       left_at_goal_s_{open.left_at_goal.count()},
       resolution_s_{resolution.count()},
       before_s_{before.count()},

@@ -86,7 +86,7 @@ void look_for_waits_in_currents(RouteSearch& result, const cost::Sea& sea, const
   if (!cost::waits_may_help(sea)) return;
   WaitsInCurrents waits{result, sea, open, straight, stop, report};
   waits.look_on_the_way(query);
-  if (!result.cancelled && !sea.bounds_surfacing()) waits.look_at_the_start(query);
+  if (!result.cancelled && !sea.overhead().bounds_surfacing()) waits.look_at_the_start(query);
 }
 
 }  // namespace floeplan::planning::search

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "engine/planning/cost/sea.hpp"
 #include "tests/support/property.hpp"
 #include "tests/support/small_sea.hpp"
 
