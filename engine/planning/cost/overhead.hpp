@@ -37,7 +37,8 @@ class Overhead {
                                            core::Seconds time) const;
   /// How close together looks at it are.
   [[nodiscard]] core::Metres look() const;
-  /// How deep the dives must turn there and then, below ice or an iceberg's keel; zero where nothing is above.
+  /// The least depth at which dives may turn at this place and time, below ice or an iceberg's keel; zero where
+  /// nothing is above.
   [[nodiscard]] core::Metres least_upper_turn(geo::PlanePoint point, core::Seconds time) const {
     const core::Metres of_ice = ice_ ? ice_->least_upper_turn(point, time) : core::Metres{0.0};
     return std::max(of_ice, icebergs_.least_upper_turn(point, time).value_or(core::Metres{0.0}));

@@ -47,7 +47,7 @@ class PlaneCurrents {
                 const std::stop_token& stop = {}, const ice::UnderIce* ice = nullptr);
 
   [[nodiscard]] std::optional<motion::CurrentXy> operator()(geo::PlanePoint point, core::Seconds time) const;
-  /// The current along an edge, cell by cell: for who includes current_line.hpp. Precondition: `has_lines()`.
+  /// The current along an edge, cell by cell. Callers include current_line.hpp, too. Precondition: `has_lines()`.
   [[nodiscard]] CurrentLine line(const motion::PlaneEdge& edge) const;
   /// Not where the data's longitudes jump inside the area.
   [[nodiscard]] bool has_lines() const { return !lookup_.has_jump(); }

@@ -159,11 +159,7 @@ Result<Plan> plan_uncertain(const ocean::Environment& environment, const PlanReq
     const Result<Plan> plan = plan_in(sea);
     if (!plan) return;
     // A route that the first currents do not let through could not be published.
-    const std::vector<geo::LonLat> route = places_of(*plan);
-    const PlanRequest on_route = search::request_along(route, request);
-    const auto ground = search::lay_out_ground(environment, on_route, search::site_of(on_route), stop);
-    if (!ground) return;
-    Result<Plan> in_first = evaluate_on_ground(**ground, route, request, stop);
+    Result<Plan> in_first = evaluate_in(environment, places_of(*plan), request, stop);
     if (in_first) candidates.push_back(std::move(*in_first));
   };
   const auto report = [&](double from, std::size_t member) {

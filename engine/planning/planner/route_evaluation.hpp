@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "engine/geo/lon_lat.hpp"
+#include "engine/ocean/environment.hpp"
 #include "engine/planning/problem/infeasible.hpp"
 #include "engine/planning/problem/plan.hpp"
 #include "engine/planning/problem/plan_request.hpp"
@@ -15,5 +16,10 @@ namespace floeplan::planning::planner {
 [[nodiscard]] Result<Plan> evaluate_on_ground(const search::RouteGround& ground,
                                               const std::vector<geo::LonLat>& route,
                                               const PlanRequest& request, const std::stop_token& stop);
+
+/// The same on a ground that is laid out for this route.
+[[nodiscard]] Result<Plan> evaluate_in(const ocean::Environment& environment,
+                                       const std::vector<geo::LonLat>& route, const PlanRequest& request,
+                                       const std::stop_token& stop);
 
 }  // namespace floeplan::planning::planner
