@@ -13,7 +13,8 @@ namespace floeplan::geo {
 ///               do not touch; neighbours on a ring are less than 180 degrees of longitude apart
 /// Returns  rings as given: outer ones counter-clockwise, holes clockwise, none crossing the antimeridian;
 ///          longitudes in [-180, 180]
-/// Source   RFC 7946, sections 3.1.6 and 3.1.9; clipping by Boost.Geometry
+/// Errors   std::runtime_error for a polygon that breaks the precondition so that it cannot be cut
+/// Source   RFC 7946, sections 3.1.6 and 3.1.9; clipping by GEOS
 [[nodiscard]] std::vector<Polygon> split_at_antimeridian(const Polygon& polygon);
 
 }  // namespace floeplan::geo
