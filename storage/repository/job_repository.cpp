@@ -1,6 +1,7 @@
 #include "storage/repository/job_repository.hpp"
 
 #include <array>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -79,43 +80,130 @@ std::vector<JobRecord> read_jobs(sqlite::Statement& query) {
   return jobs;
 }
 
-/// The oldest claimable job of the class and the owner whose turn it is; ?2 is the time, ?4 a class or NULL, ?5 the most
-/// running jobs that its owner may have or NULL.
-const std::string next_in_turn =
-    "SELECT first_row FROM (SELECT first_row, its_class, candidate, (SELECT count(*) FROM job WHERE status = "
-    "'running' AND class = its_class AND owner = candidate AND lease_until_s > ?2) AS running FROM (SELECT "
-    "class AS its_class, owner AS candidate, min(row) AS first_row FROM job AS waiting WHERE (?4 IS NULL OR "
-    "class = ?4) AND (status = 'accepted' OR (status = 'running' AND (lease_until_s IS NULL OR lease_until_s "
-    "<= ?2))) AND NOT (class = 'batch' AND EXISTS (SELECT 1 FROM job WHERE status = 'running' AND class = "
-    "'batch' AND owner = waiting.owner AND process = waiting.process AND lease_until_s > ?2)) GROUP BY "
-    "class, "
-    "owner)) WHERE ?5 IS NULL OR running < ?5 ORDER BY CASE its_class WHEN 'interactive' THEN 0 WHEN 'batch' "
-    "THEN 1 ELSE 2 END, running, (SELECT max(started_s) FROM job WHERE owner = candidate AND class = "
-    "its_class) NULLS FIRST, first_row LIMIT 1";
+/// The jobs that a statement on the queue looks at: all of them, or in a store where some cannot be read those that can.
+/// One job that is damaged must not hold up the others.
+class Queue {
+ public:
+  /// Where the text says {jobs} it reads from them; ?9 is taken.
+  [[nodiscard]] sqlite::Statement statement(sqlite::Connection& db, std::string sql) const {
+    constexpr std::string_view place = "{jobs}";
+    const std::string jobs =
+        rows_ ? "(SELECT job.* FROM json_each(?9) AS listed CROSS JOIN job ON job.row = listed.value)"
+              : "job";
+    for (auto at = sql.find(place); at != std::string::npos; at = sql.find(place, at + jobs.size()))
+      sql.replace(at, place.size(), jobs);
+    sqlite::Statement prepared{db, sql};
+    if (rows_) prepared.bind(9, json(*rows_));
+    return prepared;
+  }
+
+  /// After damage was met: first everything that cannot be read, then the job that was to be written, whose row may share
+  /// a page with one that is damaged.
+  /// Returns  whether that leaves fewer than before
+  [[nodiscard]] bool leave_out(sqlite::Connection& db, std::optional<std::int64_t> row) {
+    if (rows_) return row && rows_->erase(*row) > 0;
+    keep_whole(db);
+    return true;
+  }
+
+ private:
+  /// Those that wait or run and can be read to their end.
+  void keep_whole(sqlite::Connection& db) {
+    rows_.emplace();
+    std::vector<std::int64_t> unfinished;
+    {
+      sqlite::Statement query{
+          db, "SELECT row FROM job INDEXED BY job_by_status WHERE status IN ('accepted', 'running')"};
+      while (query.step()) unfinished.push_back(query.integer(0));
+    }
+    sqlite::Statement query{db, "SELECT * FROM job WHERE row = ?1"};
+    for (const std::int64_t row : unfinished) {
+      const bool whole = meets_no_damage([&] {
+        query.reset();
+        query.bind(1, row);
+        (void)query.step();
+      });
+      if (whole) rows_->insert(row);
+    }
+  }
+
+  static std::string json(const std::set<std::int64_t>& rows) {
+    std::string list = "[";
+    for (const std::int64_t row : rows) list += (list.size() == 1 ? "" : ",") + std::to_string(row);
+    return list + "]";
+  }
+
+  std::optional<std::set<std::int64_t>> rows_;  // empty: all
+};
+
+/// Does `work(queue)` on all jobs, and where that meets damage on those that can be read. What cannot be written either is
+/// left as it is: it is named by `verify`, and `repair` takes it out.
+template <class Work>
+void past_damaged_jobs(sqlite::Connection& db, const Work& work) {
+  Queue queue;
+  if (meets_no_damage([&] { work(queue); })) return;
+  (void)queue.leave_out(db, {});
+  (void)meets_no_damage([&] { work(queue); });
+}
 
 std::optional<std::string> name_of(std::optional<JobClass> only) {
   return only ? std::optional{class_name(*only)} : std::nullopt;
 }
 
-/// A read, which many idle workers may do at once, before anybody asks for the right to write.
-bool has_claimable(sqlite::Connection& db, core::UtcTime now, std::optional<JobClass> only,
-                   std::optional<std::int64_t> most_of_owner) {
-  sqlite::Statement query{db, next_in_turn};
-  query.bind(2, now);
-  query.bind(4, name_of(only));
-  query.bind(5, most_of_owner);
-  return query.step();
+/// The oldest claimable job of the class and the owner whose turn it is. A read, which many idle workers may do at once,
+/// before anybody asks for the right to write.
+std::optional<std::int64_t> next_in_turn(sqlite::Connection& db, const Queue& queue, core::UtcTime now,
+                                         std::optional<JobClass> only,
+                                         std::optional<std::int64_t> most_of_owner) {
+  sqlite::Statement query = queue.statement(db, R"sql(
+    SELECT first_row FROM (
+      SELECT first_row, its_class, candidate, (
+        SELECT count(*) FROM {jobs}
+        WHERE status = 'running' AND class = its_class AND owner = candidate AND lease_until_s > ?1) AS running
+      FROM (
+        SELECT class AS its_class, owner AS candidate, min(row) AS first_row FROM {jobs} AS waiting
+        WHERE (?2 IS NULL OR class = ?2)
+          AND (status = 'accepted'
+               OR (status = 'running' AND attempts < ?4 AND (lease_until_s IS NULL OR lease_until_s <= ?1)))
+          AND NOT (class = 'batch' AND EXISTS (
+            SELECT 1 FROM {jobs} WHERE status = 'running' AND class = 'batch' AND owner = waiting.owner
+              AND process = waiting.process AND lease_until_s > ?1))
+        GROUP BY class, owner))
+    WHERE ?3 IS NULL OR running < ?3
+    ORDER BY CASE its_class WHEN 'interactive' THEN 0 WHEN 'batch' THEN 1 ELSE 2 END, running,
+      (SELECT max(started_s) FROM job WHERE owner = candidate AND class = its_class) NULLS FIRST, first_row
+    LIMIT 1)sql");
+  query.bind_all(now, name_of(only), most_of_owner, JobRepository::max_attempts);
+  return query.step() ? std::optional{query.integer(0)} : std::nullopt;
 }
 
-void fail_exhausted(sqlite::Connection& db, core::UtcTime now) {
-  sqlite::Statement update{db,
-                           "UPDATE job SET status = 'failed', message = 'begun ' || attempts || ' times, and "
-                           "each time its worker stopped "
-                           "before the end', worker = NULL, lease_until_s = NULL, finished_s = ?1, updated_s "
-                           "= ?1 WHERE status = 'running' "
-                           "AND (lease_until_s IS NULL OR lease_until_s <= ?1) AND attempts >= ?2"};
-  update.bind_all(now, JobRepository::max_attempts);
-  update.run();
+/// Begins no writing where there is nothing to write.
+void fail_exhausted(sqlite::Connection& db, const Queue& queue, core::UtcTime now) {
+  const std::string exhausted = R"sql(
+    SELECT row FROM {jobs}
+    WHERE status = 'running' AND (lease_until_s IS NULL OR lease_until_s <= ?1) AND attempts >= ?2)sql";
+  const auto run = [&](const std::string& sql) {
+    sqlite::Statement statement = queue.statement(db, sql);
+    statement.bind_all(now, JobRepository::max_attempts);
+    return statement.step();
+  };
+  if (!run(exhausted)) return;
+  run(R"sql(
+    UPDATE job SET status = 'failed', worker = NULL, lease_until_s = NULL, finished_s = ?1, updated_s = ?1,
+      message = 'begun ' || attempts || ' times, and each time its worker stopped before the end'
+    WHERE row IN ()sql" +
+      exhausted + ")");
+}
+
+std::optional<JobRecord> take(sqlite::Connection& db, std::int64_t row, const std::string& worker,
+                              core::UtcTime now, core::Seconds lease) {
+  sqlite::Statement update{db, R"sql(
+    UPDATE job SET status = 'running', worker = ?2, lease_until_s = ?4, attempts = attempts + 1,
+      started_s = coalesce(started_s, ?3), updated_s = ?3, stage = '', progress = 0.0
+    WHERE row = ?1 RETURNING )sql" +
+                                   job_columns};
+  update.bind_all(row, worker, now, now + lease);
+  return update.step() ? std::optional{read_job(update)} : std::nullopt;
 }
 
 }  // namespace
@@ -188,8 +276,11 @@ std::optional<JobRecord> JobRepository::find_shared(const std::string& digest,
                                    "status IN ('accepted', 'running'))) ORDER BY status = 'successful' DESC, "
                                    "row DESC LIMIT 1"};
   query.bind_all(digest, owner);
-  if (!query.step()) return std::nullopt;
-  return read_job(query);
+  std::optional<JobRecord> shared;
+  (void)meets_no_damage([&] {
+    if (query.step()) shared = read_job(query);
+  });
+  return shared;
 }
 
 std::vector<JobRecord> JobRepository::changed_since(std::int64_t change, int limit) const {
@@ -215,22 +306,23 @@ void JobRepository::touch_queue() { sqlite::execute(db_, "UPDATE job_clock SET c
 std::optional<JobRecord> JobRepository::claim(const std::string& worker, core::UtcTime now,
                                               core::Seconds lease, std::optional<JobClass> only,
                                               std::optional<std::int64_t> most_of_owner) {
-  if (!has_claimable(db_, now, only, most_of_owner)) return std::nullopt;
-
-  sqlite::Transaction transaction{db_};
-  fail_exhausted(db_, now);
-  std::optional<JobRecord> claimed;
-  {
-    sqlite::Statement update{db_,
-                             "UPDATE job SET status = 'running', worker = ?1, lease_until_s = ?3, attempts = "
-                             "attempts + 1, started_s = coalesce(started_s, ?2), updated_s = ?2, stage = '', "
-                             "progress = 0.0 WHERE row = (" +
-                                 next_in_turn + ") RETURNING " + job_columns};
-    update.bind_all(worker, now, now + lease, name_of(only), most_of_owner);
-    if (update.step()) claimed = read_job(update);
+  past_damaged_jobs(db_, [&](const Queue& queue) { fail_exhausted(db_, queue, now); });
+  Queue queue;
+  while (true) {
+    std::optional<std::int64_t> row;
+    try {
+      row = next_in_turn(db_, queue, now, only, most_of_owner);
+      if (!row) return std::nullopt;
+      sqlite::Transaction transaction{db_};
+      row = next_in_turn(db_, queue, now, only, most_of_owner);
+      std::optional<JobRecord> claimed;
+      if (row) claimed = take(db_, *row, worker, now, lease);
+      transaction.commit();
+      return claimed;
+    } catch (const sqlite::Failure& failure) {
+      if (failure.trouble() != sqlite::Trouble::damaged || !queue.leave_out(db_, row)) throw;
+    }
   }
-  transaction.commit();
-  return claimed;
 }
 
 bool JobRepository::renew(const JobId& id, const std::string& worker, const std::string& stage,
@@ -265,21 +357,24 @@ bool JobRepository::fail(const JobId& id, const std::string& worker, const std::
 }
 
 void JobRepository::hand_back(const std::string& worker, core::UtcTime now) {
-  sqlite::Statement update{db_,
-                           "UPDATE job SET status = 'accepted', attempts = attempts - 1, started_s = "
-                           "iif(attempts = 1, NULL, started_s), "
-                           "stage = '', progress = 0.0, worker = NULL, lease_until_s = NULL, updated_s = ?2 "
-                           "WHERE worker = ?1 AND status = "
-                           "'running'"};
-  update.bind_all(worker, now);
-  update.run();
+  past_damaged_jobs(db_, [&](const Queue& queue) {
+    sqlite::Statement update = queue.statement(db_, R"sql(
+      UPDATE job SET status = 'accepted', attempts = attempts - 1, started_s = iif(attempts = 1, NULL, started_s),
+        stage = '', progress = 0.0, worker = NULL, lease_until_s = NULL, updated_s = ?2
+      WHERE row IN (SELECT row FROM {jobs} WHERE worker = ?1 AND status = 'running'))sql");
+    update.bind_all(worker, now);
+    update.run();
+  });
 }
 
 void JobRepository::release_all_leases(core::UtcTime now) {
-  sqlite::Statement update{
-      db_, "UPDATE job SET worker = NULL, lease_until_s = NULL, updated_s = ?1 WHERE status = 'running'"};
-  update.bind(1, now);
-  update.run();
+  past_damaged_jobs(db_, [&](const Queue& queue) {
+    sqlite::Statement update = queue.statement(db_, R"sql(
+      UPDATE job SET worker = NULL, lease_until_s = NULL, updated_s = ?1
+      WHERE row IN (SELECT row FROM {jobs} WHERE status = 'running'))sql");
+    update.bind(1, now);
+    update.run();
+  });
 }
 
 bool JobRepository::dismiss(const JobId& id, core::UtcTime now) {

@@ -88,7 +88,7 @@ class JobRepository {
   [[nodiscard]] PartialList<JobRecord> list_past_damage(std::int64_t before, int limit,
                                                         const JobFilter& filter = {}) const;
   /// A job whose result follows from the same: the newest that was successful, else this owner's newest that has not
-  /// ended.
+  /// ended. Nothing where one of them cannot be read: the work is then done anew.
   [[nodiscard]] std::optional<JobRecord> find_shared(const std::string& digest,
                                                      const std::string& owner) const;
   /// Jobs that changed after the change of this number, in the order of their last changes, at most `limit`.
@@ -105,6 +105,7 @@ class JobRepository {
   /// the oldest of the owner with the fewest running jobs of this class, of several owners the one whose last began
   /// longest ago. Of one owner's batches of one process no two run at the same time: their order is kept, and one owner
   /// does not take the workers of all.
+  /// Jobs that cannot be read or written are passed over: one that is damaged holds up no other.
   /// `only`           jobs of this class; empty: of any
   /// `most_of_owner`  owners with so many running jobs of the class are passed over; empty: none is
   [[nodiscard]] std::optional<JobRecord> claim(const std::string& worker, core::UtcTime now,

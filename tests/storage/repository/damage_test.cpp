@@ -238,6 +238,49 @@ TEST_F(DamagedStore, IsListedPastWhatCannotBeRead) {
   EXPECT_GT(named, 10U);
 }
 
+/// Wherever a bit of the jobs themselves is flipped: workers get the jobs that can be read.
+TEST_F(DamagedStore, HandsOutEveryJobThatIsWhole) {
+  std::vector<std::uint64_t> job_pages;
+  {
+    auto db = open_store(folder_.path());
+    sqlite::Statement query{db, "SELECT pageno FROM dbstat WHERE name = 'job'"};
+    while (query.step()) job_pages.push_back(static_cast<std::uint64_t>(query.integer(0)) - 1);
+  }
+  const fs::path whole = folder_.path() / "whole";
+  fs::copy_file(database(), whole);
+  std::size_t handed_out = 0;
+  std::size_t passed_over = 0;
+  std::size_t not_ended = 0;
+  support::for_each_seed(60, [&](std::mt19937_64& rng) {
+    fs::copy_file(whole, database(), fs::copy_options::overwrite_existing);
+    const auto page =
+        static_cast<std::size_t>(support::uniform_int(rng, 0, static_cast<int>(job_pages.size()) - 1));
+    const auto byte =
+        static_cast<std::uint64_t>(support::uniform_int(rng, 0, static_cast<int>(page_size) - 1));
+    flip_bit(database(), job_pages[page] * page_size + byte, support::uniform_int(rng, 0, 7));
+    auto db = open_store(folder_.path());
+    JobRepository jobs{db};
+    std::set<std::string> readable;
+    for (const JobRecord& job : jobs.list_past_damage(0, plans).whole) readable.insert(job.id.value);
+
+    const core::UtcTime now = core::from_unix_seconds(1.0e9);
+    std::set<std::string> claimed;
+    jobs.release_all_leases(now);
+    while (const auto job = jobs.claim("w", now, core::Seconds{60.0})) {
+      EXPECT_TRUE(claimed.insert(job->id.value).second) << job->id.value << " was handed out twice";
+      if (!meets_no_damage([&] { jobs.succeed(job->id, "w", "{}", now); })) ++not_ended;
+    }
+    jobs.hand_back("w", now);
+
+    EXPECT_THAT(readable, testing::IsSupersetOf(claimed));
+    handed_out += claimed.size();
+    passed_over += readable.size() - claimed.size();
+  });
+  EXPECT_GT(handed_out, 60U * plans / 2);
+  // To write a row that grows SQLite may need the pages beside its own.
+  EXPECT_LT(passed_over + not_ended, handed_out / 20) << passed_over << " and " << not_ended;
+}
+
 TEST_F(DamagedStore, WithAChangedHeaderIsNotOpened) {
   for (const std::uint64_t byte : {0U, 18U, 20U, 30U, 60U, 63U, 70U, 99U}) {
     flip_bit(database(), byte, 3);
