@@ -10,7 +10,7 @@ namespace floeplan::repository {
 namespace {
 
 constexpr double metres_per_degree = 111'195.0;  // of a sphere of 6371 km; the grid need not be exact
-constexpr float missing = std::numeric_limits<float>::quiet_NaN();
+constexpr float no_depth = std::numeric_limits<float>::quiet_NaN();
 constexpr float none = std::numeric_limits<float>::infinity();
 
 /// Nodes from `low` to at least `high`.
@@ -48,8 +48,8 @@ ocean::HorizontalGrid grid_over(const geo::BoundingBox& area, core::Metres spaci
 
 BathymetryMosaic::BathymetryMosaic(const geo::BoundingBox& area, core::Metres spacing, std::size_t most_nodes)
     : grid_{grid_over(area, spacing, most_nodes)},
-      depth_m_(grid_.size(), missing),
-      shoalest_m_(grid_.size(), missing),
+      depth_m_(grid_.size(), no_depth),
+      shoalest_m_(grid_.size(), no_depth),
       fringe_m_(grid_.size(), none),
       unknown_{grid_.size()} {}
 

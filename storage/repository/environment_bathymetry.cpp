@@ -44,7 +44,8 @@ bool covers(const ocean::Bathymetry& bathymetry, const geo::BoundingBox& area) {
   return holds_all_over(area, 64, [&](geo::LonLat place) { return bathymetry.depth(place).has_value(); });
 }
 
-void adopt(EnvironmentDraft& draft, ocean::Bathymetry bathymetry, const std::vector<Dataset>& used) {
+void adopt_bathymetry(EnvironmentDraft& draft, ocean::Bathymetry bathymetry,
+                      const std::vector<Dataset>& used) {
   const core::Metres spacing = bathymetry.grid().spacing();
   std::string names;
   for (const Dataset& dataset : used) names += (names.empty() ? "" : ", then ") + title(dataset);
@@ -86,7 +87,7 @@ void add_bathymetry(EnvironmentDraft& draft) {
     if (mosaic->add(*bathymetry)) used.push_back(layer.dataset);
     if (mosaic->is_complete()) break;
   }
-  if (alone) return adopt(draft, used.size() > 1 ? mosaic->bathymetry() : std::move(*alone), used);
+  if (alone) return adopt_bathymetry(draft, used.size() > 1 ? mosaic->bathymetry() : std::move(*alone), used);
 
   const bool named = query.bathymetry.how == DatasetChoice::How::named;
   if (named && !found.empty())

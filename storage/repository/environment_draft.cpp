@@ -10,8 +10,8 @@
 namespace floeplan::repository {
 namespace {
 
-CurrentGridCache::Part part_of(const EnvironmentDraft& draft, const Dataset& dataset,
-                               const std::optional<Period>& period) {
+CurrentGridCache::Part cache_part_of(const EnvironmentDraft& draft, const Dataset& dataset,
+                                     const std::optional<Period>& period) {
   const std::int64_t row = dataset_row(draft.db, dataset.id);
   if (!period) return {row, std::nullopt, std::nullopt};
   return {row, core::unix_seconds(period->from), core::unix_seconds(period->to)};
@@ -91,7 +91,7 @@ std::shared_ptr<const ocean::CurrentGrid> read_joined(const EnvironmentDraft& dr
                             .area = box.area,
                             .from_s = core::unix_seconds(from),
                             .deepest_m = box.deepest ? std::optional{box.deepest->value} : std::nullopt};
-  for (const JoinedPart& part : parts) key.parts.push_back(part_of(draft, part.dataset, part.used));
+  for (const JoinedPart& part : parts) key.parts.push_back(cache_part_of(draft, part.dataset, part.used));
   return kept_or_read(draft.reading, key, [&] {
     return load_joined(draft.db, parts, box.area, from, box.deepest, draft.reading.stop);
   });
@@ -101,7 +101,7 @@ std::shared_ptr<const ocean::CurrentGrid> read_currents(const EnvironmentDraft& 
                                                         const CurrentsBox& box,
                                                         const std::optional<Period>& period) {
   const CurrentGridCache::Key key{
-      .parts = {part_of(draft, dataset, period)},
+      .parts = {cache_part_of(draft, dataset, period)},
       .area = box.area,
       .from_s = std::nullopt,
       .deepest_m = box.deepest ? std::optional{box.deepest->value} : std::nullopt};

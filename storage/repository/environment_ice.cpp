@@ -34,18 +34,18 @@ Period mission_of(const EnvironmentQuery& query) {
 }
 
 /// The period for which data of this one are held.
-Period held(const Period& period) {
+Period with_hold(const Period& period) {
   return {period.from - ocean::longest_ice_hold, period.to + ocean::longest_ice_hold};
 }
 
 bool is_over(const Dataset& dataset, const Period& mission) {
   const auto period = period_of(dataset);
-  return period && held(*period).to < mission.from;
+  return period && with_hold(*period).to < mission.from;
 }
 
 /// Whether something of data of this period counts in the mission: all of it, or what keels were known last.
 bool counts_in(const Period& period, const Period& mission) {
-  return held(period).from <= mission.to && period.to >= mission.from - longest_memory;
+  return with_hold(period).from <= mission.to && period.to >= mission.from - longest_memory;
 }
 
 /// One that is used.
@@ -184,7 +184,7 @@ void report(EnvironmentDraft& draft, const std::vector<Product>& used) {
   warn_of_the_departure(draft, used);
 }
 
-void adopt(EnvironmentDraft& draft, const std::vector<Product>& used) {
+void adopt_ice(EnvironmentDraft& draft, const std::vector<Product>& used) {
   const bool is_thickness_told = std::ranges::any_of(used, &Product::has_thickness);
   for (const Product& product : used) {
     if (!product.has_thickness())
@@ -232,7 +232,7 @@ Choice choose(EnvironmentDraft& draft, const std::vector<Dataset>& found) {
     const bool tells_of_departure = std::ranges::any_of(
         used, [&](const Product& product) { return product.moment(query.depart).is_known(); });
     if (is_areas_alone(dataset) && tells_of_departure) break;
-    if (named ? !covers(held(*period), query.depart) : !counts_in(*period, mission)) {
+    if (named ? !covers(with_hold(*period), query.depart) : !counts_in(*period, mission)) {
       choice.periods_missed +=
           (choice.periods_missed.empty() ? "" : "; ") + title(dataset) + " covers " + period_text(*period);
       continue;
@@ -281,7 +281,7 @@ void add_ice(EnvironmentDraft& draft) {
 
   const auto [used, periods_missed] = choose(draft, found);
   if (!used.empty()) {
-    adopt(draft, used);
+    adopt_ice(draft, used);
     report(draft, used);
     warn_of_unused_areas(draft, found, used);
   } else if (named && !periods_missed.empty()) {

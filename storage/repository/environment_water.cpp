@@ -15,8 +15,8 @@ namespace {
 std::string in_metres(double length_m) { return std::to_string(std::lround(length_m)) + " m"; }
 
 /// As they count for every time, where they are held steady.
-std::shared_ptr<const ocean::CurrentGrid> held(const ocean::Environment& environment,
-                                               std::shared_ptr<const ocean::CurrentGrid> currents) {
+std::shared_ptr<const ocean::CurrentGrid> as_they_count(const ocean::Environment& environment,
+                                                        std::shared_ptr<const ocean::CurrentGrid> currents) {
   const bool varies = currents && currents->samples().times_s.size() > 1;
   if (!environment.steady_currents || !varies) return currents;
   return std::make_shared<const ocean::CurrentGrid>(currents->time_mean());
@@ -31,7 +31,7 @@ std::shared_ptr<const ocean::CurrentGrid> read_drift(const EnvironmentDraft& dra
   constexpr std::size_t most_samples = 32'000'000;
   const std::size_t most = std::max(most_samples / members, of_area.u.size());
   const auto box = drift_box(draft, dataset, of_area.times_s.size(), most);
-  return box ? held(draft.environment, read(*box)) : nullptr;
+  return box ? as_they_count(draft.environment, read(*box)) : nullptr;
 }
 
 /// Reads the currents of the area by `read`, a function of a CurrentsBox, and those that carry icebergs.
@@ -66,7 +66,7 @@ bool adopt_currents(EnvironmentDraft& draft, const Dataset& dataset, std::size_t
 
   draft.environment.steady_currents = draft.query.steady || !covered;
   draft.environment.drift_currents = read_drift(draft, dataset, samples, members, read);
-  draft.environment.currents = held(draft.environment, std::move(currents));
+  draft.environment.currents = as_they_count(draft.environment, std::move(currents));
   return true;
 }
 

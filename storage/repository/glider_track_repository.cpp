@@ -24,7 +24,7 @@ const std::string track_columns =
     "row, (SELECT id FROM dataset WHERE dataset.row = dataset_row), glider, points, deepest_m, way, "
     "dataset_row, position, frame, variation_source, variation_west_rad, utm_zone ";
 
-std::vector<double> flattened(const std::vector<ocean::TrackPoint>& points) {
+std::vector<double> flat_track(const std::vector<ocean::TrackPoint>& points) {
   const std::size_t count = points.size();
   std::vector<double> numbers(planes * count);
   for (std::size_t i = 0; i < count; ++i) {
@@ -38,7 +38,7 @@ std::vector<double> flattened(const std::vector<ocean::TrackPoint>& points) {
   return numbers;
 }
 
-std::vector<ocean::TrackPoint> from_flattened(const std::vector<double>& numbers) {
+std::vector<ocean::TrackPoint> track_from(const std::vector<double>& numbers) {
   const std::size_t count = numbers.size() / planes;
   std::vector<ocean::TrackPoint> points(count);
   for (std::size_t i = 0; i < count; ++i) {
@@ -53,7 +53,7 @@ std::vector<ocean::TrackPoint> from_flattened(const std::vector<double>& numbers
 }
 
 std::vector<ocean::TrackPoint> points_of(const sqlite::Statement& row, BlobCodec& codec) {
-  return from_flattened(codec.unpack_doubles(row.blob(5), planes * static_cast<std::size_t>(row.integer(3))));
+  return track_from(codec.unpack_doubles(row.blob(5), planes * static_cast<std::size_t>(row.integer(3))));
 }
 
 std::vector<ocean::DepthAveragedCurrent> currents_of(sqlite::Connection& db, const sqlite::Statement& row) {
@@ -152,7 +152,7 @@ class TrackWriter {
     const auto deepest = ocean::deepest(track.points);
     track_.bind_all(dataset_row_, position, track.glider, track.points.front().time, track.points.back().time,
                     deepest ? std::optional{deepest->value} : std::nullopt, std::ssize(track.points),
-                    codec_.pack(flattened(track.points)), std::string{ocean::frame_name(track.frame)});
+                    codec_.pack(flat_track(track.points)), std::string{ocean::frame_name(track.frame)});
     const auto& axes = track.turned_from;
     track_.bind(10, axes ? std::optional{std::string{ocean::source_name(axes->source)}} : std::nullopt);
     track_.bind(11, axes ? std::optional{axes->axes.variation_west().value} : std::nullopt);

@@ -19,7 +19,7 @@ std::optional<core::Metres> metres(std::optional<double> value) {
   return value ? std::optional{core::Metres{*value}} : std::nullopt;
 }
 
-std::optional<double> number(std::optional<core::Metres> length) {
+std::optional<double> in_metres(std::optional<core::Metres> length) {
   return length ? std::optional{length->value} : std::nullopt;
 }
 
@@ -76,8 +76,8 @@ void IcebergRepository::insert(const DatasetId& dataset, const std::vector<ocean
       "?9, ?10, ?11)"};
   for (const ocean::Iceberg& berg : sightings) {
     insert.bind_all(dataset_number, berg.id, berg.place.lon_deg, berg.place.lat_deg, berg.observed,
-                    ocean::size_name(berg.size), number(berg.length), number(berg.draft),
-                    number(berg.position_uncertainty), berg.shape, berg.method);
+                    ocean::size_name(berg.size), in_metres(berg.length), in_metres(berg.draft),
+                    in_metres(berg.position_uncertainty), berg.shape, berg.method);
     insert.run();
   }
   transaction.commit();
@@ -99,8 +99,8 @@ bool IcebergRepository::replace(std::int64_t row, const ocean::Iceberg& berg) {
       "UPDATE sighting SET berg_id = ?2, lon_deg = ?3, lat_deg = ?4, observed_s = ?5, size = ?6, length_m = "
       "?7, draft_m = ?8, position_uncertainty_m = ?9, shape = ?10, method = ?11 WHERE row = ?1"};
   update.bind_all(row, berg.id, berg.place.lon_deg, berg.place.lat_deg, berg.observed,
-                  ocean::size_name(berg.size), number(berg.length), number(berg.draft),
-                  number(berg.position_uncertainty), berg.shape, berg.method);
+                  ocean::size_name(berg.size), in_metres(berg.length), in_metres(berg.draft),
+                  in_metres(berg.position_uncertainty), berg.shape, berg.method);
   const bool found = update.run() > 0;
   sqlite::Statement index{
       db_,

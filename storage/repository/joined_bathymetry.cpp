@@ -11,19 +11,19 @@
 namespace floeplan::repository {
 namespace {
 
-struct Layer {
+struct DepthLayer {
   DatasetId id;
   core::Metres spacing;
 };
 
-std::vector<Layer> layers_in(sqlite::Connection& db, const geo::BoundingBox& area) {
+std::vector<DepthLayer> depth_layers_in(sqlite::Connection& db, const geo::BoundingBox& area) {
   const FieldRepository fields{db};
-  std::vector<Layer> layers;
+  std::vector<DepthLayer> layers;
   for (const Dataset& dataset : DatasetRepository{db}.list()) {
     if (dataset.kind != DatasetKind::bathymetry || !geo::intersects(dataset.bounds, area)) continue;
     if (const auto shape = fields.shape(dataset.id)) layers.push_back({dataset.id, shape->grid.spacing()});
   }
-  std::ranges::stable_sort(layers, {}, &Layer::spacing);
+  std::ranges::stable_sort(layers, {}, &DepthLayer::spacing);
   return layers;
 }
 
@@ -31,11 +31,11 @@ std::vector<Layer> layers_in(sqlite::Connection& db, const geo::BoundingBox& are
 
 std::optional<JoinedBathymetry> joined_bathymetry(sqlite::Connection& db, const geo::BoundingBox& area,
                                                   std::size_t most_nodes) {
-  const std::vector<Layer> layers = layers_in(db, area);
+  const std::vector<DepthLayer> layers = depth_layers_in(db, area);
   if (layers.empty()) return std::nullopt;
   BathymetryMosaic mosaic{area, layers.front().spacing, most_nodes};
   std::vector<DatasetId> used;
-  for (const Layer& layer : layers) {
+  for (const DepthLayer& layer : layers) {
     auto depths = FieldOverviews{db}.bathymetry(layer.id, area, FieldOverviews::plenty);
     if (!depths) continue;
     const bool alone = layers.size() == 1 && depths->grid().size() <= most_nodes;

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::byte format{1};
 constexpr std::size_t header_bytes = 1 + 2 * sizeof(double);
-constexpr std::uint32_t missing = 65'535;
+constexpr std::uint32_t missing_code = 65'535;
 constexpr float no_number = std::numeric_limits<float>::quiet_NaN();
 constexpr double largest_count = 1e9;
 
@@ -39,7 +39,7 @@ bool write_as_steps(std::span<const float> samples, const SampleSteps& steps, st
       1.0 / steps.step;  // a division for each sample would take a third of the time
   std::int32_t last = 0;
   for (std::size_t i = 0; i < samples.size(); ++i) {
-    std::uint32_t code = missing;
+    std::uint32_t code = missing_code;
     if (!same_bits(samples[i], no_number)) {
       const double exact = (static_cast<double>(samples[i]) - steps.offset) * steps_per_unit;
       if (!(std::abs(exact) < largest_count)) return false;
@@ -47,7 +47,7 @@ bool write_as_steps(std::span<const float> samples, const SampleSteps& steps, st
       if (!same_bits(sample_of(count, steps), samples[i])) return false;
       const std::int32_t difference = count - last;
       code = (static_cast<std::uint32_t>(difference) << 1) ^ static_cast<std::uint32_t>(difference >> 31);
-      if (code >= missing) return false;
+      if (code >= missing_code) return false;
       last = count;
     }
     low[i] = static_cast<std::byte>(code & 0xff);
@@ -67,7 +67,7 @@ bool read_steps(std::span<const std::byte> bytes, std::span<float> out) {
   std::uint32_t count = 0;  // of two's complement
   for (std::size_t i = 0; i < out.size(); ++i) {
     const auto code = std::to_integer<std::uint32_t>(low[i]) | (std::to_integer<std::uint32_t>(high[i]) << 8);
-    if (code == missing) {
+    if (code == missing_code) {
       out[i] = no_number;
       continue;
     }

@@ -19,7 +19,7 @@ constexpr std::array quantities{std::pair{TideQuantity::elevation, "elevation"},
                                 std::pair{TideQuantity::east, "east"},
                                 std::pair{TideQuantity::north, "north"}};
 
-std::string name_of(TideQuantity quantity) {
+std::string quantity_name(TideQuantity quantity) {
   for (const auto& [candidate, name] : quantities)
     if (candidate == quantity) return name;
   throw std::logic_error{"TideQuantity without a name"};
@@ -33,7 +33,8 @@ std::optional<TideQuantity> parse_quantity(const std::string& text) {
 
 /// "M2 east cosine" and "M2 east sine" hold the real and the imaginary part.
 std::string variable_of(tide::Constituent constituent, TideQuantity quantity, bool imaginary) {
-  return tide::constituent_name(constituent) + " " + name_of(quantity) + (imaginary ? " sine" : " cosine");
+  return tide::constituent_name(constituent) + " " + quantity_name(quantity) +
+         (imaginary ? " sine" : " cosine");
 }
 
 ocean::TideGrid::Field joined(std::span<const float> real, std::span<const float> imaginary) {
@@ -114,7 +115,7 @@ void TideRepository::insert(const DatasetId& id, const std::vector<TideStation>&
     const TideStation& station = stations[i];
     const auto position = static_cast<std::int64_t>(i);
     insert_station.bind_all(dataset, position, station.name, station.place.lon_deg, station.place.lat_deg,
-                            name_of(station.quantity));
+                            quantity_name(station.quantity));
     insert_station.run();
     for (const tide::HarmonicConstant& constant : station.constants) {
       insert_constant.bind_all(dataset, position, tide::constituent_name(constant.constituent),
