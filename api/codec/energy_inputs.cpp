@@ -1,13 +1,13 @@
 #include "api/codec/energy_inputs.hpp"
 
+#include "api/codec/input_fields.hpp"
+#include "api/fields/request_fields.hpp"
 #include "storage/json/json.hpp"
 
 namespace floeplan::codec {
 namespace {
 
 using nlohmann::json;
-
-constexpr NumberRange weights{0.0, 1e6};
 
 void read_objective(InputReader& reader, planning::Objective& objective) {
   const json* value = reader.member("objective");
@@ -18,8 +18,8 @@ void read_objective(InputReader& reader, planning::Objective& objective) {
     objective = planning::energy_objective;
   } else if (value->is_object()) {
     InputReader members{*value};
-    objective = {.of_time = members.number("time", weights).value_or(0.0),
-                 .of_energy = members.number("energy", weights).value_or(0.0)};
+    objective = {.of_time = 0.0, .of_energy = 0.0};
+    read_fields(members, fields::weight_fields(), objective);
     members.refuse_unknown();
     if (members.violations().empty() && !(objective.of_time + objective.of_energy > 0.0)) {
       members.refuse("", "must give time or energy a weight above zero");
@@ -36,27 +36,21 @@ void read_objective(InputReader& reader, planning::Objective& objective) {
 json objective_json(const planning::Objective& objective) {
   if (objective == planning::time_objective) return "time";
   if (objective == planning::energy_objective) return "energy";
-  return {{"time", objective.of_time}, {"energy", objective.of_energy}};
+  json weights;
+  write_fields(fields::weight_fields(), objective, weights);
+  return weights;
 }
 
 }  // namespace
 
 void read_energy(InputReader& reader, planning::EnergyRules& rules) {
   read_objective(reader, rules.objective);
-  if (const auto text = reader.text("thruster")) {
-    if (const auto use = planning::parse_thruster_use(*text)) {
-      rules.thruster = *use;
-    } else {
-      reader.refuse("/thruster", "must be auto, on or off, not \"" + *text + "\"");
-    }
-  }
-  if (const auto required = reader.boolean("require_battery")) rules.require_battery = *required;
+  read_fields(reader, fields::energy_fields(), rules);
 }
 
 void write_energy(const planning::EnergyRules& rules, json& inputs) {
   inputs["objective"] = objective_json(rules.objective);
-  inputs["thruster"] = planning::thruster_use_name(rules.thruster);
-  inputs["require_battery"] = rules.require_battery;
+  write_fields(fields::energy_fields(), rules, inputs);
 }
 
 }  // namespace floeplan::codec

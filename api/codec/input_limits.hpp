@@ -10,9 +10,5 @@ namespace floeplan::codec {
 /// Of a number that its receiver judges: every finite one.
 inline constexpr NumberRange any_number{std::numeric_limits<double>::lowest(),
                                         std::numeric_limits<double>::max()};
-/// No sea is deeper: the Challenger Deep is 10,935 m (Greenaway et al. 2021, doi:10.1016/j.dsr.2021.103644).
-inline constexpr double deepest_m = 11'000.0;
-/// Every client keeps an integer of this size exactly.
-inline constexpr int largest_seed = 2'000'000'000;
 
 }  // namespace floeplan::codec

@@ -5,14 +5,15 @@
 #include "api/codec/data_inputs.hpp"
 #include "api/codec/departure_inputs.hpp"
 #include "api/codec/energy_inputs.hpp"
-#include "api/codec/iceberg_inputs.hpp"
+#include "api/codec/ice_inputs.hpp"
+#include "api/codec/input_fields.hpp"
 #include "api/codec/input_reader.hpp"
 #include "api/codec/route_inputs.hpp"
 #include "api/codec/search_inputs.hpp"
 #include "api/codec/uncertainty_inputs.hpp"
-#include "api/codec/under_ice_inputs.hpp"
 #include "api/codec/vehicle_inputs.hpp"
 #include "api/codec/zone_inputs.hpp"
+#include "api/fields/request_fields.hpp"
 #include "engine/core/utc_text.hpp"
 #include "engine/planning/cost/layout.hpp"
 #include "storage/json/json.hpp"
@@ -38,8 +39,7 @@ void read_common(InputReader& reader, planning::PlanRequest& request, repository
   read_under_ice(reader, request.under_ice);
   read_data(reader, data);
   read_iceberg_rules(reader, request.icebergs, data);
-  if (const auto longest = reader.number("max_loiter_s", {0.0, 864'000.0}))
-    request.max_loiter = core::Seconds{*longest};
+  read_fields(reader, fields::hold_fields(), request);
   name = reader.text("name").value_or("");
 }
 
@@ -85,15 +85,6 @@ void read_places(InputReader& reader, planning::PlanRequest& request) {
   }
 }
 
-void read_via_order(InputReader& reader, planning::PlanRequest& request) {
-  if (const auto order = reader.text("via_order")) {
-    request.via_in_best_order = *order == "best";
-    if (*order != "best" && *order != "given") {
-      reader.refuse("/via_order", "must be \"given\" or \"best\", not \"" + *order + "\"");
-    }
-  }
-}
-
 /// Where a plan from end to end of a route would look. A judgement of its way has to see icebergs drift as it did, and
 /// they drift by the data of that area.
 geo::BoundingBox area_of_a_plan(planning::PlanRequest request) {
@@ -135,7 +126,7 @@ json common_json(const planning::PlanRequest& request, const repository::Environ
   write_under_ice(request.under_ice, inputs);
   write_data(data, inputs);
   write_iceberg_rules(request.icebergs, data, inputs);
-  inputs["max_loiter_s"] = request.max_loiter.count();
+  write_fields(fields::hold_fields(), request, inputs);
   return inputs;
 }
 
@@ -157,7 +148,7 @@ tl::expected<PlanInputs, core::Violations> parse_plan_inputs(const json& inputs)
                     "chooses among the routes of a file in \"goals_file\", which is not given");
   }
   read_remarks(reader, result.warnings);
-  read_via_order(reader, result.request);
+  read_fields(reader, fields::order_fields(), result.request);
   read_departures(reader, result.request);
   read_common(reader, result.request, result.data, result.name);
   read_search(reader, result.request);
@@ -222,7 +213,7 @@ json to_json(const PlanInputs& inputs) {
   result["via"] = places_json(request.via);
   result["uncertainty"] = uncertainty_json(request.uncertainty);
   result["remarks"] = inputs.warnings;
-  result["via_order"] = request.via_in_best_order ? "best" : "given";
+  write_fields(fields::order_fields(), request, result);
   write_departures(request, result);
   write_search(request, result);
   return result;

@@ -1,11 +1,12 @@
 #include "api/codec/reach_inputs.hpp"
 
 #include "api/codec/data_inputs.hpp"
-#include "api/codec/iceberg_inputs.hpp"
+#include "api/codec/ice_inputs.hpp"
+#include "api/codec/input_fields.hpp"
 #include "api/codec/input_reader.hpp"
-#include "api/codec/under_ice_inputs.hpp"
 #include "api/codec/vehicle_inputs.hpp"
 #include "api/codec/zone_inputs.hpp"
+#include "api/fields/request_fields.hpp"
 #include "engine/core/utc_text.hpp"
 #include "storage/json/json.hpp"
 
@@ -74,9 +75,7 @@ tl::expected<ReachInputs, core::Violations> parse_reach_inputs(const json& input
   read_direction(reader, request);
   read_hours(reader, request);
   read_vehicle(reader, request.vehicle);
-  if (const auto spacing = reader.number("spacing_m", {10.0, 100'000.0}))
-    request.spacing = core::Metres{*spacing};
-  request.sectors = reader.integer("sectors", 1, 5);
+  read_fields(reader, fields::isochrone_grid_fields(), request);
   request.zones = read_areas(reader);
   read_data(reader, result.data);
   read_iceberg_rules(reader, request.icebergs, result.data);
@@ -103,10 +102,10 @@ json to_json(const ReachInputs& inputs) {
   json result{{from ? "from" : "to", json::array({request.place.lon_deg, request.place.lat_deg})},
               {from ? "depart" : "arrive_by", core::iso8601(request.time)},
               {"hours", std::move(hours)},
-              {"spacing_m", request.step().value},
-              {"sectors", request.sectors ? json(*request.sectors) : json()},
               {"areas", request.zones.empty() ? json() : areas_json(request.zones)},
               {"name", inputs.name}};
+  write_fields(fields::isochrone_grid_fields(), request, result);
+  result["spacing_m"] = request.step().value;
   write_vehicle(request.vehicle, result);
   write_data(inputs.data, result);
   write_iceberg_rules(request.icebergs, inputs.data, result);

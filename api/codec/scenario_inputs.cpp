@@ -1,8 +1,8 @@
 #include "api/codec/scenario_inputs.hpp"
 
-#include "api/codec/input_limits.hpp"
 #include "api/codec/input_reader.hpp"
 #include "api/codec/simulate_inputs.hpp"
+#include "api/fields/limits.hpp"
 
 namespace floeplan::codec {
 
@@ -15,7 +15,7 @@ tl::expected<ScenarioInputs, core::Violations> parse_scenario_inputs(const json&
   if (const auto scenario = reader.text("scenario"); scenario && *scenario != random_icebergs)
     reader.refuse("/scenario", "must be random-icebergs, the only scenario so far");
   result.runs = reader.integer("runs", 1, most_runs).value_or(result.runs);
-  result.seed = static_cast<std::uint64_t>(reader.integer("seed", 0, largest_seed).value_or(1));
+  result.seed = static_cast<std::uint64_t>(reader.integer("seed", 0, fields::largest_seed).value_or(1));
   result.avoidance = reader.boolean("avoidance").value_or(result.avoidance);
   reader.refuse_unknown();
   if (!reader.violations().empty()) return tl::unexpected(reader.violations());

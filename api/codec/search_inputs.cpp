@@ -1,5 +1,7 @@
 #include "api/codec/search_inputs.hpp"
 
+#include "api/codec/input_fields.hpp"
+#include "api/fields/request_fields.hpp"
 #include "storage/json/json.hpp"
 
 namespace floeplan::codec {
@@ -36,34 +38,14 @@ json spacing_json(const planning::PlanRequest& request) {
 
 void read_search(InputReader& reader, planning::PlanRequest& request) {
   read_spacing(reader, request);
-  if (const auto sectors = reader.integer("sectors", 1, 5)) request.sectors = *sectors;
-  if (const auto text = reader.text("method")) {
-    if (const auto method = planning::parse_method(*text)) {
-      request.method = *method;
-    } else {
-      reader.refuse("/method", "must be tve, dijkstra, astar, frozen or direct, not \"" + *text + "\"");
-    }
-  }
-  request.max_waypoints = reader.integer("max_waypoints", 2, 10'000);
-  if (const auto longest = reader.number("max_leg_m", {100.0, 5e6})) request.max_leg = core::Metres{*longest};
-  if (const auto refine = reader.boolean("refine")) request.refine = *refine;
-  if (const auto most = reader.number("refine_seconds", {0.05, 60.0}))
-    request.refine_time = core::Seconds{*most};
-  if (const auto gap = reader.boolean("optimality_gap")) request.optimality_gap = *gap;
-  if (const auto weight = reader.number("encounter_weight_s", {0.0, 1e7}))
-    request.icebergs.encounter_weight = core::Seconds{*weight};
+  read_fields(reader, fields::search_fields(), request);
+  read_fields(reader, fields::encounter_fields(), request.icebergs);
 }
 
 void write_search(const planning::PlanRequest& request, json& inputs) {
   inputs["spacing_m"] = spacing_json(request);
-  inputs["sectors"] = request.sectors;
-  inputs["method"] = planning::method_name(request.method);
-  inputs["max_waypoints"] = request.max_waypoints ? json(*request.max_waypoints) : json();
-  inputs["max_leg_m"] = request.max_leg ? json(request.max_leg->value) : json();
-  inputs["refine"] = request.refine;
-  inputs["refine_seconds"] = request.refine_time.count();
-  inputs["optimality_gap"] = request.optimality_gap;
-  inputs["encounter_weight_s"] = request.icebergs.encounter_weight.count();
+  write_fields(fields::search_fields(), request, inputs);
+  write_fields(fields::encounter_fields(), request.icebergs, inputs);
 }
 
 }  // namespace floeplan::codec

@@ -7,6 +7,7 @@
 #include "api/codec/input_limits.hpp"
 #include "api/codec/input_reader.hpp"
 #include "api/codec/sensor_inputs.hpp"
+#include "api/fields/limits.hpp"
 
 namespace floeplan::codec {
 namespace {
@@ -105,7 +106,7 @@ tl::expected<SimulateInputs, core::Violations> parse_simulate_inputs(const json&
   result.mission_files = read_files(reader);
   result.vehicle = reader.text("vehicle");
   result.runs = reader.integer("runs", 1, most_runs).value_or(result.runs);
-  result.seed = static_cast<std::uint64_t>(reader.integer("seed", 0, largest_seed).value_or(1));
+  result.seed = static_cast<std::uint64_t>(reader.integer("seed", 0, fields::largest_seed).value_or(1));
   result.tracks =
       std::min(result.runs, reader.integer("tracks", 0, most_tracks).value_or(tracks_unless_told));
   result.avoidance = reader.boolean("avoidance").value_or(result.avoidance);

@@ -1,6 +1,7 @@
 #include "api/codec/uncertainty_inputs.hpp"
 
-#include "api/codec/input_limits.hpp"
+#include "api/codec/input_fields.hpp"
+#include "api/fields/request_fields.hpp"
 #include "engine/core/utc_text.hpp"
 #include "storage/json/json.hpp"
 
@@ -22,7 +23,7 @@ std::optional<std::string> objective_name(RobustObjective objective) {
 json seconds_json(const std::optional<core::Seconds>& time) { return time ? json(time->count()) : json(); }
 
 void read_error_model(InputReader& members, planning::UncertaintyRules& rules) {
-  rules.drawn_members = members.integer("members", 2, 64).value_or(0);
+  read_fields(members, fields::error_model_fields(), rules);
   const bool tells_errors = members.member("current_error_m_s") != nullptr ||
                             members.member("length_scale_m") != nullptr ||
                             members.member("time_scale_s") != nullptr || members.member("seed") != nullptr;
@@ -36,11 +37,6 @@ void read_error_model(InputReader& members, planning::UncertaintyRules& rules) {
     members.require("time_scale_s",
                     "is required with \"members\": over how long the error is alike, seconds");
   }
-  rules.error.standard_deviation = {members.number("current_error_m_s", {1e-3, 2.0}).value_or(0.0)};
-  rules.error.length_scale = {members.number("length_scale_m", {1e3, 1e6}).value_or(0.0)};
-  rules.error.time_scale = core::Seconds{members.number("time_scale_s", {600.0, 2'592'000.0}).value_or(0.0)};
-  if (const auto seed = members.integer("seed", 0, largest_seed))
-    rules.seed = static_cast<std::uint64_t>(*seed);
 }
 
 }  // namespace
@@ -51,22 +47,11 @@ planning::UncertaintyRules read_uncertainty(InputReader& reader) {
   if (value == nullptr) return rules;
   InputReader members{*value, "/uncertainty"};
   read_error_model(members, rules);
-  if (const auto objective = members.text("objective")) {
-    if (*objective == "mean") rules.objective = RobustObjective::mean;
-    if (*objective == "quantile") rules.objective = RobustObjective::quantile;
-    if (rules.objective == RobustObjective::none) {
-      members.refuse("/uncertainty/objective",
-                     "must be \"mean\" or \"quantile\", not \"" + *objective + "\"");
-    }
-  }
-  if (const auto quantile = members.number("quantile", {0.01, 0.99})) {
-    rules.quantile = *quantile;
-    // What plans of older versions say of their inputs names it beside any objective, null included.
-    if (!value->contains("objective"))
-      members.refuse("/uncertainty/quantile",
-                     "counts with the objective \"quantile\" only: ask for that, too");
-  }
-  rules.arrive_before = members.time("arrive_before");
+  read_fields(members, fields::robustness_fields(), rules);
+  // What plans of older versions say of their inputs names it beside any objective, null included.
+  if (members.member("quantile") != nullptr && !value->contains("objective") &&
+      !members.refused("/uncertainty/quantile"))
+    members.refuse_member("quantile", "counts with the objective \"quantile\" only: ask for that, too");
   members.refuse_unknown();
   reader.refuse_all("", members.violations());
   return rules;
@@ -75,16 +60,10 @@ planning::UncertaintyRules read_uncertainty(InputReader& reader) {
 json uncertainty_json(const planning::UncertaintyRules& rules) {
   const bool drawn = rules.drawn_members > 0;
   if (!drawn && rules.objective == RobustObjective::none && !rules.arrive_before) return nullptr;
-  const auto objective = objective_name(rules.objective);
-  json result{{"objective", objective ? json(*objective) : json()},
-              {"quantile", rules.objective == RobustObjective::quantile ? json(rules.quantile) : json()},
-              {"arrive_before", rules.arrive_before ? json(core::iso8601(*rules.arrive_before)) : json()}};
-  if (!drawn) return result;
-  result["members"] = rules.drawn_members;
-  result["current_error_m_s"] = rules.error.standard_deviation.value;
-  result["length_scale_m"] = rules.error.length_scale.value;
-  result["time_scale_s"] = rules.error.time_scale.count();
-  result["seed"] = rules.seed;
+  json result;
+  write_fields(fields::robustness_fields(), rules, result);
+  if (rules.objective != RobustObjective::quantile) result["quantile"] = nullptr;
+  if (drawn) write_fields(fields::error_model_fields(), rules, result);
   return result;
 }
 

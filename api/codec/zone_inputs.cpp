@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "api/codec/document_values.hpp"
-#include "api/codec/input_limits.hpp"
+#include "api/fields/limits.hpp"
 #include "engine/core/utc_text.hpp"
 #include "engine/geo/ring_crossing.hpp"
 #include "engine/geo/ring_turns.hpp"
@@ -196,8 +196,8 @@ ocean::Zone read_properties(InputReader& reader, const json& feature, const std:
   if (zone.until &&
       properties->at("until").get_ref<const std::string&>().size() == std::string_view{"2026-11-20"}.size())
     *zone.until += std::chrono::days{1};  // of a day alone its end, as for zones of files
-  if (const auto top = members.number("top_m", {0.0, deepest_m})) zone.top = {*top};
-  if (const auto bottom = members.number("bottom_m", {0.0, deepest_m})) zone.bottom = {*bottom};
+  if (const auto top = members.number("top_m", {0.0, fields::deepest_m})) zone.top = {*top};
+  if (const auto bottom = members.number("bottom_m", {0.0, fields::deepest_m})) zone.bottom = {*bottom};
   if (zone.from && zone.until && *zone.until < *zone.from) {
     members.refuse(pointer + "/properties/until", "must not be before \"from\"");
   }

@@ -1,4 +1,4 @@
-#include "api/codec/iceberg_inputs.hpp"
+#include "api/codec/ice_inputs.hpp"
 
 #include <gtest/gtest.h>
 

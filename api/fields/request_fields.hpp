@@ -1,0 +1,65 @@
+#pragma once
+
+#include <vector>
+
+#include "api/fields/table.hpp"
+#include "engine/planning/problem/iceberg_rules.hpp"
+#include "engine/planning/problem/isochrone_request.hpp"
+#include "engine/planning/problem/objective.hpp"
+#include "engine/planning/problem/plan_request.hpp"
+#include "engine/planning/problem/uncertainty_rules.hpp"
+#include "engine/planning/problem/under_ice_rules.hpp"
+#include "engine/vehicle/energy_model.hpp"
+#include "engine/vehicle/flight_choices.hpp"
+#include "engine/vehicle/glider_profile.hpp"
+#include "storage/repository/environment_loader.hpp"
+
+/// The table of request fields, part by part. JSON is read and written by it (api/codec/input_fields), the options of
+/// the command line follow from it (server/cli/input_flags), and so do the schemas of the OpenAPI document and the forms of the
+/// client (tests/api/fields/contract_test). Names of fields and flags never change.
+/// Threads  every table is made once and only read
+namespace floeplan::fields {
+
+// Of a plan's way.
+[[nodiscard]] const std::vector<Field>& way_fields();  // from where to where, by what
+[[nodiscard]] const Table<planning::PlanRequest>& order_fields();
+[[nodiscard]] const std::vector<Field>& departure_fields();
+[[nodiscard]] const std::vector<Field>& window_fields();
+[[nodiscard]] const std::vector<Field>& grid_fields();
+[[nodiscard]] const Table<planning::PlanRequest>& search_fields();
+[[nodiscard]] const Table<planning::UncertaintyRules>& error_model_fields();
+[[nodiscard]] const Table<planning::UncertaintyRules>& robustness_fields();
+[[nodiscard]] const Table<planning::IcebergRules>& encounter_fields();
+
+// Of a route that is judged, and of isochrones.
+[[nodiscard]] const std::vector<Field>& route_fields();
+[[nodiscard]] const std::vector<Field>& isochrone_fields();
+[[nodiscard]] const Table<planning::IsochroneRequest>& isochrone_grid_fields();
+
+// What a route has to obey.
+[[nodiscard]] const std::vector<Field>& objective_fields();
+[[nodiscard]] const Table<planning::Objective>& weight_fields();
+[[nodiscard]] const Table<planning::EnergyRules>& energy_fields();
+[[nodiscard]] const Table<planning::PlanRequest>& hold_fields();
+[[nodiscard]] const Table<planning::IcebergRules>& iceberg_fields();
+[[nodiscard]] const Table<repository::EnvironmentQuery>& sighting_fields();
+[[nodiscard]] const Table<planning::UnderIceRules>& passing_under_ice_fields();
+[[nodiscard]] const Table<planning::UnderIceRules>& surfacing_fields();
+[[nodiscard]] const std::vector<Field>& area_fields();
+
+// Vehicle and data.
+[[nodiscard]] const std::vector<Field>& vehicle_fields();
+/// What is chosen of a vehicle by its name.
+[[nodiscard]] const std::vector<Field>& profile_fields();
+/// What a pilot sets from mission to mission.
+[[nodiscard]] const Table<vehicle::FlightChoices>& flight_fields();
+/// What the vehicle is: members of the object `vehicle`.
+[[nodiscard]] const Table<vehicle::GliderProfile>& build_fields();
+[[nodiscard]] const Table<vehicle::Thruster>& thruster_fields();
+[[nodiscard]] const Table<repository::EnvironmentQuery>& data_fields();
+
+// Of people and programs.
+[[nodiscard]] const std::vector<Field>& name_fields();
+[[nodiscard]] const std::vector<Field>& remark_fields();
+
+}  // namespace floeplan::fields

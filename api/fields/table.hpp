@@ -1,0 +1,135 @@
+#pragma once
+
+#include <concepts>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "api/fields/field.hpp"
+
+/// How the rows of a table know the members that they stand for.
+namespace floeplan::fields {
+
+/// A field and the member of `Values` that holds it.
+template <class Values>
+struct Bound {
+  Field field;
+  std::function<void(Values&, const Value&)> set;
+  std::function<std::optional<Value>(const Values&)> get;  // empty: the member is
+};
+
+template <class Values>
+using Table = std::vector<Bound<Values>>;
+
+template <class T>
+inline constexpr bool is_optional = false;
+template <class T>
+inline constexpr bool is_optional<std::optional<T>> = true;
+
+inline constexpr double cm3_per_m3 = 1e6;
+
+/// What a member of this type is in a request.
+template <class T>
+constexpr Kind kind_of() {
+  if constexpr (is_optional<T>) {
+    return kind_of<typename T::value_type>();
+  } else if constexpr (std::same_as<T, bool>) {
+    return Kind::boolean;
+  } else if constexpr (std::integral<T>) {
+    return Kind::whole_number;
+  } else if constexpr (std::same_as<T, std::string>) {
+    return Kind::text;
+  } else if constexpr (std::same_as<T, core::UtcTime>) {
+    return Kind::time;
+  } else {
+    return Kind::number;
+  }
+}
+
+/// Angles are in degrees in a request and volumes in cubic centimetres, everything else in the unit of its type.
+template <class T>
+void store(const Value& value, T& member) {
+  if constexpr (is_optional<T>) {
+    store(value, member.emplace());
+  } else if constexpr (std::same_as<T, core::Radians>) {
+    member.value = core::degrees_to_radians(std::get<double>(value));
+  } else if constexpr (std::same_as<T, core::CubicMetres>) {
+    member.value = std::get<double>(value) / cm3_per_m3;
+  } else if constexpr (std::same_as<T, core::Seconds>) {
+    member = core::Seconds{std::get<double>(value)};
+  } else if constexpr (std::same_as<T, std::uint64_t>) {
+    member = static_cast<std::uint64_t>(std::get<int>(value));
+  } else if constexpr (requires { member.value; }) {
+    member.value = std::get<double>(value);
+  } else {
+    member = std::get<T>(value);
+  }
+}
+
+template <class T>
+std::optional<Value> stored(const T& member) {
+  if constexpr (is_optional<T>) {
+    return member ? stored(*member) : std::nullopt;
+  } else if constexpr (std::same_as<T, core::Radians>) {
+    return core::radians_to_degrees(member.value);
+  } else if constexpr (std::same_as<T, core::CubicMetres>) {
+    return member.value * cm3_per_m3;
+  } else if constexpr (std::same_as<T, core::Seconds>) {
+    return member.count();
+  } else if constexpr (std::same_as<T, std::uint64_t>) {
+    return static_cast<int>(member);
+  } else if constexpr (requires { member.value; }) {
+    return member.value;
+  } else {
+    return member;
+  }
+}
+
+/// A row of the table of `Values`, whose member access(values) it stands for. What `Values` hold from the start is usual.
+template <class Values, class Access>
+Bound<Values> bound(Field field, Access access) {
+  using Member = std::remove_reference_t<decltype(access(std::declval<Values&>()))>;
+  if (field.kind == Kind::structure) field.kind = kind_of<Member>();
+  const Values usual{};
+  field.usual = stored(access(usual));
+  return {std::move(field), [access](Values& values, const Value& value) { store(value, access(values)); },
+          [access](const Values& values) { return stored(access(values)); }};
+}
+
+/// A word, and what the member is with it.
+template <class T>
+struct Choice {
+  Word word;
+  T value;
+};
+
+/// The same for a member that is one of a few things, each with a word. Where it is none of them it has no word.
+template <class Values, class T, class Access>
+Bound<Values> worded(Field field, std::vector<Choice<T>> choices, Access access) {
+  field.kind = Kind::word;
+  for (const Choice<T>& choice : choices) field.words.push_back(choice.word);
+  const auto get = [access, choices](const Values& values) -> std::optional<Value> {
+    for (const Choice<T>& choice : choices)
+      if (access(values) == choice.value) return std::string{choice.word.name};
+    return std::nullopt;
+  };
+  field.usual = get(Values{});
+  const auto set = [access, choices](Values& values, const Value& value) {
+    for (const Choice<T>& choice : choices)
+      if (choice.word.name == std::get<std::string>(value)) access(values) = choice.value;
+  };
+  return {std::move(field), set, get};
+}
+
+/// The rows of a table whose `Values` begin with nothing usual: as a profile has it, or required.
+template <class Values>
+Table<Values> without_usual(Table<Values> table) {
+  for (Bound<Values>& row : table) row.field.usual.reset();
+  return table;
+}
+
+}  // namespace floeplan::fields
