@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "api/codec/mission_document.hpp"
+#include "api/fields/process_fields.hpp"
 #include "api/routes/flight_check_service.hpp"
 #include "engine/mission/file_text.hpp"
 #include "engine/mission/read_document.hpp"
@@ -113,8 +114,7 @@ void add_check(CLI::App& app, Program& program) {
       ->required();
   command->add_option("--from", flags->from, "Where the vehicle is, LON,LAT; default: the first waypoint");
   flags->sea.add_request(*command, "the inputs of process evaluate-route, without a route");
-  flags->sea.add_voyage(*command);
-  flags->sea.add_route_rules(*command);
+  flags->sea.add(*command, fields::conditions_of_route());
   command->add_flag("--json", flags->json_out, "Answer with one JSON document");
   command->callback([flags, &program] { program.exit_code = run_check(*flags, program); });
 }

@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "api/codec/plan_inputs.hpp"
+#include "api/fields/process_fields.hpp"
 #include "server/cli/command.hpp"
 #include "server/cli/input_flags.hpp"
 #include "server/cli/plan_output.hpp"
@@ -47,10 +48,7 @@ void add_evaluate(CLI::App& app, Program& program) {
                    "targets or an IMC plan")
       ->required();
   flags->add_request(*command, "the inputs of process evaluate-route");
-  flags->add_start(*command);
-  flags->add_route_name(*command);
-  flags->add_voyage(*command);
-  flags->add_route_rules(*command);
+  flags->add(*command, fields::fields_of(fields::Process::evaluate_route));
   command->add_flag("--json", *json_out, "Answer with one JSON document");
   command->callback([flags, route, json_out, &program] {
     program.exit_code = run_evaluate(*route, *flags, *json_out, program);

@@ -1,6 +1,7 @@
 #include <memory>
 
 #include "api/codec/plan_inputs.hpp"
+#include "api/fields/process_fields.hpp"
 #include "server/cli/command.hpp"
 #include "server/cli/input_flags.hpp"
 #include "server/cli/plan_output.hpp"
@@ -27,9 +28,7 @@ void add_plan(CLI::App& app, Program& program) {
   auto json_out = std::make_shared<bool>(false);
   auto* command = app.add_subcommand("plan", "Plan the fastest route through the stored data");
   flags->add_request(*command, "the inputs of process plan-route");
-  flags->add_planning(*command);
-  flags->add_voyage(*command);
-  flags->add_route_rules(*command);
+  flags->add(*command, fields::fields_of(fields::Process::plan_route));
   command->add_flag("--json", *json_out, "Answer with one JSON document");
   command->callback(
       [flags, json_out, &program] { program.exit_code = run_plan(*flags, *json_out, program); });

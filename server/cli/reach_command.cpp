@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "api/codec/reach_inputs.hpp"
+#include "api/fields/process_fields.hpp"
 #include "server/cli/command.hpp"
 #include "server/cli/input_flags.hpp"
 #include "server/cli/plan_output.hpp"
@@ -51,8 +52,7 @@ void add_reach(CLI::App& app, Program& program) {
   auto* command = app.add_subcommand(
       "reach", "Show what the vehicle can reach, or from where it can still come, in time");
   flags->add_request(*command, "the inputs of process reach");
-  flags->add_reach(*command);
-  flags->add_voyage(*command);
+  flags->add(*command, fields::fields_of(fields::Process::reach));
   command->add_flag("--json", *json_out, "Answer with one GeoJSON document");
   command->callback(
       [flags, json_out, &program] { program.exit_code = run_reach(*flags, *json_out, program); });
