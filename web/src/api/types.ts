@@ -1,8 +1,11 @@
 /** The server's documents on plans, jobs and probes, field for field. Positions are decimal degrees, longitude first; times are ISO 8601 in UTC. */
 
+import type { namesOfConditions, requestFields } from '../contract/request_fields';
 import type { Areas, DatasetKind, Link, Position } from './data_types';
 
-export type Method = 'tve' | 'dijkstra' | 'astar' | 'frozen' | 'direct';
+type RequestFields = typeof requestFields;
+
+export type Method = RequestFields['method']['words'][number];
 
 /** A file with places, as it is sent along with a request. */
 export interface RouteFile {
@@ -10,68 +13,40 @@ export interface RouteFile {
   text: string;
 }
 
-export interface PlanInputs {
+/** What the table of request fields says of a value. */
+type ValueOf<Told> = Told extends { kind: 'number' | 'whole_number' }
+  ? number
+  : Told extends { kind: 'boolean' }
+    ? boolean
+    : Told extends { words: readonly (infer Word)[] }
+      ? Word
+      : Told extends { kind: 'datasets' }
+        ? string | string[]
+        : string;
+
+/** Fields whose values have a shape of their own. */
+interface ShapedInputs {
   from?: Position; // required without goals_file
   to?: Position;
   via?: Position[];
   goals_file?: RouteFile; // in place of `to` and `via`
-  route_name?: string; // of a goals_file with several routes
-  depart?: string;
   vehicle?: string | ({ profile?: string } & Record<string, unknown>);
-  speed_m_s?: number;
-  dive_depth_m?: number;
   spacing_m?: number | [along: number, across: number];
-  sectors?: number;
-  method?: Method;
-  via_order?: 'given' | 'best';
   objective?: 'time' | 'energy' | { time: number; energy: number };
-  thruster?: 'auto' | 'on' | 'off';
-  require_battery?: boolean;
-  battery_j?: number;
-  battery_start_share?: number;
-  pitch_deg?: number;
-  climb_to_m?: number;
-  altimeter_margin_m?: number;
-  max_waypoints?: number;
-  max_leg_m?: number;
-  depart_until?: string;
-  depart_step?: string;
-  arrive_by?: string;
   areas?: Areas;
-  icebergs_drift?: boolean;
-  max_inflation_m?: number;
-  max_sighting_age_days?: number;
-  pass_under_icebergs?: boolean;
-  keel_clearance_m?: number;
-  draft_uncertainty?: number;
-  encounter_weight_s?: number;
-  max_loiter_s?: number;
   under_ice?: Record<string, number | boolean>;
   uncertainty?: Record<string, number | string>;
-  optimality_gap?: boolean;
-  refine?: boolean;
-  refine_seconds?: number;
-  currents?: string | string[];
-  steady?: boolean;
-  bathymetry?: string | string[];
-  icebergs?: string | string[];
-  ice?: string;
-  coastline?: string;
-  tides?: string | string[];
-  tides_mode?: 'add' | 'only';
-  wind?: string;
-  zones?: string | string[];
-  icebergs_as_of?: string;
-  margin_m?: number;
-  name?: string;
 }
 
+type PlainName = {
+  [Name in keyof RequestFields]: Name extends `${string}.${string}` ? never : RequestFields[Name]['kind'] extends 'structure' | 'place' | 'places' ? never : Name;
+}[keyof RequestFields];
+
+export type PlanInputs = ShapedInputs & { -readonly [Name in PlainName]?: ValueOf<RequestFields[Name]> };
+
 /** What a route is judged under: a request without the way. */
-export type Conditions = Omit<
-  PlanInputs,
-  | 'from' | 'to' | 'via' | 'via_order' | 'goals_file' | 'route_name' | 'spacing_m' | 'sectors' | 'method' | 'max_waypoints' | 'max_leg_m' | 'refine' | 'refine_seconds'
-  | 'encounter_weight_s' | 'uncertainty' | 'depart_until' | 'depart_step' | 'arrive_by' | 'optimality_gap' | 'name'
->;
+export type Conditions = Omit<Pick<PlanInputs, Extract<(typeof namesOfConditions)[number], keyof PlanInputs>>, 'name'> &
+  Pick<PlanInputs, 'under_ice'>;
 
 export type EvaluateInputs = Conditions & ({ route: Position[] } | { plan_id: string });
 

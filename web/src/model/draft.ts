@@ -4,80 +4,32 @@ import type { Method, RouteFile } from '../api/types';
 import { readPosition } from './position';
 import type { Area } from './area';
 import { severalIn } from './data_choice';
+import { checkFields, isUsual, numberFields, timeFields, type CheckField, type NumberField, type TimeField } from './fields';
 import { begin, record, redo, undo } from './history';
 
 /**
- * The set-up as a person types it: texts until they are sent. Numbers left empty take the server's default. A name with a
- * dot is a member of a member of the request.
+ * The set-up as a person types it: texts until they are sent, in the units of the form. Numbers left empty take the server's
+ * default. A name with a dot is a member of a member of the request.
  */
-export interface Draft {
+export type Draft = Record<NumberField, string> & Record<CheckField, boolean> & Record<TimeField, string> & Others;
+
+/** What is neither a number nor a switch nor an instant. */
+interface Others {
   from: string;
   to: string;
   via: string;
   via_order: 'given' | 'best';
   goals_file: RouteFile; // without a name there is none; else it takes the place of `to` and `via`
   route_name: string; // the one to take from that file
-  depart: string;
-  depart_until: string;
   depart_step: string; // hours
-  arrive_by: string;
   vehicle: string;
-  'vehicle.depth_rating_m': string;
-  'vehicle.minimum_working_depth_m': string;
-  'vehicle.buoyancy_cm3': string;
-  'vehicle.hotel_w': string;
-  'vehicle.surfacing_interval_s': string; // hours
-  'vehicle.surfacing_j': string; // kilojoules
-  'vehicle.battery_reserve_share': string; // percent
-  'vehicle.max_waypoints_per_list': string;
   name: string;
-  margin_m: string;
   objective: 'time' | 'energy' | 'both';
-  'objective.time': string; // weight of a second, with both
-  'objective.energy': string; // weight of a joule, with both
   method: Method;
-  speed_m_s: string;
-  dive_depth_m: string;
-  pitch_deg: string;
-  climb_to_m: string;
-  altimeter_margin_m: string;
-  battery_j: string; // megajoules
-  battery_start_share: string; // percent
-  require_battery: boolean;
   thruster: 'auto' | 'on' | 'off';
   spacing_m: string; // or two: along × across
-  sectors: string;
-  max_waypoints: string;
-  max_leg_m: string; // kilometres
-  refine: boolean;
-  refine_seconds: string;
-  optimality_gap: boolean;
-  steady: boolean;
   areas: Area[];
-  icebergs_drift: boolean;
-  max_inflation_m: string;
-  max_sighting_age_days: string;
-  pass_under_icebergs: boolean;
-  keel_clearance_m: string;
-  draft_uncertainty: string; // percent
-  encounter_weight_s: string; // hours
-  max_loiter_s: string; // hours
-  'under_ice.max_concentration_to_surface': string; // percent
-  'under_ice.margin_below_ice_m': string;
-  'under_ice.draft_if_unknown_m': string;
-  'under_ice.max_time_without_surfacing_s': string; // hours
-  'under_ice.surfacing_interval_s': string; // hours
-  'under_ice.dead_reckoning_share': string; // percent
-  'under_ice.current_uncertainty_m_s': string;
-  'under_ice.escape_plan': boolean;
-  'uncertainty.members': string;
-  'uncertainty.current_error_m_s': string;
-  'uncertainty.length_scale_m': string; // kilometres
-  'uncertainty.time_scale_s': string; // hours
-  'uncertainty.seed': string;
   'uncertainty.objective': 'first' | 'mean' | 'quantile'; // first: planned in the first member, judged in all
-  'uncertainty.quantile': string; // percent
-  'uncertainty.arrive_before': string;
   currents: string;
   bathymetry: string;
   icebergs: string;
@@ -87,26 +39,19 @@ export interface Draft {
   tides_mode: 'add' | 'only';
   wind: string;
   zones: string;
-  icebergs_as_of: string;
 }
 
+const filled = <Name extends string, Value>(names: Name[], value: (name: Name) => Value): Record<Name, Value> =>
+  Object.fromEntries(names.map((name) => [name, value(name)])) as Record<Name, Value>;
+
 export const emptyDraft: Draft = {
-  from: '', to: '', via: '', via_order: 'given', goals_file: { name: '', text: '' }, route_name: '', depart: '', depart_until: '', depart_step: '3',
-  arrive_by: '', vehicle: '', 'vehicle.depth_rating_m': '', 'vehicle.minimum_working_depth_m': '', 'vehicle.buoyancy_cm3': '',
-  'vehicle.hotel_w': '', 'vehicle.surfacing_interval_s': '', 'vehicle.surfacing_j': '', 'vehicle.battery_reserve_share': '',
-  'vehicle.max_waypoints_per_list': '', name: '',
-  margin_m: '500', objective: 'time', 'objective.time': '1', 'objective.energy': '1', method: 'astar', speed_m_s: '', dive_depth_m: '',
-  pitch_deg: '', climb_to_m: '', altimeter_margin_m: '', battery_j: '', battery_start_share: '', require_battery: false,
-  thruster: 'auto', spacing_m: '', sectors: '3', max_waypoints: '', max_leg_m: '', refine: true, refine_seconds: '',
-  optimality_gap: true, steady: false, areas: [], icebergs_drift: true, max_inflation_m: '', max_sighting_age_days: '',
-  pass_under_icebergs: false, keel_clearance_m: '', draft_uncertainty: '', encounter_weight_s: '', max_loiter_s: '',
-  'under_ice.max_concentration_to_surface': '', 'under_ice.margin_below_ice_m': '', 'under_ice.draft_if_unknown_m': '',
-  'under_ice.max_time_without_surfacing_s': '', 'under_ice.surfacing_interval_s': '', 'under_ice.dead_reckoning_share': '',
-  'under_ice.current_uncertainty_m_s': '', 'under_ice.escape_plan': false, 'uncertainty.members': '',
-  'uncertainty.current_error_m_s': '0.05', 'uncertainty.length_scale_m': '30', 'uncertainty.time_scale_s': '24',
-  'uncertainty.seed': '', 'uncertainty.objective': 'first', 'uncertainty.quantile': '', 'uncertainty.arrive_before': '',
-  currents: 'newest', bathymetry: 'newest', ice: 'newest', icebergs: 'newest', coastline: 'newest', tides: 'none', tides_mode: 'add',
-  wind: 'newest', zones: 'all', icebergs_as_of: '',
+  ...filled([...numberFields, ...timeFields], () => ''),
+  ...filled(checkFields, isUsual),
+  from: '', to: '', via: '', via_order: 'given', goals_file: { name: '', text: '' }, route_name: '', depart_step: '3', vehicle: '', name: '',
+  margin_m: '500', objective: 'time', 'objective.time': '1', 'objective.energy': '1', method: 'astar', thruster: 'auto', spacing_m: '',
+  sectors: '3', areas: [], 'uncertainty.current_error_m_s': '0.05', 'uncertainty.length_scale_m': '30', 'uncertainty.time_scale_s': '24',
+  'uncertainty.objective': 'first', currents: 'newest', bathymetry: 'newest', ice: 'newest', icebergs: 'newest', coastline: 'newest',
+  tides: 'none', tides_mode: 'add', wind: 'newest', zones: 'all',
 };
 
 export type Field = keyof Draft;

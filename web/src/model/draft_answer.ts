@@ -1,7 +1,7 @@
 import type { Position } from '../api/data_types';
 import type { Change, Violation } from '../api/types';
 import { emptyDraft, hasGoalsFile, type Draft, type Faults, type Field } from './draft';
-import { numberFields, timeFields, type NumberField } from './draft_request';
+import { factorOf, numberFields, timeFields, type NumberField } from './fields';
 import { fieldOf, isoOf } from './time';
 
 const fieldNames = Object.keys(emptyDraft) as Field[];
@@ -45,7 +45,7 @@ function editOfOne({ input, to }: Change, form: Draft): Partial<Draft> | undefin
   if (field === 'spacing_m') return spacingEdit(to);
   if (field === 'areas') return areasEdit(input, form);
   if (isPosition(to)) return { [field]: exact(to) };
-  if (typeof to === 'number') return field in numberFields ? { [field]: String(Number((to / numberFields[field as NumberField]).toPrecision(8))) } : undefined;
+  if (typeof to === 'number') return isNumber(field) ? { [field]: String(Number((to / factorOf(field)).toPrecision(8))) } : undefined;
   if (typeof to === 'boolean' && typeof emptyDraft[field] === 'boolean') return { [field]: to };
   if (typeof to !== 'string' || typeof emptyDraft[field] !== 'string') return undefined;
   const time_ms = (timeFields as readonly Field[]).includes(field) ? Date.parse(to) : undefined;
@@ -71,6 +71,8 @@ function spacingEdit(to: unknown): Partial<Draft> | undefined {
   const spacings = Array.isArray(to) ? to : [to];
   return spacings.every((each) => typeof each === 'number') ? { spacing_m: spacings.join(' × ') } : undefined;
 }
+
+const isNumber = (field: Field): field is NumberField => (numberFields as readonly Field[]).includes(field);
 
 const isPosition = (value: unknown): value is Position =>
   Array.isArray(value) && value.length === 2 && value.every((part) => typeof part === 'number');

@@ -4,33 +4,11 @@ import { readPosition } from './position';
 import { areasInputs, faultOfAreas } from './area';
 import { choiceInputs, severalIn } from './data_choice';
 import { emptyDraft, hasGoalsFile, isEnsemble, numberIn, placesIn, type Draft, type Faults, type Field } from './draft';
+import { checkFields, factorOf, numberFields, timeFields } from './fields';
 import { isoOf, parseTime } from './time';
 
-/** Fields that hold numbers, and how many of the request's unit make one of the field's. */
-export const numberFields = {
-  margin_m: 1, 'objective.time': 1, 'objective.energy': 1, speed_m_s: 1, dive_depth_m: 1, pitch_deg: 1, climb_to_m: 1,
-  altimeter_margin_m: 1, battery_j: 1e6, battery_start_share: 0.01, sectors: 1, max_waypoints: 1, max_leg_m: 1000,
-  'vehicle.depth_rating_m': 1, 'vehicle.minimum_working_depth_m': 1, 'vehicle.buoyancy_cm3': 1, 'vehicle.hotel_w': 1,
-  'vehicle.surfacing_interval_s': 3600, 'vehicle.surfacing_j': 1000, 'vehicle.battery_reserve_share': 0.01,
-  'vehicle.max_waypoints_per_list': 1,
-  refine_seconds: 1, max_inflation_m: 1, max_sighting_age_days: 1, keel_clearance_m: 1, draft_uncertainty: 0.01,
-  encounter_weight_s: 3600, max_loiter_s: 3600, 'under_ice.max_concentration_to_surface': 0.01, 'under_ice.margin_below_ice_m': 1,
-  'under_ice.draft_if_unknown_m': 1, 'under_ice.max_time_without_surfacing_s': 3600, 'under_ice.surfacing_interval_s': 3600,
-  'under_ice.dead_reckoning_share': 0.01, 'under_ice.current_uncertainty_m_s': 1, 'uncertainty.members': 1,
-  'uncertainty.current_error_m_s': 1, 'uncertainty.length_scale_m': 1000, 'uncertainty.time_scale_s': 3600, 'uncertainty.seed': 1,
-  'uncertainty.quantile': 0.01,
-} as const;
-export type NumberField = keyof typeof numberFields;
-const numberFieldNames = Object.keys(numberFields) as NumberField[];
-
-/** Fields that hold instants in UTC. */
-export const timeFields = ['depart', 'depart_until', 'arrive_by', 'icebergs_as_of', 'uncertainty.arrive_before'] as const;
-
 /** Fields that are sent only where they differ from what the server takes anyway. */
-const sentWhenChanged = [
-  'via_order', 'objective', 'thruster', 'require_battery', 'optimality_gap', 'icebergs_drift', 'pass_under_icebergs',
-  'under_ice.escape_plan', 'wind',
-] as const;
+const sentWhenChanged: Field[] = ['via_order', 'objective', 'thruster', 'wind', ...checkFields.filter((name) => name !== 'refine' && name !== 'steady')];
 
 /** Fields that choose data of which several may be named. */
 const severalFields = ['currents', 'tides', 'bathymetry', 'icebergs', 'zones'] as const;
@@ -51,11 +29,11 @@ export function inputsOf(form: Draft): { inputs: PlanInputs } | { faults: Faults
   }
   if (form.depart.trim() === '' && form.arrive_by.trim() === '') found.depart = 'Write the time in UTC as 2026-11-20 06:00.';
 
-  for (const field of numberFieldNames) {
+  for (const field of numberFields) {
     if (form[field].trim() === '' || isLeftOut(field, form)) continue;
     const value = numberIn(form[field]);
     if (value === undefined) found[field] = 'Write a number.';
-    else values[field] = Number((value * numberFields[field]).toPrecision(12));
+    else values[field] = Number((value * factorOf(field)).toPrecision(12));
   }
   const spacing_m = spacingIn(form.spacing_m);
   if (spacing_m === null) found.spacing_m = 'Write a distance, or two: along × across.';
@@ -67,7 +45,7 @@ export function inputsOf(form: Draft): { inputs: PlanInputs } | { faults: Faults
   if (form.tides !== 'none') values.tides_mode = form.tides_mode;
   for (const field of sentWhenChanged) {
     const isPlain = !(field === 'objective' && form.objective === 'both');
-    if (isPlain && form[field] !== emptyDraft[field]) values[field] = form[field];
+    if (isPlain && form[field] !== emptyDraft[field]) values[field] = form[field] as string | boolean;
   }
   const aim = form['uncertainty.objective'];
   if (aim !== 'first' && !isLeftOut('uncertainty.objective', form)) values['uncertainty.objective'] = aim;

@@ -1,13 +1,5 @@
+import { labelsOfFlags } from './fields';
 import { shortTime } from './time';
-
-/** Flags of the command line that the server's sentences name, and the fields of the set-up that ask for the same. */
-const fields: Record<string, string> = {
-  '--bathymetry': 'Depths', '--currents': 'Currents', '--depart': 'Departure', '--depart-until': 'Latest departure',
-  '--dive-depth': 'Dive depth', '--escape-plan': 'A way out from every waypoint', '--margin': 'Ice margin',
-  '--max-concentration-to-surface': 'Surface up to', '--max-inflation': 'Most for errors', '--max-loiter': 'Longest wait',
-  '--max-sighting-age': 'Sightings up to', '--max-time-without-surfacing': 'Longest below', '--objective': 'Optimise',
-  '--spacing': 'Grid spacing', '--steady': 'Hold the currents at departure', '--thruster': 'Thruster',
-};
 
 const instant = /\d{4}-\d\d-\d\dT\d\d:\d\d:\d\dZ/g;
 
@@ -26,4 +18,4 @@ export const inPageWords = (text: string): string =>
   text
     .replace(orderOfNumbers, '')
     .replace(instant, (time) => shortTime(Date.parse(time)))
-    .replace(/--[a-z]+(-[a-z]+)*/g, (flag) => (fields[flag] ? `“${fields[flag]}”` : flag));
+    .replace(/--[a-z]+(-[a-z]+)*/g, (flag) => (labelsOfFlags[flag] ? `“${labelsOfFlags[flag]}”` : flag));

@@ -1,4 +1,5 @@
 import type { Conditions, Plan, PlanInputs } from '../api/types';
+import { isCondition } from './fields';
 import { draft, numberIn } from './draft';
 import { staleness } from './stale';
 
@@ -51,14 +52,9 @@ export function dataOf(plan: Plan, icebergs: PlanInputs['icebergs'] = 'newest'):
   return Object.fromEntries(kinds.map((kind) => [kind, choiceOf(kind)]));
 }
 
-const ofTheWay = new Set<string>([
-  'from', 'to', 'via', 'via_order', 'goals_file', 'route_name', 'spacing_m', 'sectors', 'method', 'max_waypoints', 'max_leg_m', 'refine', 'refine_seconds',
-  'encounter_weight_s', 'uncertainty', 'depart_until', 'depart_step', 'arrive_by', 'optimality_gap', 'name',
-] satisfies Exclude<keyof PlanInputs, keyof Conditions>[]);
-
 /** Everything of a request but the way: what a route is judged under. */
 export const conditionsIn = (inputs: PlanInputs): Conditions =>
-  Object.fromEntries(Object.entries(inputs).filter(([name]) => !ofTheWay.has(name)));
+  Object.fromEntries(Object.entries(inputs).filter(([name]) => isCondition(name)));
 
 const ofTheWindow = new Set<string>(['depart_until', 'depart_step', 'arrive_by', 'name'] satisfies (keyof PlanInputs)[]);
 

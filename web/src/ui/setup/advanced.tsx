@@ -28,33 +28,33 @@ export function Advanced(): VNode {
       </Part>
       <Part title="Departure window" fields={['depart_until', 'arrive_by']}>
         <div class="field-pair wide-first">
-          <TextField name="depart_until" label="Latest departure" unit="UTC" placeholder="one departure only" />
-          <TextField name="depart_step" label="Every" unit="h" inputMode="decimal" />
+          <TextField name="depart_until" />
+          <TextField name="depart_step" inputMode="decimal" />
         </div>
-        <TextField name="arrive_by" label="Latest arrival" unit="UTC" placeholder="any" hint="With it the latest departure that arrives in time is found." />
+        <TextField name="arrive_by" />
       </Part>
       <ReachPart />
       <VehiclePart />
       <IcePart />
       <UncertaintyPart />
       <Part title="Advanced" fields={['name', 'method', 'sectors', 'spacing_m', 'max_waypoints', 'max_leg_m', 'max_loiter_s', 'refine', 'refine_seconds', 'optimality_gap', 'steady']}>
-        <TextField name="name" label="Name of the plan" placeholder="optional" />
+        <TextField name="name" />
         <div class="field-pair">
-          <SelectField name="method" label="Method" choices={methods} />
-          <TextField name="sectors" label="Reach" unit="1–5" inputMode="numeric" />
+          <SelectField name="method" choices={methods} />
+          <TextField name="sectors" />
         </div>
         <div class="field-pair">
-          <TextField name="spacing_m" label="Grid spacing" unit="m" placeholder="automatic" />
-          <TextField name="max_waypoints" label="Most waypoints" inputMode="numeric" placeholder="no limit" />
+          <TextField name="spacing_m" />
+          <TextField name="max_waypoints" />
         </div>
         <div class="field-pair">
-          <TextField name="max_leg_m" label="Longest leg" unit="km" inputMode="decimal" placeholder="no limit" />
-          <TextField name="max_loiter_s" label="Longest wait" unit="h" inputMode="decimal" placeholder="never" />
+          <TextField name="max_leg_m" />
+          <TextField name="max_loiter_s" />
         </div>
-        <CheckField name="refine" label="Refine the route beyond the grid" />
-        {draft.value.refine && <TextField name="refine_seconds" label="Refine for at most" unit="s" inputMode="decimal" placeholder="1" />}
-        <CheckField name="optimality_gap" label="Compare with the best way in open water" />
-        <CheckField name="steady" label="Hold the currents at departure" />
+        <CheckField name="refine" />
+        {draft.value.refine && <TextField name="refine_seconds" />}
+        <CheckField name="optimality_gap" />
+        <CheckField name="steady" />
       </Part>
       <DataPart />
     </div>

@@ -3,6 +3,7 @@ import type { PlanningKind } from '../../api/data_types';
 import { severalIn, severalOf, ticked } from '../../model/data_choice';
 import { chosenAll, ofKind } from '../../model/datasets';
 import { draft, edit } from '../../model/draft';
+import { formOf } from '../../model/fields';
 import { SelectField, type Choice } from './field';
 import { Part } from './part';
 
@@ -10,43 +11,42 @@ import { Part } from './part';
 export function DataPart(): VNode {
   return (
     <Part title="Data" fields={['currents', 'tides', 'bathymetry', 'ice', 'icebergs', 'wind', 'coastline', 'zones']}>
-      <DataField kind="currents" label="Currents" several="members of an ensemble" />
-      <DataField kind="tides" label="Tidal currents" several="completing each other" />
+      <DataField kind="currents" several="members of an ensemble" />
+      <DataField kind="tides" several="completing each other" />
       {draft.value.tides !== 'none' && (
-        <SelectField name="tides_mode" label="Tides are" choices={[{ value: 'add', title: 'added to the currents' }, { value: 'only', title: 'the only currents' }]} />
+        <SelectField name="tides_mode" choices={[{ value: 'add', title: 'added to the currents' }, { value: 'only', title: 'the only currents' }]} />
       )}
-      <DataField kind="bathymetry" label="Depths" several="the first has priority" />
-      <DataField kind="ice" label="Sea ice" />
-      <DataField kind="icebergs" label="Icebergs" several="all avoided" />
-      <DataField kind="wind" label="Wind on icebergs" />
-      <DataField kind="coastline" label="Coastline" />
-      <DataField kind="zones" label="Zones" all several="all obeyed" />
+      <DataField kind="bathymetry" several="the first has priority" />
+      <DataField kind="ice" />
+      <DataField kind="icebergs" several="all avoided" />
+      <DataField kind="wind" />
+      <DataField kind="coastline" />
+      <DataField kind="zones" all several="all obeyed" />
     </Part>
   );
 }
 
 interface DataFieldProps {
   kind: PlanningKind;
-  label: string;
   all?: boolean; // all that are stored count unless others are chosen
   several?: string; // what several of them are
 }
 
-function DataField({ kind, label, all = false, several }: DataFieldProps): VNode | null {
+function DataField({ kind, all = false, several }: DataFieldProps): VNode | null {
   const stored: Choice[] = ofKind(kind).map(({ id, name }) => ({ value: id, title: name }));
   const isRare = kind === 'tides' || kind === 'wind' || kind === 'zones';
   if (isRare && stored.length === 0) return null;
   const usual = usualOf(kind, stored, all);
   const none = { value: 'none', title: 'None' };
-  if (!several || stored.length < 2) return <SelectField name={kind} label={label} choices={[usual, ...stored, none]} />;
+  if (!several || stored.length < 2) return <SelectField name={kind} choices={[usual, ...stored, none]} />;
   const isSeveral = severalIn(draft.value[kind]) !== undefined;
   // What is ticked is part of the choice; asked for anew it begins with what was in use.
   const begin = severalOf(chosenAll(kind).slice(0, kind === 'icebergs' ? undefined : 1).map(({ id }) => id));
   const choices = [usual, ...stored, { value: isSeveral ? draft.value[kind] : begin, title: `Several: ${several}` }, none];
   return (
     <>
-      <SelectField name={kind} label={label} choices={choices} />
-      {isSeveral && <Ticks kind={kind} label={label} stored={stored} />}
+      <SelectField name={kind} choices={choices} />
+      {isSeveral && <Ticks kind={kind} stored={stored} />}
     </>
   );
 }
@@ -62,12 +62,12 @@ function usualOf(kind: PlanningKind, stored: Choice[], all: boolean): Choice {
 }
 
 /** The stored datasets of a kind to be ticked; a figure says which rank each has. */
-function Ticks({ kind, label, stored }: { kind: PlanningKind; label: string; stored: Choice[] }): VNode {
+function Ticks({ kind, stored }: { kind: PlanningKind; stored: Choice[] }): VNode {
   const choice = draft.value[kind];
   const ids = severalIn(choice) ?? [];
   return (
     <fieldset class="ticks">
-      <legend class="visually-hidden">{label} used together</legend>
+      <legend class="visually-hidden">{formOf(kind).label} used together</legend>
       {stored.map(({ value, title }) => {
         const rank = ids.indexOf(value);
         return (

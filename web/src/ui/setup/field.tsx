@@ -1,21 +1,18 @@
 import type { ComponentChildren, VNode } from 'preact';
 import { draft, edit, faults, type Draft, type Field } from '../../model/draft';
+import { formOf, type FormTexts } from '../../model/fields';
 
 type TextField = { [K in Field]: Draft[K] extends string ? K : never }[Field];
 type CheckFieldName = { [K in Field]: Draft[K] extends boolean ? K : never }[Field];
 
-interface FieldProps {
+interface FieldProps extends Partial<FormTexts> {
   name: TextField;
-  label: string;
-  unit?: string;
-  placeholder?: string;
-  hint?: string;
-  inputMode?: 'text' | 'decimal' | 'numeric';
   children?: ComponentChildren; // buttons beside the field
 }
 
-/** A labelled text field of the set-up, with its fault under it. */
-export function TextField({ name, label, unit, placeholder, hint, inputMode = 'text', children }: FieldProps): VNode {
+/** A labelled text field of the set-up, with its fault under it. Its texts are those of the table of request fields where none are given. */
+export function TextField({ name, children, ...given }: FieldProps): VNode {
+  const { label, unit, placeholder, hint, inputMode } = { ...formOf(name), ...given };
   const fault = faults.value[name];
   return (
     <div class={fault ? 'field faulty' : 'field'}>
@@ -42,11 +39,11 @@ export interface Choice {
   title: string;
 }
 
-export function SelectField({ name, label, choices }: { name: TextField; label: string; choices: Choice[] }): VNode {
+export function SelectField({ name, choices }: { name: TextField; choices: Choice[] }): VNode {
   const fault = faults.value[name];
   return (
     <div class={fault ? 'field faulty' : 'field'}>
-      <label for={`field-${name}`}>{label}</label>
+      <label for={`field-${name}`}>{formOf(name).label}</label>
       <select
         id={`field-${name}`} value={draft.value[name]} aria-invalid={fault ? true : undefined}
         aria-describedby={fault ? `fault-${name}` : undefined}
@@ -61,12 +58,12 @@ export function SelectField({ name, label, choices }: { name: TextField; label: 
   );
 }
 
-export function CheckField({ name, label }: { name: CheckFieldName; label: string }): VNode {
+export function CheckField({ name }: { name: CheckFieldName }): VNode {
   return (
     <div class="field">
       <label class="check">
         <input type="checkbox" checked={draft.value[name]} onChange={(event) => edit({ [name]: event.currentTarget.checked })} />
-        {label}
+        {formOf(name).label}
       </label>
       <Fault name={name} />
     </div>

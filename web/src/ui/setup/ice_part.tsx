@@ -15,34 +15,34 @@ export function IcePart(): VNode {
   const passesUnder = draft.value.pass_under_icebergs;
   return (
     <Part title="Ice" fields={fields}>
-      <CheckField name="icebergs_drift" label="Let icebergs drift and positions age" />
+      <CheckField name="icebergs_drift" />
       <div class="field-pair">
-        <TextField name="max_inflation_m" label="Most for errors" unit="m" inputMode="decimal" placeholder="5000" />
-        <TextField name="max_sighting_age_days" label="Sightings up to" unit="days" inputMode="decimal" placeholder="3" />
+        <TextField name="max_inflation_m" />
+        <TextField name="max_sighting_age_days" />
       </div>
-      <TextField name="icebergs_as_of" label="Icebergs as known at" unit="UTC" placeholder="departure" />
-      <TextField name="encounter_weight_s" label="An expected encounter counts as" unit="h" inputMode="decimal" placeholder="0" hint="Longer travel that is worth one encounter less." />
-      <CheckField name="pass_under_icebergs" label="Pass under icebergs of known draft" />
+      <TextField name="icebergs_as_of" />
+      <TextField name="encounter_weight_s" />
+      <CheckField name="pass_under_icebergs" />
       {passesUnder && (
         <div class="field-pair">
-          <TextField name="keel_clearance_m" label="Below the keel" unit="m" inputMode="decimal" placeholder="20" />
-          <TextField name="draft_uncertainty" label="Draft error" unit="%" inputMode="decimal" placeholder="25" />
+          <TextField name="keel_clearance_m" />
+          <TextField name="draft_uncertainty" />
         </div>
       )}
       <div class="field-pair">
-        <TextField name="under_ice.max_concentration_to_surface" label="Surface up to" unit="% ice" inputMode="decimal" placeholder="10" />
-        <TextField name="under_ice.max_time_without_surfacing_s" label="Longest below" unit="h" inputMode="decimal" placeholder="no limit" />
+        <TextField name="under_ice.max_concentration_to_surface" />
+        <TextField name="under_ice.max_time_without_surfacing_s" />
       </div>
       <div class="field-pair">
-        <TextField name="under_ice.margin_below_ice_m" label="Below the ice" unit="m" inputMode="decimal" placeholder="10" />
-        <TextField name="under_ice.draft_if_unknown_m" label="Unknown draft" unit="m" inputMode="decimal" placeholder="30" />
+        <TextField name="under_ice.margin_below_ice_m" />
+        <TextField name="under_ice.draft_if_unknown_m" />
       </div>
       <div class="field-pair">
-        <TextField name="under_ice.surfacing_interval_s" label="Surface every" unit="h" inputMode="decimal" placeholder="no need" />
-        <TextField name="under_ice.dead_reckoning_share" label="Lost way" unit="%" inputMode="decimal" placeholder="6" />
+        <TextField name="under_ice.surfacing_interval_s" />
+        <TextField name="under_ice.dead_reckoning_share" />
       </div>
-      <TextField name="under_ice.current_uncertainty_m_s" label="Current error below" unit="m/s" inputMode="decimal" placeholder="0.05" />
-      <CheckField name="under_ice.escape_plan" label="A way out from every waypoint" />
+      <TextField name="under_ice.current_uncertainty_m_s" />
+      <CheckField name="under_ice.escape_plan" />
     </Part>
   );
 }

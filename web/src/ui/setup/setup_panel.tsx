@@ -48,16 +48,16 @@ export function SetupPanel(): VNode {
         <IconButton icon="redo" label="Redo the change of the set-up" disabled={!canRedoDraft.value} onClick={redoDraft} />
         <button type="button" class="link" onClick={clear}>Clear</button>
       </div>
-      <TextField name="from" label="Start" placeholder="69°10.2′N 51°21.0′W">
+      <TextField name="from">
         <PickButton which="from" label="Pick the start on the map" />
       </TextField>
       <GoalField />
-      <TextField name="depart" label="Departure" unit="UTC" placeholder="2026-11-20 06:00">
+      <TextField name="depart">
         <IconButton icon="clock" label="Depart at the clock's time" onClick={() => edit({ depart: fieldOf(time_ms.value) })} />
       </TextField>
       <div class="field-pair wide-first">
-        <SelectField name="vehicle" label="Vehicle" choices={vehicleChoices.value} />
-        <TextField name="margin_m" label="Ice margin" unit="m" inputMode="decimal" />
+        <SelectField name="vehicle" choices={vehicleChoices.value} />
+        <TextField name="margin_m" />
       </div>
       <Advanced />
       {generalFaults.value.map((fault) => (

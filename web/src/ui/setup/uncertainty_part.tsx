@@ -20,14 +20,14 @@ export function UncertaintyPart(): VNode {
       )}
       <div class="field-pair">
         <SelectField
-          name="uncertainty.objective" label="Plan for"
+          name="uncertainty.objective"
           choices={[{ value: 'first', title: 'The forecast' }, { value: 'mean', title: 'The mean' }, { value: 'quantile', title: 'A quantile' }]}
         />
         {draft.value['uncertainty.objective'] === 'quantile' && (
-          <TextField name="uncertainty.quantile" label="Quantile" unit="%" inputMode="decimal" placeholder="90" />
+          <TextField name="uncertainty.quantile" />
         )}
       </div>
-      <TextField name="uncertainty.arrive_before" label="Chance to arrive before" unit="UTC" placeholder="not asked" />
+      <TextField name="uncertainty.arrive_before" />
     </Part>
   );
 }
@@ -36,14 +36,14 @@ function ErrorModel(): VNode {
   return (
     <>
       <div class="field-pair">
-        <TextField name="uncertainty.members" label="Members" unit="2–64" inputMode="numeric" placeholder="none" />
-        <TextField name="uncertainty.seed" label="Seed" inputMode="numeric" placeholder="1" />
+        <TextField name="uncertainty.members" />
+        <TextField name="uncertainty.seed" />
       </div>
       <div class="field-pair">
-        <TextField name="uncertainty.length_scale_m" label="Alike over" unit="km" inputMode="decimal" />
-        <TextField name="uncertainty.time_scale_s" label="and over" unit="h" inputMode="decimal" />
+        <TextField name="uncertainty.length_scale_m" />
+        <TextField name="uncertainty.time_scale_s" />
       </div>
-      <TextField name="uncertainty.current_error_m_s" label="Error of each component" unit="m/s" inputMode="decimal" />
+      <TextField name="uncertainty.current_error_m_s" />
     </>
   );
 }

@@ -1,0 +1,64 @@
+import { namesOfConditions, namesOfReach, requestFields } from '../contract/request_fields';
+
+type Told = typeof requestFields;
+
+/** The fields of a request with this kind of value that the set-up asks for: those with a label. */
+type NameOf<Kind extends string> = { [Name in keyof Told]: Told[Name] extends { kind: Kind; label: string } ? Name : never }[keyof Told];
+export type NumberField = NameOf<'number' | 'whole_number'>;
+export type CheckField = NameOf<'boolean'>;
+export type TimeField = NameOf<'time'>;
+
+interface Telling {
+  kind: string;
+  usual?: number | string | boolean;
+  flag?: string;
+  label?: string;
+  unit?: string;
+  factor?: number; // how many of the request's units make one of the form's
+  blank?: string; // what an empty field means
+  hint?: string;
+}
+const fields: Record<string, Telling> = requestFields;
+
+function namesOf(...kinds: string[]): string[] {
+  return Object.keys(fields).filter((name) => kinds.includes(fields[name]?.kind ?? '') && fields[name]?.label);
+}
+export const numberFields = namesOf('number', 'whole_number') as NumberField[];
+export const checkFields = namesOf('boolean') as CheckField[];
+export const timeFields = namesOf('time') as TimeField[];
+
+/** How many of the request's units make one of the form's. */
+export const factorOf = (name: NumberField): number => fields[name]?.factor ?? 1;
+
+/** Whether a switch is on where nobody turns it. */
+export const isUsual = (name: CheckField): boolean => fields[name]?.usual === true;
+
+export interface FormTexts {
+  label: string;
+  unit?: string;
+  placeholder?: string;
+  hint?: string;
+  inputMode: 'text' | 'decimal' | 'numeric';
+}
+
+/** How a form asks for a field: what its empty input means is its placeholder. */
+export function formOf(name: string): FormTexts {
+  const { kind, usual, label = '', unit, factor = 1, blank, hint } = fields[name] ?? { kind: 'text' };
+  const usualText = typeof usual === 'number' ? String(Number((usual / factor).toPrecision(12))) : undefined;
+  const inputMode = kind === 'number' ? 'decimal' : kind === 'whole_number' ? 'numeric' : 'text';
+  return { label, unit, placeholder: blank ?? usualText, hint, inputMode };
+}
+
+/** Labels of the fields that flags of the command line ask for. A flag that turns something off has none. */
+export const labelsOfFlags: Record<string, string> = Object.fromEntries(
+  Object.values(fields).flatMap(({ flag, label }) => (flag && label && !flag.startsWith('no-') ? [[`--${flag}`, label]] : [])),
+);
+
+const ofConditions = new Set<string>(namesOfConditions.map((name) => name.split('.')[0] ?? ''));
+const ofReach = new Set<string>(namesOfReach);
+
+/** Whether a member of a plan's request is a condition that a route is judged under. */
+export const isCondition = (name: string): boolean => ofConditions.has(name) && name !== 'name';
+
+/** Whether isochrones are asked for with a field. */
+export const isOfReach = (name: string): boolean => ofReach.has(name);
