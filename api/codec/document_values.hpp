@@ -2,8 +2,10 @@
 
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
+#include <vector>
 
 #include "engine/core/units.hpp"
+#include "engine/messages/message.hpp"
 
 /// Values as every document of ours writes them.
 namespace floeplan::codec {
@@ -15,5 +17,12 @@ namespace floeplan::codec {
 /// A time that a stored document of ours must have.
 /// Errors   throws std::runtime_error naming `key`
 [[nodiscard]] core::UtcTime stored_time(const nlohmann::json& object, const char* key);
+
+/// Gives a document "messages", the gravest first, and beside them their sentences: "warnings", all of them, and
+/// "dangers".
+void tell(nlohmann::json& document, std::vector<messages::Message> messages);
+/// The messages of a stored document of ours. Of one from before there were codes, its warnings by their rank.
+/// Errors   nlohmann::json::exception where a part that each has is missing
+[[nodiscard]] std::vector<messages::Message> stored_messages(const nlohmann::json& document);
 
 }  // namespace floeplan::codec

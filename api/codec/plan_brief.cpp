@@ -9,8 +9,8 @@
 
 #include "api/codec/bare_value.hpp"
 #include "api/codec/xml_text.hpp"
-#include "engine/core/message_rank.hpp"
 #include "engine/core/utc_text.hpp"
+#include "engine/messages/sentence.hpp"
 
 namespace floeplan::codec {
 namespace {
@@ -101,10 +101,10 @@ std::string brief_caption(const MapPicture& picture) {
 
 std::vector<std::string> brief_warnings(const planning::Plan& plan, const BriefNotes& notes) {
   std::vector<std::string> warnings = notes.warnings;
-  std::ranges::copy_if(plan.warnings, std::back_inserter(warnings), [&](const std::string& warning) {
-    return std::ranges::find(notes.warnings, warning) == notes.warnings.end();
-  });
-  return core::by_rank(std::move(warnings));
+  for (std::string& warning : messages::sentences(plan.messages))
+    if (std::ranges::find(notes.warnings, warning) == notes.warnings.end())
+      warnings.push_back(std::move(warning));
+  return messages::dangers_first(std::move(warnings));
 }
 
 std::string plan_brief_html(const planning::Plan& plan, const MapPicture& picture, const BriefNotes& notes) {

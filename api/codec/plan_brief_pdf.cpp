@@ -7,8 +7,8 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "engine/core/message_rank.hpp"
 #include "engine/core/utc_text.hpp"
+#include "engine/messages/sentence.hpp"
 
 namespace floeplan::codec {
 namespace {
@@ -207,7 +207,7 @@ std::string plan_brief_pdf(const planning::Plan& plan, const MapPicture& picture
   for (const auto& row : brief_rows(plan)) write_row(sheet, row, false);
   sheet.skip(8.0);
   for (const std::string& warning : brief_warnings(plan, notes))
-    sheet.paragraph((core::is_danger(warning) ? "" : "Warning: ") + warning, 9.0);
+    sheet.paragraph((messages::is_danger(warning) ? "" : "Warning: ") + warning, 9.0);
   for (const auto& dataset : plan.datasets)
     sheet.paragraph(dataset.kind + ": " + dataset.name + " (" + dataset.id + "), sha256 " + dataset.sha256,
                     7.0);

@@ -9,7 +9,6 @@
 #include "api/codec/passage_document.hpp"
 #include "api/codec/surfacing_document.hpp"
 #include "api/codec/uncertainty_inputs.hpp"
-#include "engine/core/message_rank.hpp"
 #include "engine/core/utc_text.hpp"
 #include "storage/json/json.hpp"
 
@@ -230,7 +229,7 @@ planning::Plan parse_members(const json& document) {
   plan.optimality_gap = stored_number(document, "optimality_gap");
   plan.optimality_gap_reason = document.at("optimality_gap_reason").get<std::string>();
   for (const auto& dataset : document.at("datasets")) plan.datasets.push_back(parse_dataset_ref(dataset));
-  plan.warnings = document.at("warnings").get<std::vector<std::string>>();
+  plan.messages = stored_messages(document);
   return plan;
 }
 
@@ -274,7 +273,7 @@ json plan_document(const planning::Plan& plan, const std::string& plan_id, const
     add_surfacing_state(plan.surfacing, waypoints.size(), object);
     waypoints.push_back(std::move(object));
   }
-  return {
+  json document{
       {"plan_id", plan_id.empty() ? json() : json(plan_id)},
       {"name", name},
       {"status", "ok"},
@@ -312,15 +311,15 @@ json plan_document(const planning::Plan& plan, const std::string& plan_id, const
        {{"iceberg_m", optional_value(plan.clearances.iceberg)},
         {"land_m", optional_value(plan.clearances.land)},
         {"bottom_m", optional_value(plan.clearances.bottom)}}},
-      {"datasets", dataset_refs_json(plan.datasets)},
-      {"dangers", core::dangers_among(plan.warnings)},
-      {"warnings", core::by_rank(plan.warnings)}};
+      {"datasets", dataset_refs_json(plan.datasets)}};
+  tell(document, plan.messages);
+  return document;
 }
 
 json infeasible_document(const planning::Infeasible& infeasible, const ocean::Environment& environment) {
   json changes = json::array();
   for (const planning::Change& change : infeasible.changes) changes.push_back(change_json(change));
-  return {
+  json document{
       {"status", "infeasible"},
       {"reason", planning::reason_name(infeasible.reason)},
       {"at",
@@ -332,9 +331,9 @@ json infeasible_document(const planning::Infeasible& infeasible, const ocean::En
       {"smallest_change", changes.empty() ? json() : changes.front()},
       {"changes", std::move(changes)},
       {"changes_cut_short", infeasible.changes_cut_short},
-      {"dangers", core::dangers_among(environment.warnings)},
-      {"warnings", core::by_rank(environment.warnings)},
       {"datasets", dataset_refs_json(environment.datasets)}};
+  tell(document, environment.messages);
+  return document;
 }
 
 planning::Plan parse_plan_document(const json& document) {

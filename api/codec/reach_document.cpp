@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "api/codec/dataset_document.hpp"
-#include "engine/core/message_rank.hpp"
+#include "api/codec/document_values.hpp"
 #include "engine/core/utc_text.hpp"
 #include "storage/json/json.hpp"
 
@@ -56,24 +56,24 @@ json reach_document(const planning::Isochrones& reach, const planning::Isochrone
                           {"area_km2", area.area_m2 / 1e6}}},
                         {"geometry", multi_polygon(area.polygons)}});
   }
-  return {{"type", "FeatureCollection"},
-          {"status", "ok"},
-          {"name", name},
-          {"direction", from ? "from" : "to"},
-          {"place", {{"lon", request.place.lon_deg}, {"lat", request.place.lat_deg}}},
-          {from ? "depart" : "arrive_by", core::iso8601(request.time)},
-          {"vehicle", request.vehicle.name},
-          {"spacing_m", request.step().value},
-          {"features", std::move(features)},
-          {"search",
-           {{"vertices", reach.search.vertices},
-            {"edges", reach.search.edges},
-            {"edge_evaluations", reach.search.edge_evaluations},
-            {"expansions", reach.search.expansions},
-            {"seconds", reach.search.duration.count()}}},
-          {"datasets", dataset_refs_json(reach.datasets)},
-          {"dangers", core::dangers_among(reach.warnings)},
-          {"warnings", core::by_rank(reach.warnings)}};
+  json document{{"type", "FeatureCollection"},
+                {"status", "ok"},
+                {"name", name},
+                {"direction", from ? "from" : "to"},
+                {"place", {{"lon", request.place.lon_deg}, {"lat", request.place.lat_deg}}},
+                {from ? "depart" : "arrive_by", core::iso8601(request.time)},
+                {"vehicle", request.vehicle.name},
+                {"spacing_m", request.step().value},
+                {"features", std::move(features)},
+                {"search",
+                 {{"vertices", reach.search.vertices},
+                  {"edges", reach.search.edges},
+                  {"edge_evaluations", reach.search.edge_evaluations},
+                  {"expansions", reach.search.expansions},
+                  {"seconds", reach.search.duration.count()}}},
+                {"datasets", dataset_refs_json(reach.datasets)}};
+  tell(document, reach.messages);
+  return document;
 }
 
 }  // namespace floeplan::codec

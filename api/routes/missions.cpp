@@ -8,8 +8,8 @@
 #include "api/routes/plan_exports.hpp"
 #include "api/routes/reply.hpp"
 #include "api/routes/resources.hpp"
-#include "engine/core/message_rank.hpp"
 #include "engine/core/violation_list.hpp"
+#include "engine/messages/sentence.hpp"
 #include "engine/mission/comment_text.hpp"
 #include "storage/json/json.hpp"
 #include "storage/repository/plan_repository.hpp"
@@ -58,7 +58,7 @@ Response with_plan(const Context& context, const Request& request, const PathPar
 
   PlanCheck check = check_plan(context.db, *plan);
   if (!check.dangers.empty() && !accept_dangers) return refuse_dangerous(request, check);
-  std::ranges::transform(check.dangers, std::back_inserter(check.warnings), core::as_danger);
+  std::ranges::transform(check.dangers, std::back_inserter(check.warnings), messages::as_danger);
   Response response = answer(*plan, check.warnings);
   add_warnings(response, check.warnings);
   return response;

@@ -7,7 +7,7 @@
 
 #include "api/codec/plan_document.hpp"
 #include "api/routes/mission_service.hpp"
-#include "engine/core/message_rank.hpp"
+#include "engine/messages/sentence.hpp"
 #include "engine/mission/below_ice.hpp"
 #include "engine/mission/route_check.hpp"
 #include "storage/json/json.hpp"
@@ -104,8 +104,8 @@ PlanCheck in_newest_data(sqlite::Connection& db, const repository::PlanRecord& r
   }
   PlanCheck check;
   check.changed_data = changes(db, plan.datasets, environment->datasets);
-  for (const std::string& danger : core::dangers_among(environment->warnings))
-    check.dangers.push_back(core::without_mark(danger));
+  for (const std::string& danger : messages::dangers_among(environment->messages))
+    check.dangers.push_back(messages::without_mark(danger));
   const auto too_old = std::ranges::count_if(environment->icebergs, [&](const ocean::Iceberg& berg) {
     return ocean::is_too_old(berg, plan.departure);
   });
@@ -140,8 +140,9 @@ PlanCheck in_newest_data(sqlite::Connection& db, const repository::PlanRecord& r
 PlanCheck check_plan(sqlite::Connection& db, const repository::PlanRecord& record) {
   const planning::Plan plan = codec::parse_plan_document(json::parse(record.document_json));
   PlanCheck check = in_newest_data(db, record, plan);
-  for (const std::string& danger : core::dangers_among(plan.warnings)) {
-    const bool is_told = std::ranges::find(check.dangers, core::without_mark(danger)) != check.dangers.end();
+  for (const std::string& danger : messages::dangers_among(plan.messages)) {
+    const bool is_told =
+        std::ranges::find(check.dangers, messages::without_mark(danger)) != check.dangers.end();
     if (!is_told) check.warnings.push_back(danger);
   }
   std::ranges::move(warnings_of_gaps(plan), std::back_inserter(check.warnings));

@@ -8,6 +8,7 @@
 #include "engine/core/letter_case.hpp"
 #include "engine/core/utc_text.hpp"
 #include "engine/geo/geodesic.hpp"
+#include "engine/messages/sentence.hpp"
 #include "engine/mission/behavior_values.hpp"
 #include "engine/mission/document_text.hpp"
 #include "engine/mission/ice_check.hpp"
@@ -98,8 +99,9 @@ void note_recovery_lists(std::vector<Document>& documents, const FlightRoute& ro
 }
 
 /// What the answer rests on: data that are missing or stretched, a battery that falls short.
-void warn_of_grounds(Document& document, const std::vector<std::string>& warnings) {
-  for (const std::string& warning : warnings) report(document, 0, Severity::warning, "sea_data", warning);
+void warn_of_grounds(Document& document, const std::vector<messages::Message>& grounds) {
+  for (const std::string& ground : messages::sentences(grounds))
+    report(document, 0, Severity::warning, "sea_data", ground);
 }
 
 void check_mission(Document& mission, const std::vector<Document>& documents,
@@ -129,7 +131,7 @@ void check_sea(std::vector<Document>& documents, const ocean::Environment& envir
     report(documents[stop.document], stop.line, finding.dangerous ? Severity::error : Severity::warning,
            finding.code.c_str(), finding.text);
   }
-  warn_of_grounds(first, check.timing ? check.timing->warnings : environment.warnings);
+  warn_of_grounds(first, check.timing ? check.timing->messages : environment.messages);
   if (!check.timing) return;
   TimedRoute timed{*check.timing, {}};
   for (const std::size_t place : check.places) {

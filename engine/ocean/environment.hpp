@@ -1,10 +1,10 @@
 #pragma once
 
 #include <memory>
-#include <string>
 #include <vector>
 
 #include "engine/geo/polygon.hpp"
+#include "engine/messages/message.hpp"
 #include "engine/ocean/bathymetry.hpp"
 #include "engine/ocean/current_grid.hpp"
 #include "engine/ocean/dataset_ref.hpp"
@@ -36,7 +36,7 @@ struct Environment {
   std::vector<Iceberg> icebergs{};  // the latest sighting of each berg, none after the moment asked for
   std::vector<Zone> zones{};        // of stored datasets, all obeyed
   std::vector<DatasetRef> datasets{};
-  std::vector<std::string> warnings{};  // what the choice of data implies, for the pilot
+  std::vector<messages::Message> messages{};  // what the choice of data implies, for the pilot
 };
 
 }  // namespace floeplan::ocean

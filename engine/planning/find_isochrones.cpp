@@ -7,6 +7,7 @@
 
 #include "engine/geo/antimeridian.hpp"
 #include "engine/graph/contour.hpp"
+#include "engine/messages/plan_messages.hpp"
 #include "engine/planning/cost/sea.hpp"
 #include "engine/planning/search/explanation.hpp"
 #include "engine/planning/search/grid/open_grid.hpp"
@@ -172,31 +173,13 @@ bool has_strong_currents(const cost::Sea& sea) {
   return sea.currents() && sea.currents()->strongest() >= sea.through_water();
 }
 
-/// What areas lack where currents are as fast as the vehicle.
-std::string strong_currents_warning(Direction direction) {
-  std::string text =
-      "currents somewhere in the area are as fast as the vehicle: whole legs of the grid are closed "
-      "in them, and the areas may be some per cent smaller than the truth";
-  if (direction == Direction::to) {
-    text +=
-        "; places from which the vehicle is in time only because a current that closes its way opens "
-        "again later may be missing";
-  }
-  return text + "; another --spacing may show more";
-}
-
 /// Says so when the battery does not last as long as the longest span.
-std::optional<std::string> battery_warning(const cost::Sea& sea, const IsochroneRequest& request) {
+std::optional<messages::Message> of_battery(const cost::Sea& sea, const IsochroneRequest& request) {
   const core::Joules usable = request.vehicle.energy.usable();
   const core::Watts power = sea.energy().least_power(sea.drives().front());
   if (power * request.reach() <= usable) return std::nullopt;
-  char text[200];
-  std::snprintf(
-      text, sizeof text,
-      "the %.2f MJ that the battery gives above its reserve last %.1f h at most: what takes longer is "
-      "beyond it",
-      usable.value / 1e6, std::max(0.0, usable.value / power.value) / 3600.0);
-  return text;
+  return messages::plan_message<"areas-beyond-battery">(usable.value / 1e6,
+                                                        std::max(0.0, usable.value / power.value) / 3600.0);
 }
 
 }  // namespace
@@ -245,7 +228,7 @@ Result<Isochrones> find_isochrones(const ocean::Environment& environment, const 
   reach.search.edge_evaluations = reached.edge_evaluations;
   reach.search.expansions = reached.expansions;
   reach.datasets = environment.datasets;
-  reach.warnings = environment.warnings;
+  reach.messages = environment.messages;
   std::vector<core::Seconds> spans = request.spans;
   std::ranges::sort(spans);
   spans.erase(std::ranges::unique(spans).begin(), spans.end());
@@ -257,15 +240,15 @@ Result<Isochrones> find_isochrones(const ocean::Environment& environment, const 
     one.time = request.direction == Direction::from ? request.time + span : request.time - span;
     reach.areas.push_back(std::move(one));
   }
-  if (is_strong) reach.warnings.push_back(strong_currents_warning(request.direction));
-  if (auto warning = battery_warning(sea, request)) reach.warnings.push_back(std::move(*warning));
-  if (reached.full) {
-    reach.warnings.push_back("the search was cut short: more may be within reach; a larger --spacing helps");
+  if (is_strong) {
+    reach.messages.push_back(request.direction == Direction::to
+                                 ? messages::plan_message<"areas-to-a-place-in-strong-currents">()
+                                 : messages::plan_message<"areas-in-strong-currents">());
   }
-  if (touches_rim(reached, open.grid, begin + spans.back())) {
-    reach.warnings.push_back(
-        "the area is cut where it leaves the data that were looked at: currents carry the vehicle further");
-  }
+  if (auto message = of_battery(sea, request)) reach.messages.push_back(std::move(*message));
+  if (reached.full) reach.messages.push_back(messages::plan_message<"areas-cut-short">());
+  if (touches_rim(reached, open.grid, begin + spans.back()))
+    reach.messages.push_back(messages::plan_message<"areas-cut-at-the-data">());
   return reach;
 }
 

@@ -26,7 +26,7 @@ struct Isochrones {
   std::vector<Isochrone> areas;  // by span, ascending
   SearchStatistics search;
   std::vector<ocean::DatasetRef> datasets;
-  std::vector<std::string> warnings;
+  std::vector<messages::Message> messages;
 };
 
 /// The places that the vehicle can have reached after each span when it leaves the place at the request's time;

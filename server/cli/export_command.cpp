@@ -7,7 +7,7 @@
 #include "api/routes/mission_service.hpp"
 #include "api/routes/plan_check.hpp"
 #include "api/routes/plan_exports.hpp"
-#include "engine/core/message_rank.hpp"
+#include "engine/messages/sentence.hpp"
 #include "server/cli/command.hpp"
 #include "server/cli/file_set.hpp"
 #include "server/cli/flag_values.hpp"
@@ -127,7 +127,7 @@ int run_export(const ExportFlags& flags, const Program& program) {
 
   routes::PlanCheck check = routes::check_plan(db, *record);
   std::ranges::transform(check.dangers, std::inserter(check.warnings, check.warnings.begin()),
-                         core::as_danger);
+                         messages::as_danger);
   auto files = files_of(db, *record, flags, check.warnings);
   if (!files) return print_violations(files.error(), flags.json_out);
   if (!check.dangers.empty() && !flags.accept_dangers) return refuse(check, flags.json_out);
@@ -143,7 +143,8 @@ int run_export(const ExportFlags& flags, const Program& program) {
   }
   if (flags.json_out) std::cout << json{{"files", written}, {"warnings", files->warnings}}.dump(2) << '\n';
   for (const std::string& warning : files->warnings)
-    std::cerr << (core::is_danger(warning) ? "danger: " : "warning: ") << core::without_mark(warning) << '\n';
+    std::cerr << (messages::is_danger(warning) ? "danger: " : "warning: ") << messages::without_mark(warning)
+              << '\n';
   return done;
 }
 

@@ -7,8 +7,8 @@
 #include <iostream>
 #include <vector>
 
-#include "engine/core/message_rank.hpp"
 #include "engine/core/violation_list.hpp"
+#include "engine/messages/sentence.hpp"
 #include "server/cli/command.hpp"
 #include "storage/json/json.hpp"
 
@@ -229,9 +229,9 @@ int print_plan(const json& document, bool json_out) {
 }
 
 void print_by_rank(const json& sentences) {
-  for (const std::string& sentence : core::by_rank(sentences.get<std::vector<std::string>>()))
-    std::printf("%s: %s\n", core::is_danger(sentence) ? "danger" : "warning",
-                core::without_mark(sentence).c_str());
+  for (const std::string& sentence : messages::dangers_first(sentences.get<std::vector<std::string>>()))
+    std::printf("%s: %s\n", messages::is_danger(sentence) ? "danger" : "warning",
+                messages::without_mark(sentence).c_str());
 }
 
 int print_violations(const core::Violations& violations, bool json_out) {

@@ -1,15 +1,14 @@
 #include "server/jobs/plan_service.hpp"
 
-#include <algorithm>
 #include <chrono>
 #include <ctime>
-#include <iterator>
 #include <optional>
 
 #include "api/codec/departure_document.hpp"
 #include "api/codec/plan_document.hpp"
 #include "api/codec/sha256.hpp"
 #include "engine/core/utc_text.hpp"
+#include "engine/messages/plan_messages.hpp"
 #include "engine/planning/evaluate_route.hpp"
 #include "engine/planning/plan_arrival.hpp"
 #include "engine/planning/plan_route.hpp"
@@ -84,6 +83,10 @@ planning::WindowPlan make_plan(const ocean::Environment& environment, const plan
           .plan = planning::plan_route(environment, request, stop, progress, thread_time, wider)};
 }
 
+void add_remarks(planning::Plan& plan, const std::vector<std::string>& remarks) {
+  for (const std::string& remark : remarks) plan.messages.push_back(messages::plan_message<"remark">(remark));
+}
+
 /// Documents of a window carry its curve.
 void add_departures(json& document, const std::vector<planning::DepartureOutcome>& departures) {
   if (!departures.empty()) document["departures"] = codec::departures_json(departures);
@@ -130,7 +133,7 @@ tl::expected<json, core::Violations> plan_route_document(sqlite::Connection& db,
     return document;
   }
   plan->search.duration = watch.elapsed();
-  std::ranges::copy(inputs.warnings, std::back_inserter(plan->warnings));
+  add_remarks(*plan, inputs.warnings);
 
   const json request = codec::to_json(inputs);
   const std::string id = plan_id(request, *environment, *plan);
@@ -178,7 +181,7 @@ tl::expected<json, core::Violations> evaluate_route_document(sqlite::Connection&
   auto plan = planning::evaluate_route(*ground, inputs.route, inputs.request, stop);
   if (!plan) return codec::infeasible_document(plan.error(), ground->environment());
   plan->search.duration = watch.elapsed();
-  std::ranges::copy(inputs.warnings, std::back_inserter(plan->warnings));
+  add_remarks(*plan, inputs.warnings);
   json document = codec::plan_document(*plan, "", inputs.name);
   document["sightings"] = sightings_json(inputs.data, plan->departure);
   return document;

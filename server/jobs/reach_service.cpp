@@ -1,11 +1,10 @@
 #include "server/jobs/reach_service.hpp"
 
-#include <algorithm>
 #include <chrono>
-#include <iterator>
 
 #include "api/codec/plan_document.hpp"
 #include "api/codec/reach_document.hpp"
+#include "engine/messages/plan_messages.hpp"
 #include "engine/planning/find_isochrones.hpp"
 #include "storage/json/json.hpp"
 #include "storage/repository/environment_loader.hpp"
@@ -25,7 +24,8 @@ tl::expected<nlohmann::json, core::Violations> reach_document(sqlite::Connection
   const auto begin = std::chrono::steady_clock::now();
   auto reach = planning::find_isochrones(*environment, inputs.request, stop, progress);
   if (!reach) return codec::infeasible_document(reach.error(), *environment);
-  std::ranges::copy(inputs.warnings, std::back_inserter(reach->warnings));
+  for (const std::string& remark : inputs.warnings)
+    reach->messages.push_back(messages::plan_message<"remark">(remark));
   reach->search.duration = std::chrono::steady_clock::now() - begin;
   return codec::reach_document(*reach, inputs.request, inputs.name);
 }

@@ -8,14 +8,15 @@
 #include <utility>
 #include <vector>
 
+#include "api/codec/document_values.hpp"
 #include "api/codec/flight_document.hpp"
 #include "api/codec/plan_document.hpp"
 #include "api/codec/plan_inputs.hpp"
 #include "api/codec/sha256.hpp"
-#include "engine/core/message_rank.hpp"
 #include "engine/core/random.hpp"
 #include "engine/core/utc_text.hpp"
 #include "engine/core/version.hpp"
+#include "engine/messages/plan_messages.hpp"
 #include "engine/mission/below_ice.hpp"
 #include "engine/mission/ice_files.hpp"
 #include "engine/mission/mission_set.hpp"
@@ -34,11 +35,6 @@ namespace {
 using codec::SimulateInputs;
 using nlohmann::json;
 using simulation::FlightRecord;
-
-constexpr const char* speed_is_not_made =
-    "No drag that a glider can have explains the speed that the plan counts on with this pump and pitch: the "
-    "vehicle was "
-    "flown with the drag of its profile, and is slower or faster than planned.";
 
 /// A plan as it is to be flown.
 struct FlownPlan {
@@ -348,10 +344,11 @@ tl::expected<json, core::Violations> simulate_plan_document(sqlite::Connection& 
   const std::string id = simulation_id(request, *flown, *environment);
   json document = document_of(id, inputs, *flown, result, *files);
   document["datasets"] = datasets_json(*environment);
-  document["dangers"] = core::dangers_among(environment->warnings);
-  document["warnings"] = core::by_rank(environment->warnings);
-  for (const std::string& note : orders->notes) document["warnings"].push_back(note);
-  if (!simulation::flown_vehicle(flown->vehicle)) document["warnings"].push_back(speed_is_not_made);
+  std::vector<messages::Message> told = environment->messages;
+  for (const std::string& note : orders->notes)
+    told.push_back(messages::plan_message<"mission-file-note">(note));
+  if (!simulation::flown_vehicle(flown->vehicle)) told.push_back(messages::plan_message<"speed-not-made">());
+  codec::tell(document, std::move(told));
   repository::SimulationRepository{db}.insert({.row = 0,
                                                .id = {id},
                                                .plan_id = inputs.plan_id,

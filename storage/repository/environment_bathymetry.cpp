@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "engine/messages/data_messages.hpp"
 #include "storage/repository/area_lattice.hpp"
 #include "storage/repository/bathymetry_mosaic.hpp"
 #include "storage/repository/field_repository.hpp"
@@ -50,11 +51,9 @@ void adopt_bathymetry(EnvironmentDraft& draft, ocean::Bathymetry bathymetry,
   std::string names;
   for (const Dataset& dataset : used) names += (names.empty() ? "" : ", then ") + title(dataset);
   if (used.size() > 1)
-    draft.warn("bathymetry is put together from several datasets, in this order: " + names +
-               "; one depth in " + in_metres_or_km(spacing));
+    draft.tell(messages::data_message<"bathymetry-joined">(names, in_metres_or_km(spacing)));
   if (spacing > coarse_spacing)
-    draft.warn("bathymetry " + names + " is coarse, one depth in " + in_metres_or_km(spacing) +
-               ": shoals and islands between its nodes are not seen");
+    draft.tell(messages::data_message<"bathymetry-coarse">(names, in_metres_or_km(spacing)));
   draft.environment.bathymetry = std::make_shared<const ocean::Bathymetry>(std::move(bathymetry));
   for (const Dataset& dataset : used) draft.cite(dataset);
 }
@@ -93,7 +92,8 @@ void add_bathymetry(EnvironmentDraft& draft) {
   if (named && !found.empty())
     draft.refuse(DatasetKind::bathymetry, title(found.front()) + " has no node near the area");
   if (!named)
-    warn_of_gap(draft, DatasetKind::bathymetry, query.bathymetry, "the depth of the water is not checked");
+    tell_of_gap(draft, query.bathymetry, messages::data_message<"bathymetry-left-out">(),
+                messages::data_message<"bathymetry-missing">(bounds_text(query.area)));
 }
 
 }  // namespace floeplan::repository

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "engine/core/utc_text.hpp"
+#include "engine/messages/data_messages.hpp"
 #include "engine/ocean/iceberg_drift.hpp"
 #include "storage/repository/dataset_row.hpp"
 
@@ -44,13 +45,9 @@ std::string period_text(const Period& period) {
 
 bool covers(const Period& period, core::UtcTime time) { return period.from <= time && time <= period.to; }
 
-void warn_of_gap(EnvironmentDraft& draft, DatasetKind kind, const DatasetChoice& choice,
-                 const std::string& consequence) {
-  if (choice.how == DatasetChoice::How::none) {
-    draft.warn(kind_name(kind) + " left out as requested: " + consequence);
-  } else {
-    draft.warn("no stored " + kind_name(kind) + " for " + bounds_text(draft.query.area) + ": " + consequence);
-  }
+void tell_of_gap(EnvironmentDraft& draft, const DatasetChoice& choice, messages::Message left_out,
+                 messages::Message missing) {
+  draft.tell(choice.how == DatasetChoice::How::none ? std::move(left_out) : std::move(missing));
 }
 
 std::vector<JoinedPart> joined_parts(const EnvironmentDraft& draft, const std::vector<Dataset>& found,
@@ -74,14 +71,12 @@ std::optional<Period> joined_period(const Dataset& dataset, const std::vector<Jo
 
 void cite_joined(EnvironmentDraft& draft, const std::vector<JoinedPart>& parts) {
   if (parts.size() == 1) return draft.cite(parts.front().dataset);
-  const std::string kind = kind_name(parts.front().dataset.kind);
-  std::string text = kind + " are joined in time, the newest run first in each: ";
+  std::string text;
   for (const JoinedPart& part : parts) {
     draft.cite(part.dataset, part.used);
-    text +=
-        (&part == &parts.front() ? "" : ", then ") + title(part.dataset) + " from " + period_text(part.used);
+    text += (text.empty() ? "" : ", then ") + title(part.dataset) + " from " + period_text(part.used);
   }
-  draft.warn(text);
+  draft.tell(messages::data_message<"runs-joined">(kind_name(parts.front().dataset.kind), text));
 }
 
 std::shared_ptr<const ocean::CurrentGrid> read_joined(const EnvironmentDraft& draft,

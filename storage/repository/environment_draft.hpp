@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/core/violation.hpp"
+#include "engine/messages/message.hpp"
 #include "engine/ocean/environment.hpp"
 #include "storage/repository/dataset.hpp"
 #include "storage/repository/environment_loader.hpp"
@@ -24,14 +25,14 @@ struct EnvironmentDraft {
   ocean::Environment environment;
   core::Violations violations;
 
-  void warn(std::string text) { environment.warnings.push_back(std::move(text)); }
+  void tell(messages::Message message) { environment.messages.push_back(std::move(message)); }
   void refuse(DatasetKind kind, std::string rule) {
     violations.push_back({"/" + kind_name(kind), std::move(rule)});
   }
   /// Takes over what another part of the same environment has to say.
   void append_report(const EnvironmentDraft& part) {
     const auto append = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
-    append(environment.warnings, part.environment.warnings);
+    append(environment.messages, part.environment.messages);
     append(environment.datasets, part.environment.datasets);
     append(violations, part.violations);
   }
@@ -80,8 +81,8 @@ struct CurrentsBox {
                                                                       const std::optional<Period>& period);
 /// Names every part, and, where there are several, from when until when it was used.
 void cite_joined(EnvironmentDraft& draft, const std::vector<JoinedPart>& parts);
-/// Says what the plan goes without, since a kind was left out or is not stored for the area.
-void warn_of_gap(EnvironmentDraft& draft, DatasetKind kind, const DatasetChoice& choice,
-                 const std::string& consequence);
+/// Says what the plan goes without: that the kind was left out, if that was the choice, else that none is stored here.
+void tell_of_gap(EnvironmentDraft& draft, const DatasetChoice& choice, messages::Message left_out,
+                 messages::Message missing);
 
 }  // namespace floeplan::repository

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/core/utc_text.hpp"
+#include "engine/messages/data_messages.hpp"
 #include "engine/ocean/iceberg_draft.hpp"
 #include "engine/ocean/iceberg_drift.hpp"
 #include "storage/repository/field_repository.hpp"
@@ -51,7 +51,7 @@ std::optional<CurrentsBox> drift_box(const EnvironmentDraft& draft, const Datase
   return CurrentsBox{query.area, deepest};
 }
 
-void warn_of_unknown_drift(EnvironmentDraft& draft) {
+void tell_of_unknown_drift(EnvironmentDraft& draft) {
   const ocean::Environment& environment = draft.environment;
   if (!draft.query.iceberg_drift || !environment.currents) return;
   const ocean::CurrentGrid& carrying =
@@ -70,21 +70,13 @@ void warn_of_unknown_drift(EnvironmentDraft& draft) {
     if (!ocean::is_current_known(iceberg, environment, from, until, draft.reading.stop))
       names.push_back(iceberg.id.empty() ? "one without a name" : iceberg.id);
   }
-  const std::string count = " of " + std::to_string(environment.icebergs.size()) + " icebergs";
-  const std::string instead =
-      " they are taken to move as between their last sightings, else before the wind where that is known, or "
-      "else to stay";
+  const std::size_t all = environment.icebergs.size();
   if (seen_before > 0)
-    draft.warn(std::to_string(seen_before) + count + " were seen before the currents begin, at " +
-               core::iso8601(begin) + ": until then" + instead);
+    draft.tell(messages::data_message<"sightings-before-currents">(seen_before, all, begin));
   if (observed_before > 0)
-    draft.warn(
-        "of " + std::to_string(observed_before) + count +
-        " the currents begin only after the earlier sighting, at " + core::iso8601(begin) +
-        ": they are taken to move with the current and the wind alone, not as they were seen to beside them");
+    draft.tell(messages::data_message<"earlier-sightings-before-currents">(observed_before, all, begin));
   if (!names.empty())
-    draft.warn("the current is not known all the way of " + std::to_string(names.size()) + count + " (" +
-               shortened_list(names) + "): where it is not" + instead);
+    draft.tell(messages::data_message<"icebergs-beyond-currents">(names.size(), all, shortened_list(names)));
 }
 
 }  // namespace floeplan::repository

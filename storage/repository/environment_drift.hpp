@@ -20,6 +20,6 @@ inline constexpr core::Metres reach_of_drift{100'000.0};
 
 /// Counts the icebergs that were seen before their currents begin, and names those whose currents are not known all the
 /// way from then, or from the sighting, to the departure.
-void warn_of_unknown_drift(EnvironmentDraft& draft);
+void tell_of_unknown_drift(EnvironmentDraft& draft);
 
 }  // namespace floeplan::repository

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "engine/core/utc_text.hpp"
+#include "engine/messages/data_messages.hpp"
 #include "storage/repository/area_lattice.hpp"
 
 namespace floeplan::repository {
@@ -145,29 +146,25 @@ const Product& first_then(const std::vector<Product>& used, core::UtcTime time) 
   return *first;
 }
 
-void warn_of_the_departure(EnvironmentDraft& draft, const std::vector<Product>& used) {
+void tell_of_the_departure(EnvironmentDraft& draft, const std::vector<Product>& used) {
   const core::UtcTime depart = draft.query.depart;
   const Product& now = first_then(used, depart);
   const ocean::IceMoment moment = now.moment(depart);
-  const auto step = [&](std::size_t i) { return core::iso8601(core::from_unix_seconds(now.steps_s[i])); };
+  const auto step = [&](std::size_t i) { return core::from_unix_seconds(now.steps_s[i]); };
   switch (moment.standing) {
     case ocean::IceStanding::own: return;
     case ocean::IceStanding::speaks:
     case ocean::IceStanding::held:
       if (moment.share > 0.0) return;
-      return draft.warn("ice of " + title(now.dataset) + " is held as at " + step(moment.first) +
-                        ", the step nearest to the departure");
+      return draft.tell(messages::data_message<"ice-held">(title(now.dataset), step(moment.first)));
     case ocean::IceStanding::unknown:
-      return draft.warn("nothing is known of the ice at the departure: " + title(now.dataset) +
-                        " tells of it at " + step(moment.first) +
-                        ", and ice is held for at most 3 days; dives keep below the keels that were known "
-                        "last, and no surfacing is counted on");
+      return draft.tell(
+          messages::data_message<"ice-unknown-at-departure">(title(now.dataset), step(moment.first)));
     case ocean::IceStanding::not_begun: break;
   }
   const core::UtcTime begin =
       std::ranges::min(used, {}, [](const Product& product) { return product.period.from; }).period.from;
-  draft.warn("no ice is stored before " + core::iso8601(begin) + ": open water is assumed until " +
-             core::iso8601(begin - ocean::longest_ice_hold) + ", from when on its first step is held");
+  draft.tell(messages::data_message<"ice-not-begun">(begin, begin - ocean::longest_ice_hold));
 }
 
 void report(EnvironmentDraft& draft, const std::vector<Product>& used) {
@@ -176,22 +173,17 @@ void report(EnvironmentDraft& draft, const std::vector<Product>& used) {
     draft.cite(product.dataset);
     names += (names.empty() ? "" : ", then ") + title(product.dataset);
   }
-  if (used.size() > 1)
-    draft.warn(
-        "ice is taken from several datasets, at each place and time from the one whose data are nearest "
-        "to that time, the first where several are: " +
-        names);
-  warn_of_the_departure(draft, used);
+  if (used.size() > 1) draft.tell(messages::data_message<"ice-joined">(names));
+  tell_of_the_departure(draft, used);
 }
 
 void adopt_ice(EnvironmentDraft& draft, const std::vector<Product>& used) {
   const bool is_thickness_told = std::ranges::any_of(used, &Product::has_thickness);
   for (const Product& product : used) {
     if (!product.has_thickness())
-      draft.warn("ice of " + title(product.dataset) + " has no thickness: " +
-                 (is_thickness_told ? "that of others is taken where they tell of dense ice, and elsewhere "
-                                      "a draft is assumed"
-                                    : "a draft is assumed wherever there is ice"));
+      draft.tell(is_thickness_told
+                     ? messages::data_message<"ice-with-thickness-of-others">(title(product.dataset))
+                     : messages::data_message<"ice-without-thickness">(title(product.dataset)));
     if (!draft.environment.ice) {
       draft.environment.ice = product.ice;
     } else {
@@ -225,8 +217,7 @@ Choice choose(EnvironmentDraft& draft, const std::vector<Dataset>& found) {
     const auto period = period_of(dataset);
     if (!period) continue;
     if (used.size() == most_products) {
-      draft.warn("more than " + std::to_string(most_products) +
-                 " datasets of ice are stored for this area and time: the oldest are not asked");
+      draft.tell(messages::data_message<"old-ice-not-asked">(most_products));
       break;
     }
     const bool tells_of_departure = std::ranges::any_of(
@@ -256,14 +247,13 @@ Choice choose(EnvironmentDraft& draft, const std::vector<Dataset>& found) {
 }
 
 /// Areas that are left out beside other ice.
-void warn_of_unused_areas(EnvironmentDraft& draft, const std::vector<Dataset>& found,
+void tell_of_unused_areas(EnvironmentDraft& draft, const std::vector<Dataset>& found,
                           const std::vector<Product>& used) {
   for (const Dataset& dataset : found) {
     const bool is_used =
         std::ranges::any_of(used, [&](const Product& product) { return product.dataset.id == dataset.id; });
     if (is_areas_alone(dataset) && !is_used && !is_areas_alone(used.front().dataset))
-      draft.warn(title(dataset) + " holds areas of ice and nothing outside them; not used beside " +
-                 title(used.front().dataset) + "; make zones of them, or name it to plan with it alone");
+      draft.tell(messages::data_message<"ice-areas-not-used">(title(dataset), title(used.front().dataset)));
   }
 }
 
@@ -283,16 +273,17 @@ void add_ice(EnvironmentDraft& draft) {
   if (!used.empty()) {
     adopt_ice(draft, used);
     report(draft, used);
-    warn_of_unused_areas(draft, found, used);
+    tell_of_unused_areas(draft, found, used);
   } else if (named && !periods_missed.empty()) {
     draft.refuse(DatasetKind::ice, "says nothing of the ice at " + core::iso8601(query.depart) + ": " +
                                        periods_missed + ", and ice is held for at most 3 days beyond");
   } else if (named && !found.empty()) {
     draft.refuse(DatasetKind::ice, title(found.front()) + " has no node near the area");
   } else if (!periods_missed.empty()) {
-    draft.warn("no stored ice for the time of departure (" + periods_missed + "): open water is assumed");
+    draft.tell(messages::data_message<"ice-not-at-departure">(periods_missed));
   } else if (!named) {
-    warn_of_gap(draft, DatasetKind::ice, query.ice, "open water is assumed");
+    tell_of_gap(draft, query.ice, messages::data_message<"ice-left-out">(),
+                messages::data_message<"ice-missing">(bounds_text(query.area)));
   }
 }
 

@@ -6,8 +6,8 @@
 #include <memory>
 #include <utility>
 
-#include "engine/core/message_rank.hpp"
 #include "engine/core/utc_text.hpp"
+#include "engine/messages/data_messages.hpp"
 #include "storage/repository/coastline_repository.hpp"
 #include "storage/repository/dataset_repository.hpp"
 #include "storage/repository/environment_bathymetry.hpp"
@@ -40,13 +40,8 @@ void tell_of_old_sightings(EnvironmentDraft& draft, const KnownIcebergs& known) 
     lists.push_back(title(dataset));
   }
   if (dropped.empty()) return;
-  draft.warn(core::as_danger(std::to_string(dropped.size()) + " of " + std::to_string(all) +
-                             (all == 1 ? " iceberg of " : " icebergs of ") + shortened_list(lists) +
-                             " ignored: not seen since " + core::iso8601(known.oldest) +
-                             ". Each may still be near the route, and the plan avoids none of them. Ingest "
-                             "newer sightings, or raise "
-                             "the maximum sighting age (--max-sighting-age). Ignored: " +
-                             shortened_list(dropped)));
+  draft.tell(messages::data_message<"sightings-too-old">(dropped.size(), all, shortened_list(lists),
+                                                         known.oldest, shortened_list(dropped)));
 }
 
 /// Says which bergs were only seen later than counts: they may have been there before, and nobody avoids them. Where the
@@ -62,20 +57,14 @@ void tell_of_later_sightings(EnvironmentDraft& draft, const KnownIcebergs& known
                       core::iso8601(berg.observed));
     last = std::max(last, berg.observed);
   }
-  const std::string icebergs =
-      std::to_string(dropped.size()) + (dropped.size() == 1 ? " iceberg" : " icebergs");
-  if (draft.query.icebergs_as_of) {
-    draft.warn(icebergs + " left out as requested: seen only after " + core::iso8601(as_of) + " (" +
-               shortened_list(dropped) + "). The plan avoids none of them");
-    return;
-  }
-  draft.warn(core::as_danger(
-      icebergs + " ignored: seen only after " +
-      (as_of > draft.query.depart ? "the last departure asked for, " : "the departure at ") +
-      core::iso8601(as_of) +
-      ". Each may be near the route, and the plan avoids none of them. Let them count (--icebergs-as-of " +
-      core::iso8601(std::chrono::ceil<std::chrono::seconds>(last)) +
-      "), or depart later. Ignored: " + shortened_list(dropped)));
+  const std::string names = shortened_list(dropped);
+  if (draft.query.icebergs_as_of)
+    return draft.tell(messages::data_message<"sightings-left-out">(dropped.size(), as_of, names));
+  const core::UtcTime let_count = std::chrono::ceil<std::chrono::seconds>(last);
+  draft.tell(
+      as_of > draft.query.depart
+          ? messages::data_message<"sightings-after-window">(dropped.size(), as_of, let_count, names)
+          : messages::data_message<"sightings-after-departure">(dropped.size(), as_of, let_count, names));
 }
 
 /// Names the datasets that had something to say, those that were wanted by name and what people reported here; else the
@@ -94,8 +83,7 @@ void cite_sightings(EnvironmentDraft& draft, const KnownIcebergs& known) {
     draft.cite(dataset);
     joined += (joined.empty() ? "" : ", ") + std::to_string(count) + " of " + title(dataset);
   }
-  if (draft.environment.datasets.size() > 1)
-    draft.warn("icebergs are joined from several datasets, of each berg the newest sighting: " + joined);
+  if (draft.environment.datasets.size() > 1) draft.tell(messages::data_message<"icebergs-joined">(joined));
 }
 
 /// Where the vehicle may leave later than at `depart`, sightings up to the last moment count, and each as
@@ -126,7 +114,8 @@ void add_icebergs(EnvironmentDraft& draft) {
   cite_sightings(draft, known);
   if (draft.environment.datasets.empty() && known.later.empty() &&
       query.icebergs.how != DatasetChoice::How::named) {
-    warn_of_gap(draft, DatasetKind::icebergs, query.icebergs, "no iceberg is avoided");
+    tell_of_gap(draft, query.icebergs, messages::data_message<"icebergs-left-out">(),
+                messages::data_message<"icebergs-missing">(bounds_text(query.area)));
   }
 }
 
@@ -142,23 +131,24 @@ void add_coastline(EnvironmentDraft& draft) {
     draft.cite(dataset);
   }
   if (chosen.empty() && query.coastline.how != DatasetChoice::How::named) {
-    warn_of_gap(draft, DatasetKind::coastline, query.coastline,
-                "land is known from depths and currents only");
+    tell_of_gap(draft, query.coastline, messages::data_message<"coastline-left-out">(),
+                messages::data_message<"coastline-missing">(bounds_text(query.area)));
   }
 }
 
 /// An iceberg in a desert is avoided like any other, but somebody has to know that its place is wrong.
-void warn_of_icebergs_on_land(EnvironmentDraft& draft) {
+void tell_of_icebergs_on_land(EnvironmentDraft& draft) {
   const std::vector<ocean::Iceberg>& icebergs = draft.environment.icebergs;
   std::vector<geo::LonLat> places;
   for (const ocean::Iceberg& berg : icebergs) places.push_back(berg.place);
   const std::vector<bool> on_land = geo::contained_in_any(draft.environment.land, places);
+  const auto first = std::ranges::find(on_land, true);
+  if (first == on_land.end()) return;
   std::vector<std::string> names;
   for (std::size_t i = 0; i < on_land.size(); ++i)
     if (on_land[i]) names.push_back(icebergs[i].id);
-  if (names.empty()) return;
-  draft.warn(std::to_string(names.size()) + " of the icebergs lie on land by the coastline (" +
-             shortened_list(names) + "): their positions or the coastline are wrong there");
+  draft.tell(messages::data_message<"icebergs-on-land">(names.size(), shortened_list(names))
+                 .at(places[static_cast<std::size_t>(first - on_land.begin())]));
 }
 
 std::size_t corners_of(const ocean::Zone& zone) {
@@ -202,18 +192,17 @@ void add_wind(EnvironmentDraft& draft) {
   } else if (named && !found.empty()) {
     draft.refuse(DatasetKind::wind, title(found.front()) + " has no node near the area");
   } else if (!periods_missed.empty()) {
-    draft.warn("no stored wind for the time of departure (" + periods_missed +
-               "): icebergs drift as the water carries them");
+    draft.tell(messages::data_message<"wind-not-at-departure">(periods_missed));
   }
 }
 
 /// Says so where zones that are stored for the area are left out: nothing in the plan shows it otherwise.
-void warn_of_zones_left_out(EnvironmentDraft& draft) {
+void tell_of_zones_left_out(EnvironmentDraft& draft) {
   const DatasetChoice all;
   for (const Dataset& dataset :
        candidates(draft.stored, DatasetKind::zones, all, draft.query.area, draft.violations)) {
     const bool named = std::ranges::find(draft.query.zones.ids, dataset.id) != draft.query.zones.ids.end();
-    if (!named) draft.warn("zones of " + title(dataset) + " left out as requested: they are not obeyed");
+    if (!named) draft.tell(messages::data_message<"zones-left-out">(title(dataset)));
   }
 }
 
@@ -233,7 +222,7 @@ void add_zones(EnvironmentDraft& draft) {
                                          " corners, more than " + std::to_string(max_zone_corners) +
                                          "; name those that matter, or store them with simpler outlines");
   }
-  if (query.zones.how != DatasetChoice::How::newest) warn_of_zones_left_out(draft);
+  if (query.zones.how != DatasetChoice::How::newest) tell_of_zones_left_out(draft);
 }
 
 }  // namespace
@@ -261,10 +250,10 @@ tl::expected<ocean::Environment, core::Violations> load_environment(sqlite::Conn
     if (reading.stop.stop_requested()) return std::move(draft.environment);
     add(draft);
   }
-  warn_of_unknown_drift(draft);
+  tell_of_unknown_drift(draft);
   draft.append_report(icebergs);
   add_coastline(draft);
-  warn_of_icebergs_on_land(draft);
+  tell_of_icebergs_on_land(draft);
   add_zones(draft);
   if (!draft.violations.empty()) return tl::unexpected(std::move(draft.violations));
   return std::move(draft.environment);

@@ -65,8 +65,8 @@ struct Reading {
 ///          when icebergs drift) to their end: how long a plan takes is not yet known. Currents without time are
 ///          held steady. Drifting icebergs are also read up to 100 km beyond the area, and with them the
 ///          currents that carry them, down to their keels (less far where these are more than 32 million
-///          samples); warnings name those of which the current is not known. Icebergs there that are left out for
-///          the age of their sightings are a danger (core::danger_mark). Ice is taken that
+///          samples); messages name those of which the current is not known. Icebergs there that are left out for
+///          the age of their sightings are a danger. Ice is taken that
 ///          counts at some time of a mission of 30 days from the latest departure on, or that ended no more than 30
 ///          days before the earliest; a named one whose period, lengthened by ocean::longest_ice_hold, does not cover
 ///          the earliest departure is refused

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "engine/core/utc_text.hpp"
+#include "engine/messages/data_messages.hpp"
 #include "storage/repository/environment_drift.hpp"
 #include "storage/repository/shortened_list.hpp"
 
@@ -43,25 +44,22 @@ bool adopt_currents(EnvironmentDraft& draft, const Dataset& dataset, std::size_t
   const std::string name = title(dataset);
   const auto& samples = currents->samples();
   if (!samples.depths_m) {
-    draft.warn("currents " + name + " state no depth: taken as the same at every depth");
+    draft.tell(messages::data_message<"currents-without-depth">(name));
   } else if (samples.depths_m->size() == 1) {
-    draft.warn("currents " + name + " have one level (" + in_metres(samples.depths_m->front()) +
-               "): used at every depth");
+    draft.tell(messages::data_message<"currents-of-one-level">(name, in_metres(samples.depths_m->front())));
   } else if (samples.depths_m->back() < draft.query.dive_depth.value) {
-    draft.warn("currents " + name + " reach down to " + in_metres(samples.depths_m->back()) +
-               " only, dives to " + in_metres(draft.query.dive_depth.value) +
-               ": the water below is taken to move like the mean above");
+    draft.tell(messages::data_message<"currents-above-dives">(name, in_metres(samples.depths_m->back()),
+                                                              in_metres(draft.query.dive_depth.value)));
   }
 
   const std::size_t steps = samples.times_s.size();
   const auto covered = period_of(dataset);
   if (!covered) {
-    draft.warn("currents held steady: " + name + " state no time");
+    draft.tell(messages::data_message<"currents-without-time">(name));
   } else if (draft.query.steady && steps == 1) {
-    draft.warn("currents held steady: " + name + " as at " + core::iso8601(covered->from));
+    draft.tell(messages::data_message<"currents-held-steady">(name, covered->from));
   } else if (draft.query.steady) {
-    draft.warn("currents held steady: " + name + ", the mean of " + std::to_string(steps) + " steps from " +
-               period_text(*covered));
+    draft.tell(messages::data_message<"currents-held-at-mean">(name, steps, period_text(*covered)));
   }
 
   draft.environment.steady_currents = draft.query.steady || !covered;
@@ -168,7 +166,9 @@ void add_currents(EnvironmentDraft& draft) {
   if (named && !found.empty())
     draft.refuse(DatasetKind::currents, title(found.front()) + " has no node near the area");
   if (!named) refuse_other_waters(draft);
-  if (!named) warn_of_gap(draft, DatasetKind::currents, query.currents, "planned in still water");
+  if (!named)
+    tell_of_gap(draft, query.currents, messages::data_message<"currents-left-out">(),
+                messages::data_message<"currents-missing">(bounds_text(query.area)));
 }
 
 /// Tides go on as long as an iceberg's drift is followed, or as long as the request wants the currents to be covered.

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <utility>
 
-#include "engine/core/utc_text.hpp"
+#include "engine/messages/data_messages.hpp"
 #include "storage/repository/tide_repository.hpp"
 
 namespace floeplan::repository {
@@ -49,35 +49,29 @@ void report_tides(ocean::Environment& environment, const Tides& tides, TidesMode
                   const ocean::TidePeriod& period) {
   const ocean::CurrentGrid& currents = *environment.currents;
   const ocean::TidalCurrents& tide = *currents.tide();
-  const auto warn = [&](std::string text) { environment.warnings.push_back(std::move(text)); };
+  const auto tell = [&](messages::Message message) { environment.messages.push_back(std::move(message)); };
   const std::string names = titles(tides.datasets);
 
-  if (mode == TidesMode::only)
-    warn("currents are the tidal currents of " + names + " alone, the same at every depth");
+  if (mode == TidesMode::only) tell(messages::data_message<"tides-alone">(names));
   if (mode == TidesMode::add) {
     for (const ocean::DatasetRef& dataset : environment.datasets) {
       if (dataset.kind != kind_name(DatasetKind::currents)) continue;
-      warn("tides of " + names + " are added to the currents " + dataset.name + " (" + dataset.id + ")" +
-           (says_detided(dataset)
-                ? ""
-                : ", whose name does not say that they are without tides: if they hold the tide "
-                  "already, it counts twice"));
+      const std::string with = dataset.name + " (" + dataset.id + ")";
+      tell(says_detided(dataset) ? messages::data_message<"tides-added">(names, with)
+                                 : messages::data_message<"tides-may-count-twice">(names, with));
     }
   }
+  const std::size_t nodes = currents.samples().grid.size();
   if (tide.known_nodes() == 0) {
-    warn("tides of " + names + " have no value at any node of the currents: no current is known");
-  } else if (mode == TidesMode::add && tide.known_nodes() < currents.samples().grid.size()) {
-    warn("tides of " + names + " have no value at " +
-         std::to_string(currents.samples().grid.size() - tide.known_nodes()) + " of " +
-         std::to_string(currents.samples().grid.size()) + " nodes of the currents: taken as without water");
+    tell(messages::data_message<"tides-unknown">(names));
+  } else if (mode == TidesMode::add && tide.known_nodes() < nodes) {
+    tell(messages::data_message<"tides-unknown-at-nodes">(names, nodes - tide.known_nodes(), nodes));
   }
 
   const core::Seconds step{currents.times_s().mean_step()};
   if (step > 1.001 * ocean::straight_step(tides.models))
-    warn("tides are laid out in steps of " + in_minutes(step) +
-         ", coarser than their bends: a smaller area helps");
-  if (const auto end = early_end(currents, period))
-    warn("tides are laid out to " + core::iso8601(*end) + " only: a smaller area helps");
+    tell(messages::data_message<"tides-in-coarse-steps">(in_minutes(step)));
+  if (const auto end = early_end(currents, period)) tell(messages::data_message<"tides-end-early">(*end));
 }
 
 }  // namespace
@@ -166,8 +160,7 @@ void lay_drift_tides(ocean::Environment& environment, const Tides& tides, TidesM
   }
   if (!environment.drift_currents) return;
   if (const auto end = early_end(*environment.drift_currents, period))
-    environment.warnings.push_back("the tides that carry icebergs are laid out to " + core::iso8601(*end) +
-                                   " only: a smaller area helps");
+    environment.messages.push_back(messages::data_message<"drift-tides-end-early">(*end));
 }
 
 }  // namespace floeplan::repository

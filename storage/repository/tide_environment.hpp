@@ -42,7 +42,7 @@ struct Tides {
 /// The same models around another area, as far as they are there.
 [[nodiscard]] Tides load_again(sqlite::Connection& db, const Tides& tides, const geo::BoundingBox& area);
 
-/// Puts the tidal currents into the environment, into every member of an ensemble too, and says in its warnings what
+/// Puts the tidal currents into the environment, into every member of an ensemble too, and says in its messages what
 /// that implies. `period` counts where the currents have no times of their own.
 void lay_tides(ocean::Environment& environment, const Tides& tides, TidesMode mode,
                const ocean::TidePeriod& period);

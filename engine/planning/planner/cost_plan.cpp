@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/messages/plan_messages.hpp"
 #include "engine/planning/cost/route.hpp"
 #include "engine/planning/planner/fastest_plan.hpp"
 #include "engine/planning/publish/battery_check.hpp"
@@ -21,8 +22,6 @@
 namespace floeplan::planning::planner {
 namespace {
 
-constexpr const char* met_its_bound =
-    "the search met its bound on memory before it was done; a plan that costs less may exist";
 constexpr const char* no_gap = "only plans for the least time are compared with the best way";
 
 /// The route to publish and what its refinement did.
@@ -118,9 +117,9 @@ Result<Plan> publish(const search::Chart& chart, const ocean::Environment& envir
   if (auto none =
           publish::add_escapes(plan, chart, request, route.points, times->arrivals, route.drives, stop))
     return tl::unexpected(std::move(*none));
-  publish::add_warnings(plan, request);
+  publish::add_messages(plan, request);
   if (statistics.cut_short) {
-    plan.warnings.emplace_back(met_its_bound);
+    plan.messages.push_back(messages::plan_message<"cost-search-cut-short">());
   }
   return plan;
 }
@@ -188,10 +187,10 @@ bool was_cut_short(const Result<Plan>& plan) {
   return plan ? plan->search.cut_short : plan.error().search_cut_short;
 }
 
-/// The known plan or, if it costs less, what a search found; a search that came to no end leaves its warning.
+/// The known plan or, if it costs less, what a search found; a search that came to no end leaves its message.
 Result<Plan> better_of(Result<Plan> known, Result<Plan> found, const Objective& objective) {
   if (costs_less(found, known, objective) || !known) return found;
-  if (was_cut_short(found)) known->warnings.emplace_back(met_its_bound);
+  if (was_cut_short(found)) known->messages.push_back(messages::plan_message<"cost-search-cut-short">());
   return known;
 }
 
@@ -211,7 +210,7 @@ Result<Plan> best_on_grids(const ocean::Environment& environment, const PlanRequ
     best = std::move(found);
     if (is_cut_short && !was_cut_short(best)) {
       best->search.cut_short = true;
-      best->warnings.emplace_back(met_its_bound);
+      best->messages.push_back(messages::plan_message<"cost-search-cut-short">());
     }
   }
   return best;

@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "engine/messages/plan_messages.hpp"
 #include "engine/planning/cost/driven_route.hpp"
 #include "engine/planning/cost/route_cost.hpp"
 #include "engine/planning/cost/sea_members.hpp"
@@ -320,10 +321,8 @@ WindowPlan try_to_plan_window(const ocean::Environment& environment, const PlanR
   }
   if (!planned.empty()) {
     Plan best = std::move(planned.at(best_planned(*outcomes, planned, request.energy.objective)));
-    best.warnings.push_back(
-        "of " + std::to_string(outcomes->size()) + " departures " + std::to_string(planned.size()) +
-        " were planned whole, and this is the best of them; the members' own best ways leave "
-        "open whether another is better: a shorter window looks at all of its own");
+    best.messages.push_back(
+        messages::plan_message<"departures-not-all-planned">(outcomes->size(), planned.size()));
     return {.departures = std::move(*outcomes), .plan = std::move(best)};
   }
   Infeasible why = refused ? std::move(*refused) : outcomes->front().closed.value();

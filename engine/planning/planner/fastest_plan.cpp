@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <optional>
-#include <string>
 #include <utility>
 #include <vector>
 
+#include "engine/messages/plan_messages.hpp"
 #include "engine/planning/cost/route.hpp"
 #include "engine/planning/cost/route_cost.hpp"
 #include "engine/planning/publish/improvement.hpp"
@@ -30,14 +29,11 @@ struct Attempt {
 };
 
 /// Of a plan whose search was cut short.
-std::string what_may_be_better(const Plan& plan) {
-  std::string text = "the search for better ways was cut short at its bound on memory: there may be one";
+messages::Message what_may_be_better(const Plan& plan) {
   const auto gain = plan.search.possible_gain;
-  if (!gain) return text;
-  char most[80];
-  std::snprintf(most, sizeof most, ", by %.0f min (%.1f %%) at most before refinement",
-                std::ceil(gain->count() / 60.0), 100.0 * (*gain / plan.travel_time()));
-  return text + most;
+  if (!gain) return messages::plan_message<"search-cut-short">();
+  return messages::plan_message<"search-cut-short-near-the-best">(std::ceil(gain->count() / 60.0),
+                                                                  100.0 * (*gain / plan.travel_time()));
 }
 
 /// The way that the grids give, and what became of it.
@@ -106,7 +102,7 @@ Attempt plan_within(cost::GridReach reach, const ocean::Environment& environment
   Result<Plan> plan =
       publish::publish(*chart, environment, request, way->improved, way->found.statistics, stop);
   if (plan && way->found.statistics.cut_short) {
-    plan->warnings.push_back(what_may_be_better(*plan));
+    plan->messages.push_back(what_may_be_better(*plan));
   }
   return {.plan = std::move(plan),
           .chart = std::move(*chart),

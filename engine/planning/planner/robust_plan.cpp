@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <memory>
 #include <optional>
-#include <string>
 #include <utility>
 #include <vector>
 
+#include "engine/messages/plan_messages.hpp"
 #include "engine/ocean/ensemble_mean.hpp"
 #include "engine/planning/cost/driven_route.hpp"
 #include "engine/planning/cost/route.hpp"
@@ -101,24 +100,16 @@ UncertaintyReport report_of(const Fares& fares, const UncertaintyRules& rules, c
   return report;
 }
 
-/// Where members let no route through that was looked at: empty where all do.
-std::string warning_of_closed(const UncertaintyReport& report) {
+/// Where members let no route through that was looked at; empty where all do.
+std::optional<messages::Message> of_closed_members(const UncertaintyReport& report) {
   const std::size_t members = report.spread.travel_times().size();
   const std::size_t closed = members - report.spread.arrived();
-  if (closed == 0 || report.objective == RobustObjective::none) return "";
-  std::string text =
-      "in " + std::to_string(closed) + " of " + std::to_string(members) +
-      " members the vehicle does not come through on this way, and no way that was compared comes "
-      "through in more of them";
-  if (report.objective == RobustObjective::mean) return text + ": the mean leaves them out";
-  if (report.spread.quantile(report.quantile)) return text;
-  char share[120];
-  std::snprintf(
-      share, sizeof share,
-      ": the share of %.0f %% that is to arrive early cannot be met; the way is the best in the mean of "
-      "the others",
-      100.0 * report.quantile);
-  return text + share;
+  if (closed == 0 || report.objective == RobustObjective::none) return std::nullopt;
+  if (report.objective == RobustObjective::mean)
+    return messages::plan_message<"closed-members-left-out-of-mean">(closed, members);
+  if (report.spread.quantile(report.quantile))
+    return messages::plan_message<"closed-in-members">(closed, members);
+  return messages::plan_message<"share-of-members-not-met">(closed, members, 100.0 * report.quantile);
 }
 
 }  // namespace
@@ -206,8 +197,7 @@ Result<Plan> plan_uncertain(const ocean::Environment& environment, const PlanReq
   chosen.search = base->search;
   chosen.encounter_trade = base->encounter_trade;
   chosen.uncertainty = report_of(fares[best], rules, request.depart, candidates.size());
-  if (std::string closed = warning_of_closed(*chosen.uncertainty); !closed.empty())
-    chosen.warnings.push_back(std::move(closed));
+  if (auto closed = of_closed_members(*chosen.uncertainty)) chosen.messages.push_back(std::move(*closed));
   return std::move(chosen);
 }
 

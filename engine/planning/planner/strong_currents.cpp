@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "engine/geo/geodesic.hpp"
+#include "engine/messages/plan_messages.hpp"
 #include "engine/planning/cost/layout.hpp"
 #include "engine/planning/planner/cost_plan.hpp"
 #include "engine/planning/planner/robust_plan.hpp"
@@ -29,11 +30,6 @@ constexpr double most_samples = 3.2e7;  // of the currents of an area with room:
 
 /// Legs that were timed for a plan; a few seconds.
 constexpr std::int64_t much_work = 5'000'000;
-
-constexpr const char* several_grids_warning =
-    "currents somewhere in the area are as fast as the vehicle: a little closes or opens a way, and "
-    "this plan is the best of those on several grids; another --spacing, or a place to pass (--via), may "
-    "lead to a better one";
 
 core::MetresPerSecond through_water(const PlanRequest& request) {
   return drive_speed(request.vehicle, drives(request.energy, request.vehicle).back());
@@ -163,7 +159,7 @@ Result<Plan> best_of_more_grids(Result<Plan> known, const ocean::Environment& en
   if (stop.stop_requested()) return tl::unexpected(search::explain_cancelled(request));
   if (!best)
     return tl::unexpected(with_area_searched(std::move(best.error()), roomy ? roomy->request : request));
-  best->warnings.insert(best->warnings.begin(), several_grids_warning);
+  best->messages.insert(best->messages.begin(), messages::plan_message<"several-grids-tried">());
   return best;
 }
 

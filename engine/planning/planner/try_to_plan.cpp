@@ -4,6 +4,7 @@
 #include <functional>
 #include <utility>
 
+#include "engine/messages/plan_messages.hpp"
 #include "engine/planning/planner/cost_plan.hpp"
 #include "engine/planning/planner/fastest_plan.hpp"
 #include "engine/planning/planner/risk_plan.hpp"
@@ -41,9 +42,7 @@ Result<Plan> surfacing_more_often(const PlanRequest& request, Infeasible why,
     if (!plan && plan.error().reason == Reason::cancelled) return plan;
     if (!plan && plan.error().reason == Reason::no_escape) continue;
     if (!plan) break;  // no way comes to the surface as often, let alone more often
-    plan->warnings.emplace_back(
-        "the fastest way leaves no escape from every waypoint; this one comes to places to surface more "
-        "often");
+    plan->messages.push_back(messages::plan_message<"surfaces-more-often">());
     return plan;
   }
   return tl::unexpected(std::move(why));
@@ -78,16 +77,12 @@ Result<Plan> try_to_plan(const ocean::Environment& environment, const PlanReques
     plan->optimality_gap_reason = "the currents are not certain, so that no one way is the best";
   }
   if (plan && request.uncertainty.drawn_members > 0 && environment.members.size() > 1) {
-    plan->warnings.emplace_back(
-        "members were drawn about the first of the currents alone; the others that are named were not used");
+    plan->messages.push_back(messages::plan_message<"named-members-not-used">());
   }
   const bool asks_for_chances =
       request.uncertainty.objective != RobustObjective::none || request.uncertainty.arrive_before;
   if (plan && asks_for_chances && !is_uncertain) {
-    plan->warnings.emplace_back(
-        "nothing was made of the uncertainty that was asked about: there is one set of currents and no model "
-        "of its "
-        "errors; name several currents, or say how many members to draw and how large the errors are");
+    plan->messages.push_back(messages::plan_message<"uncertainty-without-members">());
   }
   return plan;
 }

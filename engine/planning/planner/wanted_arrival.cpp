@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <optional>
 #include <string>
 #include <utility>
 
 #include "engine/core/utc_text.hpp"
+#include "engine/messages/plan_messages.hpp"
 #include "engine/planning/planner/departure.hpp"
 #include "engine/planning/planner/robust_plan.hpp"
 #include "engine/planning/planner/try_to_plan.hpp"
@@ -110,8 +110,8 @@ class LatestDeparture {
     if (is_cancelled()) return tl::unexpected(search::explain_cancelled(request_));
     if (!best_) return explained();
     wanted_ = *request_.departures.arrive_by;
-    if (!is_late_enough()) best_->warnings.push_back(early_text());
-    if (best_->arrival > wanted_) best_->warnings.push_back(late_text());
+    if (!is_late_enough()) best_->messages.push_back(early());
+    if (best_->arrival > wanted_) best_->messages.push_back(late());
     return std::move(*best_);
   }
 
@@ -197,19 +197,15 @@ class LatestDeparture {
     return 0.25 * best_->travel_time();
   }
 
-  [[nodiscard]] std::string early_text() const {
-    char hours[32];
-    std::snprintf(hours, sizeof hours, "%.1f h", left(*best_).count() / 3600.0);
-    return std::string{"this plan is there "} + hours +
-           " before the wanted arrival: no later departure was found that is in time";
+  [[nodiscard]] messages::Message early() const {
+    return messages::plan_message<"early-arrival">(left(*best_).count() / 3600.0);
   }
 
   /// Of a plan that is in time by its members and not by itself.
-  [[nodiscard]] std::string late_text() const {
-    return "in the currents that the plan is made with it arrives at " + core::iso8601(best_->arrival) +
-           ", after the wanted arrival: what counts is the " +
-           (request_.uncertainty.objective == RobustObjective::quantile ? "quantile" : "mean") +
-           " of the members, " + core::iso8601(arrival_that_counts(*best_, request_.uncertainty));
+  [[nodiscard]] messages::Message late() const {
+    const bool is_quantile = request_.uncertainty.objective == RobustObjective::quantile;
+    return messages::plan_message<"late-in-first-currents">(
+        best_->arrival, is_quantile ? "quantile" : "mean", arrival_that_counts(*best_, request_.uncertainty));
   }
 
   /// Why nothing is in time.

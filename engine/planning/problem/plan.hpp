@@ -8,6 +8,7 @@
 #include "engine/core/units.hpp"
 #include "engine/geo/lon_lat.hpp"
 #include "engine/geo/velocity.hpp"
+#include "engine/messages/message.hpp"
 #include "engine/ocean/dataset_ref.hpp"
 #include "engine/planning/problem/energy_use.hpp"
 #include "engine/planning/problem/keel.hpp"
@@ -121,7 +122,7 @@ struct Plan {
   std::string optimality_gap_reason;          // why the gap is not given; empty when it is
   core::MetresPerSecond strongest_current{};  // in the area that the way was looked for in
   std::vector<ocean::DatasetRef> datasets;
-  std::vector<std::string> warnings;
+  std::vector<messages::Message> messages;
 
   [[nodiscard]] core::Seconds travel_time() const { return arrival - departure; }
 };

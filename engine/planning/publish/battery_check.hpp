@@ -8,7 +8,7 @@
 
 namespace floeplan::planning::publish {
 
-/// Whether the battery carries the plan. If it does not: a warning in the plan, or, where the request insists on
+/// Whether the battery carries the plan. If it does not: a message in the plan, or, where the request insists on
 /// it, why there is no plan. Says where the battery would be empty and how much is missing.
 [[nodiscard]] std::optional<Infeasible> check_battery(Plan& plan, const PlanRequest& request);
 

@@ -1,8 +1,8 @@
 #include "engine/planning/publish/escape_ends.hpp"
 
-#include <cstdio>
-#include <string>
+#include <optional>
 
+#include "engine/messages/plan_messages.hpp"
 #include "engine/planning/cost/met_currents.hpp"
 #include "engine/planning/ice/nearest_ice.hpp"
 #include "engine/planning/problem/position_error.hpp"
@@ -41,8 +41,13 @@ Flight flown(const EscapeWay& escape, const cost::Sea& sea, const UnderIceRules&
 
 void warn_of_escapes_to_the_edge(Plan& plan, const cost::Sea& sea, const PlanRequest& request) {
   if (!sea.ice()) return;
+  struct Near {
+    std::size_t waypoint;
+    core::Metres ice;
+    core::Metres error;
+  };
   std::size_t near = 0;
-  std::string first;
+  std::optional<Near> first;
   for (std::size_t i = 0; i < plan.surfacing->escapes.size(); ++i) {
     const EscapeWay& escape = plan.surfacing->escapes[i];
     if (escape.way.size() < 2) continue;
@@ -55,16 +60,12 @@ void warn_of_escapes_to_the_edge(Plan& plan, const cost::Sea& sea, const PlanReq
     const auto ice =
         ice::nearest_ice_within(error, *sea.ice(), sea.projection().to_plane(escape.way.back()), flight.ends);
     if (!ice || near++ > 0) continue;
-    char text[120];
-    std::snprintf(text, sizeof text, "from waypoint %zu: ice at %.1f km, error %.1f km", i,
-                  ice->value / 1000.0, error.value / 1000.0);
-    first = text;
+    first = {i, *ice, error};
   }
-  if (near == 0) return;
-  plan.warnings.push_back(
-      std::to_string(near) +
-      " escapes end nearer to ice than the position may be off by then, the first of them " + first +
-      "; have the vehicle go on before it comes up");
+  if (!first) return;
+  plan.messages.push_back(messages::plan_message<"escapes-end-near-ice">(
+                              near, first->waypoint, first->ice.value / 1000.0, first->error.value / 1000.0)
+                              .at(plan.waypoints[first->waypoint].place));
 }
 
 }  // namespace floeplan::planning::publish

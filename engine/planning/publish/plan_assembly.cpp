@@ -2,15 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <iterator>
 #include <limits>
 #include <optional>
 
-#include "engine/core/message_rank.hpp"
-#include "engine/core/utc_text.hpp"
+#include "engine/core/violation_list.hpp"
 #include "engine/geo/coarse_outline.hpp"
 #include "engine/geo/geodesic.hpp"
+#include "engine/messages/plan_messages.hpp"
 #include "engine/planning/cost/met_currents.hpp"
 #include "engine/planning/cost/surfacing.hpp"
 #include "engine/planning/plane/coast_lines.hpp"
@@ -89,6 +88,7 @@ void add_iceberg_encounters(Plan& plan, const cost::Sea& sea, const std::vector<
 void add_passages_under(Plan& plan, const cost::Sea& sea, const std::vector<geo::PlanePoint>& route,
                         const cost::Schedule& schedule, const std::vector<vehicle::Drive>& drives) {
   constexpr core::Seconds apart{1.0};
+  constexpr std::size_t longest_name = 60;  // in the message
   std::vector<obstacles::IcebergDiscs::Under> stays;
   for_each_move(sea, route, schedule, drives, [&](std::size_t, const motion::EvenMove& move) {
     for (const obstacles::IcebergDiscs::Under& stay : sea.icebergs().passed_under(move)) {
@@ -107,14 +107,9 @@ void add_passages_under(Plan& plan, const cost::Sea& sea, const std::vector<geo:
     plan.passed_under.push_back({sea.icebergs().name(stay.berg), sea.icebergs().keel(stay.berg),
                                  plan.departure + stay.span.from, plan.departure + stay.span.until});
     const PassedUnder& passed = plan.passed_under.back();
-    char text[240];
-    std::snprintf(
-        text, sizeof text,
-        "the plan passes under iceberg %.60s: no surfacing from %s to %s, and dives that turn no higher "
-        "than %.0f m",
-        passed.iceberg.c_str(), core::iso8601(passed.from).c_str(), core::iso8601(passed.until).c_str(),
-        std::ceil(passed.keel.upper_turn.value));
-    plan.warnings.emplace_back(text);
+    plan.messages.push_back(messages::plan_message<"passes-under-iceberg">(
+        core::cut_short(passed.iceberg, longest_name), passed.from, passed.until,
+        std::ceil(passed.keel.upper_turn.value)));
   }
 }
 
@@ -187,11 +182,8 @@ void warn_of_old_sightings(Plan& plan, const ocean::Environment& environment, co
   }
   if (dropped == 0) return;
   if (dropped > most_names) names += " and " + std::to_string(dropped - most_names) + " more";
-  plan.warnings.push_back(core::as_danger(
-      std::to_string(dropped) + (dropped == 1 ? " iceberg" : " icebergs") +
-      " ignored: not seen for too long by the departure at " + core::iso8601(request.depart) + " (" + names +
-      "). Each may still be near the route, and the plan avoids none of them. Depart earlier, ingest newer "
-      "sightings, or raise the maximum sighting age (--max-sighting-age)"));
+  plan.messages.push_back(
+      messages::plan_message<"sightings-too-old-at-departure">(dropped, request.depart, names));
 }
 
 /// Of those that are planned; a vehicle that has an interval of its own counts them already.
@@ -210,13 +202,8 @@ void warn_of_deep_turns(Plan& plan, const PlanRequest& request) {
   core::Metres deepest{0.0};
   for (const PassedUnder& passed : plan.passed_under) deepest = std::max(deepest, passed.keel.upper_turn);
   if (deepest <= request.vehicle.climb_to) return;
-  char text[240];
-  std::snprintf(
-      text, sizeof text,
-      "below icebergs the dives turn as deep as %.0f m, and the energy is reckoned so; the currents "
-      "are those of dives that turn at %.0f m: plan with --climb-to %.0f to see how much that matters",
-      std::ceil(deepest.value), request.vehicle.climb_to.value, std::ceil(deepest.value));
-  plan.warnings.emplace_back(text);
+  plan.messages.push_back(messages::plan_message<"currents-of-shallower-turns">(
+      std::ceil(deepest.value), request.vehicle.climb_to.value));
 }
 
 /// Ice that a vehicle may come below that is off its way by no more than the error of its position.
@@ -228,28 +215,21 @@ void warn_of_ice_beside(Plan& plan, const PlanRequest& request) {
   if (std::ceil(beside.upper_turn.value) <= std::ceil(deepest.value)) return;
   const double turn_m = std::ceil(beside.upper_turn.value);
   const double least_dive_m = turn_m + vehicle::lowest_tooth.value;
-  char text[320];
-  std::snprintf(
-      text, sizeof text,
-      "within the error of its position, %.1f km at %.4f, %.4f, the vehicle may come below ice where dives "
-      "must turn no higher than %.0f m, yet those of the plan turn at %.0f m: ",
-      beside.error.value / 1000.0, beside.place.lon_deg, beside.place.lat_deg, turn_m,
-      std::ceil(deepest.value));
-  char remedy[160];
-  if (least_dive_m > request.vehicle.depth_rating.value) {
-    std::snprintf(remedy, sizeof remedy,
-                  "this vehicle cannot dive below that ice; take one that can, or bound the time without "
-                  "surfacing");
-  } else {
-    std::snprintf(
-        remedy, sizeof remedy,
-        least_dive_m > request.vehicle.dive_depth.value
-            ? "keep below that ice all the way (--climb-to %.0f --dive-depth %.0f), or bound the "
-              "time without surfacing"
-            : "keep below that ice all the way (--climb-to %.0f), or bound the time without surfacing",
-        turn_m, least_dive_m);
-  }
-  plan.warnings.push_back(std::string{text} + remedy);
+  const double error_km = beside.error.value / 1000.0;
+  const double planned_turn_m = std::ceil(deepest.value);
+  const auto [lon_deg, lat_deg] = beside.place;
+  const auto message = [&] {
+    if (least_dive_m > request.vehicle.depth_rating.value) {
+      return messages::plan_message<"ice-beside-too-deep">(error_km, lon_deg, lat_deg, turn_m,
+                                                           planned_turn_m);
+    }
+    if (least_dive_m > request.vehicle.dive_depth.value) {
+      return messages::plan_message<"ice-beside-needs-deeper-dives">(error_km, lon_deg, lat_deg, turn_m,
+                                                                     planned_turn_m, least_dive_m);
+    }
+    return messages::plan_message<"ice-beside">(error_km, lon_deg, lat_deg, turn_m, planned_turn_m);
+  };
+  plan.messages.push_back(message().at(beside.place));
 }
 
 void warn_of_surfacings_near_ice(Plan& plan) {
@@ -257,14 +237,10 @@ void warn_of_surfacings_near_ice(Plan& plan) {
   const auto& surfacings = plan.surfacing->surfacings;
   const auto first = std::ranges::find_if(surfacings, is_near);
   if (first == surfacings.end()) return;
-  char text[320];
-  std::snprintf(
-      text, sizeof text,
-      "%td of %td planned surfacings have ice nearer than the position may be off, the first of them at "
-      "%s: ice at %.1f km, error %.1f km; surface more often (--surfacing-interval), or keep off the ice",
-      std::ranges::count_if(surfacings, is_near), std::ssize(surfacings), core::iso8601(first->time).c_str(),
-      first->nearest_ice->value / 1000.0, first->position_error.value / 1000.0);
-  plan.warnings.emplace_back(text);
+  plan.messages.push_back(messages::plan_message<"surfacings-near-ice">(
+                              std::ranges::count_if(surfacings, is_near), surfacings.size(), first->time,
+                              first->nearest_ice->value / 1000.0, first->position_error.value / 1000.0)
+                              .at(first->place));
 }
 
 /// Of openings in the ice that the bound counts on and the vehicle may miss.
@@ -272,14 +248,8 @@ void warn_of_openings_missed(Plan& plan, const PlanRequest& request) {
   const auto& bound = request.under_ice.max_time_without_surfacing;
   const core::Seconds sure = plan.surfacing->longest_without_sure;
   if (!bound || sure <= std::max(*bound, plan.surfacing->longest_without)) return;
-  char text[320];
-  std::snprintf(
-      text, sizeof text,
-      "the bound of %.1f h without a place to surface is kept by openings in the ice that the vehicle may "
-      "miss: counting those that are wider than the error of its position it is %.1f h; allow less time "
-      "(--max-time-without-surfacing), or keep off the ice",
-      bound->count() / 3600.0, sure.count() / 3600.0);
-  plan.warnings.emplace_back(text);
+  plan.messages.push_back(
+      messages::plan_message<"leads-may-be-missed">(bound->count() / 3600.0, sure.count() / 3600.0));
 }
 
 void add_surfacings(Plan& plan, const cost::Sea& sea, const PlanRequest& request,
@@ -290,12 +260,8 @@ void add_surfacings(Plan& plan, const cost::Sea& sea, const PlanRequest& request
   if (!sea.ice() && !asked && plan.passed_under.empty()) return;
   plan.surfacing = cost::plan_surfacings(sea, request, route, schedule, drives);
   if (plan.surfacing->unknown_ice.value > 0.0) {
-    char text[160];
-    std::snprintf(
-        text, sizeof text,
-        "nothing is known of the ice on %.1f km of the route: passed, but not counted on for surfacing",
-        plan.surfacing->unknown_ice.value / 1000.0);
-    plan.warnings.emplace_back(text);
+    plan.messages.push_back(
+        messages::plan_message<"ice-unknown-on-route">(plan.surfacing->unknown_ice.value / 1000.0));
   }
   add_energy_of_surfacings(plan, request);
   warn_of_deep_turns(plan, request);
@@ -350,12 +316,12 @@ Plan assemble_plan(const cost::Sea& sea, const ocean::Environment& environment, 
   plan.optimality_gap_reason = "not asked for";
   if (sea.currents()) plan.strongest_current = sea.currents()->strongest();
   plan.datasets = environment.datasets;
-  plan.warnings = environment.warnings;
+  plan.messages = environment.messages;
   warn_of_old_sightings(plan, environment, request);
   std::ranges::move(water_warnings(sea, environment, request, route, schedule, drives),
-                    std::back_inserter(plan.warnings));
-  if (auto text = zone_warning(sea, request, route, schedule, drives))
-    plan.warnings.push_back(*std::move(text));
+                    std::back_inserter(plan.messages));
+  if (auto message = zone_warning(sea, request, route, schedule, drives))
+    plan.messages.push_back(*std::move(message));
   add_passages_under(plan, sea, route, schedule, drives);
   add_surfacings(plan, sea, request, route, schedule, drives);
   return plan;

@@ -10,7 +10,7 @@
 
 namespace floeplan::planning::publish {
 
-/// Makes a plan of a route and its arrivals: waypoints with legs, clearances, warnings, the data used.
+/// Makes a plan of a route and its arrivals: waypoints with legs, clearances, messages, the data used.
 /// Precondition  as many arrivals as points, at least two, and a drive for each leg
 [[nodiscard]] Plan assemble_plan(const cost::Sea& sea, const ocean::Environment& environment,
                                  const PlanRequest& request, const std::vector<geo::PlanePoint>& route,

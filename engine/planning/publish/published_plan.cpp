@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "engine/messages/plan_messages.hpp"
 #include "engine/planning/cost/route.hpp"
 #include "engine/planning/cost/route_cost.hpp"
 #include "engine/planning/optimal_control/optimality.hpp"
@@ -15,22 +16,17 @@
 
 namespace floeplan::planning::publish {
 
-void add_warnings(Plan& plan, const PlanRequest& request) {
+void add_messages(Plan& plan, const PlanRequest& request) {
   if (plan.refinement && plan.refinement->end == RefinementEnd::time) {
-    plan.warnings.push_back(
-        "refinement ran out of its time; with more, or on another machine, the route may be a little better");
+    plan.messages.push_back(messages::plan_message<"refinement-out-of-time">());
   }
   if (request.refine && request.method != Method::direct && !plan.refinement) {
-    plan.warnings.push_back(
-        "the way is that of the grid, without refinement: the better ones that it led to break what binds "
-        "the way as a whole, such as the time without a place to surface");
+    plan.messages.push_back(messages::plan_message<"route-not-refined">());
   }
   if (plan.search.worst_fifo_violation)
-    plan.warnings.push_back(search::describe(*plan.search.worst_fifo_violation));
+    plan.messages.push_back(search::message_of(*plan.search.worst_fifo_violation));
   if (request.max_waypoints && plan.waypoints.size() > static_cast<std::size_t>(*request.max_waypoints)) {
-    plan.warnings.push_back(
-        "the route needs more waypoints than asked for; without them it would be closed or have longer legs "
-        "than allowed");
+    plan.messages.push_back(messages::plan_message<"more-waypoints-than-asked">());
   }
 }
 
@@ -65,9 +61,9 @@ Result<Plan> publish(const search::Chart& chart, const ocean::Environment& envir
     return tl::unexpected(std::move(*none));
   if (request.max_loiter.count() == 0.0) {
     if (const auto killed = search::longest_killing_of_time(sea, improved.route, *schedule))
-      plan.warnings.push_back(search::describe(*killed));
+      plan.messages.push_back(search::message_of(*killed, plan.waypoints[killed->from].place));
   }
-  add_warnings(plan, request);
+  add_messages(plan, request);
   return plan;
 }
 

@@ -22,7 +22,7 @@ namespace floeplan::planning::publish {
                                    const SearchStatistics& statistics, const std::stop_token& stop);
 
 /// What the search and the refinement of the plan say for themselves.
-void add_warnings(Plan& plan, const PlanRequest& request);
+void add_messages(Plan& plan, const PlanRequest& request);
 
 /// Adds the ways to where the vehicle may surface, where they were asked for; `arrivals` are those at the `points` of
 /// the plan's waypoints, `drives` those of its legs. Answers why there are none, or that the battery does not carry the

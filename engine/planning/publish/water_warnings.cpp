@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <optional>
 
-#include "engine/core/utc_text.hpp"
+#include "engine/messages/plan_messages.hpp"
 #include "engine/planning/currents/flown_depths.hpp"
 
 namespace floeplan::planning::publish {
@@ -32,7 +31,8 @@ void for_each_stretch_of(const std::vector<geo::PlanePoint>& route, const Visit&
   }
 }
 
-std::optional<std::string> of_extended(const cost::Sea& sea, const std::vector<geo::PlanePoint>& route) {
+std::optional<messages::Message> of_extended(const cost::Sea& sea,
+                                             const std::vector<geo::PlanePoint>& route) {
   double extended_m = 0.0;
   double all_m = 0.0;
   for_each_stretch_of(route, [&](geo::PlanePoint point, double length_m) {
@@ -40,12 +40,7 @@ std::optional<std::string> of_extended(const cost::Sea& sea, const std::vector<g
     if (sea.currents()->is_extended(point)) extended_m += length_m;
   });
   if (extended_m == 0.0) return std::nullopt;
-  char text[160];
-  std::snprintf(
-      text, sizeof text,
-      "on %.0f %% of the route the current is that of the nearest water in the model, whose coast is coarser",
-      std::max(1.0, 100.0 * extended_m / all_m));
-  return text;
+  return messages::plan_message<"currents-of-nearest-water">(std::max(1.0, 100.0 * extended_m / all_m));
 }
 
 /// How deep the currents of a column are known, half way to the first level without any; empty where they are known
@@ -65,14 +60,16 @@ std::optional<core::Metres> known_down_to(const ocean::CurrentGrid& currents, ge
   return core::Metres{0.5 * (levels_m[wet - 1] + levels_m[wet])};
 }
 
-std::optional<std::string> of_unknown_depths(const cost::Sea& sea, const ocean::Environment& environment,
-                                             const PlanRequest& request,
-                                             const std::vector<geo::PlanePoint>& route) {
+std::optional<messages::Message> of_unknown_depths(const cost::Sea& sea,
+                                                   const ocean::Environment& environment,
+                                                   const PlanRequest& request,
+                                                   const std::vector<geo::PlanePoint>& route) {
   const currents::FlownDepths depths{request.vehicle.dive_limits(), environment.bathymetry};
   double unknown_m = 0.0;
   double worst_m = 0.0;
   core::Metres known{0.0};
   core::Metres flown{0.0};
+  geo::LonLat worst{};
   for_each_stretch_of(route, [&](geo::PlanePoint point, double length_m) {
     const geo::LonLat place = sea.projection().to_lon_lat(point);
     const auto down_to = known_down_to(*environment.currents, place);
@@ -85,15 +82,11 @@ std::optional<std::string> of_unknown_depths(const cost::Sea& sea, const ocean::
     worst_m = missing.value;
     known = *down_to;
     flown = band.bottom;
+    worst = place;
   });
   if (unknown_m == 0.0) return std::nullopt;
-  char text[320];
-  std::snprintf(
-      text, sizeof text,
-      "on %.1f km of the route dives go much deeper than the model's water, at worst to %.0f m where its "
-      "currents are known to %.0f m: those are taken all the way down",
-      unknown_m / 1000.0, flown.value, known.value);
-  return text;
+  return messages::plan_message<"dives-below-currents">(unknown_m / 1000.0, flown.value, known.value)
+      .at(worst);
 }
 
 /// The share of its speed through the water that the vehicle needs to hold a course and make way on it.
@@ -107,10 +100,10 @@ double needed_share(const motion::CurrentXy& current, geo::PlanePoint from, geo:
   return (along < 0.0 ? std::hypot(along, across) : std::abs(across)) / through_water.value;
 }
 
-std::optional<std::string> of_hardly_enough_speed(const cost::Sea& sea, const PlanRequest& request,
-                                                  const std::vector<geo::PlanePoint>& route,
-                                                  const cost::Schedule& schedule,
-                                                  const std::vector<vehicle::Drive>& drives) {
+std::optional<messages::Message> of_hardly_enough_speed(const cost::Sea& sea, const PlanRequest& request,
+                                                        const std::vector<geo::PlanePoint>& route,
+                                                        const cost::Schedule& schedule,
+                                                        const std::vector<vehicle::Drive>& drives) {
   constexpr double looks = 16.0;  // along a leg, chosen: currents change little from one to the next
   std::size_t legs = 0;
   double most = 0.0;
@@ -134,29 +127,24 @@ std::optional<std::string> of_hardly_enough_speed(const cost::Sea& sea, const Pl
     if (most_on_leg > hardly_enough) ++legs;
   }
   if (legs == 0) return std::nullopt;
-  char text[320];
-  std::snprintf(
-      text, sizeof text,
-      "on %zu %s the current takes more than %.0f %% of the vehicle's speed to hold the course, most on leg "
-      "%zu at %s, %.1f %%: a vehicle a little slower is carried away there; plan with a lower speed to "
-      "keep some in reserve",
-      legs, legs == 1 ? "leg" : "legs", 100.0 * hardly_enough, leg_there,
-      core::iso8601(request.depart + where.time).c_str(), 100.0 * std::min(most, 1.0));
-  return text;
+  return messages::plan_message<"hardly-enough-speed">(
+             legs, 100.0 * hardly_enough, leg_there, request.depart + where.time, 100.0 * std::min(most, 1.0))
+      .at(sea.projection().to_lon_lat(where.point));
 }
 
 }  // namespace
 
-std::vector<std::string> water_warnings(const cost::Sea& sea, const ocean::Environment& environment,
-                                        const PlanRequest& request, const std::vector<geo::PlanePoint>& route,
-                                        const cost::Schedule& schedule,
-                                        const std::vector<vehicle::Drive>& drives) {
+std::vector<messages::Message> water_warnings(const cost::Sea& sea, const ocean::Environment& environment,
+                                              const PlanRequest& request,
+                                              const std::vector<geo::PlanePoint>& route,
+                                              const cost::Schedule& schedule,
+                                              const std::vector<vehicle::Drive>& drives) {
   if (!sea.currents() || !environment.currents) return {};
-  std::vector<std::string> warnings;
-  for (auto& warning : {of_extended(sea, route), of_unknown_depths(sea, environment, request, route),
+  std::vector<messages::Message> told;
+  for (auto& message : {of_extended(sea, route), of_unknown_depths(sea, environment, request, route),
                         of_hardly_enough_speed(sea, request, route, schedule, drives)})
-    if (warning) warnings.push_back(*warning);
-  return warnings;
+    if (message) told.push_back(*message);
+  return told;
 }
 
 }  // namespace floeplan::planning::publish

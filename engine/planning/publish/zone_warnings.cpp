@@ -1,9 +1,9 @@
 #include "engine/planning/publish/zone_warnings.hpp"
 
 #include <cmath>
-#include <cstdio>
+#include <utility>
 
-#include "engine/core/utc_text.hpp"
+#include "engine/messages/plan_messages.hpp"
 
 namespace floeplan::planning::publish {
 namespace {
@@ -46,10 +46,10 @@ class Tightest {
 
 }  // namespace
 
-std::optional<std::string> zone_warning(const cost::Sea& sea, const PlanRequest& request,
-                                        const std::vector<geo::PlanePoint>& route,
-                                        const cost::Schedule& schedule,
-                                        const std::vector<vehicle::Drive>& drives) {
+std::optional<messages::Message> zone_warning(const cost::Sea& sea, const PlanRequest& request,
+                                              const std::vector<geo::PlanePoint>& route,
+                                              const cost::Schedule& schedule,
+                                              const std::vector<vehicle::Drive>& drives) {
   if (sea.timed_zones().empty()) return std::nullopt;
   Tightest tightest{sea};
   for (std::size_t i = 1; i < route.size(); ++i) {
@@ -61,15 +61,16 @@ std::optional<std::string> zone_warning(const cost::Sea& sea, const PlanRequest&
   if (!tightest.found || tightest.found->share() >= unknown_share_of_speed) return std::nullopt;
   const Passing& passing = *tightest.found;
   const geo::LonLat place = sea.projection().to_lon_lat(passing.at.point);
-  char text[320];
-  std::snprintf(text, sizeof text,
-                "the plan is at %.4f, %.4f only %.0f min %s an area %s there (%s), after %.1f h under way: a "
-                "vehicle %.0f %% %s than planned would break its rule",
-                place.lon_deg, place.lat_deg, passing.spare().count() / 60.0,
-                passing.opens() ? "after" : "before", passing.opens() ? "opens" : "closes",
-                core::iso8601(request.depart + passing.changes).c_str(), passing.at.time.count() / 3600.0,
-                100.0 * unknown_share_of_speed, passing.opens() ? "faster" : "slower");
-  return text;
+  const core::UtcTime changes = request.depart + passing.changes;
+  const double spare_min = passing.spare().count() / 60.0;
+  const double under_way_h = passing.at.time.count() / 3600.0;
+  constexpr double error_pct = 100.0 * unknown_share_of_speed;
+  auto message = passing.opens()
+                     ? messages::plan_message<"area-opens-just-before">(
+                           place.lon_deg, place.lat_deg, spare_min, changes, under_way_h, error_pct)
+                     : messages::plan_message<"area-closes-just-after">(
+                           place.lon_deg, place.lat_deg, spare_min, changes, under_way_h, error_pct);
+  return std::move(message).at(place);
 }
 
 }  // namespace floeplan::planning::publish

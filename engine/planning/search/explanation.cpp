@@ -239,7 +239,7 @@ Infeasible explain_search(const RouteSearch& search, const cost::Sea& sea, const
     return {Reason::current_too_strong,
             opening->place,
             opening->refused,
-            "no way was found to the goal: " + describe(*opening),
+            "no way was found to the goal: " + message_of(*opening).text,
             std::string{"depart later, "} +
                 (sea.longest_wait().count() > 0.0 ? "let the vehicle wait longer" : "let the vehicle wait") +
                 " (--max-loiter), or have the departure searched in a window (--depart-until)",

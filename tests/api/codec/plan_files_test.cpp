@@ -11,6 +11,7 @@
 #include "api/codec/plan_kml.hpp"
 #include "api/codec/route_file.hpp"
 #include "engine/core/utc_text.hpp"
+#include "engine/messages/plan_messages.hpp"
 #include "engine/mission/nmea_route.hpp"
 #include "tests/support/property.hpp"
 
@@ -53,6 +54,46 @@ TEST(PlanDocument, KeepsWhatTheSearchSawOpenTooLate) {
   EXPECT_EQ(document.at("search").at("worst_fifo_violation").at("opens"), "2026-11-20T08:00:00Z");
   EXPECT_EQ(read.search.fifo_violations, 3);
   EXPECT_EQ(plan_document(read, "p-01", ""), document);
+}
+
+TEST(PlanDocument, KeepsItsMessagesAndTellsTheGravestFirst) {
+  planning::Plan plan = two_legs();
+  plan.messages = {messages::plan_message<"search-cut-short">(),
+                   messages::plan_message<"surfacings-near-ice">(2, 4, plan.departure, 1.25, 2.5),
+                   messages::plan_message<"goal-under-ice">().at({-53.0, 69.125})};
+
+  const json document = plan_document(plan, "p-01", "");
+
+  const json& danger = document.at("messages").at(0);
+  EXPECT_EQ(danger.at("code"), "goal-under-ice");
+  EXPECT_EQ(danger.at("rank"), "danger");
+  EXPECT_EQ(danger.at("place"), (json{{"lon", -53.0}, {"lat", 69.125}}));
+  const json& caution = document.at("messages").at(1);
+  EXPECT_EQ(caution.at("values"), (json{{"near", 2},
+                                        {"surfacings", 4},
+                                        {"first", "2026-11-20T06:00:00Z"},
+                                        {"ice_km", 1.25},
+                                        {"error_km", 2.5}}));
+  EXPECT_TRUE(caution.at("place").is_null());
+  EXPECT_EQ(document.at("messages").at(2).at("rank"), "note");
+  for (std::size_t i = 1; i < 3; ++i)
+    EXPECT_EQ(document.at("warnings").at(i), document.at("messages").at(i).at("text"));
+  EXPECT_EQ(document.at("dangers"), json::array({document.at("warnings").at(0)}));
+  EXPECT_EQ(plan_document(parse_plan_document(document), "p-01", ""), document);
+}
+
+TEST(PlanDocument, OfAnEarlierVersionHasItsWarningsByTheirRank) {
+  json document = plan_document(two_legs(), "p-01", "");
+  document.erase("messages");
+  document["warnings"] = {"Danger: the goal lies under ice", "ice is held"};
+
+  const planning::Plan plan = parse_plan_document(document);
+
+  ASSERT_EQ(plan.messages.size(), 2U);
+  EXPECT_EQ(plan.messages[0].rank, messages::Rank::danger);
+  EXPECT_EQ(plan.messages[0].text, "the goal lies under ice");
+  EXPECT_EQ(plan.messages[1].rank, messages::Rank::caution);
+  EXPECT_EQ(plan_document(plan, "p-01", "").at("warnings"), document.at("warnings"));
 }
 
 TEST(PlanDocument, KeepsTheDrivesOfTheLegsAndWhatTheyDraw) {
@@ -234,7 +275,7 @@ TEST(PlanFiles, ReadBackToTheSameRoute) {
 TEST(PlanBrief, IsOnePageThatNeedsNothingElse) {
   planning::Plan plan = two_legs();
   plan.datasets = {{.id = "icebergs-1", .kind = "icebergs", .name = "<bergs>", .sha256 = "abc"}};
-  plan.warnings = {"mind the <ice>"};
+  plan.messages = {messages::plan_message<"remark">("mind the <ice>")};
   const geo::Polygon island{.outer = {{-53.2, 69.15}, {-53.1, 69.15}, {-53.1, 69.17}}, .holes = {}};
   ocean::Iceberg berg;
   berg.place = {-53.1, 69.18};

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include "engine/messages/data_messages.hpp"
 #include "engine/mission/mission_set.hpp"
 #include "engine/mission/read_document.hpp"
 #include "tests/engine/mission/random_plan.hpp"
@@ -155,7 +156,7 @@ TEST(FlightCheck, NotesTheTimesOfAClearRoute) {
 
 TEST(FlightCheck, WarnsOfWhatItsAnswerDoesNotRestOn) {
   ocean::Environment sea = deep_sea();
-  sea.warnings = {"no stored icebergs: no iceberg is avoided"};
+  sea.messages = {messages::data_message<"icebergs-left-out">()};
   std::vector<Document> files{list("-5300.0 6900.0\n-5230.0 6900.0\n", 2)};
 
   check_flight(files, sea, std::nullopt, request());

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "engine/geo/geodesic.hpp"
+#include "engine/messages/sentence.hpp"
 #include "engine/planning/plan_route.hpp"
 #include "tests/support/property.hpp"
 #include "tests/support/small_sea.hpp"
@@ -98,8 +99,9 @@ TEST(Isochrones, IsSearchedInMoreDirectionsInStrongCurrentsAndSaysWhatItMayLack)
     EXPECT_EQ(found.areas.front().area_m2, in_more_directions.areas.front().area_m2);
     EXPECT_GT(found.areas.front().area_m2, in_fewer.areas.front().area_m2);
     for (const Isochrones& any : {found, in_fewer})
-      EXPECT_THAT(any.warnings, testing::Contains(testing::HasSubstr("smaller than the truth")));
-    EXPECT_EQ(std::ranges::any_of(found.warnings,
+      EXPECT_THAT(messages::sentences(any.messages),
+                  testing::Contains(testing::HasSubstr("smaller than the truth")));
+    EXPECT_EQ(std::ranges::any_of(messages::sentences(found.messages),
                                   [](const std::string& text) {
                                     return text.find("opens again later") != std::string::npos;
                                   }),
@@ -114,7 +116,7 @@ TEST(Isochrones, IsSearchedInThreeSectorsWhereCurrentsAreWeaker) {
   request.sectors = 3;
 
   EXPECT_EQ(found.areas.front().area_m2, reach(sea, request).areas.front().area_m2);
-  EXPECT_TRUE(found.warnings.empty());
+  EXPECT_TRUE(found.messages.empty());
 }
 
 TEST(Isochrones, IsACircleAtTheSpeedOfAThrusterThatTheVehicleHas) {
@@ -128,7 +130,7 @@ TEST(Isochrones, IsACircleAtTheSpeedOfAThrusterThatTheVehicleHas) {
     const double radius_m = request.vehicle.thruster->speed.value * 12.0 * 3600.0;
     EXPECT_NEAR(found.areas.front().area_m2, std::numbers::pi * radius_m * radius_m,
                 0.04 * found.areas.front().area_m2);
-    EXPECT_TRUE(found.warnings.empty()) << found.warnings.front();
+    EXPECT_TRUE(found.messages.empty()) << messages::sentences(found.messages).front();
   }
 }
 
@@ -268,13 +270,14 @@ TEST(Isochrones, RefusesAGridThatWouldNotFitAndAnImpossibleRequest) {
 
 TEST(Isochrones, WarnsWhereTheBatteryDoesNotLast) {
   IsochroneRequest request = reach_request(Direction::from, {6.0, 24.0});
-  EXPECT_TRUE(reach({}, request).warnings.empty());
+  EXPECT_TRUE(reach({}, request).messages.empty());
   request.vehicle.energy.battery = {1e5};
 
   const Isochrones found = reach({}, request);
 
   EXPECT_EQ(found.areas.size(), 2U);
-  EXPECT_THAT(found.warnings, testing::Contains(testing::HasSubstr("0.09 MJ that the battery gives")));
+  EXPECT_THAT(messages::sentences(found.messages),
+              testing::Contains(testing::HasSubstr("0.09 MJ that the battery gives")));
 }
 
 TEST(Isochrones, StopsWhenAsked) {

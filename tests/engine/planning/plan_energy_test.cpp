@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 
+#include "engine/messages/sentence.hpp"
 #include "engine/planning/plan_route.hpp"
 #include "tests/support/small_sea.hpp"
 
@@ -36,7 +37,8 @@ TEST(PlanEnergy, WarnsWhenTheBatteryDoesNotLast) {
   const auto found = plan({}, request);
 
   ASSERT_TRUE(found.has_value());
-  EXPECT_THAT(found->warnings, Contains(HasSubstr("more than the 0.18 MJ that the battery gives")));
+  EXPECT_THAT(messages::sentences(found->messages),
+              Contains(HasSubstr("more than the 0.18 MJ that the battery gives")));
 }
 
 TEST(PlanEnergy, RefusesAPlanBeyondTheBatteryWhereItIsRequired) {

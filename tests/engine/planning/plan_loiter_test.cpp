@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/messages/sentence.hpp"
 #include "engine/planning/cost/loiter.hpp"
 #include "engine/planning/evaluate_route.hpp"
 #include "engine/planning/plan_route.hpp"
@@ -27,7 +28,7 @@ core::Seconds waited(const Plan& plan) {
 }
 
 bool speaks_of_waiting(const Plan& plan) {
-  return std::ranges::any_of(plan.warnings, [](const std::string& warning) {
+  return std::ranges::any_of(messages::sentences(plan.messages), [](const std::string& warning) {
     return warning.find("--max-loiter") != std::string::npos;
   });
 }

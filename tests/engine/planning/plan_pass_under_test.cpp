@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/messages/sentence.hpp"
 #include "engine/planning/evaluate_route.hpp"
 #include "engine/planning/obstacles/pass_under.hpp"
 #include "engine/planning/plan_route.hpp"
@@ -53,7 +54,7 @@ TEST(PassUnder, LeadsBelowTheKeelAndSaysSo) {
   EXPECT_NEAR(under.keel.upper_turn.value, 70.0, 1e-9);
   // Eleven kilometres of the disc at 0.35 m/s.
   EXPECT_NEAR((under.until - under.from).count(), 2.0 * 5530.0 / 0.35, 700.0);
-  EXPECT_TRUE(std::ranges::any_of(result->warnings, [](const std::string& warning) {
+  EXPECT_TRUE(std::ranges::any_of(messages::sentences(result->messages), [](const std::string& warning) {
     return warning.find("under iceberg B-17: no surfacing") != std::string::npos;
   }));
 }

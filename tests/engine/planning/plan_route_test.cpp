@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "engine/geo/geodesic.hpp"
+#include "engine/messages/sentence.hpp"
 #include "engine/planning/cost/layout.hpp"
 #include "engine/planning/evaluate_route.hpp"
 #include "engine/planning/plane/coast_lines.hpp"
@@ -327,8 +328,8 @@ TEST(PlanRoute, KeepsAGoodRouteAndSaysSoWhenRefinementRunsOutOfTime) {
   ASSERT_TRUE(found.has_value());
   EXPECT_EQ(found->refinement->end, RefinementEnd::time);
   EXPECT_LE(found->refinement->after, found->refinement->before);
-  ASSERT_EQ(found->warnings.size(), 1U);
-  EXPECT_NE(found->warnings.front().find("ran out of its time"), std::string::npos);
+  ASSERT_EQ(found->messages.size(), 1U);
+  EXPECT_NE(messages::sentences(found->messages).front().find("ran out of its time"), std::string::npos);
 }
 
 TEST(PlanRoute, SaysThatTheStartLiesOnLand) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/messages/sentence.hpp"
 #include "engine/planning/plan_route.hpp"
 #include "engine/planning/planner/try_to_plan.hpp"
 #include "tests/support/property.hpp"
@@ -65,7 +66,7 @@ TEST(PlanSurvey, VisitsAPlaceBesideAnIcebergOnceItHasDriftedAway) {
   ASSERT_TRUE(found.has_value()) << found.error().explanation;
   ASSERT_TRUE(found->via_order.has_value());
   EXPECT_NE(found->via_order->vias.front(), 0U);
-  EXPECT_TRUE(std::ranges::none_of(found->warnings, [](const std::string& warning) {
+  EXPECT_TRUE(std::ranges::none_of(messages::sentences(found->messages), [](const std::string& warning) {
     return warning.find("longer than it need be") != std::string::npos;
   })) << "it comes back to its start because it has places to visit";
 }

@@ -8,8 +8,8 @@
 #include <random>
 #include <vector>
 
-#include "engine/core/message_rank.hpp"
 #include "engine/geo/geodesic.hpp"
+#include "engine/messages/sentence.hpp"
 #include "engine/planning/cost/sea.hpp"
 #include "engine/planning/cost/surfacing.hpp"
 #include "engine/planning/ice/nearest_ice.hpp"
@@ -89,10 +89,12 @@ TEST(PlanUnderIce, WarnsOfDeeperIceWithinTheErrorOfPosition) {
   request.method = Method::direct;
   const auto warns = testing::Contains(testing::HasSubstr("within the error of its position"));
 
-  EXPECT_THAT(planner::try_to_plan(sea_with(60.0), request, {}, {}, {}).value().warnings,
+  EXPECT_THAT(messages::sentences(planner::try_to_plan(sea_with(60.0), request, {}, {}, {}).value().messages),
               testing::Not(warns));
   request.under_ice.surfacing_interval = core::Seconds{86'400.0};
-  EXPECT_THAT(planner::try_to_plan(sea_with(69.02), request, {}, {}, {}).value().warnings, warns);
+  EXPECT_THAT(
+      messages::sentences(planner::try_to_plan(sea_with(69.02), request, {}, {}, {}).value().messages),
+      warns);
 }
 
 TEST(PlanUnderIce, WarnsOfOpeningsThatKeepTheBoundAndMayBeMissed) {
@@ -107,11 +109,13 @@ TEST(PlanUnderIce, WarnsOfOpeningsThatKeepTheBoundAndMayBeMissed) {
   request.method = Method::direct;
   const auto warns = testing::Contains(testing::HasSubstr("that the vehicle may miss"));
 
-  EXPECT_THAT(planned(sea, request).warnings, testing::Not(warns)) << "nothing counts on it";
+  EXPECT_THAT(messages::sentences(planned(sea, request).messages), testing::Not(warns))
+      << "nothing counts on it";
   request.under_ice.max_time_without_surfacing = core::Seconds{15.0 * 3600.0};
-  EXPECT_THAT(planned(sea, request).warnings, warns);
+  EXPECT_THAT(messages::sentences(planned(sea, request).messages), warns);
   request.under_ice.current_uncertainty = {0.0};
-  EXPECT_THAT(planned(sea, request).warnings, testing::Not(warns)) << "less off than the opening is wide";
+  EXPECT_THAT(messages::sentences(planned(sea, request).messages), testing::Not(warns))
+      << "less off than the opening is wide";
 }
 
 TEST(PlanUnderIce, WarnsOfEscapesThatEndAtTheEdgeOfTheIce) {
@@ -120,17 +124,19 @@ TEST(PlanUnderIce, WarnsOfEscapesThatEndAtTheEdgeOfTheIce) {
   request.under_ice.escape_plan = true;
   const auto warns = testing::Contains(testing::HasSubstr("escapes end nearer to ice"));
 
-  EXPECT_THAT(planned(band_of_ice(), request).warnings, warns);
+  EXPECT_THAT(messages::sentences(planned(band_of_ice(), request).messages), warns);
   request.under_ice.current_uncertainty = {0.0};
   request.under_ice.dead_reckoning_share = 0.0;
-  EXPECT_THAT(planned(band_of_ice(), request).warnings, testing::Not(warns)) << "whose position is certain";
+  EXPECT_THAT(messages::sentences(planned(band_of_ice(), request).messages), testing::Not(warns))
+      << "whose position is certain";
   ocean::Environment with_currents = band_of_ice();
   with_currents.currents = support::currents_from(
       [](geo::LonLat place, double) {
         return geo::VelocityEn{{0.0}, {std::abs(place.lon_deg + 53.0) < 0.2 ? 0.1 : 0.0}};
       },
       120);
-  EXPECT_THAT(planned(with_currents, request).warnings, warns) << "a current that it has not measured";
+  EXPECT_THAT(messages::sentences(planned(with_currents, request).messages), warns)
+      << "a current that it has not measured";
 }
 
 TEST(PlanUnderIce, PassesBelowTheIceWhenNothingBoundsTheTimeThere) {
@@ -222,7 +228,7 @@ TEST(PlanUnderIce, DrawsWhatDivesDrawThatTurnBelowTheIce) {
   EXPECT_NEAR(drawn.inflections, in_open_water.inflections, 1e-4 * in_open_water.inflections);
   EXPECT_GT(drawn.pump.value, 1.2 * planned({}, request).energy->use.pump.value);
   EXPECT_NEAR(below.waypoints.back().energy->value, drawn.total().value, 1e-6 * drawn.total().value);
-  EXPECT_THAT(below.warnings, Not(Contains(HasSubstr("dives turn as deep"))));
+  EXPECT_THAT(messages::sentences(below.messages), Not(Contains(HasSubstr("dives turn as deep"))));
 }
 
 /// Law: below ice everywhere it is carried as in open water when its dives turn as deep.
@@ -479,7 +485,7 @@ TEST(PlanUnderIce, TheErrorOfThePositionGrowsUntilTheVehicleMaySurfaceAgain) {
   EXPECT_NEAR(goal.position_error.value, (0.1 * 0.35 + 0.05) * goal.since_surfacing.count(), 1e-6);
   EXPECT_NEAR(goal.least_upper_turn.value, 18.0, 1e-4);
   EXPECT_EQ(plan.surfacing->waypoints.front().position_error.value, 0.0);
-  EXPECT_THAT(plan.warnings, Contains(HasSubstr("may not surface at the goal")));
+  EXPECT_THAT(messages::sentences(plan.messages), Contains(HasSubstr("may not surface at the goal")));
 }
 
 /// Straight on to a goal in ice, in which the current runs northwards at `in_ice_m_s`, and with `outside_m_s` in front
@@ -585,17 +591,17 @@ TEST(PlanUnderIce, TellsOfEachLegItsMeanCurrent) {
 
 TEST(PlanUnderIce, WarnsWhereTheVehicleMayNotSurfaceAtTheDeparture) {
   PlanRequest request = support::eastward_request();
-  EXPECT_THAT(planned(band_of_ice(), request).warnings,
+  EXPECT_THAT(messages::sentences(planned(band_of_ice(), request).messages),
               Not(Contains(HasSubstr("may not surface at the departure"))));
   request.from = {-53.0, 69.0};  // in the ice
 
-  EXPECT_THAT(planned(band_of_ice(), request).warnings,
+  EXPECT_THAT(messages::sentences(planned(band_of_ice(), request).messages),
               Contains(HasSubstr("may not surface at the departure")));
 }
 
 TEST(PlanUnderIce, TellsOfAStartAGoalAndViaPointsUnderIceAsDangers) {
   const auto dangers = [](const PlanRequest& request) {
-    return core::dangers_among(planned(band_of_ice(), request).warnings);
+    return messages::dangers_among(planned(band_of_ice(), request).messages);
   };
   PlanRequest request = support::eastward_request();
   EXPECT_THAT(dangers(request), Not(Contains(HasSubstr("under ice")))) << "it only passes below the band";
@@ -621,11 +627,11 @@ TEST(PlanUnderIce, TellsOfALongTimeBelowIceAsADangerUnlessThePilotBoundsIt) {
 
   const Plan long_below = planned(ice, request);
   ASSERT_GT(long_below.surfacing->longest_without.count(), 12.0 * 3600.0);
-  EXPECT_THAT(core::dangers_among(long_below.warnings),
+  EXPECT_THAT(messages::dangers_among(long_below.messages),
               testing::ElementsAre(HasSubstr("finds no place to surface below the ice")));
 
   request.under_ice.max_time_without_surfacing = core::Seconds{200.0 * 3600.0};
-  EXPECT_THAT(core::dangers_among(planned(ice, request).warnings), testing::IsEmpty());
+  EXPECT_THAT(messages::dangers_among(planned(ice, request).messages), testing::IsEmpty());
 }
 
 /// The ice is stored from four days after the departure on, and held for three days before that.
@@ -691,7 +697,8 @@ TEST(PlanUnderIce, SurfacesAtIntervalsInOpenWaterAndBeforeAndAfterTheIce) {
   }
   const auto& planned_ones = icy.surfacing->surfacings;
   ASSERT_GE(planned_ones.size(), 3U);
-  EXPECT_THAT(icy.warnings, Not(Contains(HasSubstr("have ice nearer than the position may be off"))));
+  EXPECT_THAT(messages::sentences(icy.messages),
+              Not(Contains(HasSubstr("have ice nearer than the position may be off"))));
   for (const PlannedSurfacing& surfacing : planned_ones)
     EXPECT_FALSE(surfacing.nearest_ice) << "within " << surfacing.position_error.value << " m";
   std::size_t gaps = 0;
@@ -729,7 +736,8 @@ TEST(PlanUnderIce, SurfacesWithMostRoomWhereItIsNowhereClearOfTheIce) {
   EXPECT_NEAR(in_the_lead->place.lon_deg, -53.0, 0.015);
   ASSERT_TRUE(in_the_lead->nearest_ice);
   EXPECT_LT(*in_the_lead->nearest_ice, in_the_lead->position_error);
-  EXPECT_THAT(plan.warnings, Contains(HasSubstr("have ice nearer than the position may be off")));
+  EXPECT_THAT(messages::sentences(plan.messages),
+              Contains(HasSubstr("have ice nearer than the position may be off")));
 }
 
 /// What was held at the ice while waypoints moved is free afterwards, and the places to visit are not.
@@ -811,7 +819,7 @@ TEST(PlanUnderIce, TheWayToOpenWaterMustLieWithinWhatIsLeftOfTheBattery) {
   EnergyUse drawn = plan.energy->use;
   request.vehicle.energy.battery_reserve_share = 0.0;
   request.vehicle.energy.battery = drawn.total() + core::Joules{0.5 * from_goal.energy.value};
-  EXPECT_THAT(planned(band_of_ice(), request).warnings,
+  EXPECT_THAT(messages::sentences(planned(band_of_ice(), request).messages),
               Contains(HasSubstr("the way to open water from waypoint")));
 
   request.energy.require_battery = true;

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "engine/geo/geodesic.hpp"
+#include "engine/messages/sentence.hpp"
 #include "engine/planning/plan_route.hpp"
 #include "tests/support/small_sea.hpp"
 
@@ -65,7 +66,7 @@ TEST(PlanZones, GoRoundAnAreaThatIsClosed) {
 
 /// The plan's warning of areas that it passes with little time to spare; empty: there is none.
 std::string warning_of_time(const Plan& found) {
-  for (const std::string& warning : found.warnings)
+  for (const std::string& warning : messages::sentences(found.messages))
     if (warning.find("would break its rule") != std::string::npos) return warning;
   return "";
 }

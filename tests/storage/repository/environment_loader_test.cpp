@@ -5,6 +5,7 @@
 #include <limits>
 #include <random>
 
+#include "engine/messages/sentence.hpp"
 #include "engine/ocean/iceberg_drift.hpp"
 #include "storage/repository/coastline_repository.hpp"
 #include "storage/repository/dataset_repository.hpp"
@@ -159,7 +160,7 @@ TEST_F(EnvironmentLoaderTest, WarnsOfEverythingThatIsMissing) {
   EXPECT_EQ(environment.currents, nullptr);
   EXPECT_EQ(environment.bathymetry, nullptr);
   EXPECT_THAT(environment.datasets, IsEmpty());
-  EXPECT_THAT(environment.warnings,
+  EXPECT_THAT(messages::sentences(environment.messages),
               ElementsAre(AllOf(HasSubstr("no stored currents"), HasSubstr("planned in still water")),
                           HasSubstr("no stored bathymetry"),
                           AllOf(HasSubstr("no stored ice for"), HasSubstr("open water is assumed")),
@@ -188,7 +189,8 @@ TEST_F(EnvironmentLoaderTest, WarnsOfWhatWasLeftOutAsRequested) {
   const ocean::Environment environment = load();
 
   EXPECT_EQ(environment.bathymetry, nullptr);
-  EXPECT_THAT(environment.warnings, Contains(HasSubstr("bathymetry left out as requested")));
+  EXPECT_THAT(messages::sentences(environment.messages),
+              Contains(HasSubstr("bathymetry left out as requested")));
 }
 
 TEST_F(EnvironmentLoaderTest, TakesTheNewestOfEachKindThatMeetsTheArea) {
@@ -208,7 +210,7 @@ TEST_F(EnvironmentLoaderTest, TakesTheNewestOfEachKindThatMeetsTheArea) {
   EXPECT_EQ(environment.datasets[0].sha256, "0123currents-new");
   EXPECT_EQ(environment.icebergs.size(), 1U);
   EXPECT_EQ(environment.land.size(), 1U);
-  EXPECT_THAT(environment.warnings, IsEmpty());
+  EXPECT_THAT(messages::sentences(environment.messages), IsEmpty());
 }
 
 TEST_F(EnvironmentLoaderTest, TakesAnOlderDatasetWhenTheNewestDoesNotCoverTheDeparture) {
@@ -276,7 +278,7 @@ TEST_F(EnvironmentLoaderTest, HoldsCurrentsSteadyAtTheirMeanAtAnyTime) {
   EXPECT_TRUE(environment.steady_currents);
   EXPECT_EQ(environment.currents->samples().times_s.size(), 1U);
   EXPECT_THAT(environment.currents->samples().u, testing::Each(2.0F));
-  EXPECT_THAT(environment.warnings,
+  EXPECT_THAT(messages::sentences(environment.messages),
               Contains(AllOf(HasSubstr("held steady: sample currents"), HasSubstr("mean of 5 steps"))));
 }
 
@@ -287,7 +289,7 @@ TEST_F(EnvironmentLoaderTest, HoldsTheOneStepSteady) {
   const ocean::Environment environment = load();
 
   EXPECT_TRUE(environment.steady_currents);
-  EXPECT_THAT(environment.warnings, Contains(HasSubstr("as at 2027-01-14T08:00:00Z")));
+  EXPECT_THAT(messages::sentences(environment.messages), Contains(HasSubstr("as at 2027-01-14T08:00:00Z")));
 }
 
 TEST_F(EnvironmentLoaderTest, HoldsCurrentsWithoutTimeSteady) {
@@ -298,18 +300,19 @@ TEST_F(EnvironmentLoaderTest, HoldsCurrentsWithoutTimeSteady) {
 
   EXPECT_TRUE(environment.steady_currents);
   EXPECT_NE(environment.currents, nullptr);
-  EXPECT_THAT(environment.warnings, Contains(HasSubstr("state no time")));
+  EXPECT_THAT(messages::sentences(environment.messages), Contains(HasSubstr("state no time")));
 }
 
 TEST_F(EnvironmentLoaderTest, WarnsOfCurrentsThatSayLittleOfDepth) {
   add_currents("currents", sample_time, 2, std::nullopt);
-  EXPECT_THAT(load().warnings, Contains(HasSubstr("state no depth")));
+  EXPECT_THAT(messages::sentences(load().messages), Contains(HasSubstr("state no depth")));
 
   add_currents("currents-surface", sample_time, 2, ocean::Axis{{0.5}});
-  EXPECT_THAT(load().warnings, Contains(HasSubstr("one level (1 m)")));
+  EXPECT_THAT(messages::sentences(load().messages), Contains(HasSubstr("one level (1 m)")));
 
   add_currents("currents-shallow", sample_time, 2, ocean::Axis{{0.0, 50.0}});
-  EXPECT_THAT(load().warnings, Contains(AllOf(HasSubstr("50 m only"), HasSubstr("dives to 200 m"))));
+  EXPECT_THAT(messages::sentences(load().messages),
+              Contains(AllOf(HasSubstr("50 m only"), HasSubstr("dives to 200 m"))));
 }
 
 TEST_F(EnvironmentLoaderTest, TellsOfIcebergsOnLand) {
@@ -321,7 +324,7 @@ TEST_F(EnvironmentLoaderTest, TellsOfIcebergsOnLand) {
   const ocean::Environment environment = load();
 
   EXPECT_EQ(environment.icebergs.size(), 2U) << "it is avoided all the same";
-  EXPECT_THAT(environment.warnings,
+  EXPECT_THAT(messages::sentences(environment.messages),
               Contains(AllOf(HasSubstr("1 of the icebergs lie on land"), HasSubstr("ashore"))));
 }
 
@@ -346,12 +349,12 @@ TEST_F(EnvironmentLoaderTest, PutsBathymetryTogetherInTheOrderOfTheNames) {
   EXPECT_THAT(cited(environment), ElementsAre("survey", "fine"));
   EXPECT_EQ(environment.bathymetry->depth({-52.2, 69.0})->value, 20.0);
   EXPECT_EQ(environment.bathymetry->depth({-51.5, 69.0})->value, 300.0);
-  EXPECT_THAT(environment.warnings, Contains(HasSubstr("put together")));
+  EXPECT_THAT(messages::sentences(environment.messages), Contains(HasSubstr("put together")));
 }
 
 TEST_F(EnvironmentLoaderTest, WarnsOfCoarseBathymetry) {
   add_bathymetry("depths", 0.5);
-  EXPECT_THAT(load().warnings, Contains(AllOf(HasSubstr("coarse"), HasSubstr("20 km"))));
+  EXPECT_THAT(messages::sentences(load().messages), Contains(AllOf(HasSubstr("coarse"), HasSubstr("20 km"))));
 }
 
 TEST_F(EnvironmentLoaderTest, SaysHowManyBergsWereSeenTooLongAgo) {
@@ -363,7 +366,7 @@ TEST_F(EnvironmentLoaderTest, SaysHowManyBergsWereSeenTooLongAgo) {
 
   ASSERT_EQ(environment.icebergs.size(), 1U);
   EXPECT_EQ(environment.icebergs[0].id, "young");
-  EXPECT_THAT(environment.warnings,
+  EXPECT_THAT(messages::sentences(environment.messages),
               Contains(AllOf(testing::StartsWith("Danger: 1 of 2 icebergs"),
                              HasSubstr("ignored: not seen since"), testing::EndsWith(": old"))));
 }
@@ -385,7 +388,7 @@ TEST_F(EnvironmentLoaderTest, TellsOfBergsSeenTooLongAgoHoweverTheyWereListed) {
     for (std::size_t i = 0; i < of_lists.size(); ++i)
       if (!of_lists[i].empty()) add_icebergs("list" + std::to_string(i), of_lists[i]);
 
-    const auto warnings = load().warnings;
+    const auto warnings = messages::sentences(load().messages);
 
     const auto told = std::ranges::find_if(warnings, [](const std::string& text) {
       return text.find("ignored: not seen since") != std::string::npos;
@@ -403,10 +406,10 @@ TEST_F(EnvironmentLoaderTest, TellsOfABergThatWasOnlySeenAfterTheDeparture) {
   const ocean::Environment environment = load();
 
   EXPECT_THAT(environment.icebergs, IsEmpty());
-  EXPECT_THAT(environment.warnings,
+  EXPECT_THAT(messages::sentences(environment.messages),
               Contains(AllOf(testing::StartsWith("Danger: 1 iceberg ignored: seen only after the departure"),
                              HasSubstr("--icebergs-as-of"), HasSubstr(": later at "))));
-  EXPECT_THAT(environment.warnings, Not(Contains(HasSubstr("no stored icebergs"))));
+  EXPECT_THAT(messages::sentences(environment.messages), Not(Contains(HasSubstr("no stored icebergs"))));
 }
 
 TEST_F(EnvironmentLoaderTest, LeavesOutLaterSightingsWithoutADangerWhereTheUserSaidSo) {
@@ -414,7 +417,7 @@ TEST_F(EnvironmentLoaderTest, LeavesOutLaterSightingsWithoutADangerWhereTheUserS
                          sample_berg("later", {-52.0, 69.2}, sample_time + hour)});
   query_.icebergs_as_of = sample_time;
 
-  const auto warnings = load().warnings;
+  const auto warnings = messages::sentences(load().messages);
 
   EXPECT_THAT(warnings, Contains(testing::StartsWith("1 iceberg left out as requested: seen only after")));
   EXPECT_THAT(warnings, Not(Contains(testing::StartsWith("Danger"))));
@@ -445,7 +448,7 @@ TEST_F(EnvironmentLoaderTest, TellsOfEveryBergThatOnlyLaterSightingsKnow) {
     for (std::size_t i = 0; i < of_lists.size(); ++i)
       if (!of_lists[i].empty()) add_icebergs("list" + std::to_string(i), of_lists[i]);
 
-    const auto warnings = load().warnings;
+    const auto warnings = messages::sentences(load().messages);
 
     const auto found = std::ranges::find_if(warnings, [](const std::string& text) {
       return text.find("ignored: seen only after") != std::string::npos;
@@ -513,11 +516,13 @@ TEST_F(EnvironmentLoaderTest, ReadsCurrentsFromTheSightingOnThatTellsOfADrift) {
   add_icebergs("bergs", {sample_berg("a", {-52.0, 69.0}, sample_time - 14 * hour),
                          sample_berg("a", {-52.02, 69.01}, sample_time - 2 * hour)});
   EXPECT_EQ(core::from_unix_seconds(load().currents->samples().times_s.front()), sample_time - 14 * hour);
-  EXPECT_THAT(load().warnings, Not(Contains(HasSubstr("only after the earlier sighting"))));
+  EXPECT_THAT(messages::sentences(load().messages),
+              Not(Contains(HasSubstr("only after the earlier sighting"))));
 
   DatasetRepository{db_}.remove({"flow"});
   add_currents("late", sample_time - 10 * hour, 30, levels_);
-  EXPECT_THAT(load().warnings, Contains(HasSubstr("of 1 of 1 icebergs the currents begin only after")));
+  EXPECT_THAT(messages::sentences(load().messages),
+              Contains(HasSubstr("of 1 of 1 icebergs the currents begin only after")));
 }
 
 TEST_F(EnvironmentLoaderTest, TakesDriftingBergsFromBeyondTheArea) {
@@ -556,7 +561,8 @@ TEST_F(EnvironmentLoaderTest, CarriesABergByTheWaterAllAlongItsKeelFromOutsideTh
     query_.area = area;
     query_.dive_depth = core::Metres{dive_m};
     const ocean::Environment environment = load();
-    EXPECT_THAT(environment.warnings, Not(Contains(HasSubstr("the current is not known"))));
+    EXPECT_THAT(messages::sentences(environment.messages),
+                Not(Contains(HasSubstr("the current is not known"))));
     return ocean::forecast_drift(environment.icebergs.at(0), environment, sample_time + 20 * hour)
         .back()
         .place;
@@ -613,7 +619,7 @@ TEST_F(EnvironmentLoaderTest, NamesTheIcebergsWhoseCurrentIsNotKnown) {
                          sample_berg("beyond", {-53.5, 69.0}, sample_time - 2 * hour),
                          sample_berg("before", {-52.2, 69.0}, sample_time - 9 * hour)});
 
-  const auto warnings = load().warnings;
+  const auto warnings = messages::sentences(load().messages);
   EXPECT_THAT(warnings, Contains(AllOf(HasSubstr("the current is not known all the way of 1 of 3 icebergs"),
                                        HasSubstr("beyond"), Not(HasSubstr("carried")))));
   EXPECT_THAT(warnings, Contains(HasSubstr("1 of 3 icebergs were seen before the currents begin")));
@@ -684,7 +690,7 @@ TEST_F(EnvironmentLoaderTest, KeepsTheBergsOfAnEarlierListThatALaterOneDoesNotNa
   ASSERT_EQ(moved->earlier.size(), 1U) << "its track leads through both lists";
   EXPECT_EQ(moved->earlier.front().time, sample_time - 30 * hour);
   EXPECT_THAT(cited(environment), UnorderedElementsAre("list", "update"));
-  EXPECT_THAT(environment.warnings,
+  EXPECT_THAT(messages::sentences(environment.messages),
               Contains(AllOf(HasSubstr("joined"), HasSubstr("59 of"), HasSubstr("2 of"))));
 }
 
@@ -770,8 +776,8 @@ TEST_F(EnvironmentLoaderTest, HoldsTheIceForThreeDaysBeyondItsPeriodAndSaysSo) {
 
   ASSERT_NE(environment.ice, nullptr);
   EXPECT_EQ(environment.ice->samples().times_s.size(), 1U);
-  EXPECT_THAT(environment.warnings, Contains(HasSubstr("is held as at 2027-01-12T")));
-  EXPECT_THAT(environment.warnings, Contains(HasSubstr("no thickness")));
+  EXPECT_THAT(messages::sentences(environment.messages), Contains(HasSubstr("is held as at 2027-01-12T")));
+  EXPECT_THAT(messages::sentences(environment.messages), Contains(HasSubstr("no thickness")));
 }
 
 /// Data of the hour itself go before newer ones that begin later or were made earlier, and those of a part of the area
@@ -784,8 +790,9 @@ TEST_F(EnvironmentLoaderTest, TakesIceOfOtherDatasetsWhereOrWhenTheNewestTellsNo
 
   EXPECT_EQ(environment.further_ice.size(), 1U);
   EXPECT_THAT(cited(environment), testing::IsSupersetOf({"later", "full"}));
-  EXPECT_THAT(environment.warnings, Contains(HasSubstr("ice is taken from several datasets")));
-  EXPECT_THAT(environment.warnings, Not(Contains(HasSubstr("is held as at"))));
+  EXPECT_THAT(messages::sentences(environment.messages),
+              Contains(HasSubstr("ice is taken from several datasets")));
+  EXPECT_THAT(messages::sentences(environment.messages), Not(Contains(HasSubstr("is held as at"))));
 
   add_ice("newest", sample_time - 2.0 * day, 40);
   environment = load();
@@ -811,8 +818,9 @@ TEST_F(EnvironmentLoaderTest, TakesIceThatBeginsWhileTheMissionMayLast) {
   add_ice("later", sample_time + 9.0 * day, 5);
 
   EXPECT_NE(load().ice, nullptr);
-  EXPECT_THAT(load().warnings, Contains(AllOf(HasSubstr("no ice is stored before 2027-01-24T"),
-                                              HasSubstr("open water is assumed until 2027-01-21T"))));
+  EXPECT_THAT(messages::sentences(load().messages),
+              Contains(AllOf(HasSubstr("no ice is stored before 2027-01-24T"),
+                             HasSubstr("open water is assumed until 2027-01-21T"))));
 
   query_.ice = named({"later"});
   EXPECT_THAT(violations(), ElementsAre(HasSubstr("/ice says nothing of the ice at")));
@@ -821,7 +829,8 @@ TEST_F(EnvironmentLoaderTest, TakesIceThatBeginsWhileTheMissionMayLast) {
 TEST_F(EnvironmentLoaderTest, TakesTheIceOfTheLatestDepartureToo) {
   add_ice("later", sample_time + 40.0 * day, 5);
   EXPECT_EQ(load().ice, nullptr);
-  EXPECT_THAT(load().warnings, Contains(HasSubstr("no stored ice for the time of departure")));
+  EXPECT_THAT(messages::sentences(load().messages),
+              Contains(HasSubstr("no stored ice for the time of departure")));
 
   query_.steady = true;
   query_.until = CoveredUntil{"arrive_by", sample_time + 30.0 * day};
@@ -834,7 +843,7 @@ TEST_F(EnvironmentLoaderTest, TakesAChartThatWasFilledInLaterBesideTheDataOfTheT
 
   EXPECT_EQ(load().ice->samples().times_s.size(), 1U);
   EXPECT_EQ(load().further_ice.size(), 1U);
-  EXPECT_THAT(load().warnings, Not(Contains(HasSubstr("is held as at"))));
+  EXPECT_THAT(messages::sentences(load().messages), Not(Contains(HasSubstr("is held as at"))));
 }
 
 TEST_F(EnvironmentLoaderTest, TakesOlderIceInALongGapOfTheNewest) {
@@ -850,7 +859,8 @@ TEST_F(EnvironmentLoaderTest, TakesOlderIceInALongGapOfTheNewest) {
 
   EXPECT_EQ(load().further_ice.size(), 1U);
   query_.ice = named({"gap"});
-  EXPECT_THAT(load().warnings, Contains(HasSubstr("nothing is known of the ice at the departure")));
+  EXPECT_THAT(messages::sentences(load().messages),
+              Contains(HasSubstr("nothing is known of the ice at the departure")));
 }
 
 TEST_F(EnvironmentLoaderTest, TakesOlderIceForItsThicknessWhereTheNewestHasNone) {
@@ -860,7 +870,8 @@ TEST_F(EnvironmentLoaderTest, TakesOlderIceForItsThicknessWhereTheNewestHasNone)
 
   EXPECT_THAT(cited(load()), testing::IsSupersetOf({"satellite", "model"}));
   EXPECT_THAT(cited(load()), Not(Contains("older")));
-  EXPECT_THAT(load().warnings, Contains(HasSubstr("has no thickness: that of others is taken")));
+  EXPECT_THAT(messages::sentences(load().messages),
+              Contains(HasSubstr("has no thickness: that of others is taken")));
 }
 
 TEST_F(EnvironmentLoaderTest, TakesAreasOfFastIceOnlyWhereThereIsNoOtherIce) {
@@ -876,7 +887,7 @@ TEST_F(EnvironmentLoaderTest, TakesAreasOfFastIceOnlyWhereThereIsNoOtherIce) {
 
   const ocean::Environment both = load();
   EXPECT_NEAR(both.ice->at({-52.0, 69.0}, sample_time)->concentration, 0.1, 1e-6);
-  EXPECT_THAT(both.warnings, Contains(HasSubstr("nothing outside them")));
+  EXPECT_THAT(messages::sentences(both.messages), Contains(HasSubstr("nothing outside them")));
 
   DatasetRepository{db_}.remove({"ice"});
   EXPECT_EQ(load().ice->at({-52.0, 69.0}, sample_time)->concentration, 1.0);
@@ -890,7 +901,7 @@ TEST_F(EnvironmentLoaderTest, TakesIceThatEndedBeforeTheDepartureForTheKeelsThat
 
   ASSERT_NE(environment.ice, nullptr);
   EXPECT_EQ(environment.ice->samples().times_s.size(), 1U);
-  EXPECT_THAT(environment.warnings,
+  EXPECT_THAT(messages::sentences(environment.messages),
               Contains(AllOf(HasSubstr("nothing is known of the ice at the departure"),
                              HasSubstr("2027-01-07T"), HasSubstr("keels that were known last"))));
 
@@ -904,7 +915,7 @@ TEST_F(EnvironmentLoaderTest, TakesNoIceOfAnotherTime) {
   const ocean::Environment environment = load();
 
   EXPECT_EQ(environment.ice, nullptr);
-  EXPECT_THAT(environment.warnings,
+  EXPECT_THAT(messages::sentences(environment.messages),
               Contains(AllOf(HasSubstr("no stored ice for the time of departure"), HasSubstr("open water"))));
   query_.ice = named({"ice"});
   EXPECT_THAT(violations(), ElementsAre(AllOf(HasSubstr("/ice says nothing of the ice at"),
@@ -936,7 +947,7 @@ TEST_F(EnvironmentLoaderTest, ObeysEveryZoneThatIsStoredForTheArea) {
   EXPECT_EQ(environment->zones[0].name, "c") << "the newest first";
   EXPECT_EQ(environment->zones[1].name, "a");
   EXPECT_EQ(environment->datasets.size(), 2U);
-  EXPECT_THAT(environment->warnings, Not(Contains(HasSubstr("zones"))));
+  EXPECT_THAT(messages::sentences(environment->messages), Not(Contains(HasSubstr("zones"))));
 }
 
 TEST_F(EnvironmentLoaderTest, ObeysNamedZonesAndTellsOfThoseLeftOut) {
@@ -954,9 +965,9 @@ TEST_F(EnvironmentLoaderTest, ObeysNamedZonesAndTellsOfThoseLeftOut) {
   ASSERT_TRUE(one && none);
   ASSERT_EQ(one->zones.size(), 1U);
   EXPECT_EQ(one->zones[0].name, "zones-1");
-  EXPECT_THAT(one->warnings, Contains(HasSubstr("zones-2")));
+  EXPECT_THAT(messages::sentences(one->messages), Contains(HasSubstr("zones-2")));
   EXPECT_TRUE(none->zones.empty());
-  EXPECT_THAT(none->warnings, Contains(HasSubstr("zones-1")));
+  EXPECT_THAT(messages::sentences(none->messages), Contains(HasSubstr("zones-1")));
   ASSERT_FALSE(unknown);
   EXPECT_EQ(unknown.error().front().field, "/zones");
 }
@@ -978,7 +989,7 @@ TEST_F(EnvironmentLoaderTest, TakesEachTimeFromTheNewestRunThatCoversIt) {
   EXPECT_THAT(cited(environment), ElementsAre("run-monday", "run-tuesday"));
   EXPECT_EQ(environment.datasets[0].until, sample_time + 11.0 * hour);
   EXPECT_EQ(environment.datasets[1].from, sample_time + 12.0 * hour);
-  EXPECT_THAT(environment.warnings, Contains(HasSubstr("joined in time")));
+  EXPECT_THAT(messages::sentences(environment.messages), Contains(HasSubstr("joined in time")));
 }
 
 /// Their ids come from their bytes and say nothing.
@@ -1044,7 +1055,7 @@ TEST_F(EnvironmentLoaderTest, GivesTheVeryCurrentsThatWereKept) {
   EXPECT_EQ(second->currents->samples().u, anew->currents->samples().u);
   EXPECT_EQ(second->currents->samples().v, anew->currents->samples().v);
   EXPECT_EQ(second->currents->times_s().nodes(), anew->currents->times_s().nodes());
-  EXPECT_EQ(second->warnings, anew->warnings);
+  EXPECT_EQ(second->messages, anew->messages);
 }
 
 TEST_F(EnvironmentLoaderTest, ReadsWhatIsStoredNowThoughOthersWereKept) {

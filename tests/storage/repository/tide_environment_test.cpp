@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include "engine/messages/sentence.hpp"
 #include "engine/ocean/iceberg_drift.hpp"
 #include "storage/repository/dataset_repository.hpp"
 #include "storage/repository/environment_loader.hpp"
@@ -110,7 +111,8 @@ TEST_F(TideEnvironment, AddsTheTideToTheCurrentsAndWarnsThatTheyMayHoldItAlready
     EXPECT_NEAR(eastward(environment, time), 0.1 + predicted("M2", {0.3, -0.2}, time), 0.006);
   }
   EXPECT_FALSE(environment.steady_currents);
-  EXPECT_THAT(environment.warnings, Contains(HasSubstr("does not say that they are without tides")));
+  EXPECT_THAT(messages::sentences(environment.messages),
+              Contains(HasSubstr("does not say that they are without tides")));
   EXPECT_EQ(environment.datasets.front().id, "currents-a");
   EXPECT_EQ(environment.datasets[1].id, "tides-m2");
 }
@@ -122,8 +124,9 @@ TEST_F(TideEnvironment, BelievesANameThatSaysDetided) {
 
   const auto environment = load_environment(db_, query_).value();
 
-  EXPECT_THAT(environment.warnings, Contains(HasSubstr("are added to the currents bay model, detided")));
-  EXPECT_THAT(environment.warnings, testing::Not(Contains(HasSubstr("counts twice"))));
+  EXPECT_THAT(messages::sentences(environment.messages),
+              Contains(HasSubstr("are added to the currents bay model, detided")));
+  EXPECT_THAT(messages::sentences(environment.messages), testing::Not(Contains(HasSubstr("counts twice"))));
 }
 
 TEST_F(TideEnvironment, AloneGoesOnForThirtyDaysAndLeavesTheCurrentsOut) {
@@ -137,7 +140,8 @@ TEST_F(TideEnvironment, AloneGoesOnForThirtyDaysAndLeavesTheCurrentsOut) {
   const core::UtcTime time = sample_time + 20.0 * day;
   EXPECT_NEAR(eastward(environment, time),
               predicted("M2", {0.3, -0.2}, time) + predicted("K1", {0.1, 0.0}, time), 0.006);
-  EXPECT_THAT(environment.warnings, Contains(HasSubstr("alone, the same at every depth")));
+  EXPECT_THAT(messages::sentences(environment.messages),
+              Contains(HasSubstr("alone, the same at every depth")));
 }
 
 /// Law: a berg that is seen outside the area drifts with the same tide as one inside.

@@ -1,9 +1,8 @@
 #include "engine/planning/search/waiting/late_openings.hpp"
 
 #include <algorithm>
-#include <cstdio>
 
-#include "engine/core/utc_text.hpp"
+#include "engine/messages/plan_messages.hpp"
 #include "engine/planning/cost/loiter.hpp"
 
 namespace floeplan::planning::search {
@@ -117,16 +116,15 @@ std::optional<LateOpening> worse_of(const std::optional<LateOpening>& a,
   return gains_more(*b, *a) ? b : a;
 }
 
-std::string describe(const LateOpening& opening) {
-  char place[48];
-  std::snprintf(place, sizeof place, "%.4f,%.4f", opening.place.lon_deg, opening.place.lat_deg);
-  std::string text =
-      "the current at " + std::string{place} + " is too strong for the vehicle when it could be there (" +
-      core::iso8601(opening.refused) + ") and lets it through from " + core::iso8601(opening.opens) + " on";
-  if (!opening.gain) return text;
-  char gain[32];
-  std::snprintf(gain, sizeof gain, "%.1f h", opening.gain->count() / 3600.0);
-  return text + "; coming later would be " + gain + " faster there";
+messages::Message message_of(const LateOpening& opening) {
+  const auto [lon_deg, lat_deg] = opening.place;
+  if (!opening.gain) {
+    return messages::plan_message<"leg-opens-later">(lon_deg, lat_deg, opening.refused, opening.opens)
+        .at(opening.place);
+  }
+  return messages::plan_message<"leg-opens-later-and-is-faster">(
+             lon_deg, lat_deg, opening.refused, opening.opens, opening.gain->count() / 3600.0)
+      .at(opening.place);
 }
 
 }  // namespace floeplan::planning::search

@@ -2,10 +2,10 @@
 
 #include <optional>
 #include <stop_token>
-#include <string>
 #include <vector>
 
 #include "engine/graph/search_tree.hpp"
+#include "engine/messages/message.hpp"
 #include "engine/planning/cost/sea.hpp"
 #include "engine/planning/problem/plan.hpp"
 #include "engine/planning/search/grid/grid_travel.hpp"
@@ -28,6 +28,6 @@ namespace floeplan::planning::search {
                                                   const std::optional<LateOpening>& b);
 
 /// What it means, for a pilot: "the current is too strong at ... until ...".
-[[nodiscard]] std::string describe(const LateOpening& opening);
+[[nodiscard]] messages::Message message_of(const LateOpening& opening);
 
 }  // namespace floeplan::planning::search

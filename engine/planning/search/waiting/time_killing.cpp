@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <numeric>
 
+#include "engine/messages/plan_messages.hpp"
 #include "engine/planning/cost/loiter.hpp"
 #include "engine/planning/search/waiting/latest_departure.hpp"
 
@@ -115,14 +115,10 @@ std::optional<core::Seconds> circles_too_long(const cost::Sea& sea, const OpenGr
   return *latest - depart - waits;
 }
 
-std::string describe(const TimeKilled& killed) {
-  char text[240];
-  std::snprintf(
-      text, sizeof text,
-      "between waypoints %zu and %zu the way is %.1f h longer than it need be, because what is in the "
-      "way opens later: let the vehicle wait (--max-loiter), or depart later",
-      killed.from, killed.to, killed.time.count() / 3600.0);
-  return text;
+messages::Message message_of(const TimeKilled& killed, geo::LonLat from) {
+  return messages::plan_message<"way-round-what-opens-later">(killed.from, killed.to,
+                                                              killed.time.count() / 3600.0)
+      .at(from);
 }
 
 }  // namespace floeplan::planning::search

@@ -3,9 +3,9 @@
 #include <cstddef>
 #include <optional>
 #include <stop_token>
-#include <string>
 #include <vector>
 
+#include "engine/messages/message.hpp"
 #include "engine/planning/cost/route.hpp"
 #include "engine/planning/cost/route_cost.hpp"
 #include "engine/planning/cost/sea.hpp"
@@ -53,7 +53,7 @@ struct TimeKilled {
                                                             std::optional<core::Seconds> at_once,
                                                             const std::stop_token& stop);
 
-/// What it means, for a pilot.
-[[nodiscard]] std::string describe(const TimeKilled& killed);
+/// What it means, for a pilot; `from` is the place where the part begins.
+[[nodiscard]] messages::Message message_of(const TimeKilled& killed, geo::LonLat from);
 
 }  // namespace floeplan::planning::search

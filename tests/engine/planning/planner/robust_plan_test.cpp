@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include "engine/messages/sentence.hpp"
 #include "engine/planning/plan_route.hpp"
 #include "tests/support/property.hpp"
 #include "tests/support/small_sea.hpp"
@@ -161,9 +162,10 @@ TEST(RobustPlan, SaysThatAShareCannotBeMetAndTakesTheBestInTheMeanOfTheOthers) {
 
   ASSERT_TRUE(found && by_mean);
   EXPECT_EQ(found->uncertainty->spread.quantile(0.9), std::nullopt);
-  EXPECT_THAT(found->warnings, testing::Contains(testing::AllOf(
-                                   testing::HasSubstr("in 1 of 4 members"),
-                                   testing::HasSubstr("the share of 90 % that is to arrive early"))));
+  EXPECT_THAT(
+      messages::sentences(found->messages),
+      testing::Contains(testing::AllOf(testing::HasSubstr("in 1 of 4 members"),
+                                       testing::HasSubstr("the share of 90 % that is to arrive early"))));
   EXPECT_EQ(*found->uncertainty->spread.mean(), *by_mean->uncertainty->spread.mean());
 }
 

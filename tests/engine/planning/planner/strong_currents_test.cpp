@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "engine/messages/sentence.hpp"
 #include "engine/planning/cost/layout.hpp"
 #include "engine/planning/plan_arrival.hpp"
 #include "engine/planning/plan_route.hpp"
@@ -55,7 +56,7 @@ TEST(StrongCurrents, CarryAVehicleFurtherThanTheWayIsLongAndLetItComeBack) {
   // Who holds a course across 1 m/s with 0.35 m/s of its own is carried 2.7 km along for each across.
   ASSERT_TRUE(plan);
   EXPECT_GT(plan->distance.value, 60'000.0);
-  EXPECT_THAT(plan->warnings, Contains(HasSubstr("as fast as the vehicle")));
+  EXPECT_THAT(messages::sentences(plan->messages), Contains(HasSubstr("as fast as the vehicle")));
 }
 
 TEST(StrongCurrents, AreCrossedByTheBestDepartureOfAWindowAndInTime) {
@@ -128,7 +129,7 @@ TEST(StrongCurrents, AreWhatMakesAllTheDifference) {
   ASSERT_TRUE(plan);
   EXPECT_EQ(plan->arrival, on_usual_grids->arrival);
   EXPECT_EQ(plan->waypoints.size(), on_usual_grids->waypoints.size());
-  EXPECT_THAT(plan->warnings, Each(Not(HasSubstr("as fast as the vehicle"))));
+  EXPECT_THAT(messages::sentences(plan->messages), Each(Not(HasSubstr("as fast as the vehicle"))));
 }
 
 TEST(StrongCurrents, HaveRoomOfFiveTimesTheDistanceOnAGridOfUsualSize) {

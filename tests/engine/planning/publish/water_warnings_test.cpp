@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "engine/messages/sentence.hpp"
 #include "engine/planning/plan_route.hpp"
 #include "tests/support/small_sea.hpp"
 
@@ -23,7 +24,7 @@ std::vector<std::string> warnings_in(std::shared_ptr<const ocean::CurrentGrid> c
   request.method = Method::direct;
   const auto plan = plan_route(environment, request, {}, {});
   EXPECT_TRUE(plan.has_value());
-  return plan ? plan->warnings : std::vector<std::string>{};
+  return plan ? messages::sentences(plan->messages) : std::vector<std::string>{};
 }
 
 std::vector<std::string> warnings_in(geo::VelocityEn everywhere) {

@@ -63,7 +63,7 @@ void expect_same(const Result<Plan>& a, const Result<Plan>& b) {
   }
   EXPECT_EQ(a->travel_time(), b->travel_time());
   EXPECT_EQ(a->optimality_gap, b->optimality_gap);
-  EXPECT_EQ(a->warnings, b->warnings);
+  EXPECT_EQ(a->messages, b->messages);
   ASSERT_EQ(a->waypoints.size(), b->waypoints.size());
   for (std::size_t i = 0; i < a->waypoints.size(); ++i) EXPECT_EQ(a->waypoints[i].eta, b->waypoints[i].eta);
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "engine/messages/sentence.hpp"
 #include "engine/planning/plan_route.hpp"
 #include "tests/support/property.hpp"
 #include "tests/support/small_sea.hpp"
@@ -53,7 +54,8 @@ TEST(LateOpenings, AreReportedWhereAStraitOpensAfterTheSearchWasThere) {
   EXPECT_LT(worst.refused, worst.opens);
   EXPECT_LT(worst.opens, at_hour(21.0));
   EXPECT_GT(worst.gain.value().count(), 60.0);
-  EXPECT_NE(found->warnings.back().find("too strong"), std::string::npos) << found->warnings.back();
+  EXPECT_NE(messages::sentences(found->messages).back().find("too strong"), std::string::npos)
+      << messages::sentences(found->messages).back();
 }
 
 TEST(LateOpenings, AreThereForThoseWhoDepartLater) {

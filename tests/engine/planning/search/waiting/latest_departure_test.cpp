@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "engine/messages/sentence.hpp"
 #include "engine/planning/plan_arrival.hpp"
 #include "engine/planning/plan_route.hpp"
 #include "engine/planning/search/chart.hpp"
@@ -115,8 +116,9 @@ TEST(PlanArrival, CountsTheIcebergsThatAreYoungEnoughForItsDeparture) {
   EXPECT_GT(through->departure, *in_the_way.too_old_from);
   EXPECT_TRUE(around->clearances.iceberg);
   EXPECT_FALSE(through->clearances.iceberg);
-  EXPECT_THAT(around->warnings, testing::Not(testing::Contains(testing::HasSubstr("left out"))));
-  EXPECT_THAT(through->warnings,
+  EXPECT_THAT(messages::sentences(around->messages),
+              testing::Not(testing::Contains(testing::HasSubstr("left out"))));
+  EXPECT_THAT(messages::sentences(through->messages),
               testing::Contains(testing::HasSubstr("Danger: 1 iceberg ignored: not seen")));
 }
 
@@ -158,7 +160,7 @@ TEST(PlanArrival, ArrivesBeforeTheGoalClosesWhereItIsClosedAtTheWantedTime) {
     const core::UtcTime closes = request.depart + core::Seconds{120.0 * 3600.0};
     EXPECT_LE(plan->arrival, closes);
     EXPECT_GT(plan->arrival, closes - core::Seconds{600.0}) << "to reach " << wanted << " h";
-    EXPECT_TRUE(std::ranges::any_of(plan->warnings, [](const std::string& warning) {
+    EXPECT_TRUE(std::ranges::any_of(messages::sentences(plan->messages), [](const std::string& warning) {
       return warning.find("before the wanted arrival") != std::string::npos;
     }));
   }
@@ -211,7 +213,7 @@ TEST(PlanArrival, SaysWhereTheMeanOfTheMembersIsInTimeAndThePlanItselfIsNot) {
 
   ASSERT_TRUE(plan.has_value()) << plan.error().explanation;
   EXPECT_GT(plan->arrival, *request.departures.arrive_by);
-  EXPECT_THAT(plan->warnings,
+  EXPECT_THAT(messages::sentences(plan->messages),
               testing::Contains(testing::HasSubstr("what counts is the mean of the members")));
 }
 

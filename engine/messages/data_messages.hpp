@@ -1,0 +1,257 @@
+#pragma once
+
+#include "engine/messages/kind.hpp"
+
+/// What a pilot is told of the data that something is computed in: what is missing, stretched or left out.
+/// Ranks    danger: hazards that are known and that nobody avoids. Caution: something is assumed in the place of data,
+///          or a hazard was left out, whoever wanted that: who flies the plan is often not who made it. Note: where the
+///          data come from, and wishes that hide no hazard
+namespace floeplan::messages {
+
+inline constexpr auto data_kinds = std::to_array<Kind>({
+    // Nothing stored, or left out.
+    {.code = "bathymetry-left-out",
+     .rank = Rank::caution,
+     .text = "bathymetry left out as requested: the depth of the water is not checked"},
+    {.code = "bathymetry-missing",
+     .rank = Rank::caution,
+     .text = "no stored bathymetry for {area}: the depth of the water is not checked",
+     .slots = {{{"area", "60 W to 58 W, 69 N to 70 N"}}}},
+    {.code = "coastline-left-out",
+     .rank = Rank::caution,
+     .text = "coastline left out as requested: land is known from depths and currents only"},
+    {.code = "coastline-missing",
+     .rank = Rank::caution,
+     .text = "no stored coastline for {area}: land is known from depths and currents only",
+     .slots = {{{"area", "60 W to 58 W, 69 N to 70 N"}}}},
+    {.code = "currents-left-out",
+     .rank = Rank::caution,
+     .text = "currents left out as requested: planned in still water"},
+    {.code = "currents-missing",
+     .rank = Rank::caution,
+     .text = "no stored currents for {area}: planned in still water",
+     .slots = {{{"area", "60 W to 58 W, 69 N to 70 N"}}}},
+    {.code = "ice-left-out",
+     .rank = Rank::caution,
+     .text = "ice left out as requested: open water is assumed"},
+    {.code = "ice-missing",
+     .rank = Rank::caution,
+     .text = "no stored ice for {area}: open water is assumed",
+     .slots = {{{"area", "60 W to 58 W, 69 N to 70 N"}}}},
+    {.code = "icebergs-left-out",
+     .rank = Rank::caution,
+     .text = "icebergs left out as requested: no iceberg is avoided"},
+    {.code = "icebergs-missing",
+     .rank = Rank::caution,
+     .text = "no stored icebergs for {area}: no iceberg is avoided",
+     .slots = {{{"area", "60 W to 58 W, 69 N to 70 N"}}}},
+    {.code = "zones-left-out",
+     .rank = Rank::caution,
+     .text = "zones of {dataset} left out as requested: they are not obeyed",
+     .slots = {{{"dataset", "reserves (zones-1)"}}}},
+
+    // Icebergs.
+    {.code = "sightings-too-old",
+     .rank = Rank::danger,
+     .text = "{ignored} of {known} {known:iceberg|icebergs} of {datasets} ignored: not seen since {oldest}. "
+             "Each may still be near the route, and the plan avoids none of them",
+     .hint = "Ingest newer sightings, or raise the maximum sighting age (--max-sighting-age). Ignored: "
+             "{names}",
+     .slots = {{{"ignored", 2},
+                {"known", 60},
+                {"datasets", "Ice Patrol (icebergs-1)"},
+                {"oldest", "2027-01-05T06:00:00Z"},
+                {"names", "B-17, B-18"}}}},
+    {.code = "sightings-after-departure",
+     .rank = Rank::danger,
+     .text = "{ignored} {ignored:iceberg|icebergs} ignored: seen only after the departure at {departure}. "
+             "Each may be near the route, and the plan avoids none of them",
+     .hint = "Let them count (--icebergs-as-of {last}), or depart later. Ignored: {names}",
+     .slots = {{{"ignored", 1},
+                {"departure", "2027-01-12T06:00:00Z"},
+                {"last", "2027-01-12T18:00:00Z"},
+                {"names", "B-17 at 2027-01-12T18:00:00Z"}}}},
+    {.code = "sightings-after-window",
+     .rank = Rank::danger,
+     .text = "{ignored} {ignored:iceberg|icebergs} ignored: seen only after the last departure asked for, "
+             "{departure}. Each may be near the route, and the plan avoids none of them",
+     .hint = "Let them count (--icebergs-as-of {last}), or depart later. Ignored: {names}",
+     .slots = {{{"ignored", 1},
+                {"departure", "2027-01-12T06:00:00Z"},
+                {"last", "2027-01-12T18:00:00Z"},
+                {"names", "B-17 at 2027-01-12T18:00:00Z"}}}},
+    {.code = "sightings-left-out",
+     .rank = Rank::caution,
+     .text = "{ignored} {ignored:iceberg|icebergs} left out as requested: seen only after {as_of} "
+             "({names}). The plan avoids none of them",
+     .slots =
+         {{{"ignored", 1}, {"as_of", "2027-01-12T06:00:00Z"}, {"names", "B-17 at 2027-01-12T18:00:00Z"}}}},
+    {.code = "icebergs-joined",
+     .rank = Rank::note,
+     .text = "icebergs are joined from several datasets, of each berg the newest sighting: {datasets}",
+     .slots = {{{"datasets", "40 of Ice Patrol (icebergs-1), 3 of satellites (icebergs-2)"}}}},
+    {.code = "icebergs-on-land",
+     .rank = Rank::caution,
+     .text = "{on_land} of the icebergs lie on land by the coastline ({names}): their positions or the "
+             "coastline are wrong there",
+     .slots = {{{"on_land", 2}, {"names", "B-17, B-18"}}}},
+    {.code = "sightings-before-currents",
+     .rank = Rank::caution,
+     .text = "{before} of {icebergs} icebergs were seen before the currents begin, at {begin}: until then "
+             "they are taken to move as between their last sightings, else before the wind where that is "
+             "known, or else to stay",
+     .slots = {{{"before", 60}, {"icebergs", 60}, {"begin", "2027-01-12T00:00:00Z"}}}},
+    {.code = "earlier-sightings-before-currents",
+     .rank = Rank::caution,
+     .text = "of {before} of {icebergs} icebergs the currents begin only after the earlier sighting, at "
+             "{begin}: they are taken to move with the current and the wind alone, not as they were seen to "
+             "beside them",
+     .slots = {{{"before", 3}, {"icebergs", 60}, {"begin", "2027-01-12T00:00:00Z"}}}},
+    {.code = "icebergs-beyond-currents",
+     .rank = Rank::caution,
+     .text = "the current is not known all the way of {unknown} of {icebergs} icebergs ({names}): where it "
+             "is not they are taken to move as between their last sightings, else before the wind where "
+             "that is known, or else to stay",
+     .slots = {{{"unknown", 3}, {"icebergs", 60}, {"names", "B-17, B-18, B-19"}}}},
+    {.code = "wind-not-at-departure",
+     .rank = Rank::caution,
+     .text = "no stored wind for the time of departure ({periods}): icebergs drift as the water carries them",
+     .slots = {{{"periods", "wind (wind-1) covers 2027-01-01T00:00:00Z to 2027-01-03T00:00:00Z"}}}},
+
+    // Sea ice.
+    {.code = "ice-not-at-departure",
+     .rank = Rank::caution,
+     .text = "no stored ice for the time of departure ({periods}): open water is assumed",
+     .slots = {{{"periods", "chart (ice-1) covers 2027-01-01T00:00:00Z to 2027-01-03T00:00:00Z"}}}},
+    {.code = "ice-not-begun",
+     .rank = Rank::caution,
+     .text = "no ice is stored before {begin}: open water is assumed until {held_from}, from when on its "
+             "first step is held",
+     .slots = {{{"begin", "2027-01-16T00:00:00Z"}, {"held_from", "2027-01-13T00:00:00Z"}}}},
+    {.code = "ice-unknown-at-departure",
+     .rank = Rank::caution,
+     .text = "nothing is known of the ice at the departure: {dataset} tells of it at {step}, and ice is "
+             "held for at most 3 days; dives keep below the keels that were known last, and no surfacing is "
+             "counted on",
+     .slots = {{{"dataset", "chart (ice-1)"}, {"step", "2027-01-08T00:00:00Z"}}}},
+    {.code = "ice-held",
+     .rank = Rank::caution,
+     .text = "ice of {dataset} is held as at {step}, the step nearest to the departure",
+     .slots = {{{"dataset", "chart (ice-1)"}, {"step", "2027-01-11T00:00:00Z"}}}},
+    {.code = "ice-without-thickness",
+     .rank = Rank::caution,
+     .text = "ice of {dataset} has no thickness: a draft is assumed wherever there is ice",
+     .slots = {{{"dataset", "chart (ice-1)"}}}},
+    {.code = "ice-with-thickness-of-others",
+     .rank = Rank::caution,
+     .text = "ice of {dataset} has no thickness: that of others is taken where they tell of dense ice, and "
+             "elsewhere a draft is assumed",
+     .slots = {{{"dataset", "chart (ice-1)"}}}},
+    {.code = "ice-areas-not-used",
+     .rank = Rank::caution,
+     .text = "{dataset} holds areas of ice and nothing outside them; not used beside {used}",
+     .hint = "make zones of them, or name it to plan with it alone",
+     .slots = {{{"dataset", "fast ice (ice-2)"}, {"used", "chart (ice-1)"}}}},
+    {.code = "ice-joined",
+     .rank = Rank::note,
+     .text = "ice is taken from several datasets, at each place and time from the one whose data are "
+             "nearest to that time, the first where several are: {datasets}",
+     .slots = {{{"datasets", "chart (ice-1), then model (ice-2)"}}}},
+    {.code = "old-ice-not-asked",
+     .rank = Rank::note,
+     .text = "more than {most} datasets of ice are stored for this area and time: the oldest are not asked",
+     .slots = {{{"most", 40}}}},
+
+    // Depths.
+    {.code = "bathymetry-coarse",
+     .rank = Rank::caution,
+     .text = "bathymetry {datasets} is coarse, one depth in {spacing}: shoals and islands between its nodes "
+             "are not seen",
+     .slots = {{{"datasets", "globe (bathymetry-1)"}, {"spacing", "20 km"}}}},
+    {.code = "bathymetry-joined",
+     .rank = Rank::note,
+     .text = "bathymetry is put together from several datasets, in this order: {datasets}; one depth in "
+             "{spacing}",
+     .slots = {{{"datasets", "bay (bathymetry-2), then globe (bathymetry-1)"}, {"spacing", "500 m"}}}},
+
+    // Currents.
+    {.code = "currents-without-depth",
+     .rank = Rank::caution,
+     .text = "currents {dataset} state no depth: taken as the same at every depth",
+     .slots = {{{"dataset", "bay model (currents-1)"}}}},
+    {.code = "currents-of-one-level",
+     .rank = Rank::caution,
+     .text = "currents {dataset} have one level ({level}): used at every depth",
+     .slots = {{{"dataset", "bay model (currents-1)"}, {"level", "1 m"}}}},
+    {.code = "currents-above-dives",
+     .rank = Rank::caution,
+     .text = "currents {dataset} reach down to {deepest} only, dives to {dives}: the water below is taken "
+             "to move like the mean above",
+     .slots = {{{"dataset", "bay model (currents-1)"}, {"deepest", "50 m"}, {"dives", "200 m"}}}},
+    {.code = "currents-without-time",
+     .rank = Rank::caution,
+     .text = "currents held steady: {dataset} state no time",
+     .slots = {{{"dataset", "bay model (currents-1)"}}}},
+    {.code = "currents-held-steady",
+     .rank = Rank::note,
+     .text = "currents held steady: {dataset} as at {time}",
+     .slots = {{{"dataset", "bay model (currents-1)"}, {"time", "2027-01-12T00:00:00Z"}}}},
+    {.code = "currents-held-at-mean",
+     .rank = Rank::note,
+     .text = "currents held steady: {dataset}, the mean of {steps} steps from {period}",
+     .slots = {{{"dataset", "bay model (currents-1)"},
+                {"steps", 24},
+                {"period", "2027-01-12T00:00:00Z to 2027-01-13T00:00:00Z"}}}},
+    {.code = "runs-joined",
+     .rank = Rank::note,
+     .text = "{kind} are joined in time, the newest run first in each: {parts}",
+     .slots = {{{"kind", "currents"},
+                {"parts", "bay model (currents-1) from 2027-01-12T00:00:00Z to 2027-01-13T00:00:00Z"}}}},
+
+    // Tides.
+    {.code = "tides-alone",
+     .rank = Rank::note,
+     .text = "currents are the tidal currents of {tides} alone, the same at every depth",
+     .slots = {{{"tides", "bay tides (tides-1)"}}}},
+    {.code = "tides-added",
+     .rank = Rank::note,
+     .text = "tides of {tides} are added to the currents {currents}",
+     .slots = {{{"tides", "bay tides (tides-1)"}, {"currents", "bay model, detided (currents-1)"}}}},
+    {.code = "tides-may-count-twice",
+     .rank = Rank::caution,
+     .text = "tides of {tides} are added to the currents {currents}, whose name does not say that they are "
+             "without tides: if they hold the tide already, it counts twice",
+     .slots = {{{"tides", "bay tides (tides-1)"}, {"currents", "bay model (currents-1)"}}}},
+    {.code = "tides-unknown",
+     .rank = Rank::caution,
+     .text = "tides of {tides} have no value at any node of the currents: no current is known",
+     .slots = {{{"tides", "bay tides (tides-1)"}}}},
+    {.code = "tides-unknown-at-nodes",
+     .rank = Rank::caution,
+     .text = "tides of {tides} have no value at {unknown} of {nodes} nodes of the currents: taken as "
+             "without water",
+     .slots = {{{"tides", "bay tides (tides-1)"}, {"unknown", 14}, {"nodes", 900}}}},
+    {.code = "tides-in-coarse-steps",
+     .rank = Rank::caution,
+     .text = "tides are laid out in steps of {step}, coarser than their bends:",
+     .hint = "a smaller area helps",
+     .slots = {{{"step", "30 min"}}}},
+    {.code = "tides-end-early",
+     .rank = Rank::caution,
+     .text = "tides are laid out to {end} only:",
+     .hint = "a smaller area helps",
+     .slots = {{{"end", "2027-01-20T00:00:00Z"}}}},
+    {.code = "drift-tides-end-early",
+     .rank = Rank::caution,
+     .text = "the tides that carry icebergs are laid out to {end} only:",
+     .hint = "a smaller area helps",
+     .slots = {{{"end", "2027-01-20T00:00:00Z"}}}},
+});
+
+/// The message of this code; it is told its values in the order of the catalogue.
+template <Code code, class... Given>
+[[nodiscard]] Message data_message(const Given&... given) {
+  return make_message<data_kinds, code>(given...);
+}
+
+}  // namespace floeplan::messages

@@ -1,0 +1,98 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "engine/core/units.hpp"
+#include "engine/core/utc_text.hpp"
+#include "engine/messages/message.hpp"
+
+/// What a row of the catalogue is, and how a message is made of one. Only the rows themselves hold words.
+namespace floeplan::messages {
+
+/// A value that every message of a kind has, and an example of it; the example's type is the value's.
+struct Slot {
+  std::string_view name;
+  std::variant<double, std::int64_t, std::string_view> example;
+};
+
+/// A row of the catalogue.
+/// Text, hint  what is the matter, and what to do about it. They name their values in braces, with how a number is
+///             written: "ice at {ice_km:.1f} km" (the format of {fmt}); of a count the word: "{legs} {legs:leg|legs}"
+struct Kind {
+  std::string_view code;  // stays, since programs and stored plans know it
+  Rank rank;
+  std::string_view text;
+  std::string_view hint{};
+  std::array<Slot, 7> slots{};  // those without a name are unused
+
+  [[nodiscard]] constexpr std::size_t values() const {
+    return static_cast<std::size_t>(
+        std::ranges::count_if(slots, [](const Slot& slot) { return !slot.name.empty(); }));
+  }
+};
+
+/// The message of a kind with as many values as it names, of their types.
+[[nodiscard]] Message message_of(const Kind& kind, std::vector<Value> values);
+
+/// With the examples of the catalogue.
+[[nodiscard]] Message example_of(const Kind& kind);
+
+/// A code as the argument of a template, so that one that is not in the catalogue does not compile.
+template <std::size_t size>
+struct Code {
+  consteval Code(const char (&text)[size]) { std::ranges::copy(text, characters.begin()); }
+  [[nodiscard]] constexpr std::string_view view() const { return {characters.data(), size - 1}; }
+  std::array<char, size> characters{};
+};
+
+consteval const Kind& kind_among(std::span<const Kind> kinds, std::string_view code) {
+  for (const Kind& kind : kinds)
+    if (kind.code == code) return kind;
+  throw std::logic_error{"no message has this code"};
+}
+
+template <class T>
+Value value_from(const T& given) {
+  if constexpr (std::is_same_v<T, core::UtcTime>) {
+    return core::iso8601(given);
+  } else if constexpr (std::floating_point<T>) {
+    return double{given};
+  } else if constexpr (std::integral<T>) {
+    return static_cast<std::int64_t>(given);
+  } else {
+    return std::string{given};
+  }
+}
+
+/// Whether the slots ask for values of these types.
+template <class... Given>
+consteval bool takes(const Kind& kind) {
+  if (kind.values() != sizeof...(Given)) return false;
+  const std::array<std::size_t, sizeof...(Given)> types{
+      (std::floating_point<Given> ? 0U : (std::integral<Given> ? 1U : 2U))...};
+  for (std::size_t i = 0; i < types.size(); ++i)
+    if (kind.slots[i].example.index() != types[i]) return false;
+  return true;
+}
+
+/// The message with this code among the kinds; one that is not there, or has other values, does not compile.
+template <const auto& kinds, Code code, class... Given>
+[[nodiscard]] Message make_message(const Given&... given) {
+  constexpr const Kind& kind = kind_among(kinds, code.view());
+  static_assert(takes<std::decay_t<Given>...>(kind), "these are not the values that the catalogue names");
+  return message_of(kind, {value_from(given)...});
+}
+
+}  // namespace floeplan::messages

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "engine/geo/lon_lat.hpp"
+
+namespace floeplan::messages {
+
+/// How much a message matters, the gravest first.
+enum class Rank {
+  danger,   // the vehicle may be lost
+  caution,  // the plan may not hold
+  note      // good to know
+};
+
+[[nodiscard]] std::string_view rank_name(Rank rank);
+[[nodiscard]] std::optional<Rank> parse_rank(std::string_view name);
+
+/// What a message speaks of: a number in the unit that its name ends in ("error_km"), a count, or words; a moment is
+/// words in ISO 8601.
+using Value = std::variant<double, std::int64_t, std::string>;
+
+struct NamedValue {
+  std::string name;
+  Value value;
+
+  friend bool operator==(const NamedValue&, const NamedValue&) = default;
+};
+
+/// Something that a person is told. Programs go by the code and the values, which stay; the text may be worded better.
+/// Made of a row of the catalogue (catalogue.hpp), or read back from where it was stored.
+struct Message {
+  std::string code;
+  Rank rank{Rank::note};
+  std::optional<geo::LonLat> place{};  // where on the map; empty: all over, or nowhere
+  std::vector<NamedValue> values{};
+  std::string text{};  // what is the matter and what it means
+  std::string hint{};  // what to do; empty where nothing can be done, and where the text says it
+
+  [[nodiscard]] Message at(geo::LonLat where) &&;
+
+  friend bool operator==(const Message&, const Message&) = default;
+};
+
+/// The gravest first, each rank in its order.
+[[nodiscard]] std::vector<Message> by_rank(std::vector<Message> messages);
+
+}  // namespace floeplan::messages

@@ -1,0 +1,87 @@
+#include "engine/messages/catalogue.hpp"
+
+#include <gmock/gmock.h>
+#include <unistd.h>
+
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <sstream>
+
+#include "engine/messages/sentence.hpp"
+#include "tests/support/places.hpp"
+
+namespace floeplan::messages::catalogue_test {
+namespace {
+
+std::string kind_of_value(const Slot& slot) {
+  return std::array{"number", "count", "words"}.at(slot.example.index());
+}
+
+/// Every message with the values of its examples.
+std::string listing() {
+  std::string text;
+  for (const Kind& kind : catalogue()) {
+    text += std::string{rank_name(kind.rank)} + ' ' + std::string{kind.code};
+    for (std::size_t i = 0; i < kind.values(); ++i)
+      text += (i == 0 ? " (" : ", ") + std::string{kind.slots[i].name} + ": " + kind_of_value(kind.slots[i]);
+    text += (kind.values() > 0 ? ")\n  " : "\n  ") + whole_text(example_of(kind)) + '\n';
+  }
+  return text;
+}
+
+TEST(Catalogue, IsListedWithEveryMessage) {
+  const std::string file = support::source_folder() + "/tests/golden/messages.txt";
+  std::ostringstream listed;
+  listed << std::ifstream{file}.rdbuf();
+
+  const std::string now = listing();
+
+  if (listed.str() == now) return;
+  const auto written = std::filesystem::temp_directory_path() / ("messages." + std::to_string(::getuid()));
+  std::ofstream{written} << now;
+  FAIL() << "the messages are others than listed; read the difference, and if it is meant: cp " << written
+         << ' ' << file;
+}
+
+TEST(Catalogue, HasOneKindForACode) {
+  std::set<std::string_view> codes;
+  for (const Kind& kind : catalogue()) {
+    EXPECT_TRUE(codes.insert(kind.code).second) << kind.code;
+    EXPECT_THAT(std::string{kind.code}, testing::MatchesRegex("[a-z]+(-[a-z]+)*"));
+  }
+}
+
+TEST(Catalogue, SpeaksOfEveryValue) {
+  for (const Kind& kind : catalogue()) {
+    const std::string words = std::string{kind.text} + std::string{kind.hint};
+    for (std::size_t i = 0; i < kind.values(); ++i) {
+      const std::string name{kind.slots[i].name};
+      EXPECT_THAT(words,
+                  testing::AnyOf(testing::HasSubstr("{" + name + "}"), testing::HasSubstr("{" + name + ":")))
+          << kind.code;
+    }
+  }
+}
+
+TEST(Catalogue, NamesTheUnitOfEveryNumber) {
+  for (const Kind& kind : catalogue()) {
+    for (std::size_t i = 0; i < kind.values(); ++i) {
+      if (!std::holds_alternative<double>(kind.slots[i].example)) continue;
+      EXPECT_THAT(std::string{kind.slots[i].name}, testing::MatchesRegex(".*_(km|m|h|min|mj|pct|deg|m_s)"))
+          << kind.code;
+    }
+  }
+}
+
+TEST(Catalogue, SaysWhatToDoAboutEveryDanger) {
+  for (const Kind& kind : catalogue()) {
+    if (kind.rank == Rank::danger && kind.text != "{remark}") {
+      EXPECT_FALSE(kind.hint.empty()) << kind.code;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace floeplan::messages::catalogue_test
