@@ -7,6 +7,7 @@
 #include "api/codec/dataset_document.hpp"
 #include "api/codec/document_values.hpp"
 #include "api/codec/passage_document.hpp"
+#include "api/codec/sha256.hpp"
 #include "api/codec/surfacing_document.hpp"
 #include "api/codec/uncertainty_inputs.hpp"
 #include "engine/core/utc_text.hpp"
@@ -314,6 +315,15 @@ json plan_document(const planning::Plan& plan, const std::string& plan_id, const
       {"datasets", dataset_refs_json(plan.datasets)}};
   tell(document, plan.messages);
   return document;
+}
+
+std::string plan_identity(const json& inputs, const planning::Plan& plan) {
+  json told = plan_document(plan, "", "");
+  for (const char* other : {"search", "dangers", "warnings", "messages", "optimality_gap_reason"})
+    told.erase(other);
+  json& codes = told["codes"] = json::array();
+  for (const messages::Message& message : messages::by_rank(plan.messages)) codes.push_back(message.code);
+  return "p" + sha256(inputs.dump() + "\n" + told.dump()).substr(0, 12);
 }
 
 json infeasible_document(const planning::Infeasible& infeasible, const ocean::Environment& environment) {

@@ -16,6 +16,13 @@ namespace floeplan::codec {
 [[nodiscard]] nlohmann::json plan_document(const planning::Plan& plan, const std::string& plan_id,
                                            const std::string& name);
 
+/// The id of a plan for these inputs: a digest of the inputs and of all that the plan tells, its data with their hashes
+/// included, but for words and for how the search went. What a person is told counts by its codes. So the same inputs
+/// on the same data have the same id, whatever the program that plans, as long as the same plan comes of them. Another
+/// program, or a machine that is too slow for the whole refinement, may come to another plan or find another danger in
+/// it, and nobody is to be given the old one for it.
+[[nodiscard]] std::string plan_identity(const nlohmann::json& inputs, const planning::Plan& plan);
+
 /// The answer when there is no plan: where, when, why, and what would help.
 [[nodiscard]] nlohmann::json infeasible_document(const planning::Infeasible& infeasible,
                                                  const ocean::Environment& environment);

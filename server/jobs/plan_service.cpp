@@ -6,7 +6,6 @@
 
 #include "api/codec/departure_document.hpp"
 #include "api/codec/plan_document.hpp"
-#include "api/codec/sha256.hpp"
 #include "engine/core/utc_text.hpp"
 #include "engine/messages/plan_messages.hpp"
 #include "engine/planning/evaluate_route.hpp"
@@ -23,18 +22,6 @@ namespace floeplan::jobs {
 namespace {
 
 using nlohmann::json;
-
-/// The same inputs on the same data have the same id as long as the same plan comes of them. Another program, or a
-/// machine that is too slow for the whole refinement, may come to another one, and nobody is to be given the old one
-/// for it.
-std::string plan_id(const json& inputs, const ocean::Environment& environment, const planning::Plan& plan) {
-  std::string text = inputs.dump();
-  for (const auto& dataset : environment.datasets) text += "\n" + dataset.id + " " + dataset.sha256;
-  json told = codec::plan_document(plan, "", "");
-  told.erase("search");  // how long it took
-  text += "\n" + told.dump();
-  return "p" + codec::sha256(text).substr(0, 12);
-}
 
 geo::BoundingBox bounds(const planning::Plan& plan) {
   std::vector<geo::LonLat> places;
@@ -136,7 +123,7 @@ tl::expected<json, core::Violations> plan_route_document(sqlite::Connection& db,
   add_remarks(*plan, inputs.warnings);
 
   const json request = codec::to_json(inputs);
-  const std::string id = plan_id(request, *environment, *plan);
+  const std::string id = codec::plan_identity(request, *plan);
   json document = codec::plan_document(*plan, id, inputs.name);
   document["sightings"] = sightings_json(inputs.data, plan->departure);
   add_departures(document, departures);

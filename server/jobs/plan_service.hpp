@@ -18,7 +18,7 @@ namespace floeplan::jobs {
 /// Returns  the plan document: status "ok", or "infeasible" with the reason ("cancelled" when `stop` was
 ///          requested); of a plan that was stored before under the same id that one's
 /// Errors   violations of the choice of data (unknown id, wrong kind, nothing in common with the area)
-/// Names    the plan's id is a digest of its inputs and of the data used: the same request gives the same id
+/// Names    the plan's id is codec::plan_identity: the same request on the same data gives the same id
 [[nodiscard]] tl::expected<nlohmann::json, core::Violations> plan_route_document(
     sqlite::Connection& db, const codec::PlanInputs& inputs, const std::stop_token& stop,
     const core::ProgressCallback& progress, core::UtcTime now, KeptWork* kept = nullptr);

@@ -96,6 +96,29 @@ TEST(PlanDocument, OfAnEarlierVersionHasItsWarningsByTheirRank) {
   EXPECT_EQ(plan_document(plan, "p-01", "").at("warnings"), document.at("warnings"));
 }
 
+TEST(PlanIdentity, IsThatOfTheInputsAndThePlanNotOfItsWords) {
+  const json inputs{{"from", {-53.25, 69.2}}};
+  planning::Plan plan = two_legs();
+  plan.messages = {messages::plan_message<"goal-under-ice">()};
+  const std::string id = plan_identity(inputs, plan);
+
+  planning::Plan in_other_words = plan;
+  in_other_words.messages[0].text = "no open water at the goal";
+  in_other_words.optimality_gap_reason = "nobody asked";
+  in_other_words.search.duration = core::Seconds{12.0};
+  EXPECT_EQ(plan_identity(inputs, in_other_words), id);
+
+  planning::Plan with_another_danger = plan;
+  with_another_danger.messages.push_back(messages::plan_message<"start-under-ice">());
+  planning::Plan later = plan;
+  later.arrival += core::Seconds{1.0};
+  planning::Plan on_other_data = plan;
+  on_other_data.datasets = {{.id = "ice-1", .kind = "ice", .name = "chart", .sha256 = "abc"}};
+  for (const planning::Plan& other : {with_another_danger, later, on_other_data})
+    EXPECT_NE(plan_identity(inputs, other), id);
+  EXPECT_NE(plan_identity({{"from", {-53.0, 69.2}}}, plan), id);
+}
+
 TEST(PlanDocument, KeepsTheDrivesOfTheLegsAndWhatTheyDraw) {
   planning::Plan plan = two_legs();
   plan.waypoints.push_back(plan.waypoints[1]);
