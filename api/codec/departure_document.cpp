@@ -31,7 +31,7 @@ json departures_json(const std::vector<planning::DepartureOutcome>& outcomes) {
     if (outcome.energy) entry["energy_j"] = outcome.energy->value;
     if (outcome.closed) {
       entry["reason"] = planning::reason_name(outcome.closed->reason);
-      entry["explanation"] = outcome.closed->explanation;
+      entry["explanation"] = outcome.closed->explanation();
     }
     result.push_back(std::move(entry));
   }

@@ -63,10 +63,15 @@ core::UtcTime stored_time(const json& object, const char* key) {
   return *time;
 }
 
+json messages_json(const std::vector<messages::Message>& messages) {
+  json told = json::array();
+  for (const messages::Message& message : messages) told.push_back(told_json(message));
+  return told;
+}
+
 void tell(json& document, std::vector<messages::Message> messages) {
   const std::vector<messages::Message> ordered = messages::by_rank(std::move(messages));
-  json& told = document["messages"] = json::array();
-  for (const messages::Message& message : ordered) told.push_back(told_json(message));
+  document["messages"] = messages_json(ordered);
   document["dangers"] = messages::dangers_among(ordered);
   document["warnings"] = messages::sentences(ordered);
 }

@@ -18,6 +18,7 @@ namespace floeplan::codec {
 /// Errors   throws std::runtime_error naming `key`
 [[nodiscard]] core::UtcTime stored_time(const nlohmann::json& object, const char* key);
 
+[[nodiscard]] nlohmann::json messages_json(const std::vector<messages::Message>& messages);
 /// Gives a document "messages", the gravest first, and beside them their sentences: "warnings", all of them, and
 /// "dangers".
 void tell(nlohmann::json& document, std::vector<messages::Message> messages);

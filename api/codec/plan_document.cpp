@@ -329,14 +329,17 @@ std::string plan_identity(const json& inputs, const planning::Plan& plan) {
 json infeasible_document(const planning::Infeasible& infeasible, const ocean::Environment& environment) {
   json changes = json::array();
   for (const planning::Change& change : infeasible.changes) changes.push_back(change_json(change));
+  std::vector<messages::Message> why{infeasible.why};
+  why.insert(why.end(), infeasible.besides.begin(), infeasible.besides.end());
   json document{
       {"status", "infeasible"},
       {"reason", planning::reason_name(infeasible.reason)},
       {"at",
        {{"lon", document_degrees(infeasible.at.lon_deg)}, {"lat", document_degrees(infeasible.at.lat_deg)}}},
       {"when", core::iso8601(infeasible.when)},
-      {"explanation", infeasible.explanation},
-      {"suggestion", infeasible.suggestion},
+      {"explanation", infeasible.explanation()},
+      {"suggestion", infeasible.suggestion()},
+      {"why", messages_json(why)},
       {"binding_constraint", planning::constraint_name(infeasible.binding)},
       {"smallest_change", changes.empty() ? json() : changes.front()},
       {"changes", std::move(changes)},

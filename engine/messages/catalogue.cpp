@@ -2,13 +2,14 @@
 
 #include "engine/messages/data_messages.hpp"
 #include "engine/messages/plan_messages.hpp"
+#include "engine/messages/refusal_messages.hpp"
 
 namespace floeplan::messages {
 
 std::vector<Kind> catalogue() {
   std::vector<Kind> all;
-  for (const std::span<const Kind> kinds :
-       {std::span<const Kind>{plan_kinds}, std::span<const Kind>{data_kinds}})
+  using Kinds = std::span<const Kind>;
+  for (const Kinds kinds : {Kinds{plan_kinds}, Kinds{data_kinds}, Kinds{refusal_kinds}, Kinds{phrase_kinds}})
     all.insert(all.end(), kinds.begin(), kinds.end());
   return all;
 }

@@ -6,7 +6,7 @@
 
 namespace floeplan::messages {
 
-/// All kinds of messages of the engine and of its data, in the order of their headers.
+/// All kinds of messages of plans, of their data and of refusals, and the phrases in these.
 [[nodiscard]] std::vector<Kind> catalogue();
 
 }  // namespace floeplan::messages

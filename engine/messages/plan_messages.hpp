@@ -261,15 +261,20 @@ inline constexpr auto plan_kinds = std::to_array<Kind>({
      .rank = Rank::caution,
      .text = "the plan draws {drawn_mj:.2f} MJ, {missing_mj:.2f} MJ more than the {usable_mj:.2f} MJ that "
              "the battery gives above its reserve",
+     .hint = "start with a fuller battery, save energy (--objective energy, --thruster off, deeper dives), "
+             "or plan a shorter way",
      .slots = {{{"drawn_mj", 1.25}, {"missing_mj", 0.25}, {"usable_mj", 1.0}}}},
     {.code = "battery-below-reserve",
      .rank = Rank::caution,
      .text = "the plan draws {drawn_mj:.2f} MJ, and the battery begins {missing_mj:.2f} MJ below its reserve",
+     .hint = "start with a fuller battery, save energy (--objective energy, --thruster off, deeper dives), "
+             "or plan a shorter way",
      .slots = {{{"drawn_mj", 1.25}, {"missing_mj", 0.1}}}},
     {.code = "battery-too-small-for-escape",
      .rank = Rank::caution,
      .text = "the way to open water from waypoint {waypoint} draws {drawn_mj:.2f} MJ, but {left_mj:.2f} MJ "
              "are left there above the battery's reserve",
+     .hint = "start with a fuller battery, plan a way nearer to open water, or plan without --escape-plan",
      .slots = {{{"waypoint", 3}, {"drawn_mj", 0.4}, {"left_mj", 0.25}}}},
 
     // How the way was looked for.

@@ -73,7 +73,7 @@ std::size_t leg_at(const std::vector<geo::LonLat>& places, geo::LonLat at) {
 std::string text_of(const Infeasible& closed) {
   std::array<char, 80> where{};
   std::snprintf(where.data(), where.size(), " at %.4f, %.4f", closed.at.lon_deg, closed.at.lat_deg);
-  return closed.explanation + where.data() + " on " + core::iso8601(closed.when);
+  return closed.explanation() + where.data() + " on " + core::iso8601(closed.when);
 }
 
 /// What is wrong with the dives on a leg that leads to `place`, over its shoalest bed.

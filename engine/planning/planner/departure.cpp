@@ -6,10 +6,10 @@
 #include <map>
 #include <memory>
 #include <stdexcept>
-#include <string>
 #include <utility>
 
 #include "engine/messages/plan_messages.hpp"
+#include "engine/messages/refusal_messages.hpp"
 #include "engine/planning/cost/driven_route.hpp"
 #include "engine/planning/cost/route_cost.hpp"
 #include "engine/planning/cost/sea_members.hpp"
@@ -329,9 +329,7 @@ WindowPlan try_to_plan_window(const ocean::Environment& environment, const PlanR
   const auto left = std::ranges::count_if(
       *outcomes, [](const DepartureOutcome& outcome) { return outcome.travel_time.has_value(); });
   if (left > 0) {
-    why.explanation += "; " + std::to_string(most_refused) + " of " + std::to_string(outcomes->size()) +
-                       " departures were tried, " + std::to_string(left) +
-                       " with a way were not: a shorter window looks at them";
+    why.besides.push_back(messages::refusal<"departures-tried">(most_refused, outcomes->size(), left));
   }
   return {.departures = std::move(*outcomes), .plan = tl::unexpected(std::move(why))};
 }

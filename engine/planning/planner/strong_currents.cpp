@@ -4,13 +4,12 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstdio>
-#include <string>
 #include <utility>
 #include <vector>
 
 #include "engine/geo/geodesic.hpp"
 #include "engine/messages/plan_messages.hpp"
+#include "engine/messages/refusal_messages.hpp"
 #include "engine/planning/cost/layout.hpp"
 #include "engine/planning/planner/cost_plan.hpp"
 #include "engine/planning/planner/robust_plan.hpp"
@@ -77,12 +76,6 @@ bool is_cheaper(const Plan& a, const Plan& b, const Objective& objective) {
   return cost_of(a, objective) < cost_of(b, objective);
 }
 
-std::string kilometres_text(core::Metres length) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.0f km", length.value / 1000.0);
-  return text;
-}
-
 }  // namespace
 
 bool any_current_may_close(const ocean::CurrentGrid& currents, const PlanRequest& request,
@@ -131,9 +124,8 @@ bool more_room_may_help(const Infeasible& why, const ocean::Environment& environ
 
 Infeasible with_area_searched(Infeasible why, const PlanRequest& looked_for) {
   const core::Metres usual = usual_room(looked_for);
-  why.explanation += "; ways were looked for no further than " +
-                     kilometres_text(std::max(looked_for.room.value_or(usual), usual)) +
-                     " beside the straight line and beyond its ends";
+  why.besides.push_back(
+      messages::refusal<"area-searched">(std::max(looked_for.room.value_or(usual), usual).value / 1000.0));
   return why;
 }
 

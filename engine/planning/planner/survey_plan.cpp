@@ -3,10 +3,10 @@
 #include <cstddef>
 #include <numeric>
 #include <optional>
-#include <string>
 #include <utility>
 #include <vector>
 
+#include "engine/messages/refusal_messages.hpp"
 #include "engine/planning/planner/survey_order.hpp"
 #include "engine/planning/search/explanation.hpp"
 
@@ -60,9 +60,7 @@ class SurveyPlans {
   [[nodiscard]] Result<Plan> best() && {
     if (best_) return std::move(*best_);
     if (tried_.size() > 1) {
-      why_not_as_given_.explanation += " (in the order given; of the orders that promised more, " +
-                                       std::to_string(tried_.size() - 1) +
-                                       " were tried, too, and none has a plan)";
+      why_not_as_given_.besides.push_back(messages::refusal<"other-orders-tried">(tried_.size() - 1));
     }
     return tl::unexpected(std::move(why_not_as_given_));
   }

@@ -8,6 +8,7 @@
 
 #include "engine/core/utc_text.hpp"
 #include "engine/messages/plan_messages.hpp"
+#include "engine/messages/refusal_messages.hpp"
 #include "engine/planning/planner/departure.hpp"
 #include "engine/planning/planner/robust_plan.hpp"
 #include "engine/planning/planner/try_to_plan.hpp"
@@ -65,20 +66,14 @@ Infeasible too_early(const PlanRequest& request, const Plan& earliest) {
   const core::UtcTime wanted = *request.departures.arrive_by;
   const core::UtcTime arrival = arrival_that_counts(earliest, request.uncertainty);
   Infeasible why{
-      .reason = Reason::arrival_too_early,
-      .at = request.to,
-      .when = wanted,
-      .explanation = "leaving at " + core::iso8601(request.depart) + ", the earliest departure, ",
-      .suggestion = "arrive by then or later, allow an earlier departure (--depart), or raise the speed",
-      .binding = Constraint::caller};
+      .reason = Reason::arrival_too_early, .at = request.to, .when = wanted, .binding = Constraint::caller};
   if (!std::isfinite(core::unix_seconds(arrival))) {
-    why.explanation += "arrives in too few of the members of the currents";
+    why.why = messages::refusal<"earliest-departure-in-too-few-members">(request.depart).at(request.to);
     return why;
   }
   const core::UtcTime possible = core::from_unix_seconds(std::ceil(core::unix_seconds(arrival)));
-  const std::string possible_text = core::iso8601(possible);
-  why.explanation += "arrives at " + possible_text;
-  why.changes = {{"arrive_by", wanted, possible, "arrive by " + possible_text}};
+  why.why = messages::refusal<"earliest-departure-too-late">(request.depart, possible).at(request.to);
+  why.changes = {{"arrive_by", wanted, possible, "arrive by " + core::iso8601(possible)}};
   return why;
 }
 

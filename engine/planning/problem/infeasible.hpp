@@ -9,6 +9,7 @@
 
 #include "engine/core/units.hpp"
 #include "engine/geo/lon_lat.hpp"
+#include "engine/messages/message.hpp"
 
 namespace floeplan::planning {
 
@@ -78,10 +79,10 @@ struct Postponed {
 
 struct Infeasible {
   Reason reason{};
-  geo::LonLat at{};           // where the search or the vehicle stopped
-  core::UtcTime when{};       // and at what time it would have been there
-  std::string explanation{};  // for a person, one sentence
-  std::string suggestion{};   // what would help, one sentence
+  geo::LonLat at{};                          // where the search or the vehicle stopped
+  core::UtcTime when{};                      // and at what time it would have been there
+  messages::Message why{};                   // what stands in the way, and what would help
+  std::vector<messages::Message> besides{};  // what more was found out, in that order
   Constraint binding{};
   std::vector<Change> changes{};  // found to make it possible, any one of them; the smallest first
   /// Of a stop that cannot be used, to where the vehicle may be: not tried yet, what is likelier to help first.
@@ -91,6 +92,11 @@ struct Infeasible {
   /// The work set aside for finding them was done before all were tried: smaller ones, or others, may help, too.
   bool changes_cut_short{false};
   std::optional<Postponed> postponed{};
+
+  /// For a person: what stands in the way and what was found out besides, one sentence.
+  [[nodiscard]] std::string explanation() const;
+  /// What would help, by the last that was found out; one sentence.
+  [[nodiscard]] std::string suggestion() const;
 };
 
 template <class T>

@@ -33,10 +33,7 @@ std::optional<Infeasible> check_battery(Plan& plan, const PlanRequest& request) 
   return Infeasible{.reason = Reason::energy_exceeded,
                     .at = empty.place,
                     .when = empty.eta,
-                    .explanation = std::move(shortage.text),
-                    .suggestion =
-                        "start with a fuller battery, save energy (--objective energy, --thruster "
-                        "off, deeper dives), or plan a shorter way",
+                    .why = std::move(shortage),
                     .binding = Constraint::battery};
 }
 
@@ -56,10 +53,7 @@ std::optional<Infeasible> check_escapes(Plan& plan, const PlanRequest& request) 
     return Infeasible{.reason = Reason::energy_exceeded,
                       .at = waypoint.place,
                       .when = waypoint.eta,
-                      .explanation = std::move(shortage.text),
-                      .suggestion =
-                          "start with a fuller battery, plan a way nearer to open water, or plan "
-                          "without --escape-plan",
+                      .why = std::move(shortage),
                       .binding = Constraint::battery};
   }
   return std::nullopt;

@@ -23,10 +23,6 @@ enum class Stop { start, via, goal };
 [[nodiscard]] Infeasible explain_route(const cost::RouteClosed& closed, const cost::Sea& sea,
                                        const PlanRequest& request);
 
-/// What a reason ends with whose search came to no end.
-inline constexpr const char* cut_short_note =
-    " (the search was cut short at its bound on memory: there may be a way all the same)";
-
 /// Says where a search stopped and what stood in its way.
 [[nodiscard]] Infeasible explain_search(const RouteSearch& search, const cost::Sea& sea,
                                         const PlanRequest& request);

@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "engine/messages/refusal_messages.hpp"
 #include "engine/planning/cost/route_cost.hpp"
 #include "engine/planning/search/explanation.hpp"
 #include "engine/planning/search/waiting/late_openings.hpp"
@@ -184,16 +185,13 @@ class Parts {
       const Stop kind = i + 1 == grids_.size() ? Stop::goal : Stop::via;
       Infeasible why = explain_circling(*search.opens_later, kind, grid.point(grid.goal), sea_, request_);
       why.search_cut_short = search.statistics.cut_short || statistics_.cut_short;
-      if (why.search_cut_short) why.explanation += cut_short_note;
+      if (why.search_cut_short) why.besides.push_back(messages::refusal<"search-without-end">());
       return why;
     }
     search.statistics.cut_short = search.statistics.cut_short || statistics_.cut_short;
     Infeasible why = explain_search(search, sea_, request_);
-    if (is_for_want_of_surfacing(search)) {
-      why.explanation +=
-          " (the way was looked for from stop to stop, as early at each as it can be: there may be one that "
-          "comes to a stop later, all the same)";
-    }
+    if (is_for_want_of_surfacing(search))
+      why.besides.push_back(messages::refusal<"searched-from-stop-to-stop">());
     return why;
   }
 

@@ -7,6 +7,7 @@
 #include "api/codec/departure_document.hpp"
 #include "api/codec/plan_inputs.hpp"
 #include "engine/core/utc_text.hpp"
+#include "engine/messages/refusal_messages.hpp"
 
 namespace floeplan::codec::departure_inputs_test {
 namespace {
@@ -110,8 +111,7 @@ TEST(DeparturesJson, HasTheTimeOrTheReasonOfEachDeparture) {
   outcomes[1].closed = planning::Infeasible{.reason = planning::Reason::outside_data,
                                             .at = {},
                                             .when = {},
-                                            .explanation = "data end",
-                                            .suggestion = ""};
+                                            .why = messages::refusal<"way-outside-data">()};
 
   const json curve = departures_json(outcomes);
 

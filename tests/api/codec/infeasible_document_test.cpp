@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "api/codec/plan_document.hpp"
+#include "engine/messages/refusal_messages.hpp"
 
 namespace floeplan::codec::infeasible_document_test {
 namespace {
@@ -22,6 +23,23 @@ TEST(InfeasibleDocument, TellsAChangeWithTheOneThatBelongsToIt) {
   EXPECT_EQ(change.at("with").at(0).at("input"), "vehicle/minimum_working_depth_m");
   EXPECT_EQ(change.at("with").at(0).at("to"), 149.0);
   EXPECT_TRUE(change.at("with").at(0).at("with").empty());
+}
+
+TEST(InfeasibleDocument, TellsWhatStandsInTheWayAndWhatWasFoundOutBesides) {
+  planning::Infeasible why;
+  why.why = messages::refusal<"way-in-zone">().at({-53.0, 69.0});
+  why.besides = {messages::refusal<"way-without-zones">(), messages::refusal<"area-searched">(104.0)};
+
+  const nlohmann::json document = infeasible_document(why, {});
+
+  EXPECT_EQ(document.at("explanation"),
+            "the way breaks the rule of a zone; without zones there would be a way; ways were looked for no "
+            "further than 104 km beside the straight line and beyond its ends");
+  EXPECT_EQ(document.at("suggestion"), "change the zones or their times");
+  EXPECT_EQ(document.at("why").at(0).at("code"), "way-in-zone");
+  EXPECT_EQ(document.at("why").at(0).at("place").at("lat"), 69.0);
+  EXPECT_EQ(document.at("why").at(2).at("values").at("beside_km"), 104.0);
+  EXPECT_TRUE(document.at("warnings").empty()) << "these are of the data";
 }
 
 }  // namespace

@@ -110,13 +110,13 @@ TEST(PlanAgain, APlanRoundAreasThatAreClosedForAWhileIsTheSameWhereItIsWritten) 
     ++planned;
 
     const auto again = evaluate_route(environment, written(*found, 1e7), request);
-    ASSERT_TRUE(again.has_value()) << again.error().explanation;
+    ASSERT_TRUE(again.has_value()) << again.error().explanation();
     // Each leg through currents is integrated to the tolerance of an edge, in another plane.
     const double agreement = flows ? 0.5 * request.edge_tolerance : 1e-6;
     EXPECT_NEAR(again->travel_time().count(), found->travel_time().count(),
                 agreement * found->travel_time().count());
     const auto rounded = evaluate_route(environment, written(*found, 600'000.0), request);
-    EXPECT_TRUE(rounded.has_value()) << "as mission files hold it: " << rounded.error().explanation;
+    EXPECT_TRUE(rounded.has_value()) << "as mission files hold it: " << rounded.error().explanation();
   });
   EXPECT_GT(planned, 20);
 }
@@ -138,7 +138,7 @@ TEST(PlanAgain, APlanIsNotRefusedWhereItsRouteIsJudgedOnTheSameData) {
 
     for (const double parts_of_a_degree : {1e7, 600'000.0}) {
       const auto again = evaluate_route(environment, written(*found, parts_of_a_degree), request);
-      ASSERT_TRUE(again.has_value()) << again.error().explanation;
+      ASSERT_TRUE(again.has_value()) << again.error().explanation();
       EXPECT_NEAR(again->travel_time().count(), found->travel_time().count(),
                   1e-3 * found->travel_time().count());
     }

@@ -54,7 +54,7 @@ TEST(Circling, IsNoPlanWhereTheGoalOpensLongAfterTheVehicleCouldBeThere) {
   EXPECT_EQ(result.error().reason, Reason::goal_near_iceberg);
   EXPECT_EQ(result.error().binding, Constraint::iceberg);
   EXPECT_LT(geo::geodesic_between(result.error().at, request.to).length.value, 1.0);
-  const std::string& why = result.error().explanation;
+  const std::string why = result.error().explanation();
   EXPECT_NE(why.find("iceberg B-17"), std::string::npos) << why;
   const std::string until = core::iso8601(start + opening(request));
   EXPECT_NE(why.find(", until " + until.substr(0, 13)), std::string::npos) << why;
@@ -78,7 +78,7 @@ TEST(Circling, IsBlamedOnTheAreaThatKeepsTheGoalForLongerThanTheIceberg) {
   ASSERT_FALSE(result);
   EXPECT_EQ(result.error().reason, Reason::goal_in_zone);
   EXPECT_EQ(result.error().binding, Constraint::zone);
-  const std::string& why = result.error().explanation;
+  const std::string why = result.error().explanation();
   EXPECT_NE(why.find(", until " + core::iso8601(*request.zones[0].until).substr(0, 13)), std::string::npos)
       << why;
 }
@@ -93,8 +93,8 @@ TEST(Circling, IsNotBlamedOnTheGoalWhereAnAreaClosesTheWayForGood) {
   ASSERT_FALSE(result);
   EXPECT_EQ(result.error().reason, Reason::goal_unreachable);
   EXPECT_EQ(result.error().binding, Constraint::zone);
-  EXPECT_EQ(result.error().explanation.find("the goal lies"), std::string::npos)
-      << result.error().explanation;
+  EXPECT_EQ(result.error().explanation().find("the goal lies"), std::string::npos)
+      << result.error().explanation();
 }
 
 TEST(Circling, IsRefusedWithTheDepartureThatNeedsNone) {
@@ -181,7 +181,7 @@ TEST(Circling, ForAWhileIsPartOfAWayThatIsFlown) {
 
   const Result<Plan> result = plan(environment, request);
 
-  ASSERT_TRUE(result) << result.error().explanation;
+  ASSERT_TRUE(result) << result.error().explanation();
   EXPECT_GT(result->travel_time().count(), 9'980.0 / 0.35 + hour_s);
   EXPECT_GT(least_gap_m(*result, environment, request.icebergs), -50.0);
 }

@@ -51,7 +51,7 @@ TEST(PlanEnergy, RefusesAPlanBeyondTheBatteryWhereItIsRequired) {
 
   ASSERT_FALSE(found.has_value());
   EXPECT_EQ(found.error().reason, Reason::energy_exceeded);
-  EXPECT_THAT(found.error().explanation, HasSubstr("MJ more than"));
+  EXPECT_THAT(found.error().explanation(), HasSubstr("MJ more than"));
 
   request.vehicle.energy.battery_start_share = 1.0;
   EXPECT_TRUE(plan({}, request).has_value());

@@ -33,7 +33,7 @@ TEST(PlanAmongIcebergs, FindsTheOnlyWayThroughWhenItOpensLater) {
   const Result<Plan> later = plan(environment, request);
 
   ASSERT_TRUE(free.has_value());
-  ASSERT_TRUE(later.has_value()) << later.error().explanation;
+  ASSERT_TRUE(later.has_value()) << later.error().explanation();
   EXPECT_GT(later->travel_time().count(), free->travel_time().count() + 3.0 * hour_s);
   EXPECT_GT(later->clearances.iceberg->value, request.icebergs.margin.value);
 }
@@ -149,9 +149,9 @@ TEST(PlanAmongIcebergs, CannotBeginInsideADiscAndNamesTheBerg) {
 
   ASSERT_FALSE(result);
   EXPECT_EQ(result.error().reason, Reason::start_near_iceberg);
-  EXPECT_NE(result.error().explanation.find("B-17"), std::string::npos) << result.error().explanation;
-  EXPECT_NE(result.error().explanation.find("3000 m for the error"), std::string::npos)
-      << result.error().explanation;
+  EXPECT_NE(result.error().explanation().find("B-17"), std::string::npos) << result.error().explanation();
+  EXPECT_NE(result.error().explanation().find("3000 m for the error"), std::string::npos)
+      << result.error().explanation();
 }
 
 TEST(PlanAmongIcebergs, SaysWhenADiscThatMovesLeavesTheStart) {
@@ -167,8 +167,8 @@ TEST(PlanAmongIcebergs, SaysWhenADiscThatMovesLeavesTheStart) {
   ASSERT_FALSE(result);
   EXPECT_EQ(result.error().reason, Reason::start_near_iceberg);
   const std::string until = core::iso8601(start + core::Seconds{550.0 / 0.2});
-  EXPECT_NE(result.error().explanation.find(", until " + until.substr(0, 15)), std::string::npos)
-      << result.error().explanation;
+  EXPECT_NE(result.error().explanation().find(", until " + until.substr(0, 15)), std::string::npos)
+      << result.error().explanation();
 }
 
 TEST(PlanAmongIcebergs, MayEndWhereABergIsGoneByThen) {
@@ -196,8 +196,8 @@ TEST(PlanAmongIcebergs, NamesTheBergInTheWayOfAGivenRoute) {
 
   ASSERT_FALSE(result);
   EXPECT_EQ(result.error().reason, Reason::near_iceberg);
-  EXPECT_NE(result.error().explanation.find("iceberg 57 at "), std::string::npos)
-      << result.error().explanation;
+  EXPECT_NE(result.error().explanation().find("iceberg 57 at "), std::string::npos)
+      << result.error().explanation();
   EXPECT_GT(result.error().when, request.depart);
 }
 

@@ -156,7 +156,7 @@ TEST(Loiter, WaitsForAZoneThatIsOpenedLater) {
 
   const Result<Plan> result = plan({}, request);
 
-  ASSERT_TRUE(result) << result.error().explanation;
+  ASSERT_TRUE(result) << result.error().explanation();
   // The straight way of 39.9 km takes 31.7 h; the zone begins 17.9 km, 14.2 h, from the start.
   EXPECT_NEAR(result->travel_time().count() / hour_s, 31.7 + 20.0 - 14.2, 0.3);
   EXPECT_NEAR(waited(*result).count() / hour_s, 20.0 - 14.2, 0.6);
@@ -237,7 +237,7 @@ TEST(Loiter, IsFoundForAGivenRouteToo) {
 
   const Result<Plan> result = evaluate_route(environment, {request.from, request.to}, request);
 
-  ASSERT_TRUE(result) << result.error().explanation;
+  ASSERT_TRUE(result) << result.error().explanation();
   const double passes_goal_h = (27'900.0 + 5550.0) / 0.12 / hour_s;
   EXPECT_NEAR(waited(*result).count() / hour_s, passes_goal_h - 31.7, 1.0);
   EXPECT_EQ(result->waypoints.size(), 2U);

@@ -45,7 +45,7 @@ TEST(PassUnder, LeadsBelowTheKeelAndSaysSo) {
 
   const Result<Plan> result = plan(environment, request);
 
-  ASSERT_TRUE(result) << result.error().explanation;
+  ASSERT_TRUE(result) << result.error().explanation();
   ASSERT_EQ(result->passed_under.size(), 1U);
   const PassedUnder& under = result->passed_under[0];
   EXPECT_EQ(under.iceberg, "B-17");
@@ -171,7 +171,7 @@ TEST(PassUnder, LeadsARouteThatTurnsBelowTheBerg) {
 
   const Result<Plan> result = evaluate_route(environment, {request.from, {-53.0, 69.0}, request.to}, request);
 
-  ASSERT_TRUE(result) << result.error().explanation;
+  ASSERT_TRUE(result) << result.error().explanation();
   EXPECT_EQ(result->passed_under.size(), 1U);
 }
 
@@ -183,7 +183,7 @@ TEST(PassUnder, CountsAsTimeWithoutASurfacingWhereThatIsBounded) {
       environment.ice = support::ice_from([](geo::LonLat, double) { return 0.0; }, {0.0}, 1.0);
     request.under_ice.max_time_without_surfacing = core::Seconds{12.0 * 3600.0};
     const Result<Plan> allowed = plan(environment, request);
-    ASSERT_TRUE(allowed) << allowed.error().explanation;
+    ASSERT_TRUE(allowed) << allowed.error().explanation();
     EXPECT_EQ(allowed->passed_under.size(), 1U);
     EXPECT_LE(allowed->surfacing->longest_without, *request.under_ice.max_time_without_surfacing);
 

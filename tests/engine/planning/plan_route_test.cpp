@@ -298,7 +298,7 @@ TEST(PlanRoute, IsNoSlowerForBeingRefinedToFewWaypoints) {
 
     if (!unrefined || unrefined->waypoints.size() > static_cast<std::size_t>(*request.max_waypoints)) return;
     ++compared;
-    ASSERT_TRUE(refined.has_value()) << refined.error().explanation;
+    ASSERT_TRUE(refined.has_value()) << refined.error().explanation();
     EXPECT_LE(refined->waypoints.size(), static_cast<std::size_t>(*request.max_waypoints));
     EXPECT_LE(refined->travel_time().count(), unrefined->travel_time().count() + 1e-3);
     EXPECT_EQ(refined->refinement->after, refined->travel_time());
@@ -366,7 +366,7 @@ TEST(PlanRoute, SaysThatAPlaceToVisitLiesInsideAnIsland) {
   ASSERT_FALSE(found.has_value());
   EXPECT_EQ(found.error().reason, Reason::too_shallow);
   EXPECT_EQ(found.error().at, request.via.front());
-  EXPECT_NE(found.error().explanation.find("on the way"), std::string::npos);
+  EXPECT_NE(found.error().explanation().find("on the way"), std::string::npos);
 }
 
 TEST(PlanRoute, SaysThatAWallOfLandLeavesNoWay) {
@@ -379,7 +379,7 @@ TEST(PlanRoute, SaysThatAWallOfLandLeavesNoWay) {
   ASSERT_FALSE(found.has_value());
   EXPECT_EQ(found.error().reason, Reason::goal_unreachable);
   EXPECT_LT(found.error().at.lon_deg, -53.0);
-  EXPECT_FALSE(found.error().suggestion.empty());
+  EXPECT_FALSE(found.error().suggestion().empty());
 }
 
 TEST(PlanRoute, SaysThatTheCurrentIsTooStrong) {
@@ -396,7 +396,7 @@ TEST(PlanRoute, SaysThatTheDataEndBeforeTheRoute) {
 
   ASSERT_FALSE(found.has_value());
   EXPECT_EQ(found.error().reason, Reason::outside_data);
-  EXPECT_NE(found.error().explanation.find("end at"), std::string::npos) << found.error().explanation;
+  EXPECT_NE(found.error().explanation().find("end at"), std::string::npos) << found.error().explanation();
 }
 
 TEST(PlanRoute, StopsWhenAsked) {

@@ -63,7 +63,7 @@ TEST(PlanSurvey, VisitsAPlaceBesideAnIcebergOnceItHasDriftedAway) {
 
   const auto found = plan_route(environment, request, {}, {});
 
-  ASSERT_TRUE(found.has_value()) << found.error().explanation;
+  ASSERT_TRUE(found.has_value()) << found.error().explanation();
   ASSERT_TRUE(found->via_order.has_value());
   EXPECT_NE(found->via_order->vias.front(), 0U);
   EXPECT_TRUE(std::ranges::none_of(messages::sentences(found->messages), [](const std::string& warning) {
@@ -90,7 +90,7 @@ TEST(PlanSurvey, TakesAnOrderThatCanBeFlownWhereAnotherWouldCircleForTooLong) {
 
     const auto found = plan_route(environment, request, {}, {});
 
-    ASSERT_TRUE(found.has_value()) << found.error().explanation;
+    ASSERT_TRUE(found.has_value()) << found.error().explanation();
     ASSERT_TRUE(found->via_order.has_value());
     EXPECT_EQ(request.via[found->via_order->vias.back()], far);
   }
@@ -138,7 +138,7 @@ TEST(PlanSurvey, IsPossibleAndAsEarlyWhereAreasCloseAndOpenWhateverTheOrderGiven
 
       const auto found = planner::try_to_plan({}, best, {}, {});
 
-      ASSERT_TRUE(found.has_value()) << found.error().explanation;
+      ASSERT_TRUE(found.has_value()) << found.error().explanation();
       EXPECT_LE(found->travel_time().count(), 1.05 * as_given->travel_time().count());
     } while (std::ranges::next_permutation(order).found);
   });
@@ -194,7 +194,7 @@ TEST(PlanSurvey, DoesNotCallAtAPlaceThatItCannotLeaveInTime) {
 
   const auto found = planner::try_to_plan({}, request, {}, {});
 
-  ASSERT_TRUE(found.has_value()) << found.error().explanation;
+  ASSERT_TRUE(found.has_value()) << found.error().explanation();
   ASSERT_TRUE(found->via_order.has_value());
   EXPECT_EQ(found->via_order->vias, (std::vector<std::size_t>{1, 0}));
 }

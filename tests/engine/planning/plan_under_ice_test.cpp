@@ -69,7 +69,7 @@ ocean::Environment ice_with_holes(int seed, int count) {
 Plan planned(const ocean::Environment& environment, const PlanRequest& request) {
   const auto plan = plan_route(environment, request, {}, quiet);
   if (plan) return *plan;
-  ADD_FAILURE() << reason_name(plan.error().reason) << ": " << plan.error().explanation;
+  ADD_FAILURE() << reason_name(plan.error().reason) << ": " << plan.error().explanation();
   return {};
 }
 
@@ -428,7 +428,7 @@ TEST(PlanUnderIce, SaysWhereTheVehicleWouldBeTooLongWithoutASurfacing) {
 
   ASSERT_FALSE(plan);
   EXPECT_EQ(plan.error().reason, Reason::no_surfacing);
-  EXPECT_THAT(plan.error().explanation, HasSubstr("longer than 3 h"));
+  EXPECT_THAT(plan.error().explanation(), HasSubstr("longer than 3 h"));
 }
 
 TEST(PlanUnderIce, TheStraightWayIsHeldToTheSameBound) {

@@ -103,7 +103,7 @@ TEST(PlanZones, GoRoundAnAreaThatIsLongBesideTheWay) {
 
   const auto found = plan(request);
 
-  ASSERT_TRUE(found.has_value()) << found.error().explanation;
+  ASSERT_TRUE(found.has_value()) << found.error().explanation();
   EXPECT_GT(found->distance.value, 22'000.0);
 }
 
@@ -319,7 +319,7 @@ TEST(PlanZones, ThatHoldForEverAreNotSaidToOpenWhenAnIcebergIsGone) {
 
   ASSERT_FALSE(found);
   EXPECT_EQ(found.error().reason, Reason::goal_in_zone);
-  EXPECT_EQ(found.error().explanation.find("until"), std::string::npos) << found.error().explanation;
+  EXPECT_EQ(found.error().explanation().find("until"), std::string::npos) << found.error().explanation();
 }
 
 }  // namespace

@@ -302,7 +302,7 @@ TEST(Relaxation, NamesADepartureAfterAGapInTheCurrents) {
   const auto found = plan(environment, request);
 
   ASSERT_FALSE(found.has_value());
-  EXPECT_EQ(found.error().binding, Constraint::data_area) << found.error().explanation;
+  EXPECT_EQ(found.error().binding, Constraint::data_area) << found.error().explanation();
   EXPECT_NE(change_of(found.error(), "depart"), nullptr);
 }
 
@@ -318,7 +318,7 @@ TEST(Relaxation, NamesForAWantedArrivalOnlyWhatBringsTheVehicleThereInTime) {
   ASSERT_NE(faster, nullptr);
   request.vehicle.speed_through_water = {std::get<double>(faster->to)};
   const auto in_time = plan_arrival(environment, request, {}, {});
-  ASSERT_TRUE(in_time.has_value()) << in_time.error().explanation;
+  ASSERT_TRUE(in_time.has_value()) << in_time.error().explanation();
   EXPECT_LE(in_time->arrival, *request.departures.arrive_by);
   request.vehicle.speed_through_water = {std::get<double>(faster->to) - 0.05};
   EXPECT_FALSE(plan_arrival(environment, request, {}, {}).has_value());
@@ -483,7 +483,7 @@ TEST(Relaxation, DepartsWhenTheStartHasOpened) {
   const auto found = plan({}, request);
 
   ASSERT_FALSE(found.has_value());
-  EXPECT_NE(found.error().explanation.find("until"), std::string::npos) << found.error().explanation;
+  EXPECT_NE(found.error().explanation().find("until"), std::string::npos) << found.error().explanation();
   const Change* later = change_of(found.error(), "depart");
   ASSERT_NE(later, nullptr);
   EXPECT_EQ(std::get<core::UtcTime>(later->to), request.depart + core::Seconds{3.0 * 3600.0});
@@ -509,7 +509,7 @@ TEST(Relaxation, NamesTheIcebergThatClosesAGapInLand) {
     const auto found = plan(environment, request);
 
     ASSERT_FALSE(found.has_value());
-    EXPECT_EQ(found.error().binding, Constraint::iceberg) << margin_m << found.error().explanation;
+    EXPECT_EQ(found.error().binding, Constraint::iceberg) << margin_m << found.error().explanation();
     const Change* margin = change_of(found.error(), "margin_m");
     ASSERT_NE(margin, nullptr) << margin_m;
     PlanRequest changed = request;

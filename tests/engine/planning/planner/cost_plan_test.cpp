@@ -153,7 +153,7 @@ TEST(CostPlan, IsJudgedAsARouteOnTheDrivesThatItWasPlannedWith) {
 
   const auto judged = evaluate_route(environment, route, request);
 
-  ASSERT_TRUE(judged.has_value()) << judged.error().explanation;
+  ASSERT_TRUE(judged.has_value()) << judged.error().explanation();
   EXPECT_NEAR(judged->travel_time().count(), planned->travel_time().count(), 1.0);
   EXPECT_NEAR(energy_j(*judged), energy_j(*planned), 1e-4 * energy_j(*planned));
   for (std::size_t i = 1; i < route.size(); ++i)

@@ -181,7 +181,7 @@ TEST(CompareDepartures, AskOfEachDepartureAloneWhetherItsStartIsClosed) {
   for (std::size_t i = 0; i < outcomes.size(); ++i)
     EXPECT_EQ(outcomes[i].closed.has_value(), i < 2) << "departure " << i;
   EXPECT_EQ(outcomes[1].closed->reason, Reason::start_in_zone);
-  EXPECT_NE(outcomes[1].closed->explanation.find("until"), std::string::npos);
+  EXPECT_NE(outcomes[1].closed->explanation().find("until"), std::string::npos);
   EXPECT_EQ(outcomes[1].closed->when, outcomes[1].departure);
   expect_brute_force({.currents = currents_from(tide, 96)}, request);
 }
@@ -308,8 +308,8 @@ TEST(PlanWindow, SaysWhichDeparturesItDidNotTryToPlan) {
 
   ASSERT_FALSE(found.plan.has_value());
   EXPECT_EQ(found.plan.error().reason, Reason::energy_exceeded);
-  EXPECT_NE(found.plan.error().explanation.find("24 of 31 departures were tried"), std::string::npos)
-      << found.plan.error().explanation;
+  EXPECT_NE(found.plan.error().explanation().find("24 of 31 departures were tried"), std::string::npos)
+      << found.plan.error().explanation();
 }
 
 TEST(BestDeparture, IsTheFirstOfTheFastest) {

@@ -58,7 +58,7 @@ void expect_same(const Result<Plan>& a, const Result<Plan>& b) {
   ASSERT_EQ(a.has_value(), b.has_value());
   if (!a) {
     EXPECT_EQ(a.error().reason, b.error().reason);
-    EXPECT_EQ(a.error().explanation, b.error().explanation);
+    EXPECT_EQ(a.error().explanation(), b.error().explanation());
     return;
   }
   EXPECT_EQ(a->travel_time(), b->travel_time());

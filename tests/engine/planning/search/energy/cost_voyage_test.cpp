@@ -288,7 +288,7 @@ TEST(SearchLeastCost, LooksForAWayToAGoalThatTheThrusterReachesBeforeItCloses) {
 
   const auto [way, reports] = scene.search();
 
-  ASSERT_TRUE(way) << way.error().explanation;
+  ASSERT_TRUE(way) << way.error().explanation();
   EXPECT_TRUE(std::ranges::count(way->route.drives, vehicle::Drive::thruster) > 0);
   EXPECT_GT(reports, 0);
 }

@@ -45,7 +45,7 @@ TEST(LateOpenings, AreReportedWhereAStraitOpensAfterTheSearchWasThere) {
 
   const auto found = plan_route(environment, request, {}, {});
 
-  ASSERT_TRUE(found.has_value()) << found.error().explanation;
+  ASSERT_TRUE(found.has_value()) << found.error().explanation();
   EXPECT_GT(found->search.fifo_violations, 0);
   ASSERT_TRUE(found->search.worst_fifo_violation.has_value());
   const LateOpening& worst = *found->search.worst_fifo_violation;
@@ -76,9 +76,9 @@ TEST(LateOpenings, AreWhatHelpsWhenThereIsNoOtherWay) {
 
   ASSERT_FALSE(found.has_value());
   EXPECT_EQ(found.error().reason, Reason::current_too_strong);
-  EXPECT_NE(found.error().explanation.find("lets it through from"), std::string::npos)
-      << found.error().explanation;
-  EXPECT_NE(found.error().suggestion.find("depart later"), std::string::npos);
+  EXPECT_NE(found.error().explanation().find("lets it through from"), std::string::npos)
+      << found.error().explanation();
+  EXPECT_NE(found.error().suggestion().find("depart later"), std::string::npos);
 }
 
 /// Who waits at a place in the way of the strait need not leave later, and is no later than who did.
@@ -97,7 +97,7 @@ TEST(LateOpenings, AreWaitedForWhereTheRequestAllowsIt) {
 
   const auto found = plan_route(environment, request, {}, {});
 
-  ASSERT_TRUE(found.has_value()) << found.error().explanation;
+  ASSERT_TRUE(found.has_value()) << found.error().explanation();
   EXPECT_LE(found->arrival, best_of_later + core::Seconds{60.0});
   EXPECT_FALSE(found->search.worst_fifo_violation.has_value());
   const auto waits =
@@ -115,8 +115,8 @@ TEST(LateOpenings, AreWaitedForByRefinedPlansNoLess) {
   request.refine = false;
   const auto on_grid = plan_route(environment, request, {}, {});
 
-  ASSERT_TRUE(on_grid.has_value()) << on_grid.error().explanation;
-  ASSERT_TRUE(refined.has_value()) << refined.error().explanation;
+  ASSERT_TRUE(on_grid.has_value()) << on_grid.error().explanation();
+  ASSERT_TRUE(refined.has_value()) << refined.error().explanation();
   EXPECT_LE(refined->arrival, on_grid->arrival);
   EXPECT_GT(refined->arrival, at_hour(20.0));
 }
@@ -144,7 +144,7 @@ TEST(LateOpenings, AreWaitedForWhereAStreamLetsInButNotOut) {
   const auto found = plan_route(environment, request, {}, {});
 
   ASSERT_LT(best_of_later, at_hour(200.0));
-  ASSERT_TRUE(found.has_value()) << found.error().explanation;
+  ASSERT_TRUE(found.has_value()) << found.error().explanation();
   EXPECT_LE(found->arrival, best_of_later + core::Seconds{1800.0}) << "departures are tried every 45 minutes";
   for (const Waypoint& waypoint : found->waypoints) EXPECT_LE(waypoint.wait, request.max_loiter);
 }

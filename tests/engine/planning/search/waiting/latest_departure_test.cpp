@@ -81,7 +81,7 @@ TEST(PlanArrival, ArrivesInTimeAndHardlyBefore) {
 
     const auto plan = plan_arrival(environment, request, {}, {});
 
-    ASSERT_TRUE(plan.has_value()) << plan.error().explanation;
+    ASSERT_TRUE(plan.has_value()) << plan.error().explanation();
     EXPECT_LE(plan->arrival, *request.departures.arrive_by);
     EXPECT_GT(plan->arrival,
               *request.departures.arrive_by - 2e-3 * plan->travel_time() - core::Seconds{60.0});
@@ -156,7 +156,7 @@ TEST(PlanArrival, ArrivesBeforeTheGoalClosesWhereItIsClosedAtTheWantedTime) {
 
     const auto plan = plan_arrival({}, request, {}, {});
 
-    ASSERT_TRUE(plan.has_value()) << plan.error().explanation;
+    ASSERT_TRUE(plan.has_value()) << plan.error().explanation();
     const core::UtcTime closes = request.depart + core::Seconds{120.0 * 3600.0};
     EXPECT_LE(plan->arrival, closes);
     EXPECT_GT(plan->arrival, closes - core::Seconds{600.0}) << "to reach " << wanted << " h";
@@ -176,7 +176,7 @@ TEST(PlanArrival, LeavesOnceTheStartIsOpen) {
 
   const auto plan = plan_arrival({}, request, {}, {});
 
-  ASSERT_TRUE(plan.has_value()) << plan.error().explanation;
+  ASSERT_TRUE(plan.has_value()) << plan.error().explanation();
   EXPECT_NEAR((*request.departures.arrive_by - plan->arrival).count(), 0.0,
               1e-3 * plan->travel_time().count());
 }
@@ -194,7 +194,7 @@ TEST(PlanArrival, IsInTimeInTheShareOfTheMembersThatItIsToBe) {
 
   const auto plan = plan_arrival(environment, request, {}, {});
 
-  ASSERT_TRUE(plan.has_value()) << plan.error().explanation;
+  ASSERT_TRUE(plan.has_value()) << plan.error().explanation();
   const core::UtcTime last = plan->departure + *plan->uncertainty->spread.quantile(0.99);
   EXPECT_NEAR((*request.departures.arrive_by - last).count(), 0.0, 2e-3 * plan->travel_time().count() + 60.0);
 }
@@ -211,7 +211,7 @@ TEST(PlanArrival, SaysWhereTheMeanOfTheMembersIsInTimeAndThePlanItselfIsNot) {
 
   const auto plan = plan_arrival(sea, request, {}, {});
 
-  ASSERT_TRUE(plan.has_value()) << plan.error().explanation;
+  ASSERT_TRUE(plan.has_value()) << plan.error().explanation();
   EXPECT_GT(plan->arrival, *request.departures.arrive_by);
   EXPECT_THAT(messages::sentences(plan->messages),
               testing::Contains(testing::HasSubstr("what counts is the mean of the members")));
@@ -224,7 +224,7 @@ TEST(PlanArrival, SaysWhenTheEarliestDepartureArrives) {
 
   ASSERT_FALSE(plan.has_value());
   EXPECT_EQ(plan.error().reason, Reason::arrival_too_early);
-  EXPECT_NE(plan.error().explanation.find("arrives at"), std::string::npos) << plan.error().explanation;
+  EXPECT_NE(plan.error().explanation().find("arrives at"), std::string::npos) << plan.error().explanation();
 }
 
 TEST(PlanArrival, SaysWhyThereIsNoWayAtAll) {

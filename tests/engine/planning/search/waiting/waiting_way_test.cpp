@@ -73,7 +73,7 @@ TEST(WaitingWay, IsNoLaterThanAWayThatIsBegunLater) {
       const Result<Plan> moving = plan_route(scene.environment, later, {}, {});
       if (!moving) continue;
       ++compared;
-      ASSERT_TRUE(waiting) << waiting.error().explanation;
+      ASSERT_TRUE(waiting) << waiting.error().explanation();
       EXPECT_LE(waiting->travel_time().count(), 1.01 * (moving->arrival - start).count()) << hours;
     }
     if (!waiting) return;
@@ -98,7 +98,7 @@ TEST(WaitingWay, TurnsInCirclesWhereTheVehicleMayNotWait) {
 
   const Result<Plan> result = plan_route({}, request, {}, {});
 
-  ASSERT_TRUE(result) << result.error().explanation;
+  ASSERT_TRUE(result) << result.error().explanation();
   // The straight way of 39.9 km takes 31.7 h; the gate is 17.9 km, 14.2 h, from the start.
   EXPECT_NEAR(result->travel_time().count() / hour_s, 31.7 + 20.0 - 14.2, 0.5);
 }
