@@ -6,7 +6,7 @@
 
 namespace floeplan::codec {
 
-nlohmann::json to_json(const Problem& problem) {
+nlohmann::json to_json(const problems::Problem& problem) {
   const bool whole_uri = problem.slug.starts_with("http");
   nlohmann::json document{{"type", whole_uri ? problem.slug : "/problems/" + problem.slug},
                           {"title", problem.title},

@@ -49,7 +49,7 @@ bool has_hash(const std::filesystem::path& file) {
 
 Response show_asset(const Context& context, const Request& request, const PathParameters& path) {
   auto asset = read_asset(context.service.web, path.at("path"));
-  if (!asset) return not_found(request, "unknown-path", "There is nothing at " + request.path + ".");
+  if (!asset) return problem_reply<"unknown-path">(request, request.path);
   const bool immutable = has_hash(path.at("path"));
   asset->headers.emplace_back("Cache-Control", immutable ? "max-age=31536000, immutable" : "no-cache");
   return *asset;

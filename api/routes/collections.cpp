@@ -46,8 +46,7 @@ Response show_collection(const Context& context, const Request& request, const P
   for (const auto& collection : feature_collections()) {
     if (collection.id == path.at("collection_id")) return json_reply(collection_json(context, collection));
   }
-  return not_found(request, "unknown-collection",
-                   "No collection has the id " + path.at("collection_id") + ".");
+  return problem_reply<"unknown-collection">(request, path.at("collection_id"));
 }
 
 }  // namespace

@@ -38,14 +38,13 @@ Response list_datasets(const Context& context, const Request&, const PathParamet
 
 Response show_dataset(const Context& context, const Request& request, const PathParameters& path) {
   const auto dataset = repository::DatasetRepository{context.db}.find({path.at("dataset_id")});
-  if (!dataset)
-    return not_found(request, "unknown-dataset", "No dataset has the id " + path.at("dataset_id") + ".");
+  if (!dataset) return problem_reply<"unknown-dataset">(request, path.at("dataset_id"));
   return json_reply(codec::dataset_document(*dataset, times_of(context.db, *dataset)));
 }
 
 Response remove_dataset(const Context& context, const Request& request, const PathParameters& path) {
   if (!repository::DatasetRepository{context.db}.remove({path.at("dataset_id")})) {
-    return not_found(request, "unknown-dataset", "No dataset has the id " + path.at("dataset_id") + ".");
+    return problem_reply<"unknown-dataset">(request, path.at("dataset_id"));
   }
   Response response;
   response.status = 204;
@@ -55,7 +54,7 @@ Response remove_dataset(const Context& context, const Request& request, const Pa
 /// By rules and never by a list: what went is in the answer, and in the log of who removed what.
 Response prune_datasets(const Context& context, const Request& request, const PathParameters&) {
   const auto body = codec::parse_json(request.body);
-  if (!body) return problem_reply(request, {400, "invalid-json", "Invalid JSON", body.error(), {}});
+  if (!body) return problem_reply<"invalid-json">(request, body.error());
   const auto inputs = codec::parse_retention_inputs(*body);
   if (!inputs) return invalid(request, inputs.error());
   const auto gone =

@@ -29,32 +29,17 @@ bool ever_any_tokens(const Context& context) {
 }
 
 Response wrong_credential(const Request& request) {
-  Response response = problem_reply(request, {401,
-                                              "unauthorized",
-                                              "Unauthorized",
-                                              "The token is not known; it may have been revoked. Ask for a "
-                                              "new one: it is made on the server's machine with floeplan "
-                                              "token add NAME --role ROLE.",
-                                              {}});
+  Response response = problem_reply<"unknown-token">(request);
   response.headers.emplace_back("WWW-Authenticate", R"(Bearer realm="floeplan", error="invalid_token")");
   return response;
 }
 
-Response slow_down(const Request& request, core::Seconds wait, const char* why) {
-  Response response = problem_reply(request, {429, "too-many-attempts", "Too many attempts", why, {}});
+Response slow_down(Response response, core::Seconds wait) {
   response.headers.emplace_back("Retry-After", std::to_string(static_cast<long>(std::ceil(wait.count()))));
   return response;
 }
 
-Response foreign_page(const Request& request) {
-  return problem_reply(
-      request, {403,
-                "foreign-page",
-                "Forbidden",
-                "A page of another site may not do this; the server's --allow-origin names those that "
-                "may.",
-                {}});
-}
+Response foreign_page(const Request& request) { return problem_reply<"foreign-page">(request); }
 
 Response preflight() {
   Response response;
@@ -110,8 +95,7 @@ std::optional<Response> Doorkeeper::identify(const Context& context, Request& re
                                 .digest = credential ? codec::digest_of(*credential) : std::string{}};
   if (const core::Seconds wait = guard_.wait(guess, request.now); wait > core::Seconds{0.0}) {
     ledger_.note(context, request, "log-in-refused", "");
-    return slow_down(request, wait,
-                     "Too many wrong tokens came from your address, or for this token; wait and try again.");
+    return slow_down(problem_reply<"too-many-wrong-tokens">(request), wait);
   }
 
   std::optional<repository::TokenRecord> token;
@@ -128,9 +112,7 @@ std::optional<Response> Doorkeeper::identify(const Context& context, Request& re
   if (!shown->by_cookie && opens_login(request)) {
     if (const core::Seconds wait = guard_.wait_to_log_in(guess, request.now); wait > core::Seconds{0.0}) {
       ledger_.note(context, request, "log-in-refused", token->name);
-      return slow_down(request, wait,
-                       "Too many logins were opened with this token, or from your address; keep the one you "
-                       "have, or wait and try again.");
+      return slow_down(problem_reply<"too-many-logins">(request), wait);
     }
     ledger_.note(context, request, "log-in", token->name);
   }
@@ -145,12 +127,7 @@ std::optional<Response> Doorkeeper::refuse_foreign_page(const Context& context,
                                                         const Request& request) const {
   const std::string& own = context.service.public_url;
   if (could_be_rebound(request.header("host"), authority_of(own))) {
-    return problem_reply(request, {421,
-                                   "unknown-host",
-                                   "Misdirected request",
-                                   "This server is not known by the name " + request.header("host") +
-                                       "; start it with --public-url to give it one.",
-                                   {}});
+    return problem_reply<"unknown-host">(request, request.header("host"));
   }
   const std::string origin = request.header("origin");
   const bool foreign = !origin.empty() && !is_allowed_origin(origin) && !is_own_page(request, own);

@@ -152,8 +152,7 @@ Response show_collection(const Context& context, const Request& request, const P
   for (const auto& collection : all_collections(context)) {
     if (collection.at("id") == path.at("collection_id")) return json_reply(collection);
   }
-  return not_found(request, "unknown-collection",
-                   "No collection with data has the id " + path.at("collection_id") + ".");
+  return problem_reply<"unknown-data-collection">(request, path.at("collection_id"));
 }
 
 }  // namespace

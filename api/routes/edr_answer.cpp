@@ -116,19 +116,13 @@ Response coverage_reply(const Request& request, const json& coverage) {
 }
 
 Response no_data(const Request& request, const std::string& why) {
-  return not_found(request, "no-data",
-                   why.empty() ? "No data of this collection cover this place and time." : why);
+  return why.empty() ? problem_reply<"no-data-here">(request)
+                     : problem_reply<"no-data-because">(request, why);
 }
 
 std::optional<Response> refuse_if_too_large(const Request& request, double values) {
   if (values <= most_values) return std::nullopt;
-  return problem_reply(request, {413,
-                                 "too-many-values",
-                                 "Too many values",
-                                 "The answer would have " + std::to_string(std::llround(values)) +
-                                     " values, more than " + std::to_string(std::llround(most_values)) +
-                                     "; ask for less time, fewer depths or a coarser resolution.",
-                                 {}});
+  return problem_reply<"too-many-values">(request, std::llround(values), std::llround(most_values));
 }
 
 double layers_of(const codec::CoverageGrid& coverage) {

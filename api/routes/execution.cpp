@@ -36,7 +36,7 @@ Response created(const Context& context, const repository::JobRecord& job, bool 
 Response resume(const Context& context, const Request& request) {
   const repository::JobId id{request.resumption->token};
   const auto job = repository::JobRepository{context.db}.find(id);
-  if (!job) return not_found(request, "unknown-job", "The job was removed while its result was waited for.");
+  if (!job) return problem_reply<"unknown-job">(request);
   if (codec::is_finished(job->status)) {
     Response response = results_reply(request, *job);
     if (response.status == 200) response.headers.emplace_back("Preference-Applied", "respond-sync");
@@ -49,22 +49,12 @@ Response resume(const Context& context, const Request& request) {
 Response refused(const Request& request, SubmissionRefused reason) {
   switch (reason) {
     case SubmissionRefused::queue_full: {
-      Response response =
-          problem_reply(request, {503,
-                                  "queue-full",
-                                  "The queue is full",
-                                  "Too many jobs are waiting, of all or of yours; try again later.",
-                                  {}});
+      Response response = problem_reply<"queue-full">(request);
       response.headers.emplace_back("Retry-After", "30");
       return response;
     }
     case SubmissionRefused::key_reused: return key_reused(request);
-    case SubmissionRefused::job_removed:
-      return problem_reply(request, {410,
-                                     "job-removed",
-                                     "The job was removed",
-                                     "The job that this Idempotency-Key began was removed; take a new key.",
-                                     {}});
+    case SubmissionRefused::job_removed: return problem_reply<"job-removed">(request);
   }
   throw std::logic_error{"SubmissionRefused without a reply"};
 }

@@ -87,13 +87,10 @@ bool read_force(const json& body, core::Violations& violations) {
 tl::expected<ExecutionRequest, Response> read_execution(const Request& request, const ProcessEntry& process) {
   const std::string type = request.header("content-type");
   if (!type.empty() && type.find("json") == std::string::npos) {
-    return tl::unexpected(problem_reply(
-        request,
-        {415, "unsupported-media-type", "Unsupported media type", "The body must be application/json.", {}}));
+    return tl::unexpected(problem_reply<"no-json">(request));
   }
   auto body = codec::parse_json(request.body);
-  if (!body)
-    return tl::unexpected(problem_reply(request, {400, "invalid-json", "Invalid JSON", body.error(), {}}));
+  if (!body) return tl::unexpected(problem_reply<"invalid-json">(request, body.error()));
   if (!body->is_object())
     return tl::unexpected(invalid(request, {{"", "must be an object with \"inputs\""}}));
 

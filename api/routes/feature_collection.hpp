@@ -6,7 +6,7 @@
 #include <tl/expected.hpp>
 #include <vector>
 
-#include "api/codec/problem.hpp"
+#include "api/problems/problem.hpp"
 #include "api/routes/context.hpp"
 #include "api/routes/parameters.hpp"
 #include "engine/core/violation.hpp"
@@ -62,7 +62,7 @@ struct FeatureCollection {
   std::string item_name;  // of the id in the OpenAPI document's path
   std::vector<std::string> filters;
   FeatureExtent (*extent)(sqlite::Connection&);
-  tl::expected<FeaturePage, codec::Problem> (*list)(const Context&, const FeatureQuery&);
+  tl::expected<FeaturePage, problems::Problem> (*list)(const Context&, const FeatureQuery&);
   std::optional<nlohmann::json> (*find)(const Context&, const std::string& id);
   std::optional<FeatureEditing> editing{};
 };

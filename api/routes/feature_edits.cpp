@@ -16,18 +16,13 @@ using nlohmann::json;
 tl::expected<json, Response> read_feature(const Request& request) {
   const std::string type = request.header("content-type");
   if (!type.empty() && type.find("json") == std::string::npos) {
-    return tl::unexpected(problem_reply(request, {415,
-                                                  "unsupported-media-type",
-                                                  "Unsupported media type",
-                                                  "The body must be application/geo+json.",
-                                                  {}}));
+    return tl::unexpected(problem_reply<"no-geojson">(request));
   }
   const std::string crs = request.header("content-crs");
   if (!crs.empty() && crs != "<" + uri_of(FeatureCrs::crs84) + ">")
     return tl::unexpected(invalid(request, {{"Content-Crs", "must be <" + uri_of(FeatureCrs::crs84) + ">"}}));
   auto body = codec::parse_json(request.body);
-  if (!body)
-    return tl::unexpected(problem_reply(request, {400, "invalid-json", "Invalid JSON", body.error(), {}}));
+  if (!body) return tl::unexpected(problem_reply<"invalid-json">(request, body.error()));
   if (!body->is_object())
     return tl::unexpected(invalid(request, {{"", "must be a GeoJSON Feature, an object"}}));
   return std::move(*body);
@@ -45,15 +40,10 @@ tl::expected<json, Response> changeable(const FeatureCollection& collection, con
   if (!feature) return tl::unexpected(no_such_feature(request, collection, id));
   const std::string objection = collection.editing->objection(context, id);
   if (!objection.empty()) {
-    return tl::unexpected(
-        problem_reply(request, {409, "feature-from-a-file", "Not to be changed", objection, {}}));
+    return tl::unexpected(problem_reply<"feature-from-a-file">(request, objection));
   }
   if (!tag_fits(request, *feature)) {
-    return tl::unexpected(problem_reply(request, {412,
-                                                  "changed-meanwhile",
-                                                  "Changed meanwhile",
-                                                  "The feature has another entity tag; read it again.",
-                                                  {}}));
+    return tl::unexpected(problem_reply<"changed-meanwhile">(request));
   }
   return std::move(*feature);
 }
@@ -128,7 +118,7 @@ std::string feature_tag(const json& feature) {
 }
 
 Response no_such_feature(const Request& request, const FeatureCollection& collection, const std::string& id) {
-  return not_found(request, "unknown-feature", collection.title + " has no feature with the id " + id + ".");
+  return problem_reply<"unknown-feature">(request, collection.title, id);
 }
 
 }  // namespace floeplan::routes

@@ -9,8 +9,8 @@ namespace {
 using nlohmann::json;
 using repository::GliderTrackRepository;
 
-tl::expected<FeaturePage, codec::Problem> list_glider_tracks(const Context& context,
-                                                             const FeatureQuery& query) {
+tl::expected<FeaturePage, problems::Problem> list_glider_tracks(const Context& context,
+                                                                const FeatureQuery& query) {
   repository::GliderTrackFilter filter{.area = query.area, .from = query.span.from, .to = query.span.to};
   if (const auto glider = query.filters.find("glider"); glider != query.filters.end())
     filter.glider = glider->second;

@@ -9,8 +9,8 @@ namespace {
 using nlohmann::json;
 using repository::IcebergTrackRepository;
 
-tl::expected<FeaturePage, codec::Problem> list_iceberg_tracks(const Context& context,
-                                                              const FeatureQuery& query) {
+tl::expected<FeaturePage, problems::Problem> list_iceberg_tracks(const Context& context,
+                                                                 const FeatureQuery& query) {
   repository::TrackFilter filter{.area = query.area, .from = query.span.from, .to = query.span.to};
   if (const auto berg = query.filters.find("berg_id"); berg != query.filters.end())
     filter.berg_id = berg->second;

@@ -73,7 +73,7 @@ std::vector<repository::DatasetId> datasets_of(const FeatureQuery& query) {
 }
 
 /// Empty: every sighting is asked for, not the latest of each berg.
-tl::expected<std::optional<Latest>, codec::Problem> read_latest(const FeatureQuery& query) {
+tl::expected<std::optional<Latest>, problems::Problem> read_latest(const FeatureQuery& query) {
   const std::string wish = filter_of(query, "latest").value_or("false");
   const auto age = filter_of(query, "max_sighting_age_days");
   const double days = age ? parse_number(*age).value_or(-1.0) : 0.0;
@@ -106,22 +106,20 @@ tl::expected<std::optional<Latest>, codec::Problem> read_latest(const FeatureQue
     violations.push_back(
         {"?dataset", "the query parameter \"dataset\" takes several ids with latest=true only"});
   if (!violations.empty())
-    return tl::unexpected(codec::Problem{400, "invalid-request", "Invalid request",
-                                         "The request has faults; each is listed under \"errors\".",
-                                         std::move(violations)});
+    return tl::unexpected(problems::problem<"invalid-request">().with(std::move(violations)));
   if (wish == "false") return std::nullopt;
   if (age) latest.max_age = core::Seconds{days * 86'400.0};
   if (!latest.choice.ids.empty()) latest.choice.how = repository::DatasetChoice::How::named;
   return latest;
 }
 
-tl::expected<FeaturePage, codec::Problem> list_icebergs(const Context& context, const FeatureQuery& query) {
+tl::expected<FeaturePage, problems::Problem> list_icebergs(const Context& context,
+                                                           const FeatureQuery& query) {
   const auto latest = read_latest(query);
   if (!latest) return tl::unexpected(latest.error());
   for (const auto& id : datasets_of(query)) {
     if (!repository::DatasetRepository{context.db}.find(id))
-      return tl::unexpected(
-          codec::Problem{404, "unknown-dataset", "Not found", "No dataset has the id " + id.value + ".", {}});
+      return tl::unexpected(problems::problem<"unknown-dataset">(id.value));
   }
   FeaturePage page;
   std::vector<StoredSighting> sightings;

@@ -49,24 +49,12 @@ tl::expected<std::optional<repository::IdempotencyKey>, Response> idempotency_ke
   const std::string key = request.header("idempotency-key");
   const bool plain = std::all_of(key.begin(), key.end(), [](char c) { return c >= ' ' && c <= '~'; });
   if (key.empty() || key.size() > longest || !plain) {
-    return tl::unexpected(
-        problem_reply(request, {400,
-                                "invalid-idempotency-key",
-                                "Invalid Idempotency-Key",
-                                "An Idempotency-Key has 1 to 255 ASCII characters; take a UUID.",
-                                {}}));
+    return tl::unexpected(problem_reply<"invalid-idempotency-key">(request));
   }
   return repository::IdempotencyKey{owner_of(request), key, digest_of(request)};
 }
 
-Response key_reused(const Request& request) {
-  return problem_reply(request,
-                       {409,
-                        "idempotency-key-reused",
-                        "Idempotency-Key used before",
-                        "Another request had this Idempotency-Key in the last 24 hours; take a new one.",
-                        {}});
-}
+Response key_reused(const Request& request) { return problem_reply<"idempotency-key-reused">(request); }
 
 Response answer_once(const Context& context, const Request& request, const repository::IdempotencyKey& key,
                      const std::function<Response()>& answer) {

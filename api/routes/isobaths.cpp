@@ -58,17 +58,14 @@ FeatureExtent isobath_extent(sqlite::Connection& db) {
   return extent_of_kind(db, repository::DatasetKind::bathymetry);
 }
 
-tl::expected<FeaturePage, codec::Problem> list_isobaths(const Context& context, const FeatureQuery& query) {
+tl::expected<FeaturePage, problems::Problem> list_isobaths(const Context& context,
+                                                           const FeatureQuery& query) {
   std::vector<int> depths_m{usual_depths_m.begin(), usual_depths_m.end()};
   if (const auto wanted = query.filters.find("depth_m"); wanted != query.filters.end()) {
     const auto depth_m = whole_depth(wanted->second);
     if (!depth_m) {
-      return tl::unexpected(codec::Problem{
-          400,
-          "invalid-request",
-          "Invalid request",
-          "The request is not valid.",
-          {{"?depth_m", "must be a whole number of metres from 1 to " + std::to_string(deepest_m)}}});
+      return tl::unexpected(problems::problem<"invalid-request">().with(
+          {{"?depth_m", "must be a whole number of metres from 1 to " + std::to_string(deepest_m)}}));
     }
     depths_m = {*depth_m};
   }

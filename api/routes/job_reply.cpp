@@ -46,19 +46,10 @@ Response wanted_results(const repository::JobRecord& job) {
 Response results_reply(const Request& request, const repository::JobRecord& job) {
   switch (job.status) {
     case JobStatus::successful: return wanted_results(job);
-    case JobStatus::failed:
-      return problem_reply(request, {400, "job-failed", "The job failed", job.message, {}});
-    case JobStatus::dismissed:
-      return problem_reply(
-          request, {410, "job-dismissed", "The job was dismissed", "A dismissed job has no results.", {}});
+    case JobStatus::failed: return problem_reply<"job-failed">(request, job.message);
+    case JobStatus::dismissed: return problem_reply<"job-dismissed">(request);
     case JobStatus::accepted:
-    case JobStatus::running:
-      return problem_reply(request,
-                           {404,
-                            "http://www.opengis.net/def/exceptions/ogcapi-processes-1/1.0/result-not-ready",
-                            "Results not ready",
-                            "The job has not ended yet; ask for its status.",
-                            {}});
+    case JobStatus::running: return problem_reply<"result-not-ready">(request);
   }
   throw std::logic_error{"JobStatus without a reply"};
 }

@@ -38,7 +38,7 @@ Response show_landing_page(const Context& context, const Request& request, const
       format ? *format == "html" || *format == "text/html" : prefers_html(request.header("accept"));
   auto page = html ? read_asset(context.service.web, "index.html") : std::nullopt;
   if (!page && html && format) {
-    return not_found(request, "no-client", "The browser client is not installed beside this server.");
+    return problem_reply<"no-client">(request);
   }
   Response response = page ? std::move(*page) : json_reply(landing_page(context.service.public_url));
   response.headers.emplace_back("Vary", "Accept");

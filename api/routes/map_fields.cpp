@@ -50,8 +50,7 @@ tl::expected<Dataset, Response> choose_dataset(const Context& context, const Req
   const std::string what = repository::kind_name(kind);
   if (const auto id = request.parameter("dataset")) {
     const auto dataset = datasets.find({*id});
-    if (!dataset)
-      return tl::unexpected(not_found(request, "unknown-dataset", "No dataset has the id " + *id + "."));
+    if (!dataset) return tl::unexpected(problem_reply<"unknown-dataset">(request, *id));
     if (dataset->kind != kind) {
       return tl::unexpected(
           invalid(request, {{"?dataset", "must be of kind " + what + ", but " + *id + " is of kind " +
@@ -65,8 +64,8 @@ tl::expected<Dataset, Response> choose_dataset(const Context& context, const Req
       if (suits(dataset, kind, area, time)) return dataset;
     }
   }
-  return tl::unexpected(
-      not_found(request, "no-data", "No " + what + " data cover this area" + (time ? " and time." : ".")));
+  return tl::unexpected(time ? problem_reply<"no-data-in-area-then">(request, what)
+                             : problem_reply<"no-data-in-area">(request, what));
 }
 
 codec::MapGrid empty_grid(const View& view, const Dataset& dataset) {
@@ -111,7 +110,7 @@ Response show_bathymetry(const Context& context, const Request& request, const P
   // Some depths for each sample of the picture: no more can be seen.
   const std::size_t most_nodes = std::min(16 * view->nx * view->ny, FieldOverviews::plenty);
   const auto bathymetry = FieldOverviews{context.db}.bathymetry(dataset->id, view->area, most_nodes);
-  if (!bathymetry) return not_found(request, "no-data", "The dataset has no node in this area.");
+  if (!bathymetry) return problem_reply<"no-node-in-area">(request);
 
   codec::MapGrid grid = empty_grid(*view, *dataset);
   codec::MapGrid::Variable depth{"depth_m", 0.5, {}};
@@ -137,8 +136,7 @@ Response show_currents(const Context& context, const Request& request, const Pat
   const core::Metres depth{depth_m.value_or(layered ? shape->depths_m->front() : 0.0)};
   const auto currents = repository::FieldRepository{context.db}.load_currents(
       dataset->id, view->area, repository::Period{*time, *time}, depth);
-  if (!currents)
-    return not_found(request, "no-data", "The dataset has no node in this area or no time around this one.");
+  if (!currents) return problem_reply<"no-node-in-area-then">(request);
 
   codec::MapGrid grid = empty_grid(*view, *dataset);
   grid.time = time;

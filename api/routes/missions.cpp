@@ -38,11 +38,7 @@ void add_warnings(Response& response, const std::vector<std::string>& warnings) 
 Response refuse_dangerous(const Request& request, const PlanCheck& check) {
   core::Violations found;
   for (const std::string& danger : check.dangers) found.push_back({"/plan", danger});
-  return problem_reply(
-      request, {409, "dangerous-plan", "The plan is dangerous",
-                "The plan, or the newest data, tell of dangers; plan anew, or confirm them: repeat with "
-                "accept_dangers=true.",
-                std::move(found)});
+  return problem_reply(request, problems::problem<"dangerous-plan">().with(std::move(found)));
 }
 
 /// Calls `answer` with the stored plan that the path names and with what newer data say of it. A plan that would
@@ -51,7 +47,7 @@ template <class Answer>
 Response with_plan(const Context& context, const Request& request, const PathParameters& path,
                    const Answer& answer) {
   const auto plan = repository::PlanRepository{context.db}.find({path.at("plan_id")});
-  if (!plan) return not_found(request, "unknown-plan", "No plan has the id " + path.at("plan_id") + ".");
+  if (!plan) return problem_reply<"unknown-plan">(request, path.at("plan_id"));
   ParameterReader reader{request};
   const bool accept_dangers = reader.flag("accept_dangers");
   if (!reader.violations().empty()) return invalid(request, reader.violations());

@@ -89,8 +89,7 @@ Response show_readiness(const Context& context, const Request& request, const Pa
       document["sandbox"] = {{"layers", readers->layers}, {"enough", readers->enough}};
     return json_reply(document);
   }
-  Response response = problem_reply(
-      request, {503, "not-ready", "Not ready", "The server can take no work: " + found + ".", {}});
+  Response response = problem_reply<"not-ready">(request, found);
   response.headers.emplace_back("Retry-After", "30");
   return response;
 }

@@ -67,13 +67,14 @@ std::optional<json> find_part(const Context& context, const std::string& id, Par
 
 FeatureExtent plan_part_extent(sqlite::Connection&) { return {}; }
 
-tl::expected<FeaturePage, codec::Problem> list_legs(const Context& context, const FeatureQuery& query) {
+tl::expected<FeaturePage, problems::Problem> list_legs(const Context& context, const FeatureQuery& query) {
   return parts_page(context, query, codec::plan_legs);
 }
 std::optional<json> find_leg(const Context& context, const std::string& id) {
   return find_part(context, id, codec::plan_legs);
 }
-tl::expected<FeaturePage, codec::Problem> list_waypoints(const Context& context, const FeatureQuery& query) {
+tl::expected<FeaturePage, problems::Problem> list_waypoints(const Context& context,
+                                                            const FeatureQuery& query) {
   return parts_page(context, query, codec::plan_waypoints);
 }
 std::optional<json> find_waypoint(const Context& context, const std::string& id) {

@@ -14,7 +14,7 @@ using repository::PlanRepository;
 
 FeatureExtent plan_extent(sqlite::Connection&) { return {}; }
 
-tl::expected<FeaturePage, codec::Problem> list_plans(const Context& context, const FeatureQuery& query) {
+tl::expected<FeaturePage, problems::Problem> list_plans(const Context& context, const FeatureQuery& query) {
   const PlanRepository plans{context.db};
   const repository::PlanFilter filter{.area = query.area, .from = query.span.from, .to = query.span.to};
   FeaturePage page;
@@ -39,7 +39,7 @@ std::optional<json> find_plan(const Context& context, const std::string& id) {
 }
 
 Response no_such_plan(const Request& request, const std::string& id) {
-  return not_found(request, "unknown-plan", "No plan has the id " + id + ".");
+  return problem_reply<"unknown-plan">(request, id);
 }
 
 /// What has become of the plan's data, and whether it holds in those of today.

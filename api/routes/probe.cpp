@@ -29,7 +29,7 @@ Response show_probe(const Context& context, const Request& request, const PathPa
   if (max_age_days) query.max_sighting_age = core::Seconds{*max_age_days * 86'400.0};
   query.dataset_id = request.parameter("dataset");
   if (query.dataset_id && !repository::DatasetRepository{context.db}.find({*query.dataset_id})) {
-    return not_found(request, "unknown-dataset", "No dataset has the id " + *query.dataset_id + ".");
+    return problem_reply<"unknown-dataset">(request, *query.dataset_id);
   }
   const auto result = probe(context.db, query);
   return result ? json_reply(codec::probe_document(*result)) : invalid(request, result.error());

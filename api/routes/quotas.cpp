@@ -11,32 +11,15 @@ namespace {
 
 constexpr std::uint64_t megabyte = 1'000'000;
 
-std::string megabytes(std::uint64_t bytes) {
-  return std::to_string((bytes + megabyte - 1) / megabyte) + " MB";
-}
+std::uint64_t megabytes(std::uint64_t bytes) { return (bytes + megabyte - 1) / megabyte; }
 
 Response over_uploads(const Request& request, const Quotas& quotas) {
-  return problem_reply(
-      request, {403,
-                "quota-uploads",
-                "Too many uploads",
-                "You have as many uploads waiting as one token may (" + std::to_string(quotas.uploads) +
-                    "). This file was not kept. Remove some of yours with DELETE "
-                    "/uploads/{id} (GET /uploads lists them); each expires after a day.",
-                {}});
+  return problem_reply<"quota-uploads">(request, quotas.uploads);
 }
 
 Response over_bytes(const Request& request, const Quotas& quotas, std::uint64_t used, std::uint64_t bytes) {
-  return problem_reply(
-      request, {403,
-                "quota-stored-bytes",
-                "Too much is stored",
-                "You have " + megabytes(used) + " stored of the " + megabytes(quotas.stored_bytes) +
-                    " that one token may; " + megabytes(bytes) +
-                    " more do not fit, and nothing was kept of this request. Remove uploads with DELETE "
-                    "/uploads/{id} (GET /uploads lists them) or datasets that nobody needs with DELETE "
-                    "/datasets/{id}, or have the quota raised (serve --max-stored-mb).",
-                {}});
+  return problem_reply<"quota-stored-bytes">(request, megabytes(used), megabytes(quotas.stored_bytes),
+                                             megabytes(bytes));
 }
 
 }  // namespace

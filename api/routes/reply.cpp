@@ -1,5 +1,7 @@
 #include "api/routes/reply.hpp"
 
+#include "api/codec/problem.hpp"
+
 namespace floeplan::routes {
 
 using nlohmann::json;
@@ -14,7 +16,7 @@ Response json_reply(const json& document, int status, const std::string& content
 
 Response geojson_reply(const json& document) { return json_reply(document, 200, "application/geo+json"); }
 
-Response problem_reply(const Request& request, const codec::Problem& problem) {
+Response problem_reply(const Request& request, const problems::Problem& problem) {
   const std::string accept = request.header("accept");
   const auto accepts = [&](const char* type) { return accept.find(type) != std::string::npos; };
   const bool plain_only =
@@ -23,24 +25,16 @@ Response problem_reply(const Request& request, const codec::Problem& problem) {
                     plain_only ? "application/json" : "application/problem+json");
 }
 
-Response not_found(const Request& request, const std::string& slug, const std::string& detail) {
-  return problem_reply(request, {404, slug, "Not found", detail, {}});
-}
-
 Response no_such_process(const Request& request, const std::string& id) {
-  return not_found(request, "http://www.opengis.net/def/exceptions/ogcapi-processes-1/1.0/no-such-process",
-                   "No process has the id " + id + ".");
+  return problem_reply<"no-such-process">(request, id);
 }
 
 Response no_such_job(const Request& request, const std::string& id) {
-  return not_found(request, "http://www.opengis.net/def/exceptions/ogcapi-processes-1/1.0/no-such-job",
-                   "No job has the id " + id + ".");
+  return problem_reply<"no-such-job">(request, id);
 }
 
 Response invalid(const Request& request, core::Violations violations) {
-  return problem_reply(request,
-                       {400, "invalid-request", "Invalid request",
-                        "The request has faults; each is listed under \"errors\".", std::move(violations)});
+  return problem_reply(request, problems::problem<"invalid-request">().with(std::move(violations)));
 }
 
 json link(const std::string& rel, const std::string& type, const std::string& href,

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "api/codec/problem.hpp"
+#include "api/problems/problem_catalogue.hpp"
 #include "api/routes/message.hpp"
 #include "storage/json/json.hpp"
 
@@ -15,9 +15,13 @@ namespace floeplan::routes {
 [[nodiscard]] Response geojson_reply(const nlohmann::json& document);
 
 /// As problem+json, unless the request accepts nothing but plain JSON.
-[[nodiscard]] Response problem_reply(const Request& request, const codec::Problem& problem);
+[[nodiscard]] Response problem_reply(const Request& request, const problems::Problem& problem);
+/// With the problem of this code and these values.
+template <messages::Code code, class... Given>
+[[nodiscard]] Response problem_reply(const Request& request, const Given&... given) {
+  return problem_reply(request, problems::problem<code>(given...));
+}
 
-[[nodiscard]] Response not_found(const Request& request, const std::string& slug, const std::string& detail);
 [[nodiscard]] Response no_such_process(const Request& request, const std::string& id);
 [[nodiscard]] Response no_such_job(const Request& request, const std::string& id);
 [[nodiscard]] Response invalid(const Request& request, core::Violations violations);

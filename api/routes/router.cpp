@@ -92,14 +92,7 @@ std::optional<core::Violation> query_fault(const Route& route, const Request& re
 }
 
 Response unknown_caller(const Request& request) {
-  Response response =
-      problem_reply(request, {401,
-                              "unauthorized",
-                              "Unauthorized",
-                              "Nobody is known who asks; send a token as \"Authorization: Bearer "
-                              "TOKEN\", or log in with it by POST /session. Tokens are made on the "
-                              "server's machine: floeplan token add NAME --role ROLE.",
-                              {}});
+  Response response = problem_reply<"unauthorized">(request);
   response.headers.emplace_back("WWW-Authenticate", "Bearer realm=\"floeplan\"");
   return response;
 }
@@ -109,17 +102,12 @@ std::optional<Response> refuse_caller(const Route& route, const Request& request
   if (!least) return std::nullopt;
   if (!request.caller) return unknown_caller(request);
   if (request.caller->role >= *least) return std::nullopt;
-  return problem_reply(request,
-                       {403,
-                        "forbidden",
-                        "Forbidden",
-                        "This takes a token of the role " + repository::role_name(*least) +
-                            "; yours is of the role " + repository::role_name(request.caller->role) + ".",
-                        {}});
+  return problem_reply<"forbidden">(request, repository::role_name(*least),
+                                    repository::role_name(request.caller->role));
 }
 
 Response without_operation(const Request& request, const std::vector<std::string>& methods) {
-  if (methods.empty()) return not_found(request, "unknown-path", "There is nothing at " + request.path + ".");
+  if (methods.empty()) return problem_reply<"unknown-path">(request, request.path);
 
   std::string allow = "OPTIONS";
   for (const auto& method : methods) {
@@ -130,11 +118,7 @@ Response without_operation(const Request& request, const std::vector<std::string
   if (request.method == "OPTIONS") {
     response.status = 204;
   } else {
-    response = problem_reply(request, {405,
-                                       "method-not-allowed",
-                                       "Method not allowed",
-                                       request.method + " is not possible here; allowed: " + allow + ".",
-                                       {}});
+    response = problem_reply<"method-not-allowed">(request, request.method, allow);
   }
   response.headers.emplace_back("Allow", allow);
   return response;

@@ -18,13 +18,7 @@ nlohmann::json caller_document(const Caller& caller) {
 /// The token is shown in the header or the body, and was looked at before this is reached.
 Response log_in(const Context& context, const Request& request, const PathParameters&) {
   if (request.caller->token_key.empty()) {
-    return problem_reply(request,
-                         {400,
-                          "no-token",
-                          "No token",
-                          "A login takes a token: as {\"token\": \"...\"} or in the Authorization header. A "
-                          "server without tokens needs no login.",
-                          {}});
+    return problem_reply<"no-token">(request);
   }
   const codec::Credential credential = codec::new_credential();
   const repository::LoginRecord login{.key = credential.key,
@@ -32,8 +26,7 @@ Response log_in(const Context& context, const Request& request, const PathParame
                                       .created = request.now,
                                       .expires = request.now + lifetime};
   if (!repository::TokenRepository{context.db}.log_in(request.caller->token_key, login))
-    return problem_reply(request,
-                         {401, "unauthorized", "Unauthorized", "The token has just been revoked.", {}});
+    return problem_reply<"token-just-revoked">(request);
   auto document = caller_document(*request.caller);
   document["expires"] = core::iso8601(login.expires);
   Response response = json_reply(document);

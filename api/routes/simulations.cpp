@@ -19,8 +19,7 @@ using repository::SimulationRepository;
 constexpr std::int64_t last_run = 1'000'000;
 
 Response unknown_simulation(const Request& request, const PathParameters& path) {
-  return not_found(request, "unknown-simulation",
-                   "No simulation has the id " + path.at("simulation_id") + ".");
+  return problem_reply<"unknown-simulation">(request, path.at("simulation_id"));
 }
 
 std::string address_of_simulation(const Context& context, const SimulationRecord& record) {
@@ -81,10 +80,7 @@ Response show_flight(const Context& context, const Request& request, const PathP
   const auto flight =
       number ? repository.find_flight({path.at("simulation_id")}, std::stoll(text)) : std::nullopt;
   if (!flight) {
-    return not_found(request, "unknown-flight",
-                     "The flight " + text +
-                         " is not kept; a simulation keeps its first ones, as many as its input "
-                         "\"tracks\" says.");
+    return problem_reply<"unknown-flight">(request, text);
   }
   return json_reply(json::parse(flight->document_json));
 }
@@ -100,7 +96,7 @@ Response export_tracks(const Context& context, const Request& request, const Pat
 
   const SimulationFormat& format = simulation_formats()[format_number];
   auto bytes = export_simulation(context.db, *record, format, run);
-  if (!bytes) return not_found(request, "unknown-flight", "No such flight of the simulation is kept.");
+  if (!bytes) return problem_reply<"no-flight-kept">(request);
   Response response;
   response.content_type = format.content_type;
   response.headers.emplace_back("Content-Disposition",

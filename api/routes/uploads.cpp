@@ -131,8 +131,7 @@ Response list_uploads(const Context& context, const Request& request, const Path
 }
 
 Response unknown_upload(const Request& request, const PathParameters& path) {
-  return not_found(request, "unknown-upload",
-                   "No upload has the id " + path.at("upload_id") + "; it was removed or has expired.");
+  return problem_reply<"unknown-upload">(request, path.at("upload_id"));
 }
 
 Response show_upload(const Context& context, const Request& request, const PathParameters& path) {

@@ -10,7 +10,7 @@ using nlohmann::json;
 using repository::DatasetKind;
 using repository::ZoneRepository;
 
-tl::expected<FeaturePage, codec::Problem> list_zones(const Context& context, const FeatureQuery& query) {
+tl::expected<FeaturePage, problems::Problem> list_zones(const Context& context, const FeatureQuery& query) {
   repository::ZoneFilter filter{.area = query.area, .from = query.span.from, .to = query.span.to};
   if (const auto found = query.filters.find("kind"); found != query.filters.end())
     filter.kind = found->second;

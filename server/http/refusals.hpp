@@ -3,15 +3,14 @@
 #include <boost/beast/core/error.hpp>
 #include <cstdint>
 #include <optional>
-#include <string>
 
+#include "api/problems/problem_catalogue.hpp"
 #include "api/routes/message.hpp"
 
 namespace floeplan::http {
 
 /// A problem (RFC 9457) that no resource has said; the texts are ours and need no escaping.
-[[nodiscard]] routes::Response problem(int status, const std::string& slug, const std::string& title,
-                                       const std::string& detail);
+[[nodiscard]] routes::Response problem_response(const problems::Problem& problem);
 
 /// All memory that requests may take is taken: 503, come again.
 [[nodiscard]] routes::Response busy();

@@ -43,33 +43,21 @@ std::string next_request_id() {
   return process + "-" + std::to_string(++last);
 }
 
-Response internal_error() {
-  return problem(500, "internal-error", "Internal error",
-                 "The server could not answer; its log says why. The request may be sent again.");
-}
+Response internal_error() { return problem_response(problems::problem<"internal-error">()); }
 
 Response come_again(Response response) {
   response.headers.emplace_back("Retry-After", "30");
   return response;
 }
 
-Response too_many_streams() {
-  return come_again(problem(503, "too-many-streams", "Too many streams",
-                            "Too many event streams are open; ask again later."));
-}
+Response too_many_streams() { return come_again(problem_response(problems::problem<"too-many-streams">())); }
 
 Response too_many_streams_of_client(std::size_t most) {
-  return come_again(problem(429, "too-many-streams", "Too many streams",
-                            "You have " + std::to_string(most) +
-                                " event streams open, as many as one client may; close some. One stream of "
-                                "/events tells of all jobs."));
+  return come_again(problem_response(problems::problem<"too-many-streams-of-client">(most)));
 }
 
 Response too_many_files(std::size_t most) {
-  return come_again(problem(429, "too-many-files", "Too many files at once",
-                            "You are sending " + std::to_string(most) +
-                                " files, as many as one client may at once; send this one when another has "
-                                "arrived."));
+  return come_again(problem_response(problems::problem<"too-many-files">(most)));
 }
 
 /// Status line and fields in one piece: Beast's serializer hands each field to the system as four, and gathering some
@@ -217,7 +205,7 @@ net::awaitable<bool> Session::exchange() {
     request->peer = peer_;
     response = co_await answer(*request);
   } else {
-    response = problem(400, "invalid-target", "Invalid request", "The address of the request is not valid.");
+    response = problem_response(problems::problem<"invalid-target">());
   }
   response.headers.emplace_back("X-Request-Id", id);
   if (response.streams && !head_only) {

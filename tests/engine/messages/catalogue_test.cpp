@@ -1,16 +1,12 @@
 #include "engine/messages/catalogue.hpp"
 
 #include <gmock/gmock.h>
-#include <unistd.h>
 
 #include <array>
-#include <filesystem>
-#include <fstream>
 #include <set>
-#include <sstream>
 
 #include "engine/messages/sentence.hpp"
-#include "tests/support/places.hpp"
+#include "tests/support/golden.hpp"
 
 namespace floeplan::messages::catalogue_test {
 namespace {
@@ -31,19 +27,7 @@ std::string listing() {
   return text;
 }
 
-TEST(Catalogue, IsListedWithEveryMessage) {
-  const std::string file = support::source_folder() + "/tests/golden/messages.txt";
-  std::ostringstream listed;
-  listed << std::ifstream{file}.rdbuf();
-
-  const std::string now = listing();
-
-  if (listed.str() == now) return;
-  const auto written = std::filesystem::temp_directory_path() / ("messages." + std::to_string(::getuid()));
-  std::ofstream{written} << now;
-  FAIL() << "the messages are others than listed; read the difference, and if it is meant: cp " << written
-         << ' ' << file;
-}
+TEST(Catalogue, IsListedWithEveryMessage) { support::expect_golden("messages.txt", listing()); }
 
 TEST(Catalogue, HasOneKindForACode) {
   std::set<std::string_view> codes;

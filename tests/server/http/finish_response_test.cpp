@@ -56,9 +56,9 @@ TEST(FinishResponse, AnswersNotModifiedForTheTagItGaveCompressedOrNot) {
 }
 
 TEST(FinishResponse, SetsSecurityHeadersOnEveryAnswer) {
-  std::vector<Response> answers{finish_response(get(), page(10)),
-                                finish_response(get({{"if-none-match", "*"}}), page(10)),
-                                problem(400, "a", "b", "c"), busy()};
+  std::vector<Response> answers{
+      finish_response(get(), page(10)), finish_response(get({{"if-none-match", "*"}}), page(10)),
+      problem_response({.status = 400, .slug = "a", .title = "b", .detail = "c"}), busy()};
   EXPECT_EQ(answers[1].status, 304);
   Response stream = page(10, "text/event-stream");
   stream.streams = true;
