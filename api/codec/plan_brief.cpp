@@ -100,11 +100,12 @@ std::string brief_caption(const MapPicture& picture) {
 }
 
 std::vector<std::string> brief_warnings(const planning::Plan& plan, const BriefNotes& notes) {
-  std::vector<std::string> warnings = notes.warnings;
-  for (std::string& warning : messages::sentences(plan.messages))
-    if (std::ranges::find(notes.warnings, warning) == notes.warnings.end())
-      warnings.push_back(std::move(warning));
-  return messages::dangers_first(std::move(warnings));
+  std::vector<messages::Message> told = notes.messages;
+  told.insert(told.end(), plan.messages.begin(), plan.messages.end());
+  std::vector<std::string> warnings;
+  for (std::string& warning : messages::sentences(messages::by_rank(std::move(told))))
+    if (std::ranges::find(warnings, warning) == warnings.end()) warnings.push_back(std::move(warning));
+  return warnings;
 }
 
 std::string plan_brief_html(const planning::Plan& plan, const MapPicture& picture, const BriefNotes& notes) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "api/codec/map_picture.hpp"
+#include "engine/messages/message.hpp"
 #include "engine/planning/problem/plan.hpp"
 
 namespace floeplan::codec {
@@ -13,7 +14,7 @@ struct BriefNotes {
   std::string plan_id;
   std::string name;
   core::UtcTime generated{};
-  std::vector<std::string> warnings;  // of the export; the plan's own are added
+  std::vector<messages::Message> messages;  // of the export; the plan's own are added
 };
 
 /// A page for the pilot's desk: picture, times, waypoints in degrees and minutes, data with their hashes, warnings.
@@ -29,7 +30,7 @@ struct BriefNotes {
 [[nodiscard]] std::string brief_caption(const MapPicture& picture);
 /// The sentences above the table: vehicle, times, distance, clearances.
 [[nodiscard]] std::vector<std::string> brief_facts(const planning::Plan& plan);
-/// The warnings of the export and of the plan, each once, the dangers first.
+/// The messages of the export and of the plan as sentences, each once, the gravest first.
 [[nodiscard]] std::vector<std::string> brief_warnings(const planning::Plan& plan, const BriefNotes& notes);
 
 }  // namespace floeplan::codec

@@ -8,6 +8,7 @@
 #include "api/routes/export_sea.hpp"
 #include "api/routes/text_values.hpp"
 #include "engine/core/version.hpp"
+#include "engine/messages/export_messages.hpp"
 #include "engine/mission/ice_files.hpp"
 #include "engine/mission/line_words.hpp"
 #include "engine/mission/read_document.hpp"
@@ -89,23 +90,20 @@ mission::YoFlight judge_yo(sqlite::Connection& db, const repository::PlanRecord&
   const auto sea =
       inputs ? repository::load_environment(db, inputs->data) : tl::unexpected(core::Violations{});
   if (!sea) {
-    return {
-        {},
-        {"Whether the yo, which turns at the same depths all the way, flies the plan could not be looked at "
-         "in the stored data."}};
+    return {.violations = {}, .messages = {messages::export_message<"yo-not-checked">()}};
   }
   return mission::fly_by_yo(*sea, codec::route_of(json::parse(record.document_json)), inputs->request, plan);
 }
 
-/// A pilot who has the lists alone flies them by a yo that the plan's warnings describe.
+/// A pilot who has the lists alone flies them by a yo that the plan's messages describe.
 tl::expected<mission::MissionFiles, core::Violations> lists_of(const planning::Plan& plan,
                                                                const mission::MissionSetOptions& options,
                                                                const mission::YoFlight& flight) {
   auto lists = mission::write_goto_lists(plan, options.lists);
   if (!lists) return lists;
   for (const core::Violation& violation : flight.violations)
-    lists->warnings.push_back("The waypoints " + violation.rule + ".");
-  std::ranges::copy(flight.warnings, std::back_inserter(lists->warnings));
+    lists->messages.push_back(messages::export_message<"yo-cannot-fly-plan">(violation.rule));
+  std::ranges::copy(flight.messages, std::back_inserter(lists->messages));
   return lists;
 }
 
@@ -121,8 +119,8 @@ tl::expected<mission::MissionFiles, core::Violations> mission_set_of(
     return tl::unexpected(std::move(found));
   }
   if (!set) return set;
-  std::ranges::move(safe.warnings, std::back_inserter(set->warnings));
-  std::ranges::move(flight.warnings, std::back_inserter(set->warnings));
+  std::ranges::move(safe.messages, std::back_inserter(set->messages));
+  std::ranges::move(flight.messages, std::back_inserter(set->messages));
   return set;
 }
 

@@ -1,6 +1,4 @@
-#include <algorithm>
-#include <iterator>
-
+#include "api/codec/document_values.hpp"
 #include "api/codec/zip_archive.hpp"
 #include "api/routes/mission_service.hpp"
 #include "api/routes/parameters.hpp"
@@ -30,14 +28,15 @@ Response download(const std::string& file_name, const std::string& type, std::st
   return response;
 }
 
-void add_warnings(Response& response, const std::vector<std::string>& warnings) {
-  for (const std::string& warning : warnings)
+void add_warnings(Response& response, const std::vector<messages::Message>& told) {
+  for (const std::string& warning : messages::sentences(told))
     response.headers.emplace_back("Floeplan-Warning", mission::comment_text(warning, longest_header));
 }
 
 Response refuse_dangerous(const Request& request, const PlanCheck& check) {
   core::Violations found;
-  for (const std::string& danger : check.dangers) found.push_back({"/plan", danger});
+  for (const messages::Message& danger : check.dangers)
+    found.push_back({"/plan", messages::whole_text(danger)});
   return problem_reply(request, problems::problem<"dangerous-plan">().with(std::move(found)));
 }
 
@@ -52,11 +51,11 @@ Response with_plan(const Context& context, const Request& request, const PathPar
   const bool accept_dangers = reader.flag("accept_dangers");
   if (!reader.violations().empty()) return invalid(request, reader.violations());
 
-  PlanCheck check = check_plan(context.db, *plan);
+  const PlanCheck check = check_plan(context.db, *plan);
   if (!check.dangers.empty() && !accept_dangers) return refuse_dangerous(request, check);
-  std::ranges::transform(check.dangers, std::back_inserter(check.warnings), messages::as_danger);
-  Response response = answer(*plan, check.warnings);
-  add_warnings(response, check.warnings);
+  const std::vector<messages::Message> told = all_of(check);
+  Response response = answer(*plan, told);
+  add_warnings(response, told);
   return response;
 }
 
@@ -120,14 +119,16 @@ Response with_files(const Context& context, const Request& request, const PlanRe
 
 Response show_mission(const Context& context, const Request& request, const PathParameters& path) {
   return with_plan(context, request, path,
-                   [&](const PlanRecord& plan, const std::vector<std::string>& warnings) {
+                   [&](const PlanRecord& plan, const std::vector<messages::Message>& told) {
                      return with_files(context, request, plan, [&](const mission::MissionFiles& set) {
                        json files = json::array();
                        for (const auto& file : set.files)
                          files.push_back({{"name", file.name}, {"text", file.text}});
-                       std::vector<std::string> all = warnings;
-                       all.insert(all.end(), set.warnings.begin(), set.warnings.end());
-                       return json_reply({{"files", std::move(files)}, {"warnings", std::move(all)}});
+                       std::vector<messages::Message> all = told;
+                       all.insert(all.end(), set.messages.begin(), set.messages.end());
+                       json document{{"files", std::move(files)}};
+                       codec::tell(document, std::move(all));
+                       return json_reply(document);
                      });
                    });
 }
@@ -136,29 +137,30 @@ Response download_zip(const Context& context, const Request& request, const Path
   const bool seaglider = request.parameter("format") == "seaglider";
   const auto folder = handover_folder(request.parameter("glider").value_or(""), seaglider);
   if (!folder) return invalid(request, {{"?glider", folder.error().rule}});
-  return with_plan(context, request, path, [&](const PlanRecord& plan, const std::vector<std::string>&) {
-    return with_files(context, request, plan, [&](const mission::MissionFiles& set) {
-      std::vector<codec::ArchivedFile> files;
-      files.reserve(set.files.size());
-      for (const auto& file : set.files) files.push_back({*folder + file.name, file.text});
-      Response response =
-          download(download_stem(plan) + ".zip", "application/zip", codec::zip_archive(files, request.now));
-      add_warnings(response, set.warnings);
-      return response;
-    });
-  });
+  return with_plan(context, request, path,
+                   [&](const PlanRecord& plan, const std::vector<messages::Message>&) {
+                     return with_files(context, request, plan, [&](const mission::MissionFiles& set) {
+                       std::vector<codec::ArchivedFile> files;
+                       files.reserve(set.files.size());
+                       for (const auto& file : set.files) files.push_back({*folder + file.name, file.text});
+                       Response response = download(download_stem(plan) + ".zip", "application/zip",
+                                                    codec::zip_archive(files, request.now));
+                       add_warnings(response, set.messages);
+                       return response;
+                     });
+                   });
 }
 
 /// Answers with the plan in one format that is a single file.
 auto download_as(const ExportFormat& format) {
   return [&format](const Context& context, const Request& request, const PathParameters& path) {
     return with_plan(context, request, path,
-                     [&](const PlanRecord& plan, const std::vector<std::string>& warnings) {
-                       auto exported = export_plan(context.db, plan, format, warnings, request.now);
+                     [&](const PlanRecord& plan, const std::vector<messages::Message>& told) {
+                       auto exported = export_plan(context.db, plan, format, told, request.now);
                        if (!exported) return invalid(request, exported.error());
                        Response response = download(export_file_name(format, download_stem(plan)),
                                                     format.content_type, std::move(exported->bytes));
-                       add_warnings(response, exported->warnings);
+                       add_warnings(response, exported->messages);
                        return response;
                      });
   };

@@ -1,12 +1,13 @@
 #include "api/routes/plan_check.hpp"
 
 #include <algorithm>
-#include <array>
 #include <iterator>
 #include <stdexcept>
 
+#include "api/codec/document_values.hpp"
 #include "api/codec/plan_document.hpp"
 #include "api/routes/mission_service.hpp"
+#include "engine/messages/export_messages.hpp"
 #include "engine/messages/sentence.hpp"
 #include "engine/mission/below_ice.hpp"
 #include "engine/mission/route_check.hpp"
@@ -61,31 +62,26 @@ std::vector<ChangedData> changes(sqlite::Connection& db, const std::vector<Datas
 }
 
 /// When nobody can tell what the request would take today: what is gone, and why the rest is not known.
-PlanCheck not_checkable(sqlite::Connection& db, const std::vector<DatasetRef>& used, std::string why) {
+PlanCheck not_checkable(sqlite::Connection& db, const std::vector<DatasetRef>& used, messages::Message why) {
   const repository::DatasetRepository datasets{db};
   PlanCheck check;
   for (const DatasetRef& dataset : used) {
     if (const auto fate = fate_of(dataset, datasets)) check.changed_data.push_back({dataset, *fate});
   }
-  check.warnings.push_back(std::move(why));
+  check.besides.push_back(std::move(why));
   return check;
 }
 
 /// What the plan knows nothing of for want of data, whoever left them out.
-std::vector<std::string> warnings_of_gaps(const planning::Plan& plan) {
-  struct Gap {
-    const char* kind;
-    const char* consequence;
+std::vector<messages::Message> gaps_of(const planning::Plan& plan) {
+  std::vector<messages::Message> told;
+  const auto lacks = [&](const char* kind) {
+    return std::ranges::find(plan.datasets, kind, &DatasetRef::kind) == plan.datasets.end();
   };
-  constexpr std::array<Gap, 3> gaps{{{"bathymetry", "it knows no depths"},
-                                     {"ice", "it takes the water to be open"},
-                                     {"icebergs", "it avoids none"}}};
-  std::vector<std::string> warnings;
-  for (const auto& [kind, consequence] : gaps) {
-    if (std::ranges::find(plan.datasets, kind, &DatasetRef::kind) == plan.datasets.end())
-      warnings.push_back(std::string{"The plan was made without "} + kind + ": " + consequence + ".");
-  }
-  return warnings;
+  if (lacks("bathymetry")) told.push_back(messages::export_message<"made-without-bathymetry">());
+  if (lacks("ice")) told.push_back(messages::export_message<"made-without-ice">());
+  if (lacks("icebergs")) told.push_back(messages::export_message<"made-without-icebergs">());
+  return told;
 }
 
 /// What newer data say of the plan.
@@ -93,44 +89,39 @@ PlanCheck in_newest_data(sqlite::Connection& db, const repository::PlanRecord& r
                          const planning::Plan& plan) {
   auto inputs = inputs_of(record);
   if (!inputs) {
-    return not_checkable(db, plan.datasets,
-                         "The plan was stored by another version and could not be checked in newer data.");
+    return not_checkable(db, plan.datasets, messages::export_message<"not-checked-by-this-version">());
   }
   const auto environment = repository::load_environment(db, inputs->data);
   if (!environment) {
-    return not_checkable(
-        db, plan.datasets,
-        "The plan could not be checked in the stored data: " + environment.error().front().rule + ".");
+    return not_checkable(db, plan.datasets,
+                         messages::export_message<"not-checked-in-data">(environment.error().front().rule));
   }
   PlanCheck check;
   check.changed_data = changes(db, plan.datasets, environment->datasets);
-  for (const std::string& danger : messages::dangers_among(environment->messages))
-    check.dangers.push_back(messages::without_mark(danger));
+  std::ranges::copy_if(environment->messages, std::back_inserter(check.dangers), messages::is_grave);
   const auto too_old = std::ranges::count_if(environment->icebergs, [&](const ocean::Iceberg& berg) {
     return ocean::is_too_old(berg, plan.departure);
   });
-  if (too_old > 0)
-    check.dangers.push_back(
-        std::to_string(too_old) + (too_old == 1 ? " iceberg" : " icebergs") +
-        " ignored: not seen for too long by the departure of the plan. Each may still be near "
-        "the route");
+  if (too_old > 0) check.dangers.push_back(messages::export_message<"sightings-too-old-for-plan">(too_old));
   if (!check.stale()) return check;
 
   inputs->request.depart = plan.departure;  // of a window of departures, the best
   const auto found =
       mission::check_route(*environment, codec::route_of(json::parse(record.document_json)), inputs->request);
   for (const auto& finding : found.findings) {
-    const std::string text =
-        "In the newest data, leg " + std::to_string(finding.place) + ": " + finding.text + ".";
-    (finding.dangerous ? check.dangers : check.warnings).push_back(text);
+    if (finding.dangerous) {
+      check.dangers.push_back(messages::export_message<"closed-in-newest-data">(finding.place, finding.text));
+    } else {
+      check.besides.push_back(
+          messages::export_message<"unknown-in-newest-data">(finding.place, finding.text));
+    }
   }
   if (found.timing) {
     for (const std::string& closed : mission::closed_above_since(plan, *found.timing))
-      check.dangers.push_back("In the newest data, " + closed + ".");
+      check.dangers.push_back(messages::export_message<"ice-above-in-newest-data">(closed));
   }
   if (found.findings.empty() && check.dangers.empty()) {
-    check.warnings.push_back(
-        "The data have changed since the plan was made; in the newest ones it is still clear.");
+    check.besides.push_back(messages::export_message<"clear-in-newest-data">());
   }
   return check;
 }
@@ -140,13 +131,19 @@ PlanCheck in_newest_data(sqlite::Connection& db, const repository::PlanRecord& r
 PlanCheck check_plan(sqlite::Connection& db, const repository::PlanRecord& record) {
   const planning::Plan plan = codec::parse_plan_document(json::parse(record.document_json));
   PlanCheck check = in_newest_data(db, record, plan);
-  for (const std::string& danger : messages::dangers_among(plan.messages)) {
-    const bool is_told =
-        std::ranges::find(check.dangers, messages::without_mark(danger)) != check.dangers.end();
-    if (!is_told) check.warnings.push_back(danger);
+  for (const messages::Message& message : plan.messages) {
+    const bool is_told = std::ranges::find(check.dangers, messages::whole_text(message),
+                                           messages::whole_text) != check.dangers.end();
+    if (messages::is_grave(message) && !is_told) check.besides.push_back(message);
   }
-  std::ranges::move(warnings_of_gaps(plan), std::back_inserter(check.warnings));
+  std::ranges::move(gaps_of(plan), std::back_inserter(check.besides));
   return check;
+}
+
+std::vector<messages::Message> all_of(const PlanCheck& check) {
+  std::vector<messages::Message> all = check.dangers;
+  all.insert(all.end(), check.besides.begin(), check.besides.end());
+  return all;
 }
 
 json plan_check_document(const repository::PlanRecord& record, const PlanCheck& check) {
@@ -158,11 +155,11 @@ json plan_check_document(const repository::PlanRecord& record, const PlanCheck& 
                        {"sha256", dataset.sha256},
                        {"change", name_of(change)}});
   }
-  return {{"plan_id", record.id.value},
-          {"stale", check.stale()},
-          {"changed_data", std::move(changed)},
-          {"dangers", check.dangers},
-          {"warnings", check.warnings}};
+  json dangers = json::array();
+  for (const messages::Message& danger : check.dangers) dangers.push_back(messages::whole_text(danger));
+  return {{"plan_id", record.id.value},         {"stale", check.stale()},
+          {"changed_data", std::move(changed)}, {"messages", codec::messages_json(all_of(check))},
+          {"dangers", std::move(dangers)},      {"warnings", messages::sentences(check.besides)}};
 }
 
 }  // namespace floeplan::routes

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/messages/message.hpp"
 #include "engine/ocean/dataset_ref.hpp"
 #include "storage/repository/plan_repository.hpp"
 #include "storage/sqlite/connection.hpp"
@@ -25,9 +26,10 @@ struct ChangedData {
 
 /// What newer data than those it was made with say of a stored plan.
 struct PlanCheck {
-  std::vector<ChangedData> changed_data;  // empty: the same request would give the same plan
-  std::vector<std::string> dangers;       // the plan must not be flown as it is
-  std::vector<std::string> warnings;      // what could not be found out, and what the plan knows nothing of
+  std::vector<ChangedData> changed_data;   // empty: the same request would give the same plan
+  std::vector<messages::Message> dangers;  // the plan must not be flown as it is
+  /// What could not be found out, what the plan knows nothing of, and the dangers that it was made with.
+  std::vector<messages::Message> besides;
 
   [[nodiscard]] bool stale() const { return !changed_data.empty(); }
 };
@@ -35,6 +37,9 @@ struct PlanCheck {
 /// Follows a stored plan once more through the newest data of its choice, from its own departure. A plan whose data are
 /// unchanged has been checked when it was made. One function for API and command line.
 [[nodiscard]] PlanCheck check_plan(sqlite::Connection& db, const repository::PlanRecord& record);
+
+/// The dangers first.
+[[nodiscard]] std::vector<messages::Message> all_of(const PlanCheck& check);
 
 /// As API and command line show it.
 [[nodiscard]] nlohmann::json plan_check_document(const repository::PlanRecord& record,

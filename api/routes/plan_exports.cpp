@@ -19,6 +19,7 @@
 #include "api/routes/mission_service.hpp"
 #include "engine/core/utc_text.hpp"
 #include "engine/core/version.hpp"
+#include "engine/messages/export_messages.hpp"
 #include "engine/mission/below_ice.hpp"
 #include "engine/mission/goto_lists.hpp"
 #include "engine/mission/nmea_route.hpp"
@@ -75,7 +76,7 @@ codec::MapPicture picture_of(sqlite::Connection& db, const PlanRecord& record, c
 
 /// The plan in the format, which can hold it.
 std::string bytes_of(sqlite::Connection& db, const PlanRecord& record, const planning::Plan& plan,
-                     const ExportFormat& format, const std::vector<std::string>& warnings,
+                     const ExportFormat& format, const std::vector<messages::Message>& told,
                      core::UtcTime now) {
   const std::string& id = record.id.value;
   if (format.name == "gpx") return codec::plan_gpx(plan, id, record.name);
@@ -88,7 +89,7 @@ std::string bytes_of(sqlite::Connection& db, const PlanRecord& record, const pla
     return mission::write_targets(plan, mission::default_waypoint_radius(plan), origin).text;
   if (format.name == "imc")
     return codec::plan_imc(plan, vehicle_of(record, plan), shoals_of(db, record, plan), id, record.name, now);
-  const codec::BriefNotes notes{id, record.name, now, warnings};
+  const codec::BriefNotes notes{id, record.name, now, told};
   if (format.name == "html") return codec::plan_brief_html(plan, picture_of(db, record, plan), notes);
   if (format.name == "pdf") return codec::plan_brief_pdf(plan, picture_of(db, record, plan), notes);
   throw std::invalid_argument{"export_plan: no format " + format.name};
@@ -101,15 +102,13 @@ bool lacks_upper_turns(const ExportFormat& format) {
   return std::ranges::find(lacking, format.name) != lacking.end();
 }
 
-std::vector<std::string> warnings_of(const planning::Plan& plan, const ExportFormat& format) {
+std::vector<messages::Message> messages_of(const planning::Plan& plan, const ExportFormat& format) {
   if (!lacks_upper_turns(format)) return {};
   const double turn_m = std::ceil(mission::least_upper_turn(plan).value);
   if (turn_m <= 0.0 && mission::tells_upper_turns(plan)) return {};
-  return {"The plan passes below ice or icebergs, and a file of the format " + format.name +
-          " does not tell the vehicle: its dives must turn no higher than " +
-          (mission::tells_upper_turns(plan) ? std::to_string(std::lround(turn_m)) + " m"
-                                            : std::string{"their keels"}) +
-          ", and no surfacing may be asked for there."};
+  const std::string turn = mission::tells_upper_turns(plan) ? std::to_string(std::lround(turn_m)) + " m"
+                                                            : std::string{"their keels"};
+  return {messages::export_message<"format-without-turns">(format.name, turn)};
 }
 
 core::Violations violations_of(const planning::Plan& plan, const ExportFormat& format) {
@@ -156,12 +155,12 @@ std::string download_stem(const PlanRecord& record) {
 
 tl::expected<ExportedPlan, core::Violations> export_plan(sqlite::Connection& db, const PlanRecord& record,
                                                          const ExportFormat& format,
-                                                         const std::vector<std::string>& warnings,
+                                                         const std::vector<messages::Message>& told,
                                                          core::UtcTime now) {
   const planning::Plan plan = codec::parse_plan_document(nlohmann::json::parse(record.document_json));
   if (core::Violations found = violations_of(plan, format); !found.empty())
     return tl::unexpected(std::move(found));
-  return ExportedPlan{bytes_of(db, record, plan, format, warnings, now), warnings_of(plan, format)};
+  return ExportedPlan{bytes_of(db, record, plan, format, told, now), messages_of(plan, format)};
 }
 
 }  // namespace floeplan::routes

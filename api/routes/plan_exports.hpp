@@ -7,6 +7,7 @@
 
 #include "engine/core/units.hpp"
 #include "engine/core/violation.hpp"
+#include "engine/messages/message.hpp"
 #include "storage/repository/plan_repository.hpp"
 #include "storage/sqlite/connection.hpp"
 
@@ -32,15 +33,15 @@ struct ExportFormat {
 /// A plan in some format, and what the pilot has to know of the file.
 struct ExportedPlan {
   std::string bytes;
-  std::vector<std::string> warnings;
+  std::vector<messages::Message> messages;
 };
 
-/// The plan in one of these formats. `warnings`: what the check before the export said; the printed page shows it.
+/// The plan in one of these formats. `told`: what the check before the export said; the printed page shows it.
 /// Ice      a warning where the plan passes below ice or icebergs and the file has no room for how deep its dives turn
 /// Errors   a violation for a plan that the format cannot hold, and for targets of a Seaglider that pass below ice or
 ///          icebergs
 [[nodiscard]] tl::expected<ExportedPlan, core::Violations> export_plan(
     sqlite::Connection& db, const repository::PlanRecord& record, const ExportFormat& format,
-    const std::vector<std::string>& warnings, core::UtcTime now);
+    const std::vector<messages::Message>& told, core::UtcTime now);
 
 }  // namespace floeplan::routes

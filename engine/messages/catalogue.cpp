@@ -1,6 +1,7 @@
 #include "engine/messages/catalogue.hpp"
 
 #include "engine/messages/data_messages.hpp"
+#include "engine/messages/export_messages.hpp"
 #include "engine/messages/plan_messages.hpp"
 #include "engine/messages/refusal_messages.hpp"
 
@@ -9,7 +10,8 @@ namespace floeplan::messages {
 std::vector<Kind> catalogue() {
   std::vector<Kind> all;
   using Kinds = std::span<const Kind>;
-  for (const Kinds kinds : {Kinds{plan_kinds}, Kinds{data_kinds}, Kinds{refusal_kinds}, Kinds{phrase_kinds}})
+  for (const Kinds kinds :
+       {Kinds{plan_kinds}, Kinds{data_kinds}, Kinds{refusal_kinds}, Kinds{phrase_kinds}, Kinds{export_kinds}})
     all.insert(all.end(), kinds.begin(), kinds.end());
   return all;
 }

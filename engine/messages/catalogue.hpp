@@ -6,7 +6,7 @@
 
 namespace floeplan::messages {
 
-/// All kinds of messages of plans, of their data and of refusals, and the phrases in these.
+/// All kinds of messages: of plans, of their data, of refusals with the phrases in them, of exports.
 [[nodiscard]] std::vector<Kind> catalogue();
 
 }  // namespace floeplan::messages

@@ -27,6 +27,8 @@ Message Message::at(geo::LonLat where) && {
   return std::move(*this);
 }
 
+bool is_grave(const Message& message) { return message.rank == Rank::danger; }
+
 std::vector<Message> by_rank(std::vector<Message> messages) {
   std::ranges::stable_sort(messages, {}, &Message::rank);
   return messages;

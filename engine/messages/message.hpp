@@ -47,6 +47,9 @@ struct Message {
   friend bool operator==(const Message&, const Message&) = default;
 };
 
+/// Whether it tells of a danger.
+[[nodiscard]] bool is_grave(const Message& message);
+
 /// The gravest first, each rank in its order.
 [[nodiscard]] std::vector<Message> by_rank(std::vector<Message> messages);
 

@@ -5,8 +5,6 @@
 
 namespace floeplan::messages {
 
-std::string as_danger(std::string_view text) { return std::string{danger_mark} + std::string{text}; }
-
 bool is_danger(std::string_view sentence) { return sentence.starts_with(danger_mark); }
 
 std::string without_mark(std::string_view sentence) {
@@ -21,7 +19,8 @@ std::string whole_text(const Message& message) {
 }
 
 std::string sentence(const Message& message) {
-  return message.rank == Rank::danger ? as_danger(whole_text(message)) : whole_text(message);
+  const std::string text = whole_text(message);
+  return is_grave(message) ? std::string{danger_mark} + text : text;
 }
 
 std::vector<std::string> sentences(const std::vector<Message>& messages) {
@@ -33,7 +32,7 @@ std::vector<std::string> sentences(const std::vector<Message>& messages) {
 std::vector<std::string> dangers_among(const std::vector<Message>& messages) {
   std::vector<std::string> told;
   for (const Message& message : messages)
-    if (message.rank == Rank::danger) told.push_back(sentence(message));
+    if (is_grave(message)) told.push_back(sentence(message));
   return told;
 }
 

@@ -13,7 +13,6 @@ namespace floeplan::messages {
 /// caution or a note.
 inline constexpr std::string_view danger_mark = "Danger: ";
 
-[[nodiscard]] std::string as_danger(std::string_view text);
 [[nodiscard]] bool is_danger(std::string_view sentence);
 
 /// Without the mark, for a place that shows the rank in another way.

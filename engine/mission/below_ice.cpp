@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdio>
 
+#include "engine/messages/export_messages.hpp"
 #include "engine/mission/argument_lines.hpp"
 #include "engine/mission/waypoint_ranges.hpp"
 
@@ -96,40 +96,24 @@ std::vector<std::string> closed_above_since(const planning::Plan& plan, const pl
   return found;
 }
 
-std::vector<std::string> warnings_below_ice(const planning::Plan& plan) {
-  std::vector<std::string> warnings;
-  if (!plan.surfacing) return warnings;
+std::vector<messages::Message> warnings_below_ice(const planning::Plan& plan) {
+  std::vector<messages::Message> told;
+  if (!plan.surfacing) return told;
   const planning::SurfacingPlan& surfacing = *plan.surfacing;
   const std::string below = waypoint_ranges(surfacing.waypoints.size(), [&](std::size_t i) {
     return surfacing.waypoints[i].leg_upper_turn.value_or(core::Metres{0.0}).value > 0.0;
   });
   if (!below.empty()) {
-    char text[120];
-    std::snprintf(text, sizeof text,
-                  ": no surfacing may be asked for there, and the yo must turn no higher than %.0f m.",
-                  std::ceil(least_upper_turn(plan).value));
-    warnings.push_back("The plan passes below ice or icebergs on the way to waypoint " + below + text);
+    told.push_back(
+        messages::export_message<"files-pass-below-ice">(below, std::ceil(least_upper_turn(plan).value)));
   }
   const std::string closed =
       waypoint_ranges(surfacing.waypoints.size(), [&](std::size_t i) { return has_no_opening(plan, i); });
-  if (!closed.empty())
-    warnings.push_back("There is nowhere to surface on the way to waypoint " + closed + ".");
-  if (!tells_upper_turns(plan)) {
-    warnings.push_back(
-        "The plan was stored before its legs told how deep the dives turn below ice: plan it anew before it "
-        "is "
-        "flown.");
-  }
-  if (surfacing.unknown_ice.value > 0.0) {
-    char text[200];
-    std::snprintf(text, sizeof text,
-                  "Nothing is known of the ice on %.1f km of the way: there the yo turns as in open water, "
-                  "or below the keels "
-                  "that were known last.",
-                  surfacing.unknown_ice.value / 1000.0);
-    warnings.emplace_back(text);
-  }
-  return warnings;
+  if (!closed.empty()) told.push_back(messages::export_message<"nowhere-to-surface">(closed));
+  if (!tells_upper_turns(plan)) told.push_back(messages::export_message<"upper-turns-not-told">());
+  if (surfacing.unknown_ice.value > 0.0)
+    told.push_back(messages::export_message<"files-in-unknown-ice">(surfacing.unknown_ice.value / 1000.0));
+  return told;
 }
 
 }  // namespace floeplan::mission

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/core/units.hpp"
+#include "engine/messages/message.hpp"
 #include "engine/planning/problem/plan.hpp"
 
 namespace floeplan::mission {
@@ -39,6 +40,6 @@ enum class Overhead {
 
 /// Where the plan passes below ice, where it passes below what is not known, and where there is nowhere to surface, for
 /// the pilot.
-[[nodiscard]] std::vector<std::string> warnings_below_ice(const planning::Plan& plan);
+[[nodiscard]] std::vector<messages::Message> warnings_below_ice(const planning::Plan& plan);
 
 }  // namespace floeplan::mission

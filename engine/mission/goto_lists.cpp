@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <optional>
+#include <utility>
 
-#include "engine/core/utc_text.hpp"
 #include "engine/geo/geodesic.hpp"
+#include "engine/messages/export_messages.hpp"
 #include "engine/mission/argument_lines.hpp"
 #include "engine/mission/below_ice.hpp"
 #include "engine/mission/list_parts.hpp"
@@ -113,164 +115,120 @@ bool is_beside_ice(const planning::Plan& plan) {
 }
 
 /// Why the vehicle may not be able to surface where the list is flown; empty: it can.
-std::string warning_of_end(const planning::Plan& plan, const List& list) {
-  const std::string ends = list.file_name + " ends at waypoint " + std::to_string(list.part.last);
-  if (overhead(plan, list.part.last) == Overhead::unknown) {
-    return ends +
-           ", where nothing is known of the ice: make sure that the vehicle can surface there, where it "
-           "comes up.";
-  }
-  const auto end = end_of(plan, list.part);
-  if (!end && !passes_below(plan, list.part)) {
-    const core::Metres error = error_of(plan, list.part);
-    if (error <= far_off) return "";
-    return ends + print(
-                      ", where the vehicle may be off by %.0f km: make sure that the water is open so far to "
-                      "all sides, or have it come up on the way.",
-                      std::ceil(error.value / 1000.0));
-  }
-  if (!end) {
-    return ends +
-           " after a way below ice or icebergs, and the plan, stored by an older version, does not tell how "
-           "far "
-           "beyond them: plan it anew before it is flown.";
-  }
-  std::string text = ends + ", " + text_of(*end, list.radius);
-  if (end->sure_room() <= list.radius) {
-    return text +
-           print(
-               ": it may come up below the ice. Plan with its end more than %.0f m from it, or with the "
-               "dead_reckoning_share and current_uncertainty of a vehicle that knows its place better.",
-               std::ceil((list.radius + end->error).value));
-  }
-  if (!passes_below(plan, list.part)) return "";
-  return text + ": make sure that the water is open so far to all sides.";
+std::optional<messages::Message> message_of_end(const planning::Plan& plan, const List& list) {
+  const std::size_t last = list.part.last;
+  const auto told = [&]() -> std::optional<messages::Message> {
+    if (overhead(plan, last) == Overhead::unknown)
+      return messages::export_message<"list-ends-in-unknown-ice">(list.file_name, last);
+    const auto end = end_of(plan, list.part);
+    if (!end && !passes_below(plan, list.part)) {
+      const core::Metres error = error_of(plan, list.part);
+      if (error <= far_off) return std::nullopt;
+      return messages::export_message<"list-ends-far-off">(list.file_name, last,
+                                                           std::ceil(error.value / 1000.0));
+    }
+    if (!end) return messages::export_message<"list-ends-after-ice-of-earlier-version">(list.file_name, last);
+    const std::string room = text_of(*end, list.radius);
+    if (end->sure_room() <= list.radius) {
+      return messages::export_message<"list-may-end-below-ice">(list.file_name, last, room,
+                                                                std::ceil((list.radius + end->error).value));
+    }
+    if (!passes_below(plan, list.part)) return std::nullopt;
+    return messages::export_message<"list-ends-beside-ice">(list.file_name, last, room);
+  };
+  auto message = told();
+  if (message) message->place = plan.waypoints[last].place;
+  return message;
 }
 
 /// Of a list that is flown for longer than planned, where there may be ice by then; empty: it is not.
-std::string warning_of_delay(const planning::Plan& plan, const List& list) {
+std::optional<messages::Message> message_of_delay(const planning::Plan& plan, const List& list) {
   const core::Seconds late = late_by(plan, list.part);
-  if (!plan.surfacing || late <= far_later) return "";
-  return list.file_name +
-         print(
-             " may be flown for %.1f h longer than planned, because the vehicle reckons with "
-             "the current of the list before: make sure that the water at its end is still "
-             "open then.",
-             late.count() / 3600.0);
+  if (!plan.surfacing || late <= far_later) return std::nullopt;
+  return messages::export_message<"list-flown-longer">(list.file_name, late.count() / 3600.0)
+      .at(plan.waypoints[list.part.last].place);
 }
 
 /// Of legs that are planned on the thruster, where no file turns it on; empty: there are none.
-std::string warning_of_thruster(const planning::Plan& plan, const GotoListOptions& options) {
-  if (options.thruster_in_yo) return "";
+std::optional<messages::Message> message_of_thruster(const planning::Plan& plan,
+                                                     const GotoListOptions& options) {
+  if (options.thruster_in_yo) return std::nullopt;
   const std::string on_thruster = waypoint_ranges(plan.waypoints.size(), [&](std::size_t i) {
     return plan.waypoints[i].drive == vehicle::Drive::thruster;
   });
-  if (on_thruster.empty()) return "";
-  return "The legs to waypoints " + on_thruster +
-         " are planned on the thruster, which these files do not turn on: without it the vehicle is slower, "
-         "and comes too late to what the plan passes in time. Set d_use_thruster and c_use_thruster in the "
-         "yo for them, or plan with the thruster on all legs or on none.";
+  if (on_thruster.empty()) return std::nullopt;
+  return messages::export_message<"thruster-not-in-files">(on_thruster);
 }
 
 /// Of plans stored before they told the currents of their legs, where that matters; empty: it does not.
-std::string warning_of_unknown_currents(const planning::Plan& plan) {
+std::optional<messages::Message> message_of_unknown_currents(const planning::Plan& plan) {
   const auto is_water = [](const ocean::DatasetRef& dataset) {
     return dataset.kind == "currents" || dataset.kind == "tides";
   };
   const bool is_told = std::ranges::any_of(
       plan.waypoints, [](const planning::Waypoint& waypoint) { return waypoint.current.has_value(); });
-  if (is_told || !is_beside_ice(plan) || std::ranges::none_of(plan.datasets, is_water)) return "";
-  return "The plan, stored by an older version, does not tell the currents on its legs, which may carry the "
-         "vehicle much farther off than the lists here allow for, beside ice or below it: plan it anew "
-         "before it is flown.";
+  if (is_told || !is_beside_ice(plan) || std::ranges::none_of(plan.datasets, is_water)) return std::nullopt;
+  return messages::export_message<"currents-of-legs-not-told">();
 }
 
 /// Before it has come up once a vehicle knows nothing of the current; empty where it passes below no ice.
-std::string warning_of_first_dives(const planning::Plan& plan, const List& first) {
-  if (!passes_below(plan, {1, plan.waypoints.size() - 1})) return "";
+std::optional<messages::Message> message_of_first_dives(const planning::Plan& plan, const List& first) {
+  if (!passes_below(plan, {1, plan.waypoints.size() - 1})) return std::nullopt;
   const core::Seconds time = plan.waypoints[first.part.last].eta - plan.departure;
-  return first.file_name + " is flown for " + print("%.1f h", time.count() / 3600.0) +
-         " before the vehicle comes up for the first time: until then it reckons with the current of its "
-         "last mission, "
-         "or with none, and each 0.1 m/s of it takes it " +
-         print("%.1f km", 0.1 * time.count() / 1000.0) +
-         " off, beside ice or below it. Have it make a short dive at the start, or send the first waypoint "
-         "alone.";
+  return messages::export_message<"long-before-first-surfacing">(first.file_name, time.count() / 3600.0,
+                                                                 0.1 * time.count() / 1000.0);
 }
 
-std::vector<std::string> warnings_for(const planning::Plan& plan, const GotoListOptions& options,
-                                      const std::vector<core::Metres>& legs, const std::vector<List>& lists) {
-  std::vector<std::string> warnings;
+std::vector<messages::Message> messages_for(const planning::Plan& plan, const GotoListOptions& options,
+                                            const std::vector<core::Metres>& legs,
+                                            const std::vector<List>& lists) {
+  std::vector<messages::Message> told;
+  const auto tell = [&](std::optional<messages::Message> message) {
+    if (message) told.push_back(std::move(*message));
+  };
   if (lists.size() > 1) {
-    warnings.push_back(
-        "The plan is longer than one list of " + std::to_string(options.max_waypoints) +
-        " waypoints: " + std::to_string(lists.size()) + " files, " + lists.front().file_name + " to " +
-        lists.back().file_name +
-        ". The vehicle flies the list its mission names and no other: send the next one when a list ends.");
+    tell(messages::export_message<"several-lists">(options.max_waypoints, lists.size(),
+                                                   lists.front().file_name, lists.back().file_name));
   }
-  if (std::string text = warning_of_thruster(plan, options); !text.empty())
-    warnings.push_back(std::move(text));
-  if (std::string text = warning_of_unknown_currents(plan); !text.empty())
-    warnings.push_back(std::move(text));
-  if (std::string text = warning_of_first_dives(plan, lists.front()); !text.empty())
-    warnings.push_back(std::move(text));
+  tell(message_of_thruster(plan, options));
+  tell(message_of_unknown_currents(plan));
+  tell(message_of_first_dives(plan, lists.front()));
   for (const List& list : lists) {
-    for (std::string text : {warning_of_end(plan, list), warning_of_delay(plan, list)})
-      if (!text.empty()) warnings.push_back(std::move(text));
+    tell(message_of_end(plan, list));
+    tell(message_of_delay(plan, list));
   }
-  if (options.max_waypoints > documented_max_waypoints) {
-    warnings.push_back(
-        "Lists of up to " + std::to_string(options.max_waypoints) +
-        " waypoints: the vendor documents 8; make sure that this vehicle's firmware takes more.");
-  }
+  if (options.max_waypoints > documented_max_waypoints)
+    tell(messages::export_message<"lists-longer-than-documented">(options.max_waypoints));
   const double radius_m = std::ranges::max(lists, {}, &List::radius).radius.value;
   const core::Metres shortest = *std::min_element(legs.begin(), legs.end());
-  if (radius_m >= shortest.value / 2.0) {
-    warnings.push_back(
-        print("The waypoint radius of %.0f m is not smaller than half of the shortest leg (%.0f m): the "
-              "vehicle may skip a waypoint.",
-              radius_m, shortest.value));
-  }
-  const auto warn_of_short_cut = [&](const std::optional<core::Metres>& clearance, const char* what) {
+  if (radius_m >= shortest.value / 2.0)
+    tell(messages::export_message<"waypoint-radius-too-large">(radius_m, shortest.value));
+  const auto tell_of_short_cut = [&](const std::optional<core::Metres>& clearance, const char* what) {
     if (!clearance || clearance->value >= radius_m) return;
-    warnings.push_back(
-        print("Turning up to %.0f m before a waypoint, the vehicle may cut corners, yet the plan passes %s "
-              "at %.0f m: consider a smaller radius.",
-              radius_m, what, clearance->value));
+    tell(messages::export_message<"corners-may-be-cut">(radius_m, what, clearance->value));
   };
-  warn_of_short_cut(plan.clearances.iceberg, "an iceberg");
-  warn_of_short_cut(plan.clearances.land, "land");
+  tell_of_short_cut(plan.clearances.iceberg, "an iceberg");
+  tell_of_short_cut(plan.clearances.land, "land");
   for (std::size_t i = 0; i < legs.size(); ++i) {
     if (legs[i].value <= long_leg_m) continue;
-    warnings.push_back(
-        print("The leg to waypoint %zu is %.0f km long: check the mission's max_wpt_distance, beyond which "
-              "the vehicle aborts.",
-              i + 1, legs[i].value / 1000.0));
+    tell(messages::export_message<"long-leg">(i + 1, legs[i].value / 1000.0).at(plan.waypoints[i + 1].place));
   }
   for (const planning::PassedUnder& under : plan.passed_under) {
-    warnings.push_back("The plan passes under iceberg " + under.iceberg + " from " +
-                       core::iso8601(under.from) + " to " + core::iso8601(under.until) +
-                       print(": no surfacing meanwhile, and the yo must turn no higher than %.0f m.",
-                             std::ceil(under.keel.upper_turn.value)));
+    tell(messages::export_message<"files-pass-under-iceberg">(under.iceberg, under.from, under.until,
+                                                              std::ceil(under.keel.upper_turn.value)));
   }
-  std::ranges::move(warnings_below_ice(plan), std::back_inserter(warnings));
+  std::ranges::move(warnings_below_ice(plan), std::back_inserter(told));
   for (std::size_t i = 0; i < plan.waypoints.size(); ++i) {
-    if (plan.waypoints[i].wait.count() <= 0.0) continue;
-    warnings.push_back(
-        print("The plan waits %.1f h at waypoint %zu, which a list cannot: fly to it, and send the rest "
-              "from there when the time has come.",
-              plan.waypoints[i].wait.count() / 3600.0, i));
+    const planning::Waypoint& waypoint = plan.waypoints[i];
+    if (waypoint.wait.count() <= 0.0) continue;
+    tell(messages::export_message<"wait-not-in-list">(waypoint.wait.count() / 3600.0, i).at(waypoint.place));
   }
-  const bool beyond_utm =
-      std::any_of(plan.waypoints.begin(), plan.waypoints.end(), [](const planning::Waypoint& w) {
-        return w.place.lat_deg > utm_north_end_deg || w.place.lat_deg < utm_south_end_deg;
-      });
-  if (beyond_utm) {
-    warnings.push_back(
-        "The plan goes beyond 84 N or 80 S, where the UTM metres that the vehicle navigates in are not "
-        "defined: ask the vendor before flying it.");
-  }
-  return warnings;
+  const auto beyond_utm = std::ranges::find_if(plan.waypoints, [](const planning::Waypoint& w) {
+    return w.place.lat_deg > utm_north_end_deg || w.place.lat_deg < utm_south_end_deg;
+  });
+  if (beyond_utm != plan.waypoints.end())
+    tell(messages::export_message<"beyond-utm">().at(beyond_utm->place));
+  return told;
 }
 
 }  // namespace
@@ -317,7 +275,7 @@ tl::expected<MissionFiles, core::Violations> write_goto_lists(const planning::Pl
                               {"num_waypoints", whole(static_cast<double>(places.size()))}}) +
                    waypoint_section(places)});
   }
-  written.warnings = warnings_for(plan, options, legs, lists);
+  written.messages = messages_for(plan, options, legs, lists);
   return written;
 }
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
+#include "engine/messages/export_messages.hpp"
 #include "engine/mission/argument_lines.hpp"
 #include "engine/mission/below_ice.hpp"
 #include "engine/mission/flight_files.hpp"
@@ -89,28 +89,15 @@ core::Violations ice_violations(const planning::Plan& plan, const MissionSetOpti
   return found;
 }
 
-std::vector<std::string> ice_warnings(const planning::Plan& plan, const MissionSetOptions& options) {
-  std::vector<std::string> warnings{
-      "Under ice the vehicle's own response needs breadcr.mi, freewig.mi and recov.mi on board, with dive "
-      "depths for this water; these stock missions are not written here.",
-      "goto_l98.ma replaces the list of safe places on board; the firmware writes goto_l99.ma itself."};
+std::vector<messages::Message> ice_warnings(const planning::Plan& plan, const MissionSetOptions& options) {
+  std::vector<messages::Message> told{messages::export_message<"stock-missions-needed">(),
+                                      messages::export_message<"safe-list-replaced">()};
   const double silent_s = longest_list_time(plan, options.lists).count();
-  if (silent_s > watchdog_s) {
-    char text[200];
-    std::snprintf(text, sizeof text,
-                  "A list takes %.1f h, below ice without contact, yet abend no_cop_tickle_for is left at "
-                  "13.5 h: make sure "
-                  "that u_always_cop_tickle_hardware holds the watchdog off.",
-                  silent_s / 3600.0);
-    warnings.emplace_back(text);
-  }
-  if (plan.surfacing && !plan.surfacing->surfacings.empty()) {
-    warnings.push_back(
-        "The " + whole(static_cast<double>(plan.surfacing->surfacings.size())) +
-        " surfacings of the plan are not in the files, for below ice the vehicle comes up at the "
-        "end of each list alone: its error of position grows as without them.");
-  }
-  return warnings;
+  if (silent_s > watchdog_s)
+    told.push_back(messages::export_message<"watchdog-not-held-off">(silent_s / 3600.0));
+  if (plan.surfacing && !plan.surfacing->surfacings.empty())
+    told.push_back(messages::export_message<"surfacings-not-in-files">(plan.surfacing->surfacings.size()));
+  return told;
 }
 
 }  // namespace floeplan::mission

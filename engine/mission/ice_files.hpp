@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/messages/message.hpp"
 #include "engine/mission/mission_file.hpp"
 #include "engine/mission/mission_set.hpp"
 
@@ -31,7 +32,7 @@ namespace floeplan::mission {
 [[nodiscard]] core::Violations ice_violations(const planning::Plan& plan, const MissionSetOptions& options);
 
 /// What the vehicle must hold besides these files, for the pilot.
-[[nodiscard]] std::vector<std::string> ice_warnings(const planning::Plan& plan,
-                                                    const MissionSetOptions& options);
+[[nodiscard]] std::vector<messages::Message> ice_warnings(const planning::Plan& plan,
+                                                          const MissionSetOptions& options);
 
 }  // namespace floeplan::mission

@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "engine/messages/message.hpp"
+
 namespace floeplan::mission {
 
 /// A text file for the vehicle, not yet written anywhere. ASCII, LF, a newline at the end.
@@ -15,8 +17,8 @@ struct MissionFile {
 
 /// Files for a vehicle and what the pilot has to know about them.
 struct MissionFiles {
-  std::vector<MissionFile> files;     // in the order in which the vehicle needs them
-  std::vector<std::string> warnings;  // one sentence or two each
+  std::vector<MissionFile> files;  // in the order in which the vehicle needs them
+  std::vector<messages::Message> messages;
 };
 
 }  // namespace floeplan::mission

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <iterator>
 
 #include "engine/core/letter_case.hpp"
+#include "engine/messages/export_messages.hpp"
 #include "engine/mission/argument_lines.hpp"
 #include "engine/mission/below_ice.hpp"
 #include "engine/mission/flight_files.hpp"
@@ -161,16 +161,6 @@ bool knows_bed(const planning::Plan& plan, const MissionSetOptions& options) {
                      [](const std::optional<Shoal>& shoal) { return shoal.has_value(); });
 }
 
-std::string shallower_target_warning(const vehicle::GliderProfile& vehicle) {
-  char text[200];
-  std::snprintf(
-      text, sizeof text,
-      "The yo turns at %.0f m, not at the plan's %.0f m, to keep clear of the rating of %.0f m where the "
-      "vehicle aborts.",
-      target_depth(vehicle).value, vehicle.dive_depth.value, vehicle.depth_rating.value);
-  return text;
-}
-
 }  // namespace
 
 tl::expected<MissionFiles, core::Violations> write_mission_set(const planning::Plan& plan,
@@ -188,19 +178,19 @@ tl::expected<MissionFiles, core::Violations> write_mission_set(const planning::P
   set.files.push_back({options.name + ".mi", mission_text(plan, options)});
   std::ranges::move(lists->files, std::back_inserter(set.files));
   std::ranges::move(flight_files(plan, options), std::back_inserter(set.files));
-  set.warnings = std::move(lists->warnings);
-  if (target_depth(options.vehicle) < core::Metres{std::floor(options.vehicle.dive_depth.value)})
-    set.warnings.push_back(shallower_target_warning(options.vehicle));
-  set.warnings.push_back(
-      std::string{of_lists.thruster_in_yo ? "Pump, pitch and thruster" : "Pump and pitch"} +
-      " in the yo file are those of the vehicle profile, and ballast is not checked: look at it before use.");
+  set.messages = std::move(lists->messages);
+  const vehicle::GliderProfile& vehicle = options.vehicle;
+  if (target_depth(vehicle) < core::Metres{std::floor(vehicle.dive_depth.value)}) {
+    set.messages.push_back(messages::export_message<"yo-above-plan">(
+        target_depth(vehicle).value, vehicle.dive_depth.value, vehicle.depth_rating.value));
+  }
+  set.messages.push_back(of_lists.thruster_in_yo ? messages::export_message<"pump-and-thruster-of-profile">()
+                                                 : messages::export_message<"pump-of-profile">());
   if (options.under_ice) {
     std::ranges::move(ice_files(plan, options), std::back_inserter(set.files));
-    std::ranges::move(ice_warnings(plan, options), std::back_inserter(set.warnings));
+    std::ranges::move(ice_warnings(plan, options), std::back_inserter(set.messages));
     if (!knows_bed(plan, options))
-      set.warnings.emplace_back(
-          "Nothing is known of the sea bed on some of the way: make sure that the yo has room there between "
-          "the ice and the bed, and over every bank.");
+      set.messages.push_back(messages::export_message<"bed-unknown-below-ice">());
   }
   return set;
 }

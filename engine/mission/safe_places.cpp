@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "engine/geo/geodesic.hpp"
+#include "engine/messages/export_messages.hpp"
 #include "engine/mission/argument_lines.hpp"
 #include "engine/mission/shoals.hpp"
 
@@ -149,18 +150,17 @@ SafePlaceFindings check_safe_places(const planning::Plan& plan, const vehicle::G
       continue;
     }
     for (const ocean::Iceberg& berg : safe.sea.icebergs) {
-      found.warnings.push_back("Iceberg " + berg.id + " was seen " +
-                               whole(std::ceil(away(berg, safe.place).value / 1000.0)) +
-                               " km from the safe place " + place_text(safe.place) +
-                               " or nearer, and drifts: make sure that it stays open.");
+      found.messages.push_back(
+          messages::export_message<"iceberg-near-safe-place">(
+              berg.id, std::ceil(away(berg, safe.place).value / 1000.0), place_text(safe.place))
+              .at(safe.place));
     }
     if (bed && ice.known) continue;
     const std::string unknown = !bed && !ice.known ? "the sea bed and the ice"
                                 : !bed             ? "the sea bed"
                                                    : "the ice";
-    found.warnings.push_back("Nothing is known of " + unknown + " at the safe place " +
-                             place_text(safe.place) +
-                             " for some or all of the time of the plan: make sure that it is open water.");
+    found.messages.push_back(
+        messages::export_message<"safe-place-unknown">(unknown, place_text(safe.place)).at(safe.place));
   }
   return found;
 }

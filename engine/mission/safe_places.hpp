@@ -5,6 +5,7 @@
 
 #include "engine/core/violation.hpp"
 #include "engine/geo/lon_lat.hpp"
+#include "engine/messages/message.hpp"
 #include "engine/ocean/environment.hpp"
 #include "engine/planning/problem/plan.hpp"
 #include "engine/vehicle/glider_profile.hpp"
@@ -19,8 +20,8 @@ struct SafePlace {
 };
 
 struct SafePlaceFindings {
-  core::Violations violations;        // "/safe/0" and so on
-  std::vector<std::string> warnings;  // what the data do not tell
+  core::Violations violations;              // "/safe/0" and so on
+  std::vector<messages::Message> messages;  // what the data do not tell
 };
 
 /// Judges the places that a vehicle shall recover to from under ice.

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "engine/core/letter_case.hpp"
+#include "engine/messages/export_messages.hpp"
 #include "engine/mission/argument_lines.hpp"
 #include "engine/mission/below_ice.hpp"
 #include "engine/mission/goto_lists.hpp"
@@ -77,16 +78,15 @@ core::Violations violations_of(const planning::Plan& plan, const SeagliderOption
 }
 
 /// Where the vehicle does not turn before the bed unless it is told of it.
-std::optional<std::string> shoal_warning(const planning::Plan& plan, const SeagliderOptions& options) {
+std::optional<messages::Message> shoal_warning(const planning::Plan& plan, const SeagliderOptions& options) {
   const auto shoal = shoalest_of(plan, options.shoals);
   const core::Metres margin = options.vehicle.altimeter_margin;
-  if (!shoal || shoal->bed >= core::Metres{dive_depth_m(options.vehicle)} + margin) return std::nullopt;
-  return "$D_TGT is " + whole(dive_depth_m(options.vehicle)) + " m, yet the sea is " +
-         whole(std::floor(shoal->bed.value)) + " m deep at " + place_text(shoal->place) +
-         ", on the way to waypoint " + std::to_string(shoal->waypoint) + ", where the plan dives to " +
-         whole(std::floor(std::max(0.0, (shoal->bed - margin).value))) +
-         " m: make sure that the vehicle's altimeter or its own bathymetry map turns it there, or plan anew "
-         "with a smaller dive depth.";
+  const double dive_m = dive_depth_m(options.vehicle);
+  if (!shoal || shoal->bed >= core::Metres{dive_m} + margin) return std::nullopt;
+  return messages::export_message<"seaglider-over-shoal">(
+             dive_m, std::floor(shoal->bed.value), place_text(shoal->place), shoal->waypoint,
+             std::floor(std::max(0.0, (shoal->bed - margin).value)))
+      .at(shoal->place);
 }
 
 }  // namespace
@@ -122,12 +122,9 @@ tl::expected<MissionFiles, core::Violations> write_seaglider_set(const planning:
   if (!options.bands.empty()) set.files.push_back({"science", science_text(options, header)});
   set.files.push_back({"cmdfile", header + "$D_TGT," + whole(dive_depth_m(options.vehicle)) + "\n$T_DIVE," +
                                       whole(dive_minutes(options.vehicle)) + "\n$GO\n"});
-  set.warnings.push_back(
-      "The cmdfile sets $D_TGT and $T_DIVE alone: make sure that $T_MISSION and $D_ABORT on board are beyond "
-      "them, "
-      "and that ballast and $MAX_BUOY carry the vehicle at this rate of depth.");
-  if (auto shoal = shoal_warning(plan, options)) set.warnings.push_back(std::move(*shoal));
-  if (options.bands.empty()) set.warnings.push_back("No science file: the vehicle samples as it did before.");
+  set.messages.push_back(messages::export_message<"seaglider-limits-on-board">());
+  if (auto shoal = shoal_warning(plan, options)) set.messages.push_back(std::move(*shoal));
+  if (options.bands.empty()) set.messages.push_back(messages::export_message<"no-science-file">());
   return set;
 }
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "engine/core/utc_text.hpp"
+#include "engine/messages/export_messages.hpp"
 #include "engine/mission/argument_lines.hpp"
 #include "engine/mission/below_ice.hpp"
 #include "engine/mission/flight_files.hpp"
@@ -113,12 +114,11 @@ YoFlight fly_by_yo(const ocean::Environment& environment, const std::vector<geo:
     if (finding.dangerous)
       result.violations.push_back({"/waypoints", "cannot be flown " + text + "; " + instead});
     else
-      result.warnings.push_back("It is not known whether the plan can be flown " + text + ".");
+      result.messages.push_back(messages::export_message<"yo-may-not-fly-plan">(text));
   }
   if (!check.timing) return result;
   if (const std::string other = difference(plan, *check.timing); !other.empty())
-    result.warnings.push_back("Flown " + flyer + ", " + other + ". For times and a draw that hold, " +
-                              instead + ".");
+    result.messages.push_back(messages::export_message<"yo-flies-otherwise">(flyer, other, instead));
   return result;
 }
 

@@ -5,6 +5,7 @@
 
 #include "engine/core/violation.hpp"
 #include "engine/geo/lon_lat.hpp"
+#include "engine/messages/message.hpp"
 #include "engine/ocean/environment.hpp"
 #include "engine/planning/problem/plan.hpp"
 #include "engine/planning/problem/plan_request.hpp"
@@ -28,8 +29,9 @@ struct YoDives {
 
 /// What becomes of a plan that is flown by one yo.
 struct YoFlight {
-  core::Violations violations;        // the vehicle does not come through
-  std::vector<std::string> warnings;  // it comes through, at other times or with another draw on the battery
+  core::Violations violations;  // the vehicle does not come through
+  std::vector<messages::Message>
+      messages;  // it comes through, at other times or with another draw on the battery
 };
 
 /// Follows the way of a plan by the dives and the drive of its mission's yo.

@@ -3,6 +3,7 @@
 #include <iterator>
 #include <memory>
 
+#include "api/codec/document_values.hpp"
 #include "api/codec/zip_archive.hpp"
 #include "api/routes/mission_service.hpp"
 #include "api/routes/plan_check.hpp"
@@ -72,15 +73,15 @@ routes::MissionRequest mission_request(const ExportFlags& flags) {
 tl::expected<mission::MissionFiles, core::Violations> files_of(sqlite::Connection& db,
                                                                const repository::PlanRecord& record,
                                                                const ExportFlags& flags,
-                                                               const std::vector<std::string>& warnings) {
+                                                               const std::vector<messages::Message>& told) {
   if (flags.format == "gliderdos" || flags.format == "seaglider")
     return routes::mission_of(db, record, mission_request(flags), now());
   const auto format = std::ranges::find(routes::export_formats(), flags.format, &routes::ExportFormat::name);
-  auto exported = routes::export_plan(db, record, *format, warnings, now());
+  auto exported = routes::export_plan(db, record, *format, told, now());
   if (!exported) return tl::unexpected(exported.error());
   mission::MissionFiles result;
   result.files.push_back({routes::export_file_name(*format, record.id.value), std::move(exported->bytes)});
-  result.warnings = std::move(exported->warnings);
+  result.messages = std::move(exported->messages);
   return result;
 }
 
@@ -112,8 +113,10 @@ std::string check_glider(const std::string& name) {
 
 /// Nothing is written of a plan whose dangers nobody has confirmed.
 int refuse(const routes::PlanCheck& check, bool json_out) {
-  if (json_out) std::cout << json{{"status", "dangerous"}, {"dangers", check.dangers}}.dump(2) << '\n';
-  for (const std::string& danger : check.dangers) complain(could_not, danger);
+  std::vector<std::string> dangers;
+  std::ranges::transform(check.dangers, std::back_inserter(dangers), messages::whole_text);
+  if (json_out) std::cout << json{{"status", "dangerous"}, {"dangers", dangers}}.dump(2) << '\n';
+  for (const std::string& danger : dangers) complain(could_not, danger);
   return complain(could_not,
                   "nothing was written: the plan is dangerous; plan anew, or confirm the dangers: "
                   "--accept-dangers writes it all "
@@ -125,13 +128,12 @@ int run_export(const ExportFlags& flags, const Program& program) {
   const auto record = repository::PlanRepository{db}.find({flags.plan_id});
   if (!record) return complain_of_no_plan(flags.plan_id);
 
-  routes::PlanCheck check = routes::check_plan(db, *record);
-  std::ranges::transform(check.dangers, std::inserter(check.warnings, check.warnings.begin()),
-                         messages::as_danger);
-  auto files = files_of(db, *record, flags, check.warnings);
+  const routes::PlanCheck check = routes::check_plan(db, *record);
+  std::vector<messages::Message> told = routes::all_of(check);
+  auto files = files_of(db, *record, flags, told);
   if (!files) return print_violations(files.error(), flags.json_out);
   if (!check.dangers.empty() && !flags.accept_dangers) return refuse(check, flags.json_out);
-  files->warnings.insert(files->warnings.begin(), check.warnings.begin(), check.warnings.end());
+  std::ranges::move(files->messages, std::back_inserter(told));
   const std::vector<OutputFile> output = laid_out(*files, *record, flags);
   if (const auto there = first_existing(flags.out, output); there && !flags.force) {
     return complain(could_not, there->string() + " exists; nothing was written; --force replaces it");
@@ -141,9 +143,13 @@ int run_export(const ExportFlags& flags, const Program& program) {
     written.push_back(file.string());
     if (!flags.json_out) std::cout << file.string() << '\n';
   }
-  if (flags.json_out) std::cout << json{{"files", written}, {"warnings", files->warnings}}.dump(2) << '\n';
-  for (const std::string& warning : files->warnings)
-    std::cerr << (messages::is_danger(warning) ? "danger: " : "warning: ") << messages::without_mark(warning)
+  if (flags.json_out) {
+    json document{{"files", written}};
+    codec::tell(document, told);
+    std::cout << document.dump(2) << '\n';
+  }
+  for (const messages::Message& message : told)
+    std::cerr << (messages::is_grave(message) ? "danger: " : "warning: ") << messages::whole_text(message)
               << '\n';
   return done;
 }

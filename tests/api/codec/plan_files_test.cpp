@@ -304,7 +304,8 @@ TEST(PlanBrief, IsOnePageThatNeedsNothingElse) {
   berg.place = {-53.1, 69.18};
   const MapPicture picture = draw_map(plan, {island}, {berg}, 720.0, 420.0);
 
-  const std::string html = plan_brief_html(plan, picture, {"p-01", "<script>", plan.departure, {"changed"}});
+  const std::string html = plan_brief_html(
+      plan, picture, {"p-01", "<script>", plan.departure, {messages::plan_message<"remark">("changed")}});
 
   EXPECT_EQ(picture.land.size(), 1U);
   EXPECT_EQ(picture.icebergs.size(), 1U);

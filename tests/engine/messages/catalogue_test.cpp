@@ -5,6 +5,8 @@
 #include <array>
 #include <set>
 
+#include "engine/messages/data_messages.hpp"
+#include "engine/messages/plan_messages.hpp"
 #include "engine/messages/sentence.hpp"
 #include "tests/support/golden.hpp"
 
@@ -60,10 +62,13 @@ TEST(Catalogue, NamesTheUnitOfEveryNumber) {
   }
 }
 
-TEST(Catalogue, SaysWhatToDoAboutEveryDanger) {
-  for (const Kind& kind : catalogue()) {
-    if (kind.rank == Rank::danger && kind.text != "{remark}") {
-      EXPECT_FALSE(kind.hint.empty()) << kind.code;
+TEST(Catalogue, SaysWhatToDoAboutEveryDangerOfANewPlan) {
+  for (const std::span<const Kind> kinds :
+       {std::span<const Kind>{plan_kinds}, std::span<const Kind>{data_kinds}}) {
+    for (const Kind& kind : kinds) {
+      if (kind.rank == Rank::danger && kind.text != "{remark}") {
+        EXPECT_FALSE(kind.hint.empty()) << kind.code;
+      }
     }
   }
 }

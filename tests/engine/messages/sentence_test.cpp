@@ -38,7 +38,7 @@ TEST(Sentence, EndsWithTheHint) {
 }
 
 TEST(Sentence, OfADangerComesFirst) {
-  EXPECT_THAT(dangers_first({"a", as_danger("b"), "c", as_danger("d")}),
+  EXPECT_THAT(dangers_first({"a", "Danger: b", "c", "Danger: d"}),
               ElementsAre("Danger: b", "Danger: d", "a", "c"));
 }
 

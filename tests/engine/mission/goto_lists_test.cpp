@@ -7,6 +7,7 @@
 
 #include "engine/core/utc_text.hpp"
 #include "engine/geo/geodesic.hpp"
+#include "engine/messages/sentence.hpp"
 #include "tests/engine/mission/list_reader.hpp"
 #include "tests/engine/mission/random_plan.hpp"
 
@@ -54,7 +55,7 @@ TEST(GotoLists, ReadAsTheFormatReferencePrintsThem) {
                                                         .written_by = "floeplan 0.1.0"}});
 
   ASSERT_TRUE(lists.has_value());
-  EXPECT_THAT(lists->warnings, IsEmpty());
+  EXPECT_THAT(lists->messages, IsEmpty());
   EXPECT_THAT(lists->files, ElementsAre(MissionFile{
                                 "goto_l10.ma",
                                 "behavior_name=goto_list\n"
@@ -102,7 +103,7 @@ TEST(GotoLists, SplitALongPlanIntoConsecutiveNumbersAndSaySo) {
   }
   EXPECT_THAT(names, ElementsAre("goto_l07.ma", "goto_l08.ma", "goto_l09.ma"));
   EXPECT_THAT(rows, ElementsAre(8u, 8u, 1u));
-  EXPECT_THAT(lists->warnings, ElementsAre(HasSubstr("send the next one")));
+  EXPECT_THAT(messages::sentences(lists->messages), ElementsAre(HasSubstr("send the next one")));
 }
 
 TEST(GotoLists, NeverUseTheNumbersOfTheFirmware) {
@@ -141,7 +142,7 @@ TEST(GotoLists, TakeARadiusBelowHalfOfTheShortestLeg) {
 
   ASSERT_TRUE(lists.has_value());
   EXPECT_EQ(support::read_goto_list(lists->files.at(0).text).b_args.at("list_when_wpt_dist(m)"), 150.0);
-  EXPECT_THAT(lists->warnings, IsEmpty());
+  EXPECT_THAT(lists->messages, IsEmpty());
 }
 
 TEST(GotoLists, WarnWhenALegIsTooShortForAnyRadius) {
@@ -149,7 +150,7 @@ TEST(GotoLists, WarnWhenALegIsTooShortForAnyRadius) {
 
   ASSERT_TRUE(lists.has_value());
   EXPECT_EQ(support::read_goto_list(lists->files.at(0).text).b_args.at("list_when_wpt_dist(m)"), 10.0);
-  EXPECT_THAT(lists->warnings, ElementsAre(HasSubstr("may skip a waypoint")));
+  EXPECT_THAT(messages::sentences(lists->messages), ElementsAre(HasSubstr("may skip a waypoint")));
 }
 
 TEST(GotoLists, WarnWhenTheGivenRadiusIsLargerThanAClearance) {
@@ -160,7 +161,7 @@ TEST(GotoLists, WarnWhenTheGivenRadiusIsLargerThanAClearance) {
   const auto lists = write_goto_lists(plan, {.radius = core::Metres{450.0}});
 
   ASSERT_TRUE(lists.has_value());
-  EXPECT_THAT(lists->warnings, ElementsAre(HasSubstr("an iceberg at 400 m")));
+  EXPECT_THAT(messages::sentences(lists->messages), ElementsAre(HasSubstr("an iceberg at 400 m")));
 }
 
 TEST(GotoLists, WarnOfLongLegsPolesAndLongLists) {
@@ -168,7 +169,7 @@ TEST(GotoLists, WarnOfLongLegsPolesAndLongLists) {
       write_goto_lists(plan_through({{0.0, 83.0}, {0.0, 83.5}, {0.0, 85.0}}), {.max_waypoints = 12});
 
   ASSERT_TRUE(lists.has_value());
-  EXPECT_THAT(lists->warnings,
+  EXPECT_THAT(messages::sentences(lists->messages),
               ElementsAre(HasSubstr("the vendor documents 8"), HasSubstr("leg to waypoint 2 is 168 km"),
                           HasSubstr("beyond 84 N")));
 }
@@ -278,16 +279,17 @@ TEST(GotoLists, EndWhereNothingIsKnownOfTheIceOnlyIfTheyMustAndSaySo) {
 
   ASSERT_TRUE(lists.has_value());
   EXPECT_THAT(ends_of(*lists), ElementsAre(3u, 11u, 13u));
-  EXPECT_THAT(lists->warnings,
+  EXPECT_THAT(messages::sentences(lists->messages),
               Contains(HasSubstr("goto_l11.ma ends at waypoint 11, where nothing is known")));
-  EXPECT_THAT(lists->warnings, testing::Not(Contains(HasSubstr("goto_l10.ma ends"))));
+  EXPECT_THAT(messages::sentences(lists->messages), testing::Not(Contains(HasSubstr("goto_l10.ma ends"))));
 }
 
 TEST(GotoLists, SayHowLongTheFirstIsFlownBeforeAnyCurrentIsKnown) {
   const auto says = Contains(HasSubstr("before the vehicle comes up for the first time"));
 
-  EXPECT_THAT(write_goto_lists(plan_below_ice(14, {4, 5, 6, 7, 8}), {})->warnings, says);
-  EXPECT_THAT(write_goto_lists(plan_below_ice(14, {}), {})->warnings, testing::Not(says));
+  EXPECT_THAT(messages::sentences(write_goto_lists(plan_below_ice(14, {4, 5, 6, 7, 8}), {})->messages), says);
+  EXPECT_THAT(messages::sentences(write_goto_lists(plan_below_ice(14, {}), {})->messages),
+              testing::Not(says));
 }
 
 /// Below ice up to 2 km before its goal, where it may be off by 600 m.
@@ -330,8 +332,9 @@ TEST(GotoLists, WarnWhereTheVehicleMayBeOffSoFarThatItComesUpBelowTheIce) {
 
   ASSERT_TRUE(lists.has_value());
   EXPECT_THAT(lists->files.front().text, HasSubstr("list_when_wpt_dist(m) 299\n"));
-  EXPECT_THAT(lists->warnings, Contains(testing::AllOf(HasSubstr("it may come up below the ice"),
-                                                       HasSubstr("more than 899 m from it"))));
+  EXPECT_THAT(messages::sentences(lists->messages),
+              Contains(testing::AllOf(HasSubstr("it may come up below the ice"),
+                                      HasSubstr("more than 899 m from it"))));
 }
 
 /// Ice beside a way that is free of it all along is not beyond its start.
@@ -345,7 +348,8 @@ TEST(GotoLists, AreNotBeyondIceThatTheirWayDoesNotPassBelow) {
     plan.surfacing->waypoints[i].nearest_ice = core::Metres{10.0 * way_m + 1000.0};
   }
 
-  EXPECT_THAT(write_goto_lists(plan, {})->warnings, testing::Not(Contains(HasSubstr("beyond the ice"))));
+  EXPECT_THAT(messages::sentences(write_goto_lists(plan, {})->messages),
+              testing::Not(Contains(HasSubstr("beyond the ice"))));
 }
 
 /// Ice far beside a way, or beyond what the plan looked at, is none of its waypoints' nearest.
@@ -354,10 +358,11 @@ TEST(GotoLists, SayHowFarOffTheVehicleMayComeUpWhereNoIceIsKnown) {
   for (std::size_t i = 0; i < 3; ++i)
     plan.surfacing->waypoints[i].error_without_fix = core::Metres{4000.0 * static_cast<double>(i)};
   const auto says = Contains(HasSubstr("may be off by 8 km: make sure"));
-  EXPECT_THAT(write_goto_lists(plan, {})->warnings, says);
+  EXPECT_THAT(messages::sentences(write_goto_lists(plan, {})->messages), says);
 
   plan.surfacing->waypoints[2].error_without_fix = core::Metres{4500.0};
-  EXPECT_THAT(write_goto_lists(plan, {})->warnings, testing::Not(Contains(HasSubstr("may be off by"))));
+  EXPECT_THAT(messages::sentences(write_goto_lists(plan, {})->messages),
+              testing::Not(Contains(HasSubstr("may be off by"))));
 }
 
 /// Legs of 5 km eastwards at 0.25 m/s through the water, each flown in so much time, with these currents eastwards.
@@ -381,19 +386,22 @@ TEST(GotoLists, SayHowMuchLongerTheVehicleIsUnderWayByItsOwnReckoning) {
   const auto lists = write_goto_lists(plan, {.max_waypoints = 1});
 
   ASSERT_TRUE(lists.has_value());
-  EXPECT_THAT(lists->warnings, Contains(HasSubstr("goto_l11.ma may be flown for 5.6 h longer than planned")));
-  EXPECT_THAT(lists->warnings, testing::Not(Contains(HasSubstr("goto_l10.ma may be flown"))));
+  EXPECT_THAT(messages::sentences(lists->messages),
+              Contains(HasSubstr("goto_l11.ma may be flown for 5.6 h longer than planned")));
+  EXPECT_THAT(messages::sentences(lists->messages),
+              testing::Not(Contains(HasSubstr("goto_l10.ma may be flown"))));
 }
 
 TEST(GotoLists, OfAPlanThatDoesNotTellItsCurrentsSaySo) {
   const auto says = Contains(HasSubstr("does not tell the currents on its legs"));
   planning::Plan plan = plan_out_of_the_ice();
-  EXPECT_THAT(write_goto_lists(plan, {})->warnings, testing::Not(says)) << "planned in still water";
+  EXPECT_THAT(messages::sentences(write_goto_lists(plan, {})->messages), testing::Not(says))
+      << "planned in still water";
 
   plan.datasets = {{.id = "currents-1", .kind = "currents", .name = "", .sha256 = ""}};
-  EXPECT_THAT(write_goto_lists(plan, {})->warnings, says);
+  EXPECT_THAT(messages::sentences(write_goto_lists(plan, {})->messages), says);
   plan.waypoints[2].current = geo::VelocityEn{};
-  EXPECT_THAT(write_goto_lists(plan, {})->warnings, testing::Not(says));
+  EXPECT_THAT(messages::sentences(write_goto_lists(plan, {})->messages), testing::Not(says));
 }
 
 /// Against a current that it has not measured the vehicle is off by as far as that carries it, too.
@@ -408,9 +416,9 @@ TEST(GotoLists, CountWhatTheCurrentsOfThePlanCarryTheVehicle) {
   const auto each = write_goto_lists(plan, {.max_waypoints = 1, .may_end_below_ice = true});
 
   ASSERT_TRUE(once && each);
-  EXPECT_THAT(once->warnings, Contains(HasSubstr("may be off by 1600 m")))
+  EXPECT_THAT(messages::sentences(once->messages), Contains(HasSubstr("may be off by 1600 m")))
       << "600 m, and 20,000 s at 0.05 m/s";
-  EXPECT_THAT(each->warnings, testing::Not(Contains(HasSubstr("may be off by 1600 m"))))
+  EXPECT_THAT(messages::sentences(each->messages), testing::Not(Contains(HasSubstr("may be off by 1600 m"))))
       << "the second list begins where the current of the first one is known";
 }
 
@@ -422,7 +430,7 @@ TEST(GotoLists, CountThatTheVehicleGoesOnUntilItTakesItselfToBeThere) {
   const auto lists = write_goto_lists(plan, {});
 
   ASSERT_TRUE(lists.has_value());
-  EXPECT_THAT(lists->warnings, Contains(HasSubstr("may be off by 10600 m")))
+  EXPECT_THAT(messages::sentences(lists->messages), Contains(HasSubstr("may be off by 10600 m")))
       << "40,000 s at 0.25 m/s, and 600 m";
 }
 
@@ -444,7 +452,7 @@ TEST(GotoLists, EndInFrontOfIceOnlyWhereTheyMustAndSaySo) {
   ASSERT_TRUE(free && forced);
   EXPECT_THAT(ends_of(*free), ElementsAre(2u, 5u));
   EXPECT_THAT(
-      forced->warnings,
+      messages::sentences(forced->messages),
       Contains(testing::AllOf(HasSubstr("ends at waypoint 3, 120 m from the nearest ice"),
                               HasSubstr("may be off by 500 m"), HasSubstr("may come up below the ice"))));
 }
@@ -459,7 +467,7 @@ TEST(GotoLists, GetASmallerRadiusWhereTheyEndNearIce) {
   ASSERT_TRUE(usual && near_ice);
   EXPECT_THAT(usual->files.front().text, HasSubstr("list_when_wpt_dist(m) 500\n"));
   EXPECT_THAT(near_ice->files.front().text, HasSubstr("list_when_wpt_dist(m) 199\n"));
-  EXPECT_THAT(near_ice->warnings,
+  EXPECT_THAT(messages::sentences(near_ice->messages),
               Contains(HasSubstr("800 m beyond the ice, and the vehicle comes up within 199 m of it, "
                                  "where it may be off by 600 m")));
 }
@@ -509,7 +517,7 @@ TEST(GotoLists, OfAPlanThatDoesNotTellHowFarFromIceItEndsSaySo) {
   const auto lists = write_goto_lists(plan, {});
 
   ASSERT_TRUE(lists.has_value());
-  EXPECT_THAT(lists->warnings, Contains(HasSubstr("plan it anew before it is flown")));
+  EXPECT_THAT(messages::sentences(lists->messages), Contains(HasSubstr("plan it anew before it is flown")));
 }
 
 TEST(GotoLists, NameTheLegsOnTheThruster) {
@@ -520,7 +528,7 @@ TEST(GotoLists, NameTheLegsOnTheThruster) {
   const auto lists = write_goto_lists(plan, {});
 
   ASSERT_TRUE(lists.has_value());
-  EXPECT_THAT(lists->warnings,
+  EXPECT_THAT(messages::sentences(lists->messages),
               Contains(HasSubstr("The legs to waypoints 1, 3 to 4 are planned on the thruster")));
 }
 

@@ -5,6 +5,7 @@
 #include <set>
 #include <sstream>
 
+#include "engine/messages/sentence.hpp"
 #include "engine/mission/document_text.hpp"
 #include "engine/mission/read_document.hpp"
 #include "tests/engine/mission/random_plan.hpp"
@@ -79,7 +80,8 @@ TEST(MissionSet, SaysThatItKeepsNoPlannedSurfacingsBelowIce) {
   const auto set = write_mission_set(plan, under_ice());
 
   ASSERT_TRUE(set.has_value());
-  EXPECT_THAT(set->warnings, Contains(HasSubstr("The 3 surfacings of the plan are not in the files")));
+  EXPECT_THAT(messages::sentences(set->messages),
+              Contains(HasSubstr("The 3 surfacings of the plan are not in the files")));
 }
 
 TEST(MissionSet, HoldsEveryFileThatItsMissionAsksFor) {
@@ -121,7 +123,7 @@ TEST(MissionSet, RunsTheThrusterAtThePowerOfTheVehicleWhereAllLegsAreOnIt) {
   for (const char* power : {"d_thruster_value", "c_thruster_value"})
     EXPECT_NEAR(value_of(yo, power), options.vehicle.thruster->power.value, 0.005);
   EXPECT_THAT(yo.messages, IsEmpty());
-  EXPECT_THAT(set->warnings, Not(warns_of_thruster));
+  EXPECT_THAT(messages::sentences(set->messages), Not(warns_of_thruster));
 }
 
 TEST(MissionSet, LeavesTheThrusterOffWhereOneYoCannotFlyThePlanOnIt) {
@@ -143,10 +145,10 @@ TEST(MissionSet, LeavesTheThrusterOffWhereOneYoCannotFlyThePlanOnIt) {
         write_mission_set(fast, options_for("slocum-g3-200"))}) {
     ASSERT_TRUE(set.has_value());
     EXPECT_TRUE(is_off(set));
-    EXPECT_THAT(set->warnings, warns_of_thruster);
+    EXPECT_THAT(messages::sentences(set->messages), warns_of_thruster);
   }
   EXPECT_TRUE(is_off(write_mission_set(slow, options)));
-  EXPECT_THAT(write_mission_set(slow, options)->warnings, Not(warns_of_thruster));
+  EXPECT_THAT(messages::sentences(write_mission_set(slow, options)->messages), Not(warns_of_thruster));
 }
 
 TEST(MissionSet, LeavesRoomForWhatTheVehicleIsOffAtAFix) {
@@ -178,7 +180,7 @@ TEST(MissionSet, TakesDepthsAndDistancesFromVehicleAndPlan) {
   EXPECT_EQ(value_of(read_of(*set, "yo10.ma"), "c_bpump_value"), 260.0);
   EXPECT_EQ(value_of(read_of(*set, "yo10.ma"), "c_target_depth"), 10.0);
   EXPECT_EQ(value_of(read_of(*set, "surfac10.ma"), "when_secs"), 28800.0);
-  EXPECT_THAT(set->warnings, Contains(HasSubstr("turns at 980 m")));
+  EXPECT_THAT(messages::sentences(set->messages), Contains(HasSubstr("turns at 980 m")));
 }
 
 TEST(MissionSet, UnderIceHoldsTheSafePlacesAndDoesNotComeUpAtWaypoints) {
@@ -205,7 +207,7 @@ TEST(MissionSet, UnderIceHoldsTheSafePlacesAndDoesNotComeUpAtWaypoints) {
     EXPECT_EQ(sensor("u_lon_goto_l99"), -5330.0);
     EXPECT_EQ(sensor("u_max_expected_iceberg_depth"), 35.0);
   }
-  EXPECT_THAT(set->warnings, Contains(HasSubstr("recov.mi")));
+  EXPECT_THAT(messages::sentences(set->messages), Contains(HasSubstr("recov.mi")));
 }
 
 TEST(MissionSet, UnderIceWaitsForContactLongerThanThePlanTakesAndTellsTheLongestList) {
@@ -218,7 +220,8 @@ TEST(MissionSet, UnderIceWaitsForContactLongerThanThePlanTakesAndTellsTheLongest
 
   ASSERT_TRUE(set.has_value());
   EXPECT_EQ(value_of(read_of(*set, "surfac10.ma"), "when_secs"), 50.0 * 3600.0);
-  EXPECT_THAT(set->warnings, Contains(HasSubstr("A list takes 20.0 h, below ice without contact")));
+  EXPECT_THAT(messages::sentences(set->messages),
+              Contains(HasSubstr("A list takes 20.0 h, below ice without contact")));
 }
 
 TEST(MissionSet, OfAPlanUnderAnIcebergTurnsBelowItsKeelAndNeedsTheRulesUnderIce) {
@@ -233,7 +236,7 @@ TEST(MissionSet, OfAPlanUnderAnIcebergTurnsBelowItsKeelAndNeedsTheRulesUnderIce)
   EXPECT_THAT(in_the_open.error(), Contains(Field(&core::Violation::field, "/under_ice")));
   ASSERT_TRUE(below.has_value());
   EXPECT_EQ(value_of(read_of(*below, "yo10.ma"), "c_target_depth"), 70.0);
-  EXPECT_THAT(below->warnings, Contains(HasSubstr("under iceberg B-17")));
+  EXPECT_THAT(messages::sentences(below->messages), Contains(HasSubstr("under iceberg B-17")));
 }
 
 /// Open water at every waypoint, and ice whose keels reach to 8.4 m on the way to the last one.
@@ -259,7 +262,7 @@ TEST(MissionSet, OfAPlanBelowIceBetweenItsWaypointsTurnsBelowTheKeelsAndNeedsThe
   EXPECT_EQ(value_of(read_of(*below, "yo10.ma"), "c_target_depth"), 19.0);
   EXPECT_THAT(names_of(*below), Not(Contains("surfac13.ma"))) << "no surfacing at waypoints";
   EXPECT_THAT(
-      below->warnings,
+      messages::sentences(below->messages),
       Contains(HasSubstr("below ice or icebergs on the way to waypoint 2: no surfacing may be asked for "
                          "there, and the yo must turn no higher than 19 m")));
 }
@@ -306,8 +309,9 @@ TEST(MissionSet, SaysWhereThereIsNowhereToSurface) {
   const auto set = write_mission_set(plan, under_ice());
 
   ASSERT_TRUE(set.has_value());
-  EXPECT_THAT(set->warnings, Contains("There is nowhere to surface on the way to waypoint 1."));
-  EXPECT_THAT(set->warnings, Contains(HasSubstr("on the way to waypoint 1 to 2")));
+  EXPECT_THAT(messages::sentences(set->messages),
+              Contains("There is nowhere to surface on the way to waypoint 1."));
+  EXPECT_THAT(messages::sentences(set->messages), Contains(HasSubstr("on the way to waypoint 1 to 2")));
 }
 
 TEST(MissionSet, IsRefusedForAPlanThatEndsBelowIce) {
@@ -372,18 +376,20 @@ TEST(MissionSet, IsRefusedOverAShoalThatItsYoIsTooDeepFor) {
                               HasSubstr("water of 30 m at -52.8000, 69.0000, on the way to waypoint 1, "
                                         "yet the one yo of the mission turns no higher than 19 m")))));
   ASSERT_TRUE(over_enough.has_value());
-  EXPECT_THAT(over_enough->warnings, Not(Contains(HasSubstr("known of the sea bed"))));
+  EXPECT_THAT(messages::sentences(over_enough->messages), Not(Contains(HasSubstr("known of the sea bed"))));
   ASSERT_FALSE(by_the_plan.has_value());
 }
 
 TEST(MissionSet, SaysThatNothingIsKnownOfTheBedBelowIce) {
   const planning::Plan plan = below_ice_between_waypoints();
   MissionSetOptions options = under_ice();
-  EXPECT_THAT(write_mission_set(plan, options)->warnings, Contains(HasSubstr("known of the sea bed")));
+  EXPECT_THAT(messages::sentences(write_mission_set(plan, options)->messages),
+              Contains(HasSubstr("known of the sea bed")));
 
   options.shoals = shoal_on_leg(plan, 1, 300.0);
   options.shoals[2].reset();
-  EXPECT_THAT(write_mission_set(plan, options)->warnings, Contains(HasSubstr("known of the sea bed")));
+  EXPECT_THAT(messages::sentences(write_mission_set(plan, options)->messages),
+              Contains(HasSubstr("known of the sea bed")));
 }
 
 TEST(MissionSet, IsRefusedForDivesShoalerThanItsYoClimbs) {
@@ -469,7 +475,7 @@ TEST(MissionSet, SaysWhereAPlanWaits) {
   const auto set = write_mission_set(plan, options_for("slocum-g3-200"));
 
   ASSERT_TRUE(set.has_value());
-  EXPECT_THAT(set->warnings, Contains(HasSubstr("waits 1.5 h at waypoint 1")));
+  EXPECT_THAT(messages::sentences(set->messages), Contains(HasSubstr("waits 1.5 h at waypoint 1")));
 }
 
 TEST(MissionSet, RefusesEveryBadOptionAtOnce) {

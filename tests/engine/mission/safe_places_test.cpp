@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include "engine/messages/sentence.hpp"
 #include "tests/engine/mission/random_plan.hpp"
 
 namespace floeplan::mission::safe_places_test {
@@ -64,7 +65,7 @@ TEST(SafePlaces, AreOpenWater) {
   const auto found = findings(plan, {refuge, sea(plan, 300.0, {{0.0, 0.05F}, {48.0, 0.1F}})});
 
   EXPECT_THAT(found.violations, IsEmpty());
-  EXPECT_THAT(found.warnings, IsEmpty());
+  EXPECT_THAT(found.messages, IsEmpty());
 }
 
 TEST(SafePlaces, AreNotOnLandNorInShallows) {
@@ -105,12 +106,16 @@ TEST(SafePlaces, OfWhichNothingIsKnownAreNamed) {
   ocean::Environment no_ice = sea(plan, 300.0, {{0.0, 0.0F}, {48.0, 0.0F}});
   no_ice.ice = nullptr;
 
-  EXPECT_THAT(findings(plan, {refuge, {}}).warnings, ElementsAre(HasSubstr("the sea bed and the ice")));
-  EXPECT_THAT(findings(plan, {refuge, no_ice}).warnings, ElementsAre(HasSubstr("known of the ice at")));
-  EXPECT_THAT(findings(plan, {refuge, sea(plan, 300.0, {{-200.0, 0.0F}, {-100.0, 0.0F}})}).warnings,
+  EXPECT_THAT(messages::sentences(findings(plan, {refuge, {}}).messages),
+              ElementsAre(HasSubstr("the sea bed and the ice")));
+  EXPECT_THAT(messages::sentences(findings(plan, {refuge, no_ice}).messages),
+              ElementsAre(HasSubstr("known of the ice at")));
+  EXPECT_THAT(messages::sentences(
+                  findings(plan, {refuge, sea(plan, 300.0, {{-200.0, 0.0F}, {-100.0, 0.0F}})}).messages),
               ElementsAre(HasSubstr("known of the ice at")))
       << "older than ice holds";
-  EXPECT_THAT(findings(plan, {refuge, sea(plan, 300.0, {{-240.0, 0.0F}, {240.0, 0.0F}})}).warnings,
+  EXPECT_THAT(messages::sentences(
+                  findings(plan, {refuge, sea(plan, 300.0, {{-240.0, 0.0F}, {240.0, 0.0F}})}).messages),
               ElementsAre(HasSubstr("known of the ice at")))
       << "in a long gap";
 }
@@ -145,7 +150,8 @@ TEST(SafePlaces, AreNotBelowIcebergsAndSayWhichAreNear) {
   open.icebergs.front().place.lat_deg += 0.02;
   const SafePlaceFindings near = findings(plan, {refuge, open});
   EXPECT_THAT(near.violations, IsEmpty());
-  EXPECT_THAT(near.warnings, ElementsAre(HasSubstr("Iceberg B1 was seen 3 km from the safe place")));
+  EXPECT_THAT(messages::sentences(near.messages),
+              ElementsAre(HasSubstr("Iceberg B1 was seen 3 km from the safe place")));
 }
 
 }  // namespace

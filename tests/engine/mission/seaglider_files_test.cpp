@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "engine/messages/sentence.hpp"
 #include "engine/mission/document_text.hpp"
 #include "engine/mission/read_document.hpp"
 #include "tests/engine/mission/random_plan.hpp"
@@ -64,11 +65,12 @@ TEST(SeagliderSet, NamesTheShoalestWaterOnTheWay) {
 
   ASSERT_TRUE(over_a_bank.has_value());
   EXPECT_THAT(
-      over_a_bank->warnings,
+      messages::sentences(over_a_bank->messages),
       Contains(HasSubstr("$D_TGT is 200 m, yet the sea is 45 m deep at -52.6000, 69.0000, on the way to "
                          "waypoint 2, where the plan dives to 35 m")));
   ASSERT_TRUE(over_enough.has_value());
-  EXPECT_THAT(over_enough->warnings, testing::Not(Contains(HasSubstr("yet the sea is"))));
+  EXPECT_THAT(messages::sentences(over_enough->messages),
+              testing::Not(Contains(HasSubstr("yet the sea is"))));
 }
 
 TEST(SeagliderTargets, AreReadStrictly) {

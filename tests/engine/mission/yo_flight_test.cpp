@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include "engine/messages/sentence.hpp"
 #include "engine/planning/plan_route.hpp"
 #include "tests/support/small_sea.hpp"
 
@@ -51,7 +52,7 @@ TEST(YoFlight, IsThatOfThePlanInOpenWater) {
   EXPECT_FALSE(flies_otherwise(plan, request.vehicle));
   const YoFlight flight = flight_of(sheared_sea(), request, plan);
   EXPECT_THAT(flight.violations, IsEmpty());
-  EXPECT_THAT(flight.warnings, IsEmpty());
+  EXPECT_THAT(flight.messages, IsEmpty());
 }
 
 TEST(YoFlight, IsRefusedWhereTheCurrentAtItsDepthsStopsTheVehicle) {
@@ -79,7 +80,7 @@ TEST(YoFlight, TellsTheTimesAndTheDrawThatAreNotThePlans) {
   const planning::Plan flown = planned(sheared_sea(), deep);
   EXPECT_GT(flown.travel_time(), 1.3 * plan.travel_time()) << "a sea in which it matters";
   EXPECT_THAT(flight.violations, IsEmpty());
-  EXPECT_THAT(flight.warnings,
+  EXPECT_THAT(messages::sentences(flight.messages),
               ElementsAre(AllOf(HasSubstr("h later than planned"), HasSubstr("climb_to_m of 90"))));
 }
 
