@@ -25,6 +25,7 @@ void read_members(InputReader& reader, const auto& read) {
 
 void read_iceberg_rules(InputReader& reader, planning::IcebergRules& rules,
                         repository::EnvironmentQuery& data) {
+  read_fields(reader, fields::margin_fields(), rules);
   read_fields(reader, fields::iceberg_fields(), rules);
   read_fields(reader, fields::sighting_fields(), data);
   data.iceberg_drift = rules.drift;
@@ -32,6 +33,7 @@ void read_iceberg_rules(InputReader& reader, planning::IcebergRules& rules,
 
 void write_iceberg_rules(const planning::IcebergRules& rules, const repository::EnvironmentQuery& data,
                          json& inputs) {
+  write_fields(fields::margin_fields(), rules, inputs);
   write_fields(fields::iceberg_fields(), rules, inputs);
   write_fields(fields::sighting_fields(), data, inputs);
 }

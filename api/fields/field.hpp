@@ -43,6 +43,17 @@ struct Form {
   std::string_view hint{};
 };
 
+/// Parts of a form and headings of the help. What has none comes first in both.
+namespace group {
+inline constexpr std::string_view places{"Places and areas"};
+inline constexpr std::string_view window{"Departure window"};
+inline constexpr std::string_view vehicle{"Vehicle"};
+inline constexpr std::string_view ice{"Ice"};
+inline constexpr std::string_view uncertainty{"Uncertainty of currents"};
+inline constexpr std::string_view search{"Advanced"};
+inline constexpr std::string_view data{"Data"};
+}  // namespace group
+
 /// One member of the inputs of a process: all that is said of it anywhere.
 struct Field {
   std::string_view name;
@@ -57,9 +68,10 @@ struct Field {
   std::string_view
       flag{};  // of the command line, without its dashes; a boolean's sets the opposite of `usual`
   std::string_view flag_sets{};  // the word that the flag stands for, where it takes no value
-  std::string_view help{};       // one sentence without its full stop, unit and default
-  std::string_view details{};    // further sentences, for the OpenAPI document
-  std::string_view example{};    // as a request has it
+  std::string_view group{};
+  std::string_view help{};     // one sentence without its full stop, unit and default
+  std::string_view details{};  // further sentences, for the OpenAPI document
+  std::string_view example{};  // as a request has it
   Form form{};
 };
 

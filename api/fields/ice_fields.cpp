@@ -19,7 +19,7 @@ Bound<UnderIceRules> under_ice(Field field, Access access) {
 
 }  // namespace
 
-const Table<IcebergRules>& iceberg_fields() {
+const Table<IcebergRules>& margin_fields() {
   static const Table<IcebergRules> table{
       bound<IcebergRules>({.name = "margin_m",
                            .unit = "m",
@@ -28,153 +28,169 @@ const Table<IcebergRules>& iceberg_fields() {
                            .help = "Distance kept from the edge of an iceberg",
                            .form = {"Ice margin", "m"}},
                           [](auto& rules) -> auto& { return rules.margin; }),
-      bound<IcebergRules>({.name = "icebergs_drift",
-                           .flag = "no-iceberg-drift",
-                           .help = "Let icebergs drift and their positions age",
-                           .details = "Otherwise each stays where it was seen",
-                           .form = {"Let icebergs drift and positions age"}},
-                          [](auto& rules) -> auto& { return rules.drift; }),
-      bound<IcebergRules>({.name = "max_inflation_m",
-                           .unit = "m",
-                           .most = 100'000.0,
-                           .flag = "max-inflation",
-                           .help = "Most that is kept from an iceberg for the error of its position",
-                           .form = {"Most for errors", "m"}},
-                          [](auto& rules) -> auto& { return rules.max_inflation; }),
-      bound<IcebergRules>(
-          {.name = "pass_under_icebergs",
-           .flag = "pass-under",
-           .help = "Pass under icebergs of known size whose keels end well above the dives' depth",
-           .details =
-               "The dives then turn keel_clearance_m below the deepest keel all the way across the disc, the "
-               "sea must be deep enough below that, and nothing may surface there. Never under a berg of "
-               "unknown size, nor under one whose disc comes over a stop. Currents count as over the usual "
-               "dives. Below a berg the vehicle may not surface, which counts where "
-               "under_ice.max_time_without_surfacing_s bounds that time",
-           .form = {"Pass under icebergs of known draft"}},
-          [](auto& rules) -> auto& { return rules.pass_under; }),
-      bound<IcebergRules>({.name = "keel_clearance_m",
-                           .unit = "m",
-                           .most = 1000.0,
-                           .flag = "keel-clearance",
-                           .help = "Kept below the deepest keel when passing under",
-                           .form = {"Below the keel", "m"}},
-                          [](auto& rules) -> auto& { return rules.keel_clearance; }),
-      bound<IcebergRules>(
-          {.name = "draft_uncertainty",
-           .unit = "share",
-           .most = 2.0,
-           .flag = "draft-uncertainty",
-           .help = "Share added to every iceberg's draft when passing under",
-           .details = "The draft is the stated one or the largest that its length lets expect",
-           .form = {"Draft error", "%"}},
-          [](auto& rules) -> auto& { return rules.draft_uncertainty; }),
   };
+  return table;
+}
+
+const Table<IcebergRules>& iceberg_fields() {
+  static const Table<IcebergRules> table = in_group<IcebergRules>(
+      group::ice,
+      {
+          bound<IcebergRules>({.name = "icebergs_drift",
+                               .flag = "no-iceberg-drift",
+                               .help = "Let icebergs drift and their positions age",
+                               .details = "Otherwise each stays where it was seen",
+                               .form = {"Let icebergs drift and positions age"}},
+                              [](auto& rules) -> auto& { return rules.drift; }),
+          bound<IcebergRules>({.name = "max_inflation_m",
+                               .unit = "m",
+                               .most = 100'000.0,
+                               .flag = "max-inflation",
+                               .help = "Most that is kept from an iceberg for the error of its position",
+                               .form = {"Most for errors", "m"}},
+                              [](auto& rules) -> auto& { return rules.max_inflation; }),
+          bound<IcebergRules>(
+              {.name = "pass_under_icebergs",
+               .flag = "pass-under",
+               .help = "Pass under icebergs of known size whose keels end well above the dives' depth",
+               .details =
+                   "The dives then turn keel_clearance_m below the deepest keel all the way across the disc, "
+                   "the "
+                   "sea must be deep enough below that, and nothing may surface there. Never under a berg of "
+                   "unknown size, nor under one whose disc comes over a stop. Currents count as over the "
+                   "usual "
+                   "dives. Below a berg the vehicle may not surface, which counts where "
+                   "under_ice.max_time_without_surfacing_s bounds that time",
+               .form = {"Pass under icebergs of known draft"}},
+              [](auto& rules) -> auto& { return rules.pass_under; }),
+          bound<IcebergRules>({.name = "keel_clearance_m",
+                               .unit = "m",
+                               .most = 1000.0,
+                               .flag = "keel-clearance",
+                               .help = "Kept below the deepest keel when passing under",
+                               .form = {"Below the keel", "m"}},
+                              [](auto& rules) -> auto& { return rules.keel_clearance; }),
+          bound<IcebergRules>(
+              {.name = "draft_uncertainty",
+               .unit = "share",
+               .most = 2.0,
+               .flag = "draft-uncertainty",
+               .help = "Share added to every iceberg's draft when passing under",
+               .details = "The draft is the stated one or the largest that its length lets expect",
+               .form = {"Draft error", "%"}},
+              [](auto& rules) -> auto& { return rules.draft_uncertainty; }),
+      });
   return table;
 }
 
 const Table<IcebergRules>& encounter_fields() {
-  static const Table<IcebergRules> table{
-      bound<IcebergRules>(
-          {.name = "encounter_weight_s",
-           .unit = "s",
-           .most = 1e7,
-           .flag = "encounter-weight",
-           .help = "Travel time that one expected encounter with an iceberg counts as",
-           .details =
-               "The plan without the weight is made, too, and stays unless another one expects no more "
-               "encounters and costs less; encounter_trade tells of both",
-           .form = {"An expected encounter counts as",
-                    "h",
-                    {},
-                    "Longer travel that is worth one encounter less."}},
-          [](auto& rules) -> auto& { return rules.encounter_weight; }),
-  };
+  static const Table<IcebergRules> table = in_group<IcebergRules>(
+      group::ice,
+      {
+          bound<IcebergRules>(
+              {.name = "encounter_weight_s",
+               .unit = "s",
+               .most = 1e7,
+               .flag = "encounter-weight",
+               .help = "Travel time that one expected encounter with an iceberg counts as",
+               .details =
+                   "The plan without the weight is made, too, and stays unless another one expects no more "
+                   "encounters and costs less; encounter_trade tells of both",
+               .form = {"An expected encounter counts as",
+                        "h",
+                        {},
+                        "Longer travel that is worth one encounter less."}},
+              [](auto& rules) -> auto& { return rules.encounter_weight; }),
+      });
   return table;
 }
 
 const Table<EnvironmentQuery>& sighting_fields() {
-  static const Table<EnvironmentQuery> table{
-      {.field = {.name = "max_sighting_age_days",
-                 .kind = Kind::number,
-                 .unit = "days",
-                 .most = 30.0,
-                 .usual = EnvironmentQuery{}.max_sighting_age.count() / day_s,
-                 .flag = "max-sighting-age",
-                 .help = "Leave out icebergs last seen longer before the departure",
-                 .details = "Before icebergs_as_of where that is earlier; by whole UTC days",
-                 .form = {"Sightings up to", "days"}},
-       .set =
-           [](auto& query, const Value& days) {
-             query.max_sighting_age = core::Seconds{std::get<double>(days) * day_s};
-           },
-       .get = [](const auto& query) { return query.max_sighting_age.count() / day_s; }},
-  };
+  static const Table<EnvironmentQuery> table = in_group<EnvironmentQuery>(
+      group::ice, {
+                      {.field = {.name = "max_sighting_age_days",
+                                 .kind = Kind::number,
+                                 .unit = "days",
+                                 .most = 30.0,
+                                 .usual = EnvironmentQuery{}.max_sighting_age.count() / day_s,
+                                 .flag = "max-sighting-age",
+                                 .help = "Leave out icebergs last seen longer before the departure",
+                                 .details = "Before icebergs_as_of where that is earlier; by whole UTC days",
+                                 .form = {"Sightings up to", "days"}},
+                       .set =
+                           [](auto& query, const Value& days) {
+                             query.max_sighting_age = core::Seconds{std::get<double>(days) * day_s};
+                           },
+                       .get = [](const auto& query) { return query.max_sighting_age.count() / day_s; }},
+                  });
   return table;
 }
 
 const Table<UnderIceRules>& passing_under_ice_fields() {
-  static const Table<UnderIceRules> table{
-      under_ice({.name = "max_concentration_to_surface",
-                 .unit = "share",
-                 .most = 1.0,
-                 .flag = "max-concentration-to-surface",
-                 .help = "Share of ice up to which the vehicle may surface",
-                 .form = {"Surface up to", "% ice"}},
-                [](auto& rules) -> auto& { return rules.max_concentration_to_surface; }),
-      under_ice({.name = "margin_below_ice_m",
-                 .unit = "m",
-                 .most = 500.0,
-                 .flag = "margin-below-ice",
-                 .help = "Kept between the deepest keel and the upper turn of the dives",
-                 .form = {"Below the ice", "m"}},
-                [](auto& rules) -> auto& { return rules.margin_below_ice; }),
-      under_ice({.name = "draft_if_unknown_m",
-                 .unit = "m",
-                 .most = 500.0,
-                 .help = "Deepest keel where the data tell no thickness",
-                 .form = {"Unknown draft", "m"}},
-                [](auto& rules) -> auto& { return rules.draft_if_unknown; }),
-      under_ice({.name = "max_time_without_surfacing_s",
-                 .unit = "s",
-                 .least = 60.0,
-                 .most = 3.2e7,
-                 .flag = "max-time-without-surfacing",
-                 .help = "Longest time between places where the vehicle may surface",
-                 .form = {"Longest below", "h", "no limit"}},
-                [](auto& rules) -> auto& { return rules.max_time_without_surfacing; }),
-  };
+  static const Table<UnderIceRules> table = in_group<UnderIceRules>(
+      group::ice, {
+                      under_ice({.name = "max_concentration_to_surface",
+                                 .unit = "share",
+                                 .most = 1.0,
+                                 .flag = "max-concentration-to-surface",
+                                 .help = "Share of ice up to which the vehicle may surface",
+                                 .form = {"Surface up to", "% ice"}},
+                                [](auto& rules) -> auto& { return rules.max_concentration_to_surface; }),
+                      under_ice({.name = "margin_below_ice_m",
+                                 .unit = "m",
+                                 .most = 500.0,
+                                 .flag = "margin-below-ice",
+                                 .help = "Kept between the deepest keel and the upper turn of the dives",
+                                 .form = {"Below the ice", "m"}},
+                                [](auto& rules) -> auto& { return rules.margin_below_ice; }),
+                      under_ice({.name = "draft_if_unknown_m",
+                                 .unit = "m",
+                                 .most = 500.0,
+                                 .help = "Deepest keel where the data tell no thickness",
+                                 .form = {"Unknown draft", "m"}},
+                                [](auto& rules) -> auto& { return rules.draft_if_unknown; }),
+                      under_ice({.name = "max_time_without_surfacing_s",
+                                 .unit = "s",
+                                 .least = 60.0,
+                                 .most = 3.2e7,
+                                 .flag = "max-time-without-surfacing",
+                                 .help = "Longest time between places where the vehicle may surface",
+                                 .form = {"Longest below", "h", "no limit"}},
+                                [](auto& rules) -> auto& { return rules.max_time_without_surfacing; }),
+                  });
   return table;
 }
 
 const Table<UnderIceRules>& surfacing_fields() {
-  static const Table<UnderIceRules> table{
-      under_ice({.name = "surfacing_interval_s",
-                 .unit = "s",
-                 .least = 60.0,
-                 .most = 3.2e7,
-                 .flag = "surfacing-interval",
-                 .help = "Plan a surfacing about this often",
-                 .form = {"Surface every", "h", "no need"}},
-                [](auto& rules) -> auto& { return rules.surfacing_interval; }),
-      under_ice({.name = "escape_plan",
-                 .flag = "escape-plan",
-                 .help = "Find from every waypoint the way to where the vehicle may surface",
-                 .form = {"A way out from every waypoint"}},
-                [](auto& rules) -> auto& { return rules.escape_plan; }),
-      under_ice({.name = "dead_reckoning_share",
-                 .unit = "share",
-                 .most = 1.0,
-                 .help = "Growth of the error of dead reckoning with the distance through water",
-                 .form = {"Lost way", "%"}},
-                [](auto& rules) -> auto& { return rules.dead_reckoning_share; }),
-      under_ice({.name = "current_uncertainty_m_s",
-                 .unit = "m/s",
-                 .most = 5.0,
-                 .help = "Error of the currents that the plan is made with, between two fixes",
-                 .form = {"Current error below", "m/s"}},
-                [](auto& rules) -> auto& { return rules.current_uncertainty; }),
-  };
+  static const Table<UnderIceRules> table = in_group<UnderIceRules>(
+      group::ice,
+      {
+          under_ice({.name = "surfacing_interval_s",
+                     .unit = "s",
+                     .least = 60.0,
+                     .most = 3.2e7,
+                     .flag = "surfacing-interval",
+                     .help = "Plan a surfacing about this often",
+                     .form = {"Surface every", "h", "no need"}},
+                    [](auto& rules) -> auto& { return rules.surfacing_interval; }),
+          under_ice({.name = "escape_plan",
+                     .flag = "escape-plan",
+                     .help = "Find from every waypoint the way to where the vehicle may surface",
+                     .form = {"A way out from every waypoint"}},
+                    [](auto& rules) -> auto& { return rules.escape_plan; }),
+          under_ice({.name = "dead_reckoning_share",
+                     .unit = "share",
+                     .most = 1.0,
+                     .help = "Growth of the error of dead reckoning with the distance through water",
+                     .form = {"Lost way", "%"}},
+                    [](auto& rules) -> auto& { return rules.dead_reckoning_share; }),
+          under_ice({.name = "current_uncertainty_m_s",
+                     .unit = "m/s",
+                     .most = 5.0,
+                     .help = "Error of the currents that the plan is made with, between two fixes",
+                     .form = {"Current error below", "m/s"}},
+                    [](auto& rules) -> auto& { return rules.current_uncertainty; }),
+      });
   return table;
 }
 

@@ -50,6 +50,7 @@ const std::vector<Field>& way_fields() {
       {.name = "via",
        .kind = Kind::places,
        .flag = "via",
+       .group = group::places,
        .help = "Places to visit on the way, in this order"},
       {.name = "goals_file",
        .flag = "goals",
@@ -61,15 +62,17 @@ const std::vector<Field>& way_fields() {
 }
 
 const Table<PlanRequest>& order_fields() {
-  static const Table<PlanRequest> table{
-      worded<PlanRequest>(
-          {.name = "via_order",
-           .flag = "best-order",
-           .flag_sets = "best",
-           .help = "Visit the places in the order given or in the one that reaches the goal earliest"},
-          std::vector<Choice<bool>>{{{"given"}, false}, {{"best"}, true}},
-          [](auto& request) -> auto& { return request.via_in_best_order; }),
-  };
+  static const Table<PlanRequest> table = in_group<PlanRequest>(
+      group::places,
+      {
+          worded<PlanRequest>(
+              {.name = "via_order",
+               .flag = "best-order",
+               .flag_sets = "best",
+               .help = "Visit the places in the order given or in the one that reaches the goal earliest"},
+              std::vector<Choice<bool>>{{{"given"}, false}, {{"best"}, true}},
+              [](auto& request) -> auto& { return request.via_in_best_order; }),
+      });
   return table;
 }
 
@@ -109,24 +112,27 @@ const std::vector<Field>& isochrone_fields() {
 }
 
 const Table<IsochroneRequest>& isochrone_grid_fields() {
-  static const Table<IsochroneRequest> table{
-      bound<IsochroneRequest>(
-          {.name = "spacing_m",
-           .unit = "m",
-           .least = least_step_m,
-           .most = most_step_m,
-           .flag = "spacing",
-           .help = "Spacing of the grid (left out: a hundredth of the way in still water, 100 m to 5 km)"},
-          [](auto& request) -> auto& { return request.spacing; }),
-      bound<IsochroneRequest>(
-          {.name = "sectors",
-           .least = 1.0,
-           .most = 5.0,
-           .flag = "sectors",
-           .help = "Reach of the grid's edges; left out, 3, and 5 where currents are as fast as "
-                   "the vehicle"},
-          [](auto& request) -> auto& { return request.sectors; }),
-  };
+  static const Table<IsochroneRequest> table = in_group<IsochroneRequest>(
+      group::search,
+      {
+          bound<IsochroneRequest>(
+              {.name = "spacing_m",
+               .unit = "m",
+               .least = least_step_m,
+               .most = most_step_m,
+               .flag = "spacing",
+               .help =
+                   "Spacing of the grid (left out: a hundredth of the way in still water, 100 m to 5 km)"},
+              [](auto& request) -> auto& { return request.spacing; }),
+          bound<IsochroneRequest>(
+              {.name = "sectors",
+               .least = 1.0,
+               .most = 5.0,
+               .flag = "sectors",
+               .help = "Reach of the grid's edges; left out, 3, and 5 where currents are as fast as "
+                       "the vehicle"},
+              [](auto& request) -> auto& { return request.sectors; }),
+      });
   return table;
 }
 
@@ -146,17 +152,20 @@ const std::vector<Field>& window_fields() {
       {.name = "depart_until",
        .kind = Kind::time,
        .flag = "depart-until",
+       .group = group::window,
        .help = "Last departure of a window that begins at depart; the best one is planned",
        .form = {"Latest departure", "UTC", "one departure only"}},
       {.name = "depart_step",
        .kind = Kind::duration,
        .flag = "depart-step",
+       .group = group::window,
        .help = "From one departure of the window to the next, ISO 8601; default PT1H",
        .example = "PT1H",
        .form = {"Every", "h"}},
       {.name = "arrive_by",
        .kind = Kind::time,
        .flag = "arrive-by",
+       .group = group::window,
        .help = "Leave as late as this arrival allows; depart is then the earliest departure",
        .form = {"Latest arrival", "UTC", "any",
                 "With it the latest departure that arrives in time is found."}},
@@ -168,6 +177,7 @@ const std::vector<Field>& grid_fields() {
   static const std::vector<Field> list{
       {.name = "spacing_m",
        .flag = "spacing",
+       .group = group::search,
        .help = "Spacing of the search grid, metres, or two, along and across (left out: a 200th of the "
                "distance, 250 m to 5 km)",
        .details =
@@ -178,134 +188,143 @@ const std::vector<Field>& grid_fields() {
 }
 
 const Table<PlanRequest>& search_fields() {
-  static const Table<PlanRequest> table{
-      bound<PlanRequest>({.name = "sectors",
-                          .least = 1.0,
-                          .most = 5.0,
-                          .flag = "sectors",
-                          .help = "Reach of the grid's edges",
-                          .details = "Where currents are as fast as the vehicle grids of 5 are tried, too",
-                          .form = {"Reach", "1–5"}},
-                         [](auto& request) -> auto& { return request.sectors; }),
-      worded<PlanRequest>(
-          {.name = "method", .flag = "method", .help = "How routes are searched for", .form = {"Method"}},
-          std::vector<Choice<Method>>{{{"tve"}, Method::tve},
-                                      {{"dijkstra"}, Method::dijkstra},
-                                      {{"astar"}, Method::astar},
-                                      {{"frozen"}, Method::frozen},
-                                      {{"direct"}, Method::direct}},
-          [](auto& request) -> auto& { return request.method; }),
-      bound<PlanRequest>({.name = "max_waypoints",
-                          .least = 2.0,
-                          .most = 10'000.0,
-                          .flag = "max-waypoints",
-                          .help = "Waypoints at most, start and goal included",
-                          .form = {"Most waypoints", {}, "no limit"}},
-                         [](auto& request) -> auto& { return request.max_waypoints; }),
-      bound<PlanRequest>({.name = "max_leg_m",
-                          .unit = "m",
-                          .least = 100.0,
-                          .most = 5e6,
-                          .flag = "max-leg",
-                          .help = "Length of the longest leg, beyond which legs are parted",
-                          .form = {"Longest leg", "km", "no limit"}},
-                         [](auto& request) -> auto& { return request.max_leg; }),
-      bound<PlanRequest>(
-          {.name = "refine",
-           .flag = "no-refine",
-           .help = "Move waypoints off the grid where that saves time, or what else the objective counts",
-           .form = {"Refine the route beyond the grid"}},
-          [](auto& request) -> auto& { return request.refine; }),
-      bound<PlanRequest>(
-          {.name = "refine_seconds",
-           .unit = "s",
-           .least = 0.05,
-           .most = 60.0,
-           .flag = "refine-seconds",
-           .help = "Computing time for moving waypoints off the grid",
-           .details =
-               "It times up to 200000 legs for each second, 30000 where energy or encounters count, half as "
-               "many "
-               "with two drives; only when the time ends it first, as the plan then says, may the route "
-               "differ from one machine to the next",
-           .form = {"Refine for at most", "s"}},
-          [](auto& request) -> auto& { return request.refine_time; }),
-      bound<PlanRequest>({.name = "optimality_gap",
-                          .flag = "no-optimality-gap",
-                          .help = "Compare the plan with the best way in open water",
-                          .details = "The answer is the plan's optimality_gap",
-                          .form = {"Compare with the best way in open water"}},
-                         [](auto& request) -> auto& { return request.optimality_gap; }),
-  };
+  static const Table<PlanRequest> table = in_group<PlanRequest>(
+      group::search,
+      {
+          bound<PlanRequest>(
+              {.name = "sectors",
+               .least = 1.0,
+               .most = 5.0,
+               .flag = "sectors",
+               .help = "Reach of the grid's edges",
+               .details = "Where currents are as fast as the vehicle grids of 5 are tried, too",
+               .form = {"Reach", "1–5"}},
+              [](auto& request) -> auto& { return request.sectors; }),
+          worded<PlanRequest>(
+              {.name = "method", .flag = "method", .help = "How routes are searched for", .form = {"Method"}},
+              std::vector<Choice<Method>>{{{"tve"}, Method::tve},
+                                          {{"dijkstra"}, Method::dijkstra},
+                                          {{"astar"}, Method::astar},
+                                          {{"frozen"}, Method::frozen},
+                                          {{"direct"}, Method::direct}},
+              [](auto& request) -> auto& { return request.method; }),
+          bound<PlanRequest>({.name = "max_waypoints",
+                              .least = 2.0,
+                              .most = 10'000.0,
+                              .flag = "max-waypoints",
+                              .help = "Waypoints at most, start and goal included",
+                              .form = {"Most waypoints", {}, "no limit"}},
+                             [](auto& request) -> auto& { return request.max_waypoints; }),
+          bound<PlanRequest>({.name = "max_leg_m",
+                              .unit = "m",
+                              .least = 100.0,
+                              .most = 5e6,
+                              .flag = "max-leg",
+                              .help = "Length of the longest leg, beyond which legs are parted",
+                              .form = {"Longest leg", "km", "no limit"}},
+                             [](auto& request) -> auto& { return request.max_leg; }),
+          bound<PlanRequest>(
+              {.name = "refine",
+               .flag = "no-refine",
+               .help = "Move waypoints off the grid where that saves time, or what else the objective counts",
+               .form = {"Refine the route beyond the grid"}},
+              [](auto& request) -> auto& { return request.refine; }),
+          bound<PlanRequest>(
+              {.name = "refine_seconds",
+               .unit = "s",
+               .least = 0.05,
+               .most = 60.0,
+               .flag = "refine-seconds",
+               .help = "Computing time for moving waypoints off the grid",
+               .details =
+                   "It times up to 200000 legs for each second, 30000 where energy or encounters count, half "
+                   "as "
+                   "many "
+                   "with two drives; only when the time ends it first, as the plan then says, may the route "
+                   "differ from one machine to the next",
+               .form = {"Refine for at most", "s"}},
+              [](auto& request) -> auto& { return request.refine_time; }),
+          bound<PlanRequest>({.name = "optimality_gap",
+                              .flag = "no-optimality-gap",
+                              .help = "Compare the plan with the best way in open water",
+                              .details = "The answer is the plan's optimality_gap",
+                              .form = {"Compare with the best way in open water"}},
+                             [](auto& request) -> auto& { return request.optimality_gap; }),
+      });
   return table;
 }
 
 const Table<UncertaintyRules>& error_model_fields() {
-  static const Table<UncertaintyRules> table = without_usual<UncertaintyRules>({
-      uncertainty({.name = "members",
-                   .least = 2.0,
-                   .most = 64.0,
-                   .flag = "members",
-                   .help = "Draw this many errors of the currents and show the spread",
-                   .form = {"Members", "2–64", "none"}},
-                  [](auto& rules) -> auto& { return rules.drawn_members; }),
-      uncertainty({.name = "current_error_m_s",
-                   .unit = "m/s",
-                   .least = 1e-3,
-                   .most = 2.0,
-                   .flag = "current-error",
-                   .help = "Standard deviation of each component's error",
-                   .form = {"Error of each component", "m/s"}},
-                  [](auto& rules) -> auto& { return rules.error.standard_deviation; }),
-      uncertainty({.name = "length_scale_m",
-                   .unit = "m",
-                   .least = 1e3,
-                   .most = 1e6,
-                   .flag = "error-length",
-                   .help = "Over how far the error is alike",
-                   .form = {"Alike over", "km"}},
-                  [](auto& rules) -> auto& { return rules.error.length_scale; }),
-      uncertainty({.name = "time_scale_s",
-                   .unit = "s",
-                   .least = 600.0,
-                   .most = 2'592'000.0,
-                   .flag = "error-time",
-                   .help = "Over how long the error is alike",
-                   .form = {"and over", "h"}},
-                  [](auto& rules) -> auto& { return rules.error.time_scale; }),
-      uncertainty({.name = "seed",
-                   .most = largest_seed,
-                   .help = "Of the errors drawn; left out, 1",
-                   .form = {"Seed", {}, "1"}},
-                  [](auto& rules) -> auto& { return rules.seed; }),
-  });
+  static const Table<UncertaintyRules> table = in_group<UncertaintyRules>(
+      group::uncertainty,
+      without_usual<UncertaintyRules>({
+          uncertainty({.name = "members",
+                       .least = 2.0,
+                       .most = 64.0,
+                       .flag = "members",
+                       .help = "Draw this many errors of the currents and show the spread",
+                       .form = {"Members", "2–64", "none"}},
+                      [](auto& rules) -> auto& { return rules.drawn_members; }),
+          uncertainty({.name = "current_error_m_s",
+                       .unit = "m/s",
+                       .least = 1e-3,
+                       .most = 2.0,
+                       .flag = "current-error",
+                       .help = "Standard deviation of each component's error",
+                       .form = {"Error of each component", "m/s"}},
+                      [](auto& rules) -> auto& { return rules.error.standard_deviation; }),
+          uncertainty({.name = "length_scale_m",
+                       .unit = "m",
+                       .least = 1e3,
+                       .most = 1e6,
+                       .flag = "error-length",
+                       .help = "Over how far the error is alike",
+                       .form = {"Alike over", "km"}},
+                      [](auto& rules) -> auto& { return rules.error.length_scale; }),
+          uncertainty({.name = "time_scale_s",
+                       .unit = "s",
+                       .least = 600.0,
+                       .most = 2'592'000.0,
+                       .flag = "error-time",
+                       .help = "Over how long the error is alike",
+                       .form = {"and over", "h"}},
+                      [](auto& rules) -> auto& { return rules.error.time_scale; }),
+          uncertainty({.name = "seed",
+                       .most = largest_seed,
+                       .help = "Of the errors drawn; left out, 1",
+                       .form = {"Seed", {}, "1"}},
+                      [](auto& rules) -> auto& { return rules.seed; }),
+      }));
   return table;
 }
 
 const Table<UncertaintyRules>& robustness_fields() {
-  static const Table<UncertaintyRules> table{
-      worded<UncertaintyRules>(
-          {.name = "objective",
-           .object = "uncertainty",
-           .flag = "robust",
-           .help = "What is to be least over all members; left out, the way is the first member's",
-           .form = {"Plan for"}},
-          std::vector<Choice<RobustObjective>>{{{"mean"}, RobustObjective::mean},
-                                               {{"quantile"}, RobustObjective::quantile}},
-          [](auto& rules) -> auto& { return rules.objective; }),
-      uncertainty({.name = "quantile",
-                   .unit = "share",
-                   .least = 0.01,
-                   .most = 0.99,
-                   .help = "The share of members that keeps the time; with the objective \"quantile\" only",
-                   .form = {"Quantile", "%"}},
-                  [](auto& rules) -> auto& { return rules.quantile; }),
-      uncertainty({.name = "arrive_before",
-                   .flag = "arrive-before",
-                   .help = "Show the chance to be there by then",
-                   .form = {"Chance to arrive before", "UTC", "not asked"}},
-                  [](auto& rules) -> auto& { return rules.arrive_before; }),
-  };
+  static const Table<UncertaintyRules> table = in_group<UncertaintyRules>(
+      group::uncertainty,
+      {
+          worded<UncertaintyRules>(
+              {.name = "objective",
+               .object = "uncertainty",
+               .flag = "robust",
+               .help = "What is to be least over all members; left out, the way is the first member's",
+               .form = {"Plan for"}},
+              std::vector<Choice<RobustObjective>>{{{"mean"}, RobustObjective::mean},
+                                                   {{"quantile"}, RobustObjective::quantile}},
+              [](auto& rules) -> auto& { return rules.objective; }),
+          uncertainty(
+              {.name = "quantile",
+               .unit = "share",
+               .least = 0.01,
+               .most = 0.99,
+               .help = "The share of members that keeps the time; with the objective \"quantile\" only",
+               .form = {"Quantile", "%"}},
+              [](auto& rules) -> auto& { return rules.quantile; }),
+          uncertainty({.name = "arrive_before",
+                       .flag = "arrive-before",
+                       .help = "Show the chance to be there by then",
+                       .form = {"Chance to arrive before", "UTC", "not asked"}},
+                      [](auto& rules) -> auto& { return rules.arrive_before; }),
+      });
   return table;
 }
 
@@ -313,6 +332,7 @@ const std::vector<Field>& objective_fields() {
   static const std::vector<Field> list{
       {.name = "objective",
        .flag = "objective",
+       .group = group::vehicle,
        .help = "What to minimise: time (default), energy, or weights of a second and of a joule",
        .form = {"Optimise"}},
   };
@@ -320,63 +340,71 @@ const std::vector<Field>& objective_fields() {
 }
 
 const Table<Objective>& weight_fields() {
-  static const Table<Objective> table = without_usual<Objective>({
-      bound<Objective>({.name = "time",
-                        .object = "objective",
-                        .most = heaviest,
-                        .help = "Weight of a second",
-                        .form = {"A second weighs"}},
-                       [](auto& objective) -> auto& { return objective.of_time; }),
-      bound<Objective>({.name = "energy",
-                        .object = "objective",
-                        .most = heaviest,
-                        .help = "Weight of a joule",
-                        .form = {"A joule weighs"}},
-                       [](auto& objective) -> auto& { return objective.of_energy; }),
-  });
+  static const Table<Objective> table = in_group<Objective>(
+      group::vehicle, without_usual<Objective>({
+                          bound<Objective>({.name = "time",
+                                            .object = "objective",
+                                            .most = heaviest,
+                                            .help = "Weight of a second",
+                                            .form = {"A second weighs"}},
+                                           [](auto& objective) -> auto& { return objective.of_time; }),
+                          bound<Objective>({.name = "energy",
+                                            .object = "objective",
+                                            .most = heaviest,
+                                            .help = "Weight of a joule",
+                                            .form = {"A joule weighs"}},
+                                           [](auto& objective) -> auto& { return objective.of_energy; }),
+                      }));
   return table;
 }
 
 const Table<EnergyRules>& energy_fields() {
-  static const Table<EnergyRules> table{
-      worded<EnergyRules>(
-          {.name = "thruster",
-           .flag = "thruster",
-           .help = "Use of the thruster (auto: as the objective has it)",
-           .form = {"Thruster"}},
-          std::vector<Choice<ThrusterUse>>{
-              {{"auto"}, ThrusterUse::automatic}, {{"on"}, ThrusterUse::on}, {{"off"}, ThrusterUse::off}},
-          [](auto& rules) -> auto& { return rules.thruster; }),
-      bound<EnergyRules>({.name = "require_battery",
-                          .flag = "require-battery",
-                          .help = "No plan beyond what the battery gives",
-                          .form = {"Only plans that the battery lasts for"}},
-                         [](auto& rules) -> auto& { return rules.require_battery; }),
-  };
+  static const Table<EnergyRules> table = in_group<EnergyRules>(
+      group::vehicle,
+      {
+          worded<EnergyRules>(
+              {.name = "thruster",
+               .flag = "thruster",
+               .help = "Use of the thruster (auto: as the objective has it)",
+               .form = {"Thruster"}},
+              std::vector<Choice<ThrusterUse>>{
+                  {{"auto"}, ThrusterUse::automatic}, {{"on"}, ThrusterUse::on}, {{"off"}, ThrusterUse::off}},
+              [](auto& rules) -> auto& { return rules.thruster; }),
+          bound<EnergyRules>({.name = "require_battery",
+                              .flag = "require-battery",
+                              .help = "No plan beyond what the battery gives",
+                              .form = {"Only plans that the battery lasts for"}},
+                             [](auto& rules) -> auto& { return rules.require_battery; }),
+      });
   return table;
 }
 
 const Table<PlanRequest>& hold_fields() {
-  static const Table<PlanRequest> table{
-      bound<PlanRequest>(
-          {.name = "max_loiter_s",
-           .unit = "s",
-           .most = 864'000.0,
-           .flag = "max-loiter",
-           .help = "Longest wait at a waypoint for what clears later, icebergs, timed areas or currents",
-           .details =
-               "0: the vehicle never waits. A glider cannot stand still: it keeps its place by making way, "
-               "only where the current is "
-               "known and "
-               "weaker than its speed through the water, and draws energy as if under way. A waypoint's "
-               "wait_s "
-               "tells the wait between its ETA and the next leg. With an objective other than time only the "
-               "fastest of the plans compared wait. Where under_ice.max_time_without_surfacing_s is given, "
-               "time "
-               "waited below ice counts; the vehicle waits only right before what is closed",
-           .form = {"Longest wait", "h", "never"}},
-          [](auto& request) -> auto& { return request.max_loiter; }),
-  };
+  static const Table<PlanRequest> table = in_group<PlanRequest>(
+      group::search,
+      {
+          bound<PlanRequest>(
+              {.name = "max_loiter_s",
+               .unit = "s",
+               .most = 864'000.0,
+               .flag = "max-loiter",
+               .help = "Longest wait at a waypoint for what clears later, icebergs, timed areas or currents",
+               .details =
+                   "0: the vehicle never waits. A glider cannot stand still: it keeps its place by making "
+                   "way, "
+                   "only where the current is "
+                   "known and "
+                   "weaker than its speed through the water, and draws energy as if under way. A waypoint's "
+                   "wait_s "
+                   "tells the wait between its ETA and the next leg. With an objective other than time only "
+                   "the "
+                   "fastest of the plans compared wait. Where under_ice.max_time_without_surfacing_s is "
+                   "given, "
+                   "time "
+                   "waited below ice counts; the vehicle waits only right before what is closed",
+               .form = {"Longest wait", "h", "never"}},
+              [](auto& request) -> auto& { return request.max_loiter; }),
+      });
   return table;
 }
 
@@ -384,6 +412,7 @@ const std::vector<Field>& area_fields() {
   static const std::vector<Field> list{
       {.name = "areas",
        .flag = "areas",
+       .group = group::places,
        .help = "Areas to keep out of or to stay in: GeoJSON polygons with the properties kind (no_go, "
                "stay_in), from, "
                "until, top_m, bottom_m"},
@@ -396,6 +425,7 @@ const std::vector<Field>& name_fields() {
       {.name = "name",
        .kind = Kind::text,
        .flag = "name",
+       .group = group::search,
        .help = "Name of the result, for people",
        .form = {"Name of the plan", {}, "optional"}},
   };

@@ -23,8 +23,8 @@ std::vector<Field> joined(const Parts&... parts) {
 
 /// Of all three.
 std::vector<Field> voyage() {
-  return joined(departure_fields(), vehicle_fields(), flight_fields(), iceberg_fields(), sighting_fields(),
-                passing_under_ice_fields(), area_fields(), data_fields(), name_fields());
+  return joined(departure_fields(), vehicle_fields(), flight_fields(), margin_fields(), iceberg_fields(),
+                sighting_fields(), passing_under_ice_fields(), area_fields(), data_fields(), name_fields());
 }
 
 /// What a route has to obey besides.

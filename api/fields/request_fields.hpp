@@ -41,6 +41,7 @@ namespace floeplan::fields {
 [[nodiscard]] const Table<planning::Objective>& weight_fields();
 [[nodiscard]] const Table<planning::EnergyRules>& energy_fields();
 [[nodiscard]] const Table<planning::PlanRequest>& hold_fields();
+[[nodiscard]] const Table<planning::IcebergRules>& margin_fields();
 [[nodiscard]] const Table<planning::IcebergRules>& iceberg_fields();
 [[nodiscard]] const Table<repository::EnvironmentQuery>& sighting_fields();
 [[nodiscard]] const Table<planning::UnderIceRules>& passing_under_ice_fields();

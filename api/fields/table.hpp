@@ -125,6 +125,14 @@ Bound<Values> worded(Field field, std::vector<Choice<T>> choices, Access access)
   return {std::move(field), set, get};
 }
 
+/// The rows of a table in a group, but for those that have another.
+template <class Values>
+Table<Values> in_group(std::string_view group, Table<Values> table) {
+  for (Bound<Values>& row : table)
+    if (row.field.group.empty()) row.field.group = group;
+  return table;
+}
+
 /// The rows of a table whose `Values` begin with nothing usual: as a profile has it, or required.
 template <class Values>
 Table<Values> without_usual(Table<Values> table) {

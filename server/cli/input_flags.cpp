@@ -235,18 +235,21 @@ void InputFlags::add(CLI::App& command, const std::vector<Field>& list) {
     Flag& flag = flags_.emplace_back(Flag{.field = field, .given = {}});
     const std::string name = flag_of(field);
     const std::string help = help_of(field);
+    CLI::Option* option = nullptr;
     if (field.kind == Kind::boolean || !field.flag_sets.empty()) {
-      command.add_flag(name, flag.given.emplace<bool>(), help);
+      option = command.add_flag(name, flag.given.emplace<bool>(), help);
     } else if (field.kind == Kind::places) {
-      command.add_option(name, flag.given.emplace<std::vector<std::string>>(), help)->allow_extra_args(false);
+      option = command.add_option(name, flag.given.emplace<std::vector<std::string>>(), help)
+                   ->allow_extra_args(false);
     } else if (field.kind == Kind::whole_number) {
-      command.add_option(name, flag.given.emplace<std::optional<int>>(), help);
+      option = command.add_option(name, flag.given.emplace<std::optional<int>>(), help);
     } else if (field.kind == Kind::number) {
-      CLI::Option* option = command.add_option(name, flag.given.emplace<std::optional<double>>(), help);
+      option = command.add_option(name, flag.given.emplace<std::optional<double>>(), help);
       if (field.unit == "s") option->transform(seconds_or_duration());
     } else {
-      command.add_option(name, flag.given.emplace<std::optional<std::string>>(), help);
+      option = command.add_option(name, flag.given.emplace<std::optional<std::string>>(), help);
     }
+    if (!field.group.empty()) option->group(std::string{field.group});
   }
 }
 

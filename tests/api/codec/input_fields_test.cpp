@@ -56,6 +56,7 @@ void are_written_as_they_are_read(const fields::Table<Values>& table) {
 }
 
 TEST(InputFields, AreWrittenAsTheyAreRead) {
+  are_written_as_they_are_read(fields::margin_fields());
   are_written_as_they_are_read(fields::iceberg_fields());
   are_written_as_they_are_read(fields::passing_under_ice_fields());
   are_written_as_they_are_read(fields::surfacing_fields());

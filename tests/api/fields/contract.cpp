@@ -175,6 +175,7 @@ ordered_json told_to_client(const Field& field) {
   tell("words", words_json(field), field.kind == Kind::word);
   tell("usual", usual_json(field), field.usual.has_value());
   tell("flag", field.flag, !field.flag.empty());
+  tell("group", field.group, !field.group.empty());
   tell("label", field.form.label, !field.form.label.empty());
   tell("unit", field.form.unit, !field.form.unit.empty());
   tell("factor", number(factor_of(field.form)), factor_of(field.form) != 1.0);

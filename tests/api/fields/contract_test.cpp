@@ -33,8 +33,9 @@ std::string first_difference(const std::string& file, const std::string& made) {
   std::string there;
   std::string wanted;
   for (int line = 1;; ++line) {
-    const bool ended = !std::getline(lines_of_file, there) & !std::getline(lines_made, wanted);
-    if (ended || there != wanted)
+    const bool has_line = static_cast<bool>(std::getline(lines_of_file, there));
+    const bool is_line_made = static_cast<bool>(std::getline(lines_made, wanted));
+    if (!(has_line && is_line_made) || there != wanted)
       return "line " + std::to_string(line) + " is\n" + there + "\nand is to be\n" + wanted + "\n";
   }
 }

@@ -129,6 +129,7 @@ void keeps_what_is_set(const Table<Values>& table) {
 }
 
 TEST(RequestFields, KeepWhatIsSet) {
+  keeps_what_is_set(margin_fields());
   keeps_what_is_set(iceberg_fields());
   keeps_what_is_set(encounter_fields());
   keeps_what_is_set(sighting_fields());
@@ -175,6 +176,7 @@ void engine_agrees(const Table<Values>& table) {
 }
 
 TEST(RequestFields, HaveTheRangesOfTheEngine) {
+  engine_agrees(margin_fields());
   engine_agrees(iceberg_fields());
   engine_agrees(encounter_fields());
   engine_agrees(passing_under_ice_fields());

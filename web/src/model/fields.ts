@@ -12,6 +12,7 @@ interface Telling {
   kind: string;
   usual?: number | string | boolean;
   flag?: string;
+  group?: string; // the part of the set-up that it stands in
   label?: string;
   unit?: string;
   factor?: number; // how many of the request's units make one of the form's
@@ -48,6 +49,9 @@ export function formOf(name: string): FormTexts {
   const inputMode = kind === 'number' ? 'decimal' : kind === 'whole_number' ? 'numeric' : 'text';
   return { label, unit, placeholder: blank ?? usualText, hint, inputMode };
 }
+
+/** The fields of a part of the set-up. */
+export const namesInGroup = (group: string): string[] => Object.keys(fields).filter((name) => fields[name]?.group === group);
 
 /** Labels of the fields that flags of the command line ask for. A flag that turns something off has none. */
 export const labelsOfFlags: Record<string, string> = Object.fromEntries(

@@ -22,11 +22,11 @@ const methods: Choice[] = [
 export function Advanced(): VNode {
   return (
     <div class="parts">
-      <Part title="Places and areas" fields={['via', 'via_order', 'areas']}>
+      <Part title="Places and areas">
         {hasGoalsFile(draft.value) ? <p class="hint">The places to pass come from {draft.value.goals_file.name}.</p> : <PlacesField />}
         <AreasField />
       </Part>
-      <Part title="Departure window" fields={['depart_until', 'arrive_by']}>
+      <Part title="Departure window">
         <div class="field-pair wide-first">
           <TextField name="depart_until" />
           <TextField name="depart_step" inputMode="decimal" />
@@ -37,7 +37,7 @@ export function Advanced(): VNode {
       <VehiclePart />
       <IcePart />
       <UncertaintyPart />
-      <Part title="Advanced" fields={['name', 'method', 'sectors', 'spacing_m', 'max_waypoints', 'max_leg_m', 'max_loiter_s', 'refine', 'refine_seconds', 'optimality_gap', 'steady']}>
+      <Part title="Advanced">
         <TextField name="name" />
         <div class="field-pair">
           <SelectField name="method" choices={methods} />

@@ -10,7 +10,7 @@ import { Part } from './part';
 /** Which data are used. Kinds that few stores hold are offered where there are any. */
 export function DataPart(): VNode {
   return (
-    <Part title="Data" fields={['currents', 'tides', 'bathymetry', 'ice', 'icebergs', 'wind', 'coastline', 'zones']}>
+    <Part title="Data">
       <DataField kind="currents" several="members of an ensemble" />
       <DataField kind="tides" several="completing each other" />
       {draft.value.tides !== 'none' && (

@@ -1,20 +1,13 @@
 import type { VNode } from 'preact';
-import { draft, type Field } from '../../model/draft';
+import { draft } from '../../model/draft';
 import { CheckField, TextField } from './field';
 import { Part } from './part';
-
-const fields: Field[] = [
-  'icebergs_drift', 'max_inflation_m', 'max_sighting_age_days', 'icebergs_as_of', 'encounter_weight_s', 'pass_under_icebergs',
-  'keel_clearance_m', 'draft_uncertainty', 'under_ice.max_concentration_to_surface', 'under_ice.margin_below_ice_m',
-  'under_ice.draft_if_unknown_m', 'under_ice.max_time_without_surfacing_s', 'under_ice.surfacing_interval_s',
-  'under_ice.dead_reckoning_share', 'under_ice.current_uncertainty_m_s', 'under_ice.escape_plan',
-];
 
 /** What is kept from icebergs, and the rules under sea ice. */
 export function IcePart(): VNode {
   const passesUnder = draft.value.pass_under_icebergs;
   return (
-    <Part title="Ice" fields={fields}>
+    <Part title="Ice">
       <CheckField name="icebergs_drift" />
       <div class="field-pair">
         <TextField name="max_inflation_m" />

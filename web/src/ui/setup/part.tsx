@@ -1,5 +1,6 @@
 import type { ComponentChildren, VNode } from 'preact';
 import { draft, emptyDraft, faults, type Field } from '../../model/draft';
+import { namesInGroup } from '../../model/fields';
 
 /** What was opened is read from its top: the panel is low, and a part below its edge would seem empty. */
 function showWhole({ currentTarget }: Event): void {
@@ -11,8 +12,9 @@ function showWhole({ currentTarget }: Event): void {
 /** The button that plans stands over the panel's lower edge. */
 const planButton_px = 50;
 
-/** A part of the set-up that can be folded; says how much in it was changed. */
-export function Part({ title, fields, children }: { title: string; fields: Field[]; children: ComponentChildren }): VNode {
+/** A part of the set-up that can be folded, with the fields of the group of its title; says how much in it was changed. */
+export function Part({ title, children }: { title: string; children: ComponentChildren }): VNode {
+  const fields = namesInGroup(title) as Field[];
   const faulty = fields.some((field) => faults.value[field]);
   const changed = fields.filter((field) => JSON.stringify(draft.value[field]).replaceAll(' ', '') !== JSON.stringify(emptyDraft[field])).length;
   return (

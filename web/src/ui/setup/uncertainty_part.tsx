@@ -1,18 +1,13 @@
 import type { VNode } from 'preact';
 import { severalIn } from '../../model/data_choice';
-import { draft, isEnsemble, type Field } from '../../model/draft';
+import { draft, isEnsemble } from '../../model/draft';
 import { SelectField, TextField } from './field';
 import { Part } from './part';
-
-const fields: Field[] = [
-  'uncertainty.members', 'uncertainty.current_error_m_s', 'uncertainty.length_scale_m', 'uncertainty.time_scale_s', 'uncertainty.seed',
-  'uncertainty.objective', 'uncertainty.quantile', 'uncertainty.arrive_before',
-];
 
 /** How certain the currents are, and what is optimised over their members: drawn from an error model, or chosen under Data. */
 export function UncertaintyPart(): VNode {
   return (
-    <Part title="Uncertainty of currents" fields={fields}>
+    <Part title="Uncertainty of currents">
       {isEnsemble(draft.value) ? (
         <p class="hint">The members are the {severalIn(draft.value.currents)?.length} currents chosen under Data; the first is the forecast.</p>
       ) : (

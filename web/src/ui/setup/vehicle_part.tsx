@@ -1,22 +1,15 @@
 import type { VNode } from 'preact';
 import type { Vehicle } from '../../api/data_types';
 import { vehicles } from '../../model/datasets';
-import { draft, type Field } from '../../model/draft';
+import { draft } from '../../model/draft';
 import { factorOf, formOf, type NumberField } from '../../model/fields';
 import { CheckField, SelectField, TextField } from './field';
 import { Part } from './part';
 
-const fields: Field[] = [
-  'objective', 'objective.time', 'objective.energy', 'speed_m_s', 'dive_depth_m', 'pitch_deg', 'climb_to_m', 'altimeter_margin_m',
-  'battery_j', 'battery_start_share', 'require_battery', 'thruster', 'vehicle.depth_rating_m', 'vehicle.minimum_working_depth_m',
-  'vehicle.buoyancy_cm3', 'vehicle.hotel_w', 'vehicle.surfacing_interval_s', 'vehicle.surfacing_j', 'vehicle.battery_reserve_share',
-  'vehicle.max_waypoints_per_list',
-];
-
 /** What is optimised, how the vehicle flies, and what differs in this one from the others of its kind. */
 export function VehiclePart(): VNode {
   return (
-    <Part title="Vehicle" fields={fields}>
+    <Part title="Vehicle">
       <SelectField name="objective" choices={[{ value: 'time', title: 'Travel time' }, { value: 'energy', title: 'Energy' }, { value: 'both', title: 'Both, weighted' }]} />
       {draft.value.objective === 'both' && (
         <div class="field-pair">
