@@ -17,7 +17,7 @@
 #include "server/http/client_counts.hpp"
 #include "server/http/fair_line.hpp"
 #include "server/http/memory_budget.hpp"
-#include "server/http/server.hpp"
+#include "server/http/server_settings.hpp"
 #include "server/http/transport.hpp"
 #include "server/http/waiting_line.hpp"
 

@@ -24,7 +24,6 @@ const std::vector<std::string> known_rings{
     "engine/mission/flight_files engine/mission/ice_files engine/mission/mission_set",
     "engine/motion/edge_fan engine/motion/fan_path_limit",
     "engine/simulation/adcp_settings engine/simulation/janus",
-    "server/http/server server/http/session",
     "storage/repository/environment_bathymetry storage/repository/environment_draft "
     "storage/repository/environment_drift storage/repository/environment_ice "
     "storage/repository/environment_loader storage/repository/environment_water",
