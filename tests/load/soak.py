@@ -25,7 +25,8 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "faults"
 from served import Gone, Served  # noqa: E402
 
 DEPART = "2026-11-22T06:00:00Z"
-WORKS_AT_ONCE = threading.BoundedSemaphore(4)  # a sanitizer makes a plan take half a minute: more would only wait
+WORKS_AT_ONCE = threading.BoundedSemaphore(2)  # as many as the server's workers: more would only wait
+PATIENCE_S = 900  # a sanitizer makes it take minutes to say what would help a request without a plan
 
 
 class Pilot(threading.Thread):
@@ -53,7 +54,7 @@ class Pilot(threading.Thread):
     def expect(self, statuses, method, path, body=None, headers=None):
         self.asked += 1
         try:
-            status, answer = self.server.ask(method, path, body, headers, timeout_s=300)
+            status, answer = self.server.ask(method, path, body, headers, timeout_s=PATIENCE_S)
         except Gone as broken:
             raise Gone(f"{method} {path} {str(body or '')[:300]}: {broken}") from None
         if status not in statuses:
@@ -228,7 +229,7 @@ def main():
                       f"{sum(len(pilot.faults) for pilot in pilots)} faults", flush=True)
         over.set()
         for pilot in pilots:
-            pilot.join(timeout=300)
+            pilot.join(timeout=PATIENCE_S)
         code = server.process.poll() if server.process.poll() is not None else server.end()
         faults = [fault for pilot in pilots for fault in pilot.faults]
         reports = [line for line in server.said().splitlines() if "Sanitizer" in line or "runtime error" in line]
