@@ -132,9 +132,10 @@ inline constexpr auto problem_kinds = std::to_array<ProblemKind>({
      .status = 403,
      .title = "Too much is stored",
      .detail = "You have {stored_mb} MB stored of the {most_mb} MB that one token may; {more_mb} MB more do "
-               "not fit, and nothing was kept of this request. Remove uploads with DELETE /uploads/{{id}} "
-               "(GET /uploads lists them) or datasets that nobody needs with DELETE /datasets/{{id}}, or "
-               "have the quota raised (serve --max-stored-mb).",
+               "not fit, and nothing was kept of this request. Remove what nobody needs: uploads with "
+               "DELETE /uploads/{{id}} (GET /uploads lists them), datasets with DELETE /datasets/{{id}}, "
+               "plans with DELETE /collections/plans/items/{{id}}, simulations with DELETE "
+               "/simulations/{{id}}; or have the quota raised (serve --max-stored-mb).",
      .slots = {{{"stored_mb", 900}, {"most_mb", 1000}, {"more_mb", 200}}}},
 
     // What is asked.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -25,8 +26,25 @@ struct ReaderLayers {
 
 /// The most that one owner may have of what others have to share. Generous: a season of a regional ocean model is 200 GB.
 struct Quotas {
-  std::uint64_t stored_bytes{500'000'000'000};  // of files that were sent, as they were sent
+  std::uint64_t stored_bytes{500'000'000'000};  // of files as they were sent, of plans and of simulations
   std::size_t uploads{500};                     // that wait to be ingested
+};
+
+/// The quotas of a server that may be told others while it runs.
+/// Threads  any
+class QuotasInForce {
+ public:
+  explicit QuotasInForce(const Quotas& quotas) { set(quotas); }
+
+  void set(const Quotas& quotas) {
+    stored_bytes_ = quotas.stored_bytes;
+    uploads_ = quotas.uploads;
+  }
+  [[nodiscard]] Quotas now() const { return {.stored_bytes = stored_bytes_, .uploads = uploads_}; }
+
+ private:
+  std::atomic<std::uint64_t> stored_bytes_{0};
+  std::atomic<std::size_t> uploads_{0};
 };
 
 /// What is the same for every request of a server.
@@ -35,7 +53,7 @@ struct ServiceInfo {
   std::filesystem::path web;      // folder of the built client; empty: none
   std::filesystem::path uploads;  // folder of what was sent and waits to be ingested
   bool secure{false};             // clients come by TLS
-  Quotas quotas{};
+  std::shared_ptr<QuotasInForce> quotas{std::make_shared<QuotasInForce>(Quotas{})};
   std::filesystem::path store{};                // folder of the database, to tell its size
   std::size_t damaged_pages{0};                 // of the database, when the server began
   std::shared_ptr<RequestCounts> counts{};      // empty: nobody counts

@@ -68,10 +68,11 @@ tl::expected<Submission, Response> submission_of(const Context& context, const R
   if (!key) return tl::unexpected(key.error());
   const auto inputs = checked_inputs(context, request, process.id, read->inputs);
   if (!inputs) return tl::unexpected(invalid(request, under_inputs(inputs.error())));
-  if (process.id == "ingest") {
-    if (auto refusal = refuse_ingest(context, request, inputs->at("uploads")))
-      return tl::unexpected(std::move(*refusal));
-  }
+  std::optional<Response> over_quota;
+  if (process.id == "ingest") over_quota = refuse_ingest(context, request, inputs->at("uploads"));
+  if (process.id == "plan-route" || process.id == "simulate-plan")
+    over_quota = refuse_document(context, request);
+  if (over_quota) return tl::unexpected(std::move(*over_quota));
 
   Submission submission{.process = process.id,
                         .inputs_json = inputs->dump(),

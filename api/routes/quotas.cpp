@@ -3,7 +3,7 @@
 #include "api/routes/owner.hpp"
 #include "api/routes/reply.hpp"
 #include "api/routes/text_values.hpp"
-#include "storage/repository/dataset_owners.hpp"
+#include "storage/repository/owners.hpp"
 #include "storage/repository/upload_repository.hpp"
 
 namespace floeplan::routes {
@@ -25,7 +25,7 @@ Response over_bytes(const Request& request, const Quotas& quotas, std::uint64_t 
 }  // namespace
 
 QuotaUse use_of(const Context& context, const std::string& owner) {
-  QuotaUse use{.ingested_bytes = repository::DatasetOwners{context.db}.bytes_of(owner)};
+  QuotaUse use{.kept_bytes = repository::Owners{context.db}.bytes_of(owner)};
   for (const auto& upload : repository::UploadRepository{context.service.uploads}.list()) {
     if (upload.owner != owner) continue;
     ++use.uploads;
@@ -36,7 +36,7 @@ QuotaUse use_of(const Context& context, const std::string& owner) {
 
 std::optional<Response> refuse_upload(const Context& context, const Request& request, const QuotaUse& used,
                                       std::uint64_t bytes) {
-  const Quotas& quotas = context.service.quotas;
+  const Quotas quotas = context.service.quotas->now();
   if (used.uploads >= quotas.uploads) return over_uploads(request, quotas);
   if (used.stored_bytes() + bytes > quotas.stored_bytes)
     return over_bytes(request, quotas, used.stored_bytes(), bytes);
@@ -55,9 +55,16 @@ std::optional<Response> refuse_ingest(const Context& context, const Request& req
   std::uint64_t bytes = 0;
   for (const std::string& id : uploads)
     if (const auto upload = waiting.find(id)) bytes += upload->bytes;
-  const std::uint64_t used = use_of(context, owner_of(request)).ingested_bytes;
-  const Quotas& quotas = context.service.quotas;
+  const std::uint64_t used = use_of(context, owner_of(request)).kept_bytes;
+  const Quotas quotas = context.service.quotas->now();
   if (used + bytes > quotas.stored_bytes) return over_bytes(request, quotas, used, bytes);
+  return std::nullopt;
+}
+
+std::optional<Response> refuse_document(const Context& context, const Request& request) {
+  const Quotas quotas = context.service.quotas->now();
+  const std::uint64_t used = use_of(context, owner_of(request)).stored_bytes();
+  if (used >= quotas.stored_bytes) return over_bytes(request, quotas, used, megabyte);
   return std::nullopt;
 }
 

@@ -11,11 +11,11 @@ namespace floeplan::routes {
 
 /// What an owner has of what its quotas bound.
 struct QuotaUse {
-  std::size_t uploads{};           // that wait to be ingested
-  std::uint64_t waiting_bytes{};   // of them
-  std::uint64_t ingested_bytes{};  // of the files of datasets, as they were sent
+  std::size_t uploads{};          // that wait to be ingested
+  std::uint64_t waiting_bytes{};  // of them
+  std::uint64_t kept_bytes{};     // of the files of datasets, of plans and of simulations
 
-  [[nodiscard]] std::uint64_t stored_bytes() const { return waiting_bytes + ingested_bytes; }
+  [[nodiscard]] std::uint64_t stored_bytes() const { return waiting_bytes + kept_bytes; }
 };
 
 [[nodiscard]] QuotaUse use_of(const Context& context, const std::string& owner);
@@ -31,5 +31,8 @@ struct QuotaUse {
 /// The same to datasets of these uploads, whose bytes count beside those of the uploads.
 [[nodiscard]] std::optional<Response> refuse_ingest(const Context& context, const Request& request,
                                                     const std::vector<std::string>& uploads);
+
+/// The same to a plan or a simulation, whose size is not known before: it is begun where there is any room left.
+[[nodiscard]] std::optional<Response> refuse_document(const Context& context, const Request& request);
 
 }  // namespace floeplan::routes

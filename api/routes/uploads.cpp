@@ -121,7 +121,7 @@ Response list_uploads(const Context& context, const Request& request, const Path
   }
   json documents = json::array();
   for (const Upload& upload : uploads) documents.push_back(upload_document(upload, url));
-  const Quotas& quotas = context.service.quotas;
+  const Quotas quotas = context.service.quotas->now();
   const QuotaUse used = use_of(context, owner);
   return json_reply({{"uploads", std::move(documents)},
                      {"quotas",

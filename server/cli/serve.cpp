@@ -184,6 +184,7 @@ void serve_until_stopped(const ServeOptions& options, const http::ListenAddress&
                                  .allow_weak_sandbox = options.allow_weak_sandbox},
                                 uploads};
   const auto counts = std::make_shared<routes::RequestCounts>();
+  const auto quotas = std::make_shared<routes::QuotasInForce>(options.quotas);
   http::Server server{address,
                       [&api](const routes::Request& request) { return api.answer(request); },
                       handler_threads,
@@ -192,7 +193,13 @@ void serve_until_stopped(const ServeOptions& options, const http::ListenAddress&
                                      [&api](const routes::Request& request) { return api.refuse(request); }},
                        .tls = tls_of(options),
                        .https_only = options.https_only,
-                       .settings = [&options] { return settings_of(options.reread()); },
+                       .settings =
+                           [&options, quotas] {
+                             const ServeOptions now = options.reread();
+                             http::Settings settings = settings_of(now);
+                             settings.taken = [quotas, of_now = now.quotas] { quotas->set(of_now); };
+                             return settings;
+                           },
                        .observe =
                            [counts](const http::Exchange& exchange) {
                              counts->add(exchange.method, exchange.route, exchange.status, exchange.taken);
@@ -206,7 +213,7 @@ void serve_until_stopped(const ServeOptions& options, const http::ListenAddress&
                   .web = find_web(options),
                   .uploads = uploads,
                   .secure = secure,
-                  .quotas = options.quotas,
+                  .quotas = quotas,
                   .store = options.store,
                   .damaged_pages = damaged_pages,
                   .counts = counts,

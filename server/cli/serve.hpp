@@ -35,7 +35,7 @@ struct ServeOptions {
   bool allow_weak_sandbox{false};  // read files even where their readers cannot be confined
 };
 
-/// SIGHUP takes certificate, limits and log level anew, without the end of any connection.
+/// SIGHUP takes certificate, limits, quotas and log level anew, without the end of any connection.
 /// Serves until SIGTERM or SIGINT, then stops within ten seconds and hands unfinished jobs back to the queue.
 /// Returns  the exit code: 0 stopped as asked, 1 could not listen or open the store, 2 wrong options
 [[nodiscard]] int serve(const ServeOptions& options);

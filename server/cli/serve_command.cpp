@@ -39,7 +39,7 @@ void add_serve(CLI::App& app, Program& program) {
       ->add_option_function<std::uint64_t>(
           "--max-stored-mb",
           [options](std::uint64_t megabytes) { options->quotas.stored_bytes = megabytes * megabyte; },
-          "Files that one token may have uploaded and ingested, megabytes")
+          "Files, plans and simulations that one token may have stored, megabytes")
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1'000'000'000}))
       ->default_str(std::to_string(options->quotas.stored_bytes / megabyte));
   command

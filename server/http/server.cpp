@@ -82,10 +82,12 @@ class Server::Listener {
     try {
       Equipment& equipment = share_.equipment;
       const Settings settings =
-          equipment.settings
-              ? equipment.settings()
-              : Settings{
-                    share_.limits, equipment.streaming.most_bytes, equipment.tls, equipment.https_only, {}};
+          equipment.settings ? equipment.settings() : Settings{share_.limits,
+                                                               equipment.streaming.most_bytes,
+                                                               equipment.tls,
+                                                               equipment.https_only,
+                                                               {},
+                                                               {}};
       if (settings.tls.has_value() != (share_.tls != nullptr))
         throw std::runtime_error{"TLS cannot be switched on or off while the server runs; start it anew"};
       if (settings.tls) share_.tls = make_tls_context(*settings.tls);
@@ -93,7 +95,8 @@ class Server::Listener {
       equipment.streaming.most_bytes = settings.most_upload_bytes;
       equipment.tls = settings.tls;
       equipment.https_only = settings.https_only;
-      log::info({"reload=done certificate, limits and log level are those of now"});
+      if (settings.taken) settings.taken();
+      log::info({"reload=done certificate, limits, quotas and log level are those of now"});
       if (!settings.log_level.empty()) log::set_level(settings.log_level);
     } catch (const std::exception& error) {
       log::error({"reload=refused everything stays as it was: ", error.what()});

@@ -6,7 +6,7 @@
 #include "storage/ingest/files/file_digest.hpp"
 #include "storage/ingest/process/staging_folder.hpp"
 #include "storage/json/json.hpp"
-#include "storage/repository/dataset_owners.hpp"
+#include "storage/repository/owners.hpp"
 #include "storage/repository/upload_repository.hpp"
 
 namespace floeplan::jobs {
@@ -94,7 +94,8 @@ tl::expected<json, std::string> ingest_document(sqlite::Connection& db, const co
   if (!files) return tl::unexpected(files.error());
   const auto note_owner = [&](const ingest::IngestReport& report) {
     const bool is_new = report.status == ingest::IngestStatus::stored;
-    if (report.dataset && (is_new || again)) repository::DatasetOwners{db}.note(report.dataset->id, owner);
+    if (report.dataset && (is_new || again))
+      repository::Owners{db}.note(repository::dataset_table, report.dataset->id.value, owner);
   };
   return report_document(
       ingest::guarded_ingest(db, place.guard, *files, options_of(inputs), now, stop, progress, note_owner));

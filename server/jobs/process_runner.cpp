@@ -14,6 +14,7 @@
 #include "server/jobs/scenario_service.hpp"
 #include "server/jobs/simulation_service.hpp"
 #include "storage/json/json.hpp"
+#include "storage/repository/owners.hpp"
 
 namespace floeplan::jobs {
 namespace {
@@ -32,6 +33,13 @@ tl::expected<std::string, std::string> result(const char* output,
                                               const tl::expected<json, core::Violations>& document) {
   if (!document) return tl::unexpected(in_one_line(document.error()));
   return json{{output, *document}}.dump();
+}
+
+/// Counts what was stored for the owner of the job; documents without an id say that nothing was.
+void note_owner(sqlite::Connection& db, const repository::JobRecord& job, const repository::ThingTable& table,
+                const char* id, const tl::expected<json, core::Violations>& document) {
+  if (document && document->contains(id))
+    repository::Owners{db}.note(table, document->at(id).get<std::string>(), job.owner);
 }
 
 tl::expected<json, core::Violations> compare_flight_document(const codec::CompareFlightInputs& inputs,
@@ -54,7 +62,9 @@ tl::expected<std::string, std::string> run_process(sqlite::Connection& db, const
   if (job.process == "plan-route") {
     const auto inputs = codec::parse_plan_inputs(request);
     if (!inputs) return tl::unexpected(in_one_line(inputs.error()));
-    return result("plan", plan_route_document(db, *inputs, stop, progress, now, &kept));
+    const auto plan = plan_route_document(db, *inputs, stop, progress, now, &kept);
+    note_owner(db, job, repository::plan_table, "plan_id", plan);
+    return result("plan", plan);
   }
   if (job.process == "evaluate-route") {
     const auto inputs = codec::parse_evaluate_inputs(request);
@@ -76,7 +86,9 @@ tl::expected<std::string, std::string> run_process(sqlite::Connection& db, const
   if (job.process == "simulate-plan") {
     const auto inputs = codec::parse_simulate_inputs(request);
     if (!inputs) return tl::unexpected(in_one_line(inputs.error()));
-    return result("simulation", simulate_plan_document(db, *inputs, workers, stop, progress, now));
+    const auto simulation = simulate_plan_document(db, *inputs, workers, stop, progress, now);
+    note_owner(db, job, repository::simulation_table, "simulation_id", simulation);
+    return result("simulation", simulation);
   }
   if (job.process == "fly-scenario") {
     const auto inputs = codec::parse_scenario_inputs(request);

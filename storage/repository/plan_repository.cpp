@@ -54,11 +54,11 @@ std::int64_t PlanRepository::insert(const PlanRecord& plan) {
   sqlite::Statement insert{db_,
                            "INSERT INTO plan (id, name, created_s, departure_s, arrival_s, west_deg, "
                            "south_deg, east_deg, north_deg, "
-                           "request_json, document_json) VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10, "
-                           "?11) ON CONFLICT (id) DO NOTHING"};
+                           "request_json, document_json, stored_bytes) VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, "
+                           "?8, ?9, ?10, ?11, ?12) ON CONFLICT (id) DO NOTHING"};
   insert.bind_all(plan.id.value, plan.name, plan.created, plan.departure, plan.arrival, plan.bounds.west_deg,
                   plan.bounds.south_deg, plan.bounds.east_deg, plan.bounds.north_deg, plan.request_json,
-                  plan.document_json);
+                  plan.document_json, std::ssize(plan.request_json) + std::ssize(plan.document_json));
   insert.run();
 
   sqlite::Statement query{db_, "SELECT row FROM plan WHERE id = ?1"};

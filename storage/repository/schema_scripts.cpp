@@ -362,6 +362,14 @@ INSERT INTO first_token (row, created_s) SELECT 1, min(created_s) FROM token HAV
 -- Tokens that were revoked before this schema are known by what was done with them.
 INSERT OR IGNORE INTO first_token (row, created_s)
   SELECT 1, min(at_s) FROM audit WHERE caller NOT IN ('local', '') HAVING count(*) > 0;
+)sql",
+                             R"sql(
+ALTER TABLE plan ADD COLUMN owner TEXT;  -- whose request made it; as of a dataset
+ALTER TABLE plan ADD COLUMN stored_bytes INTEGER NOT NULL DEFAULT 0;  -- counted for its owner; of older ones not known
+CREATE INDEX plan_by_owner ON plan (owner, stored_bytes) WHERE owner IS NOT NULL;
+ALTER TABLE simulation ADD COLUMN owner TEXT;
+ALTER TABLE simulation ADD COLUMN stored_bytes INTEGER NOT NULL DEFAULT 0;  -- with the flights that are kept whole
+CREATE INDEX simulation_by_owner ON simulation (owner, stored_bytes) WHERE owner IS NOT NULL;
 )sql"};
 
 }  // namespace

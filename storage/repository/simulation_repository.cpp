@@ -30,10 +30,12 @@ std::int64_t SimulationRepository::insert(const SimulationRecord& simulation,
   sqlite::Transaction transaction{db_};
   sqlite::Statement insert{
       db_,
-      "INSERT INTO simulation (id, plan_id, name, created_s, request_json, document_json) "
-      "VALUES (?1, ?2, ?3, ?4, ?5, ?6) ON CONFLICT (id) DO NOTHING"};
+      "INSERT INTO simulation (id, plan_id, name, created_s, request_json, document_json, stored_bytes) "
+      "VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7) ON CONFLICT (id) DO NOTHING"};
+  std::int64_t bytes = std::ssize(simulation.request_json) + std::ssize(simulation.document_json);
+  for (const SimulatedFlight& flight : flights) bytes += std::ssize(flight.document_json);
   insert.bind_all(simulation.id.value, simulation.plan_id, simulation.name, simulation.created,
-                  simulation.request_json, simulation.document_json);
+                  simulation.request_json, simulation.document_json, bytes);
   const bool fresh = insert.run() > 0;
 
   std::int64_t row = 0;

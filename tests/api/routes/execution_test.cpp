@@ -1,5 +1,7 @@
 #include "api/routes/execution_request.hpp"
 #include "storage/repository/dataset_repository.hpp"
+#include "storage/repository/owners.hpp"
+#include "storage/repository/plan_repository.hpp"
 #include "tests/api/routes/api_fixture.hpp"
 #include "tests/support/property.hpp"
 
@@ -39,6 +41,29 @@ TEST_F(ExecutionTest, AnswersWithAJobThatIsInTheStore) {
   EXPECT_EQ(header_of(response, "Location"), "http://127.0.0.1:8080/jobs/job1");
   EXPECT_EQ(json_of(response).at("status"), "accepted");
   EXPECT_TRUE(JobRepository{db_}.find({"job1"}).has_value());
+}
+
+/// A quota is spent by plans as by files; what stores nothing goes on.
+TEST_F(ExecutionTest, BeginsNoPlanForAnOwnerWhoseQuotaIsSpent) {
+  service_.quotas->set({.stored_bytes = 1000});
+  repository::PlanRecord plan;
+  plan.id = {"p"};
+  plan.document_json = std::string(1000, ' ');
+  repository::PlanRepository{db_}.insert(plan);
+  repository::Owners{db_}.note(repository::plan_table, "p", "");
+
+  const auto refused = ask("POST", plan_path, valid_body, {{"prefer", "respond-async"}});
+
+  EXPECT_EQ(refused.status, 403);
+  EXPECT_EQ(json_of(refused).at("type"), "/problems/quota-stored-bytes");
+  EXPECT_THAT(refused.body, testing::HasSubstr("DELETE /collections/plans/items/{id}"));
+  EXPECT_EQ(JobRepository{db_}.count(repository::JobStatus::accepted), 0);
+  EXPECT_EQ(
+      ask("POST", "/processes/echo/execution", R"({"inputs":{}})", {{"prefer", "respond-async"}}).status,
+      201);
+
+  ASSERT_TRUE(repository::PlanRepository{db_}.remove({"p"}));
+  EXPECT_EQ(ask("POST", plan_path, valid_body, {{"prefer", "respond-async"}}).status, 201);
 }
 
 TEST_F(ExecutionTest, NamesEveryFaultAtOnce) {

@@ -1,8 +1,8 @@
 #include <fstream>
 #include <utility>
 
-#include "storage/repository/dataset_owners.hpp"
 #include "storage/repository/dataset_repository.hpp"
+#include "storage/repository/owners.hpp"
 #include "storage/repository/upload_repository.hpp"
 #include "tests/api/routes/api_fixture.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -115,7 +115,7 @@ TEST_F(UploadsTest, RefuseAPlaceThatNoLinkNames) {
 }
 
 TEST_F(UploadsTest, AreAsManyAsTheQuotaOfEachTokenAllows) {
-  service_.quotas.uploads = 2;
+  service_.quotas->set({.uploads = 2});
   ASSERT_EQ(send(ann, "a1").status, 201);
   ASSERT_EQ(send(ann, "a2").status, 201);
 
@@ -130,7 +130,7 @@ TEST_F(UploadsTest, AreAsManyAsTheQuotaOfEachTokenAllows) {
 }
 
 TEST_F(UploadsTest, HaveRoomAgainOnceOneIsRemoved) {
-  service_.quotas.uploads = 1;
+  service_.quotas->set({.uploads = 1});
   const std::string id = support::json_of(send(ann, "a1")).at("id");
   ASSERT_EQ(send(ann, "a2").status, 403);
 
@@ -140,12 +140,12 @@ TEST_F(UploadsTest, HaveRoomAgainOnceOneIsRemoved) {
 }
 
 TEST_F(UploadsTest, MayHaveAsManyBytesAsTheQuotaLeavesBesideTheDatasets) {
-  service_.quotas.stored_bytes = 3'000'000;
+  service_.quotas->set({.stored_bytes = 3'000'000});
   repository::Dataset dataset;
   dataset.id = {"bed"};
   dataset.provenance.file_size_bytes = 1'000'000;
   repository::DatasetRepository{db_}.insert(dataset);
-  repository::DatasetOwners{db_}.note(dataset.id, "ann");
+  repository::Owners{db_}.note(repository::dataset_table, "bed", "ann");
   ASSERT_EQ(send(ann, "a1", std::string(1'000'000, ' ')).status, 201);
 
   const Response refused = send(ann, "a2", std::string(1'000'001, ' '));
@@ -161,7 +161,7 @@ TEST_F(UploadsTest, MayHaveAsManyBytesAsTheQuotaLeavesBesideTheDatasets) {
 }
 
 TEST_F(UploadsTest, AreIngestedOnlyWhereTheirDatasetsFitTheQuota) {
-  service_.quotas.stored_bytes = 10;
+  service_.quotas->set({.stored_bytes = 10});
   const std::string id = support::json_of(send(ann, "a1", "seven b")).at("id");
   const std::string execution = R"({"inputs":{"uploads":[")" + id + "\"]}}";
   EXPECT_NE(ask_as(ann, "POST", "/processes/ingest/execution", "", execution).status, 403);
@@ -170,7 +170,7 @@ TEST_F(UploadsTest, AreIngestedOnlyWhereTheirDatasetsFitTheQuota) {
   dataset.id = {"bed"};
   dataset.provenance.file_size_bytes = 4;
   repository::DatasetRepository{db_}.insert(dataset);
-  repository::DatasetOwners{db_}.note(dataset.id, "ann");
+  repository::Owners{db_}.note(repository::dataset_table, "bed", "ann");
 
   const Response refused = ask_as(ann, "POST", "/processes/ingest/execution", "", execution);
   EXPECT_EQ(refused.status, 403);

@@ -55,6 +55,22 @@ TEST(Reload, TakesNewLimitsAndLogLevelAndKeepsTheOldOnesWhenTheFileIsBroken) {
   EXPECT_THAT(text_of(log), Not(HasSubstr("/quiet"))) << "of the level info";
 }
 
+TEST(Reload, TakesNewQuotas) {
+  const Program program;
+  const fs::path config = program.folder() / "floeplan.toml";
+  const fs::path log = program.folder() / "log";
+  write(config, "[serve]\nmax-uploads = 1\n");
+  const ServedProgram served{program.store(), {}, {"--config", config.string()}, log};
+  EXPECT_EQ(served.upload("a", "?name=a.nc").status, 201);
+  EXPECT_EQ(served.upload("b", "?name=b.nc").status, 403);
+
+  write(config, "[serve]\nmax-uploads = 2\n");
+  served.hang_up();
+  ASSERT_TRUE(comes_to_hold(log, "reload=done")) << text_of(log);
+
+  EXPECT_EQ(served.upload("b", "?name=b.nc").status, 201);
+}
+
 TEST(Serve, SaysNoSecretInAnyLogOrAnswer) {
   const Program program;
   const std::string secret(64, 'e');

@@ -86,6 +86,9 @@ DROP TABLE glider_track;
 DROP TABLE glider_track_box;
 DROP TABLE simulation_flight;
 DROP TABLE simulation;
+DROP INDEX plan_by_owner;
+ALTER TABLE plan DROP COLUMN owner;
+ALTER TABLE plan DROP COLUMN stored_bytes;
 DROP TABLE login;
 DROP TABLE token;
 DROP TABLE first_token;
@@ -161,7 +164,7 @@ TEST(OpenStore, KnowsOfTokensThatWereRevokedBeforeThatWasKept) {
       AuditRepository{db}.add(planned);
       sqlite::execute(db, "DROP TRIGGER note_first_token");
       sqlite::execute(db, "DROP TABLE first_token");
-      sqlite::execute(db, "PRAGMA user_version = " + std::to_string(newest_schema() - 1));
+      sqlite::execute(db, "PRAGMA user_version = 13" + before_owners_of_plans);
     }
     sqlite::Connection db = open_store(folder.path());
     EXPECT_EQ(TokenRepository{db}.ever_any(), std::string{caller} == "ship") << caller;
