@@ -5,8 +5,8 @@
 
 #include "engine/planning/diagnosis/what_would_help.hpp"
 #include "engine/planning/planner/departure.hpp"
+#include "engine/planning/planner/strategies.hpp"
 #include "engine/planning/planner/strong_currents.hpp"
-#include "engine/planning/planner/try_to_plan.hpp"
 
 namespace floeplan::planning {
 
@@ -32,12 +32,12 @@ WindowPlan plan_window(const ocean::Environment& environment, const PlanRequest&
                        const core::SteadyClock& clock, const WiderSea& wider) {
   WindowPlan window = planner::try_to_plan_window(environment, request, stop, progress, clock);
   if (window.plan) {
-    const planner::PlanOnce plan_once = [&](const ocean::Environment& sea, const PlanRequest& asked) {
-      return planner::try_to_plan(sea, asked, stop, progress, clock);
+    const planner::Planning plan_once = [](const planner::Task& task) {
+      return planner::try_to_plan(task.environment, task.request, task.stop, task.progress, task.clock);
     };
     const PlanRequest best = leaving_at(request, window.plan->departure);
-    window.plan =
-        planner::best_of_more_grids(std::move(window.plan), environment, best, wider, plan_once, stop);
+    window.plan = planner::best_of_more_grids(std::move(window.plan),
+                                              {environment, best, stop, progress, clock, wider}, plan_once);
     return window;
   }
   if (planner::more_room_may_help(window.plan.error(), environment, request, stop)) {

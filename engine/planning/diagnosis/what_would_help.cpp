@@ -8,8 +8,8 @@
 #include "engine/planning/diagnosis/paired_changes.hpp"
 #include "engine/planning/diagnosis/relaxation.hpp"
 #include "engine/planning/diagnosis/way_trials.hpp"
+#include "engine/planning/planner/strategies.hpp"
 #include "engine/planning/planner/strong_currents.hpp"
-#include "engine/planning/planner/try_to_plan.hpp"
 #include "engine/planning/search/explanation.hpp"
 
 namespace floeplan::planning::diagnosis {

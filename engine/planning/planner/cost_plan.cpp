@@ -2,13 +2,11 @@
 
 #include <cmath>
 #include <optional>
-#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "engine/messages/plan_messages.hpp"
 #include "engine/planning/cost/route.hpp"
-#include "engine/planning/planner/fastest_plan.hpp"
 #include "engine/planning/publish/battery_check.hpp"
 #include "engine/planning/publish/cost_refinement.hpp"
 #include "engine/planning/publish/plan_assembly.hpp"
@@ -130,9 +128,9 @@ struct CostAttempt {
   bool wider_may_help{false};
 };
 
-CostAttempt plan_cost_within(cost::GridReach reach, const ocean::Environment& environment,
-                             const PlanRequest& request, const std::stop_token& stop,
-                             const core::ProgressCallback& progress, const core::SteadyClock& clock) {
+/// The pipeline: request, domain, search, refinement, plan.
+CostAttempt plan_cost_within(cost::GridReach reach, const Task& task) {
+  const auto& [environment, request, stop, progress, clock, wider] = task;
   progress("environment", 0.0);
   const Result<search::Chart> chart = search::draw_chart(environment, request, reach, stop);
   if (!chart) return {tl::unexpected(chart.error())};
@@ -164,22 +162,18 @@ ThrusterUse only(vehicle::Drive drive) {
   return drive == vehicle::Drive::thruster ? ThrusterUse::on : ThrusterUse::off;
 }
 
-void silent(std::string_view, double) {}
-
 bool costs_less(const Result<Plan>& a, const Result<Plan>& b, const Objective& objective) {
   return a && (!b || cost_of(*a, objective) < cost_of(*b, objective));
 }
 
 /// On the nearer grids, and on the wider ones where they may do better.
-Result<Plan> plan_on_either_reach(const ocean::Environment& environment, const PlanRequest& request,
-                                  const std::stop_token& stop, const core::ProgressCallback& progress,
-                                  const core::SteadyClock& clock) {
-  const std::vector<cost::GridReach> to_try = cost::reaches(request);
-  CostAttempt attempt = plan_cost_within(to_try.front(), environment, request, stop, progress, clock);
+Result<Plan> plan_on_either_reach(const Task& task) {
+  const std::vector<cost::GridReach> to_try = cost::reaches(task.request);
+  CostAttempt attempt = plan_cost_within(to_try.front(), task);
   if (!attempt.wider_may_help || to_try.size() == 1) return std::move(attempt.plan);
-  CostAttempt wider = plan_cost_within(to_try.back(), environment, request, stop, progress, clock);
+  CostAttempt wider = plan_cost_within(to_try.back(), task);
   const bool is_better =
-      costs_less(wider.plan, attempt.plan, request.objective()) || (!attempt.plan && !wider.plan);
+      costs_less(wider.plan, attempt.plan, task.request.objective()) || (!attempt.plan && !wider.plan);
   return std::move(is_better ? wider.plan : attempt.plan);
 }
 
@@ -196,16 +190,15 @@ Result<Plan> better_of(Result<Plan> known, Result<Plan> found, const Objective& 
 
 /// What searches on the request's grids find: for all drives, and for some by themselves, which takes little and is
 /// often better where a search for all does not look at everything.
-Result<Plan> best_on_grids(const ocean::Environment& environment, const PlanRequest& request,
-                           const std::vector<vehicle::Drive>& alone, const std::stop_token& stop,
-                           const core::ProgressCallback& progress, const core::SteadyClock& clock) {
-  Result<Plan> best = plan_on_either_reach(environment, request, stop, progress, clock);
+Result<Plan> best_on_grids(const Task& task, const std::vector<vehicle::Drive>& alone) {
+  const PlanRequest& request = task.request;
+  Result<Plan> best = plan_on_either_reach(task);
   const bool is_cut_short = was_cut_short(best);
   for (const vehicle::Drive drive : alone) {
-    if (stop.stop_requested() || drives(request.energy, request.vehicle).size() == 1) break;
+    if (task.stop.stop_requested() || drives(request.energy, request.vehicle).size() == 1) break;
     PlanRequest on_drive = request;
     on_drive.energy.thruster = only(drive);
-    Result<Plan> found = plan_on_either_reach(environment, on_drive, stop, silent, clock);
+    Result<Plan> found = plan_on_either_reach(task.with(on_drive).silently());
     if (!costs_less(found, best, request.objective())) continue;
     best = std::move(found);
     if (is_cut_short && !was_cut_short(best)) {
@@ -237,9 +230,8 @@ Result<Plan> publish_straight_way(const search::Chart& chart, const ocean::Envir
   return publish(chart, environment, request, {std::move(route), std::nullopt}, {}, stop);
 }
 
-Result<Plan> search_least_cost_plan(const KnownPlan& known, const ocean::Environment& environment,
-                                    const PlanRequest& request, const std::stop_token& stop,
-                                    const core::ProgressCallback& progress, const core::SteadyClock& clock) {
+Result<Plan> search_least_cost_plan(const KnownPlan& known, const Task& task) {
+  const auto& [environment, request, stop, progress, clock, wider] = task;
   // Only the fastest plans wait.
   PlanRequest on_the_move = request;
   on_the_move.max_loiter = core::Seconds{0.0};
@@ -251,8 +243,7 @@ Result<Plan> search_least_cost_plan(const KnownPlan& known, const ocean::Environ
       known.plan && request.refine && request.method != Method::direct && !request.spacing_along;
   Result<Plan> best = known.plan;
   if (may_be_coarse) {
-    Result<Plan> coarse = best_on_grids(environment, cost::on_coarser_grids(on_the_move), known.on_drives,
-                                        stop, progress, clock);
+    Result<Plan> coarse = best_on_grids(task.with(cost::on_coarser_grids(on_the_move)), known.on_drives);
     const bool is_near =
         coarse && cost_of(*coarse, objective) <= (1.0 + much) * cost_of(*known.plan, objective);
     const bool is_evidence = is_near || was_cut_short(coarse);  // more places would not have helped then
@@ -261,25 +252,23 @@ Result<Plan> search_least_cost_plan(const KnownPlan& known, const ocean::Environ
   }
   if (stop.stop_requested()) return tl::unexpected(search::explain_cancelled(request));
   const std::vector<vehicle::Drive> none;
-  Result<Plan> found =
-      best_on_grids(environment, on_the_move, may_be_coarse ? none : known.on_drives, stop, progress, clock);
+  Result<Plan> found = best_on_grids(task.with(on_the_move), may_be_coarse ? none : known.on_drives);
   if (stop.stop_requested()) return tl::unexpected(search::explain_cancelled(request));
   return better_of(std::move(best), std::move(found), objective);
 }
 
-Result<Plan> plan_least_cost(const ocean::Environment& environment, const PlanRequest& request,
-                             const std::stop_token& stop, const core::ProgressCallback& progress,
-                             const core::SteadyClock& clock) {
+Result<Plan> plan_least_cost(const Task& task, const Planning& plan_fastest) {
+  const PlanRequest& request = task.request;
   KnownPlan fastest{.plan = tl::unexpected(Infeasible{}), .on_drives = {}};
   for (const vehicle::Drive drive : drives(request.energy, request.vehicle)) {
-    if (stop.stop_requested()) return tl::unexpected(search::explain_cancelled(request));
-    Result<Plan> plan = plan_fastest(environment, fastest_request(request, drive), stop, silent, clock);
+    if (task.stop.stop_requested()) return tl::unexpected(search::explain_cancelled(request));
+    Result<Plan> plan = plan_fastest(task.with(fastest_request(request, drive)).silently());
     if (plan) fastest.on_drives.push_back(drive);
     if (costs_less(plan, fastest.plan, request.objective())) fastest.plan = std::move(plan);
   }
-  Result<Plan> best = search_least_cost_plan(fastest, environment, request, stop, progress, clock);
+  Result<Plan> best = search_least_cost_plan(fastest, task);
   if (best && request.optimality_gap) best->optimality_gap_reason = no_gap;
-  progress("done", 1.0);
+  task.progress("done", 1.0);
   return best;
 }
 

@@ -3,9 +3,8 @@
 #include <stop_token>
 #include <vector>
 
-#include "engine/core/clock.hpp"
-#include "engine/core/progress.hpp"
 #include "engine/ocean/environment.hpp"
+#include "engine/planning/planner/task.hpp"
 #include "engine/planning/problem/infeasible.hpp"
 #include "engine/planning/problem/plan.hpp"
 #include "engine/planning/problem/plan_request.hpp"
@@ -17,10 +16,7 @@ namespace floeplan::planning::planner {
 /// costs more than the fastest plans on either drive: they are made, too, and compared.
 /// Precondition  the request is valid
 /// Errors and Stops  as plan_route
-[[nodiscard]] Result<Plan> plan_least_cost(const ocean::Environment& environment, const PlanRequest& request,
-                                           const std::stop_token& stop,
-                                           const core::ProgressCallback& progress,
-                                           const core::SteadyClock& clock);
+[[nodiscard]] Result<Plan> plan_least_cost(const Task& task, const Planning& plan_fastest);
 
 /// What a plan costs by the objective. Precondition: it tells its energy, as every plan of this version does.
 [[nodiscard]] double cost_of(const Plan& plan, const Objective& objective);
@@ -36,11 +32,7 @@ struct KnownPlan {
 
 /// The better of the known plan and what searches find without waits, for all drives and for each of the known ones by
 /// itself: on coarser grids; where those are no evidence, and where the request leaves no choice, on the request's own.
-[[nodiscard]] Result<Plan> search_least_cost_plan(const KnownPlan& known,
-                                                  const ocean::Environment& environment,
-                                                  const PlanRequest& request, const std::stop_token& stop,
-                                                  const core::ProgressCallback& progress,
-                                                  const core::SteadyClock& clock);
+[[nodiscard]] Result<Plan> search_least_cost_plan(const KnownPlan& known, const Task& task);
 
 /// The plan straight from stop to stop of the request, on the drives that make the whole cost least; without waits.
 /// Errors   why the way is closed, the battery does not carry the vehicle where it must, or there is no escape;

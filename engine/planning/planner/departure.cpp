@@ -15,7 +15,7 @@
 #include "engine/planning/cost/sea_members.hpp"
 #include "engine/planning/planner/cost_plan.hpp"
 #include "engine/planning/planner/robust_plan.hpp"
-#include "engine/planning/planner/try_to_plan.hpp"
+#include "engine/planning/planner/strategies.hpp"
 #include "engine/planning/search/chart.hpp"
 #include "engine/planning/search/energy/cost_search.hpp"
 #include "engine/planning/search/explanation.hpp"

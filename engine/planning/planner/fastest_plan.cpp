@@ -46,11 +46,9 @@ struct RefinedWay {
 class WayFinder {
  public:
   /// Everything is borrowed and outlives the finder.
-  WayFinder(const search::Chart& chart, const PlanRequest& request, const std::stop_token& stop,
-            const core::ProgressCallback& progress, const core::SteadyClock& clock)
-      : chart_{chart}, request_{request}, stop_{stop}, progress_{progress}, clock_{clock} {
-    if (request.method != Method::direct)
-      grids_ = search::open_grids(chart.sea, chart.layout.grids, request.sectors, stop);
+  WayFinder(const search::Chart& chart, const Task& task) : chart_{chart}, task_{task} {
+    if (task.request.method != Method::direct)
+      grids_ = search::open_grids(chart.sea, chart.layout.grids, task.request.sectors, task.stop);
   }
 
   [[nodiscard]] Result<RefinedWay> find() const {
@@ -67,33 +65,30 @@ class WayFinder {
   [[nodiscard]] Result<RefinedWay> find_in(const cost::Sea& sea) const {
     search::FoundWay way;
     way.route = cost::fixed_route(chart_.layout.points);
-    if (request_.method != Method::direct) {
-      const auto report = [&](double fraction) { progress_("search", 0.1 + 0.8 * fraction); };
-      auto found = search::search_voyage(sea, grids_, request_, cost::at_departure, stop_, report);
+    if (task_.request.method != Method::direct) {
+      const auto report = [&](double fraction) { task_.progress("search", 0.1 + 0.8 * fraction); };
+      auto found = search::search_voyage(sea, grids_, task_.request, cost::at_departure, task_.stop, report);
       if (!found) return tl::unexpected(std::move(found.error()));
       way = std::move(*found);
     }
-    progress_("refinement", 0.9);
-    publish::Improved improved = publish::improve(sea, way.route, request_, stop_, clock_);
+    task_.progress("refinement", 0.9);
+    publish::Improved improved = publish::improve(sea, way.route, task_.request, task_.stop, task_.clock);
     return RefinedWay{std::move(way), std::move(improved)};
   }
 
   const search::Chart& chart_;
-  const PlanRequest& request_;
-  const std::stop_token& stop_;
-  const core::ProgressCallback& progress_;
-  const core::SteadyClock& clock_;
+  const Task& task_;
   std::vector<search::OpenGrid> grids_;  // none for the direct way
 };
 
-Attempt plan_within(cost::GridReach reach, const ocean::Environment& environment, const PlanRequest& request,
-                    const std::stop_token& stop, const core::ProgressCallback& progress,
-                    const core::SteadyClock& clock) {
+/// The pipeline: request, domain, search, refinement, plan.
+Attempt plan_within(cost::GridReach reach, const Task& task) {
+  const auto& [environment, request, stop, progress, clock, wider] = task;
   progress("environment", 0.0);
   Result<search::Chart> chart = search::draw_chart(environment, request, reach, stop);
   if (!chart) return {.plan = tl::unexpected(std::move(chart.error()))};
 
-  Result<RefinedWay> way = WayFinder{*chart, request, stop, progress, clock}.find();
+  Result<RefinedWay> way = WayFinder{*chart, task}.find();
   if (!way) {
     const bool cancelled = way.error().reason == Reason::cancelled;
     return {.plan = tl::unexpected(std::move(way.error())), .wider_may_help = !cancelled};
@@ -111,13 +106,11 @@ Attempt plan_within(cost::GridReach reach, const ocean::Environment& environment
 }
 
 /// On the nearer grids, and on the wider ones where they may do better.
-Attempt best_attempt(const ocean::Environment& environment, const PlanRequest& request,
-                     const std::stop_token& stop, const core::ProgressCallback& progress,
-                     const core::SteadyClock& clock) {
-  const std::vector<cost::GridReach> to_try = cost::reaches(request);
-  Attempt best = plan_within(to_try.front(), environment, request, stop, progress, clock);
+Attempt best_attempt(const Task& task) {
+  const std::vector<cost::GridReach> to_try = cost::reaches(task.request);
+  Attempt best = plan_within(to_try.front(), task);
   if (best.wider_may_help && to_try.size() > 1) {
-    Attempt wider = plan_within(to_try.back(), environment, request, stop, progress, clock);
+    Attempt wider = plan_within(to_try.back(), task);
     const bool nearer_will_do = best.plan && (!wider.plan || best.plan->arrival <= wider.plan->arrival);
     if (!nearer_will_do) best = std::move(wider);
   }
@@ -130,16 +123,15 @@ bool search_was_cut_short(const Attempt& attempt) {
 
 /// On grids as fine as asked for. Where that was left open and a search with surfacings came to no end, on coarser
 /// ones, too, on which it comes further.
-Attempt plan_on_grids(const ocean::Environment& environment, const PlanRequest& request,
-                      const std::stop_token& stop, const core::ProgressCallback& progress,
-                      const core::SteadyClock& clock) {
-  Attempt best = best_attempt(environment, request, stop, progress, clock);
+Attempt plan_on_grids(const Task& task) {
+  const PlanRequest& request = task.request;
+  Attempt best = best_attempt(task);
   if (request.under_ice.max_time_without_surfacing && !request.spacing_along && search_was_cut_short(best)) {
-    Attempt coarse = best_attempt(environment, cost::on_coarser_grids(request), stop, progress, clock);
+    Attempt coarse = best_attempt(task.with(cost::on_coarser_grids(request)));
     if (coarse.plan && (!best.plan || coarse.plan->arrival < best.plan->arrival)) best = std::move(coarse);
   }
-  if (best.plan) publish::rate(*best.plan, best.chart->sea, request, best.route, stop);
-  if (stop.stop_requested()) best.plan = tl::unexpected(search::explain_cancelled(request));
+  if (best.plan) publish::rate(*best.plan, best.chart->sea, request, best.route, task.stop);
+  if (task.stop.stop_requested()) best.plan = tl::unexpected(search::explain_cancelled(request));
   return best;
 }
 
@@ -177,16 +169,15 @@ std::optional<PlanRequest> without_leave(const ocean::Environment& environment, 
 
 }  // namespace
 
-Result<Plan> plan_fastest(const ocean::Environment& environment, const PlanRequest& request,
-                          const std::stop_token& stop, const core::ProgressCallback& progress,
-                          const core::SteadyClock& clock) {
-  Attempt best = plan_on_grids(environment, request, stop, progress, clock);
+Result<Plan> plan_fastest(const Task& task, const Planning&) {
+  const auto& [environment, request, stop, progress, clock, wider] = task;
+  Attempt best = plan_on_grids(task);
   const std::optional<PlanRequest> strict = without_leave(environment, request);
   if (strict && !stop.stop_requested()) {
     // Refinement finds other ways where less is allowed: a leave must never make a plan later, but for the time that is
     // killed else.
     best.chart.reset();  // of no use any longer, and large
-    Attempt without = plan_on_grids(environment, *strict, stop, progress, clock);
+    Attempt without = plan_on_grids(task.with(*strict));
     if (stop.stop_requested()) return tl::unexpected(search::explain_cancelled(request));
     const bool is_no_later = without.plan && (!best.plan || without.plan->arrival <= best.plan->arrival);
     const bool may_wait = request.max_loiter.count() > 0.0;

@@ -6,13 +6,12 @@
 #include "engine/planning/search/explanation.hpp"
 
 namespace floeplan::planning::planner {
-Result<Plan> plan_with_fewer_encounters(
-    const ocean::Environment& environment, const PlanRequest& request,
-    const std::function<Result<Plan>(const PlanRequest&)>& plan_unweighted, const std::stop_token& stop,
-    const core::ProgressCallback& progress, const core::SteadyClock& clock) {
+
+Result<Plan> plan_with_fewer_encounters(const Task& task, const Planning& plan_unweighted) {
+  const PlanRequest& request = task.request;
   PlanRequest unweighted = request;
   unweighted.icebergs.encounter_weight = core::Seconds{0.0};
-  Result<Plan> before = plan_unweighted(unweighted);
+  Result<Plan> before = plan_unweighted(task.with(unweighted));
   if (!before) return before;
   const Objective objective = request.objective();
   EncounterTrade trade{.weight = request.icebergs.encounter_weight,
@@ -20,10 +19,10 @@ Result<Plan> plan_with_fewer_encounters(
                        .encounters_before = before->iceberg_encounters.value_or(0.0)};
   Plan chosen = std::move(*before);
   if (trade.encounters_before > 0.0 && request.method != Method::direct) {
-    progress("encounters", 0.5);
+    task.progress("encounters", 0.5);
     const KnownPlan known{.plan = chosen, .on_drives = drives(request.energy, request.vehicle)};
-    Result<Plan> weighted = search_least_cost_plan(known, environment, request, stop, progress, clock);
-    if (stop.stop_requested()) return tl::unexpected(search::explain_cancelled(request));
+    Result<Plan> weighted = search_least_cost_plan(known, task);
+    if (task.stop.stop_requested()) return tl::unexpected(search::explain_cancelled(request));
     const bool fewer = weighted && weighted->iceberg_encounters.value_or(0.0) <= trade.encounters_before;
     if (fewer && cost_of(*weighted, objective) < cost_of(chosen, objective)) chosen = std::move(*weighted);
   }

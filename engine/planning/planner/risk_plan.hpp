@@ -1,14 +1,6 @@
 #pragma once
 
-#include <functional>
-#include <stop_token>
-
-#include "engine/core/clock.hpp"
-#include "engine/core/progress.hpp"
-#include "engine/ocean/environment.hpp"
-#include "engine/planning/problem/infeasible.hpp"
-#include "engine/planning/problem/plan.hpp"
-#include "engine/planning/problem/plan_request.hpp"
+#include "engine/planning/planner/task.hpp"
 
 namespace floeplan::planning::planner {
 
@@ -17,9 +9,6 @@ namespace floeplan::planning::planner {
 /// `plan_unweighted` makes the plan without the weight, of the request without it.
 /// Errors   as plan_route
 /// Stops    as plan_route
-[[nodiscard]] Result<Plan> plan_with_fewer_encounters(
-    const ocean::Environment& environment, const PlanRequest& request,
-    const std::function<Result<Plan>(const PlanRequest&)>& plan_unweighted, const std::stop_token& stop,
-    const core::ProgressCallback& progress, const core::SteadyClock& clock);
+[[nodiscard]] Result<Plan> plan_with_fewer_encounters(const Task& task, const Planning& plan_unweighted);
 
 }  // namespace floeplan::planning::planner

@@ -137,11 +137,15 @@ core::UtcTime arrival_that_counts(const Plan& plan, const UncertaintyRules& rule
   return plan.departure + time.value_or(core::Seconds{std::numeric_limits<double>::infinity()});
 }
 
-Result<Plan> plan_uncertain(const ocean::Environment& environment, const PlanRequest& request,
-                            const PlanIn& plan_in, const std::stop_token& stop,
-                            const core::ProgressCallback& progress) {
+Result<Plan> plan_uncertain(const Task& task, const Planning& plan_in_one_sea) {
+  const auto& [environment, asked, stop, progress, clock, wider] = task;
+  PlanRequest request = asked;
+  request.optimality_gap = false;
   const UncertaintyRules& rules = request.uncertainty;
   const cost::SeaMembers members{environment, rules};
+  const auto plan_in = [&](const ocean::Environment& sea) {
+    return plan_in_one_sea(task.with(request).in(sea));
+  };
   Result<Plan> base = plan_in(environment);
   if (!base) return base;
 
@@ -198,6 +202,8 @@ Result<Plan> plan_uncertain(const ocean::Environment& environment, const PlanReq
   chosen.encounter_trade = base->encounter_trade;
   chosen.uncertainty = report_of(fares[best], rules, request.depart, candidates.size());
   if (auto closed = of_closed_members(*chosen.uncertainty)) chosen.messages.push_back(std::move(*closed));
+  if (asked.optimality_gap)
+    chosen.optimality_gap_reason = "the currents are not certain, so that no one way is the best";
   return std::move(chosen);
 }
 

@@ -1,20 +1,10 @@
 #pragma once
 
-#include <functional>
-#include <stop_token>
-
-#include "engine/core/progress.hpp"
-#include "engine/ocean/environment.hpp"
 #include "engine/planning/cost/sea_members.hpp"
-#include "engine/planning/problem/infeasible.hpp"
+#include "engine/planning/planner/task.hpp"
 #include "engine/planning/problem/member_spread.hpp"
-#include "engine/planning/problem/plan.hpp"
-#include "engine/planning/problem/plan_request.hpp"
 
 namespace floeplan::planning::planner {
-
-/// Plans the request in one environment.
-using PlanIn = std::function<Result<Plan>(const ocean::Environment&)>;
 
 /// What the objective counts of costs in the members, less is better; infinite where it would take a member without
 /// one.
@@ -36,9 +26,8 @@ using PlanIn = std::function<Result<Plan>(const ocean::Environment&)>;
 /// through comes after one that more let through.
 /// Limits   icebergs drift in every member as the member's own currents carry them; candidates are the best
 ///          routes of the members and of their mean, so that another compromise is not found
-/// Errors   as `plan_in`; Reason::cancelled once `stop` is requested
-[[nodiscard]] Result<Plan> plan_uncertain(const ocean::Environment& environment, const PlanRequest& request,
-                                          const PlanIn& plan_in, const std::stop_token& stop,
-                                          const core::ProgressCallback& progress);
+/// `plan_in_one_sea`  plans the task in one member as if there were no other
+/// Errors   as `plan_in_one_sea`; Reason::cancelled once `stop` is requested
+[[nodiscard]] Result<Plan> plan_uncertain(const Task& task, const Planning& plan_in_one_sea);
 
 }  // namespace floeplan::planning::planner

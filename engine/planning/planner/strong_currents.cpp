@@ -129,9 +129,8 @@ Infeasible with_area_searched(Infeasible why, const PlanRequest& looked_for) {
   return why;
 }
 
-Result<Plan> best_of_more_grids(Result<Plan> known, const ocean::Environment& environment,
-                                const PlanRequest& request, const WiderSea& wider, const PlanOnce& plan_once,
-                                const std::stop_token& stop) {
+Result<Plan> best_of_more_grids(Result<Plan> known, const Task& task, const Planning& plan_once) {
+  const auto& [environment, request, stop, progress, clock, wider] = task;
   if (request.method == Method::direct || stop.stop_requested()) return known;
   const bool is_worth_it = known ? takes_more_than_one_try(*known, environment, request)
                                  : more_room_may_help(known.error(), environment, request, stop);
@@ -139,7 +138,7 @@ Result<Plan> best_of_more_grids(Result<Plan> known, const ocean::Environment& en
   Result<Plan> best = std::move(known);
   const auto consider = [&](const ocean::Environment& sea, const PlanRequest& other) {
     if (stop.stop_requested()) return;
-    Result<Plan> plan = plan_once(sea, other);
+    Result<Plan> plan = plan_once(task.in(sea).with(other));
     if (plan && (!best || is_cheaper(*plan, *best, request.objective()))) best = std::move(plan);
   };
   const bool is_known = best.has_value();

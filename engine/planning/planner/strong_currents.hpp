@@ -39,17 +39,13 @@ struct Roomy {
 /// `looked_for`  the request with the most room that was tried
 [[nodiscard]] Infeasible with_area_searched(Infeasible why, const PlanRequest& looked_for);
 
-/// Plans the request in one environment.
-using PlanOnce = std::function<Result<Plan>(const ocean::Environment&, const PlanRequest&)>;
-
 /// Where currents are as fast as the vehicle whole legs are closed, so that ways that one grid has are missing on
 /// another, and the way may lead far round: the best of the plan that is known and of those with more directions, with
 /// more room and on coarser grids. Anywhere else the plan that is known.
 /// Work     a few times that of the known plan; nothing else is tried where that one was much work already, where the
 ///          time without surfacing is bounded and where the currents are uncertain
 /// Stops    with Reason::cancelled once `stop` is requested
-[[nodiscard]] Result<Plan> best_of_more_grids(Result<Plan> known, const ocean::Environment& environment,
-                                              const PlanRequest& request, const WiderSea& wider,
-                                              const PlanOnce& plan_once, const std::stop_token& stop);
+[[nodiscard]] Result<Plan> best_of_more_grids(Result<Plan> known, const Task& task,
+                                              const Planning& plan_once);
 
 }  // namespace floeplan::planning::planner

@@ -30,24 +30,22 @@ ViaOrder order_given(const PlanRequest& request) {
 /// Plans one order after the other, and keeps the earliest plan.
 class SurveyPlans {
  public:
-  SurveyPlans(const PlanRequest& request,
-              const std::function<Result<Plan>(const PlanRequest&)>& plan_in_order)
-      : request_{request}, plan_in_order_{plan_in_order} {}
+  SurveyPlans(const Task& task, const Planning& plan_in_order) : task_{task}, plan_in_order_{plan_in_order} {}
 
   /// Unless it was planned before.
   void plan(const ViaOrder& order) {
     for (const std::vector<std::size_t>& before : tried_)
       if (before == order.vias) return;
     tried_.push_back(order.vias);
-    PlanRequest ordered = request_;
+    PlanRequest ordered = task_.request;
     ordered.via_in_best_order = false;
-    for (std::size_t i = 0; i < order.vias.size(); ++i) ordered.via[i] = request_.via[order.vias[i]];
-    Result<Plan> plan = plan_in_order_(ordered);
+    for (std::size_t i = 0; i < order.vias.size(); ++i) ordered.via[i] = task_.request.via[order.vias[i]];
+    Result<Plan> plan = plan_in_order_(task_.with(ordered));
     if (plan) plan->via_order = order;
     if (plan && best_ && best_->arrival <= plan->arrival) return;
     if (plan) {
       best_ = std::move(*plan);
-    } else if (order.vias == order_given(request_).vias) {
+    } else if (order.vias == order_given(task_.request).vias) {
       why_not_as_given_ = std::move(plan.error());
     }
   }
@@ -66,8 +64,8 @@ class SurveyPlans {
   }
 
  private:
-  const PlanRequest& request_;
-  const std::function<Result<Plan>(const PlanRequest&)>& plan_in_order_;
+  const Task& task_;
+  const Planning& plan_in_order_;
   std::vector<std::vector<std::size_t>> tried_;
   std::optional<Plan> best_;
   Infeasible why_not_as_given_;
@@ -75,14 +73,13 @@ class SurveyPlans {
 
 }  // namespace
 
-Result<Plan> plan_survey(const ocean::Environment& environment, const PlanRequest& request,
-                         const std::function<Result<Plan>(const PlanRequest&)>& plan_in_order,
-                         const std::stop_token& stop, const core::ProgressCallback& progress) {
+Result<Plan> plan_survey(const Task& task, const Planning& plan_in_order) {
+  const auto& [environment, request, stop, progress, clock, wider] = task;
   progress("order of visits", 0.0);
   const auto first = best_via_order(environment, request, stop);
   const bool minds_time = request.energy.objective.is_time() && request.objective().of_encounters == 0.0;
   const bool bounds_surfacing = request.under_ice.max_time_without_surfacing.has_value();
-  SurveyPlans plans{request, plan_in_order};
+  SurveyPlans plans{task, plan_in_order};
   if (first && !stop.stop_requested()) plans.plan(first->order);
 
   const core::Seconds promised = first ? (1.0 + accuracy) * first->travel_time : core::Seconds{0.0};

@@ -1,13 +1,6 @@
 #pragma once
 
-#include <functional>
-#include <stop_token>
-
-#include "engine/core/progress.hpp"
-#include "engine/ocean/environment.hpp"
-#include "engine/planning/problem/infeasible.hpp"
-#include "engine/planning/problem/plan.hpp"
-#include "engine/planning/problem/plan_request.hpp"
+#include "engine/planning/planner/task.hpp"
 
 namespace floeplan::planning::planner {
 
@@ -19,8 +12,6 @@ namespace floeplan::planning::planner {
 /// `plan_in_order`  plans a request whose vias are in the order of their visits
 /// Errors   why there is no plan in the order given
 /// Stops    with Reason::cancelled
-[[nodiscard]] Result<Plan> plan_survey(const ocean::Environment& environment, const PlanRequest& request,
-                                       const std::function<Result<Plan>(const PlanRequest&)>& plan_in_order,
-                                       const std::stop_token& stop, const core::ProgressCallback& progress);
+[[nodiscard]] Result<Plan> plan_survey(const Task& task, const Planning& plan_in_order);
 
 }  // namespace floeplan::planning::planner

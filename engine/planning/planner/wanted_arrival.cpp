@@ -11,7 +11,7 @@
 #include "engine/messages/refusal_messages.hpp"
 #include "engine/planning/planner/departure.hpp"
 #include "engine/planning/planner/robust_plan.hpp"
-#include "engine/planning/planner/try_to_plan.hpp"
+#include "engine/planning/planner/strategies.hpp"
 #include "engine/planning/search/chart.hpp"
 #include "engine/planning/search/explanation.hpp"
 #include "engine/planning/search/voyage_grids.hpp"

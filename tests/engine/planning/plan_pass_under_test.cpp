@@ -7,7 +7,7 @@
 #include "engine/planning/evaluate_route.hpp"
 #include "engine/planning/obstacles/pass_under.hpp"
 #include "engine/planning/plan_route.hpp"
-#include "engine/planning/planner/try_to_plan.hpp"
+#include "engine/planning/planner/strategies.hpp"
 #include "tests/engine/planning/drifting_bergs.hpp"
 #include "tests/support/property.hpp"
 #include "tests/support/small_sea.hpp"

@@ -11,7 +11,7 @@
 #include "engine/planning/evaluate_route.hpp"
 #include "engine/planning/plane/coast_lines.hpp"
 #include "engine/planning/plane/plane_distance.hpp"
-#include "engine/planning/planner/try_to_plan.hpp"
+#include "engine/planning/planner/strategies.hpp"
 #include "tests/support/property.hpp"
 #include "tests/support/small_sea.hpp"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "engine/planning/plan_route.hpp"
-#include "engine/planning/planner/try_to_plan.hpp"
+#include "engine/planning/planner/strategies.hpp"
 #include "tests/support/property.hpp"
 #include "tests/support/small_sea.hpp"
 

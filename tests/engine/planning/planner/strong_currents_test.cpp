@@ -11,7 +11,7 @@
 #include "engine/planning/plan_route.hpp"
 #include "engine/planning/plan_window.hpp"
 #include "engine/planning/planner/departure.hpp"
-#include "engine/planning/planner/try_to_plan.hpp"
+#include "engine/planning/planner/strategies.hpp"
 #include "engine/planning/search/waiting/latest_departure.hpp"
 #include "tests/support/small_sea.hpp"
 

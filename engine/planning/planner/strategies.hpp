@@ -1,15 +1,33 @@
 #pragma once
 
+#include <span>
 #include <stop_token>
+#include <string_view>
 
 #include "engine/core/clock.hpp"
 #include "engine/core/progress.hpp"
 #include "engine/ocean/environment.hpp"
+#include "engine/planning/planner/task.hpp"
 #include "engine/planning/problem/infeasible.hpp"
 #include "engine/planning/problem/plan.hpp"
 #include "engine/planning/problem/plan_request.hpp"
 
 namespace floeplan::planning::planner {
+
+/// A way to come to a plan by planning other, simpler tasks: one order of the vias, one of the members, the least time.
+struct Strategy {
+  std::string_view name;
+  bool (*applies)(const Task&);
+  /// `rest` plans a task by the strategies that come after this one.
+  Result<Plan> (*plan)(const Task&, const Planning& rest);
+};
+
+/// In the order in which they are asked whether they apply. The last one always does.
+[[nodiscard]] std::span<const Strategy> all_strategies();
+
+/// Plans the task by the first strategy that applies.
+/// Precondition  the request is valid
+[[nodiscard]] Result<Plan> plan_by(std::span<const Strategy> strategies, const Task& task);
 
 /// Plans the request for its departure as `plan_route` does, once: an infeasible request is not told what would help,
 /// and one sort of grids is tried whatever the currents.

@@ -1,0 +1,101 @@
+#include "engine/planning/planner/strategies.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "engine/messages/plan_messages.hpp"
+#include "engine/planning/planner/cost_plan.hpp"
+#include "engine/planning/planner/fastest_plan.hpp"
+#include "engine/planning/planner/risk_plan.hpp"
+#include "engine/planning/planner/robust_plan.hpp"
+#include "engine/planning/planner/strong_currents.hpp"
+#include "engine/planning/planner/survey_plan.hpp"
+
+namespace floeplan::planning::planner {
+namespace {
+
+bool is_uncertain(const Task& task) { return cost::has_uncertain_currents(task.environment, task.request); }
+
+bool asks_for_members(const Task& task) {
+  const UncertaintyRules& rules = task.request.uncertainty;
+  return rules.objective != RobustObjective::none || rules.arrive_before || rules.drawn_members > 0;
+}
+
+/// The plan, and what became of what was asked about the members.
+Result<Plan> plan_and_tell_of_members(const Task& task, const Planning& rest) {
+  Result<Plan> plan = rest(task);
+  if (!plan) return plan;
+  const UncertaintyRules& rules = task.request.uncertainty;
+  if (rules.drawn_members > 0 && task.environment.members.size() > 1)
+    plan->messages.push_back(messages::plan_message<"named-members-not-used">());
+  const bool asks_for_chances = rules.objective != RobustObjective::none || rules.arrive_before;
+  if (asks_for_chances && !is_uncertain(task))
+    plan->messages.push_back(messages::plan_message<"uncertainty-without-members">());
+  return plan;
+}
+
+bool may_surface_more_often(const Task& task) { return task.request.under_ice.escape_plan; }
+
+/// Where the best way leaves no escape: ways that come to places to surface more often mostly have one.
+Result<Plan> plan_surfacing_more_often(const Task& task, const Planning& rest) {
+  Result<Plan> best = rest(task);
+  if (best || best.error().reason != Reason::no_escape) return best;
+  const core::Seconds until_there = best.error().when - task.request.depart;
+  const core::Seconds bound =
+      std::min(task.request.under_ice.max_time_without_surfacing.value_or(until_there), until_there);
+  for (const double share : {0.5, 0.25}) {
+    PlanRequest tighter = task.request;
+    tighter.under_ice.max_time_without_surfacing = share * bound;
+    if (!tighter.violations().empty()) break;
+    Result<Plan> plan = rest(task.with(tighter));
+    if (!plan && plan.error().reason == Reason::cancelled) return plan;
+    if (!plan && plan.error().reason == Reason::no_escape) continue;
+    if (!plan) break;  // no way comes to the surface as often, let alone more often
+    plan->messages.push_back(messages::plan_message<"surfaces-more-often">());
+    return plan;
+  }
+  return best;
+}
+
+/// Each row: its name, when it applies, what it plans by the rows below it.
+constexpr Strategy strategies[] = {
+    // Currents as fast as the vehicle: the request on other grids, with more directions and with more room.
+    {"more grids", [](const Task& task) { return task.request.method != Method::direct; },
+     [](const Task& task, const Planning& rest) { return best_of_more_grids(rest(task), task, rest); }},
+    // The vias in the orders that promise to end earliest.
+    {"order of visits", [](const Task& task) { return task.request.via_in_best_order; }, plan_survey},
+    // Nothing else; says what became of the members.
+    {"word on the members", asks_for_members, plan_and_tell_of_members},
+    // No escape from the best way: the request with tighter bounds on the time without surfacing.
+    {"more surfacings", may_surface_more_often, plan_surfacing_more_often},
+    // Several currents: the request in each member of them.
+    {"members", is_uncertain, plan_uncertain},
+    // A weight on encounters with icebergs: the request without it, and a search with it.
+    {"fewer encounters", [](const Task& task) { return task.request.objective().of_encounters != 0.0; },
+     plan_with_fewer_encounters},
+    // Energy counts: the fastest plan on each drive, and a search for the least cost.
+    {"least cost", [](const Task& task) { return !task.request.energy.objective.is_time(); },
+     plan_least_cost},
+    {"fastest", [](const Task&) { return true; }, plan_fastest},
+};
+
+}  // namespace
+
+std::span<const Strategy> all_strategies() { return strategies; }
+
+Result<Plan> plan_by(std::span<const Strategy> strategies, const Task& task) {
+  const auto first =
+      std::ranges::find_if(strategies, [&](const Strategy& each) { return each.applies(task); });
+  const auto rest = strategies.subspan(static_cast<std::size_t>(first - strategies.begin()) + 1);
+  return first->plan(task, [rest](const Task& other) { return plan_by(rest, other); });
+}
+
+Result<Plan> try_to_plan(const ocean::Environment& environment, const PlanRequest& request,
+                         const std::stop_token& stop, const core::ProgressCallback& report,
+                         const core::SteadyClock& clock) {
+  throw_if_invalid(request);
+  const core::ProgressCallback progress = report ? report : [](std::string_view, double) {};
+  return plan_by(all_strategies().subspan(1), {environment, request, stop, progress, clock, {}});
+}
+
+}  // namespace floeplan::planning::planner
