@@ -6,7 +6,6 @@
 #include <tl/expected.hpp>
 #include <vector>
 
-#include "api/codec/route_file.hpp"
 #include "engine/core/violation.hpp"
 #include "engine/geo/lon_lat.hpp"
 
@@ -28,6 +27,12 @@ struct NamedRoute {
 struct FileRoutes {
   std::vector<NamedRoute> routes;
   std::vector<std::string> warnings;
+};
+
+/// The places of a route that came as a file.
+struct RouteFile {
+  std::vector<geo::LonLat> places;    // in the order in which they are flown
+  std::vector<std::string> warnings;  // with line and file, for the pilot
 };
 
 /// Of a route; a plan uses far fewer.

@@ -6,16 +6,11 @@
 #include <tl/expected.hpp>
 #include <vector>
 
+#include "api/codec/route_choice.hpp"
 #include "engine/core/violation.hpp"
 #include "engine/geo/lon_lat.hpp"
 
 namespace floeplan::codec {
-
-/// The places of a route that came as a file.
-struct RouteFile {
-  std::vector<geo::LonLat> places;    // in the order in which they are flown
-  std::vector<std::string> warnings;  // with line and file, for the pilot
-};
 
 /// Reads a route from a file of another program or of a vehicle: of a goto list the rows that the vehicle flies
 /// (mission::flown_waypoints), and what that leaves out, repeats or cuts short is warned of. What it is its content says; `name` helps where

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "api/routes/mission_service.hpp"
+#include "storage/json/json.hpp"
 #include "storage/repository/environment_loader.hpp"
 
 namespace floeplan::routes {
@@ -10,6 +10,7 @@ namespace {
 
 using repository::DatasetChoice;
 using repository::EnvironmentQuery;
+using nlohmann::json;
 
 /// Around a safe place: what a coarse grid of ice has next to it, the coast, and icebergs that may drift there; how
 /// near those must be to be told is a judgement.
@@ -29,6 +30,18 @@ EnvironmentQuery without_motion(const geo::BoundingBox& area, core::UtcTime depa
 }
 
 }  // namespace
+
+std::optional<codec::PlanInputs> inputs_of(const repository::PlanRecord& record) {
+  auto inputs = codec::parse_plan_inputs(json::parse(record.request_json));
+  if (!inputs) return std::nullopt;
+  codec::cover_way(*inputs, record.bounds);
+  return std::move(*inputs);
+}
+
+vehicle::GliderProfile vehicle_of(const repository::PlanRecord& record, const planning::Plan& plan) {
+  if (const auto inputs = inputs_of(record)) return inputs->request.vehicle;
+  return vehicle::find_profile(plan.vehicle).value_or(vehicle::known_profiles().front());
+}
 
 std::vector<std::optional<mission::Shoal>> shoals_of(sqlite::Connection& db,
                                                      const repository::PlanRecord& record,

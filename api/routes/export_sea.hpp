@@ -3,13 +3,22 @@
 #include <optional>
 #include <vector>
 
+#include "api/codec/plan_inputs.hpp"
 #include "engine/mission/safe_places.hpp"
 #include "engine/mission/shoals.hpp"
 #include "engine/planning/problem/plan.hpp"
+#include "engine/vehicle/glider_profile.hpp"
 #include "storage/repository/plan_repository.hpp"
 #include "storage/sqlite/connection.hpp"
 
 namespace floeplan::routes {
+
+/// The inputs that the plan was made with; nothing when an older version stored them in another form.
+[[nodiscard]] std::optional<codec::PlanInputs> inputs_of(const repository::PlanRecord& record);
+
+/// The vehicle that a stored plan is for, with what its request says of it.
+[[nodiscard]] vehicle::GliderProfile vehicle_of(const repository::PlanRecord& record,
+                                                const planning::Plan& plan);
 
 /// The least water on the legs of a stored plan, by the newest of the depths that it chose; empty where there are none,
 /// or the choice cannot be read any more.

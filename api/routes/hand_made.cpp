@@ -8,8 +8,8 @@
 #include "api/codec/zone_feature.hpp"
 #include "engine/core/version.hpp"
 #include "engine/geo/united_boxes.hpp"
+#include "storage/repository/dataset.hpp"
 #include "storage/repository/dataset_repository.hpp"
-#include "storage/repository/hand_made_id.hpp"
 #include "storage/repository/iceberg_repository.hpp"
 #include "storage/repository/zone_repository.hpp"
 

@@ -103,12 +103,6 @@ Response dismiss_job(const Context& context, const Request& request, const PathP
 
 }  // namespace
 
-bool asks_for_job_status(const Request& request) {
-  constexpr std::string_view folder = "/jobs/";
-  return request.method == "GET" && request.path.starts_with(folder) &&
-         request.path.find('/', folder.size()) == std::string::npos;
-}
-
 std::vector<Route> job_routes() {
   return {{"GET",
            "/jobs",

@@ -126,18 +126,6 @@ tl::expected<mission::MissionFiles, core::Violations> mission_set_of(
 
 }  // namespace
 
-std::optional<codec::PlanInputs> inputs_of(const repository::PlanRecord& record) {
-  auto inputs = codec::parse_plan_inputs(json::parse(record.request_json));
-  if (!inputs) return std::nullopt;
-  codec::cover_way(*inputs, record.bounds);
-  return std::move(*inputs);
-}
-
-vehicle::GliderProfile vehicle_of(const repository::PlanRecord& record, const planning::Plan& plan) {
-  if (const auto inputs = inputs_of(record)) return inputs->request.vehicle;
-  return vehicle::find_profile(plan.vehicle).value_or(vehicle::known_profiles().front());
-}
-
 tl::expected<mission::MissionFiles, core::Violations> mission_of(sqlite::Connection& db,
                                                                  const repository::PlanRecord& record,
                                                                  const MissionRequest& request,

@@ -25,13 +25,6 @@ struct MissionRequest {
   std::vector<mission::ScienceBand> bands{};
 };
 
-/// The inputs that the plan was made with; nothing when an older version stored them in another form.
-[[nodiscard]] std::optional<codec::PlanInputs> inputs_of(const repository::PlanRecord& record);
-
-/// The vehicle that a stored plan is for, with what its request says of it.
-[[nodiscard]] vehicle::GliderProfile vehicle_of(const repository::PlanRecord& record,
-                                                const planning::Plan& plan);
-
 /// The mission files of a stored plan, within the limits of its vehicle and of the water on its way by the newest data.
 /// `generated`: the time that the files' comments name
 /// Errors   every fault of plan or options, as mission::write_mission_set, mission::write_seaglider_set,

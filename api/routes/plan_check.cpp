@@ -6,6 +6,7 @@
 
 #include "api/codec/document_values.hpp"
 #include "api/codec/plan_document.hpp"
+#include "api/routes/export_sea.hpp"
 #include "api/routes/mission_service.hpp"
 #include "engine/messages/export_messages.hpp"
 #include "engine/messages/sentence.hpp"

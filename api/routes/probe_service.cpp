@@ -301,7 +301,7 @@ tl::expected<codec::Probe, core::Violations> probe(sqlite::Connection& db, const
   above.depth.reset();
   read_velocity(db, datasets, DatasetKind::wind, named, above, result.wind);
   read_ice(db, choose_ice(db, datasets, named, query), result);
-  result.tide = probe_tide(db, datasets, named, query);
+  result.tide = probe_tide(db, datasets, named, query.place, query.time);
   read_land(db, datasets, result);
   read_icebergs(db, datasets, query, result);
   read_zones(db, datasets, result);

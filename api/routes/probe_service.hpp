@@ -29,9 +29,6 @@ struct ProbeQuery {
 /// Icebergs farther away than this are not listed.
 inline constexpr core::Metres probe_iceberg_range{50'000.0};
 
-/// A station of the tide farther away than this says nothing of the place.
-inline constexpr core::Metres probe_station_range{20'000.0};
-
 /// What the stored data say of a place and a time; nothing is extrapolated. One function for API and command
 /// line.
 /// Errors   a violation when `dataset_id` is unknown or of a kind that has no values at a place

@@ -21,16 +21,16 @@ void note_lines(codec::Probe::Tide& tide, const std::vector<tide::HarmonicConsta
     tide.constituents.push_back(tide::constituent_name(constant.constituent));
 }
 
-void predict(const std::vector<ocean::TideGrid>& models, const ProbeQuery& query, codec::Probe::Tide& tide) {
-  const auto elevation = joined_constants(models, TideQuantity::elevation, query.place);
-  const auto east = joined_constants(models, TideQuantity::east, query.place);
-  const auto north = joined_constants(models, TideQuantity::north, query.place);
+void predict(const std::vector<ocean::TideGrid>& models, geo::LonLat place, core::UtcTime time, codec::Probe::Tide& tide) {
+  const auto elevation = joined_constants(models, TideQuantity::elevation, place);
+  const auto east = joined_constants(models, TideQuantity::east, place);
+  const auto north = joined_constants(models, TideQuantity::north, place);
   if (elevation) {
-    tide.elevation = core::Metres{tide::predict(*elevation, query.time)};
+    tide.elevation = core::Metres{tide::predict(*elevation, time)};
     note_lines(tide, *elevation);
   }
   if (east && north) {
-    tide.velocity = geo::VelocityEn{{tide::predict(*east, query.time)}, {tide::predict(*north, query.time)}};
+    tide.velocity = geo::VelocityEn{{tide::predict(*east, time)}, {tide::predict(*north, time)}};
     note_lines(tide, *east);
   }
 }
@@ -43,11 +43,11 @@ struct NearStation {
 };
 
 std::optional<NearStation> nearest_station(sqlite::Connection& db, const std::vector<Dataset>& datasets,
-                                           const ProbeQuery& query) {
+                                           geo::LonLat place) {
   std::optional<NearStation> nearest;
   for (const Dataset& dataset : datasets) {
     for (const auto& station : repository::TideRepository{db}.stations(dataset.id)) {
-      const auto distance = geo::geodesic_between(query.place, station.place).length;
+      const auto distance = geo::geodesic_between(place, station.place).length;
       if (distance <= probe_station_range && (!nearest || distance < nearest->distance))
         nearest = NearStation{station, distance, dataset};
     }
@@ -55,8 +55,8 @@ std::optional<NearStation> nearest_station(sqlite::Connection& db, const std::ve
   return nearest;
 }
 
-void predict(const NearStation& near, const ProbeQuery& query, codec::Probe::Tide& tide) {
-  tide.elevation = core::Metres{tide::predict(near.station.constants, query.time)};
+void predict(const NearStation& near, core::UtcTime time, codec::Probe::Tide& tide) {
+  tide.elevation = core::Metres{tide::predict(near.station.constants, time)};
   note_lines(tide, near.station.constants);
   tide.dataset_ids = {near.dataset.id.value};
   tide.dataset_names = {near.dataset.name};
@@ -67,7 +67,7 @@ void predict(const NearStation& near, const ProbeQuery& query, codec::Probe::Tid
 }  // namespace
 
 codec::Probe::Tide probe_tide(sqlite::Connection& db, const std::vector<Dataset>& datasets,
-                              const std::optional<Dataset>& named, const ProbeQuery& query) {
+                              const std::optional<Dataset>& named, geo::LonLat place, core::UtcTime time) {
   const bool one = named && named->kind == DatasetKind::tides;
   std::vector<Dataset> tides;
   std::ranges::copy_if(datasets, std::back_inserter(tides), [&](const Dataset& dataset) {
@@ -77,17 +77,17 @@ codec::Probe::Tide probe_tide(sqlite::Connection& db, const std::vector<Dataset>
   codec::Probe::Tide tide;
   std::vector<ocean::TideGrid> models;
   for (const Dataset& dataset : tides) {
-    if (!geo::contains(dataset.bounds, query.place)) continue;
+    if (!geo::contains(dataset.bounds, place)) continue;
     auto model = repository::TideRepository{db}.load(
-        dataset.id, {query.place.lon_deg, query.place.lat_deg, query.place.lon_deg, query.place.lat_deg});
+        dataset.id, {place.lon_deg, place.lat_deg, place.lon_deg, place.lat_deg});
     if (!model) continue;
     models.push_back(std::move(*model));
     tide.dataset_ids.push_back(dataset.id.value);
     tide.dataset_names.push_back(dataset.name);
   }
-  predict(models, query, tide);
+  predict(models, place, time, tide);
   if (!tide.elevation && !tide.velocity)
-    if (const auto near = nearest_station(db, tides, query)) predict(*near, query, tide);
+    if (const auto near = nearest_station(db, tides, place)) predict(*near, time, tide);
   if (!tide.elevation && !tide.velocity)
     tide.reason =
         models.empty() ? "no tides are stored for this place" : "no value here: land, or a gap of the data";

@@ -3,7 +3,6 @@
 #include <string_view>
 
 #include "api/codec/sha256.hpp"
-#include "api/routes/router.hpp"
 
 namespace floeplan::routes {
 namespace {
@@ -62,6 +61,12 @@ void Remembered::keep(const Request& request, Response& response) {
     bytes_ = 0;
   }
   if (answers_.emplace(key_of(request), response).second) bytes_ += response.body.size();
+}
+
+bool asks_for_job_status(const Request& request) {
+  constexpr std::string_view folder = "/jobs/";
+  return request.method == "GET" && request.path.starts_with(folder) &&
+         request.path.find('/', folder.size()) == std::string::npos;
 }
 
 bool follows_from_store(const Request& request) {

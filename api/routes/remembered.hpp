@@ -33,6 +33,9 @@ class Remembered {
   std::size_t bytes_{0};
 };
 
+/// Whether a request takes no longer than to read one small row, as scripts do that watch a job.
+[[nodiscard]] bool asks_for_job_status(const Request& request);
+
 /// Whether the answer to a request follows from its path, its query and the store alone: a job's status or one feature,
 /// without a wait.
 [[nodiscard]] bool follows_from_store(const Request& request);

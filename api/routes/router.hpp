@@ -49,9 +49,6 @@ class Router {
 /// Whether the body of a request is a file that belongs on the disk, not in memory.
 [[nodiscard]] bool streams_body(const std::string& method, const std::string& path);
 
-/// Whether a request takes no longer than to read one small row, as scripts do that watch a job.
-[[nodiscard]] bool asks_for_job_status(const Request& request);
-
 /// Every operation of the service.
 [[nodiscard]] std::vector<Route> all_routes();
 

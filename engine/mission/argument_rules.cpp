@@ -1,11 +1,13 @@
 #include "engine/mission/argument_rules.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <initializer_list>
 #include <map>
 
 #include "engine/mission/behavior_table.hpp"
-#include "engine/mission/code_rules.hpp"
 #include "engine/mission/thruster_yo.hpp"
 
 namespace floeplan::mission {
@@ -77,6 +79,55 @@ void check_file_number(const Behavior& behavior, const Argument& argument, Messa
     report(messages, argument.line, Severity::note, "file_number_of_firmware",
            "the firmware's recovery under ice uses goto_l98, goto_l99 and yo99 itself");
   }
+}
+
+constexpr int last_code = 18;
+
+constexpr std::uint32_t codes(std::initializer_list<int> allowed) {
+  std::uint32_t bits = 0;
+  for (const int code : allowed) bits |= 1U << code;
+  return bits;
+}
+
+struct CodeRule {
+  std::string_view behavior;
+  std::string_view argument;
+  std::uint32_t allowed;  // a bit for each code
+};
+
+constexpr std::array code_rules{
+    CodeRule{"surface", "start_when", codes({0, 1, 2, 3, 6, 7, 8, 9, 10, 11, 12, 13, 16})},
+    CodeRule{"goto_wpt", "start_when", codes({0, 1, 2, 4})},
+    CodeRule{"goto_wpt", "stop_when", codes({1, 2, 5, 7})},
+    CodeRule{"goto_list", "list_stop_when", codes({1, 2, 5, 7, 15})},
+    CodeRule{"yo", "start_when", codes({0, 1, 2, 4, 7, 8, 15, 17, 18})},
+    CodeRule{"prepare_to_dive", "start_when", codes({0, 1, 2})},
+    CodeRule{"drift_at_depth", "start_when", codes({0, 1, 2, 3, 4, 6, 7, 8, 9, 10, 13})},
+    CodeRule{"set_heading", "start_when", codes({0, 1, 2, 6, 7, 8, 15})},
+    CodeRule{"set_heading", "stop_when", codes({1, 2, 5, 6, 7, 8, 15})},
+};
+
+bool holds_code(std::string_view argument) {
+  return argument == "start_when" || argument == "stop_when" || argument == "list_stop_when" ||
+         argument == "primary_stop_when";
+}
+
+/// Notes codes of start_when, stop_when and their like that firmware 10.5 does not have, or not for this behavior.
+/// Codes above 14 differ between firmwares, so that none is more than noted.
+/// Source   facts from the vendor's data dictionary of firmware 10.5: codes 0 to 18, and which of them each behavior
+///          takes
+void check_code(std::string_view behavior, const Argument& argument, Messages& messages) {
+  if (!holds_code(argument.name) || is_mission_parameter(argument.value)) return;
+  const bool exists =
+      argument.value == std::floor(argument.value) && argument.value >= 0.0 && argument.value <= last_code;
+  const auto rule = std::ranges::find_if(
+      code_rules, [&](const CodeRule& r) { return r.behavior == behavior && r.argument == argument.name; });
+  const bool allowed =
+      exists && (rule == code_rules.end() || (rule->allowed >> static_cast<int>(argument.value) & 1U) != 0U);
+  if (allowed) return;
+  messages.push_back({argument.line, Severity::note, "unknown_code",
+                      argument.name + " " + argument.raw + " is no code that " + std::string{behavior} +
+                          " takes in firmware 10.5"});
 }
 
 }  // namespace

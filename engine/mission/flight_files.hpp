@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "engine/mission/mission_file.hpp"
-#include "engine/mission/mission_set.hpp"
+#include "engine/mission/mission_set_options.hpp"
 
 namespace floeplan::mission {
 

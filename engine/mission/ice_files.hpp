@@ -5,7 +5,7 @@
 
 #include "engine/messages/message.hpp"
 #include "engine/mission/mission_file.hpp"
-#include "engine/mission/mission_set.hpp"
+#include "engine/mission/mission_set_options.hpp"
 
 namespace floeplan::mission {
 

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "engine/motion/fan_path_limit.hpp"
 
 namespace floeplan::motion {
 namespace {

@@ -106,4 +106,10 @@ void estimate_fan(const EdgeFan& fan, const NearbyCurrent& current, const FanVeh
 void bound_fan(const EdgeFan& fan, const NearbyCurrent& current, const FanVehicle& vehicle, FanTimes& times,
                FanPath path = fan_paths().back());
 
+/// From now on and in the whole process fan_paths() ends with this path, as on a processor that has no wider one: so it
+/// can be shown that plans do not depend on it.
+/// Errors   std::invalid_argument for a path that this processor cannot take
+/// Threads  to be called before anything is planned
+void limit_fan_paths(FanPath widest);
+
 }  // namespace floeplan::motion

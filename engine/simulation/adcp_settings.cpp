@@ -1,6 +1,5 @@
 #include "engine/simulation/adcp_settings.hpp"
 
-#include "engine/simulation/janus.hpp"
 #include "engine/simulation/range_rules.hpp"
 
 namespace floeplan::simulation {

@@ -4,6 +4,8 @@
 
 namespace floeplan::simulation {
 
+inline constexpr int most_adcp_cells = 64;
+
 /// An acoustic Doppler current profiler with four beams in Janus geometry, looking down along the hull's down axis, and
 /// what is done with its data on board.
 /// Source of the defaults: a 600 kHz profiler with 4 m cells measures the horizontal velocity with 0.03 to 0.07 m/s

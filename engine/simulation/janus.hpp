@@ -9,7 +9,6 @@
 namespace floeplan::simulation {
 
 inline constexpr std::size_t janus_beams = 4;
-inline constexpr int most_adcp_cells = 64;
 
 /// Directions of the four beams, forward, aft, starboard and port, in the frame of the flight.
 using JanusBeams = std::array<Vector, janus_beams>;

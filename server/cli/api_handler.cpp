@@ -6,6 +6,7 @@
 
 #include "api/log/log.hpp"
 #include "api/routes/known_clients.hpp"
+#include "api/routes/remembered.hpp"
 #include "api/routes/store_trouble.hpp"
 #include "engine/core/shown_text.hpp"
 

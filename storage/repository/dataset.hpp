@@ -59,4 +59,7 @@ struct Dataset {
 /// begin last, then that whose data end last; ties by id.
 void sort_newest_run_first(std::vector<Dataset>& datasets);
 
+/// The dataset of what people made of a kind over the service; there is one at most.
+[[nodiscard]] inline DatasetId hand_made_id(DatasetKind kind) { return {kind_name(kind) + "-by-hand"}; }
+
 }  // namespace floeplan::repository

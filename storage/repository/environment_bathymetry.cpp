@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "engine/messages/data_messages.hpp"
-#include "storage/repository/area_lattice.hpp"
 #include "storage/repository/bathymetry_mosaic.hpp"
+#include "storage/repository/environment_draft.hpp"
 #include "storage/repository/field_repository.hpp"
 
 namespace floeplan::repository {

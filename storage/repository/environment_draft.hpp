@@ -9,7 +9,7 @@
 #include "engine/messages/message.hpp"
 #include "engine/ocean/environment.hpp"
 #include "storage/repository/dataset.hpp"
-#include "storage/repository/environment_loader.hpp"
+#include "storage/repository/environment_query.hpp"
 #include "storage/repository/field_repository.hpp"
 #include "storage/repository/forecast_runs.hpp"
 #include "storage/sqlite/connection.hpp"
@@ -84,5 +84,22 @@ void cite_joined(EnvironmentDraft& draft, const std::vector<JoinedPart>& parts);
 /// Says what the plan goes without: that the kind was left out, if that was the choice, else that none is stored here.
 void tell_of_gap(EnvironmentDraft& draft, const DatasetChoice& choice, messages::Message left_out,
                  messages::Message missing);
+/// The first ten names and how many more there are.
+[[nodiscard]] std::string shortened_list(const std::vector<std::string>& names);
+
+/// Whether `holds(place)` at all nodes of a lattice that cuts the area into `pieces` along either side, its edges
+/// included.
+template <class Holds>
+[[nodiscard]] bool holds_all_over(const geo::BoundingBox& area, int pieces, const Holds& holds) {
+  const double width_deg = geo::width_deg(area);
+  for (int row = 0; row <= pieces; ++row) {
+    for (int column = 0; column <= pieces; ++column) {
+      const double lat_deg = area.south_deg + (area.north_deg - area.south_deg) * row / pieces;
+      const double lon_deg = geo::wrap_longitude(area.west_deg + width_deg * column / pieces);
+      if (!holds(geo::LonLat{lon_deg, lat_deg})) return false;
+    }
+  }
+  return true;
+}
 
 }  // namespace floeplan::repository

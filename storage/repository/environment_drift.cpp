@@ -7,9 +7,9 @@
 #include "engine/messages/data_messages.hpp"
 #include "engine/ocean/iceberg_draft.hpp"
 #include "engine/ocean/iceberg_drift.hpp"
+#include "storage/repository/environment_draft.hpp"
 #include "storage/repository/field_repository.hpp"
 #include "storage/repository/grid_window.hpp"
-#include "storage/repository/shortened_list.hpp"
 
 namespace floeplan::repository {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "engine/core/utc_text.hpp"
 #include "engine/messages/data_messages.hpp"
-#include "storage/repository/area_lattice.hpp"
+#include "storage/repository/environment_draft.hpp"
 
 namespace floeplan::repository {
 namespace {

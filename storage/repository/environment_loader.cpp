@@ -9,6 +9,7 @@
 #include "engine/core/utc_text.hpp"
 #include "engine/messages/data_messages.hpp"
 #include "storage/repository/coastline_repository.hpp"
+#include "storage/repository/dataset.hpp"
 #include "storage/repository/dataset_repository.hpp"
 #include "storage/repository/environment_bathymetry.hpp"
 #include "storage/repository/environment_draft.hpp"
@@ -16,9 +17,7 @@
 #include "storage/repository/environment_ice.hpp"
 #include "storage/repository/environment_water.hpp"
 #include "storage/repository/field_repository.hpp"
-#include "storage/repository/hand_made_id.hpp"
 #include "storage/repository/known_icebergs.hpp"
-#include "storage/repository/shortened_list.hpp"
 #include "storage/repository/zone_repository.hpp"
 #include "storage/sqlite/snapshot.hpp"
 

@@ -7,8 +7,8 @@
 
 #include "engine/core/utc_text.hpp"
 #include "engine/messages/data_messages.hpp"
+#include "storage/repository/environment_draft.hpp"
 #include "storage/repository/environment_drift.hpp"
-#include "storage/repository/shortened_list.hpp"
 
 namespace floeplan::repository {
 namespace {

@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "engine/geo/geodesic.hpp"
+#include "storage/repository/dataset.hpp"
 #include "storage/repository/dataset_repository.hpp"
-#include "storage/repository/hand_made_id.hpp"
 
 namespace floeplan::repository {
 namespace {

@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "storage/repository/hand_made_id.hpp"
+#include "storage/repository/dataset.hpp"
 #include "storage/repository/joined_sightings.hpp"
 
 namespace floeplan::repository {

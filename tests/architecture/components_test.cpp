@@ -16,24 +16,13 @@ using testing::ElementsAre;
 
 /// Rings that there are still. This list only shrinks.
 const std::vector<std::string> known_rings{
-    "api/codec/route_choice api/codec/route_file api/codec/route_formats",
-    "api/routes/context api/routes/idempotency api/routes/remembered api/routes/router",
-    "api/routes/export_sea api/routes/mission_service",
-    "api/routes/probe_service api/routes/probe_tide",
-    "engine/mission/argument_rules engine/mission/code_rules",
-    "engine/mission/flight_files engine/mission/ice_files engine/mission/mission_set",
-    "engine/motion/edge_fan engine/motion/fan_path_limit",
-    "engine/simulation/adcp_settings engine/simulation/janus",
-    "storage/repository/environment_bathymetry storage/repository/environment_draft "
-    "storage/repository/environment_drift storage/repository/environment_ice "
-    "storage/repository/environment_loader storage/repository/environment_water",
 };
 
 /// Folders with more code files than a reader takes in at a glance, and how many they may have. Most hold lists of
 /// independent things. This list, and its numbers, only shrink.
 const std::map<std::string, int> large_folders{
-    {"api/codec", 132},        {"api/routes", 129}, {"engine/mission", 79},      {"engine/ocean", 52},
-    {"engine/simulation", 81}, {"server/cli", 49},  {"storage/repository", 111},
+    {"api/codec", 132},        {"api/routes", 129}, {"engine/mission", 78},      {"engine/ocean", 52},
+    {"engine/simulation", 81}, {"server/cli", 49},  {"storage/repository", 109},
 };
 
 constexpr int most_code_files = 40;

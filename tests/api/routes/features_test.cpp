@@ -1,6 +1,6 @@
+#include "storage/repository/dataset.hpp"
 #include "storage/repository/dataset_repository.hpp"
 #include "storage/repository/glider_track_repository.hpp"
-#include "storage/repository/hand_made_id.hpp"
 #include "storage/repository/iceberg_repository.hpp"
 #include "storage/repository/plan_repository.hpp"
 #include "tests/api/routes/api_fixture.hpp"
