@@ -8,9 +8,9 @@
 namespace floeplan::routes {
 namespace {
 
+using nlohmann::json;
 using repository::DatasetChoice;
 using repository::EnvironmentQuery;
-using nlohmann::json;
 
 /// Around a safe place: what a coarse grid of ice has next to it, the coast, and icebergs that may drift there; how
 /// near those must be to be told is a judgement.

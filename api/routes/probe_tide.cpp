@@ -21,7 +21,8 @@ void note_lines(codec::Probe::Tide& tide, const std::vector<tide::HarmonicConsta
     tide.constituents.push_back(tide::constituent_name(constant.constituent));
 }
 
-void predict(const std::vector<ocean::TideGrid>& models, geo::LonLat place, core::UtcTime time, codec::Probe::Tide& tide) {
+void predict(const std::vector<ocean::TideGrid>& models, geo::LonLat place, core::UtcTime time,
+             codec::Probe::Tide& tide) {
   const auto elevation = joined_constants(models, TideQuantity::elevation, place);
   const auto east = joined_constants(models, TideQuantity::east, place);
   const auto north = joined_constants(models, TideQuantity::north, place);

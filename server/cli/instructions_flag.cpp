@@ -1,9 +1,9 @@
-#include "engine/motion/edge_fan.hpp"
 #include "server/cli/instructions_flag.hpp"
 
 #include <map>
 #include <string>
 
+#include "engine/motion/edge_fan.hpp"
 
 namespace floeplan::cli {
 namespace {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <string>
 
 #include "tests/support/places.hpp"
 
@@ -42,6 +43,20 @@ TEST(Components, OfARingAreNamed) {
   std::ofstream{root / "engine/geo/d.hpp"} << "#include \"engine/geo/a.hpp\"\n";
   EXPECT_THAT(include_rings(root), ElementsAre("engine/geo/a engine/geo/b engine/geo/c"));
   fs::remove_all(root);
+}
+
+TEST(Folders, SayInTenLinesWhatTheyAreFor) {
+  constexpr int most_lines = 10;
+  for (const char* layer : {"engine", "storage", "api", "server"}) {
+    for (const auto& folder : fs::directory_iterator{fs::path{source_folder()} / layer}) {
+      if (!folder.is_directory()) continue;
+      std::ifstream readme{folder.path() / "README.md"};
+      EXPECT_TRUE(readme.is_open()) << folder.path() << " has no README.md";
+      int lines = 0;
+      for (std::string line; std::getline(readme, line);) ++lines;
+      EXPECT_LE(lines, most_lines) << folder.path();
+    }
+  }
 }
 
 TEST(Folders, HoldAtMostFortyCodeFilesButTheKnownOnes) {
