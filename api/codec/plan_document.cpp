@@ -319,10 +319,11 @@ json plan_document(const planning::Plan& plan, const std::string& plan_id, const
 
 std::string plan_identity(const json& inputs, const planning::Plan& plan) {
   json told = plan_document(plan, "", "");
-  for (const char* other : {"search", "dangers", "warnings", "messages", "optimality_gap_reason"})
-    told.erase(other);
-  json& codes = told["codes"] = json::array();
-  for (const messages::Message& message : messages::by_rank(plan.messages)) codes.push_back(message.code);
+  for (const char* other : {"search", "dangers", "warnings", "optimality_gap_reason"}) told.erase(other);
+  for (json& message : told["messages"]) {
+    message.erase("text");
+    if (message["rank"] == messages::rank_name(messages::Rank::note)) message.erase("values");
+  }
   return "p" + sha256(inputs.dump() + "\n" + told.dump()).substr(0, 12);
 }
 

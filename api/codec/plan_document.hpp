@@ -17,7 +17,8 @@ namespace floeplan::codec {
                                            const std::string& name);
 
 /// The id of a plan for these inputs: a digest of the inputs and of all that the plan tells, its data with their hashes
-/// included, but for words and for how the search went. What a person is told counts by its codes. So the same inputs
+/// included, but for words and for how the search went. What a person is told counts by its codes, and dangers and
+/// cautions by their values, too: an iceberg that was not named before makes another plan. So the same inputs
 /// on the same data have the same id, whatever the program that plans, as long as the same plan comes of them. Another
 /// program, or a machine that is too slow for the whole refinement, may come to another plan or find another danger in
 /// it, and nobody is to be given the old one for it.

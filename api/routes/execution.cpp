@@ -11,6 +11,8 @@
 #include "api/routes/quotas.hpp"
 #include "api/routes/reply.hpp"
 #include "api/routes/resources.hpp"
+#include "storage/json/json.hpp"
+#include "storage/repository/kept_answers.hpp"
 
 namespace floeplan::routes {
 namespace {
@@ -59,6 +61,17 @@ Response refused(const Request& request, SubmissionRefused reason) {
   throw std::logic_error{"SubmissionRefused without a reply"};
 }
 
+/// The answer to work that would store more than the caller's quota leaves room for; what a key has begun already goes on.
+std::optional<Response> over_quota(const Context& context, const Request& request,
+                                   const Submission& submission) {
+  if (submission.key && repository::KeptAnswers{context.db}.find(*submission.key)) return std::nullopt;
+  if (submission.process == "ingest")
+    return refuse_ingest(context, request, json::parse(submission.inputs_json).at("uploads"));
+  if (submission.process == "plan-route" || submission.process == "simulate-plan")
+    return refuse_document(context, request);
+  return std::nullopt;
+}
+
 /// What is to be done, or the problem to answer with.
 tl::expected<Submission, Response> submission_of(const Context& context, const Request& request,
                                                  const ProcessEntry& process) {
@@ -68,11 +81,6 @@ tl::expected<Submission, Response> submission_of(const Context& context, const R
   if (!key) return tl::unexpected(key.error());
   const auto inputs = checked_inputs(context, request, process.id, read->inputs);
   if (!inputs) return tl::unexpected(invalid(request, under_inputs(inputs.error())));
-  std::optional<Response> over_quota;
-  if (process.id == "ingest") over_quota = refuse_ingest(context, request, inputs->at("uploads"));
-  if (process.id == "plan-route" || process.id == "simulate-plan")
-    over_quota = refuse_document(context, request);
-  if (over_quota) return tl::unexpected(std::move(*over_quota));
 
   Submission submission{.process = process.id,
                         .inputs_json = inputs->dump(),
@@ -81,12 +89,17 @@ tl::expected<Submission, Response> submission_of(const Context& context, const R
                         .force = read->force,
                         .reply_json = read->reply_json,
                         .key = std::move(*key)};
-  if (!process.shares_results) return submission;
+  const auto if_room = [&]() -> tl::expected<Submission, Response> {
+    if (auto refusal = over_quota(context, request, submission)) return tl::unexpected(std::move(*refusal));
+    return submission;
+  };
+  if (!process.shares_results) return if_room();
   submission.digest =
       result_digest(context, process.id + "\n" + submission.reply_json, submission.inputs_json);
   const auto shared = repository::JobRepository{context.db}.find_shared(*submission.digest, submission.owner);
   submission.force = submission.force || (shared && !result_stands(context, *shared));
-  return submission;
+  if (shared && !submission.force) return submission;
+  return if_room();
 }
 
 /// Without a preference the answer is the result, as the standard asks of processes that can do both.

@@ -37,7 +37,8 @@ double snapped(double lon_deg) {
 
 Unrolled unroll(const Ring& ring) {
   Unrolled result;
-  double lon_deg = wrap_longitude(ring.front().lon_deg);
+  double lon_deg = snapped(wrap_longitude(ring.front().lon_deg));
+  if (lon_deg == 180.0) lon_deg = -180.0;
   for (std::size_t i = 0; i < ring.size(); ++i) {
     if (i > 0) lon_deg += longitude_difference(ring[i - 1].lon_deg, ring[i].lon_deg);
     result.places.push_back({snapped(lon_deg), ring[i].lat_deg});
@@ -123,7 +124,8 @@ class Shapes {
     const int parts = GEOSGetNumGeometries_r(context_.get(), area.get());
     for (int i = 0; i < parts; ++i) {
       const GEOSGeometry* const part = GEOSGetGeometryN_r(context_.get(), area.get(), i);
-      if (GEOSGeomTypeId_r(context_.get(), part) != GEOS_POLYGON) continue;
+      if (GEOSGeomTypeId_r(context_.get(), part) != GEOS_POLYGON || GEOSisEmpty_r(context_.get(), part) != 0)
+        continue;
       Polygon polygon{.outer = ring_of(GEOSGetExteriorRing_r(context_.get(), part), true), .holes = {}};
       const int holes = GEOSGetNumInteriorRings_r(context_.get(), part);
       for (int k = 0; k < holes; ++k)
@@ -186,17 +188,19 @@ bool fits_chart(const Ring& ring) {
   return unrolled.turn_deg == 0.0 && fits_chart(unrolled.places);
 }
 
-Ring wrapped(Ring ring) {
-  for (LonLat& place : ring) place.lon_deg = wrap_longitude(place.lon_deg);
-  return ring;
+/// With longitudes in which no neighbours lie on opposite rims.
+Ring unrolled_ring(const Ring& ring) {
+  Ring result;
+  for (const ChartPoint& place : unroll(ring).places) result.push_back({place.x, place.y});
+  return result;
 }
 
 }  // namespace
 
 std::vector<Polygon> split_at_antimeridian(const Polygon& polygon) {
   if (fits_chart(polygon.outer)) {
-    Polygon whole{.outer = wrapped(polygon.outer), .holes = {}};
-    for (const Ring& hole : polygon.holes) whole.holes.push_back(wrapped(hole));
+    Polygon whole{.outer = unrolled_ring(polygon.outer), .holes = {}};
+    for (const Ring& hole : polygon.holes) whole.holes.push_back(unrolled_ring(hole));
     return {whole};
   }
   const Shapes shapes;

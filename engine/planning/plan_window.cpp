@@ -28,8 +28,9 @@ Infeasible what_would_help(const ocean::Environment& environment, const PlanRequ
 }  // namespace
 
 WindowPlan plan_window(const ocean::Environment& environment, const PlanRequest& request,
-                       const std::stop_token& stop, const core::ProgressCallback& progress,
+                       const std::stop_token& stop, const core::ProgressCallback& report,
                        const core::SteadyClock& clock, const WiderSea& wider) {
+  const core::ProgressCallback progress = report ? report : [](std::string_view, double) {};
   WindowPlan window = planner::try_to_plan_window(environment, request, stop, progress, clock);
   if (window.plan) {
     const planner::Planning plan_once = [](const planner::Task& task) {

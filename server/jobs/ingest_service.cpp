@@ -95,7 +95,7 @@ tl::expected<json, std::string> ingest_document(sqlite::Connection& db, const co
   const auto note_owner = [&](const ingest::IngestReport& report) {
     const bool is_new = report.status == ingest::IngestStatus::stored;
     if (report.dataset && (is_new || again))
-      repository::Owners{db}.note(repository::dataset_table, report.dataset->id.value, owner);
+      repository::Owners{db}.note_dataset(report.dataset->id.value, owner);
   };
   return report_document(
       ingest::guarded_ingest(db, place.guard, *files, options_of(inputs), now, stop, progress, note_owner));

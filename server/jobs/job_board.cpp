@@ -66,8 +66,9 @@ bool has_room(const repository::JobRepository& jobs, const std::string& owner) {
   constexpr auto waiting = repository::JobStatus::accepted;
   if (jobs.count(waiting) >= JobBoard::max_waiting) return false;
   if (owner.empty()) return true;
-  const auto own = jobs.list(0, JobBoard::max_waiting_of_owner, {.status = waiting, .owner = owner});
-  return std::ssize(own) < JobBoard::max_waiting_of_owner;
+  const auto own =
+      jobs.list_past_damage(0, JobBoard::max_waiting_of_owner, {.status = waiting, .owner = owner});
+  return std::ssize(own.whole) < JobBoard::max_waiting_of_owner;
 }
 
 }  // namespace

@@ -35,11 +35,12 @@ tl::expected<std::string, std::string> result(const char* output,
   return json{{output, *document}}.dump();
 }
 
-/// Counts what was stored for the owner of the job; documents without an id say that nothing was.
-void note_owner(sqlite::Connection& db, const repository::JobRecord& job, const repository::ThingTable& table,
-                const char* id, const tl::expected<json, core::Violations>& document) {
+/// Counts what the job stored for its owner; documents without an id say that nothing was.
+void note_owner(sqlite::Connection& db, const repository::JobRecord& job, core::UtcTime now,
+                const repository::ThingTable& table, const char* id,
+                const tl::expected<json, core::Violations>& document) {
   if (document && document->contains(id))
-    repository::Owners{db}.note(table, document->at(id).get<std::string>(), job.owner);
+    repository::Owners{db}.note_made(table, document->at(id).get<std::string>(), now, job.owner);
 }
 
 tl::expected<json, core::Violations> compare_flight_document(const codec::CompareFlightInputs& inputs,
@@ -63,7 +64,7 @@ tl::expected<std::string, std::string> run_process(sqlite::Connection& db, const
     const auto inputs = codec::parse_plan_inputs(request);
     if (!inputs) return tl::unexpected(in_one_line(inputs.error()));
     const auto plan = plan_route_document(db, *inputs, stop, progress, now, &kept);
-    note_owner(db, job, repository::plan_table, "plan_id", plan);
+    note_owner(db, job, now, repository::plan_table, "plan_id", plan);
     return result("plan", plan);
   }
   if (job.process == "evaluate-route") {
@@ -87,7 +88,7 @@ tl::expected<std::string, std::string> run_process(sqlite::Connection& db, const
     const auto inputs = codec::parse_simulate_inputs(request);
     if (!inputs) return tl::unexpected(in_one_line(inputs.error()));
     const auto simulation = simulate_plan_document(db, *inputs, workers, stop, progress, now);
-    note_owner(db, job, repository::simulation_table, "simulation_id", simulation);
+    note_owner(db, job, now, repository::simulation_table, "simulation_id", simulation);
     return result("simulation", simulation);
   }
   if (job.process == "fly-scenario") {

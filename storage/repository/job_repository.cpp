@@ -80,6 +80,25 @@ std::vector<JobRecord> read_jobs(sqlite::Statement& query) {
   return jobs;
 }
 
+/// Rows of the jobs that wait or run and can be read to their end.
+std::set<std::int64_t> whole_unfinished_jobs(sqlite::Connection& db) {
+  std::set<std::int64_t> unfinished;
+  {
+    sqlite::Statement query{
+        db, "SELECT row FROM job INDEXED BY job_by_status WHERE status IN ('accepted', 'running')"};
+    while (query.step()) unfinished.insert(query.integer(0));
+  }
+  sqlite::Statement query{db, "SELECT * FROM job WHERE row = ?1"};
+  std::erase_if(unfinished, [&](std::int64_t row) {
+    return !meets_no_damage([&] {
+      query.reset();
+      query.bind(1, row);
+      (void)query.step();
+    });
+  });
+  return unfinished;
+}
+
 /// The jobs that a statement on the queue looks at: all of them, or in a store where some cannot be read those that can.
 /// One job that is damaged must not hold up the others.
 class Queue {
@@ -102,31 +121,11 @@ class Queue {
   /// Returns  whether that leaves fewer than before
   [[nodiscard]] bool leave_out(sqlite::Connection& db, std::optional<std::int64_t> row) {
     if (rows_) return row && rows_->erase(*row) > 0;
-    keep_whole(db);
+    rows_ = whole_unfinished_jobs(db);
     return true;
   }
 
  private:
-  /// Those that wait or run and can be read to their end.
-  void keep_whole(sqlite::Connection& db) {
-    rows_.emplace();
-    std::vector<std::int64_t> unfinished;
-    {
-      sqlite::Statement query{
-          db, "SELECT row FROM job INDEXED BY job_by_status WHERE status IN ('accepted', 'running')"};
-      while (query.step()) unfinished.push_back(query.integer(0));
-    }
-    sqlite::Statement query{db, "SELECT * FROM job WHERE row = ?1"};
-    for (const std::int64_t row : unfinished) {
-      const bool whole = meets_no_damage([&] {
-        query.reset();
-        query.bind(1, row);
-        (void)query.step();
-      });
-      if (whole) rows_->insert(row);
-    }
-  }
-
   static std::string json(const std::set<std::int64_t>& rows) {
     std::string list = "[";
     for (const std::int64_t row : rows) list += (list.size() == 1 ? "" : ",") + std::to_string(row);
@@ -136,14 +135,27 @@ class Queue {
   std::optional<std::set<std::int64_t>> rows_;  // empty: all
 };
 
-/// Does `work(queue)` on all jobs, and where that meets damage on those that can be read. What cannot be written either is
-/// left as it is: it is named by `verify`, and `repair` takes it out.
-template <class Work>
-void past_damaged_jobs(sqlite::Connection& db, const Work& work) {
-  Queue queue;
-  if (meets_no_damage([&] { work(queue); })) return;
-  (void)queue.leave_out(db, {});
-  (void)meets_no_damage([&] { work(queue); });
+/// Changes the jobs for which the condition holds. Where that meets damage, one after the other: a job that cannot be read
+/// or not be written, for its row may share a page with one that is damaged, stays as it is and holds up no other.
+/// `bind`  binds the parameters of both texts; ?9 is taken
+template <class Bind>
+void update_jobs(sqlite::Connection& db, const std::string& set, const std::string& condition,
+                 const Bind& bind) {
+  const std::string update = "UPDATE job SET " + set + " WHERE " + condition;
+  const bool whole = meets_no_damage([&] {
+    sqlite::Statement statement{db, update};
+    bind(statement);
+    statement.run();
+  });
+  if (whole) return;
+  for (const std::int64_t row : whole_unfinished_jobs(db)) {
+    (void)meets_no_damage([&] {
+      sqlite::Statement statement{db, update + " AND row = ?9"};
+      bind(statement);
+      statement.bind(9, row);
+      statement.run();
+    });
+  }
 }
 
 std::optional<std::string> name_of(std::optional<JobClass> only) {
@@ -178,21 +190,24 @@ std::optional<std::int64_t> next_in_turn(sqlite::Connection& db, const Queue& qu
 }
 
 /// Begins no writing where there is nothing to write.
-void fail_exhausted(sqlite::Connection& db, const Queue& queue, core::UtcTime now) {
-  const std::string exhausted = R"sql(
-    SELECT row FROM {jobs}
-    WHERE status = 'running' AND (lease_until_s IS NULL OR lease_until_s <= ?1) AND attempts >= ?2)sql";
-  const auto run = [&](const std::string& sql) {
-    sqlite::Statement statement = queue.statement(db, sql);
+void fail_exhausted(sqlite::Connection& db, core::UtcTime now) {
+  const std::string exhausted =
+      "status = 'running' AND (lease_until_s IS NULL OR lease_until_s <= ?1) AND attempts >= ?2";
+  const auto bind = [&](sqlite::Statement& statement) {
     statement.bind_all(now, JobRepository::max_attempts);
-    return statement.step();
   };
-  if (!run(exhausted)) return;
-  run(R"sql(
-    UPDATE job SET status = 'failed', worker = NULL, lease_until_s = NULL, finished_s = ?1, updated_s = ?1,
-      message = 'begun ' || attempts || ' times, and each time its worker stopped before the end'
-    WHERE row IN ()sql" +
-      exhausted + ")");
+  bool any = true;  // where damage leaves that open
+  (void)meets_no_damage([&] {
+    sqlite::Statement query{db, "SELECT 1 FROM job WHERE " + exhausted + " LIMIT 1"};
+    bind(query);
+    any = query.step();
+  });
+  if (!any) return;
+  update_jobs(
+      db,
+      "status = 'failed', worker = NULL, lease_until_s = NULL, finished_s = ?1, updated_s = ?1, message = "
+      "'begun ' || attempts || ' times, and each time its worker stopped before the end'",
+      exhausted, bind);
 }
 
 std::optional<JobRecord> take(sqlite::Connection& db, std::int64_t row, const std::string& worker,
@@ -306,7 +321,7 @@ void JobRepository::touch_queue() { sqlite::execute(db_, "UPDATE job_clock SET c
 std::optional<JobRecord> JobRepository::claim(const std::string& worker, core::UtcTime now,
                                               core::Seconds lease, std::optional<JobClass> only,
                                               std::optional<std::int64_t> most_of_owner) {
-  past_damaged_jobs(db_, [&](const Queue& queue) { fail_exhausted(db_, queue, now); });
+  fail_exhausted(db_, now);
   Queue queue;
   while (true) {
     std::optional<std::int64_t> row;
@@ -357,24 +372,17 @@ bool JobRepository::fail(const JobId& id, const std::string& worker, const std::
 }
 
 void JobRepository::hand_back(const std::string& worker, core::UtcTime now) {
-  past_damaged_jobs(db_, [&](const Queue& queue) {
-    sqlite::Statement update = queue.statement(db_, R"sql(
-      UPDATE job SET status = 'accepted', attempts = attempts - 1, started_s = iif(attempts = 1, NULL, started_s),
-        stage = '', progress = 0.0, worker = NULL, lease_until_s = NULL, updated_s = ?2
-      WHERE row IN (SELECT row FROM {jobs} WHERE worker = ?1 AND status = 'running'))sql");
-    update.bind_all(worker, now);
-    update.run();
-  });
+  update_jobs(
+      db_,
+      "status = 'accepted', attempts = attempts - 1, started_s = iif(attempts = 1, NULL, started_s), stage = "
+      "'', progress = 0.0, worker = NULL, lease_until_s = NULL, updated_s = ?2",
+      "worker = ?1 AND status = 'running'",
+      [&](sqlite::Statement& statement) { statement.bind_all(worker, now); });
 }
 
 void JobRepository::release_all_leases(core::UtcTime now) {
-  past_damaged_jobs(db_, [&](const Queue& queue) {
-    sqlite::Statement update = queue.statement(db_, R"sql(
-      UPDATE job SET worker = NULL, lease_until_s = NULL, updated_s = ?1
-      WHERE row IN (SELECT row FROM {jobs} WHERE status = 'running'))sql");
-    update.bind(1, now);
-    update.run();
-  });
+  update_jobs(db_, "worker = NULL, lease_until_s = NULL, updated_s = ?1", "status = 'running'",
+              [&](sqlite::Statement& statement) { statement.bind(1, now); });
 }
 
 bool JobRepository::dismiss(const JobId& id, core::UtcTime now) {

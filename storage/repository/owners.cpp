@@ -13,10 +13,17 @@ constexpr const char* stored_bytes =
 
 }  // namespace
 
-void Owners::note(const ThingTable& table, const std::string& id, const std::string& owner) {
-  sqlite::Statement update{db_, "UPDATE " + std::string{table.table} + " SET owner = ?2 WHERE " +
-                                    std::string{table.name} + " = ?1 AND owner IS NULL"};
+void Owners::note_dataset(const std::string& id, const std::string& owner) {
+  sqlite::Statement update{db_, "UPDATE dataset SET owner = ?2 WHERE id = ?1 AND owner IS NULL"};
   update.bind_all(id, owner);
+  update.run();
+}
+
+void Owners::note_made(const ThingTable& table, const std::string& id, core::UtcTime made,
+                       const std::string& owner) {
+  sqlite::Statement update{db_, "UPDATE " + std::string{table.table} +
+                                    " SET owner = ?3 WHERE id = ?1 AND created_s = ?2 AND owner IS NULL"};
+  update.bind_all(id, made, owner);
   update.run();
 }
 

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <string>
 
+#include "engine/core/units.hpp"
 #include "storage/repository/stored_things.hpp"
 #include "storage/sqlite/connection.hpp"
 
@@ -15,10 +16,14 @@ class Owners {
  public:
   explicit Owners(sqlite::Connection& db) : db_{db} {}
 
-  /// Of a thing that has no owner yet; otherwise nothing changes.
-  /// `table`  dataset_table, plan_table or simulation_table
-  void note(const ThingTable& table, const std::string& id, const std::string& owner);
-  /// Of all things of the owner: the files of datasets as they were sent, plans and simulations as they are answered.
+  /// Of a dataset that has no owner yet; otherwise nothing changes.
+  void note_dataset(const std::string& id, const std::string& owner);
+  /// Of a plan or a simulation that has no owner yet and was made at that moment: one that was stored before stays whose it
+  /// is.
+  /// `table`  plan_table or simulation_table
+  void note_made(const ThingTable& table, const std::string& id, core::UtcTime made,
+                 const std::string& owner);
+  /// Of all things of the owner: the files of datasets as they were sent, plans and simulations with their requests.
   [[nodiscard]] std::uint64_t bytes_of(const std::string& owner) const;
 
  private:

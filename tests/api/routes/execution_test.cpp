@@ -50,7 +50,7 @@ TEST_F(ExecutionTest, BeginsNoPlanForAnOwnerWhoseQuotaIsSpent) {
   plan.id = {"p"};
   plan.document_json = std::string(1000, ' ');
   repository::PlanRepository{db_}.insert(plan);
-  repository::Owners{db_}.note(repository::plan_table, "p", "");
+  repository::Owners{db_}.note_made(repository::plan_table, "p", plan.created, "");
 
   const auto refused = ask("POST", plan_path, valid_body, {{"prefer", "respond-async"}});
 
@@ -64,6 +64,16 @@ TEST_F(ExecutionTest, BeginsNoPlanForAnOwnerWhoseQuotaIsSpent) {
 
   ASSERT_TRUE(repository::PlanRepository{db_}.remove({"p"}));
   EXPECT_EQ(ask("POST", plan_path, valid_body, {{"prefer", "respond-async"}}).status, 201);
+}
+
+TEST_F(ExecutionTest, TellsOfTheJobOfAKeyWhateverTheQuota) {
+  const std::map<std::string, std::string> headers{{"prefer", "respond-async"}, {"idempotency-key", "k"}};
+  ASSERT_EQ(ask("POST", plan_path, valid_body, headers).status, 201);
+  service_.quotas->set({.stored_bytes = 0});
+
+  const auto again = ask("POST", plan_path, valid_body, headers);
+
+  EXPECT_EQ(again.status, 201) << again.body;
 }
 
 TEST_F(ExecutionTest, NamesEveryFaultAtOnce) {

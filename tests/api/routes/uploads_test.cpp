@@ -145,7 +145,7 @@ TEST_F(UploadsTest, MayHaveAsManyBytesAsTheQuotaLeavesBesideTheDatasets) {
   dataset.id = {"bed"};
   dataset.provenance.file_size_bytes = 1'000'000;
   repository::DatasetRepository{db_}.insert(dataset);
-  repository::Owners{db_}.note(repository::dataset_table, "bed", "ann");
+  repository::Owners{db_}.note_dataset("bed", "ann");
   ASSERT_EQ(send(ann, "a1", std::string(1'000'000, ' ')).status, 201);
 
   const Response refused = send(ann, "a2", std::string(1'000'001, ' '));
@@ -170,7 +170,7 @@ TEST_F(UploadsTest, AreIngestedOnlyWhereTheirDatasetsFitTheQuota) {
   dataset.id = {"bed"};
   dataset.provenance.file_size_bytes = 4;
   repository::DatasetRepository{db_}.insert(dataset);
-  repository::Owners{db_}.note(repository::dataset_table, "bed", "ann");
+  repository::Owners{db_}.note_dataset("bed", "ann");
 
   const Response refused = ask_as(ann, "POST", "/processes/ingest/execution", "", execution);
   EXPECT_EQ(refused.status, 403);

@@ -121,6 +121,28 @@ TEST(SplitAtAntimeridian, LeavesOutAPoleThatAHoleHolds) {
   EXPECT_TRUE(bg::within(Point{100.0, 88.0}, drawn(pieces)));
 }
 
+TEST(SplitAtAntimeridian, LeavesAPolygonThatEndsOnItInOnePlace) {
+  const Polygon polygon{.outer = {{170.0, 60.0}, {180.0, 60.0}, {180.0, 65.0}, {170.0, 65.0}}, .holes = {}};
+
+  const auto pieces = split_at_antimeridian(polygon);
+
+  ASSERT_EQ(pieces.size(), 1U);
+  for (const LonLat place : pieces.front().outer) EXPECT_GE(place.lon_deg, 170.0);
+}
+
+TEST(SplitAtAntimeridian, TakesARingRoundThePoleThatBeginsOnItButForRounding) {
+  for (const double begin_deg : {180.0 - 1e-12, 180.0, -180.0, -180.0 + 1e-12}) {
+    Ring ring;
+    for (int i = 0; i < 12; ++i) ring.push_back({wrap_longitude(begin_deg + 30.0 * i), 80.0});
+
+    const auto pieces = split_at_antimeridian({ring, {}});
+
+    expect_valid(pieces);
+    EXPECT_TRUE(bg::within(Point{10.0, 85.0}, drawn(pieces))) << begin_deg;
+    EXPECT_FALSE(bg::within(Point{10.0, 70.0}, drawn(pieces))) << begin_deg;
+  }
+}
+
 TEST(SplitAtAntimeridian, CoversTheSamePlaces) {
   support::for_each_seed(60, [](std::mt19937_64& rng) {
     const LonLat centre{support::uniform(rng, 170.0, 190.0), support::uniform(rng, -75.0, 75.0)};

@@ -12,7 +12,7 @@ namespace {
 
 class OwnersTest : public testing::Test {
  protected:
-  void note(const DatasetId& id, const std::string& owner) { owners_.note(dataset_table, id.value, owner); }
+  void note(const DatasetId& id, const std::string& owner) { owners_.note_dataset(id.value, owner); }
 
   DatasetId add(const std::string& id, std::int64_t bytes) {
     Dataset dataset;
@@ -63,21 +63,26 @@ TEST_F(OwnersTest, HavePlansAndSimulationsBesideTheirDatasets) {
   PlanRepository plans{db_};
   SimulationRepository simulations{db_};
   note(add("a", 10), "ann");
+  const core::UtcTime made = core::from_unix_seconds(1.8e9);
   PlanRecord plan;
   plan.id = {"p"};
+  plan.created = made;
   plan.request_json = "{}";
   plan.document_json = std::string(500, ' ');
   plans.insert(plan);
   SimulationRecord simulation;
   simulation.id = {"s"};
+  simulation.created = made;
   simulation.request_json = "[]";
   simulation.document_json = std::string(6000, ' ');
   simulations.insert(simulation, {{.run = 0, .document_json = std::string(70'000, ' ')}});
   EXPECT_EQ(owners_.bytes_of("ann"), 10U);
 
-  owners_.note(plan_table, "p", "ann");
-  owners_.note(plan_table, "p", "bob");
-  owners_.note(simulation_table, "s", "ann");
+  owners_.note_made(plan_table, "p", made + core::Seconds{1.0}, "ann");
+  EXPECT_EQ(owners_.bytes_of("ann"), 10U) << "who asks for what was stored before does not own it";
+  owners_.note_made(plan_table, "p", made, "ann");
+  owners_.note_made(plan_table, "p", made, "bob");
+  owners_.note_made(simulation_table, "s", made, "ann");
   EXPECT_EQ(owners_.bytes_of("ann"), 10U + 502U + 76'002U);
   EXPECT_EQ(owners_.bytes_of("bob"), 0U);
 
