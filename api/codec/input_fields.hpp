@@ -10,7 +10,7 @@
 namespace floeplan::codec {
 
 /// The member that the field names; empty where it is absent or wrong, and what is wrong is noted.
-/// Precondition  the field is no structure and no array of places
+/// Precondition  the field is a number, a boolean, a word, a text, a time, or names datasets
 [[nodiscard]] std::optional<fields::Value> read_value(InputReader& reader, const fields::Field& field);
 
 /// Adds the member that `read_value` reads; null for none.

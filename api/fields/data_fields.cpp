@@ -88,8 +88,9 @@ const Table<EnvironmentQuery>& data_fields() {
               {.name = "icebergs_as_of",
                .flag = "icebergs-as-of",
                .group = group::ice,
-               .help = "Use no sighting of icebergs later than this; left out, the departure, or arrive_by "
-                       "where that is given",
+               .help =
+                   "Use no sighting of icebergs later than this; if omitted, the departure, or the wanted "
+                   "arrival of a plan that has one",
                .form = {"Icebergs as known at", "UTC", "departure"}},
               [](auto& data) -> auto& { return data.icebergs_as_of; }),
           bound<EnvironmentQuery>({.name = "coastline",

@@ -142,6 +142,7 @@ const std::vector<Field>& departure_fields() {
        .kind = Kind::time,
        .flag = "depart",
        .help = "Departure, ISO 8601 with its zone, as 2026-11-20T06:00:00Z",
+       .details = "A plan needs it unless arrive_by is given",
        .form = {"Departure", "UTC", "2026-11-20 06:00"}},
   };
   return list;
@@ -220,7 +221,7 @@ const Table<PlanRequest>& search_fields() {
                               .least = 100.0,
                               .most = 5e6,
                               .flag = "max-leg",
-                              .help = "Length of the longest leg, beyond which legs are parted",
+                              .help = "Length of the longest leg; longer legs are divided",
                               .form = {"Longest leg", "km", "no limit"}},
                              [](auto& request) -> auto& { return request.max_leg; }),
           bound<PlanRequest>(
@@ -306,7 +307,8 @@ const Table<UncertaintyRules>& robustness_fields() {
               {.name = "objective",
                .object = "uncertainty",
                .flag = "robust",
-               .help = "What is to be least over all members; left out, the way is the first member's",
+               .help = "Statistic of the cost over all members that the route minimises; if omitted, the "
+                       "first member alone counts",
                .form = {"Plan for"}},
               std::vector<Choice<RobustObjective>>{{{"mean"}, RobustObjective::mean},
                                                    {{"quantile"}, RobustObjective::quantile}},

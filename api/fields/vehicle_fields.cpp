@@ -21,9 +21,9 @@ const std::vector<Field>& vehicle_fields() {
   static const std::vector<Field> list{
       {.name = "vehicle",
        .flag = "vehicle",
-       .help = "Vehicle: a name of the known ones (default slocum-g3-200), or in a request an object with "
-               "one as profile "
-               "and the members changed",
+       .help =
+           "Vehicle: the name of a known one (default slocum-g3-200); in a request also an object with that "
+           "name as profile and the members to change",
        .form = {"Vehicle"}},
   };
   return list;
@@ -51,15 +51,15 @@ const Table<FlightChoices>& flight_fields() {
                                 .help = "Horizontal speed through the water",
                                 .form = {"Water speed", "m/s"}},
                                [](auto& choices) -> auto& { return choices.speed_through_water; }),
-          bound<FlightChoices>(
-              {.name = "pitch_deg",
-               .unit = "deg",
-               .least = vehicle::least_pitch_deg,
-               .most = vehicle::most_pitch_deg,
-               .flag = "pitch",
-               .help = "Pitch of dives and climbs, which without a speed gives that of the steady glide",
-               .form = {"Pitch", "°"}},
-              [](auto& choices) -> auto& { return choices.pitch; }),
+          bound<FlightChoices>({.name = "pitch_deg",
+                                .unit = "deg",
+                                .least = vehicle::least_pitch_deg,
+                                .most = vehicle::most_pitch_deg,
+                                .flag = "pitch",
+                                .help = "Pitch of dives and climbs; if no speed is given, it determines the "
+                                        "speed of the steady glide",
+                                .form = {"Pitch", "°"}},
+                               [](auto& choices) -> auto& { return choices.pitch; }),
           bound<FlightChoices>({.name = "climb_to_m",
                                 .unit = "m",
                                 .most = deepest_m,

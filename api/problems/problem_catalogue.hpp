@@ -82,9 +82,9 @@ inline constexpr auto problem_kinds = std::to_array<ProblemKind>({
     {.code = "unauthorized",
      .status = 401,
      .title = "Unauthorized",
-     .detail = "Nobody is known who asks; send a token as \"Authorization: Bearer TOKEN\", or log in with "
-               "it by POST /session. Tokens are made on the server's machine: floeplan token add NAME "
-               "--role ROLE."},
+     .detail = "The request carries no token. Send one as \"Authorization: Bearer TOKEN\", or log in with it "
+               "by POST /session. The operator makes tokens on the server: floeplan token add NAME --role "
+               "ROLE."},
     {.code = "unknown-token",
      .status = 401,
      .title = "Unauthorized",

@@ -98,20 +98,17 @@ inline constexpr auto data_kinds = std::to_array<Kind>({
     {.code = "sightings-before-currents",
      .rank = Rank::caution,
      .text = "{before} of {icebergs} icebergs were seen before the currents begin, at {begin}: until then "
-             "they are taken to move as between their last sightings, else before the wind where that is "
-             "known, or else to stay",
+             "each keeps its last observed drift, drifts with the wind, or stays put",
      .slots = {{{"before", 60}, {"icebergs", 60}, {"begin", "2027-01-12T00:00:00Z"}}}},
     {.code = "earlier-sightings-before-currents",
      .rank = Rank::caution,
-     .text = "of {before} of {icebergs} icebergs the currents begin only after the earlier sighting, at "
-             "{begin}: they are taken to move with the current and the wind alone, not as they were seen to "
-             "beside them",
+     .text = "{before} of {icebergs} icebergs were seen twice, the first time before the currents begin, at "
+             "{begin}: their forecast follows current and wind alone and not the observed drift",
      .slots = {{{"before", 3}, {"icebergs", 60}, {"begin", "2027-01-12T00:00:00Z"}}}},
     {.code = "icebergs-beyond-currents",
      .rank = Rank::caution,
-     .text = "the current is not known all the way of {unknown} of {icebergs} icebergs ({names}): where it "
-             "is not they are taken to move as between their last sightings, else before the wind where "
-             "that is known, or else to stay",
+     .text = "{unknown} of {icebergs} icebergs drift beyond the current data ({names}): from then on each "
+             "keeps its last observed drift, drifts with the wind, or stays put",
      .slots = {{{"unknown", 3}, {"icebergs", 60}, {"names", "B-17, B-18, B-19"}}}},
     {.code = "wind-not-at-departure",
      .rank = Rank::caution,

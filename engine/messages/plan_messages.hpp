@@ -182,27 +182,28 @@ inline constexpr auto plan_kinds = std::to_array<Kind>({
                 {"gain_h", 1.5}}}},
     {.code = "way-round-what-opens-later",
      .rank = Rank::note,
-     .text = "between waypoints {from} and {to} the way is {longer_h:.1f} h longer than it need be, because "
-             "what is in the way opens later:",
+     .text = "between waypoints {from} and {to} the route detours {longer_h:.1f} h round an obstacle that "
+             "clears later:",
      .hint = "let the vehicle wait (--max-loiter), or depart later",
      .slots = {{{"from", 2}, {"to", 4}, {"longer_h", 2.9}}}},
 
     // Uncertain currents.
     {.code = "closed-in-members",
      .rank = Rank::caution,
-     .text = "in {closed} of {members} members the vehicle does not come through on this way, and no way "
-             "that was compared comes through in more of them",
+     .text = "in {closed} of {members} members the vehicle does not reach the goal on this route, and no "
+             "compared route reaches it in more of them",
      .slots = {{{"closed", 2}, {"members", 12}}}},
     {.code = "closed-members-left-out-of-mean",
      .rank = Rank::caution,
-     .text = "in {closed} of {members} members the vehicle does not come through on this way, and no way "
-             "that was compared comes through in more of them: the mean leaves them out",
+     .text = "in {closed} of {members} members the vehicle does not reach the goal on this route, and no "
+             "compared route reaches it in more of them: the mean leaves them out",
      .slots = {{{"closed", 2}, {"members", 12}}}},
     {.code = "share-of-members-not-met",
      .rank = Rank::caution,
-     .text = "in {closed} of {members} members the vehicle does not come through on this way, and no way "
-             "that was compared comes through in more of them: the share of {share_pct:.0f} % that is to "
-             "arrive early cannot be met; the way is the best in the mean of the others",
+     .text =
+         "in {closed} of {members} members the vehicle does not reach the goal on this route, and no "
+         "compared route reaches it in more of them: fewer members arrive than the {share_pct:.0f} % that "
+         "the request counts, and the route is the best in the mean of those that arrive",
      .slots = {{{"closed", 2}, {"members", 12}, {"share_pct", 90.0}}}},
     {.code = "named-members-not-used",
      .rank = Rank::caution,

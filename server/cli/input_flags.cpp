@@ -81,7 +81,7 @@ struct OwnWay {
 
 /// By the pointers of their fields.
 const std::map<std::string, OwnWay> own_ways{
-    {"/uncertainty/objective", {set_robust, "mean, or a share such as 0.9 that is to arrive early"}},
+    {"/uncertainty/objective", {set_robust, "mean, or a share of the members such as 0.9"}},
     {"/objective", {set_objective, "weighted:W with W the seconds that a joule is worth"}},
     {"/spacing_m", {set_spacing, "as 1000 or 1000,500"}},
     {"/hours", {set_hours, "as 6 or 6,12,24"}},

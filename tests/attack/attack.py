@@ -55,8 +55,16 @@ class Bystander:
     def __init__(self):
         self.times, self.failed, self.most_memory = [], 0, 0
         self.over, self.found = multiprocessing.Event(), multiprocessing.Queue()
+        self.asked = multiprocessing.Semaphore(0)
         self.process = multiprocessing.Process(target=self._ask, daemon=True)
         self.process.start()
+
+    def watches(self, requests):
+        """Until it has made so many requests more, whether they are answered or not."""
+        while self.asked.acquire(block=False):
+            pass
+        for _ in range(requests):
+            self.asked.acquire(timeout=20)
 
     def stop(self):
         self.over.set()
@@ -76,13 +84,14 @@ class Bystander:
                 self.failed += 1
             self.times.append(time.monotonic() - begin)
             self.most_memory = max(self.most_memory, memory())
+            self.asked.release()
             self.over.wait(0.02)
         self.found.put((self.times, self.failed, self.most_memory))
 
 
 def attacked(name, attack):
     bystander = Bystander()
-    attack()
+    attack(bystander)
     bystander.stop()
     times = sorted(bystander.times)
     p99 = times[int(len(times) * 0.99)]
@@ -116,8 +125,8 @@ def send_all(data):
         return b""
 
 
-def hold(count, first, drip, seconds):
-    """Many connections that send a little, then a drop now and then."""
+def hold(bystander, count, first, drip, seconds):
+    """Many connections that send a little, then a drop after every twenty requests of the bystander, half a second."""
     wires = []
     for _ in range(count):
         try:
@@ -134,7 +143,7 @@ def hold(count, first, drip, seconds):
                     wire.send(drip)
             except OSError:
                 pass
-        time.sleep(0.5)
+        bystander.watches(20)
     for wire in wires:
         wire.close()
 
@@ -153,7 +162,7 @@ def expect(name, data, *statuses):
         print(f"  {name}: answered {status}, not one of {statuses}")
 
 
-def oversized():
+def oversized(_):
     expect("header of 1 MB", head("GET", "/", {"X": "a" * 1_000_000}), "431", "none")
     expect("address of 1 MB", head("GET", "/" + "a" * 1_000_000), "414", "431", "none")
     expect("5,000 headers", head("GET", "/", {f"X{i}": "a" for i in range(5000)}), "431", "none")
@@ -168,7 +177,7 @@ def oversized():
     expect("query of 3,000 parameters", head("GET", "/datasets?" + "&".join(f"a{i}=1" for i in range(2000))), "400")
 
 
-def smuggled():
+def smuggled(_):
     post = "/missions/check"
     for name, headers in {"CL and TE": "Content-Length: 4\r\nTransfer-Encoding: chunked",
                           "two CL": "Content-Length: 4\r\nContent-Length: 5", "TE twice": "Transfer-Encoding: chunked\r\n"
@@ -180,7 +189,7 @@ def smuggled():
         expect(name, data, "400")
 
 
-def written_wrong():
+def written_wrong(_):
     execution = "/processes/plan-route/execution"
     deep = b"[" * 10_000 + b"]" * 10_000
     for name, body in {"JSON 10,000 levels deep": deep, "objects 10,000 levels deep": b'{"a":' * 10_000 + b"1" + b"}" * 10_000,
@@ -198,7 +207,7 @@ def written_wrong():
     expect("header with a line break", head("GET", "/healthz", {"X": "a\r\n b"}), "400", "200")
 
 
-def bombs():
+def bombs(_):
     """A megabyte that becomes a gigabyte."""
     bomb = gzip.compress(b"\0" * 1_000_000_000, 9)[:1_000_000]
     expect("gzip in a body", head("POST", "/processes/plan-route/execution", {
@@ -245,7 +254,7 @@ def check_let_in(name, address):
         faults.append(f"{name}: the right token is answered by {status}")
 
 
-def guesses():
+def guesses(_):
     """Tokens that nobody has, from one address: who has the right one comes in from every other, and from one at which it
     was right before even when everybody guesses at that token."""
     guesser, pilot, neighbour = "127.0.2.1", "127.0.2.2", "127.0.2.3"
@@ -275,7 +284,7 @@ def standing(wires):
     return alive
 
 
-def idle(addresses):
+def idle(bystander, addresses):
     """Connections from so many addresses that say nothing, held while the server waits for a first word (15 s). Of one
     address the server keeps no more than a tenth and lets go of those that wait longest."""
     wires, refused = [], 0
@@ -284,27 +293,27 @@ def idle(addresses):
             wires.append(connected(f"127.0.1.{1 + number % addresses}"))
         except OSError:
             refused += 1
-    time.sleep(8)
+    bystander.watches(300)  # about 8 s
     print(f"  {IDLE} idle connections from {addresses} address(es): {standing(wires)} stand, {refused} were refused", flush=True)
     for wire in wires:
         wire.close()
 
 
-def flooded():
+def flooded(bystander):
     """Large answers that nobody reads."""
-    hold(300, head("GET", "/api") * 1, b"", 4)
+    hold(bystander, 300, head("GET", "/api") * 1, b"", 4)
 
 
 def main():
     _, hard = resource.getrlimit(resource.RLIMIT_NOFILE)
     resource.setrlimit(resource.RLIMIT_NOFILE, (hard, hard))
-    attacked("nothing", lambda: time.sleep(3))
-    attacked("500 slow headers", lambda: hold(500, b"GET / HTTP/1.1\r\nHost: a\r\nX: ", b"a", 15))
-    attacked("500 slow bodies", lambda: hold(500, head("POST", "/missions/check", {"Content-Length": 1_000_000}), b"a", 15))
-    attacked("500 slow uploads", lambda: hold(500, head("POST", "/uploads", {"Content-Length": 10**9}), b"a", 15))
+    attacked("nothing", lambda bystander: bystander.watches(100))
+    attacked("500 slow headers", lambda bystander: hold(bystander, 500, b"GET / HTTP/1.1\r\nHost: a\r\nX: ", b"a", 15))
+    attacked("500 slow bodies", lambda bystander: hold(bystander, 500, head("POST", "/missions/check", {"Content-Length": 1_000_000}), b"a", 15))
+    attacked("500 slow uploads", lambda bystander: hold(bystander, 500, head("POST", "/uploads", {"Content-Length": 10**9}), b"a", 15))
     if hard > IDLE + 100:
-        attacked("10,000 idle, of one address", lambda: idle(1))
-        attacked("10,000 idle, of 20 addresses", lambda: idle(20))
+        attacked("10,000 idle, of one address", lambda bystander: idle(bystander, 1))
+        attacked("10,000 idle, of 20 addresses", lambda bystander: idle(bystander, 20))
     else:
         print(f"not tried: {IDLE} idle connections, for this shell may open no more than {hard} files (ulimit -Hn)")
     attacked("answers that nobody reads", flooded)

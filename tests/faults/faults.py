@@ -16,7 +16,6 @@ import sqlite3
 import subprocess
 import tempfile
 import threading
-import time
 
 import hostile_files
 from served import Gone, Served
@@ -116,7 +115,7 @@ def kills(program, folder, count, generator):
         server = Served(program, store)
         client = Client(server, generator, promised, 1000 * number, hostile)
         client.start()
-        time.sleep(generator.uniform(0.0, 1.5))
+        client.join(generator.uniform(0.0, 1.5))  # it works on: the moment of the kill is random
         server.end(signal.SIGKILL)
         client.join()
         verdict = integrity(store)

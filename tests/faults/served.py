@@ -1,12 +1,10 @@
 """A server of one's own for the scripts that try it hard. Python 3.9 or later, no other packages."""
 import json
-import pathlib
 import re
 import resource
 import signal
 import subprocess
-import tempfile
-import time
+import threading
 import urllib.error
 import urllib.request
 
@@ -19,29 +17,34 @@ class Served:
     """The program serving a store on a free port of the loopback address."""
 
     def __init__(self, program, store, flags=(), limits=(), user=None):
-        self.log = tempfile.NamedTemporaryFile(prefix="floeplan-log-", suffix=".txt")
-        self.process = subprocess.Popen([program, "--data", str(store), "serve", "--listen", "127.0.0.1:0", *flags],
-                                        stderr=self.log, user=user, preexec_fn=lambda: self._limit(limits))
-        self.address = self._wait()
+        self.process = subprocess.Popen([program, "--data", str(store), "serve", "--listen", "127.0.0.1:0", *flags], text=True,
+                                        errors="replace", stderr=subprocess.PIPE, user=user, preexec_fn=lambda: self._limit(limits))
+        self.lines, self.address, self.begun = [], None, threading.Event()
+        self.reader = threading.Thread(target=self._read_log, daemon=True)
+        self.reader.start()
+        if not self.begun.wait(30):
+            raise Gone("the server does not listen")
 
     @staticmethod
     def _limit(limits):
         for name, value in limits:
             resource.setrlimit(name, (value, value))
 
-    def _wait(self):
-        for _ in range(600):
-            text = self.said()
-            found = re.search(r"serving (http://127\.0\.0\.1:\d+)\n", text)
-            if found:
-                return found.group(1)
-            if self.process.poll() is not None:
-                return None
-            time.sleep(0.05)
-        raise Gone("the server does not listen")
+    def _read_log(self):
+        """To its end, which is the server's; it has begun when it listens, or will never."""
+        for line in self.process.stderr:
+            self.lines.append(line)
+            found = re.search(r"serving (http://127\.0\.0\.1:\d+)\n", line)
+            if found and not self.address:
+                self.address = found.group(1)
+                self.begun.set()
+        self.begun.set()
 
     def said(self):
-        return pathlib.Path(self.log.name).read_text(encoding="utf-8", errors="replace")
+        """All that it has logged; once it has ended, to the last line."""
+        if self.process.poll() is not None:
+            self.reader.join(30)
+        return "".join(self.lines)
 
     def ask(self, method, path, body=None, headers=None, timeout_s=60):
         """Status, and the answer: of JSON what it holds, else its bytes."""

@@ -11,6 +11,7 @@
 #include "api/codec/plan_kml.hpp"
 #include "api/codec/route_file.hpp"
 #include "engine/core/utc_text.hpp"
+#include "engine/messages/data_messages.hpp"
 #include "engine/messages/plan_messages.hpp"
 #include "engine/mission/nmea_route.hpp"
 #include "tests/support/property.hpp"
@@ -117,6 +118,21 @@ TEST(PlanIdentity, IsThatOfTheInputsAndThePlanNotOfItsWords) {
   for (const planning::Plan& other : {with_another_danger, later, on_other_data})
     EXPECT_NE(plan_identity(inputs, other), id);
   EXPECT_NE(plan_identity({{"from", {-53.0, 69.2}}}, plan), id);
+}
+
+/// A berg that was not named before is news, though the kind of message is the same; of notes only the kind counts.
+TEST(PlanIdentity, CountsTheValuesOfDangersAndCautions) {
+  const auto id_with = [](messages::Message message) {
+    planning::Plan plan = two_legs();
+    plan.messages = {std::move(message)};
+    return plan_identity(json::object(), plan);
+  };
+  const auto on_land = [](const char* names) { return messages::data_message<"icebergs-on-land">(1, names); };
+  EXPECT_NE(id_with(on_land("B-17")), id_with(on_land("C-9")));
+  const auto gain = [](double minutes) {
+    return messages::plan_message<"search-cut-short-near-the-best">(minutes, 1.0);
+  };
+  EXPECT_EQ(id_with(gain(3.0)), id_with(gain(4.0)));
 }
 
 TEST(PlanDocument, KeepsTheDrivesOfTheLegsAndWhatTheyDraw) {

@@ -3,12 +3,16 @@
 #include <arpa/inet.h>
 #include <fcntl.h>
 #include <netinet/in.h>
+#include <poll.h>
 #include <sys/socket.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <csignal>
 #include <stdexcept>
+#include <system_error>
 
 #include "tests/support/places.hpp"
 
@@ -74,6 +78,15 @@ ServedProgram::~ServedProgram() {
   waitpid(pid_, nullptr, 0);
   while (waitpid(-1, nullptr, 0) > 0) {
   }
+}
+
+bool ServedProgram::ends_within(std::chrono::milliseconds time) const {
+  const int process = static_cast<int>(syscall(SYS_pidfd_open, pid_, 0));
+  if (process < 0) throw std::system_error{errno, std::generic_category(), "pidfd_open"};
+  pollfd end{process, POLLIN, 0};
+  const bool ended = poll(&end, 1, static_cast<int>(time.count())) > 0;
+  close(process);
+  return ended;
 }
 
 void ServedProgram::hang_up() const { kill(pid_, SIGHUP); }

@@ -2,6 +2,7 @@
 
 #include <sys/types.h>
 
+#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -31,6 +32,8 @@ class ServedProgram {
   ServedProgram(const ServedProgram&) = delete;
   ServedProgram& operator=(const ServedProgram&) = delete;
 
+  /// Waits for the program to end by itself, no longer than that.
+  [[nodiscard]] bool ends_within(std::chrono::milliseconds time) const;
   /// Sends SIGHUP.
   void hang_up() const;
   [[nodiscard]] std::uint16_t port() const { return port_; }

@@ -517,12 +517,13 @@ TEST_F(EnvironmentLoaderTest, ReadsCurrentsFromTheSightingOnThatTellsOfADrift) {
                          sample_berg("a", {-52.02, 69.01}, sample_time - 2 * hour)});
   EXPECT_EQ(core::from_unix_seconds(load().currents->samples().times_s.front()), sample_time - 14 * hour);
   EXPECT_THAT(messages::sentences(load().messages),
-              Not(Contains(HasSubstr("only after the earlier sighting"))));
+              Not(Contains(HasSubstr("the first time before the currents begin"))));
 
   DatasetRepository{db_}.remove({"flow"});
   add_currents("late", sample_time - 10 * hour, 30, levels_);
-  EXPECT_THAT(messages::sentences(load().messages),
-              Contains(HasSubstr("of 1 of 1 icebergs the currents begin only after")));
+  EXPECT_THAT(
+      messages::sentences(load().messages),
+      Contains(HasSubstr("1 of 1 icebergs were seen twice, the first time before the currents begin")));
 }
 
 TEST_F(EnvironmentLoaderTest, TakesDriftingBergsFromBeyondTheArea) {
@@ -620,7 +621,7 @@ TEST_F(EnvironmentLoaderTest, NamesTheIcebergsWhoseCurrentIsNotKnown) {
                          sample_berg("before", {-52.2, 69.0}, sample_time - 9 * hour)});
 
   const auto warnings = messages::sentences(load().messages);
-  EXPECT_THAT(warnings, Contains(AllOf(HasSubstr("the current is not known all the way of 1 of 3 icebergs"),
+  EXPECT_THAT(warnings, Contains(AllOf(HasSubstr("1 of 3 icebergs drift beyond the current data"),
                                        HasSubstr("beyond"), Not(HasSubstr("carried")))));
   EXPECT_THAT(warnings, Contains(HasSubstr("1 of 3 icebergs were seen before the currents begin")));
 }
