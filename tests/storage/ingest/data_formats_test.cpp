@@ -67,11 +67,11 @@ TEST(DataFormats, HoldEveryKindOfDataBetweenThem) {
     })) << repository::kind_name(kind);
 }
 
-TEST(DataFormats, AreNamedInTheReadme) {
-  const std::string readme = text_of(std::filesystem::path{support::source_folder()} / "README.md");
+TEST(DataFormats, AreNamedInTheGuide) {
+  const std::string guide = text_of(std::filesystem::path{support::source_folder()} / "web/guide/data.md");
 
   for (const DataFormat& format : data_formats())
-    EXPECT_THAT(readme, HasSubstr(std::string{format.name})) << "tell of the format in README.md";
+    EXPECT_THAT(guide, HasSubstr(std::string{format.name})) << "tell of the format in web/guide/data.md";
 }
 
 class FormatOf : public StoreFixture {};
