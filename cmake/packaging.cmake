@@ -6,7 +6,7 @@ install(DIRECTORY web/dist/ DESTINATION ${CMAKE_INSTALL_DATADIR}/floeplan/web OP
 install(PROGRAMS deploy/backup.sh deploy/restore.sh DESTINATION ${CMAKE_INSTALL_DATADIR}/floeplan)
 install(DIRECTORY api/examples/ DESTINATION ${CMAKE_INSTALL_DATADIR}/floeplan/examples USE_SOURCE_PERMISSIONS OPTIONAL
   PATTERN __pycache__ EXCLUDE)
-install(FILES README.md deploy/nginx.conf deploy/Caddyfile DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES README.md SECURITY.md deploy/nginx.conf deploy/Caddyfile DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY web/guide DESTINATION ${CMAKE_INSTALL_DOCDIR}/web FILES_MATCHING PATTERN *.md)
 install(FILES web/screenshot.png web/reproduced_figure_7.svg web/reproduced_figure_9.svg
   DESTINATION ${CMAKE_INSTALL_DOCDIR}/web)
