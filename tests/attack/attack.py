@@ -60,11 +60,12 @@ class Bystander:
         self.process.start()
 
     def watches(self, requests):
-        """Until it has made so many requests more, whether they are answered or not."""
+        """Waits until it has made so many more requests, or has not come through one for 20 s."""
         while self.asked.acquire(block=False):
             pass
         for _ in range(requests):
-            self.asked.acquire(timeout=20)
+            if not self.asked.acquire(timeout=20):
+                return
 
     def stop(self):
         self.over.set()

@@ -1,9 +1,14 @@
 #include <gmock/gmock.h>
+#include <poll.h>
+#include <sys/inotify.h>
+#include <unistd.h>
 
+#include <array>
+#include <cerrno>
 #include <chrono>
 #include <fstream>
 #include <sstream>
-#include <thread>
+#include <system_error>
 
 #include "tests/server/cli/program.hpp"
 #include "tests/server/cli/served_program.hpp"
@@ -26,11 +31,23 @@ std::string text_of(const fs::path& file) {
   return text.str();
 }
 
-/// Whether the file comes to hold the text within ten seconds.
+/// Whether the file comes to hold the text within ten seconds. It is there already.
 bool comes_to_hold(const fs::path& file, const std::string& text) {
-  for (int i = 0; i < 1000 && text_of(file).find(text) == std::string::npos; ++i)
-    std::this_thread::sleep_for(std::chrono::milliseconds{10});
-  return text_of(file).find(text) != std::string::npos;
+  using Clock = std::chrono::steady_clock;
+  const auto end = Clock::now() + std::chrono::seconds{10};
+  const int changes = inotify_init1(IN_CLOEXEC);
+  if (changes < 0 || inotify_add_watch(changes, file.c_str(), IN_MODIFY) < 0)
+    throw std::system_error{errno, std::generic_category(), "inotify"};
+  bool holds = text_of(file).find(text) != std::string::npos;
+  for (pollfd changed{changes, POLLIN, 0}; !holds;) {
+    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(end - Clock::now());
+    if (left.count() <= 0 || poll(&changed, 1, static_cast<int>(left.count())) <= 0) break;
+    std::array<char, 4096> events{};
+    (void)!read(changes, events.data(), events.size());
+    holds = text_of(file).find(text) != std::string::npos;
+  }
+  close(changes);
+  return holds;
 }
 
 TEST(Reload, TakesNewLimitsAndLogLevelAndKeepsTheOldOnesWhenTheFileIsBroken) {

@@ -79,7 +79,7 @@ TEST_F(OwnersTest, HavePlansAndSimulationsBesideTheirDatasets) {
   EXPECT_EQ(owners_.bytes_of("ann"), 10U);
 
   owners_.note_made(plan_table, "p", made + core::Seconds{1.0}, "ann");
-  EXPECT_EQ(owners_.bytes_of("ann"), 10U) << "who asks for what was stored before does not own it";
+  EXPECT_EQ(owners_.bytes_of("ann"), 10U) << "a plan that was stored earlier does not become hers";
   owners_.note_made(plan_table, "p", made, "ann");
   owners_.note_made(plan_table, "p", made, "bob");
   owners_.note_made(simulation_table, "s", made, "ann");
