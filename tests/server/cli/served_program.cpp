@@ -34,10 +34,13 @@ std::uint16_t read_port(int descriptor) {
   throw std::runtime_error{"the server ended before it listened: " + text};
 }
 
-/// Keeps the other end from filling up while the server runs.
+/// Keeps the other end from filling up while the server runs. The log is there when this returns.
 void drain_in_background(int descriptor, const std::filesystem::path& log) {
-  if (fork() != 0) return;
   const int file = log.empty() ? -1 : open(log.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0600);
+  if (fork() != 0) {
+    if (file >= 0) close(file);
+    return;
+  }
   char bytes[4096];
   for (ssize_t count = 0; (count = read(descriptor, bytes, sizeof bytes)) > 0;) {
     if (file >= 0 && write(file, bytes, static_cast<std::size_t>(count)) != count) break;
