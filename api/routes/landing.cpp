@@ -2,6 +2,7 @@
 #include <mutex>
 #include <optional>
 
+#include "api/codec/sha256.hpp"
 #include "api/openapi/openapi.hpp"
 #include "api/routes/assets.hpp"
 #include "api/routes/door_description.hpp"
@@ -63,10 +64,12 @@ Response api_document(const std::string& url) {
   document["servers"] = json::array({{{"url", url}}});
   document["info"]["version"] = core::version();
   describe_doors(document, all_routes());
-  return json_reply(document, 200, openapi_type);
+  Response response = json_reply(document, 200, openapi_type);
+  response.headers.emplace_back("ETag", '"' + codec::sha256(response.body).substr(0, 32) + '"');
+  return response;
 }
 
-/// The document is large and the same for every request of a server: it is made once.
+/// The document is large and the same for every request of a server: it and its tag are made once.
 class ApiDocument {
  public:
   Response at(const std::string& url) {
