@@ -119,6 +119,7 @@ class Pilot(threading.Thread):
             if dataset["status"] != "stored":
                 self.faults.append(f"a grid of depths was not stored: {dataset}")
             self.expect((204,), "DELETE", f"/datasets/{dataset['dataset_id']}")
+        self.expect((204,), "DELETE", f"/uploads/{upload['id']}")  # it would count for a day
 
     def forbid(self):
         ring = [[-40, 60], [-39, 60], [-39, 61], [-40, 60]]
