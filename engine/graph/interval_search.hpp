@@ -1,0 +1,410 @@
+#pragma once
+
+#include <algorithm>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <limits>
+#include <optional>
+#include <queue>
+#include <stop_token>
+#include <utility>
+#include <vector>
+
+#include "engine/graph/grid_graph.hpp"
+#include "engine/graph/search_tree.hpp"
+
+namespace floeplan::graph {
+
+/// A time during which a place is safe. Seconds on the clock of the query's departure, as all times here.
+struct SafeInterval {
+  double from_s{};
+  double until_s{};
+  bool may_stay{};  // whether the vehicle may stay there meanwhile; else it can only pass
+};
+
+/// A departure at which an edge is open, and the arrival.
+struct OpenDeparture {
+  double depart_s{};
+  double arrive_s{};
+};
+
+/// What became of a look for such a departure.
+struct DepartureLook {
+  std::optional<OpenDeparture> open;
+  double looked_until_s{};  // there is none before it
+};
+
+/// Edges that open and close, between places that are safe at times.
+/// safe_intervals  of a vertex: ascending, not overlapping; of two that touch the vehicle may stay in one only
+/// first_open      the first departure, no earlier than `from_s` and no later than `until_s`, that arrives no earlier
+///                 than `arrive_from_s`. It may look at some departures only; asked again from there, it goes on
+/// open_until      the last departure such that every one from `open` to it is open, no later than `until_s` and no
+///                 later at the head than `arrive_until_s`; it may stop earlier, when it is asked again from there
+/// least_time_s    never more than the time of the edge, whenever it is open
+/// remaining_s     of a vertex, to the goal. Law (consistent): remaining(tail) <= time of the edge + remaining(head)
+/// Law (FIFO)      a later departure arrives later
+/// Law (safe)      an open departure arrives in one of the head's intervals
+template <class M>
+concept IntervalModel = requires(M& model, const Edge& edge, Vertex v, double s, const OpenDeparture& open) {
+  { model.safe_intervals(v) } -> std::same_as<std::vector<SafeInterval>>;
+  { model.first_open(edge, s, s, s) } -> std::same_as<DepartureLook>;
+  { model.open_until(edge, open, s, s) } -> std::same_as<OpenDeparture>;
+  { model.least_time_s(edge) } -> std::convertible_to<double>;
+  { model.remaining_s(v) } -> std::convertible_to<double>;
+};
+
+/// A place on the way, and when.
+struct Visit {
+  Vertex vertex{};
+  double arrive_s{};
+  double leave_s{};
+};
+
+/// What a search over intervals found.
+struct IntervalSearch {
+  std::vector<Visit> way;  // from the source to the goal; empty: none
+  SearchCounters counters;
+  bool stopped{false};  // the caller asked for it: what is here is not complete
+  bool full{false};     // a bound on memory or work was met: an earlier way may exist
+
+  [[nodiscard]] double arrival_s() const { return way.empty() ? SearchTree::never : way.back().arrive_s; }
+};
+
+/// What a search over intervals may leave undone.
+struct IntervalLimits {
+  double slack_s{};  // an arrival that is later than the earliest by so much will do
+  std::size_t most_entries{std::numeric_limits<std::uint32_t>::max()};  // some hundred bytes each
+  std::int64_t most_looks{std::numeric_limits<std::int64_t>::max()};    // for departures
+};
+
+/// The search of `find_earliest_among_intervals`, for one query.
+template <class Graph, IntervalModel Model>
+class IntervalSearcher {
+ public:
+  /// Everything is borrowed.
+  IntervalSearcher(const Graph& graph, const Query& query, Model& model, const IntervalLimits& limits)
+      : graph_{graph}, query_{query}, goal_{query.goal.value()}, model_{model}, limits_{limits} {
+    place_of_.assign(graph.size(), none);
+  }
+
+  IntervalSearch run(const std::stop_token& stop, const ExpansionCallback& report) && {
+    begin();
+    for (std::int64_t turn = 0; !queue_.empty() && !is_decided(); ++turn) {
+      if (turn % turns_between_looks == 0) {
+        if (stop.stop_requested()) {
+          search_.stopped = true;
+          return std::move(search_);
+        }
+        if (report && turn % turns_between_reports == 0) report(search_.counters.expansions);
+      }
+      if (queue_.size() + arrivals_.size() + stands_.size() > limits_.most_entries ||
+          search_.counters.edge_evaluations > limits_.most_looks) {
+        search_.full = true;
+        break;
+      }
+      const Entry entry = queue_.top();
+      queue_.pop();
+      if (entry.arrivals != none) {
+        expand(entry.arrivals);
+      } else {
+        look_on(entry.traveller);
+      }
+    }
+    if (best_ != none) trace_back();
+    return std::move(search_);
+  }
+
+ private:
+  static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+  static constexpr std::int64_t turns_between_looks = 64;
+  static constexpr std::int64_t turns_between_reports = 16'384;
+  static constexpr double resolution_s = 0.1;  // of departures
+  static constexpr double touching_s = 1.0;    // arrivals so near to each other are taken together
+
+  /// Arrivals at a place in one of its intervals: the earliest one where the vehicle may stay, else a window of them.
+  struct Arrivals {
+    Vertex vertex;
+    std::uint32_t interval;
+    double from_s;
+    double until_s;
+    std::uint32_t parent;  // a stand; none: the beginning
+    std::uint8_t step;     // of the edge from there
+    double depart_from_s;
+    double depart_until_s;
+    bool expanded{false};
+  };
+  /// A place that is left at any time of a window.
+  struct Stand {
+    Vertex vertex;
+    std::uint32_t interval;
+    double from_s;
+    double until_s;
+  };
+  /// Looks for departures of one stand along one edge, ascending, into an interval of its head and those after it.
+  struct Traveller {
+    std::uint32_t stand;
+    Edge edge;
+    std::uint32_t interval;
+    double depart_s;
+    double arrive_s;  // no earlier
+  };
+  /// Arrivals to be expanded, or a traveller. Of equal keys the one goes first that would be nearer to the goal if
+  /// nothing were closed.
+  struct Entry {
+    double key_s;
+    double order_s;
+    std::uint64_t number;
+    std::uint32_t arrivals;
+    Traveller traveller;
+    bool operator>(const Entry& other) const {
+      if (key_s != other.key_s) return key_s > other.key_s;
+      if (order_s != other.order_s) return order_s > other.order_s;
+      return number > other.number;
+    }
+  };
+  /// What is known of a place in one of its intervals.
+  struct State {
+    std::vector<std::uint32_t> arrivals;  // ascending; where the vehicle may stay, the earliest one alone
+    bool settled{false};                  // where it may stay
+  };
+  struct Place {
+    std::vector<SafeInterval> intervals;
+    std::vector<State> states;
+  };
+
+  Place& place(Vertex v) {
+    if (place_of_[v] == none) {
+      place_of_[v] = static_cast<std::uint32_t>(places_.size());
+      std::vector<SafeInterval> intervals = model_.safe_intervals(v);
+      std::vector<State> states(intervals.size());
+      places_.push_back({std::move(intervals), std::move(states)});
+    }
+    return places_[place_of_[v]];
+  }
+
+  void begin() {
+    if (!graph_.is_open(query_.source)) return;
+    const double depart_s = query_.depart.count();
+    const std::vector<SafeInterval>& intervals = place(query_.source).intervals;
+    for (std::uint32_t i = 0; i < intervals.size(); ++i) {
+      if (depart_s < intervals[i].from_s || depart_s > intervals[i].until_s) continue;
+      add({query_.source, i, depart_s, depart_s, none, 0, depart_s, depart_s});
+    }
+  }
+
+  [[nodiscard]] bool is_decided() const {
+    const double key_s = queue_.top().key_s;
+    return key_s > query_.latest.count() ||
+           (best_ != none && arrivals_[best_].from_s <= key_s + limits_.slack_s);
+  }
+
+  /// No earlier can a vehicle be at the goal, as far as that is closed then.
+  double goal_opens_s(double when_s) {
+    for (const SafeInterval& safe : place(goal_).intervals) {
+      if (safe.until_s >= when_s) return std::max(when_s, safe.from_s);
+    }
+    return SearchTree::never;
+  }
+
+  void add(const Arrivals& arrivals) {
+    if (arrivals.vertex == goal_ && arrivals.from_s > query_.latest.count()) return;
+    State& state = place(arrivals.vertex).states[arrivals.interval];
+    const auto index = static_cast<std::uint32_t>(arrivals_.size());
+    if (place(arrivals.vertex).intervals[arrivals.interval].may_stay) {
+      if (!state.arrivals.empty() && arrivals_[state.arrivals.front()].from_s <= arrivals.from_s) return;
+      state.arrivals = {index};
+    } else {
+      state.arrivals.insert(first_after(state, arrivals.from_s), index);
+    }
+    arrivals_.push_back(arrivals);
+    if (arrivals.vertex == goal_) {
+      if (best_ == none || arrivals.from_s < arrivals_[best_].from_s) best_ = index;
+      return;
+    }
+    const double there_s = arrivals.from_s + model_.remaining_s(arrivals.vertex);
+    push(goal_opens_s(there_s), there_s, index, {});
+  }
+
+  void push(double key_s, double order_s, std::uint32_t arrivals, const Traveller& traveller) {
+    const bool is_late = !(key_s <= query_.latest.count()) || key_s >= SearchTree::never;
+    if (is_late || (best_ != none && key_s >= arrivals_[best_].from_s)) return;
+    queue_.push({key_s, order_s, number_++, arrivals, traveller});
+  }
+
+  /// Of a place that can only be passed: its windows that begin later.
+  [[nodiscard]] auto first_after(const State& state, double time_s) const {
+    return std::ranges::upper_bound(state.arrivals, time_s, {},
+                                    [this](std::uint32_t i) { return arrivals_[i].from_s; });
+  }
+
+  void expand(std::uint32_t index) {
+    const Arrivals from = arrivals_[index];
+    if (from.expanded) return;
+    Place& here = place(from.vertex);
+    State& state = here.states[from.interval];
+    Stand stand{from.vertex, from.interval, from.from_s, from.until_s};
+    if (here.intervals[from.interval].may_stay) {
+      if (state.settled || state.arrivals.front() != index) return;
+      state.settled = true;
+      stand.until_s = here.intervals[from.interval].until_s;
+    } else {
+      // Windows that touch are left as one: many ways lead here at about the same time.
+      for (const std::uint32_t i : state.arrivals) {
+        Arrivals& other = arrivals_[i];
+        if (other.expanded || other.from_s < stand.from_s) continue;
+        if (other.from_s > stand.until_s + touching_s) break;
+        other.expanded = true;
+        stand.until_s = std::max(stand.until_s, other.until_s);
+      }
+    }
+    ++search_.counters.expansions;
+    const auto number = static_cast<std::uint32_t>(stands_.size());
+    stands_.push_back(stand);
+    graph_.for_each_edge(from.vertex, [&](const Edge& edge) {
+      queue_again({number, edge, 0, stand.from_s, -SearchTree::never});
+    });
+  }
+
+  /// Puts a traveller back for the earliest arrival that it may still find, if that is of use.
+  void queue_again(Traveller traveller) {
+    const Stand& stand = stands_[traveller.stand];
+    if (traveller.depart_s > stand.until_s) return;
+    const Place& head = place(traveller.edge.head);
+    const double least_s = model_.least_time_s(traveller.edge);
+    const double earliest_s = std::max(traveller.depart_s + least_s, traveller.arrive_s);
+    for (; traveller.interval < head.intervals.size(); ++traveller.interval) {
+      const SafeInterval& safe = head.intervals[traveller.interval];
+      if (safe.until_s < earliest_s) continue;
+      const State& state = head.states[traveller.interval];
+      const double there_s = std::max(earliest_s, safe.from_s);
+      const bool is_known = safe.may_stay && !state.arrivals.empty();
+      if (is_known && arrivals_[state.arrivals.front()].from_s <= there_s) continue;
+      const double remaining_s = model_.remaining_s(traveller.edge.head);
+      push(goal_opens_s(there_s + remaining_s), stand.from_s + least_s + remaining_s, none, traveller);
+      return;
+    }
+  }
+
+  void look_on(Traveller traveller) {
+    const Stand stand = stands_[traveller.stand];
+    const SafeInterval safe = place(traveller.edge.head).intervals[traveller.interval];
+    ++search_.counters.edge_evaluations;
+    const DepartureLook look = model_.first_open(traveller.edge, traveller.depart_s, stand.until_s,
+                                                 std::max(safe.from_s, traveller.arrive_s));
+    if (!look.open) {
+      if (look.looked_until_s >= stand.until_s) return;
+      traveller.depart_s = look.looked_until_s;
+      queue_again(traveller);
+      return;
+    }
+    traveller.depart_s = look.open->depart_s;
+    traveller.arrive_s = look.open->arrive_s;
+    if (look.open->arrive_s > safe.until_s) {
+      ++traveller.interval;
+    } else if (safe.may_stay) {
+      add({traveller.edge.head, traveller.interval, look.open->arrive_s, look.open->arrive_s, traveller.stand,
+           traveller.edge.step, look.open->depart_s, look.open->depart_s});
+      ++traveller.interval;
+    } else {
+      add_window(traveller, stand, safe, *look.open);
+    }
+    queue_again(traveller);
+  }
+
+  /// Adds the window of arrivals that begins with this departure, as far as it is not there, and moves the traveller
+  /// on.
+  void add_window(Traveller& traveller, const Stand& stand, const SafeInterval& safe,
+                  const OpenDeparture& open) {
+    const State& state = place(traveller.edge.head).states[traveller.interval];
+    const auto next = first_after(state, open.arrive_s + resolution_s);
+    double known_until_s = -SearchTree::never;
+    for (auto i = state.arrivals.begin(); i != next; ++i)
+      known_until_s = std::max(known_until_s, arrivals_[*i].until_s);
+    if (known_until_s > open.arrive_s + resolution_s) {
+      traveller.arrive_s = known_until_s;
+      return;
+    }
+    const double next_s = next == state.arrivals.end() ? SearchTree::never : arrivals_[*next].from_s;
+    const OpenDeparture last =
+        model_.open_until(traveller.edge, open, stand.until_s, std::min(safe.until_s, next_s));
+    if (known_until_s < open.arrive_s - resolution_s || last.arrive_s > known_until_s + resolution_s) {
+      add({traveller.edge.head, traveller.interval, open.arrive_s, last.arrive_s, traveller.stand,
+           traveller.edge.step, open.depart_s, last.depart_s});
+    }
+    // The next window begins where this one ends, unless that is a single moment.
+    const bool goes_on = last.depart_s > open.depart_s + resolution_s;
+    traveller.depart_s = goes_on ? last.depart_s : last.depart_s + resolution_s;
+    traveller.arrive_s = last.arrive_s;
+  }
+
+  /// From the goal back, each departure as early as it can be for what follows.
+  void trace_back() {
+    std::vector<Visit>& way = search_.way;
+    std::uint32_t index = best_;
+    double arrive_s = arrivals_[best_].from_s;
+    way.push_back({goal_, arrive_s, arrive_s});
+    while (arrivals_[index].parent != none) {
+      const Arrivals& arrivals = arrivals_[index];
+      const Stand& stand = stands_[arrivals.parent];
+      const double leave_s = departure_for(arrivals, stand, arrive_s);
+      const State& state = place(stand.vertex).states[stand.interval];
+      const bool stays = place(stand.vertex).intervals[stand.interval].may_stay;
+      index = state.arrivals.front();
+      if (!stays) {
+        index = *std::ranges::find_if(
+            state.arrivals, [&](std::uint32_t i) { return arrivals_[i].until_s >= leave_s - resolution_s; });
+      }
+      arrive_s = stays ? arrivals_[index].from_s : std::max(leave_s, arrivals_[index].from_s);
+      way.push_back({stand.vertex, arrive_s, std::max(leave_s, arrive_s)});
+    }
+    std::ranges::reverse(way);
+  }
+
+  double departure_for(const Arrivals& arrivals, const Stand& stand, double arrive_s) {
+    if (arrive_s <= arrivals.from_s) return arrivals.depart_from_s;
+    const Edge edge{stand.vertex, arrivals.vertex, arrivals.step};
+    for (double depart_s = arrivals.depart_from_s; depart_s < arrivals.depart_until_s;) {
+      const DepartureLook look = model_.first_open(edge, depart_s, arrivals.depart_until_s, arrive_s);
+      if (look.open) return look.open->depart_s;
+      depart_s = look.looked_until_s;
+    }
+    return arrivals.depart_until_s;
+  }
+
+  const Graph& graph_;
+  const Query& query_;
+  Vertex goal_;
+  Model& model_;
+  IntervalLimits limits_;
+  std::vector<std::uint32_t> place_of_;  // of each vertex
+  std::deque<Place> places_;             // as they are first asked for
+  std::vector<Arrivals> arrivals_;
+  std::vector<Stand> stands_;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue_;
+  std::uint64_t number_{};
+  std::uint32_t best_{none};  // arrivals at the goal
+  IntervalSearch search_;
+};
+
+/// The earliest arrival at the query's goal in a world where places and edges open and close and a vehicle may stay at
+/// some places for a while: A* over (vertex, safe interval). Where it may stay, the earliest arrival can do all that a
+/// later one can; where it can only pass, every arrival counts, and windows of them are kept. An edge that is closed is
+/// looked at again from the queue, when the search has come to that time. Exact under the model's laws, to within
+/// the slack and a second for each edge.
+/// `graph`  as GridGraph: size, is_open, for_each_edge
+/// Returns  a way whose departures are as late as the earliest arrival at each next place has it: the vehicle stays
+///          as near to what it stays for as it can
+/// Source   Phillips and Likhachev 2011, SIPP: Safe interval path planning for dynamic environments,
+///          doi:10.1109/ICRA.2011.5980306; the windows of arrivals are an addition
+/// Stops    early, and says so in the result, once `stop` is requested or a bound of `limits` is met; in the second
+///          case with the best way so far, if there is one
+template <class Graph, IntervalModel Model>
+IntervalSearch find_earliest_among_intervals(const Graph& graph, const Query& query, Model& model,
+                                             const IntervalLimits& limits, const std::stop_token& stop,
+                                             const ExpansionCallback& report = {}) {
+  return IntervalSearcher<Graph, Model>{graph, query, model, limits}.run(stop, report);
+}
+
+}  // namespace floeplan::graph
