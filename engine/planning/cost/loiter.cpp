@@ -34,6 +34,82 @@ core::Seconds held_until(const Sea& sea, geo::PlanePoint place, core::Seconds fr
   }
 }
 
+/// Whether the vehicle can keep its place then, against the current and below the ice.
+bool can_hold(const Sea& sea, geo::PlanePoint place, core::Seconds now) {
+  return sea.holds_against_current(place, now) && (!sea.ice() || sea.ice()->may_transit(place, now));
+}
+
+/// When it can, within a span.
+std::vector<TimeSpan> times_to_hold(const Sea& sea, geo::PlanePoint place, TimeSpan within) {
+  constexpr core::Seconds to_a_second{1.0};
+  // Between two steps of the data a current changes evenly, and is never stronger than at the stronger of both.
+  const bool below_ice = sea.ice() && sea.ice()->has_dense_ice();
+  const auto next_look = [&](core::Seconds now) {
+    const core::Seconds step = sea.currents() ? sea.currents()->next_step(now) : within.until;
+    return std::min({step, within.until, below_ice ? now + between_looks : within.until});
+  };
+  std::vector<TimeSpan> result;
+  core::Seconds now = within.from;
+  core::Seconds begins = now;
+  bool holds = can_hold(sea, place, now);
+  while (now < within.until) {
+    const core::Seconds next = next_look(now);
+    const bool holds_then = can_hold(sea, place, next);
+    if (holds_then != holds) {
+      core::Seconds held = holds ? now : next;
+      core::Seconds not_held = holds ? next : now;
+      while (std::abs((held - not_held).count()) > to_a_second.count()) {
+        const core::Seconds middle = 0.5 * (held + not_held);
+        (can_hold(sea, place, middle) ? held : not_held) = middle;
+      }
+      if (holds) {
+        result.push_back({begins, held});
+      } else {
+        begins = held;
+      }
+    }
+    holds = holds_then;
+    now = next;
+  }
+  if (holds) result.push_back({begins, within.until});
+  return result;
+}
+
+/// The departure from which on the leg ends no earlier than at `not_before`, as if nothing closed and opened; about.
+core::Seconds departure_for(const Sea& sea, geo::PlanePoint a, geo::PlanePoint b, core::Seconds earliest,
+                            core::Seconds not_before) {
+  if (not_before <= earliest + sea.least_time(a, b)) return earliest;
+  const auto time = sea.leg_time_back_without_timed_closures(a, b, not_before, earliest);
+  return time ? std::max(earliest, not_before - *time) : earliest;
+}
+
+/// The departure to try after one at which the leg is closed; empty: there is none that it may be open at.
+/// `is_first`: becomes whether the leg is closed at those between the two
+std::optional<core::Seconds> departure_after(const Sea& sea, geo::PlanePoint a, geo::PlanePoint b,
+                                             core::Seconds depart, core::Seconds until,
+                                             motion::EdgeClosed closed, bool& is_first) {
+  is_first = false;
+  core::Seconds unhindered{};
+  if (opens_again(closed)) {
+    const auto time = sea.leg_time_without_timed_closures(a, b, depart, core::Seconds{INFINITY});
+    if (time) {
+      unhindered = *time;
+    } else {
+      closed = time.error();
+    }
+  }
+  if (opens_again(closed)) {
+    const auto clear = sea.first_clear_departure(a, b, unhindered, depart, until);
+    if (!clear) return std::nullopt;
+    is_first = *clear > depart;
+    return is_first ? *clear : depart + fineness_of_waits(unhindered);
+  }
+  if (closed == motion::EdgeClosed::under_ice) return depart + between_looks;
+  if (closed != motion::EdgeClosed::current_too_strong || !sea.currents() || !sea.currents()->time_step())
+    return std::nullopt;
+  return depart + std::max(between_looks, *sea.currents()->time_step() / tries_per_time_step);
+}
+
 /// The leg with the least wait, to within `punctual`, that is open after a departure that was refused.
 WaitedLeg soonest(const Sea& sea, geo::PlanePoint a, geo::PlanePoint b, core::Seconds arrive,
                   core::Seconds latest, std::optional<core::Seconds> refused, WaitedLeg open) {
@@ -134,6 +210,114 @@ tl::expected<WaitedLeg, motion::EdgeClosed> leg_when_open(const Sea& sea, geo::P
 tl::expected<core::Seconds, motion::EdgeClosed> time_with_wait(const Sea& sea, geo::PlanePoint a,
                                                                geo::PlanePoint b, core::Seconds arrive) {
   return leg_when_open(sea, a, b, arrive).map([](const WaitedLeg& leg) { return leg.total(); });
+}
+
+OpenLegLook next_open_leg(const Sea& sea, geo::PlanePoint a, geo::PlanePoint b, TimeSpan departures,
+                          core::Seconds not_before) {
+  const OpenLegLook none{std::nullopt, core::Seconds{INFINITY}};
+  if (sea.closed_between(a, b)) return none;
+  const auto open_at = [&](core::Seconds depart) -> std::optional<OpenLeg> {
+    const auto time = sea.leg_time(a, b, depart);
+    if (!time || depart + *time < not_before) return std::nullopt;
+    return OpenLeg{depart, *time};
+  };
+  core::Seconds depart = departure_for(sea, a, b, departures.from, not_before);
+  std::optional<core::Seconds> refused;
+  for (int i = 0; i < most_tries; ++i) {
+    if (depart > departures.until) {
+      if (!refused || *refused >= departures.until) return none;
+      depart = departures.until;
+    }
+    const auto time = sea.leg_time(a, b, depart);
+    if (time && depart + *time >= not_before) {
+      OpenLeg open{depart, *time};
+      while (refused && open.depart - *refused > punctual) {
+        const core::Seconds middle = 0.5 * (*refused + open.depart);
+        if (const auto earlier = open_at(middle)) {
+          open = *earlier;
+        } else {
+          refused = middle;
+        }
+      }
+      return {open, open.depart};
+    }
+    if (time) {
+      refused = depart;
+      depart += std::max(not_before - (depart + *time), punctual);
+      continue;
+    }
+    bool is_first = false;
+    const auto next = departure_after(sea, a, b, depart, departures.until, time.error(), is_first);
+    if (!next) return none;
+    refused = is_first ? std::nullopt : std::optional{depart};
+    depart = *next;
+  }
+  return {std::nullopt, refused.value_or(depart)};
+}
+
+OpenLeg open_leg_until(const Sea& sea, geo::PlanePoint a, geo::PlanePoint b, const OpenLeg& leg,
+                       core::Seconds latest_departure, core::Seconds latest_arrival) {
+  constexpr core::Seconds least_step{300.0};
+  constexpr int most_steps = 12;
+  const core::Seconds step = std::max(least_step, fineness_of_waits(leg.time));
+  const auto open_at = [&](core::Seconds depart) -> std::optional<OpenLeg> {
+    const auto time = sea.leg_time(a, b, depart);
+    if (!time || depart + *time > latest_arrival) return std::nullopt;
+    return OpenLeg{depart, *time};
+  };
+  OpenLeg last = leg;
+  for (int i = 0; i < most_steps && last.depart < latest_departure; ++i) {
+    core::Seconds closed = std::min(last.depart + step, latest_departure);
+    if (const auto later = open_at(closed)) {
+      last = *later;
+      continue;
+    }
+    while (closed - last.depart > punctual) {
+      const core::Seconds middle = 0.5 * (last.depart + closed);
+      if (const auto later = open_at(middle)) {
+        last = *later;
+      } else {
+        closed = middle;
+      }
+    }
+    break;
+  }
+  return last;
+}
+
+std::vector<graph::SafeInterval> safe_intervals(const Sea& sea, geo::PlanePoint place, TimeSpan within) {
+  std::vector<graph::SafeInterval> result;
+  const std::vector<TimeSpan> holds = times_to_hold(sea, place, within);
+  const auto add = [&](core::Seconds from, core::Seconds until, bool may_stay) {
+    if (from < until) result.push_back({from.count(), until.count(), may_stay});
+  };
+  const auto add_clear = [&](core::Seconds from, core::Seconds until) {
+    for (const TimeSpan& hold : holds) {
+      if (hold.until <= from || hold.from >= until) continue;
+      add(from, hold.from, false);
+      const core::Seconds ends = std::min(hold.until, until);
+      add(std::max(from, hold.from), ends, true);
+      from = ends;
+    }
+    add(from, until, false);
+  };
+  core::Seconds from = within.from;
+  for (const TimeSpan& closed : sea.closed_times(place)) {
+    if (closed.until <= from) continue;
+    if (closed.from >= within.until) break;
+    add_clear(from, closed.from);
+    from = closed.until;
+  }
+  add_clear(from, within.until);
+  return result;
+}
+
+core::Seconds end_of_looks(const Sea& sea, core::Seconds depart, core::Metres way) {
+  constexpr core::Seconds longest_look{10.0 * 86'400.0};
+  constexpr double slowest_share = 0.25;  // of the speed through water, on the average of a way
+  const core::Seconds end = depart + longest_look + way / (slowest_share * sea.through_water());
+  if (!sea.currents()) return end;
+  return std::min(end, sea.currents()->end().value_or(end));
 }
 
 std::size_t interval_of(const std::vector<TimeSpan>& closed, core::Seconds time) {

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <optional>
 #include <tl/expected.hpp>
 #include <utility>
 #include <vector>
 
+#include "engine/graph/interval_search.hpp"
 #include "engine/motion/edge_closed.hpp"
 #include "engine/planning/cost/sea.hpp"
 #include "engine/planning/problem/time_span.hpp"
@@ -62,6 +64,45 @@ inline constexpr core::Seconds punctual{0.1};
                                                                              geo::PlanePoint a,
                                                                              geo::PlanePoint b,
                                                                              core::Seconds arrive);
+
+/// A departure at which a leg is open.
+struct OpenLeg {
+  core::Seconds depart;
+  core::Seconds time;
+
+  [[nodiscard]] core::Seconds arrival() const { return depart + time; }
+};
+
+/// What became of a look for one.
+struct OpenLegLook {
+  std::optional<OpenLeg> leg;
+  core::Seconds looked_until;  // there is none before it
+};
+
+/// The first departure of a span at which the leg is open and ends no earlier than at `not_before`. Looks at a few
+/// departures only; asked again from where it came to, it goes on.
+/// Accuracy  as `leg_when_open`; where a current or ice closes the leg, one that is open for less than a quarter of an
+///           hour, or of the data's step in time, may be overlooked
+[[nodiscard]] OpenLegLook next_open_leg(const Sea& sea, geo::PlanePoint a, geo::PlanePoint b,
+                                        TimeSpan departures, core::Seconds not_before);
+
+/// The last departure, no later than `latest_departure`, such that the leg is open from `leg` to it and ends no later
+/// than at `latest_arrival`. Goes on for a few steps only; asked again from there, further.
+/// Accuracy  to within `punctual`; a closure that is shorter than five minutes, or a share of the leg's time, may be
+///           overlooked: before a departure is used, its leg is timed for itself
+[[nodiscard]] OpenLeg open_leg_until(const Sea& sea, geo::PlanePoint a, geo::PlanePoint b, const OpenLeg& leg,
+                                     core::Seconds latest_departure, core::Seconds latest_arrival);
+
+/// When a vehicle may be at a place, within a span: it may stay where it can keep its place against the current and
+/// below the ice, and pass where nothing is in the way.
+/// Accuracy  as `can_stay_until`, but that the ends of stays are known to a second; where a current slackens between
+///           two steps of its data only, the vehicle may not stay meanwhile
+[[nodiscard]] std::vector<graph::SafeInterval> safe_intervals(const Sea& sea, geo::PlanePoint place,
+                                                              TimeSpan within);
+
+/// Until when it is looked for what opens, for a vehicle that goes so far: to the end of the currents, and ten days
+/// longer than it takes at most in slack water, because an iceberg may stay for ever.
+[[nodiscard]] core::Seconds end_of_looks(const Sea& sea, core::Seconds depart, core::Metres way);
 
 /// Which of a place's times between closures a moment belongs to: how many closures are over by then.
 [[nodiscard]] std::size_t interval_of(const std::vector<TimeSpan>& closed, core::Seconds time);

@@ -4,7 +4,7 @@
 #include <optional>
 #include <utility>
 
-#include "engine/planning/cost/delayed_schedule.hpp"
+#include "engine/planning/cost/held_schedule.hpp"
 #include "engine/planning/cost/loiter.hpp"
 #include "engine/planning/cost/surfacing_wait.hpp"
 
@@ -129,13 +129,8 @@ tl::expected<Schedule, RouteClosed> schedule_along(const Sea& sea, const std::ve
                                                    core::Seconds depart, core::Seconds since_surfacing) {
   auto at_once = without_waits(sea, route, depart, since_surfacing);
   if (at_once || !waits_may_help(sea)) return at_once;
-  auto waited = with_waits(sea, route, depart, since_surfacing);
-  if (at_once.error().reason == motion::EdgeClosed::current_too_strong &&
-      !sea.overhead().bounds_surfacing()) {
-    auto delayed = delayed_schedule(sea, route, depart);
-    if (delayed && (!waited || delayed->arrivals.back() < waited->arrivals.back()))
-      waited = std::move(delayed);
-  }
+  auto waited = sea.overhead().bounds_surfacing() ? with_waits(sea, route, depart, since_surfacing)
+                                                  : held_schedule(sea, route, depart);
   if (!waited) return at_once;
   return *std::move(waited);
 }

@@ -262,6 +262,12 @@ tl::expected<core::Seconds, motion::EdgeClosed> Sea::leg_time_back(geo::PlanePoi
   return time;
 }
 
+tl::expected<core::Seconds, motion::EdgeClosed> Sea::leg_time_back_without_timed_closures(
+    geo::PlanePoint a, geo::PlanePoint b, core::Seconds arrive, core::Seconds earliest) const {
+  if (const auto closed = closed_between(a, b)) return tl::unexpected(*closed);
+  return drive_time_back({a, b, ground_length(a, b)}, arrive, earliest);
+}
+
 tl::expected<Sea::Leg, motion::EdgeClosed> Sea::leg(geo::PlanePoint a, geo::PlanePoint b,
                                                     core::Seconds depart,
                                                     core::Seconds since_surfacing) const {

@@ -104,6 +104,9 @@ class Sea {
                                                                               geo::PlanePoint b,
                                                                               core::Seconds arrive,
                                                                               core::Seconds earliest) const;
+  /// The same as if nothing closed and opened in time.
+  [[nodiscard]] tl::expected<core::Seconds, motion::EdgeClosed> leg_time_back_without_timed_closures(
+      geo::PlanePoint a, geo::PlanePoint b, core::Seconds arrive, core::Seconds earliest) const;
   /// The same for a vehicle that was `since_surfacing` ago at a place where it might have surfaced; no_surfacing where
   /// that becomes longer than the request allows, anywhere on the leg.
   struct Leg {
@@ -160,6 +163,12 @@ class Sea {
     Sea driven = *this;
     driven.drives_ = {drive};
     return driven;
+  }
+  /// The same sea for a vehicle that never waits.
+  [[nodiscard]] Sea without_waits() const {
+    Sea hurried = *this;
+    hurried.longest_wait_ = core::Seconds{0.0};
+    return hurried;
   }
   /// The same sea for a vehicle that may stay below for as long as it takes.
   [[nodiscard]] Sea without_bound_on_surfacing() const {

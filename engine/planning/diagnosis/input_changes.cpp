@@ -383,11 +383,14 @@ void InputChanges::wait_for_slack(std::optional<core::Seconds> delay) {
 
 void InputChanges::wait_up_to(core::Seconds most, core::Seconds least) {
   const double now = request_.max_loiter.count();
-  const auto waits = trials_.shortest_that_helps(most, least, [&](core::Seconds longest) {
+  // The place to hold at may lie well before what opens.
+  static constexpr double more_h[] = {0.0, 5.0, 12.0, 36.0};
+  const auto waiting = [&](core::Seconds longest) {
     PlanRequest changed = request_;
     changed.max_loiter = std::max(longest, request_.max_loiter);
     return changed;
-  });
+  };
+  const auto waits = trials_.shortest_that_helps(most, least, waiting, more_h);
   if (!waits || waits->least <= request_.max_loiter) return;
   add("max_loiter_s", now, waits->least.count(), 1.0 + waits->least / a_day,
       written("let the vehicle wait for up to %.0f h at one place instead of %.4g h", waits->least / an_hour,

@@ -15,6 +15,7 @@
 #include "engine/planning/search/chart.hpp"
 #include "engine/planning/search/grid/grid_travel.hpp"
 #include "engine/planning/search/surfacing/surfacing_search.hpp"
+#include "engine/planning/search/holding/hold_search.hpp"
 #include "engine/planning/search/waiting/later_ways.hpp"
 #include "engine/planning/search/waiting/time_killing.hpp"
 
@@ -23,6 +24,7 @@ namespace {
 
 // Measured on the demonstration data: what sets the pace, not what it takes.
 constexpr std::int64_t work_of_a_leg = 6;
+constexpr std::int64_t work_of_a_look = 12;     // for an open departure on a leg
 constexpr std::int64_t work_of_a_label = 600;   // all legs from it
 constexpr std::int64_t work_of_a_berg = 2000;   // its forecast
 constexpr double work_of_a_vertex = 10.0;       // its part of the maps, and which of its edges are open
@@ -79,11 +81,8 @@ class GridTrial {
                                                   leaves, latest);
     };
     const search::GridTravelTime timed{sea_, open_.grid};
-    if (!sea_.has_timed_closures()) {
-      Way at_once = likely_or_earliest_way(depart, timed);
-      return at_once.path.empty() && cost::waits_may_help(sea_) ? path_with_waits(depart)
-                                                                : std::move(at_once.path);
-    }
+    if (cost::waits_may_help(sea_)) return way_with_holds(depart, untimed);
+    if (!sea_.has_timed_closures()) return likely_or_earliest_way(depart, timed).path;
 
     Way way = likely_or_earliest_way(depart, untimed);
     if (way.path.empty() || cost::schedule_along(sea_, way.path, depart)) return std::move(way.path);
@@ -181,40 +180,21 @@ class GridTrial {
     return graph::find_earliest_arrivals(open_.graph, query, travel_time, stop_, bound);
   }
 
-  /// Where the current slackens for who waits.
-  std::vector<geo::PlanePoint> path_with_waits(core::Seconds depart) {
-    const search::StraightBound straight{sea_, open_.grid, open_.graph, open_.grid.goal};
-    const graph::Query query{open_.grid.start, open_.grid.goal, depart, whenever};
-    // A leg that is closed is timed at many departures.
-    constexpr std::int64_t times_of_a_wait = 24;
-    const search::GridTravelTime timed{sea_, open_.grid};
-    const search::WaitedTravelTime waited{sea_, open_.grid};
-    const auto in_time_or_later = [&](const graph::Edge& edge, core::Seconds leaves, core::Seconds latest) {
-      const auto at_once = timed(edge, leaves, latest);
-      if (at_once || at_once.error() != motion::EdgeClosed::current_too_strong) return at_once;
-      left_ -= times_of_a_wait * work_of_a_leg;
-      return waited(edge, leaves, latest);
-    };
-    const graph::SearchTree tree =
-        graph::find_earliest_arrivals(open_.graph, query, rationed(in_time_or_later), stop_, straight);
-    std::vector<geo::PlanePoint> path;
-    for (const graph::Vertex v : graph::path_to(open_.graph, tree, open_.grid.goal))
-      path.push_back(open_.grid.point(v));
-    return path.empty() ? path_after_wait_at_start(depart) : path;
-  }
-
-  /// The same where it has to wait at the start already.
-  std::vector<geo::PlanePoint> path_after_wait_at_start(core::Seconds depart) {
-    constexpr int most_tries = 6;
-    const geo::PlanePoint start = open_.grid.point(open_.grid.start);
-    const core::Seconds stays = cost::can_stay_until(sea_, start, depart, depart + sea_.longest_wait());
-    const search::GridTravelTime timed{sea_, open_.grid};
-    for (int i = 1; i <= most_tries && stays > depart && left_ > 0; ++i) {
-      const core::Seconds later = depart + (static_cast<double>(i) / most_tries) * (stays - depart);
-      Way way = way_by<TowardsEarliestWay>(later, whenever, timed);
-      if (!way.path.empty()) return std::move(way.path);
-    }
-    return {};
+  /// For a vehicle that may hold; without holds where one of them were too long.
+  template <class LegTimes>
+  std::vector<geo::PlanePoint> way_with_holds(core::Seconds depart, const LegTimes& untimed) {
+    Way at_once = likely_or_earliest_way(depart, untimed);
+    if (!at_once.path.empty() && cost::schedule_along(sea_, at_once.path, depart))
+      return std::move(at_once.path);
+    search::HeldWay held =
+        search::search_held_way(sea_, open_, depart, whenever, stop_, {},
+                                {.most_entries = search::limits_of_a_hold_search.most_entries,
+                                 .most_looks = left_ / work_of_a_look});
+    left_ -= work_of_a_look * held.counters.edge_evaluations;
+    if (held.full) left_ = std::min<std::int64_t>(left_, 0);
+    if (!held.path.empty() || left_ <= 0) return std::move(held.path);
+    const cost::Sea moving = sea_.without_waits();
+    return GridTrial{moving, open_, left_, stop_}.unbounded_way(depart);
   }
 
   std::vector<geo::PlanePoint> later_path(core::Seconds depart) {

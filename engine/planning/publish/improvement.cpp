@@ -17,21 +17,28 @@
 namespace floeplan::planning::publish {
 namespace {
 
-constexpr double cost_of_waiting = 8.0;  // of a leg that is timed at several departures until it opens
+constexpr double cost_of_waiting = 4.0;  // of a leg that is timed at several departures until it opens
 
-/// What asks the sea, in the shape that refinement wants.
+/// What asks the sea, in the shape that refinement wants. A way on which nothing is waited for is moved without waits:
+/// it gains nothing by them, and each leg is timed once.
 struct SeaTimer {
   const cost::Sea& sea;
+  bool waits;
 
   tl::expected<core::Seconds, motion::EdgeClosed> operator()(geo::PlanePoint a, geo::PlanePoint b,
                                                              core::Seconds depart) const {
-    return cost::time_with_wait(sea, a, b, depart);
+    return waits ? cost::time_with_wait(sea, a, b, depart) : sea.leg_time(a, b, depart);
   }
 };
 
-refinement::RefinementBudget budget_of(const cost::Sea& sea, const PlanRequest& request,
-                                       const std::stop_token& stop, const core::SteadyClock& clock) {
-  const bool waits = cost::waits_may_help(sea);
+bool has_waits(const cost::Sea& sea, const cost::Route& way) {
+  const auto schedule = cost::schedule_along(sea, way.points, cost::at_departure);
+  return schedule &&
+         std::ranges::any_of(schedule->waits, [](core::Seconds wait) { return wait.count() > 0.0; });
+}
+
+refinement::RefinementBudget budget_of(bool waits, const PlanRequest& request, const std::stop_token& stop,
+                                       const core::SteadyClock& clock) {
   const double per_second =
       waits ? refinement::timed_legs_per_second / cost_of_waiting : refinement::timed_legs_per_second;
   return refinement::refinement_budget(request, per_second, stop, clock);
@@ -45,7 +52,7 @@ std::optional<std::size_t> most_legs(const PlanRequest& request) {
 /// The way of a grid after refinement; as it is when it is closed, for publishing to tell why.
 Improved refined(const cost::Sea& sea, const cost::Route& way, const PlanRequest& request,
                  const std::stop_token& stop, const core::SteadyClock& clock) {
-  const SeaTimer timer{sea};
+  const SeaTimer timer{sea, has_waits(sea, way)};
   refinement::LegMeter legs{timer, {.stop = stop}};
   const auto on_grid = legs.timed(way, cost::at_departure);
   const auto start =
@@ -56,14 +63,15 @@ Improved refined(const cost::Sea& sea, const cost::Route& way, const PlanRequest
   if (most)
     shorter = {refinement::shorten_to(legs, *start, *most), refinement::shorten_to(legs, *on_grid, *most)};
   refinement::Refined result = refinement::refine_route(timer, *start, {.most_legs = most},
-                                                        budget_of(sea, request, stop, clock), shorter);
+                                                        budget_of(timer.waits, request, stop, clock),
+                                                        shorter);
   result.report.before = on_grid->travel_time();
   return {std::move(result.itinerary.route), std::move(result.report)};
 }
 
 cost::Route thinned(const cost::Sea& sea, const cost::Route& route, std::size_t most,
                     const std::stop_token& stop) {
-  const SeaTimer timer{sea};
+  const SeaTimer timer{sea, has_waits(sea, route)};
   refinement::LegMeter legs{timer, {.stop = stop}};
   auto timed = legs.timed(route, cost::at_departure);
   return timed ? refinement::shorten_to(legs, std::move(*timed), most).route : route;

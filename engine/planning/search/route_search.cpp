@@ -9,11 +9,12 @@
 
 #include "engine/graph/label_setting_search.hpp"
 #include "engine/graph/tve_search.hpp"
+#include "engine/planning/cost/loiter.hpp"
 #include "engine/planning/cost/route_cost.hpp"
 #include "engine/planning/search/bounds/foresight.hpp"
 #include "engine/planning/search/grid/grid_travel.hpp"
+#include "engine/planning/search/holding/hold_search.hpp"
 #include "engine/planning/search/surfacing/surfacing_search.hpp"
-#include "engine/planning/search/waiting/current_waits.hpp"
 #include "engine/planning/search/waiting/late_openings.hpp"
 #include "engine/planning/search/waiting/later_ways.hpp"
 #include "engine/planning/search/waiting/time_killing.hpp"
@@ -44,6 +45,13 @@ struct FrozenTravelTime {
     return now(edge, depart, core::Seconds{INFINITY});
   }
 };
+
+/// Counts the work of an earlier search, too.
+void add_work(SearchStatistics& sum, const SearchStatistics& earlier) {
+  sum.expansions += earlier.expansions;
+  sum.edge_evaluations += earlier.edge_evaluations;
+  sum.reinsertions += earlier.reinsertions;
+}
 
 /// When a way that is likely to be about the best ends, by true times; infinite where none is found that is open.
 /// `timed_closures`: whether the travel times mind what closes for a while
@@ -218,9 +226,8 @@ bool look_for_later_ways(RouteSearch& result, const cost::Sea& sea, const OpenGr
 bool look_for_a_wait(RouteSearch& result, const cost::Sea& sea, const OpenGrid& open, const AtOnce& at_once,
                      core::Seconds depart, ArrivalSpan within, const std::stop_token& stop) {
   const auto end = sea.currents() ? sea.currents()->end() : std::nullopt;
-  // Who waits, or circles, for as long as may be, and takes twice as long under way as the best way does.
-  const core::Seconds travel = at_once.arrival - depart;
-  const core::Seconds most = at_once.arrival + std::max(sea.longest_wait(), travel) + travel;
+  // A vehicle that circles for as long as may be, and takes twice as long under way as the best way does.
+  const core::Seconds most = at_once.arrival + 2.0 * (at_once.arrival - depart);
   const core::Seconds last = std::min({within.before, most, end.value_or(most)});
   WaitingWay waiting =
       search_way_with_one_wait(sea, open, depart, {.after = within.after, .before = last}, stop);
@@ -233,6 +240,32 @@ bool look_for_a_wait(RouteSearch& result, const cost::Sea& sea, const OpenGrid& 
   result.path = std::move(waiting.path);
   result.arrival = waiting.arrival;
   return true;
+}
+
+/// Whether a leg that the current closed may be open for who holds before it, and lead to the goal before that arrival.
+bool may_open_in_time(const RefusedEdges& refused, const StraightBound& straight, core::Seconds arrival) {
+  return std::ranges::any_of(refused.edges, [&](const RefusedEdge& leg) {
+    return leg.when + straight.least_time(leg.edge) + straight.remaining(leg.edge.head) < arrival;
+  });
+}
+
+/// Replaces the way by one that holds where that arrives earlier. The way of `result` arrives by `untimed` with the
+/// holds that it needs.
+/// Returns  whether there is any way then
+bool look_for_holds(RouteSearch& result, const cost::Sea& sea, const OpenGrid& open,
+                    const UntimedWay& untimed, core::Seconds depart, core::Seconds latest,
+                    const std::stop_token& stop, const graph::ExpansionCallback& report) {
+  result.arrival = core::Seconds{untimed.arrival_s};
+  HeldWay held = search_held_way(sea, open, depart, std::min(latest, result.arrival), stop, report);
+  result.statistics.expansions += held.counters.expansions;
+  result.statistics.edge_evaluations += held.counters.edge_evaluations;
+  result.statistics.cut_short = held.full;
+  result.cancelled = held.cancelled;
+  if (held.arrival < result.arrival) {
+    result.path = std::move(held.path);
+    result.arrival = held.arrival;
+  }
+  return result.cancelled || std::isfinite(result.arrival.count());
 }
 
 /// The search as if the time without surfacing were not bounded.
@@ -315,7 +348,20 @@ RouteSearch search_unbounded(const cost::Sea& sea, const OpenGrid& open, const P
                                    : search(GridTravelTime{sea, grid, &refused}, false);
   adopt(tree);
   const auto untimed_way = in_time ? timed_without_delay(sea, result.path, depart, tree.arrival_s(grid.goal))
-                                   : UntimedWay{.is_best = true, .arrival_s = INFINITY};
+                                   : UntimedWay{.is_best = true, .arrival_s = tree.arrival_s(grid.goal)};
+  if (cost::waits_may_help(sea) && request.method != Method::frozen && !result.cancelled) {
+    const bool is_hindered = (!result.path.empty() && !untimed_way.is_best) ||
+                             may_open_in_time(refused, straight, result.arrival);
+    if (is_hindered) {
+      if (look_for_holds(result, sea, open, untimed_way, depart, latest, stop, report)) return result;
+      RouteSearch moving = search_unbounded(sea.without_waits(), open, request, depart, stop, report_fraction,
+                                            latest, kept_foresight);
+      add_work(moving.statistics, result.statistics);
+      moving.statistics.cut_short = moving.statistics.cut_short || result.statistics.cut_short;
+      return moving;
+    }
+    if (!result.path.empty()) return result;
+  }
   if (in_time && !result.path.empty() && !untimed_way.is_best) {
     const double least_s = tree.arrival_s(grid.goal);
     const AtOnce at_once{result.path, core::Seconds{least_s}};
@@ -335,8 +381,8 @@ RouteSearch search_unbounded(const cost::Sea& sea, const OpenGrid& open, const P
       return !result.cancelled &&
              (result.path.empty() || arrival_s - soonest_s > least_gain * (arrival_s - depart.count()));
     };
-    // Who may not wait hardly ever circles where there is a way at once.
-    const bool is_likely = result.path.empty() || sea.longest_wait().count() > 0.0;
+    // A vehicle hardly ever circles where there is a way at once.
+    const bool is_likely = result.path.empty();
     bool comes_later = is_likely && may_gain() &&
                        look_for_a_wait(result, sea, open, at_once, depart,
                                        {core::Seconds{soonest_s}, core::Seconds{arrival_s}}, stop);
@@ -369,8 +415,6 @@ RouteSearch search_unbounded(const cost::Sea& sea, const OpenGrid& open, const P
       result.statistics.worst_fifo_violation = worse_of(result.statistics.worst_fifo_violation, opening);
     }
   }
-  if (result.statistics.fifo_violations > 0 && !result.cancelled)
-    look_for_waits_in_currents(result, sea, open, query, straight, stop, report);
   if (result.path.empty() && !result.cancelled) describe_end(result, sea, grid, graph, tree);
   return result;
 }
@@ -392,9 +436,7 @@ RouteSearch search_route(const cost::Sea& sea, const OpenGrid& open, const PlanR
   }
   const auto along_best = cost::arrivals_along(sea, found.path, depart, since_surfacing);
   RouteSearch bounded = search_with_surfacings(sea, open, depart, since_surfacing, stop, report_fraction);
-  bounded.statistics.expansions += found.statistics.expansions;
-  bounded.statistics.edge_evaluations += found.statistics.edge_evaluations;
-  bounded.statistics.reinsertions += found.statistics.reinsertions;
+  add_work(bounded.statistics, found.statistics);
   if (const auto circling = circles_too_long(sea, open, bounded.path, depart, found.arrival, stop);
       circling && !along_best) {
     bounded.opens_later = OpensLater{along_best.error(), *circling};

@@ -7,7 +7,6 @@
 
 #include "engine/graph/grid_graph.hpp"
 #include "engine/motion/edge_closed.hpp"
-#include "engine/planning/cost/loiter.hpp"
 #include "engine/planning/cost/route_grid.hpp"
 #include "engine/planning/cost/sea.hpp"
 
@@ -60,18 +59,6 @@ struct UntimedTravelTime {
     return note_refusal(
         refused, edge, depart,
         sea.leg_time_without_timed_closures(grid.point(edge.tail), grid.point(edge.head), depart, latest));
-  }
-};
-
-/// With a wait at the tail, as long as the request allows, until the edge is open.
-struct WaitedTravelTime {
-  const cost::Sea& sea;
-  const cost::RouteGrid& grid;
-
-  tl::expected<core::Seconds, motion::EdgeClosed> operator()(const graph::Edge& edge, core::Seconds depart,
-                                                             core::Seconds latest) const {
-    return cost::leg_when_open(sea, grid.point(edge.tail), grid.point(edge.head), depart, latest)
-        .map([](const cost::WaitedLeg& leg) { return leg.total(); });
   }
 };
 

@@ -4,27 +4,12 @@
 #include <cmath>
 #include <optional>
 
-#include "engine/planning/cost/loiter.hpp"
 #include "engine/planning/search/bounds/arrival_ladder.hpp"
 #include "engine/planning/search/bounds/foresight.hpp"
 #include "engine/planning/search/waiting/openings.hpp"
 #include "engine/planning/search/waiting/voyage.hpp"
 
 namespace floeplan::planning::search {
-namespace {
-
-/// Of the longest edges of a grid, each against a current of half the vehicle's speed.
-core::Seconds fineness_of_waits_on(const cost::Sea& sea, const OpenGrid& open) {
-  double longest_m = 0.0;
-  for (const graph::Offset offset : open.graph.offsets()) {
-    longest_m =
-        std::max(longest_m, std::hypot(offset.dx * open.grid.along.x_m + offset.dy * open.grid.across.x_m,
-                                       offset.dx * open.grid.along.y_m + offset.dy * open.grid.across.y_m));
-  }
-  return cost::fineness_of_waits(2.0 * (core::Metres{longest_m} / sea.through_water()));
-}
-
-}  // namespace
 
 LaterWay search_later_ways(const cost::Sea& sea, const OpenGrid& open, core::Seconds depart,
                            core::Seconds latest, core::Seconds slack, std::size_t most_labels,
@@ -47,10 +32,8 @@ LaterWay search_later_ways(const cost::Sea& sea, const OpenGrid& open, core::Sec
   if (result.cancelled || openings.empty()) return result;
 
   Voyage voyage{sea, open.grid, openings, latest, ladder ? &*ladder : nullptr};
-  const core::Seconds near_enough =
-      sea.longest_wait().count() > 0.0 ? std::max(slack, fineness_of_waits_on(sea, open)) : slack;
   const auto search = graph::find_best_labels(open.graph, open.grid.start, open.grid.goal, depart.count(), {},
-                                              voyage, most_labels, stop, {}, near_enough.count());
+                                              voyage, most_labels, stop, {}, slack.count());
   result.counters = search.counters;
   result.cancelled = search.stopped;
   result.cut_short = search.full;

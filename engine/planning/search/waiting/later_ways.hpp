@@ -23,8 +23,7 @@ struct LaterWay {
 
 /// Searches a grid for the earliest arrival at its goal before `latest` among all ways, also those that arrive
 /// somewhere later than they could. Nothing where nothing that is closed opens again before that.
-/// `slack`: a way that arrives no later than the earliest by so much, or by the fineness of its waits where the
-/// vehicle may wait, will do.
+/// `slack`: a way that arrives no later than the earliest by so much will do. Nobody waits, whatever the sea allows.
 /// Stops    early and says so once `stop` is requested or `most_labels` arrivals are kept, some ten microseconds each
 [[nodiscard]] LaterWay search_later_ways(const cost::Sea& sea, const OpenGrid& open, core::Seconds depart,
                                          core::Seconds latest, core::Seconds slack, std::size_t most_labels,

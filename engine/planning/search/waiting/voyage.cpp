@@ -13,7 +13,6 @@ Voyage::Voyage(const cost::Sea& sea, const cost::RouteGrid& grid, const Openings
       goal_{grid.point(grid.goal)},
       latest_s_{latest.count()},
       ladder_{ladder},
-      may_wait_{sea.longest_wait().count() > 0.0},
       earliest_s_(static_cast<std::size_t>(grid.nx) * static_cast<std::size_t>(grid.ny), INFINITY) {
   span_s_ = (grid.shortest_step() / sea.through_water()).count();
 }
@@ -30,15 +29,7 @@ bool Voyage::dominates(graph::Vertex v, const graph::Label<State>& a, const grap
                         a.state.since_surfacing_s <= b.state.since_surfacing_s &&
                         a.state.interval == b.state.interval;
   if (!no_worse || !openings_.matter(v, b.arrival_s)) return no_worse;
-  const bool same_span = std::floor(a.arrival_s / span_s_) == std::floor(b.arrival_s / span_s_);
-  if (!may_wait_) return same_span;
-
-  const std::vector<TimeSpan>& closed = openings_.closed(v);
-  const core::Seconds first{a.arrival_s};
-  const core::Seconds other{b.arrival_s};
-  if (cost::interval_of(closed, first) != cost::interval_of(closed, other)) return false;
-  return same_span || (other - first <= sea_.longest_wait() &&
-                       cost::current_lets_stay(sea_, grid_.point(v), first, other));
+  return std::floor(a.arrival_s / span_s_) == std::floor(b.arrival_s / span_s_);
 }
 
 }  // namespace floeplan::planning::search

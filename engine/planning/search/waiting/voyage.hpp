@@ -1,12 +1,10 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <vector>
 
 #include "engine/graph/label_search.hpp"
-#include "engine/planning/cost/loiter.hpp"
 #include "engine/planning/cost/route_grid.hpp"
 #include "engine/planning/cost/sea.hpp"
 #include "engine/planning/search/bounds/arrival_ladder.hpp"
@@ -26,9 +24,6 @@ struct VoyageState {
 /// Closures  near what opens again, an earlier arrival dominates a later one only within the same span of time, the
 ///           time the vehicle needs for a step of the grid; elsewhere always. So arriving later can be the only way
 ///           through, and is found to within that span
-/// Waits     where the request allows them, an earlier arrival also dominates a later one if the vehicle can stay until
-///           then, although that leaves less of the longest wait for what follows; the wait before a leg is the least
-///           that lets it through, or into a later of its end's times between closures
 /// Threads   for one search, which it remembers the arrivals of
 class Voyage {
  public:
@@ -52,13 +47,12 @@ class Voyage {
     }
     if (least_s > latest_s || is_dominated(edge.head, least_s, latest_s)) return;
     const core::Seconds arrive{arrival_s};
-    cost::for_each_opening(sea_, tail, head, openings_.closed(edge.head), arrive, core::Seconds{latest_s},
-                           [&](const cost::WaitedLeg& leg) {
-                             const double there_s = (arrive + leg.total()).count();
-                             if (there_s >= latest_s) return;
-                             earliest_s_[edge.head] = std::min(earliest_s_[edge.head], there_s);
-                             emit(there_s, state, 0U);
-                           });
+    const auto time = sea_.leg_time(tail, head, arrive, core::Seconds{latest_s});
+    if (!time) return;
+    const double there_s = (arrive + *time).count();
+    if (there_s >= latest_s) return;
+    earliest_s_[edge.head] = std::min(earliest_s_[edge.head], there_s);
+    emit(there_s, state, 0U);
   }
 
   void wait(graph::Vertex, double, const State&, auto&&) const {}
@@ -69,13 +63,8 @@ class Voyage {
     return ladder_ != nullptr ? std::max(straight_s, ladder_->earliest_s(v, arrival_s)) : straight_s;
   }
 
-  /// Who may not wait kills time under way, and the latest arrival is the one that came nearest. Who may does so near
-  /// the goal; where a way is known already, the earliest arrivals at every place, which leave no use for later ones,
-  /// tell sooner that there is no better one.
-  [[nodiscard]] double order(graph::Vertex v, double arrival_s) const {
-    if (!may_wait_) return -arrival_s;
-    return std::isfinite(latest_s_) ? arrival_s : sea_.least_time(grid_.point(v), goal_).count();
-  }
+  /// Time is killed under way, and the latest arrival is the one that came nearest.
+  [[nodiscard]] static double order(graph::Vertex, double arrival_s) { return -arrival_s; }
 
   [[nodiscard]] bool dominates(graph::Vertex v, const graph::Label<State>& a,
                                const graph::Label<State>& b) const;
@@ -95,7 +84,6 @@ class Voyage {
   double latest_s_;
   double span_s_;
   ArrivalLadder* ladder_;
-  bool may_wait_;
   std::vector<double> earliest_s_;  // arrival so far, by vertex
 };
 

@@ -45,7 +45,6 @@ class WaitingWaySearch {
         open_{open},
         depart_{depart},
         stop_{stop},
-        may_wait_{sea.longest_wait().count() > 0.0},
         step_m_{open.grid.shortest_step().value} {}
 
   WaitingWay find(ArrivalSpan within) && {
@@ -110,11 +109,10 @@ class WaitingWaySearch {
     return false;
   }
 
-  /// What to fly from a place and back to it, to leave it then: nothing where the vehicle may wait; else out and back
-  /// as often as needed, each by another course.
+  /// What to fly from a place and back to it, to leave it then: out and back as often as needed, each by another
+  /// course.
   [[nodiscard]] std::vector<std::vector<geo::PlanePoint>> circles_at(graph::Vertex place,
                                                                      core::Seconds until) const {
-    if (may_wait_) return {{}};
     std::vector<std::vector<geo::PlanePoint>> result;
     const geo::PlanePoint here = open_.grid.point(place);
     const core::Seconds from{earliest_.arrival_s(place)};
@@ -214,9 +212,7 @@ class WaitingWaySearch {
     if (place.spare.count() < 0.0) return false;
     const core::Seconds from = place.leaves - place.spare;
     const geo::PlanePoint point = open_.grid.point(place.vertex);
-    if (!may_wait_) return cost::next_closure(sea_, point, from) > place.leaves;
-    if (place.spare > sea_.longest_wait()) return false;
-    return cost::can_stay_until(sea_, point, from, place.leaves) >= place.leaves;
+    return cost::next_closure(sea_, point, from) > place.leaves;
   }
 
   void count(const graph::SearchTree& tree) {
@@ -228,7 +224,6 @@ class WaitingWaySearch {
   const OpenGrid& open_;
   core::Seconds depart_;
   const std::stop_token& stop_;
-  bool may_wait_;
   double step_m_;
   graph::SearchTree earliest_{0};  // on its way without waits
   WaitingWay found_;

@@ -25,9 +25,9 @@ struct ArrivalSpan {
 
 /// Looks for a way that goes on at once to some place, stays there, and is at the goal soon: by a search from the
 /// start, which tells how early the vehicle can be at each place, and searches from the goal on the film run backwards,
-/// which tell how late it may leave each for an arrival then; by halving, the arrival becomes earlier. Where the sea
-/// lets the vehicle wait it does so, there or where `schedule_along` has it wait, else it turns in circles: out and back
-/// on one line.
+/// which tell how late it may leave each for an arrival then; by halving, the arrival becomes earlier. The vehicle
+/// turns in circles there: out and back on one line.
+/// Precondition  the vehicle may not wait
 /// Among much that opens and closes this finds in seconds what a search of all arrivals at all places loses itself in;
 /// it is no proof that nothing is earlier.
 [[nodiscard]] WaitingWay search_way_with_one_wait(const cost::Sea& sea, const OpenGrid& open,
