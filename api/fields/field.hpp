@@ -48,7 +48,7 @@ namespace group {
 inline constexpr std::string_view places{"Places and areas"};
 inline constexpr std::string_view window{"Departure window"};
 inline constexpr std::string_view vehicle{"Vehicle"};
-inline constexpr std::string_view ice{"Ice"};
+inline constexpr std::string_view ice{"Icebergs and sea ice"};
 inline constexpr std::string_view uncertainty{"Uncertainty of currents"};
 inline constexpr std::string_view search{"Advanced"};
 inline constexpr std::string_view data{"Data"};

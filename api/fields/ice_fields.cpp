@@ -26,7 +26,7 @@ const Table<IcebergRules>& margin_fields() {
                            .most = 100'000.0,
                            .flag = "margin",
                            .help = "Distance kept from the edge of an iceberg",
-                           .form = {"Ice margin", "m"}},
+                           .form = {"Iceberg margin", "m"}},
                           [](auto& rules) -> auto& { return rules.margin; }),
   };
   return table;
@@ -133,7 +133,7 @@ const Table<UnderIceRules>& passing_under_ice_fields() {
                                  .unit = "share",
                                  .most = 1.0,
                                  .flag = "max-concentration-to-surface",
-                                 .help = "Share of ice up to which the vehicle may surface",
+                                 .help = "Share of sea ice up to which the vehicle may surface",
                                  .form = {"Surface up to", "% ice"}},
                                 [](auto& rules) -> auto& { return rules.max_concentration_to_surface; }),
                       under_ice({.name = "margin_below_ice_m",

@@ -151,11 +151,41 @@ Response show_currents(const Context& context, const Request& request, const Pat
   return grid_reply(grid);
 }
 
+/// Of the thickness of level ice: as fine as the picture needs, and up to that of ice shelves.
+constexpr double thickness_step_m = 0.04;
+
+Response show_sea_ice(const Context& context, const Request& request, const PathParameters&) {
+  ParameterReader reader{request};
+  const auto view = read_view(reader);
+  reader.require("time", "the moment to show, as 2026-11-20T06:00:00Z");
+  const auto time = reader.time("time");
+  if (!reader.violations().empty()) return invalid(request, reader.violations());
+  const auto dataset = choose_dataset(context, request, DatasetKind::ice, view->area, time);
+  if (!dataset) return dataset.error();
+  const auto ice = repository::FieldRepository{context.db}.load_ice(dataset->id, view->area,
+                                                                    repository::Period{*time, *time});
+  if (!ice) return problem_reply<"no-node-in-area-then">(request);
+
+  codec::MapGrid grid = empty_grid(*view, *dataset);
+  grid.time = time;
+  codec::MapGrid::Variable concentration{"concentration", 0.0001, {}};
+  codec::MapGrid::Variable thickness{"thickness_m", thickness_step_m, {}};
+  for_each_place(grid, [&](geo::LonLat place) {
+    const auto state = ice->at(place, *time);
+    concentration.values.push_back(state ? std::optional{state->concentration} : std::nullopt);
+    thickness.values.push_back(state && state->thickness ? std::optional{state->thickness->value}
+                                                         : std::nullopt);
+  });
+  grid.variables = {std::move(concentration), std::move(thickness)};
+  return grid_reply(grid);
+}
+
 }  // namespace
 
 std::vector<Route> map_field_routes() {
   return {{"GET", "/map/bathymetry", {"bbox", "nx", "ny", "dataset"}, show_bathymetry},
-          {"GET", "/map/currents", {"bbox", "nx", "ny", "time", "dataset", "depth_m"}, show_currents}};
+          {"GET", "/map/currents", {"bbox", "nx", "ny", "time", "dataset", "depth_m"}, show_currents},
+          {"GET", "/map/sea-ice", {"bbox", "nx", "ny", "time", "dataset"}, show_sea_ice}};
 }
 
 }  // namespace floeplan::routes

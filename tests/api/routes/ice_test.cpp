@@ -1,4 +1,7 @@
 #include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
 
 #include "storage/repository/dataset_repository.hpp"
 #include "storage/repository/field_repository.hpp"
@@ -77,6 +80,34 @@ TEST_F(IceRoutesTest, AProbeBeyondAreaOrPeriodHasAReasonAndNoValue) {
   const json elsewhere = json_of(ask("GET", "/probe?lon=10&lat=69&time=2027-01-15T20:00:00Z"));
   EXPECT_TRUE(elsewhere["ice_concentration"].is_null());
   EXPECT_THAT(elsewhere["ice_concentration_reason"], testing::HasSubstr("no ice data"));
+}
+
+/// The values of a grid of the map, all variables one after the other.
+std::vector<int> values_of(const std::string& grid) {
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(grid.at(i)); };
+  const std::size_t start = 4U + byte(0) + 256U * byte(1);
+  std::vector<int> values;
+  for (std::size_t i = start; i + 1 < grid.size(); i += 2)
+    values.push_back(static_cast<std::int16_t>(byte(i) | byte(i + 1) << 8U));
+  return values;
+}
+
+TEST_F(IceRoutesTest, TheMapShowsConcentrationAndThicknessBetweenTwoSteps) {
+  const auto response = ask("GET", "/map/sea-ice?bbox=-54,68,-52,70&nx=2&ny=2&time=2027-01-15T20:00:00Z");
+
+  ASSERT_EQ(response.status, 200) << response.body;
+  EXPECT_THAT(response.body, testing::HasSubstr(R"("variables":["concentration","thickness_m"])"));
+  EXPECT_THAT(response.body, testing::HasSubstr(R"("scale":[0.0001,0.04])"));
+  EXPECT_THAT(values_of(response.body), testing::ElementsAre(4000, 4000, 4000, 4000, 38, 38, 38, 38));
+}
+
+TEST_F(IceRoutesTest, TheMapHasNoIceBesideTheDataAndNoAnswerAfterTheirEnd) {
+  const auto beside = ask("GET", "/map/sea-ice?bbox=-54,68,-50,70&nx=2&ny=2&time=2027-01-15T08:00:00Z");
+  EXPECT_THAT(values_of(beside.body), testing::ElementsAre(2000, -32768, 2000, -32768, 38, -32768, 38, -32768));
+
+  const auto later = ask("GET", "/map/sea-ice?bbox=-54,68,-52,70&nx=2&ny=2&time=2027-01-16T09:00:00Z");
+  EXPECT_EQ(later.status, 404);
+  EXPECT_THAT(later.body, testing::HasSubstr("No ice data cover this area and time"));
 }
 
 TEST_F(IceRoutesTest, TheListOfDatasetsNamesItsTimes) {

@@ -6,7 +6,7 @@ import { findPlaces } from '../support/places';
 /** A short way over open water: flown in the test bed within a moment. */
 async function shortPlan(page: Page, start: LonLat): Promise<void> {
   await page.getByText('Data', { exact: true }).last().click();
-  await page.getByLabel('Sea ice').selectOption('none');
+  await page.getByLabel('Sea ice', { exact: true }).selectOption('none');
   await planByTyping(page, start, [start[0] + 0.06, start[1] + 0.02]);
 }
 

@@ -99,7 +99,7 @@ test('a plan is flown and its flight played back with the keyboard alone', { tag
   const { start } = await findPlaces(request);
   await open(page);
   await press(page, page.getByText('Data', { exact: true }).last());
-  const ice = page.getByLabel('Sea ice');
+  const ice = page.getByLabel('Sea ice', { exact: true });
   await ice.focus();
   await page.keyboard.type('None');
   await expect(ice).toHaveValue('none');

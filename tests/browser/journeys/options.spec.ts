@@ -114,11 +114,11 @@ test('an area and places to pass are typed with the keyboard alone', { tag: '@lo
 test('the set-up is there again after a reload', async ({ page }) => {
   await open(page);
   await page.getByLabel('Start', { exact: true }).fill('69.05, -52.5');
-  await page.getByLabel('Ice margin').fill('750');
+  await page.getByLabel('Iceberg margin').fill('750');
   await page.reload();
   await settled(page);
   await expect(page.getByLabel('Start', { exact: true })).toHaveValue('69.05, -52.5');
-  await expect(page.getByLabel('Ice margin')).toHaveValue('750');
+  await expect(page.getByLabel('Iceberg margin')).toHaveValue('750');
 });
 
 test('the server understands every option of the set-up', { tag: '@long' }, async ({ page, request }) => {

@@ -52,8 +52,8 @@ test('what the server refuses is shown beside its field', async ({ page, request
   await open(page);
   await page.getByLabel('Start', { exact: true }).fill(typed(start));
   await page.getByLabel('Goal', { exact: true }).fill(typed(goal));
-  await page.getByLabel('Ice margin').fill('-5');
+  await page.getByLabel('Iceberg margin').fill('-5');
   await page.getByRole('button', { name: /^Plan / }).click();
-  await expect(page.getByLabel('Ice margin')).toHaveAttribute('aria-invalid', 'true');
+  await expect(page.getByLabel('Iceberg margin')).toHaveAttribute('aria-invalid', 'true');
   await expect(page.locator('#fault-margin_m')).not.toBeEmpty();
 });

@@ -32,6 +32,9 @@ export const currents = (
   box: Box, nx: number, ny: number, time: string, dataset: string,
 ): Promise<Grid> => grid(address('/map/currents', { bbox: box.join(','), nx, ny, time, dataset }));
 
+export const seaIce = (box: Box, nx: number, ny: number, time: string, dataset: string): Promise<Grid> =>
+  grid(address('/map/sea-ice', { bbox: box.join(','), nx, ny, time, dataset }));
+
 export const coast = (box: Box, signal: AbortSignal): Promise<{ features: CoastFeature[] }> =>
   json(address('/map/coast', { bbox: box.join(',') }), { signal });
 

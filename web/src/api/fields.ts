@@ -1,10 +1,11 @@
-import { effect, untracked } from '@preact/signals';
+import { effect, untracked, type Signal } from '@preact/signals';
 import { contains, grown, intersection, rounded, width_deg } from '../geo/boxes';
-import type { Grid } from '../geo/grid';
+import type { Grid, TimedPair } from '../geo/grid';
 import { bracket, time_ms } from '../model/clock';
-import { chosenBathymetry, chosenCoastline, chosenCurrents, currentTimes_ms } from '../model/datasets';
-import { bathymetry, coast, currents, currentsFault } from '../model/field';
+import { chosenBathymetry, chosenCoastline, chosenCurrents, chosenSeaIce, currentTimes_ms, seaIceTimes_ms } from '../model/datasets';
+import { bathymetry, coast, currents, currentsFault, seaIce, seaIceFault } from '../model/field';
 import { visible } from '../model/layers';
+import { longestSeaIceGap_ms } from '../model/sea_ice';
 import { isoOf } from '../model/time';
 import { view, type View } from '../model/view';
 import * as api from './client';
@@ -16,7 +17,13 @@ import type { Box, Dataset } from './data_types';
 export function followFields(): void {
   followBathymetry();
   followCoast();
-  followCurrents();
+  followStepped({
+    dataset: () => chosenCurrents.value, times_ms: () => currentTimes_ms.value, cell_px: 9, load: api.currents, pair: currents, fault: currentsFault, name: 'current',
+  });
+  followStepped({
+    dataset: () => chosenSeaIce.value, times_ms: () => seaIceTimes_ms.value, longestGap_ms: longestSeaIceGap_ms,
+    cell_px: 7, load: api.seaIce, pair: seaIce, fault: seaIceFault, name: 'sea ice',
+  });
   followIcebergs();
 }
 
@@ -105,7 +112,19 @@ function followCoast(): void {
 
 const rememberedGrids = 24;
 
-function followCurrents(): void {
+/** A field whose steps are loaded around the clock's time. */
+interface Stepped {
+  dataset: () => Dataset | undefined;
+  times_ms: () => number[];
+  longestGap_ms?: number; // between two steps further apart nothing is known
+  cell_px: number;
+  load: (box: Box, nx: number, ny: number, time: string, dataset: string) => Promise<Grid>;
+  pair: Signal<TimedPair | undefined>;
+  fault: Signal<string | undefined>;
+  name: string; // as in "No current data here"
+}
+
+function followStepped({ dataset: chosenDataset, times_ms, longestGap_ms, cell_px, load: ask, pair, fault, name }: Stepped): void {
   const latest = new Latest();
   const remembered = new Map<string, Promise<Grid>>();
   let window: Window | undefined;
@@ -121,7 +140,7 @@ function followCurrents(): void {
       remembered.set(key, known);
       return known;
     }
-    const grid = api.currents(from.box, from.nx, from.ny, isoOf(at_ms), from.dataset);
+    const grid = ask(from.box, from.nx, from.ny, isoOf(at_ms), from.dataset);
     remembered.set(key, grid);
     grid.catch(() => remembered.delete(key));
     for (const oldest of remembered.keys()) {
@@ -130,37 +149,37 @@ function followCurrents(): void {
     }
     return grid;
   };
-  const clear = (fault: string | undefined): void => {
+  const clear = (why: string | undefined): void => {
     latest.cancel();
     shownKey = '';
     loadingKey = '';
-    currents.value = undefined;
-    currentsFault.value = fault;
+    pair.value = undefined;
+    fault.value = why;
   };
 
   effect(() => {
-    const dataset = chosenCurrents.value;
+    const dataset = chosenDataset();
     const seen = view.value;
-    const times = currentTimes_ms.value;
+    const times = times_ms();
     const now_ms = time_ms.value;
     if (!dataset || !seen) {
       untracked(() => clear(undefined));
       return;
     }
-    const steps = bracket(times, now_ms);
+    const steps = bracket(times, now_ms, longestGap_ms);
     const before = steps && times[steps.before];
     const after = steps && times[steps.after];
-    const next = windowFor(dataset, seen, 9, 200, window);
+    const next = windowFor(dataset, seen, cell_px, 200, window);
     if (!steps || before === undefined || after === undefined || !next) {
-      untracked(() => clear(next ? 'No current data at this time' : 'No current data here'));
+      untracked(() => clear(next ? `No ${name} data at this time` : `No ${name} data here`));
       return;
     }
     window = next;
     const key = [next.dataset, next.box, before, after].join('|');
     untracked(() => {
-      const shownPair = currents.value;
+      const shownPair = pair.value;
       if (key === shownKey && shownPair) {
-        currents.value = { ...shownPair, share: steps.share };
+        pair.value = { ...shownPair, share: steps.share };
         return;
       }
       if (key === loadingKey) return;
@@ -170,14 +189,14 @@ function followCurrents(): void {
         ([first, second]) => {
           shownKey = key;
           loadingKey = '';
-          const fresh = bracket(times, time_ms.value);
-          currents.value = { before: first, after: second, share: fresh?.before === steps.before ? fresh.share : steps.share };
-          currentsFault.value = undefined;
+          const fresh = bracket(times, time_ms.value, longestGap_ms);
+          pair.value = { before: first, after: second, share: fresh?.before === steps.before ? fresh.share : steps.share };
+          fault.value = undefined;
           const ahead = times[steps.after + 1];
           if (ahead !== undefined) void load(next, ahead).catch(() => undefined);
         },
-        (fault) => {
-          clear(fault);
+        (why) => {
+          clear(why);
         },
       );
     });

@@ -17,7 +17,7 @@ import { coveredDatasets } from '../model/coverage';
 import { datasets, homeBox } from '../model/datasets';
 import { draft, edit } from '../model/draft';
 import { drifts } from '../model/drift';
-import { coast, currents, icebergs, isLoading } from '../model/field';
+import { coast, currents, icebergs, isLoading, seaIce } from '../model/field';
 import { changeBerg, zones } from '../model/hand_made';
 import { select, selectedWaypoint, shownPlans } from '../model/plans';
 import { reach } from '../model/reach';
@@ -43,6 +43,7 @@ import { icebergLayer, safetyLayer } from './iceberg_layer';
 import { markerLayer } from './marker_layer';
 import { planLayer, vehicleLayer, waypointLayer } from './plan_layer';
 import { reachLayer } from './reach_layer';
+import { seaIceLayer } from './sea_ice_layer';
 import { registerProjections, toMap, viewExtent } from './projections';
 
 /** Whether the map has moved to the data it opens on. */
@@ -68,7 +69,7 @@ export function createMap(target: HTMLElement, probe: (place: Position) => void)
       new KeyboardPan({ condition: (event) => noModifierKeys(event) && !holdsWaypoint() }), route.drag, areas.draw,
     ],
     layers: Object.entries({
-      bathymetry: bathymetryLayer(), currents: currentsLayer(), coast: coastLayer(), graticule: graticuleLayer(), coverage: coverageLayer(),
+      bathymetry: bathymetryLayer(), seaIce: seaIceLayer(), currents: currentsLayer(), coast: coastLayer(), graticule: graticuleLayer(), coverage: coverageLayer(),
       reach: reachLayer(), areas: areas.layer, safety: safetyLayer(), drift: driftLayer(), ghosts: ghostLayer(), tracks: trackLayer(),
       plans: planLayer(), flight: flightLayer(), icebergs: bergs, waypoints: waypointLayer(), trackedGliders: trackedGliderLayer(),
       vehicles, flown, edit: route.layer, markers: markerLayer(),
@@ -330,6 +331,7 @@ function publishState(map: Map, target: HTMLElement, vehicles: VectorLayer<Vecto
     target.dataset['handles'] = String(openEdit.value?.route.now.length ?? 0);
     target.dataset['coast'] = String(coast.value.length);
     target.dataset['currents'] = currents.value ? 'shown' : 'none';
+    target.dataset['seaIce'] = seaIce.value ? 'shown' : 'none';
     target.dataset['loading'] = String(isLoading.value);
   });
   const settle = (): void => {

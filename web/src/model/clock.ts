@@ -58,14 +58,17 @@ export function togglePlay(): void {
   playing.value = !playing.peek();
 }
 
-/** The stored steps on either side of a moment and the share of the later one; undefined outside the stored period. */
-export function bracket(times_ms: number[], at_ms: number): { before: number; after: number; share: number } | undefined {
+/**
+ * The stored steps on either side of a moment and the share of the later one; undefined outside the stored period and between
+ * two steps further apart than `longestGap_ms`.
+ */
+export function bracket(times_ms: number[], at_ms: number, longestGap_ms = Infinity): { before: number; after: number; share: number } | undefined {
   const after = times_ms.findIndex((time) => time >= at_ms);
   if (after < 0) return undefined;
   const afterTime = times_ms[after];
   const beforeTime = times_ms[after - 1];
   if (afterTime === undefined) return undefined;
   if (afterTime === at_ms) return { before: after, after, share: 0 };
-  if (beforeTime === undefined) return undefined;
+  if (beforeTime === undefined || afterTime - beforeTime > longestGap_ms) return undefined;
   return { before: after - 1, after, share: (at_ms - beforeTime) / (afterTime - beforeTime) };
 }

@@ -79,6 +79,7 @@ export const lastSighted = computed<Dataset | undefined>(() =>
   chosenIcebergs.value.reduce<Dataset | undefined>((newest, one) => ((one.time_end ?? '') > (newest?.time_end ?? '') ? one : (newest ?? one)), undefined),
 );
 export const chosenCoastline = computed(() => chosen('coastline'));
+export const chosenSeaIce = computed(() => chosen('ice'));
 
 /** The part of the Earth to open on: where currents and depths are both known, else whichever is; else where there is ice, or a glider was. */
 export const homeBox = computed<Box>(() => {
@@ -88,20 +89,22 @@ export const homeBox = computed<Box>(() => {
   return both ?? currents ?? bathymetry ?? chosenIcebergs.value[0]?.bbox ?? ofKind('glider-tracks')[0]?.bbox ?? [-75, 58, -15, 84];
 });
 
-/** Moments for which currents are stored, ascending; whole hours where the server keeps its list to itself. */
-export const currentTimes_ms = computed<number[]>(() => {
-  const dataset = chosenCurrents.value;
+/** Moments for which a dataset has steps, ascending; whole hours where the server keeps its list to itself. */
+function timesOf(dataset: Dataset | undefined): number[] {
   if (dataset?.times?.length) return dataset.times.map((time) => Date.parse(time));
   if (!dataset?.time_start || !dataset.time_end) return [];
   const end_ms = Date.parse(dataset.time_end);
   const times: number[] = [];
   for (let time = Date.parse(dataset.time_start); time <= end_ms && times.length < 20_000; time += hour_ms) times.push(time);
   return times;
-});
+}
+
+export const currentTimes_ms = computed(() => timesOf(chosenCurrents.value));
+export const seaIceTimes_ms = computed(() => timesOf(chosenSeaIce.value));
 
 /** Whether any data in use call themselves made up. */
 export const isSynthetic = computed(() =>
-  [chosenBathymetry.value, chosenCurrents.value, chosenCoastline.value, ...chosenIcebergs.value.filter(isInUse)].some(
+  [chosenBathymetry.value, chosenCurrents.value, chosenCoastline.value, chosenSeaIce.value, ...chosenIcebergs.value.filter(isInUse)].some(
     (used) => used && [used.name, used.file_name, ...used.warnings].some((text) => /synthetic|invented|made.up/i.test(text)),
   ),
 );

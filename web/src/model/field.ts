@@ -10,6 +10,10 @@ export const coast = signal<CoastFeature[]>([]);
 export const currents = signal<TimedPair | undefined>(undefined);
 export const currentsFault = signal<string | undefined>(undefined);
 
+/** Sea ice likewise: share of the sea surface that is covered, and thickness of level ice in metres. */
+export const seaIce = signal<TimedPair | undefined>(undefined);
+export const seaIceFault = signal<string | undefined>(undefined);
+
 /** Newest sighting of each berg, as a plan that leaves at the clock's time obeys them; and the first moment they were asked for. */
 export const icebergs = signal<IcebergFeature[]>([]);
 export const icebergsAsOf_ms = signal<number | undefined>(undefined);
@@ -23,17 +27,22 @@ export interface Reading {
   depth_m: number | undefined;
   east_m_s: number | undefined;
   north_m_s: number | undefined;
+  concentration: number | undefined;
+  thickness_m: number | undefined;
 }
 
 const known = (value: number): number | undefined => (Number.isFinite(value) ? value : undefined);
 
-/** Depth and current at a place, from what is loaded. */
+/** Depth, current and sea ice at a place, from what is loaded. */
 export function readingAt([lon, lat]: Position): Reading {
   const grid = bathymetry.value;
   const pair = currents.value;
+  const ice = seaIce.value;
   return {
     depth_m: grid && known(sample(grid, 0, lon, lat)),
     east_m_s: pair && known(samplePair(pair, 0, lon, lat)),
     north_m_s: pair && known(samplePair(pair, 1, lon, lat)),
+    concentration: ice && known(samplePair(ice, 0, lon, lat)),
+    thickness_m: ice && known(samplePair(ice, 1, lon, lat)),
   };
 }

@@ -47,7 +47,7 @@ export function reasonTitle(reason: string): string {
     start_in_zone: 'The start lies in a closed area',
     goal_in_zone: 'The goal lies in a closed area',
     in_zone: 'The route breaks the rule of an area',
-    under_ice: 'There is no room to pass below the ice',
+    under_ice: 'There is no room to pass below the sea ice',
     no_surfacing: 'Too long without a place to surface',
     no_escape: 'No way out to open water',
     arrival_too_early: 'The latest arrival is too early',

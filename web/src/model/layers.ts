@@ -12,6 +12,7 @@ export const layerTitles = {
   graticule: 'Graticule',
   coast: 'Coast',
   currents: 'Currents',
+  seaIce: 'Sea ice',
   bathymetry: 'Depth tints',
 } as const;
 
@@ -19,7 +20,7 @@ export type LayerName = keyof typeof layerTitles;
 export const layerNames = Object.keys(layerTitles) as LayerName[];
 
 export const visible = signal<Record<LayerName, boolean>>({
-  plans: true, areas: true, tracks: true, reach: true, icebergs: true, safety: true, drift: true, graticule: true, coast: true, currents: true, bathymetry: true,
+  plans: true, areas: true, tracks: true, reach: true, icebergs: true, safety: true, drift: true, graticule: true, coast: true, currents: true, seaIce: true, bathymetry: true,
 });
 
 export function toggleLayer(name: LayerName): void {

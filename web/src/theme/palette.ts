@@ -1,5 +1,13 @@
 import { signal } from '@preact/signals';
 
+interface SeaIcePalette {
+  veil: string; // laid once over each step of concentration
+  hatch: string;
+  edge: string;
+  figure: string;
+  unknown: string; // hatching where the data have no value
+}
+
 /** Colours that are painted rather than styled: the map's canvases cannot read style sheets. */
 export interface Palette {
   sea: string;
@@ -12,6 +20,7 @@ export interface Palette {
   label: string;
   halo: string;
   currents: readonly [string, string, string]; // slow to fast
+  seaIce: SeaIcePalette;
   danger: string;
   dangerFill: string;
   stale: string;
@@ -36,6 +45,9 @@ export const light: Palette = {
   label: '#33495a',
   halo: 'rgba(255, 255, 255, 0.9)',
   currents: ['#3b6f8f', '#1d5277', '#0b2f4a'],
+  seaIce: {
+    veil: 'rgba(255, 255, 255, 0.26)', hatch: 'rgba(28, 66, 92, 0.42)', edge: '#1c425c', figure: '#1c425c', unknown: 'rgba(75, 96, 112, 0.28)',
+  },
   danger: '#b3261e',
   dangerFill: 'rgba(179, 38, 30, 0.10)',
   stale: '#70777c',
@@ -60,6 +72,9 @@ export const dark: Palette = {
   label: '#b9c9d4',
   halo: 'rgba(9, 18, 25, 0.85)',
   currents: ['#6fa9c9', '#9cc9e2', '#d3ebf7'],
+  seaIce: {
+    veil: 'rgba(214, 232, 242, 0.10)', hatch: 'rgba(222, 238, 247, 0.38)', edge: '#dceaf2', figure: '#dceaf2', unknown: 'rgba(185, 201, 212, 0.22)',
+  },
   danger: '#ff8a80',
   dangerFill: 'rgba(255, 138, 128, 0.12)',
   stale: '#8d979e',
@@ -84,3 +99,27 @@ export const currentLimits_m_s = [0.15, 0.4] as const;
 
 /** Dash patterns of the plans in pixels, so that colour is not the only difference. */
 export const planDashes: readonly (readonly number[])[] = [[], [14, 7], [12, 6, 2, 6], [2, 7]];
+
+/** Marks of a square tile of hatching, as a path of SVG. */
+export interface Hatch {
+  tile_px: number;
+  marks: string;
+  width: number;
+}
+
+/**
+ * What each step of concentration adds to the one before: dots, slanting lines, more of them, lines across. Denser means more ice
+ * without any colour, on paper and for every eye.
+ */
+export const seaIceHatches: readonly [Hatch, Hatch, Hatch, Hatch] = [
+  { tile_px: 12, marks: 'M3 9 h0.01 M9 3 h0.01', width: 2 },
+  { tile_px: 12, marks: 'M-1 -1 L13 13 M11 -1 L13 1 M-1 11 L1 13', width: 1 },
+  { tile_px: 12, marks: 'M5 -1 L13 7 M-1 5 L7 13', width: 1 },
+  { tile_px: 12, marks: 'M13 -1 L-1 13 M1 -1 L-1 1 M13 11 L11 13', width: 1 },
+];
+
+/** Where the data have no value: the dash that stands for it in tables, too. */
+export const unknownHatch: Hatch = { tile_px: 18, marks: 'M2 5 h5 M11 14 h5', width: 1 };
+
+/** Of the line beyond which the vehicle may not surface. */
+export const surfacingDash = [7, 4] as const;

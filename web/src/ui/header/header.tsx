@@ -1,7 +1,7 @@
 import type { VNode } from 'preact';
 import type { Dataset } from '../../api/data_types';
 import { projectionCodes, projections, type ProjectionCode } from '../../geo/projections';
-import { chosenBathymetry, chosenCoastline, chosenCurrents, connectionFault, datasets, isSynthetic, lastSighted } from '../../model/datasets';
+import { chosenBathymetry, chosenCoastline, chosenCurrents, chosenSeaIce, connectionFault, datasets, isSynthetic, lastSighted } from '../../model/datasets';
 import { locked, signedIn } from '../../model/login';
 import { dialog, drawer, leftTab, tell } from '../../model/screen';
 import { change, settings } from '../../model/settings';
@@ -83,7 +83,8 @@ function openData(): void {
 /** The data in use by name and time; all of it on the left. */
 function DataBar(): VNode {
   const currents = chosenCurrents.value;
-  const ice = lastSighted.value;
+  const ice = chosenSeaIce.value;
+  const bergs = lastSighted.value;
   return (
     <div class="data-bar">
       <button type="button" class="data-button" onClick={openData} title="All data in the store">
@@ -95,7 +96,8 @@ function DataBar(): VNode {
         ) : (
           <>
             <Item title="Currents" dataset={currents} detail={currents && spanOf(currents)} />
-            <Item title="Ice" dataset={ice} detail={ice?.time_end ? sightedAt(ice.time_end) : undefined} />
+            <Item title="Sea ice" dataset={ice} detail={ice && spanOf(ice)} />
+            <Item title="Icebergs" dataset={bergs} detail={bergs?.time_end ? sightedAt(bergs.time_end) : undefined} />
             <Item title="Depths" dataset={chosenBathymetry.value} />
             <Item title="Coast" dataset={chosenCoastline.value} />
           </>
@@ -109,7 +111,8 @@ function DataBar(): VNode {
 const hourOf = (time: string): string => shortTime(Date.parse(time)).replace(':00Z', 'Z');
 
 function spanOf({ time_start, time_end }: Dataset): string | undefined {
-  return time_start && time_end ? `${hourOf(time_start)} – ${hourOf(time_end)}` : undefined;
+  if (!time_start || !time_end) return undefined;
+  return time_start === time_end ? hourOf(time_start) : `${hourOf(time_start)} – ${hourOf(time_end)}`;
 }
 
 /** The newest sighting, and how old it is once it is past. */

@@ -1,15 +1,18 @@
 import { signal } from '@preact/signals';
 import type { VNode } from 'preact';
-import { chosenBathymetry, chosenCurrents, ofKind, vehicles } from '../../model/datasets';
+import { time_ms } from '../../model/clock';
+import { chosenBathymetry, chosenCurrents, chosenSeaIce, ofKind, vehicles } from '../../model/datasets';
 import { draft } from '../../model/draft';
 import { drifts } from '../../model/drift';
-import { icebergs } from '../../model/field';
+import { icebergs, seaIce, seaIceFault } from '../../model/field';
 import { choiceInWords } from '../../model/iceberg_choice';
 import { crowd, validity_h } from '../../model/icebergs';
 import { visible } from '../../model/layers';
+import { goToSeaIce, iceEdge, nearestSeaIceStep_ms, seaIceLevels, surfacingLimit } from '../../model/sea_ice';
+import { shortTime } from '../../model/time';
 import { gliderTracks } from '../../model/tracks';
 import { speedFigure, speedUnit } from '../../model/units';
-import { currentLimits_m_s, depthLimits_m, palette } from '../../theme/palette';
+import { currentLimits_m_s, depthLimits_m, palette, seaIceHatches } from '../../theme/palette';
 
 /** Folded where the map is small, until a person unfolds it. */
 const roomy = window.matchMedia('(min-width: 1100px) and (min-height: 780px)');
@@ -23,15 +26,17 @@ export function Legend(): VNode | null {
   const shown = visible.value;
   const depths = shown.bathymetry && chosenBathymetry.value;
   const currents = shown.currents && chosenCurrents.value;
-  const ice = shown.icebergs && ofKind('icebergs').length > 0;
+  const ice = shown.seaIce && chosenSeaIce.value;
+  const bergs = shown.icebergs && ofKind('icebergs').length > 0;
   const tracks = shown.tracks && gliderTracks.value.length > 0;
-  if (!depths && !currents && !ice && !tracks) return null;
+  if (!depths && !currents && !ice && !bergs && !tracks) return null;
   return (
     <details class="legend" open={open.value} onToggle={(event) => { open.value = event.currentTarget.open; }}>
       <summary>Legend</summary>
       {depths && <Depths />}
       {currents && <Currents />}
-      {ice && <Ice circles={shown.safety} drift={shown.drift && drifts.value.length > 0} />}
+      {ice && <SeaIce />}
+      {bergs && <Icebergs circles={shown.safety} drift={shown.drift && drifts.value.length > 0} />}
       {tracks && <Tracks />}
     </details>
   );
@@ -88,7 +93,47 @@ function Tracks(): VNode {
   );
 }
 
-function Ice({ circles, drift }: { circles: boolean; drift: boolean }): VNode {
+function SeaIce(): VNode {
+  const colours = palette.value.seaIce;
+  const percent = (share: number): string => String(Math.round(100 * share));
+  const step_ms = nearestSeaIceStep_ms.value;
+  return (
+    <div class="legend-part">
+      <h3>Sea ice <span class="unit">% of the sea</span></h3>
+      <svg width="176" height="30" role="img" aria-label={`Hatching grows denser at ${seaIceLevels.map(percent).join(', ')} percent of the sea`}>
+        <defs>
+          {seaIceHatches.map(({ tile_px, marks, width }, k) => (
+            <pattern key={marks} id={`sea-ice-${k}`} width={tile_px} height={tile_px} patternUnits="userSpaceOnUse">
+              <path d={marks} stroke={colours.hatch} stroke-width={width} stroke-linecap="round" fill="none" />
+            </pattern>
+          ))}
+        </defs>
+        {seaIceLevels.map((level, k) => (
+          <g key={level}>
+            <rect x={0.5 + 44 * k} y="0.5" width={175 - 44 * k} height="16" fill={colours.veil} />
+            <rect x={0.5 + 44 * k} y="0.5" width={175 - 44 * k} height="16" fill={`url(#sea-ice-${k})`} />
+            <text x={44 * k} y="28" text-anchor={k === 0 ? 'start' : 'middle'}>{percent(level)}</text>
+          </g>
+        ))}
+        <rect class="swatch" x="0.5" y="0.5" width="175" height="16" fill="none" />
+      </svg>
+      <p><svg width="22" height="14" aria-hidden="true"><path class="ice-edge" d="M1 7 H21" /></svg> ice edge, {percent(iceEdge)} %</p>
+      <p><svg width="22" height="14" aria-hidden="true"><path class="surfacing-limit" d="M1 7 H21" /></svg> may surface up to {percent(surfacingLimit.value)} %</p>
+      <p><b class="sounding">0.6</b> thickness in m; ? not known</p>
+      <p><svg width="22" height="14" aria-hidden="true"><path class="no-ice-data" d="M2 4 h6 M13 10 h6" /></svg> no data</p>
+      {seaIceFault.value && (
+        <p class="caution">
+          {seaIceFault.value}.{' '}
+          {!seaIce.value && step_ms !== undefined && step_ms !== time_ms.value && (
+            <button type="button" class="link" onClick={goToSeaIce}>Go to {shortTime(step_ms)}</button>
+          )}
+        </p>
+      )}
+    </div>
+  );
+}
+
+function Icebergs({ circles, drift }: { circles: boolean; drift: boolean }): VNode {
   const margin = draft.value.margin_m;
   return (
     <div class="legend-part">

@@ -4,6 +4,7 @@ import { formatPosition } from '../../geo/coordinates';
 import { directionTowards_deg } from '../../geo/vectors';
 import { sizeTitle } from '../../model/icebergs';
 import { probed } from '../../model/screen';
+import { seaIceInWords } from '../../model/sea_ice';
 import { settings } from '../../model/settings';
 import { shortTime } from '../../model/time';
 import { course, depth, distance, none, speed } from '../../model/units';
@@ -38,13 +39,26 @@ function Answer({ answer }: { answer: Probe }): VNode {
       <dd>
         {flowing ? `${speed(Math.hypot(u_m_s, v_m_s))} to ${course(directionTowards_deg(u_m_s, v_m_s))}` : none}
         {reason && <small>{reason}</small>}
-        {dataset_name && <small>{dataset_name}{time_before && time_after ? `, ${shortTime(Date.parse(time_before))} to ${shortTime(Date.parse(time_after))}` : ''}</small>}
+        {dataset_name && <Source name={dataset_name} from={time_before} to={time_after} />}
       </dd>
-      <dt>Nearest ice</dt>
+      <dt>Sea ice</dt>
       <dd>
-        {berg ? `${distance(berg.distance_m)}: ${berg.berg_id}` : 'none near'}
+        {seaIceInWords(answer.ice_concentration, answer.ice.thickness_m)}
+        {answer.ice_concentration_reason && <small>{answer.ice_concentration_reason}</small>}
+        {answer.ice.dataset_name && <Source name={answer.ice.dataset_name} from={answer.ice.time_before} to={answer.ice.time_after} />}
+      </dd>
+      <dt>Nearest iceberg</dt>
+      <dd>
+        {berg ? `${distance(berg.distance_m)}: ${berg.berg_id}` : 'none within 50 km'}
         {berg && <small>{sizeTitle(berg.size)}, seen {shortTime(Date.parse(berg.observed))}</small>}
       </dd>
     </dl>
   );
+}
+
+/** A dataset, and the steps of it that the value lies between. */
+function Source({ name, from, to }: { name: string; from: string | null; to: string | null }): VNode {
+  const [start, end] = [from, to].map((time) => (time === null ? undefined : shortTime(Date.parse(time))));
+  const steps = start && end ? (start === end ? `, ${start}` : `, ${start} to ${end}`) : '';
+  return <small>{name}{steps}</small>;
 }

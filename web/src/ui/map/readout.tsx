@@ -1,8 +1,10 @@
 import type { VNode } from 'preact';
 import { formatPosition } from '../../geo/coordinates';
 import { directionTowards_deg } from '../../geo/vectors';
+import { chosenSeaIce } from '../../model/datasets';
 import { readingAt } from '../../model/field';
 import { sizeTitle } from '../../model/icebergs';
+import { seaIceInWords } from '../../model/sea_ice';
 import { settings } from '../../model/settings';
 import { shortTime } from '../../model/time';
 import { course, depth, distance, none, speed } from '../../model/units';
@@ -10,7 +12,7 @@ import { hoveredTrack } from '../../model/tracks';
 import { hoveredBerg, pointer } from '../../model/view';
 import { TrackFigures } from '../common/track_figures';
 
-/** Position, depth and current under the pointer; a berg's sighting or a glider's track when it points at one. */
+/** Position, depth, current and sea ice under the pointer; a berg's sighting or a glider's track when it points at one. */
 export function Readout(): VNode | null {
   const place = pointer.value;
   if (!place) return null;
@@ -35,7 +37,7 @@ export function Readout(): VNode | null {
     );
   }
   const reading = readingAt(place);
-  const { depth_m, east_m_s, north_m_s } = reading;
+  const { depth_m, east_m_s, north_m_s, concentration, thickness_m } = reading;
   const flowing = east_m_s !== undefined && north_m_s !== undefined;
   return (
     <div class="readout">
@@ -44,6 +46,7 @@ export function Readout(): VNode | null {
       <span>
         current {flowing ? `${speed(Math.hypot(east_m_s, north_m_s))} to ${course(directionTowards_deg(east_m_s, north_m_s))}` : none}
       </span>
+      {chosenSeaIce.value && <span>sea ice {seaIceInWords(concentration, thickness_m)}</span>}
     </div>
   );
 }

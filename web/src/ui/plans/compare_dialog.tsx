@@ -35,7 +35,7 @@ const columns: Column[] = [
   { title: 'Energy', value: (plan) => plan.energy_j, text: energy, difference: (value) => signed(value, energy) },
   { title: 'Battery used', value: ({ energy: battery, energy_j }) => (battery && energy_j !== null ? energy_j / battery.usable_j : null), ...shares },
   { title: 'Waypoints', value: (plan) => plan.waypoints.length, text: String, difference: (value) => signed(value, String) },
-  { title: 'Nearest ice', value: (plan) => plan.clearances.iceberg_m, ...metres },
+  { title: 'Nearest iceberg', value: (plan) => plan.clearances.iceberg_m, ...metres },
   { title: 'Nearest land', value: (plan) => plan.clearances.land_m, ...metres },
   { title: 'Above sea bed', value: (plan) => plan.clearances.bottom_m, ...metres },
   { title: 'Optimality gap', value: (plan) => plan.optimality_gap, ...shares },

@@ -7,7 +7,7 @@ import { Part } from './part';
 export function IcePart(): VNode {
   const passesUnder = draft.value.pass_under_icebergs;
   return (
-    <Part title="Ice">
+    <Part title="Icebergs and sea ice">
       <CheckField name="icebergs_drift" />
       <div class="field-pair">
         <TextField name="max_inflation_m" />

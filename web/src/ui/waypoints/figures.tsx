@@ -18,7 +18,7 @@ const figures: Figure[] = [
   { title: 'Arrival', text: (plan) => shortTime(Date.parse(plan.arrival)) },
   { title: 'Travel time', text: (plan) => duration(plan.travel_time_s), value: (plan) => plan.travel_time_s, difference: duration },
   { title: 'Distance', text: (plan) => distance(plan.distance_m), value: (plan) => plan.distance_m, difference: distance },
-  { title: 'Nearest ice', text: (plan) => distance(plan.clearances.iceberg_m), value: (plan) => plan.clearances.iceberg_m, difference: distance },
+  { title: 'Nearest iceberg', text: (plan) => distance(plan.clearances.iceberg_m), value: (plan) => plan.clearances.iceberg_m, difference: distance },
   { title: 'Nearest land', text: (plan) => distance(plan.clearances.land_m), value: (plan) => plan.clearances.land_m, difference: distance },
   { title: 'Above sea bed', text: (plan) => distance(plan.clearances.bottom_m), value: (plan) => plan.clearances.bottom_m, difference: distance },
   {
@@ -33,7 +33,7 @@ const figures: Figure[] = [
     why: () => 'Of what is usable above the reserve',
   },
   {
-    title: 'Ice encounters',
+    title: 'Iceberg encounters',
     text: (plan) => (typeof plan.iceberg_encounters === 'number' ? plan.iceberg_encounters.toFixed(2) : none),
     why: () => 'Expected number of icebergs met that nobody has reported',
   },
@@ -50,7 +50,7 @@ const figures: Figure[] = [
 
 /** A plan in figures; beside another plan with the differences to it, and dimmed while they are worked out anew. */
 export function Figures({ plan, beside, pending = false }: { plan: Plan; beside?: Plan; pending?: boolean }): VNode {
-  const shown = figures.filter(({ title, text }) => text(plan) !== none || !/^(Energy|Battery|Ice enc|Arrival, )/.test(title));
+  const shown = figures.filter(({ title, text }) => text(plan) !== none || !/^(Energy|Battery|Iceberg enc|Arrival, )/.test(title));
   return (
     <dl class={pending ? 'figures-grid pending' : 'figures-grid'} aria-busy={pending}>
       {shown.map((figure) => (

@@ -38,7 +38,7 @@ function Result({ verdict, plan }: { verdict: Recheck; plan: Plan }): VNode | nu
       return (
         <p role="status">
           <b>The route holds.</b> It takes {duration(verdict.plan.travel_time_s)} ({more_s < 0 ? '−' : '+'}{duration(Math.abs(more_s))}),
-          nearest ice {distance(verdict.plan.clearances.iceberg_m)}.
+          nearest iceberg {distance(verdict.plan.clearances.iceberg_m)}.
         </p>
       );
     }

@@ -1,0 +1,237 @@
+import { effect } from '@preact/signals';
+import { addAreaAbove, addLineAt, addUnknown, type Lattice } from '../geo/contours';
+import { sample, type Grid, type TimedPair } from '../geo/grid';
+import { PlaceLattice } from '../geo/place_lattice';
+import type { ProjectionCode } from '../geo/projections';
+import { chosenSeaIce } from '../model/datasets';
+import { seaIce } from '../model/field';
+import { visible } from '../model/layers';
+import { iceEdge, seaIceLevels, surfacingLimit } from '../model/sea_ice';
+import { projection } from '../model/settings';
+import { palette, seaIceHatches, surfacingDash, unknownHatch, type Hatch } from '../theme/palette';
+import { CanvasLayer, type Frame } from './canvas_layer';
+
+/** How far apart the nodes stand on the screen at which the ice is looked up, at least. */
+const spacing_px = 9;
+
+/** How many nodes lie between the figures of thickness, along a row and between rows. */
+const figuresApart = [9, 5] as const;
+
+/** Exact places are worked out so many nodes apart: some forty pixels. */
+const exactApart = 4;
+
+/**
+ * Sea ice at the clock's time: hatched the denser the more of the sea is covered, with its thickness in figures, its edge, and the
+ * line beyond which the vehicle may not surface. Dashes where the data have no value, so that blank means open water.
+ */
+export function seaIceLayer(): CanvasLayer {
+  const stand = new Stand();
+  const layer = new CanvasLayer((frame) => paint(frame, stand.at(frame, projection.peek()), stand), 0.5);
+  effect(() => {
+    layer.setVisible(visible.value.seaIce && chosenSeaIce.value !== undefined);
+  });
+  for (const cause of [seaIce, palette, projection, surfacingLimit]) cause.subscribe(() => layer.changed());
+  return layer;
+}
+
+/** Nodes in view, as numbers of a lattice of the projection that lies still while the map is moved. */
+interface Nodes {
+  code: ProjectionCode;
+  step: number; // metres of the projection
+  left: number; // number of the first column from the projection's origin
+  top: number; // and of the first row, downwards
+  nx: number;
+  ny: number;
+}
+
+/** A figure of the thickness: where, in lattice units, and in which order to read it from the two grids. */
+interface Sounding {
+  x: number;
+  y: number;
+  lon: number;
+  lat: number;
+}
+
+/** The shapes of one moment, in lattice units. */
+interface Shapes {
+  areas: { path: Path2D; hatch: Hatch }[];
+  unknown: Path2D;
+  edge: Path2D;
+  limit: Path2D;
+  figures: { x: number; y: number; text: string }[];
+}
+
+/** What is kept from frame to frame: places change with the view, values with the data, shapes with the clock. */
+class Stand {
+  private nodes: Nodes | undefined;
+  private lons = new Float64Array(0);
+  private lats = new Float64Array(0);
+  private soundings: Sounding[] = [];
+  private grids: [Grid, Grid] | undefined;
+  private before = new Float32Array(0);
+  private after = new Float32Array(0);
+  private drawn: { pair: TimedPair | undefined; limit: number; shapes: Shapes } | undefined;
+
+  at(frame: Frame, code: ProjectionCode): Nodes {
+    const step = 2 ** (Math.ceil(2 * Math.log2(spacing_px * frame.resolution)) / 2);
+    const corners = ([[0, 0], [frame.width, 0], [0, frame.height], [frame.width, frame.height]] as const).map((corner) => frame.toCoordinate(corner));
+    const columns = corners.map(([x]) => x / step);
+    const rows = corners.map(([, y]) => -y / step);
+    const [left, right, top, bottom] = [Math.floor(Math.min(...columns)), Math.ceil(Math.max(...columns)), Math.floor(Math.min(...rows)), Math.ceil(Math.max(...rows))];
+    const now = this.nodes;
+    const serves =
+      now?.code === code && now.step === step && now.left <= left && now.top <= top && now.left + now.nx > right && now.top + now.ny > bottom;
+    if (now && serves) return now;
+
+    const rim = Math.ceil((right - left) / 8);
+    const nodes = { code, step, left: left - rim, top: top - rim, nx: right - left + 1 + 2 * rim, ny: bottom - top + 1 + 2 * rim };
+    this.nodes = nodes;
+    this.settle(nodes);
+    return nodes;
+  }
+
+  shapesOf(nodes: Nodes, pair: TimedPair | undefined, limit: number): Shapes {
+    if (this.drawn?.pair === pair && this.drawn.limit === limit) return this.drawn.shapes;
+    const shapes = this.shaped(nodes, pair, limit);
+    this.drawn = { pair, limit, shapes };
+    return shapes;
+  }
+
+  private settle({ code, step, left, top, nx, ny }: Nodes): void {
+    const places = new PlaceLattice(code, (left - 0.5) * step, (0.5 - top) * step, step, nx, ny, exactApart);
+    this.lons = new Float64Array(nx * ny);
+    this.lats = new Float64Array(nx * ny);
+    this.soundings = [];
+    for (let j = 0; j < ny; ++j) {
+      places.enterRow(j);
+      for (let i = 0; i < nx; ++i) {
+        const [lon, lat] = [places.lon(i), places.lat(i)];
+        this.lons[j * nx + i] = lon;
+        this.lats[j * nx + i] = lat;
+        if ((left + i) % figuresApart[0] === 0 && (top + j) % figuresApart[1] === 0) this.soundings.push({ x: i, y: j, lon, lat });
+      }
+    }
+    this.grids = undefined;
+    this.drawn = undefined;
+  }
+
+  private shaped({ nx, ny }: Nodes, pair: TimedPair | undefined, limit: number): Shapes {
+    const concentration = pair ? this.blended(pair) : new Float32Array(nx * ny).fill(NaN);
+    const lattice: Lattice = { nx, ny, values: concentration };
+    const shapes: Shapes = { areas: [], unknown: new Path2D(), edge: new Path2D(), limit: new Path2D(), figures: [] };
+    addUnknown(lattice, shapes.unknown);
+    const most = concentration.reduce((high, value) => (value > high ? value : high), 0);
+    seaIceLevels.forEach((level, k) => {
+      const hatch = seaIceHatches[k];
+      if (most < level || !hatch) return;
+      const path = new Path2D();
+      addAreaAbove(lattice, level, path);
+      shapes.areas.push({ path, hatch });
+    });
+    addLineAt(lattice, iceEdge, shapes.edge);
+    addLineAt(lattice, limit, shapes.limit);
+    if (pair) shapes.figures = this.figures(pair, lattice);
+    return shapes;
+  }
+
+  /** Concentration at the nodes, linear between the two steps. */
+  private blended(pair: TimedPair): Float32Array {
+    if (this.grids?.[0] !== pair.before || this.grids[1] !== pair.after) {
+      this.grids = [pair.before, pair.after];
+      this.before = this.sampled(pair.before);
+      this.after = pair.after === pair.before ? this.before : this.sampled(pair.after);
+    }
+    if (pair.share === 0) return this.before;
+    return this.before.map((value, i) => value * (1 - pair.share) + (this.after[i] ?? NaN) * pair.share);
+  }
+
+  private sampled(grid: Grid): Float32Array {
+    return Float32Array.from(this.lons, (lon, i) => sample(grid, 0, lon, this.lats[i] ?? NaN));
+  }
+
+  private figures({ before, after, share }: TimedPair, { nx, values }: Lattice): Shapes['figures'] {
+    return this.soundings.flatMap(({ x, y, lon, lat }) => {
+      if (!((values[y * nx + x] ?? NaN) >= iceEdge)) return [];
+      const first = sample(before, 1, lon, lat);
+      const thickness_m = share === 0 ? first : first * (1 - share) + sample(after, 1, lon, lat) * share;
+      return [{ x, y, text: Number.isNaN(thickness_m) ? '?' : thickness_m.toFixed(1) }];
+    });
+  }
+}
+
+function paint(frame: Frame, nodes: Nodes, stand: Stand): void {
+  const { context } = frame;
+  const { seaIce: colours, ink, casing, halo } = palette.peek();
+  const shapes = stand.shapesOf(nodes, seaIce.peek(), surfacingLimit.peek());
+  const { step, left, top } = nodes;
+  const place = (x: number, y: number): [number, number] => frame.toPixel([(left + x) * step, -(top + y) * step]);
+  const [origin, right, below] = [place(0, 0), place(1, 0), place(0, 1)];
+  const toScreen = new DOMMatrix([right[0] - origin[0], right[1] - origin[1], below[0] - origin[0], below[1] - origin[1], ...origin]);
+  const onScreen = (path: Path2D): Path2D => {
+    const moved = new Path2D();
+    moved.addPath(path, toScreen);
+    return moved;
+  };
+  const anchor = frame.toPixel([0, 0]); // hatching moves with the map
+
+  context.fillStyle = hatching(context, unknownHatch, colours.unknown, anchor);
+  context.fill(onScreen(shapes.unknown));
+  for (const { path, hatch } of shapes.areas) {
+    const area = onScreen(path);
+    context.fillStyle = colours.veil;
+    context.fill(area);
+    context.fillStyle = hatching(context, hatch, colours.hatch, anchor);
+    context.fill(area);
+  }
+  context.lineJoin = 'round';
+  stroke(context, onScreen(shapes.edge), colours.edge, 1.6, []);
+  const limit = onScreen(shapes.limit);
+  stroke(context, limit, casing, 3.4, []);
+  stroke(context, limit, ink, 1.8, surfacingDash);
+
+  context.font = '600 11px system-ui, sans-serif';
+  context.textAlign = 'center';
+  context.textBaseline = 'middle';
+  context.lineWidth = 3;
+  context.strokeStyle = halo;
+  context.fillStyle = colours.figure;
+  for (const { x, y, text } of shapes.figures) {
+    const [px, py] = place(x, y);
+    context.strokeText(text, px, py);
+    context.fillText(text, px, py);
+  }
+}
+
+function stroke(context: CanvasRenderingContext2D, path: Path2D, colour: string, width: number, dash: readonly number[]): void {
+  context.strokeStyle = colour;
+  context.lineWidth = width;
+  context.setLineDash([...dash]);
+  context.stroke(path);
+  context.setLineDash([]);
+}
+
+const patterns = new Map<string, CanvasPattern>();
+
+/** The pattern of a hatch; made once for each colour and sharpness of the screen. */
+function hatching(context: CanvasRenderingContext2D, { tile_px, marks, width }: Hatch, colour: string, [x, y]: [number, number]): CanvasPattern | string {
+  const sharpness = window.devicePixelRatio;
+  const key = `${marks} ${tile_px} ${colour} ${sharpness}`;
+  const made = patterns.get(key) ?? makePattern(context, marks, tile_px, width, colour, sharpness);
+  if (!made) return 'transparent';
+  patterns.set(key, made);
+  made.setTransform(new DOMMatrix().translate(x % tile_px, y % tile_px).scale(1 / sharpness));
+  return made;
+}
+
+function makePattern(context: CanvasRenderingContext2D, marks: string, tile_px: number, width: number, colour: string, sharpness: number): CanvasPattern | null {
+  const tile = document.createElement('canvas');
+  tile.width = tile.height = Math.round(tile_px * sharpness);
+  const brush = tile.getContext('2d');
+  if (!brush) return null;
+  brush.scale(tile.width / tile_px, tile.height / tile_px);
+  brush.strokeStyle = colour;
+  brush.lineWidth = width;
+  brush.lineCap = 'round';
+  brush.stroke(new Path2D(marks));
+  return context.createPattern(tile, 'repeat');
+}
