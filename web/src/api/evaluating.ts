@@ -1,6 +1,6 @@
 import { effect, untracked } from '@preact/signals';
-import { warnedOf } from '../model/dangers';
 import { reasonTitle } from '../model/job';
+import { warnedOf } from '../model/messages';
 import { add, titleOf } from '../model/plans';
 import { rememberRequest } from '../model/requests';
 import { deliver, discardEdit, routeEdit, whyNotSaved, type RouteEdit, type Verdict } from '../model/route_edit';

@@ -1,8 +1,8 @@
-import { warnedOf } from '../model/dangers';
 import { draft, edit, faults, generalFaults, refuse } from '../model/draft';
 import { editFor, sortViolations } from '../model/draft_answer';
 import { inputsOf } from '../model/draft_request';
 import { failure, reasonTitle, running } from '../model/job';
+import { warnedOf } from '../model/messages';
 import { forbids } from '../model/login';
 import { add, nextName, routeOf } from '../model/plans';
 import { conditionsOf, rememberRequest, requestOf, withDeparture } from '../model/requests';

@@ -1,4 +1,4 @@
-import type { DatasetRef } from './types';
+import type { DatasetRef, Told } from './types';
 
 /** Documents of flights in the test bed, field for field as far as the page reads them. */
 
@@ -36,7 +36,7 @@ export interface Statistics {
   energy_j: Distribution | null;
 }
 
-export interface SimulationSummary {
+export interface SimulationSummary extends Told {
   simulation_id: string;
   status: 'ok';
   plan_id: string;
@@ -53,8 +53,6 @@ export interface SimulationSummary {
   median_detour_pct: number | null;
   statistics: Statistics;
   datasets: DatasetRef[];
-  dangers?: string[];
-  warnings: string[];
   created?: string;
 }
 

@@ -50,6 +50,22 @@ export type Conditions = Omit<Pick<PlanInputs, Extract<(typeof namesOfConditions
 
 export type EvaluateInputs = Conditions & ({ route: Position[] } | { plan_id: string });
 
+/** What the pilot is told; programs go by code and values. */
+export interface Message {
+  code: string;
+  rank: 'danger' | 'caution' | 'note';
+  place: { lon: number; lat: number } | null;
+  values: Record<string, number | string | null>;
+  text: string;
+}
+
+/** The part of an answer that tells the pilot something: its sentences again as messages, newer than the rest. */
+export interface Told {
+  messages?: Message[];
+  dangers?: string[];
+  warnings: string[];
+}
+
 export interface Waypoint {
   index: number;
   lon: number;
@@ -133,7 +149,7 @@ export interface DatasetRef {
   until?: string;
 }
 
-export interface Plan {
+export interface Plan extends Told {
   plan_id: string;
   name: string;
   status: 'ok';
@@ -175,13 +191,11 @@ export interface Plan {
   leg_trade?: { legs: number; travel_time_s: number }[];
   clearances: { iceberg_m: number | null; land_m: number | null; bottom_m: number | null };
   datasets: DatasetRef[];
-  dangers?: string[]; // of the warnings those that may cost the vehicle
-  warnings: string[];
   sightings?: { as_of: string; max_age_days: number; oldest: string }; // which sightings of icebergs counted
   created?: string;
 }
 
-export interface Infeasible {
+export interface Infeasible extends Told {
   status: 'infeasible';
   reason: string;
   at: { lon: number; lat: number };
@@ -191,8 +205,6 @@ export interface Infeasible {
   changes?: Change[];
   changes_cut_short?: boolean; // not every change was tried
   departures?: Departure[];
-  dangers?: string[];
-  warnings: string[];
   datasets: DatasetRef[];
 }
 
@@ -218,7 +230,7 @@ export interface JobStatus {
   links: Link[];
 }
 
-export interface Reach {
+export interface Reach extends Told {
   status: 'ok' | 'infeasible';
   explanation?: string;
   features: {
@@ -226,8 +238,6 @@ export interface Reach {
     properties: { hours: number; time: string; area_km2: number };
     geometry: { type: 'MultiPolygon'; coordinates: Position[][][] };
   }[];
-  dangers?: string[];
-  warnings: string[];
 }
 
 export type ReachInputs = Conditions & { from: Position; hours: number[] };
@@ -240,9 +250,8 @@ export interface EvaluationResults {
   evaluation: Plan | Infeasible; // the plan's id is null
 }
 
-export interface MissionPreview {
+export interface MissionPreview extends Told {
   files: { name: string; text: string }[];
-  warnings: string[];
 }
 
 export interface Probe {

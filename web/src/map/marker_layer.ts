@@ -9,14 +9,18 @@ import { project } from '../geo/projections';
 import { draft, hasGoalsFile, placeIn, placesIn } from '../model/draft';
 import { openForm } from '../model/hand_made';
 import { failure } from '../model/job';
-import { selectedId } from '../model/plans';
+import { messagesOf, placeOf, shownMessage } from '../model/messages';
+import { selectedId, selectedPlan } from '../model/plans';
 import { openEdit } from '../model/route_edit';
 import { probed } from '../model/screen';
 import { projection } from '../model/settings';
 import { rechecks } from '../model/stale';
 import { palette, type Palette } from '../theme/palette';
 
-/** Start, goal and places between of the set-up, the berg that is being reported, the place where planning failed, and the place last probed. */
+/**
+ * Start, goal and places between of the set-up, the berg that is being reported, the place where planning failed, those that
+ * dangers and cautions of the selected plan speak of, and the place last probed.
+ */
 export function markerLayer(): VectorLayer<VectorSource> {
   const source = new VectorSource();
   const layer = new VectorLayer({ source, zIndex: 10 });
@@ -38,6 +42,11 @@ export function markerLayer(): VectorLayer<VectorSource> {
     const form = openForm.value;
     if (form?.berg) put(placeIn(form.berg.place), disc('B', colours.danger, colours));
 
+    const plan = openEdit.value?.figures ?? selectedPlan.value;
+    for (const message of plan ? messagesOf(plan) : []) {
+      if (message.rank === 'note' && message !== shownMessage.value) continue;
+      put(placeOf(message), alarm(message === shownMessage.value, message.rank === 'danger' ? colours.danger : colours.caution, colours));
+    }
     const fault = failure.value;
     if (fault?.kind === 'infeasible') put([fault.answer.at.lon, fault.answer.at.lat], cross(colours));
     const verdict = openEdit.value?.verdict;
@@ -74,4 +83,14 @@ function target(colours: Palette): Style[] {
   const ring = (width: number, color: string): Style =>
     new Style({ image: new Circle({ radius: 8, stroke: new Stroke({ color, width }) }) });
   return [ring(4.5, colours.casing), ring(2, colours.ink)];
+}
+
+/** A triangle with an exclamation mark; ringed where a person asked for its message. */
+function alarm(asked: boolean, colour: string, colours: Palette): Style[] {
+  const sign = new Style({
+    image: new RegularShape({ points: 3, radius: 12, fill: new Fill({ color: colour }), stroke: new Stroke({ color: colours.casing, width: 2 }) }),
+    text: new Text({ text: '!', font: '800 12px system-ui, sans-serif', offsetY: 1, fill: new Fill({ color: colours.casing }) }),
+  });
+  const ring = new Style({ image: new Circle({ radius: 19, stroke: new Stroke({ color: colour, width: 2.5 }) }) });
+  return asked ? [ring, sign] : [sign];
 }

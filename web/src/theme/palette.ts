@@ -23,6 +23,7 @@ export interface Palette {
   seaIce: SeaIcePalette;
   danger: string;
   dangerFill: string;
+  caution: string;
   stale: string;
   berg: string;
   ink: string;
@@ -50,6 +51,7 @@ export const light: Palette = {
   },
   danger: '#b3261e',
   dangerFill: 'rgba(179, 38, 30, 0.10)',
+  caution: '#8a6100',
   stale: '#70777c',
   berg: '#ffffff',
   ink: '#13232f',
@@ -77,6 +79,7 @@ export const dark: Palette = {
   },
   danger: '#ff8a80',
   dangerFill: 'rgba(255, 138, 128, 0.12)',
+  caution: '#e6b354',
   stale: '#8d979e',
   berg: '#e6f1f7',
   ink: '#dbe6ed',

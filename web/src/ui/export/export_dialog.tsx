@@ -1,13 +1,13 @@
 import { useEffect, useState } from 'preact/hooks';
 import type { VNode } from 'preact';
 import { dangersIn, downloadAddress, faultsOf, mission, type ExportFormat } from '../../api/client';
-import type { MissionPreview, Plan } from '../../api/types';
-import { dangersOf } from '../../model/dangers';
-import { asSentence, inPageWords } from '../../model/page_words';
+import type { Message, MissionPreview, Plan } from '../../api/types';
+import { bareMessage, countOf, messagesOf } from '../../model/messages';
+import { asSentence } from '../../model/page_words';
 import { selectedPlan, titleOf } from '../../model/plans';
 import { Icon } from '../common/icon';
+import { MessageList, Messages } from '../common/messages';
 import { Modal } from '../common/modal';
-import { Warnings } from '../waypoints/warnings';
 
 const others: [ExportFormat, string][] = [
   ['gpx', 'GPX'], ['kml', 'KML'], ['geojson', 'GeoJSON'], ['csv', 'CSV'], ['pdf', 'Brief (PDF)'],
@@ -56,6 +56,7 @@ function Export({ plan }: { plan: Plan }): VNode {
 
   const shown = preview?.files[file];
   const closed = dangers.length > 0 && !accepted;
+  const told = [...new Map([...(preview ? messagesOf(preview) : []), ...messagesOf(plan)].map((message) => [message.text, message])).values()];
   return (
     <Modal title={`Export ${titleOf(plan)}`} wide>
       <div class="export-controls">
@@ -71,8 +72,8 @@ function Export({ plan }: { plan: Plan }): VNode {
           {others.map(([format, title]) => <Download key={format} plan={plan} format={format} number={number} title={title} accepted={accepted} closed={closed} />)}
         </div>
       </div>
-      <Dangers dangers={dangers} accepted={accepted} accept={setAccepted} />
-      <Warnings of={{ dangers: dangersOf(plan).filter((text) => !dangers.includes(text)), warnings: [...new Set([...(preview?.warnings ?? []), ...plan.warnings])] }} />
+      <Dangers dangers={dangers.map((text) => told.find((message) => message.text === text) ?? bareMessage('danger', text))} accepted={accepted} accept={setAccepted} />
+      <Messages of={{ messages: told.filter(({ text }) => !dangers.includes(text)), warnings: [] }} />
       <Refusal faults={faults} />
       {preview && preview.files.length > 1 && (
         <div class="file-tabs" role="group" aria-label="Files">
@@ -95,12 +96,12 @@ function Export({ plan }: { plan: Plan }): VNode {
 }
 
 /** What the pilot has to confirm before any file is handed out. */
-function Dangers({ dangers, accepted, accept }: { dangers: string[]; accepted: boolean; accept: (yes: boolean) => void }): VNode | null {
+function Dangers({ dangers, accepted, accept }: { dangers: Message[]; accepted: boolean; accept: (yes: boolean) => void }): VNode | null {
   if (dangers.length === 0) return null;
   return (
     <section class="danger-box" aria-label="Dangers">
-      <h3><Icon name="warning" /> {dangers.length === 1 ? '1 danger' : `${dangers.length} dangers`}</h3>
-      <ul>{dangers.map((text) => <li key={text}>{inPageWords(text)}</li>)}</ul>
+      <h3><Icon name="warning" /> {countOf(dangers.length, 'danger')}</h3>
+      <MessageList messages={dangers} />
       <label class="tick">
         <input type="checkbox" checked={accepted} onChange={(event) => accept(event.currentTarget.checked)} /> I have read this; export all the same
       </label>

@@ -7,7 +7,7 @@ import { playedFlight } from '../../model/simulations';
 import { duration } from '../../model/time';
 import { distance, energy, none } from '../../model/units';
 import { Icon } from '../common/icon';
-import { Warnings } from '../waypoints/warnings';
+import { Messages } from '../common/messages';
 
 const percent = (share: number): string => `${(100 * share).toFixed(share > 0 && share < 0.1 ? 1 : 0)} %`;
 /** A figure that is not torn from its unit at the end of a line. */
@@ -19,7 +19,7 @@ export function SimulationView({ simulation }: { simulation: Simulation }): VNod
   const { flights, runs, simulation_id, statistics, tracks } = simulation;
   return (
     <section class="simulation" aria-label="Simulation">
-      <Warnings of={simulation} />
+      <Messages of={simulation} />
       {runs > 1 && (
         <ul class="ends" aria-label="How the flights ended">
           {statistics.ends.map(({ end, runs: count, share, share_interval_95 }) => (

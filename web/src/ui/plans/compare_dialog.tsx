@@ -1,7 +1,7 @@
 import { signal } from '@preact/signals';
 import type { VNode } from 'preact';
 import type { Plan } from '../../api/types';
-import { cautionsOf, dangersOf } from '../../model/dangers';
+import { ofRank } from '../../model/messages';
 import { baseline, baselineId, shownPlans, titleOf } from '../../model/plans';
 import { duration, shortTime } from '../../model/time';
 import { distance, energy } from '../../model/units';
@@ -39,8 +39,8 @@ const columns: Column[] = [
   { title: 'Nearest land', value: (plan) => plan.clearances.land_m, ...metres },
   { title: 'Above sea bed', value: (plan) => plan.clearances.bottom_m, ...metres },
   { title: 'Optimality gap', value: (plan) => plan.optimality_gap, ...shares },
-  { title: 'Dangers', value: (plan) => dangersOf(plan).length, text: String, difference: (value) => signed(value, String) },
-  { title: 'Warnings', value: (plan) => cautionsOf(plan).length, text: String, difference: (value) => signed(value, String) },
+  { title: 'Dangers', value: (plan) => ofRank(plan, 'danger').length, text: String, difference: (value) => signed(value, String) },
+  { title: 'Cautions', value: (plan) => ofRank(plan, 'caution').length, text: String, difference: (value) => signed(value, String) },
 ];
 
 const order = signal<{ column: number; descending: boolean } | undefined>(undefined);

@@ -1,7 +1,7 @@
 import { signal } from '@preact/signals';
 import type { VNode } from 'preact';
 import type { Plan } from '../../api/types';
-import { cautionsOf, dangersOf } from '../../model/dangers';
+import { countOf, ofRank, type Rank } from '../../model/messages';
 import { plans, select, selectedId, show, shown, shownPlans, titleOf } from '../../model/plans';
 import { routeEdit } from '../../model/route_edit';
 import { dialog } from '../../model/screen';
@@ -60,17 +60,24 @@ function PlanRow({ plan }: { plan: Plan }): VNode {
           {key && <PlanKey letter={key.letter} style={key.style} />} <span class="clamped" title={titleOf(plan)}>{titleOf(plan)}</span>
           {staleness(plan).length > 0 && <span class="badge"><Icon name="clock" size={12} /> stale data</span>}
           {routeEdit.value?.origin.plan_id === id && <span class="badge"><Icon name="edit" size={12} /> under change</span>}
-          {dangersOf(plan).length > 0 && (
-            <span class="badge bad" title={dangersOf(plan).join('\n')}><Icon name="warning" size={12} /> {dangersOf(plan).length === 1 ? 'danger' : `${dangersOf(plan).length} dangers`}</span>
-          )}
-          {cautionsOf(plan).length > 0 && (
-            <span class="badge" title={cautionsOf(plan).join('\n')}><Icon name="warning" size={12} /> {cautionsOf(plan).length}</span>
-          )}
+          <Told plan={plan} rank="danger" />
+          <Told plan={plan} rank="caution" />
         </span>
         <span class="plan-figures">
           {duration(plan.travel_time_s)} · {distance(plan.distance_m)} · from {shortTime(Date.parse(plan.departure))}
         </span>
       </button>
     </li>
+  );
+}
+
+/** How many messages of a rank a plan has; the messages where it is pointed at. */
+function Told({ plan, rank }: { plan: Plan; rank: Rank }): VNode | null {
+  const told = ofRank(plan, rank);
+  if (told.length === 0) return null;
+  return (
+    <span class={rank === 'danger' ? 'badge bad' : 'badge'} title={told.map(({ text }) => text).join('\n')}>
+      <Icon name="warning" size={12} /> {countOf(told.length, rank)}
+    </span>
   );
 }

@@ -3,15 +3,15 @@ import { useEffect, useRef } from 'preact/hooks';
 import { planWithChange } from '../../api/planning';
 import type { Change } from '../../api/types';
 import { formatPosition } from '../../geo/coordinates';
-import { cautionsOf, dangersOf } from '../../model/dangers';
 import { draft } from '../../model/draft';
 import { editFor } from '../../model/draft_answer';
 import { failure, reasonTitle, running } from '../../model/job';
-import { asSentence, inPageWords } from '../../model/page_words';
+import { asSentence } from '../../model/page_words';
 import { settings } from '../../model/settings';
 import { shortTime } from '../../model/time';
 import { ask } from '../../model/view';
 import { Icon, IconButton } from '../common/icon';
+import { Messages } from '../common/messages';
 
 /** Changes, each of which helps alone, as buttons that make them and plan again. */
 function Changes({ possible }: { possible: Change[] }): VNode {
@@ -72,12 +72,7 @@ export function FailureCard(): VNode | null {
           <b>{possible.length > 0 ? 'Or try this:' : 'Try this:'}</b> {asSentence(answer.suggestion)}
         </p>
       )}
-      {dangersOf(answer).length > 0 && (
-        <ul class="warnings dangers">{dangersOf(answer).map((text) => <li key={text}>{inPageWords(text)}</li>)}</ul>
-      )}
-      {cautionsOf(answer).length > 0 && (
-        <ul class="warnings">{cautionsOf(answer).map((text) => <li key={text}>{inPageWords(text)}</li>)}</ul>
-      )}
+      <Messages of={answer} />
       <IconButton icon="x" label="Dismiss this message" onClick={close} class="corner" />
     </section>
   );

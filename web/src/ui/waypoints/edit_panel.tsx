@@ -11,10 +11,10 @@ import { settings } from '../../model/settings';
 import { shortTime } from '../../model/time';
 import { ask } from '../../model/view';
 import { Icon, IconButton } from '../common/icon';
+import { Messages } from '../common/messages';
 import { PlanKey } from '../common/plan_key';
 import { EditTable } from './edit_table';
 import { Figures } from './figures';
-import { Warnings } from './warnings';
 
 /** A copy of a plan under change: its figures beside the plan's own, and the way to make it a plan. */
 export function EditPanel({ edit, shown }: { edit: RouteEdit; shown: ShownPlan }): VNode {
@@ -30,8 +30,8 @@ export function EditPanel({ edit, shown }: { edit: RouteEdit; shown: ShownPlan }
       </div>
       <State edit={edit} />
       <Figures plan={figures} {...(edit.number > 0 ? { beside: origin } : {})} pending={pending} />
-      {figures.warnings.length > 0 && (verdict.state === 'ok' || verdict.state === 'pending') && (
-        <div class={pending ? 'pending' : undefined}><Warnings of={figures} /></div>
+      {(verdict.state === 'ok' || verdict.state === 'pending') && (
+        <div class={pending ? 'pending' : undefined}><Messages of={figures} /></div>
       )}
       <Save edit={edit} />
       <EditTable edit={edit} />

@@ -11,6 +11,7 @@ import { dialog, leftTab, rightTab } from '../../model/screen';
 import { fieldOf } from '../../model/time';
 import { ask } from '../../model/view';
 import { Icon, IconButton } from '../common/icon';
+import { Messages } from '../common/messages';
 import { Departures } from '../charts/departures';
 import { Profile } from '../charts/profile';
 import { PlanKey } from '../common/plan_key';
@@ -19,10 +20,9 @@ import { FlightsPanel } from '../flights/flights_panel';
 import { EditPanel } from './edit_panel';
 import { Figures } from './figures';
 import { StaleBox } from './stale_box';
-import { Warnings } from './warnings';
 import { WaypointTable } from './waypoint_table';
 
-/** What was got: the selected plan in figures, its warnings and its waypoints. */
+/** What was got: the selected plan in figures, its messages and its waypoints. */
 export function WaypointsPanel(): VNode {
   const shown = selectedShown.value;
   if (!shown) {
@@ -50,7 +50,7 @@ export function WaypointsPanel(): VNode {
       </div>
       <StaleBox plan={plan} />
       <Figures plan={plan} />
-      <Warnings of={plan} />
+      <Messages of={plan} />
       <RoleNote role="pilot" what="Changing a plan" />
       <div class="edit-save">
         <button type="button" disabled={!may('pilot')} onClick={() => editCopy(plan)}><Icon name="edit" /> Edit copy</button>

@@ -1,0 +1,52 @@
+import { signal } from '@preact/signals';
+import type { Message, Told } from '../api/types';
+import type { Position } from '../api/data_types';
+import { circle } from '../geo/geodesic';
+import { ask } from './view';
+
+export type Rank = Message['rank'];
+
+/** The gravest first: the vehicle may be lost, the plan may not hold, good to know. */
+export const ranks: readonly Rank[] = ['danger', 'caution', 'note'];
+
+/** How the server marks a danger where nothing else shows the rank. */
+const mark = /^Danger: /;
+
+/** A sentence whose code nobody knows, as it stands in answers that were stored before messages had codes. */
+export const bareMessage = (rank: Rank, text: string): Message => ({ code: '', rank, place: null, values: {}, text: text.replace(mark, '') });
+
+/** What an answer of the server tells the pilot, the gravest first. */
+export function messagesOf({ messages, dangers = [], warnings }: Told): Message[] {
+  if (messages) return messages;
+  return [
+    ...dangers.map((text) => bareMessage('danger', text)),
+    ...warnings.filter((text) => !mark.test(text)).map((text) => bareMessage('caution', text)),
+  ];
+}
+
+export const ofRank = (told: Told, rank: Rank): Message[] => messagesOf(told).filter((message) => message.rank === rank);
+
+/** "1 danger", "3 cautions" */
+export const countOf = (count: number, rank: Rank): string => `${count} ${rank}${count === 1 ? '' : 's'}`;
+
+/** To be read out after a result: " 1 danger. 2 cautions."; empty where there are none. Notes can wait. */
+export function warnedOf(told: Told): string {
+  const counted = (['danger', 'caution'] as const).map((rank) => ({ rank, count: ofRank(told, rank).length }));
+  return counted.filter(({ count }) => count > 0).map(({ rank, count }) => ` ${countOf(count, rank)}.`).join('');
+}
+
+export const placeOf = ({ place }: Message): Position | undefined => (place ? [place.lon, place.lat] : undefined);
+
+/** The message whose place was last asked for; the map marks it. */
+export const shownMessage = signal<Message | undefined>(undefined);
+
+/** How much round the place of a message comes into view. */
+const around_m = 5000;
+
+/** Moves the map to the place of a message. */
+export function showMessage(message: Message): void {
+  const place = placeOf(message);
+  if (!place) return;
+  shownMessage.value = message;
+  ask({ do: 'fit', places: circle(place, around_m) });
+}

@@ -1,0 +1,57 @@
+import type { VNode } from 'preact';
+import type { Message, Told } from '../../api/types';
+import { formatPosition } from '../../geo/coordinates';
+import { countOf, messagesOf, placeOf, showMessage, type Rank } from '../../model/messages';
+import { inPageWords } from '../../model/page_words';
+import { settings } from '../../model/settings';
+import { Icon } from './icon';
+
+/** What the pilot is told, by rank: dangers, then cautions, then notes, which stay folded. */
+export function Messages({ of }: { of: Told }): VNode {
+  const told = messagesOf(of);
+  const ranked = (rank: Rank): Message[] => told.filter((message) => message.rank === rank);
+  const notes = ranked('note');
+  return (
+    <>
+      <Box messages={ranked('danger')} rank="danger" />
+      <Box messages={ranked('caution')} rank="caution" />
+      {notes.length > 0 && (
+        <details class="note-box">
+          <summary>{countOf(notes.length, 'note')}</summary>
+          <MessageList messages={notes} />
+        </details>
+      )}
+    </>
+  );
+}
+
+function Box({ messages, rank }: { messages: Message[]; rank: 'danger' | 'caution' }): VNode | null {
+  if (messages.length === 0) return null;
+  return (
+    <section class={`${rank}-box`} aria-label={rank === 'danger' ? 'Dangers' : 'Cautions'}>
+      <h3><Icon name="warning" /> {countOf(messages.length, rank)}</h3>
+      <MessageList messages={messages} />
+    </section>
+  );
+}
+
+/** Each with its place, where it has one: a press moves the map there. */
+export function MessageList({ messages }: { messages: Message[] }): VNode {
+  return (
+    <ul class="messages">
+      {messages.map((message) => {
+        const place = placeOf(message);
+        return (
+          <li key={`${message.code} ${message.text}`}>
+            {inPageWords(message.text)}
+            {place && (
+              <button type="button" class="link place" title="Show on the map" onClick={() => showMessage(message)}>
+                {formatPosition(place, settings.value.coordinates)}
+              </button>
+            )}
+          </li>
+        );
+      })}
+    </ul>
+  );
+}
