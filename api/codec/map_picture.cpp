@@ -7,6 +7,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "api/codec/surfacing_document.hpp"
 #include "api/codec/xml_text.hpp"
 
 namespace floeplan::codec {
@@ -146,6 +147,13 @@ std::string points_text(const std::vector<MapPicture::Point>& points) {
   return text;
 }
 
+std::string circle_text(const char* style, const MapPicture::Point& centre, double radius) {
+  std::array<char, 96> circle{};
+  std::snprintf(circle.data(), circle.size(), "<circle class=\"%s\" cx=\"%.1f\" cy=\"%.1f\" r=\"%.1f\"/>\n",
+                style, centre.x, centre.y, radius);
+  return circle.data();
+}
+
 std::string label_text(const MapPicture::Label& label, const char* style) {
   std::array<char, 96> start{};
   std::snprintf(start.data(), start.size(), "<text class=\"%s\" x=\"%.1f\" y=\"%.1f\">", style, label.at.x,
@@ -211,6 +219,12 @@ MapPicture draw_map(const planning::Plan& plan, const std::vector<geo::Polygon>&
     picture.route.push_back(point);
     const std::string number = std::to_string(i);
     picture.waypoints.push_back({free_spot(point, number.size(), picture), number});
+    if (i > 0 && is_leg_below_ice(plan.surfacing, i))
+      picture.below_ice.push_back({picture.route[i - 1], point});
+  }
+  if (plan.surfacing) {
+    for (const auto& planned : plan.surfacing->surfacings)
+      picture.surfacings.push_back(frame.at(planned.place));
   }
   add_scale(picture, frame);
   return picture;
@@ -228,14 +242,11 @@ std::string svg(const MapPicture& picture) {
   for (const auto& line : picture.grid)
     text += "<polyline class=\"grid\" points=\"" + points_text(line) + "\"/>\n";
   for (const auto& label : picture.grid_labels) text += label_text(label, "small");
-  for (const auto& disc : picture.icebergs) {
-    std::array<char, 96> circle{};
-    std::snprintf(circle.data(), circle.size(),
-                  "<circle class=\"ice\" cx=\"%.1f\" cy=\"%.1f\" r=\"%.1f\"/>\n", disc.centre.x,
-                  disc.centre.y, disc.radius);
-    text += circle.data();
-  }
+  for (const auto& disc : picture.icebergs) text += circle_text("ice", disc.centre, disc.radius);
   text += "<polyline class=\"route\" points=\"" + points_text(picture.route) + "\"/>\n";
+  for (const auto& leg : picture.below_ice)
+    text += "<polyline class=\"below\" points=\"" + points_text(leg) + "\"/>\n";
+  for (const auto& place : picture.surfacings) text += circle_text("surfacing", place, surfacing_radius);
   for (const auto& label : picture.waypoints) text += label_text(label, "number");
   text += "<polyline class=\"scale\" points=\"" + points_text(picture.scale) + "\"/>\n";
   text +=

@@ -30,6 +30,8 @@ struct MapPicture {
   std::vector<Label> grid_labels;
   std::vector<Disc> icebergs;  // of their length, at least two units
   std::vector<Point> route;
+  std::vector<std::vector<Point>> below_ice;  // the legs of the route with sea ice or icebergs above them
+  std::vector<Point> surfacings;              // planned ones
   std::vector<Label> waypoints;
   std::vector<Point> scale;  // a line as long as `scale_label` says
   std::string scale_label;
@@ -40,6 +42,9 @@ struct MapPicture {
 /// Errors   std::invalid_argument for a plan without waypoints or a picture without room
 [[nodiscard]] MapPicture draw_map(const planning::Plan& plan, const std::vector<geo::Polygon>& land,
                                   const std::vector<ocean::Iceberg>& icebergs, double width, double height);
+
+/// Of the mark of a planned surfacing, in picture units.
+inline constexpr double surfacing_radius = 4.0;
 
 /// The picture as an SVG element, to be put into a page. The same picture gives the same bytes.
 [[nodiscard]] std::string svg(const MapPicture& picture);

@@ -18,7 +18,8 @@ constexpr double page_width = 595.0;
 constexpr double page_height = 842.0;
 constexpr double margin = 36.0;
 constexpr double text_width = page_width - 2.0 * margin;
-constexpr std::array<double, 8> column_ends{28.0, 108.0, 194.0, 310.0, 360.0, 410.0, 462.0, 523.0};
+constexpr std::array<double, 10> column_ends{24.0,  98.0,  172.0, 284.0, 322.0,
+                                             360.0, 394.0, 432.0, 484.0, 523.0};
 
 struct Colour {
   double red, green, blue;
@@ -29,6 +30,7 @@ constexpr Colour sea{0.93, 0.96, 0.97};
 constexpr Colour land{0.85, 0.82, 0.75};
 constexpr Colour ice{0.04, 0.43, 0.66};
 constexpr Colour route{0.76, 0.25, 0.05};
+constexpr Colour surfacing{0.07, 0.47, 0.20};
 
 cairo_status_t append(void* bytes, const unsigned char* data, unsigned int length) {
   static_cast<std::string*>(bytes)->append(reinterpret_cast<const char*>(data), length);
@@ -145,6 +147,18 @@ void stroke(const Sheet& sheet, const std::vector<MapPicture::Point>& points, Co
   cairo_stroke(sheet.pen());
 }
 
+/// A white disc with an edge.
+void ring(const Sheet& sheet, const MapPicture::Point& centre, double radius, Colour edge) {
+  cairo_t* pen = sheet.pen();
+  cairo_new_sub_path(pen);
+  cairo_arc(pen, centre.x, centre.y, radius, 0.0, 2.0 * std::numbers::pi);
+  sheet.colour({1.0, 1.0, 1.0});
+  cairo_fill_preserve(pen);
+  sheet.colour(edge);
+  cairo_set_line_width(pen, 1.0);
+  cairo_stroke(pen);
+}
+
 void draw_picture(Sheet& sheet, const MapPicture& picture) {
   cairo_t* pen = sheet.pen();
   const double scale = text_width / picture.width;
@@ -166,16 +180,13 @@ void draw_picture(Sheet& sheet, const MapPicture& picture) {
   sheet.font(9.0, false);
   sheet.colour(ink);
   for (const auto& label : picture.grid_labels) sheet.write_at(label.at.x, label.at.y, label.text);
-  for (const auto& disc : picture.icebergs) {
-    cairo_new_sub_path(pen);
-    cairo_arc(pen, disc.centre.x, disc.centre.y, disc.radius, 0.0, 2.0 * std::numbers::pi);
-    sheet.colour({1.0, 1.0, 1.0});
-    cairo_fill_preserve(pen);
-    sheet.colour(ice);
-    cairo_set_line_width(pen, 1.0);
-    cairo_stroke(pen);
-  }
+  for (const auto& disc : picture.icebergs) ring(sheet, disc.centre, disc.radius, ice);
   stroke(sheet, picture.route, route, 2.0);
+  constexpr std::array dashes{4.0, 4.0};
+  cairo_set_dash(pen, dashes.data(), dashes.size(), 0.0);
+  for (const auto& leg : picture.below_ice) stroke(sheet, leg, {1.0, 1.0, 1.0}, 2.0);
+  cairo_set_dash(pen, nullptr, 0, 0.0);
+  for (const auto& place : picture.surfacings) ring(sheet, place, surfacing_radius, surfacing);
   sheet.font(11.0, true);
   for (const auto& label : picture.waypoints) sheet.write_at(label.at.x, label.at.y, label.text);
   stroke(sheet, picture.scale, ink, 2.0);
@@ -203,7 +214,10 @@ std::string plan_brief_pdf(const planning::Plan& plan, const MapPicture& picture
   for (const std::string& fact : brief_facts(plan)) sheet.paragraph(fact, 9.0);
   draw_picture(sheet, picture);
   sheet.paragraph(brief_caption(picture), 7.5);
-  write_row(sheet, {"no.", "latitude", "longitude", "ETA (UTC)", "leg km", "course", "m/s", "depth m"}, true);
+  write_row(sheet,
+            {"no.", "latitude", "longitude", "ETA (UTC)", "leg km", "course", "m/s", "depth m", "may surface",
+             "turn m"},
+            true);
   for (const auto& row : brief_rows(plan)) write_row(sheet, row, false);
   sheet.skip(8.0);
   for (const std::string& warning : brief_warnings(plan, notes))

@@ -77,6 +77,10 @@ planning::SurfacingState parse_state(const json& waypoint) {
 
 }  // namespace
 
+bool is_leg_below_ice(const std::optional<planning::SurfacingPlan>& plan, std::size_t waypoint) {
+  return plan && plan->waypoints.at(waypoint).leg_upper_turn.value_or(core::Metres{0.0}).value > 0.0;
+}
+
 void add_surfacing_state(const std::optional<planning::SurfacingPlan>& plan, std::size_t waypoint,
                          json& object) {
   const auto* state = plan ? &plan->waypoints.at(waypoint) : nullptr;

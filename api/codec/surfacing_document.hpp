@@ -14,6 +14,10 @@ void add_surfacing_state(const std::optional<planning::SurfacingPlan>& plan, std
 /// The planned surfacings and escapes of a plan; null as above.
 [[nodiscard]] nlohmann::json surfacing_json(const std::optional<planning::SurfacingPlan>& plan);
 
+/// Whether dives on the leg that leads to a waypoint must turn below sea ice or icebergs somewhere; false also where nothing
+/// is known of ice.
+[[nodiscard]] bool is_leg_below_ice(const std::optional<planning::SurfacingPlan>& plan, std::size_t waypoint);
+
 /// The reverse of both, for the document of a stored plan. A plan stored before there was ice has none.
 /// Errors   nlohmann::json::exception when a member is missing or of another type; std::runtime_error for a time that
 ///          is none

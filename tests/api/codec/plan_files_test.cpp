@@ -333,6 +333,31 @@ TEST(PlanBrief, IsOnePageThatNeedsNothingElse) {
     EXPECT_THAT(html, Not(HasSubstr(foreign)));
 }
 
+TEST(PlanBrief, TellsWhereThePlanIsBelowIceAndMaySurface) {
+  planning::Plan plan = two_legs();
+  plan.surfacing =
+      planning::SurfacingPlan{.longest_without = core::Seconds{5400.0},
+                              .waypoints = {{.may_surface = true, .leg_upper_turn = {}},
+                                            {.may_surface = false, .leg_upper_turn = core::Metres{16.2}}},
+                              .surfacings = {{.place = {-53.1, 69.15}, .time = plan.departure}}};
+
+  const MapPicture picture = draw_map(plan, {}, {}, 720.0, 420.0);
+  const std::string html = plan_brief_html(plan, picture, {"p-01", "", plan.departure, {}});
+
+  EXPECT_EQ(picture.below_ice.size(), 1U);
+  EXPECT_EQ(picture.surfacings.size(), 1U);
+  EXPECT_THAT(html, HasSubstr("Legs below ice: 12.9 km. Longest time without a place to surface: 1.5 h."));
+  EXPECT_THAT(html, HasSubstr("<td>yes</td><td>-</td></tr>"));
+  EXPECT_THAT(html, HasSubstr("<td>no</td><td>17</td></tr>"));
+  EXPECT_THAT(html, HasSubstr("Dashed: legs below ice. Green rings: planned surfacings."));
+
+  plan.surfacing.reset();
+  const std::string unknown =
+      plan_brief_html(plan, draw_map(plan, {}, {}, 720.0, 420.0), {"p-01", "", plan.departure, {}});
+  EXPECT_THAT(unknown, HasSubstr("<td>-</td><td>-</td></tr>"));
+  EXPECT_THAT(unknown, Not(HasSubstr("below ice")));
+}
+
 TEST(PlanBrief, IsAPdfOfAnyNameAndLength) {
   planning::Plan plan = two_legs();
   for (int i = 0; i < 200; ++i) plan.waypoints.push_back(plan.waypoints[1]);

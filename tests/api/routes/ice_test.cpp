@@ -103,7 +103,8 @@ TEST_F(IceRoutesTest, TheMapShowsConcentrationAndThicknessBetweenTwoSteps) {
 
 TEST_F(IceRoutesTest, TheMapHasNoIceBesideTheDataAndNoAnswerAfterTheirEnd) {
   const auto beside = ask("GET", "/map/sea-ice?bbox=-54,68,-50,70&nx=2&ny=2&time=2027-01-15T08:00:00Z");
-  EXPECT_THAT(values_of(beside.body), testing::ElementsAre(2000, -32768, 2000, -32768, 38, -32768, 38, -32768));
+  EXPECT_THAT(values_of(beside.body),
+              testing::ElementsAre(2000, -32768, 2000, -32768, 38, -32768, 38, -32768));
 
   const auto later = ask("GET", "/map/sea-ice?bbox=-54,68,-52,70&nx=2&ny=2&time=2027-01-16T09:00:00Z");
   EXPECT_EQ(later.status, 404);

@@ -44,6 +44,7 @@ import { markerLayer } from './marker_layer';
 import { planLayer, vehicleLayer, waypointLayer } from './plan_layer';
 import { reachLayer } from './reach_layer';
 import { seaIceLayer } from './sea_ice_layer';
+import { surfacingLayer } from './surfacing_layer';
 import { registerProjections, toMap, viewExtent } from './projections';
 
 /** Whether the map has moved to the data it opens on. */
@@ -71,7 +72,7 @@ export function createMap(target: HTMLElement, probe: (place: Position) => void)
     layers: Object.entries({
       bathymetry: bathymetryLayer(), seaIce: seaIceLayer(), currents: currentsLayer(), coast: coastLayer(), graticule: graticuleLayer(), coverage: coverageLayer(),
       reach: reachLayer(), areas: areas.layer, safety: safetyLayer(), drift: driftLayer(), ghosts: ghostLayer(), tracks: trackLayer(),
-      plans: planLayer(), flight: flightLayer(), icebergs: bergs, waypoints: waypointLayer(), trackedGliders: trackedGliderLayer(),
+      plans: planLayer(), flight: flightLayer(), icebergs: bergs, surfacings: surfacingLayer(), waypoints: waypointLayer(), trackedGliders: trackedGliderLayer(),
       vehicles, flown, edit: route.layer, markers: markerLayer(),
     }).map(([name, layer]) => {
       layer.set('name', name);

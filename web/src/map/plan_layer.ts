@@ -4,18 +4,23 @@ import LineString from 'ol/geom/LineString.js';
 import Point from 'ol/geom/Point.js';
 import VectorLayer from 'ol/layer/Vector.js';
 import VectorSource from 'ol/source/Vector.js';
-import { Circle, Fill, Icon, Stroke, Style, Text } from 'ol/style.js';
+import { Circle, Fill, Icon, RegularShape, Stroke, Style, Text } from 'ol/style.js';
+import type { Waypoint } from '../api/types';
 import { densify } from '../geo/geodesic';
 import { northAngle, project, type ProjectionCode } from '../geo/projections';
 import { time_ms } from '../model/clock';
 import { visible } from '../model/layers';
-import { routeOf, selectedId, selectedWaypoint, shownPlans, vehicleAt, type ShownPlan } from '../model/plans';
+import { selectedId, selectedWaypoint, shownPlans, vehicleAt, type ShownPlan } from '../model/plans';
 import { openEdit } from '../model/route_edit';
 import { projection } from '../model/settings';
-import { palette, planDashes, type Palette } from '../theme/palette';
+import { runsOf } from '../model/under_ice';
+import { belowIceDash, palette, planDashes, tunnelDash, type Palette } from '../theme/palette';
 import { toMap } from './projections';
 
-/** Lines of the plans: a white casing, then colour and dash pattern; the selected one uppermost and thicker. */
+/**
+ * Lines of the plans: a white casing, then colour and dash pattern; the selected one uppermost and thicker. Legs below ice are
+ * drawn as maps draw tunnels: short dashes between broken edges.
+ */
 export function planLayer(): VectorLayer<VectorSource> {
   const source = new VectorSource();
   const layer = new VectorLayer({ source, zIndex: 6, updateWhileInteracting: true, updateWhileAnimating: true });
@@ -24,29 +29,36 @@ export function planLayer(): VectorLayer<VectorSource> {
     const selected = selectedId.value;
     source.clear(true);
     for (const shown of shownPlans.value) {
-      const line = new Feature(new LineString(toMap(code, densify(routeOf(shown.plan), 2000))));
-      line.setStyle(lineStyles(shown, shown.plan.plan_id === selected, palette.value));
-      line.set('planId', shown.plan.plan_id);
-      source.addFeature(line);
+      for (const { places, isBelowIce } of runsOf(shown.plan)) {
+        const line = new Feature(new LineString(toMap(code, densify(places, 2000))));
+        line.setStyle(lineStyles(shown, isBelowIce, shown.plan.plan_id === selected, palette.value));
+        line.set('planId', shown.plan.plan_id);
+        source.addFeature(line);
+      }
     }
   });
   effect(() => layer.setVisible(visible.value.plans));
   return layer;
 }
 
-function lineStyles({ style }: ShownPlan, selected: boolean, colours: Palette): Style[] {
+function lineStyles({ style }: ShownPlan, isBelowIce: boolean, selected: boolean, colours: Palette): Style[] {
   const width = selected ? 3 : 2;
   const zIndex = selected ? 2 : 1;
+  const lineDash = [...(isBelowIce ? belowIceDash : (planDashes[style] ?? []))];
   return [
+    ...(isBelowIce ? [new Style({ stroke: new Stroke({ color: colours.ink, width: width + 6, lineDash: [...tunnelDash], lineCap: 'butt' }), zIndex })] : []),
     new Style({ stroke: new Stroke({ color: colours.casing, width: width + 3 }), zIndex }),
     new Style({
-      stroke: new Stroke({ color: colours.plans[style] ?? colours.plans[0], width, lineDash: [...(planDashes[style] ?? [])] }),
+      stroke: new Stroke({ color: colours.plans[style] ?? colours.plans[0], width, lineDash, ...(isBelowIce ? { lineCap: 'butt' as const } : {}) }),
       zIndex,
     }),
   ];
 }
 
-/** Waypoints of the selected plan unless a copy of it is under change: a dot each, and its number where there is room. */
+/**
+ * Waypoints of the selected plan unless a copy of it is under change: a dot each, a square where it may not surface, and the
+ * number where there is room.
+ */
 export function waypointLayer(): VectorLayer<VectorSource> {
   const source = new VectorSource();
   const layer = new VectorLayer({ source, zIndex: 8, declutter: true });
@@ -61,7 +73,7 @@ export function waypointLayer(): VectorLayer<VectorSource> {
         const feature = new Feature(new Point(project(code, [waypoint.lon, waypoint.lat])));
         feature.set('waypoint', waypoint.index);
         feature.set('planId', shown.plan.plan_id);
-        feature.setStyle(waypointStyles(waypoint.index, shown.style, waypoint.index === chosen, colours));
+        feature.setStyle(waypointStyles(waypoint, shown.style, waypoint.index === chosen, colours));
         source.addFeature(feature);
       }
     }
@@ -70,18 +82,16 @@ export function waypointLayer(): VectorLayer<VectorSource> {
   return layer;
 }
 
-function waypointStyles(index: number, style: number, chosen: boolean, colours: Palette): Style[] {
+function waypointStyles({ index, may_surface }: Waypoint, style: number, chosen: boolean, colours: Palette): Style[] {
   const colour = colours.plans[style] ?? colours.plans[0];
+  const fill = new Fill({ color: chosen ? colour : colours.casing });
+  const dot = new Circle({ radius: chosen ? 6 : 3.5, fill, stroke: new Stroke({ color: colour, width: 2 }), declutterMode: 'none' });
+  const closed = new RegularShape({
+    points: 4, angle: Math.PI / 4, radius: chosen ? 9 : 6.5, fill: new Fill({ color: colour }), stroke: new Stroke({ color: chosen ? colours.ink : colours.casing, width: 2 }),
+    declutterMode: 'none',
+  });
   return [
-    new Style({
-      image: new Circle({
-        radius: chosen ? 6 : 3.5,
-        fill: new Fill({ color: chosen ? colour : colours.casing }),
-        stroke: new Stroke({ color: colour, width: 2 }),
-        declutterMode: 'none',
-      }),
-      zIndex: 1,
-    }),
+    new Style({ image: may_surface === false ? closed : dot, zIndex: 1 }),
     new Style({
       text: new Text({
         text: String(index + 1),

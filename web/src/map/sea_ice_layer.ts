@@ -12,13 +12,13 @@ import { palette, seaIceHatches, surfacingDash, unknownHatch, type Hatch } from 
 import { CanvasLayer, type Frame } from './canvas_layer';
 
 /** How far apart the nodes stand on the screen at which the ice is looked up, at least. */
-const spacing_px = 9;
+const spacing_px = 7;
 
-/** How many nodes lie between the figures of thickness, along a row and between rows. */
-const figuresApart = [9, 5] as const;
+/** How many nodes lie from one figure of thickness to the next. */
+const figuresApart = { columns: 12, rows: 7 };
 
 /** Exact places are worked out so many nodes apart: some forty pixels. */
-const exactApart = 4;
+const exactApart = 6;
 
 /**
  * Sea ice at the clock's time: hatched the denser the more of the sea is covered, with its thickness in figures, its edge, and the
@@ -68,8 +68,8 @@ class Stand {
   private lats = new Float64Array(0);
   private soundings: Sounding[] = [];
   private grids: [Grid, Grid] | undefined;
-  private before = new Float32Array(0);
-  private after = new Float32Array(0);
+  private before: Float32Array = new Float32Array(0);
+  private after: Float32Array = new Float32Array(0);
   private drawn: { pair: TimedPair | undefined; limit: number; shapes: Shapes } | undefined;
 
   at(frame: Frame, code: ProjectionCode): Nodes {
@@ -91,7 +91,8 @@ class Stand {
   }
 
   shapesOf(nodes: Nodes, pair: TimedPair | undefined, limit: number): Shapes {
-    if (this.drawn?.pair === pair && this.drawn.limit === limit) return this.drawn.shapes;
+    const { drawn } = this;
+    if (drawn && drawn.pair === pair && drawn.limit === limit) return drawn.shapes;
     const shapes = this.shaped(nodes, pair, limit);
     this.drawn = { pair, limit, shapes };
     return shapes;
@@ -108,7 +109,7 @@ class Stand {
         const [lon, lat] = [places.lon(i), places.lat(i)];
         this.lons[j * nx + i] = lon;
         this.lats[j * nx + i] = lat;
-        if ((left + i) % figuresApart[0] === 0 && (top + j) % figuresApart[1] === 0) this.soundings.push({ x: i, y: j, lon, lat });
+        if ((left + i) % figuresApart.columns === 0 && (top + j) % figuresApart.rows === 0) this.soundings.push({ x: i, y: j, lon, lat });
       }
     }
     this.grids = undefined;
@@ -184,10 +185,10 @@ function paint(frame: Frame, nodes: Nodes, stand: Stand): void {
     context.fill(area);
   }
   context.lineJoin = 'round';
-  stroke(context, onScreen(shapes.edge), colours.edge, 1.6, []);
   const limit = onScreen(shapes.limit);
   stroke(context, limit, casing, 3.4, []);
-  stroke(context, limit, ink, 1.8, surfacingDash);
+  stroke(context, onScreen(shapes.edge), colours.edge, 1.2, []);
+  stroke(context, limit, ink, 2, surfacingDash);
 
   context.font = '600 11px system-ui, sans-serif';
   context.textAlign = 'center';

@@ -1,6 +1,7 @@
 import { computed, signal } from '@preact/signals';
 import type { Box, DamagedThing, Dataset, DatasetKind, PlanningKind, StoredDatasets, Vehicle } from '../api/data_types';
 import { intersection } from '../geo/boxes';
+import { time_ms } from './clock';
 import { severalIn, withoutMissing } from './data_choice';
 import { draft, emptyDraft, fill } from './draft';
 import { icebergs } from './field';
@@ -79,7 +80,13 @@ export const lastSighted = computed<Dataset | undefined>(() =>
   chosenIcebergs.value.reduce<Dataset | undefined>((newest, one) => ((one.time_end ?? '') > (newest?.time_end ?? '') ? one : (newest ?? one)), undefined),
 );
 export const chosenCoastline = computed(() => chosen('coastline'));
-export const chosenSeaIce = computed(() => chosen('ice'));
+/** Of the sea ice that plans may take the newest that tells of the clock's time; the newest of all where none does. */
+export const chosenSeaIce = computed(() => {
+  const candidates = draft.value.ice === 'newest' ? ofKind('ice') : chosenAll('ice');
+  const tellsOf = ({ time_start, time_end }: Dataset): boolean =>
+    time_start !== null && time_end !== null && Date.parse(time_start) <= time_ms.value && time_ms.value <= Date.parse(time_end);
+  return candidates.find(tellsOf) ?? candidates[0];
+});
 
 /** The part of the Earth to open on: where currents and depths are both known, else whichever is; else where there is ice, or a glider was. */
 export const homeBox = computed<Box>(() => {

@@ -3,6 +3,7 @@ import { signal } from '@preact/signals';
 /** What the map can show, in the order of the layers panel (uppermost first). */
 export const layerTitles = {
   plans: 'Plans',
+  surfacings: 'Surfacings',
   areas: 'Areas',
   tracks: 'Glider tracks',
   reach: 'Reach',
@@ -20,7 +21,7 @@ export type LayerName = keyof typeof layerTitles;
 export const layerNames = Object.keys(layerTitles) as LayerName[];
 
 export const visible = signal<Record<LayerName, boolean>>({
-  plans: true, areas: true, tracks: true, reach: true, icebergs: true, safety: true, drift: true, graticule: true, coast: true, currents: true, seaIce: true, bathymetry: true,
+  plans: true, surfacings: true, areas: true, tracks: true, reach: true, icebergs: true, safety: true, drift: true, graticule: true, coast: true, currents: true, seaIce: true, bathymetry: true,
 });
 
 export function toggleLayer(name: LayerName): void {

@@ -45,12 +45,18 @@ export function currentAlong_m_s({ probe, course_deg }: ProfilePoint): number | 
   return u_m_s * Math.sin(course) + v_m_s * Math.cos(course);
 }
 
-/** How deep ice floats: nine tenths of its thickness lie under water. */
+/** How deep level ice floats: nine tenths of its thickness lie under water. */
 const submerged = 0.9;
 
-export function iceDraft_m({ probe }: ProfilePoint): number | null {
+/** Draft of the deepest keel over the thickness of level ice, as plans take it (planning::keel_over_thickness: Lemieux et al. 2016). */
+const keelOverThickness = 8;
+
+const fromThickness = ({ probe }: ProfilePoint, factor: number): number | null => {
   const thickness_m = probe?.ice.thickness_m ?? null;
-  return thickness_m === null ? null : submerged * thickness_m;
-}
+  return thickness_m === null ? null : factor * thickness_m;
+};
+
+export const iceDraft_m = (point: ProfilePoint): number | null => fromThickness(point, submerged);
+export const iceKeel_m = (point: ProfilePoint): number | null => fromThickness(point, keelOverThickness);
 
 export const nearestBerg_m = ({ probe }: ProfilePoint): number | null => probe?.icebergs_within[0]?.distance_m ?? null;

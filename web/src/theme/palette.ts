@@ -103,6 +103,10 @@ export const currentLimits_m_s = [0.15, 0.4] as const;
 /** Dash patterns of the plans in pixels, so that colour is not the only difference. */
 export const planDashes: readonly (readonly number[])[] = [[], [14, 7], [12, 6, 2, 6], [2, 7]];
 
+/** Of the legs below ice, whatever their plan; and of the edges beside them. */
+export const belowIceDash = [5, 5] as const;
+export const tunnelDash = [10, 5] as const;
+
 /** Marks of a square tile of hatching, as a path of SVG. */
 export interface Hatch {
   tile_px: number;

@@ -2,19 +2,21 @@ import type { VNode } from 'preact';
 import { announcement, dialog, drawer, leftTab, notice } from '../model/screen';
 import { plans } from '../model/plans';
 import { ClockBar } from './clock/clock_bar';
+import { dialogLater } from './common/later';
 import { DataPanel } from './data/data_panel';
 import { DropOverlay } from './data/drop_overlay';
-import { HelpDialog } from './dialogs/help_dialog';
-import { JobsDialog } from './dialogs/jobs_dialog';
 import { LoginDialog } from './dialogs/login_dialog';
-import { ExportDialog } from './export/export_dialog';
 import { Header } from './header/header';
 import { LayersPanel } from './layers/layers_panel';
 import { MapPanel } from './map/map_panel';
-import { CompareDialog } from './plans/compare_dialog';
 import { PlansPanel } from './plans/plans_panel';
 import { SetupPanel } from './setup/setup_panel';
 import { WaypointsPanel } from './waypoints/waypoints_panel';
+
+const HelpDialog = dialogLater(async () => (await import('./dialogs/help_dialog')).HelpDialog);
+const JobsDialog = dialogLater(async () => (await import('./dialogs/jobs_dialog')).JobsDialog);
+const ExportDialog = dialogLater(async () => (await import('./export/export_dialog')).ExportDialog);
+const CompareDialog = dialogLater(async () => (await import('./plans/compare_dialog')).CompareDialog);
 
 /** The screen: left what is asked, right what was got, below one clock, the map between. */
 export function App(): VNode {

@@ -48,6 +48,10 @@ describe('the clock', () => {
     expect(bracket(times, start + 3 * hour_ms)).toEqual({ before: 1, after: 1, share: 0 });
     expect(bracket(times, start - 1)).toBeUndefined();
     expect(bracket(times, start + 7 * hour_ms)).toBeUndefined();
+    const [before_ms = NaN, after_ms = NaN] = times;
+    expect(bracket(times, (before_ms + after_ms) / 2, after_ms - before_ms)).toBeDefined();
+    expect(bracket(times, (before_ms + after_ms) / 2, after_ms - before_ms - 1)).toBeUndefined();
+    expect(bracket(times, after_ms, after_ms - before_ms - 1)).toEqual({ before: 1, after: 1, share: 0 });
   });
 });
 

@@ -4,10 +4,10 @@ import { profileOf } from '../../api/profile';
 import type { Plan } from '../../api/types';
 import { setTime, time_ms } from '../../model/clock';
 import { vehicles } from '../../model/datasets';
-import { currentAlong_m_s, iceDraft_m, nearestBerg_m, type ProfilePoint } from '../../model/profile';
+import { currentAlong_m_s, iceDraft_m, iceKeel_m, nearestBerg_m, type ProfilePoint } from '../../model/profile';
 import { requestOf } from '../../model/requests';
 import { shortTime } from '../../model/time';
-import { depth, distanceFigure, distanceUnit, speedFigure, speedUnit } from '../../model/units';
+import { depth, distanceFigure, distanceUnit, none, speedFigure, speedUnit } from '../../model/units';
 import { palette } from '../../theme/palette';
 import { Chart, type Line } from './chart';
 
@@ -45,11 +45,18 @@ function Charts({ plan, points }: { plan: Plan; points: ProfilePoint[] }): VNode
   const depths = useMemo((): Line[] => {
     const bed = points.map(({ probe }) => probe?.depth_m ?? null);
     const ice = points.map(iceDraft_m);
+    const turns = points.map(({ turn_m }) => turn_m);
     const dives = points.map(({ probe }) => (dive_m === undefined ? null : Math.min(dive_m, probe?.depth_m ?? dive_m)));
     return [
       { label: 'sea bed', values: bed, colour: colours.coast, fill: colours.land },
       { label: 'dives to', values: dives, colour: colours.plans[0], dash: [5, 4] },
-      ...(ice.some((value) => value !== null && value > 0) ? [{ label: 'ice draft', values: ice, colour: colours.currents[0] }] : []),
+      ...(turns.some((value) => value !== null && value > 0) ? [{ label: 'upper turn, leg', values: turns, colour: colours.plans[0], stepped: true }] : []),
+      ...(ice.some((value) => value !== null && value > 0)
+        ? [
+            { label: 'ice draft', values: ice, colour: colours.seaIce.edge, width: 3 },
+            { label: 'deepest keel', values: points.map(iceKeel_m), colour: colours.seaIce.edge, dash: [2, 3] },
+          ]
+        : []),
     ];
   }, [points, colours, dive_m]);
   const speeds = useMemo((): Line[] => [
@@ -81,13 +88,16 @@ function diveDepthOf(plan: Plan): number | undefined {
   return requestOf(plan.plan_id)?.dive_depth_m ?? vehicle?.dive_depth_m;
 }
 
+const percent = (share: number | null | undefined): string => (typeof share === 'number' ? `${Math.round(100 * share)} %` : none);
+const metres = (value: number | null): string => (value === null ? none : `${value.toFixed(1)} m`);
+
 function Twin({ points }: { points: ProfilePoint[] }): VNode {
   return (
     <div class="scroll-box profile-table" tabIndex={0} role="region" aria-label="Profile">
       <table class="figures">
         <thead>
           <tr>
-            <th scope="col">Time</th><th scope="col">Sea bed</th><th scope="col">Ice draft</th>
+            <th scope="col">Time</th><th scope="col">Sea bed</th><th scope="col">Sea ice</th><th scope="col">Draft</th><th scope="col">Keel</th><th scope="col">Turn</th>
             <th scope="col">SOG <span class="unit">{speedUnit()}</span></th>
             <th scope="col">Current along <span class="unit">{speedUnit()}</span></th>
             <th scope="col">Berg <span class="unit">{distanceUnit()}</span></th>
@@ -98,7 +108,10 @@ function Twin({ points }: { points: ProfilePoint[] }): VNode {
             <tr key={point.time_ms}>
               <td><button type="button" class="link" onClick={() => setTime(point.time_ms)}>{shortTime(point.time_ms)}</button></td>
               <td>{depth(point.probe?.depth_m)}</td>
-              <td>{depth(iceDraft_m(point))}</td>
+              <td>{percent(point.probe?.ice_concentration)}</td>
+              <td>{metres(iceDraft_m(point))}</td>
+              <td>{metres(iceKeel_m(point))}</td>
+              <td>{depth(point.turn_m)}</td>
               <td>{speedFigure(point.speed_over_ground_m_s)}</td>
               <td>{speedFigure(currentAlong_m_s(point))}</td>
               <td>{distanceFigure(nearestBerg_m(point))}</td>

@@ -117,10 +117,12 @@ function SeaIce(): VNode {
         ))}
         <rect class="swatch" x="0.5" y="0.5" width="175" height="16" fill="none" />
       </svg>
-      <p><svg width="22" height="14" aria-hidden="true"><path class="ice-edge" d="M1 7 H21" /></svg> ice edge, {percent(iceEdge)} %</p>
       <p><svg width="22" height="14" aria-hidden="true"><path class="surfacing-limit" d="M1 7 H21" /></svg> may surface up to {percent(surfacingLimit.value)} %</p>
-      <p><b class="sounding">0.6</b> thickness in m; ? not known</p>
-      <p><svg width="22" height="14" aria-hidden="true"><path class="no-ice-data" d="M2 4 h6 M13 10 h6" /></svg> no data</p>
+      <p>
+        <svg width="22" height="14" aria-hidden="true"><path class="ice-edge" d="M1 7 H21" /></svg> edge, {percent(iceEdge)} %
+        <svg width="22" height="14" aria-hidden="true"><path class="no-ice-data" d="M3 4 h6 M13 10 h6" /></svg> no data
+      </p>
+      <p><b class="sounding">0.6</b> thickness in m; ? unknown</p>
       {seaIceFault.value && (
         <p class="caution">
           {seaIceFault.value}.{' '}

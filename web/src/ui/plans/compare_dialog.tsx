@@ -4,6 +4,7 @@ import type { Plan } from '../../api/types';
 import { ofRank } from '../../model/messages';
 import { baseline, baselineId, shownPlans, titleOf } from '../../model/plans';
 import { duration, shortTime } from '../../model/time';
+import { belowIce_m } from '../../model/under_ice';
 import { distance, energy } from '../../model/units';
 import { Modal } from '../common/modal';
 import { PlanKey } from '../common/plan_key';
@@ -38,6 +39,12 @@ const columns: Column[] = [
   { title: 'Nearest iceberg', value: (plan) => plan.clearances.iceberg_m, ...metres },
   { title: 'Nearest land', value: (plan) => plan.clearances.land_m, ...metres },
   { title: 'Above sea bed', value: (plan) => plan.clearances.bottom_m, ...metres },
+  { title: 'Below ice', value: belowIce_m, ...metres },
+  {
+    title: 'Longest without a place to surface', value: ({ surfacing }) => surfacing?.longest_without_surfacing_s ?? null,
+    text: (value) => duration(value ?? 0), difference: (value) => signed(value, duration),
+  },
+  { title: 'Surfacings', value: ({ surfacing }) => surfacing?.planned.length ?? null, text: String, difference: (value) => signed(value, String) },
   { title: 'Optimality gap', value: (plan) => plan.optimality_gap, ...shares },
   { title: 'Dangers', value: (plan) => ofRank(plan, 'danger').length, text: String, difference: (value) => signed(value, String) },
   { title: 'Cautions', value: (plan) => ofRank(plan, 'caution').length, text: String, difference: (value) => signed(value, String) },

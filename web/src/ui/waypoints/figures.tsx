@@ -1,6 +1,7 @@
 import type { VNode } from 'preact';
 import type { Plan } from '../../api/types';
 import { duration, shortTime } from '../../model/time';
+import { belowIce_m } from '../../model/under_ice';
 import { distance, energy, none } from '../../model/units';
 
 interface Figure {
@@ -21,6 +22,27 @@ const figures: Figure[] = [
   { title: 'Nearest iceberg', text: (plan) => distance(plan.clearances.iceberg_m), value: (plan) => plan.clearances.iceberg_m, difference: distance },
   { title: 'Nearest land', text: (plan) => distance(plan.clearances.land_m), value: (plan) => plan.clearances.land_m, difference: distance },
   { title: 'Above sea bed', text: (plan) => distance(plan.clearances.bottom_m), value: (plan) => plan.clearances.bottom_m, difference: distance },
+  {
+    title: 'Below ice',
+    text: (plan) => distance(belowIce_m(plan)),
+    why: (plan) => (plan.surfacing ? 'Length of the legs that have sea ice or icebergs above them somewhere' : 'The plan was made without sea ice data'),
+    value: belowIce_m,
+    difference: distance,
+  },
+  {
+    title: 'Longest without a place to surface',
+    text: ({ surfacing }) => (surfacing ? duration(surfacing.longest_without_surfacing_s) : none),
+    why: () => 'Longest time between places where the vehicle may surface',
+    value: ({ surfacing }) => surfacing?.longest_without_surfacing_s ?? null,
+    difference: duration,
+  },
+  {
+    title: 'Sea ice unknown',
+    text: ({ surfacing }) => (surfacing && surfacing.unknown_ice_m > 0 ? distance(surfacing.unknown_ice_m) : none),
+    why: () => 'Length of the route where no data tell of the sea ice',
+    value: ({ surfacing }) => surfacing?.unknown_ice_m ?? null,
+    difference: distance,
+  },
   {
     title: 'Optimality gap',
     text: (plan) => (plan.optimality_gap === null ? none : share(plan.optimality_gap)),
@@ -50,7 +72,7 @@ const figures: Figure[] = [
 
 /** A plan in figures; beside another plan with the differences to it, and dimmed while they are worked out anew. */
 export function Figures({ plan, beside, pending = false }: { plan: Plan; beside?: Plan; pending?: boolean }): VNode {
-  const shown = figures.filter(({ title, text }) => text(plan) !== none || !/^(Energy|Battery|Iceberg enc|Arrival, )/.test(title));
+  const shown = figures.filter(({ title, text }) => text(plan) !== none || !/^(Energy|Battery|Iceberg enc|Sea ice unk|Arrival, )/.test(title));
   return (
     <dl class={pending ? 'figures-grid pending' : 'figures-grid'} aria-busy={pending}>
       {shown.map((figure) => (

@@ -4,9 +4,12 @@ import { formatLat, formatLon } from '../../geo/coordinates';
 import { setTime } from '../../model/clock';
 import { selectedWaypoint, vehicleAt } from '../../model/plans';
 import { settings } from '../../model/settings';
+import { isLegBelowIce, maySurface } from '../../model/under_ice';
 import { shortTime } from '../../model/time';
-import { course, depth, distanceFigure, distanceUnit, speedFigure, speedUnit } from '../../model/units';
+import { course, distanceFigure, distanceUnit, none, speedFigure, speedUnit } from '../../model/units';
 import { ask } from '../../model/view';
+
+const whole = (metres: number | null | undefined): string => (typeof metres === 'number' ? String(Math.round(metres)) : none);
 
 /** The waypoints in figures; the leg under way at the clock's time is marked. */
 export function WaypointTable({ plan, at_ms }: { plan: Plan; at_ms: number }): VNode {
@@ -18,11 +21,14 @@ export function WaypointTable({ plan, at_ms }: { plan: Plan; at_ms: number }): V
           <tr>
             <th scope="col"><abbr title="Number">#</abbr></th>
             <th scope="col">Position</th>
-            <th scope="col">Leg <span class="unit">{distanceUnit()}</span></th>
-            <th scope="col"><abbr title="Course over ground, from true north">Crs</abbr></th>
+            <th scope="col">Leg <span class="unit">{distanceUnit()}</span> <abbr class="second" title="Course over ground, from true north">Crs</abbr></th>
             <th scope="col"><abbr title="Speed over ground">SOG</abbr> <span class="unit">{speedUnit()}</span></th>
             <th scope="col"><abbr title="Estimated time of arrival, UTC">ETA</abbr></th>
-            <th scope="col"><abbr title="Depth of the sea bed">Depth</abbr></th>
+            <th scope="col"><abbr title="Depth of the sea bed">Depth</abbr> <span class="unit">m</span></th>
+            <th scope="col" class="surface">
+              <abbr title="Whether the sea ice lets the vehicle surface here; – where no data tell">May surface</abbr>{' '}
+              <abbr class="second" title="How deep the dives on the leg must turn to pass below sea ice and icebergs">turn</abbr> <span class="unit">m</span>
+            </th>
           </tr>
         </thead>
         <tbody>
@@ -45,11 +51,18 @@ export function WaypointTable({ plan, at_ms }: { plan: Plan; at_ms: number }): V
                   <br />
                   {formatLon(waypoint.lon, settings.value.coordinates)}
                 </td>
-                <td>{distanceFigure(waypoint.leg_m)}</td>
-                <td>{course(waypoint.course_deg)}</td>
+                <td>
+                  {distanceFigure(waypoint.leg_m)}
+                  <br />
+                  {course(waypoint.course_deg)}
+                </td>
                 <td>{speedFigure(waypoint.speed_over_ground_m_s)}</td>
                 <td class="time">{shortTime(Date.parse(waypoint.eta), Date.parse(plan.departure)).replace(/ (?=\d\d:)/, '\n')}</td>
-                <td>{depth(waypoint.depth_m)}</td>
+                <td>{whole(waypoint.depth_m)}</td>
+                <td class={waypoint.may_surface === false ? 'closed' : ''}>
+                  {maySurface(waypoint)}
+                  {isLegBelowIce(waypoint) && <><br />{whole(waypoint.leg_upper_turn_m)}</>}
+                </td>
               </tr>
             );
           })}

@@ -1,0 +1,35 @@
+import type { Position } from '../api/data_types';
+import type { Plan, Waypoint } from '../api/types';
+
+/** Whether the dives on the leg that leads to a waypoint must turn below ice or icebergs somewhere; unknown of plans without ice data. */
+export const isLegBelowIce = ({ leg_upper_turn_m }: Waypoint): boolean | undefined =>
+  typeof leg_upper_turn_m === 'number' ? leg_upper_turn_m > 0 : undefined;
+
+/** Legs one after the other that are all below ice, or all not. */
+export interface Run {
+  places: Position[];
+  isBelowIce: boolean;
+}
+
+/** A route in as few runs as it has, each beginning where the one before ends. */
+export function runsOf({ waypoints }: Plan): Run[] {
+  const runs: Run[] = [];
+  waypoints.slice(1).forEach((to, i) => {
+    const from = waypoints[i];
+    if (!from) return;
+    const isBelowIce = isLegBelowIce(to) ?? false;
+    const last = runs.at(-1);
+    if (last?.isBelowIce === isBelowIce) last.places.push([to.lon, to.lat]);
+    else runs.push({ places: [[from.lon, from.lat], [to.lon, to.lat]], isBelowIce });
+  });
+  return runs;
+}
+
+/** Length of the legs that have ice above them somewhere; null where nothing is known of ice. */
+export function belowIce_m({ surfacing, waypoints }: Plan): number | null {
+  if (!surfacing || waypoints.slice(1).some((waypoint) => isLegBelowIce(waypoint) === undefined)) return null;
+  return waypoints.reduce((sum, waypoint) => sum + (isLegBelowIce(waypoint) ? (waypoint.leg_m ?? 0) : 0), 0);
+}
+
+/** In a cell of a table: yes, no, or the dash where nothing is known of ice. */
+export const maySurface = ({ may_surface }: Waypoint): string => (may_surface === true ? 'yes' : may_surface === false ? 'no' : '–');

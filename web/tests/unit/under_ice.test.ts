@@ -1,0 +1,33 @@
+import { describe, expect, it } from 'vitest';
+import type { Plan, Surfacing } from '../../src/api/types';
+import { belowIce_m, isLegBelowIce, maySurface, runsOf } from '../../src/model/under_ice';
+import { makePlan } from './make_plan';
+
+const surfacing: Surfacing = { longest_without_surfacing_s: 3600, unknown_ice_m: 0, planned: [], escapes: [] };
+
+function planBelow(turns: (number | null)[], known: Surfacing | null = surfacing): Plan {
+  const plan = makePlan('p', turns.map((_, i) => [-53 + i, 69]));
+  const waypoints = plan.waypoints.map((waypoint, i) => ({ ...waypoint, leg_m: i === 0 ? null : 1000 * i, leg_upper_turn_m: turns[i] ?? null }));
+  return { ...plan, waypoints, surfacing: known };
+}
+
+describe('a plan below ice', () => {
+  it('has its legs below ice in runs, and their length', () => {
+    const plan = planBelow([null, 0, 17, 21, 0]);
+
+    expect(runsOf(plan).map(({ isBelowIce, places }) => [isBelowIce, places.map(([lon]) => lon)])).toEqual([
+      [false, [-53, -52]], [true, [-52, -51, -50]], [false, [-50, -49]],
+    ]);
+    expect(belowIce_m(plan)).toBe(2000 + 3000);
+  });
+
+  it('says nothing of ice that nobody knows', () => {
+    expect(belowIce_m(planBelow([null, 0, 0], null))).toBeNull();
+    expect(belowIce_m(planBelow([null, null]))).toBeNull();
+    const [, unknown] = planBelow([null, null]).waypoints;
+    expect(unknown && isLegBelowIce(unknown)).toBeUndefined();
+    expect(unknown && maySurface(unknown)).toBe('–');
+    expect(unknown && maySurface({ ...unknown, may_surface: false })).toBe('no');
+    expect(unknown && maySurface({ ...unknown, may_surface: true })).toBe('yes');
+  });
+});
