@@ -51,6 +51,8 @@ messages::Message stored_message(const json& document) {
 
 }  // namespace
 
+std::string waypoint_label(std::size_t index) { return index == 0 ? "S" : std::to_string(index); }
+
 double document_degrees(double degrees) { return std::round(degrees * 1e7) / 1e7; }
 
 json optional_time(const std::optional<core::UtcTime>& time) {

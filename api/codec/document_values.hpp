@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstddef>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "engine/core/units.hpp"
@@ -9,6 +11,10 @@
 
 /// Values as every document of ours writes them.
 namespace floeplan::codec {
+
+/// What a waypoint of a plan is called wherever a person reads of it: S for the start, then 1, 2, ..., which are the
+/// indices of the JSON documents, the numbers in messages and the counting of waypoint lists, which leave the start out.
+[[nodiscard]] std::string waypoint_label(std::size_t index);
 
 /// A longitude or latitude to 1e-7 degrees, which is a centimetre.
 [[nodiscard]] double document_degrees(double degrees);

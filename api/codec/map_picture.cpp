@@ -7,6 +7,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "api/codec/document_values.hpp"
 #include "api/codec/surfacing_document.hpp"
 #include "api/codec/xml_text.hpp"
 
@@ -217,7 +218,7 @@ MapPicture draw_map(const planning::Plan& plan, const std::vector<geo::Polygon>&
   for (std::size_t i = 0; i < plan.waypoints.size(); ++i) {
     const MapPicture::Point point = frame.at(plan.waypoints[i].place);
     picture.route.push_back(point);
-    const std::string number = std::to_string(i);
+    const std::string number = waypoint_label(i);
     picture.waypoints.push_back({free_spot(point, number.size(), picture), number});
     if (i > 0 && is_leg_below_ice(plan.surfacing, i))
       picture.below_ice.push_back({picture.route[i - 1], point});

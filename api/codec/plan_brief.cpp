@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "api/codec/bare_value.hpp"
+#include "api/codec/document_values.hpp"
 #include "api/codec/surfacing_document.hpp"
 #include "api/codec/xml_text.hpp"
 #include "engine/core/utc_text.hpp"
@@ -97,7 +98,7 @@ std::vector<std::vector<std::string>> brief_rows(const planning::Plan& plan) {
   std::vector<std::vector<std::string>> rows;
   rows.reserve(plan.waypoints.size());
   for (const planning::Waypoint& waypoint : plan.waypoints) {
-    rows.push_back({std::to_string(rows.size()), degrees_minutes(waypoint.place.lat_deg, 'N', 'S'),
+    rows.push_back({waypoint_label(rows.size()), degrees_minutes(waypoint.place.lat_deg, 'N', 'S'),
                     degrees_minutes(geo::wrap_longitude(waypoint.place.lon_deg), 'E', 'W'),
                     core::iso8601(waypoint.eta), number(bare(waypoint.leg_length), 2, 1e-3),
                     number(waypoint.course_deg, 1), number(bare(waypoint.speed_over_ground), 3),

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdio>
 
+#include "api/codec/document_values.hpp"
 #include "api/codec/xml_text.hpp"
 #include "engine/core/utc_text.hpp"
 
@@ -13,9 +14,8 @@ std::string route_point(const planning::Waypoint& waypoint, std::size_t index) {
   std::array<char, 80> start{};
   std::snprintf(start.data(), start.size(), "    <rtept lat=\"%.7f\" lon=\"%.7f\">", waypoint.place.lat_deg,
                 geo::wrap_longitude(waypoint.place.lon_deg));
-  const std::string name = index == 0 ? "Start" : "WP" + std::to_string(index);
-  return start.data() +
-         ("<time>" + core::iso8601(waypoint.eta) + "</time><name>" + name + "</name></rtept>\n");
+  return start.data() + ("<time>" + core::iso8601(waypoint.eta) + "</time><name>" + waypoint_label(index) +
+                         "</name></rtept>\n");
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdio>
 
+#include "api/codec/document_values.hpp"
 #include "api/codec/xml_text.hpp"
 #include "engine/core/utc_text.hpp"
 
@@ -16,10 +17,9 @@ std::string coordinates(geo::LonLat place) {
 }
 
 std::string placemark(const planning::Waypoint& waypoint, std::size_t index) {
-  const std::string name = index == 0 ? "Start" : "WP" + std::to_string(index);
-  return "    <Placemark><name>" + name + "</name><TimeStamp><when>" + core::iso8601(waypoint.eta) +
-         "</when></TimeStamp><Point><coordinates>" + coordinates(waypoint.place) +
-         "</coordinates></Point></Placemark>\n";
+  return "    <Placemark><name>" + waypoint_label(index) + "</name><TimeStamp><when>" +
+         core::iso8601(waypoint.eta) + "</when></TimeStamp><Point><coordinates>" +
+         coordinates(waypoint.place) + "</coordinates></Point></Placemark>\n";
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <iostream>
 #include <vector>
 
+#include "api/codec/document_values.hpp"
 #include "engine/core/violation_list.hpp"
 #include "engine/messages/sentence.hpp"
 #include "server/cli/command.hpp"
@@ -33,12 +34,14 @@ std::string cell(const json& value, const char* format, double factor = 1.0) {
   return text.data();
 }
 
+std::string label(const json& index) { return codec::waypoint_label(index.get<std::size_t>()); }
+
 void print_table(const json& plan) {
   std::printf("%-4s %-14s %-14s %-20s %9s %8s %6s %7s %8s  %s\n", "no.", "latitude", "longitude", "ETA",
               "leg km", "course", "m/s", "depth m", "kJ", "drive");
   for (const json& waypoint : plan.at("waypoints")) {
     std::printf(
-        "%-4d %-14s %-14s %-20s %9s %8s %6s %7s %8s  %s\n", waypoint.at("index").get<int>(),
+        "%-4s %-14s %-14s %-20s %9s %8s %6s %7s %8s  %s\n", label(waypoint.at("index")).c_str(),
         degrees_minutes(waypoint.at("lat"), 'N', 'S').c_str(),
         degrees_minutes(waypoint.at("lon"), 'E', 'W').c_str(), waypoint.at("eta").get<std::string>().c_str(),
         cell(waypoint.at("leg_m"), "%.2f", 1e-3).c_str(), cell(waypoint.at("course_deg"), "%.1f").c_str(),
@@ -48,7 +51,7 @@ void print_table(const json& plan) {
   }
   for (const json& waypoint : plan.at("waypoints")) {
     if (waypoint.value("wait_s", 0.0) <= 0.0) continue;
-    std::printf("wait at waypoint %d for %s h\n", waypoint.at("index").get<int>(),
+    std::printf("wait at waypoint %s for %s h\n", label(waypoint.at("index")).c_str(),
                 cell(waypoint.at("wait_s"), "%.2f", 1.0 / 3600.0).c_str());
   }
 }
@@ -134,8 +137,8 @@ void print_surfacings(const json& plan) {
   for (const json& escape : surfacing.at("escapes")) {
     if (escape.at("time_s") == 0.0) continue;
     const json& to = escape.at("to");
-    std::printf("escape from waypoint %d: course %s, %s km to %s %s, %s h, %s MJ\n",
-                escape.at("waypoint").get<int>(), cell(escape.at("course_deg"), "%.1f").c_str(),
+    std::printf("escape from waypoint %s: course %s, %s km to %s %s, %s h, %s MJ\n",
+                label(escape.at("waypoint")).c_str(), cell(escape.at("course_deg"), "%.1f").c_str(),
                 cell(escape.at("distance_m"), "%.2f", 1e-3).c_str(), degrees_minutes(to[1], 'N', 'S').c_str(),
                 degrees_minutes(to[0], 'E', 'W').c_str(),
                 cell(escape.at("time_s"), "%.2f", 1.0 / 3600.0).c_str(),

@@ -237,9 +237,9 @@ TEST(PlanGpx, IsARouteOfVersionOneOne) {
             "    <name>to the mouth</name>\n"
             "    <desc>Plan p-01, departure 2026-11-20T06:00:00Z, arrival 2026-11-20T08:00:00Z</desc>\n"
             "    <rtept lat=\"69.2000000\" lon=\"-53.2500000\"><time>2026-11-20T06:00:00Z</time>"
-            "<name>Start</name></rtept>\n"
+            "<name>S</name></rtept>\n"
             "    <rtept lat=\"69.1250000\" lon=\"-53.0000000\"><time>2026-11-20T08:00:00Z</time>"
-            "<name>WP1</name></rtept>\n"
+            "<name>1</name></rtept>\n"
             "  </rte>\n"
             "</gpx>\n");
 }
@@ -285,7 +285,7 @@ TEST(PlanKml, IsALineAndAPlacemarkForEachWaypoint) {
 
   EXPECT_THAT(kml, HasSubstr("<name>to &lt;the&gt; mouth</name>"));
   EXPECT_THAT(kml, HasSubstr("<coordinates>-53.2500000,69.2000000 -53.0000000,69.1250000</coordinates>"));
-  EXPECT_THAT(kml, HasSubstr("<name>WP1</name><TimeStamp><when>2026-11-20T08:00:00Z</when></TimeStamp>"));
+  EXPECT_THAT(kml, HasSubstr("<name>1</name><TimeStamp><when>2026-11-20T08:00:00Z</when></TimeStamp>"));
 }
 
 TEST(PlanKml, RunsOnPastTheAntimeridian) {
@@ -339,7 +339,9 @@ TEST(PlanBrief, TellsWhereThePlanIsBelowIceAndMaySurface) {
       planning::SurfacingPlan{.longest_without = core::Seconds{5400.0},
                               .waypoints = {{.may_surface = true, .leg_upper_turn = {}},
                                             {.may_surface = false, .leg_upper_turn = core::Metres{16.2}}},
-                              .surfacings = {{.place = {-53.1, 69.15}, .time = plan.departure}}};
+                              .reckoned = {},
+                              .surfacings = {{.place = {-53.1, 69.15}, .time = plan.departure}},
+                              .escapes = {}};
 
   const MapPicture picture = draw_map(plan, {}, {}, 720.0, 420.0);
   const std::string html = plan_brief_html(plan, picture, {"p-01", "", plan.departure, {}});
@@ -356,6 +358,39 @@ TEST(PlanBrief, TellsWhereThePlanIsBelowIceAndMaySurface) {
       plan_brief_html(plan, draw_map(plan, {}, {}, 720.0, 420.0), {"p-01", "", plan.departure, {}});
   EXPECT_THAT(unknown, HasSubstr("<td>-</td><td>-</td></tr>"));
   EXPECT_THAT(unknown, Not(HasSubstr("below ice")));
+}
+
+/// What stands between two texts, wherever the first of them is found.
+std::vector<std::string> all_between(const std::string& text, const std::string& before,
+                                     const std::string& after) {
+  std::vector<std::string> found;
+  for (std::size_t at = text.find(before); at != std::string::npos; at = text.find(before, at)) {
+    at += before.size();
+    found.push_back(text.substr(at, text.find(after, at) - at));
+  }
+  return found;
+}
+
+TEST(PlanFiles, CallWaypointsTheSameAsTheMapAndTheBrief) {
+  planning::Plan plan = two_legs();
+  plan.waypoints.insert(plan.waypoints.end(), 10, plan.waypoints[1]);
+  std::vector<std::string> names{"S"};
+  for (std::size_t i = 1; i < plan.waypoints.size(); ++i) names.push_back(std::to_string(i));
+
+  std::vector<std::string> in_brief;
+  for (const auto& row : brief_rows(plan)) in_brief.push_back(row.front());
+  std::vector<std::string> on_map;
+  for (const auto& waypoint : draw_map(plan, {}, {}, 720.0, 420.0).waypoints) on_map.push_back(waypoint.text);
+  const json document = plan_document(plan, "p-01", "");
+
+  EXPECT_EQ(all_between(plan_gpx(plan, "p-01", ""), "</time><name>", "</name>"), names);
+  std::vector<std::string> in_kml = all_between(plan_kml(plan, "p-01", ""), "<Placemark><name>", "</name>");
+  in_kml.erase(in_kml.begin());  // the line of the whole route
+  EXPECT_EQ(in_kml, names);
+  EXPECT_EQ(in_brief, names);
+  EXPECT_EQ(on_map, names);
+  for (std::size_t i = 1; i < names.size(); ++i)
+    EXPECT_EQ(std::to_string(document.at("waypoints").at(i).at("index").get<int>()), names[i]);
 }
 
 TEST(PlanBrief, IsAPdfOfAnyNameAndLength) {

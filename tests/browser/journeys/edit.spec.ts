@@ -41,15 +41,15 @@ test('a copy of a plan is changed with the mouse, judged anew, taken back and st
     await page.getByRole('button', { name: 'Insert a waypoint after 1' }).click();
   }
   await expect(map).toHaveAttribute('data-handles', String(Math.max(3, handles)));
-  await page.getByRole('button', { name: 'Waypoint 2', exact: true }).click();
-  const typed = await page.getByLabel('Position of waypoint 2').inputValue();
+  await page.getByRole('button', { name: 'Waypoint 1', exact: true }).click();
+  const typed = await page.getByLabel('Position of waypoint 1', { exact: true }).inputValue();
   const judgeTyped = await holdVerdicts(page);
-  await page.getByLabel('Position of waypoint 2').fill(`${middle[1].toFixed(5)}, ${middle[0].toFixed(5)}`);
+  await page.getByLabel('Position of waypoint 1', { exact: true }).fill(`${middle[1].toFixed(5)}, ${middle[0].toFixed(5)}`);
   await page.keyboard.press('Enter');
   await expect(save(page)).toBeDisabled();
   await judgeTyped();
   await evaluated(page);
-  await expect(page.getByLabel('Position of waypoint 2')).not.toHaveValue(typed);
+  await expect(page.getByLabel('Position of waypoint 1', { exact: true })).not.toHaveValue(typed);
 
   const before = await figures(page);
   await mapAtRest(page);
@@ -84,7 +84,7 @@ test('a copy of a plan is changed with the keyboard alone', { tag: '@long' }, as
   await map.focus();
   await page.keyboard.press('d');
   const handles = Number(await map.getAttribute('data-handles'));
-  await page.getByRole('button', { name: 'Waypoint 1', exact: true }).focus();
+  await page.getByRole('button', { name: 'Waypoint S', exact: true }).focus();
   await page.keyboard.press('Enter');
   await map.focus();
   await page.keyboard.press('Insert');
@@ -92,7 +92,7 @@ test('a copy of a plan is changed with the keyboard alone', { tag: '@long' }, as
   await evaluated(page);
   await mapAtRest(page); // picking a waypoint moves the map to it
   const view = await map.getAttribute('data-view');
-  const position = page.getByLabel('Position of waypoint 2');
+  const position = page.getByLabel('Position of waypoint 1', { exact: true });
   const before = await position.inputValue();
   await page.keyboard.press('ArrowUp');
   await expect(position).not.toHaveValue(before);
@@ -106,7 +106,7 @@ test('a copy of a plan is changed with the keyboard alone', { tag: '@long' }, as
   await page.keyboard.press('Control+Shift+Z');
   await expect(position).not.toHaveValue(before);
   await page.keyboard.press('Tab');
-  await expect(page.getByRole('button', { name: 'Waypoint 3', exact: true })).toHaveAttribute('aria-pressed', 'true');
+  await expect(page.getByRole('button', { name: 'Waypoint 2', exact: true })).toHaveAttribute('aria-pressed', 'true');
   await page.keyboard.press('Shift+Tab');
   await page.keyboard.press('Delete');
   await expect(map).toHaveAttribute('data-handles', String(handles));

@@ -17,7 +17,7 @@ test('a first plan is made, read and played back with the keyboard alone', { tag
   await expect(page.locator('#map')).toHaveAttribute('data-plans', String(before + 1), { timeout: 120_000 });
 
   const table = page.getByRole('region', { name: 'Waypoints' });
-  const second = table.getByRole('button', { name: 'Waypoint 2', exact: true });
+  const second = table.getByRole('button', { name: 'Waypoint 1', exact: true });
   await expect(second).toBeVisible();
   await second.focus();
   await page.keyboard.press('Enter');

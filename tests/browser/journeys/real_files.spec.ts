@@ -98,7 +98,7 @@ test.describe('in a store of real files', () => {
     const handles = Number(await map.getAttribute('data-handles'));
     await page.getByRole('button', { name: 'Insert a waypoint after 1' }).click();
     await expect(map).toHaveAttribute('data-handles', String(handles + 1));
-    const position = page.getByLabel('Position of waypoint 2');
+    const position = page.getByLabel('Position of waypoint 1', { exact: true });
     const middle: LonLat = [3.2, 72.06];
     await position.fill(typed(middle));
     await page.keyboard.press('Enter');

@@ -9,7 +9,7 @@ import { Circle, Fill, Stroke, Style, Text } from 'ol/style.js';
 import type { Position } from '../api/data_types';
 import { densify } from '../geo/geodesic';
 import { project, unproject } from '../geo/projections';
-import { selectedWaypoint, shownPlans } from '../model/plans';
+import { selectedWaypoint, shownPlans, waypointLabel } from '../model/plans';
 import { halfway, insertWaypoint, moveWaypoint, openEdit, type RouteEdit } from '../model/route_edit';
 import { projection } from '../model/settings';
 import { palette, type Palette } from '../theme/palette';
@@ -116,7 +116,7 @@ function handleStyle(index: number, chosen: boolean, color: string, colours: Pal
       stroke: new Stroke({ color: chosen ? colours.casing : color, width: 2 }),
     }),
     text: new Text({
-      text: String(index + 1),
+      text: waypointLabel(index),
       font: '600 11px system-ui, sans-serif',
       offsetY: 1,
       fill: new Fill({ color: chosen ? colours.casing : color }),

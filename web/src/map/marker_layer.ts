@@ -36,7 +36,7 @@ export function markerLayer(): VectorLayer<VectorSource> {
     };
     put(placeIn(draft.value.from), disc('S', colours.start, colours));
     const isTyped = !hasGoalsFile(draft.value);
-    for (const [i, place] of isTyped ? placesIn(draft.value.via).places.entries() : []) put(place, disc(String(i + 1), colours.label, colours));
+    for (const [i, place] of isTyped ? placesIn(draft.value.via).places.entries() : []) put(place, disc(`V${i + 1}`, colours.label, colours));
     if (isTyped) put(placeIn(draft.value.to), disc('G', colours.goal, colours));
 
     const form = openForm.value;

@@ -10,7 +10,7 @@ import { densify } from '../geo/geodesic';
 import { northAngle, project, type ProjectionCode } from '../geo/projections';
 import { time_ms } from '../model/clock';
 import { visible } from '../model/layers';
-import { selectedId, selectedWaypoint, shownPlans, vehicleAt, type ShownPlan } from '../model/plans';
+import { selectedId, selectedWaypoint, shownPlans, vehicleAt, waypointLabel, type ShownPlan } from '../model/plans';
 import { openEdit } from '../model/route_edit';
 import { projection } from '../model/settings';
 import { runsOf } from '../model/under_ice';
@@ -94,7 +94,7 @@ function waypointStyles({ index, may_surface }: Waypoint, style: number, chosen:
     new Style({ image: may_surface === false ? closed : dot, zIndex: 1 }),
     new Style({
       text: new Text({
-        text: String(index + 1),
+        text: waypointLabel(index),
         font: `600 ${chosen ? 13 : 11}px system-ui, sans-serif`,
         offsetX: 11,
         offsetY: -10,

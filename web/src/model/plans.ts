@@ -77,6 +77,9 @@ export function vehicleAt(plan: Plan, at_ms: number): OnTheWay | undefined {
   return { place, course_deg: leg.azimuth_deg, leg: next };
 }
 
+/** What a waypoint is called everywhere: S for the start, then 1, 2, ... by row, which are the JSON indices and the counting of mission files. */
+export const waypointLabel = (index: number): string => (index === 0 ? 'S' : String(index));
+
 export const routeOf = (plan: Plan): Position[] => plan.waypoints.map(({ lon, lat }) => [lon, lat]);
 
 /** Whether ice covers the start, so that no vehicle can be launched there; not known of plans that were made without ice. */

@@ -46,6 +46,6 @@ function nextByKey(event: KeyboardEvent, chosen: number | undefined, last: numbe
   const next = chosen === undefined ? undefined : chosen + (event.shiftKey ? -1 : 1);
   if (next === undefined || next < 0 || next > last) return false;
   selectedWaypoint.value = next;
-  announce(`Waypoint ${next + 1}`);
+  announce(`Waypoint ${waypointLabel(next)}`);
   return true;
 }

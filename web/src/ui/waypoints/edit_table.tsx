@@ -4,7 +4,7 @@ import type { Position } from '../../api/data_types';
 import type { Waypoint } from '../../api/types';
 import { editablePosition } from '../../geo/coordinates';
 import { readPosition } from '../../model/position';
-import { selectedWaypoint } from '../../model/plans';
+import { selectedWaypoint, waypointLabel } from '../../model/plans';
 import { insertAfter, moveWaypoint, removeWaypoint, type RouteEdit } from '../../model/route_edit';
 import { announce } from '../../model/screen';
 import { shortTime } from '../../model/time';
@@ -48,6 +48,7 @@ interface RowProps {
 
 function Row({ index, place, figures, depart_ms, removable }: RowProps): VNode {
   const chosen = selectedWaypoint.value === index;
+  const label = waypointLabel(index);
   const choose = (): void => {
     selectedWaypoint.value = index;
     ask({ do: 'centre', place });
@@ -55,14 +56,14 @@ function Row({ index, place, figures, depart_ms, removable }: RowProps): VNode {
   return (
     <tr class={chosen ? 'selected' : ''}>
       <td>
-        <button type="button" class="row-choose" aria-pressed={chosen} aria-label={`Waypoint ${index + 1}`} onClick={choose}>{index + 1}</button>
+        <button type="button" class="row-choose" aria-pressed={chosen} aria-label={`Waypoint ${label}`} onClick={choose}>{label}</button>
       </td>
       <td class="position"><PositionInput index={index} place={place} /></td>
       <td>{distanceFigure(figures?.leg_m)}</td>
       <td class="time">{figures ? shortTime(Date.parse(figures.eta), depart_ms).replace(/ (?=\d\d:)/, '\n') : none}</td>
       <td class="row-tools">
-        <IconButton icon="plus" label={`Insert a waypoint after ${index + 1}`} onClick={() => insertAfter(index)} />
-        <IconButton icon="x" label={`Remove waypoint ${index + 1}`} disabled={!removable} onClick={() => removeWaypoint(index)} />
+        <IconButton icon="plus" label={`Insert a waypoint after ${label}`} onClick={() => insertAfter(index)} />
+        <IconButton icon="x" label={`Remove waypoint ${label}`} disabled={!removable} onClick={() => removeWaypoint(index)} />
       </td>
     </tr>
   );
@@ -91,7 +92,7 @@ function PositionInput({ index, place }: { index: number; place: Position }): VN
   return (
     <>
       <input
-        type="text" aria-label={`Position of waypoint ${index + 1}`} value={typed ?? written} autocomplete="off" spellcheck={false}
+        type="text" aria-label={`Position of waypoint ${waypointLabel(index)}`} value={typed ?? written} autocomplete="off" spellcheck={false}
         aria-invalid={fault ? true : undefined} aria-describedby={fault ? `waypoint-fault-${index}` : undefined}
         onFocus={() => { selectedWaypoint.value = index; }}
         onInput={(event) => setTyped(event.currentTarget.value)}

@@ -2,7 +2,7 @@ import type { VNode } from 'preact';
 import type { Plan } from '../../api/types';
 import { formatLat, formatLon } from '../../geo/coordinates';
 import { setTime } from '../../model/clock';
-import { selectedWaypoint, vehicleAt } from '../../model/plans';
+import { selectedWaypoint, vehicleAt, waypointLabel } from '../../model/plans';
 import { settings } from '../../model/settings';
 import { isLegBelowIce, maySurface } from '../../model/under_ice';
 import { shortTime } from '../../model/time';
@@ -42,8 +42,8 @@ export function WaypointTable({ plan, at_ms }: { plan: Plan; at_ms: number }): V
             return (
               <tr key={waypoint.index} class={`${chosen ? 'selected' : ''} ${leg === waypoint.index ? 'under-way' : ''}`} onClick={choose}>
                 <td>
-                  <button type="button" class="row-choose" aria-pressed={chosen} aria-label={`Waypoint ${waypoint.index + 1}`} onClick={(event) => { event.stopPropagation(); choose(); }}>
-                    {waypoint.index + 1}
+                  <button type="button" class="row-choose" aria-pressed={chosen} aria-label={`Waypoint ${waypointLabel(waypoint.index)}`} onClick={(event) => { event.stopPropagation(); choose(); }}>
+                    {waypointLabel(waypoint.index)}
                   </button>
                 </td>
                 <td class="position">
