@@ -8,6 +8,8 @@ export default defineConfig(({ command }) => ({
     // Everything is a file of its own: inlined data: scripts and styles would break the content security policy.
     assetsInlineLimit: 0,
     modulePreload: { polyfill: false },
+    // What several parts need comes in one file: each file more is a request more before the map can be used.
+    rolldownOptions: { output: { codeSplitting: { groups: [{ name: 'shared', minShareCount: 2 }] } } },
   },
   oxc: { jsx: { runtime: 'automatic', importSource: 'preact' } },
   server: { proxy: apiProxy() },

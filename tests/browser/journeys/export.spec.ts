@@ -7,6 +7,9 @@ test('a plan is previewed as the glider will read it, and downloaded', async ({ 
   await open(page);
   await planByTyping(page, start, goal);
 
+  const labels = await page.getByRole('region', { name: 'Waypoints' }).locator('.row-choose').allInnerTexts();
+  expect(labels).toEqual(labels.map((_, i) => (i === 0 ? 'S' : String(i))));
+
   await page.getByRole('button', { name: 'Export mission' }).click();
   const dialog = page.getByRole('dialog');
   await expect(dialog.getByText('goto_l10.ma').first()).toBeVisible();
@@ -19,8 +22,14 @@ test('a plan is previewed as the glider will read it, and downloaded', async ({ 
     await dialog.getByRole('link', { name: button, exact: true }).click();
     const download = await waiting;
     expect(download.suggestedFilename()).toMatch(new RegExp(`\\.${ending}$`));
-    expect((await readFile(await download.path())).length).toBeGreaterThan(20);
+    const file = await readFile(await download.path());
+    expect(file.length).toBeGreaterThan(20);
+    if (ending === 'gpx') expect([...file.toString().matchAll(/<name>([^<]*)<\/name><\/rtept>/g)].map(([, name]) => name)).toEqual(labels);
   }
+  await dialog.getByText('Waypoints and rows of the files').click();
+  const rows = dialog.getByRole('region', { name: 'Rows of the files' });
+  await expect(rows.getByRole('rowheader')).toHaveText(labels);
+  await expect(rows.getByRole('row').nth(2)).toHaveText(/^11goto_l27\.ma0$/);
   await page.keyboard.press('Escape');
   await expect(dialog).toBeHidden();
 });

@@ -84,6 +84,40 @@ test('an area is drawn on the map, and the way keeps out of it', async ({ page, 
   await expect(page.locator('#map')).toHaveAttribute('data-areas', '0');
 });
 
+test('an area is closed with Enter, and nothing is planned while it is drawn', async ({ page, request }) => {
+  const { start, goal } = await findPlaces(request);
+  await open(page);
+  await page.getByLabel('Start', { exact: true }).fill(typed(start));
+  await page.getByLabel('Goal', { exact: true }).fill(typed(goal));
+  await page.getByText('Places and areas', { exact: true }).click();
+  await page.getByRole('button', { name: 'Draw an area' }).click();
+  const click = async (dx: number, dy: number): Promise<void> => {
+    const corner = await pixelOf(page, [goal[0] + dx, goal[1] + dy]);
+    await page.mouse.click(corner.x, corner.y);
+    await page.mouse.move(corner.x + 25, corner.y - 25);
+  };
+  await click(-0.3, -0.05);
+  await click(-0.1, -0.05);
+  await page.getByRole('button', { name: /^Plan / }).click();
+  await expect(page.locator('.notice')).toContainText('An area is being drawn');
+  await page.locator('#map').focus();
+  await page.keyboard.press('Enter'); // two corners have no inside
+  await expect(page.locator('#map')).toHaveAttribute('data-areas', '0');
+  await click(-0.1, 0.05);
+  await expect(page.locator('.prompt')).toContainText('Enter, a double click or the first corner closes it');
+  await click(-0.4, 0.15);
+  await page.locator('#map').focus();
+  await page.keyboard.press('Backspace'); // takes the last corner back
+  await page.keyboard.press('Enter');
+  await expect(page.locator('#map')).toHaveAttribute('data-areas', '1');
+  await expect(page.getByText('3 corners')).toBeVisible();
+  await expect(page.locator('.prompt')).toHaveCount(0);
+
+  await page.getByRole('button', { name: 'Draw an area' }).click();
+  for (const [dx, dy] of [[0.1, -0.05], [0.3, -0.05], [0.2, 0.05], [0.1, -0.05]] as const) await click(dx, dy);
+  await expect(page.locator('#map')).toHaveAttribute('data-areas', '2');
+});
+
 test('an area and places to pass are typed with the keyboard alone', { tag: '@long' }, async ({ page, request }) => {
   const { start, goal } = await findPlaces(request);
   await open(page);

@@ -80,7 +80,7 @@ test('a plan below ice says where it may not surface, and its messages lead to t
   await page.locator('.plan-choose', { hasText: 'Below the field' }).click();
   const result = page.locator('.result');
   await expect(result.locator('div', { hasText: /^Below ice\d/ })).toBeVisible();
-  await expect(result.locator('div', { hasText: /^Longest without a place to surface\d+ h/ })).toBeVisible();
+  await expect(result.locator('div', { hasText: /^Longest without a place to surface\d+ [dh]/ })).toBeVisible();
   await expect(page.getByRole('region', { name: 'Waypoints' }).getByRole('cell', { name: /^no/ }).first()).toBeVisible();
   await expect(page.locator('.badge.bad', { hasText: '1 danger' })).toBeVisible();
   await expect(page.getByRole('region', { name: 'Dangers' })).toContainText(/no place to surface/);

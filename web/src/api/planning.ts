@@ -1,12 +1,13 @@
 import { draft, edit, faults, generalFaults, refuse } from '../model/draft';
 import { editFor, sortViolations } from '../model/draft_answer';
 import { inputsOf } from '../model/draft_request';
+import { whyNotPlanned } from '../model/drawing';
 import { failure, reasonTitle, running } from '../model/job';
 import { warnedOf } from '../model/messages';
 import { forbids } from '../model/login';
 import { add, nextName, routeOf } from '../model/plans';
 import { conditionsOf, rememberRequest, requestOf, withDeparture } from '../model/requests';
-import { announce, drawer, leftTab, rightTab } from '../model/screen';
+import { announce, drawer, leftTab, rightTab, tell } from '../model/screen';
 import { duration } from '../model/time';
 import { keepUnfinished, unfinished } from '../model/unfinished';
 import { ask } from '../model/view';
@@ -20,6 +21,11 @@ let cancelled: AbortController | undefined;
 /** Sends the draft, follows its job to the end and shows what came of it. */
 export async function plan(): Promise<void> {
   if (running.value || forbids('pilot', 'Planning')) return;
+  const why = whyNotPlanned.value;
+  if (why) {
+    tell(why);
+    return;
+  }
   const form = inputsOf(draft.value);
   generalFaults.value = [];
   if ('faults' in form) {

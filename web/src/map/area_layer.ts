@@ -1,4 +1,4 @@
-import { effect } from '@preact/signals';
+import { effect, untracked } from '@preact/signals';
 import Feature from 'ol/Feature.js';
 import type { ColorLike } from 'ol/colorlike.js';
 import Polygon from 'ol/geom/Polygon.js';
@@ -10,7 +10,9 @@ import type { Position } from '../api/data_types';
 import { densify } from '../geo/geodesic';
 import { unproject } from '../geo/projections';
 import { newArea, type Area } from '../model/area';
+import { chosenAll } from '../model/datasets';
 import { draft, edit } from '../model/draft';
+import { drawingWish, drawnCorners, fewestCorners, isDrawing } from '../model/drawing';
 import { areaOf, newZone, openForm, zones } from '../model/hand_made';
 import { visible } from '../model/layers';
 import { announce } from '../model/screen';
@@ -19,7 +21,10 @@ import { tool } from '../model/view';
 import { palette, type Palette } from '../theme/palette';
 import { toMap } from './projections';
 
-/** Stored zones and the areas of the set-up, hatched where they are closed, and the tool that draws one. Sides are geodesics. */
+/**
+ * Stored zones and the areas of the set-up, hatched where they are closed, and the tool that draws one; in outline those that the set-up
+ * leaves out or that are not stored yet. Sides are geodesics.
+ */
 export function areaLayer(): { layer: VectorLayer<VectorSource>; draw: Draw } {
   const source = new VectorSource();
   const layer = new VectorLayer({ source, zIndex: 4 });
@@ -29,13 +34,20 @@ export function areaLayer(): { layer: VectorLayer<VectorSource>; draw: Draw } {
     source.clear(true);
     const form = openForm.value;
     const stored = zones.value.filter(({ id }) => id !== form?.before?.id || form.kind !== 'zones');
-    for (const area of [...stored.map(areaOf), ...(form?.zone ? [form.zone] : []), ...draft.value.areas]) {
+    const obeyed = chosenAll('zones').map(({ id }) => id);
+    const put = (area: Area, style: Style): void => {
       const [first] = area.corners;
-      if (!first) continue;
+      if (!first) return;
       const feature = new Feature(new Polygon([toMap(code, densify([...area.corners, first], 2000))]));
-      feature.setStyle(areaStyle(area, colours));
+      feature.setStyle(style);
       source.addFeature(feature);
+    };
+    for (const zone of stored) {
+      const area = areaOf(zone);
+      put(area, obeyed.includes(zone.properties.dataset_id) ? areaStyle(area, colours) : asideStyle(area, 'not used', colours));
     }
+    if (form?.zone) put(form.zone, asideStyle(form.zone, 'not stored yet', colours));
+    for (const area of draft.value.areas) put(area, areaStyle(area, colours));
   });
   effect(() => layer.setVisible(visible.value.areas));
 
@@ -52,7 +64,27 @@ export function areaLayer(): { layer: VectorLayer<VectorSource>; draw: Draw } {
     announce(`Area ${areas.length + 1} to keep out of, ${corners.length} corners.`);
     tool.value = 'pan';
   });
-  effect(() => draw.setActive(tool.value === 'area' || tool.value === 'zone'));
+  draw.on('drawstart', ({ feature }) => {
+    const sketch = feature.getGeometry() as Polygon;
+    const count = (): void => {
+      drawnCorners.value = Math.max(0, (sketch.getCoordinates()[0]?.length ?? 0) - 2); // the pointer's place and the closing one are none yet
+    };
+    sketch.on('change', count);
+    count();
+  });
+  draw.on(['drawend', 'drawabort'], () => {
+    drawnCorners.value = 0;
+  });
+  effect(() => draw.setActive(isDrawing.value));
+  effect(() => {
+    const wish = drawingWish.value;
+    untracked(() => {
+      if (wish?.do === 'removeLast') draw.removeLastPoint();
+      if (wish?.do !== 'close') return;
+      if (drawnCorners.peek() >= fewestCorners) draw.finishDrawing();
+      else announce('An area needs three corners or more.');
+    });
+  });
   effect(() => {
     const { danger, dangerFill, casing } = palette.value;
     draw.getOverlay().setStyle(
@@ -88,6 +120,16 @@ function areaStyle({ kind, name, from, until, top_m, bottom_m }: Area, colours: 
       overflow: true,
       fill: new Fill({ color }),
       stroke: new Stroke({ color: colours.halo, width: 3.5 }),
+    }),
+  });
+}
+
+/** An outline only: no plan obeys it. */
+function asideStyle({ name }: Area, why: string, colours: Palette): Style {
+  return new Style({
+    stroke: new Stroke({ color: colours.stale, width: 1.5, lineDash: [2, 4] }),
+    text: new Text({
+      text: `${name} (${why})`, font: '12px system-ui, sans-serif', overflow: true, fill: new Fill({ color: colours.stale }), stroke: new Stroke({ color: colours.halo, width: 3.5 }),
     }),
   });
 }

@@ -1,5 +1,5 @@
 import { destination } from '../geo/geodesic';
-import { selectedWaypoint } from '../model/plans';
+import { selectedWaypoint, waypointLabel } from '../model/plans';
 import { insertAfter, moveWaypoint, openEdit, redoEdit, removeWaypoint, undoEdit } from '../model/route_edit';
 import { announce } from '../model/screen';
 import { view } from '../model/view';

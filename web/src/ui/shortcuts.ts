@@ -1,6 +1,7 @@
 import { plan } from '../api/planning';
 import { probeAt } from '../api/session';
 import { range, setTime, stepHours, togglePlay } from '../model/clock';
+import { drawByKey } from '../model/drawing';
 import { forbids } from '../model/login';
 import { routeOf, select, selectedPlan, selectedWaypoint, shownPlans } from '../model/plans';
 import { openEdit, startEdit } from '../model/route_edit';
@@ -66,6 +67,10 @@ export function listenForShortcuts(): void {
       return;
     }
     const target = event.target instanceof Element ? event.target : undefined;
+    if (dialog.peek() === undefined && !target?.closest(`${takesText}, ${takesSpace}`) && drawByKey(event.key)) {
+      event.preventDefault();
+      return;
+    }
     if (dialog.peek() === undefined && editByKey(event, Boolean(target?.closest(takesText)))) {
       event.preventDefault();
       return;

@@ -2,27 +2,35 @@ import type { ComponentType, VNode } from 'preact';
 import { useEffect, useState } from 'preact/hooks';
 import { dialog, tell } from '../../model/screen';
 
-/** A dialog whose code is fetched when it is first opened; where it cannot be had, that is said and the dialog stays closed. */
-export function dialogLater(fetchIt: () => Promise<ComponentType>): () => VNode | null {
-  let fetched: ComponentType | undefined;
-  return function Later() {
-    const [Dialog, setDialog] = useState<ComponentType | undefined>(() => fetched);
+/** A part of the page whose code is fetched when it is first shown; where it cannot be had, that is said. */
+export function later<Props extends object>(fetchIt: () => Promise<ComponentType<Props>>, giveUp: () => void = () => undefined): (props: Props) => VNode | null {
+  let fetched: ComponentType<Props> | undefined;
+  return function Later(props: Props) {
+    const [Part, setPart] = useState<ComponentType<Props> | undefined>(() => fetched);
     useEffect(() => {
       let wanted = true;
       fetchIt()
         .then((component) => {
           fetched = component;
-          if (wanted) setDialog(() => component);
+          if (wanted) setPart(() => component);
         })
         .catch(() => {
           if (!wanted) return;
-          dialog.value = undefined;
-          tell('The server did not hand out this dialog. Reload the page and try again.');
+          giveUp();
+          tell('The server did not hand out this part of the page. Reload the page and try again.');
         });
       return () => {
         wanted = false;
       };
     }, []);
-    return Dialog ? <Dialog /> : null;
+    return Part ? <Part {...props} /> : null;
   };
 }
+
+/** A dialog, likewise; it stays closed where it cannot be had. */
+export const dialogLater = (fetchIt: () => Promise<ComponentType>): (() => VNode | null) => {
+  const Dialog = later<object>(fetchIt, () => {
+    dialog.value = undefined;
+  });
+  return () => <Dialog />;
+};

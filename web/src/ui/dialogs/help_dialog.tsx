@@ -11,6 +11,8 @@ const keys: [string, string][] = [
   ['S', 'pick the start on the map'],
   ['E', 'pick the goal on the map'],
   ['Esc', 'put the tool away'],
+  ['Enter', 'close the area that is being drawn'],
+  ['Backspace', 'take back its last corner'],
   ['Arrows', 'move the map (when it has the focus)'],
   ['+ −', 'zoom'],
   ['N', 'north up, and back'],

@@ -2,9 +2,11 @@ import { useEffect, useState } from 'preact/hooks';
 import type { VNode } from 'preact';
 import { dangersIn, downloadAddress, faultsOf, mission, type ExportFormat } from '../../api/client';
 import type { Message, MissionPreview, Plan } from '../../api/types';
+import { listRows } from '../../model/list_rows';
 import { bareMessage, countOf, messagesOf } from '../../model/messages';
 import { asSentence } from '../../model/page_words';
 import { selectedPlan, titleOf } from '../../model/plans';
+import { none } from '../../model/units';
 import { Icon } from '../common/icon';
 import { MessageList, Messages } from '../common/messages';
 import { Modal } from '../common/modal';
@@ -90,6 +92,7 @@ function Export({ plan }: { plan: Plan }): VNode {
       ) : (
         faults.length === 0 && !closed && <p class="quiet">Asking the server for the files …</p>
       )}
+      {preview && <Rows preview={preview} />}
       <p class="hint">Not for navigation as it is: check the files before they fly.</p>
     </Modal>
   );
@@ -106,6 +109,27 @@ function Dangers({ dangers, accepted, accept }: { dangers: Message[]; accepted: 
         <input type="checkbox" checked={accepted} onChange={(event) => accept(event.currentTarget.checked)} /> I have read this; export all the same
       </label>
     </section>
+  );
+}
+
+/** Which row of which file a waypoint is. */
+function Rows({ preview }: { preview: MissionPreview }): VNode | null {
+  const rows = listRows(preview.files);
+  if (rows.length === 0) return null;
+  return (
+    <details class="list-rows">
+      <summary>Waypoints and rows of the files</summary>
+      <div class="scroll-box" tabIndex={0} role="region" aria-label="Rows of the files">
+        <table class="figures">
+          <thead><tr><th scope="col">Waypoint</th><th scope="col">JSON index</th><th scope="col">File</th><th scope="col">Row</th></tr></thead>
+          <tbody>
+            {rows.map(({ label, index, file, row }) => (
+              <tr key={index}><th scope="row">{label}</th><td>{index}</td><td>{file || none}</td><td>{row ?? none}</td></tr>
+            ))}
+          </tbody>
+        </table>
+      </div>
+    </details>
   );
 }
 

@@ -3,6 +3,7 @@ import type { VNode } from 'preact';
 import { probeAt } from '../../api/session';
 import { createMap } from '../../map/map_view';
 import { isSynthetic } from '../../model/datasets';
+import { drawnCorners, fewestCorners } from '../../model/drawing';
 import { currentsFault, isLoading } from '../../model/field';
 import { routeOf, selectedPlan } from '../../model/plans';
 import { ask, tool, view } from '../../model/view';
@@ -59,9 +60,10 @@ function Toolbar(): VNode {
 
 /** What a click on the map will do, while a tool waits for one. */
 function Prompt(): VNode | null {
+  const toClose = drawnCorners.value >= fewestCorners ? '; Enter, a double click or the first corner closes it' : '';
   const texts = {
     from: 'Click the map to set the start', to: 'Click the map to set the goal', probe: 'Click the map to probe a place',
-    via: 'Click the map for each place to pass', area: 'Click the corners; double-click the last', zone: 'Click the corners of the zone; double-click the last', berg: 'Click where the iceberg is',
+    via: 'Click the map for each place to pass', area: `Click the corners of the area${toClose}`, zone: `Click the corners of the zone${toClose}`, berg: 'Click where the iceberg is',
   };
   if (tool.value === 'pan') return null;
   return (

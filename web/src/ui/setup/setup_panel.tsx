@@ -7,6 +7,7 @@ import { connectionFault, datasets, isEmptyStore, vehicles } from '../../model/d
 import {
   canRedoDraft, canUndoDraft, draft, edit, emptyDraft, faultyAttempts, generalFaults, redoDraft, undoDraft,
 } from '../../model/draft';
+import { whyNotPlanned } from '../../model/drawing';
 import { failure, running } from '../../model/job';
 import { may } from '../../model/login';
 import { fieldOf } from '../../model/time';
@@ -64,6 +65,7 @@ export function SetupPanel(): VNode {
         <p class="fault" key={fault} role="alert">{fault}</p>
       ))}
       <RoleNote role="pilot" what="Planning" id="plan-role" />
+      {whyNotPlanned.value && <p class="hint">{whyNotPlanned.value}</p>}
       {running.value ? (
         <JobRow job={running.value} />
       ) : (

@@ -11,16 +11,18 @@ import { dialog, leftTab, rightTab } from '../../model/screen';
 import { fieldOf } from '../../model/time';
 import { ask } from '../../model/view';
 import { Icon, IconButton } from '../common/icon';
+import { later } from '../common/later';
 import { Messages } from '../common/messages';
-import { Departures } from '../charts/departures';
-import { Profile } from '../charts/profile';
 import { PlanKey } from '../common/plan_key';
 import { RoleNote } from '../common/role_note';
-import { FlightsPanel } from '../flights/flights_panel';
 import { EditPanel } from './edit_panel';
 import { Figures } from './figures';
 import { StaleBox } from './stale_box';
 import { WaypointTable } from './waypoint_table';
+
+const FlightsPanel = later(async () => (await import('../flights/flights_panel')).FlightsPanel);
+const Departures = later(async () => (await import('../charts/departures')).Departures);
+const Profile = later(async () => (await import('../charts/profile')).Profile);
 
 /** What was got: the selected plan in figures, its messages and its waypoints. */
 export function WaypointsPanel(): VNode {

@@ -1,0 +1,29 @@
+import { computed, signal } from '@preact/signals';
+import { openForm } from './hand_made';
+import { tool } from './view';
+
+/** How many corners the area has that is being drawn. */
+export const drawnCorners = signal(0);
+
+/** With fewer it has no inside. */
+export const fewestCorners = 3;
+
+/** A wish to the tool that draws; each new object is carried out once. */
+export const drawingWish = signal<{ do: 'close' | 'removeLast' } | undefined>(undefined);
+
+export const isDrawing = computed(() => tool.value === 'area' || tool.value === 'zone');
+
+/** Why nothing is planned at the moment: the map shows what no plan would obey. */
+export const whyNotPlanned = computed<string | undefined>(() => {
+  if (isDrawing.value) return 'An area is being drawn. Close it with Enter or leave it with Esc, then plan.';
+  if (openForm.value?.zone) return 'A zone is not stored yet. Store it or close its form under Data, then plan.';
+  if (openForm.value?.berg) return 'An iceberg is not stored yet. Store it or close its form under Data, then plan.';
+  return undefined;
+});
+
+/** Closes the area or takes back its last corner by key; whether the key was one for the drawing. */
+export function drawByKey(key: string): boolean {
+  if (!isDrawing.peek() || (key !== 'Enter' && key !== 'Backspace')) return false;
+  drawingWish.value = { do: key === 'Enter' ? 'close' : 'removeLast' };
+  return true;
+}

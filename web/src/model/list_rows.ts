@@ -1,0 +1,23 @@
+import type { MissionPreview } from '../api/types';
+import { waypointLabel } from './plans';
+
+/** Where a waypoint stands: what it is called, its index in JSON documents, and its row in a waypoint list. */
+export interface ListRow {
+  label: string;
+  index: number;
+  file: string; // empty: the start, which the lists leave out
+  row: number | undefined; // from 0, as the vehicle counts
+}
+
+/** The line of a list's head that says which waypoints of the plan it holds. */
+const held = /^# .*: waypoints (\d+) to (\d+) of \d+$/m;
+
+/** Every waypoint of a plan with its row in the files; empty where no file says which it holds. */
+export function listRows(files: MissionPreview['files']): ListRow[] {
+  const rows = files.flatMap(({ name, text }) => {
+    const [first, last] = (held.exec(text) ?? []).slice(1).map(Number);
+    if (first === undefined || last === undefined) return [];
+    return Array.from({ length: last - first + 1 }, (_, row) => ({ label: waypointLabel(first + row), index: first + row, file: name, row }));
+  });
+  return rows.length > 0 ? [{ label: waypointLabel(0), index: 0, file: '', row: undefined }, ...rows] : [];
+}
