@@ -94,7 +94,8 @@ test('a plan below ice says where it may not surface, and its messages lead to t
   await expectAccessible(page);
 
   await page.getByRole('button', { name: 'Profile' }).click();
-  await expect(page.locator('.chart-key').first()).toContainText('deepest keel');
-  await expect(page.locator('.chart-key').first()).toContainText('upper turn, leg');
+  const below = page.getByRole('figure').filter({ hasText: 'Below the ice' });
+  await expect(below).toContainText('deepest keel');
+  await expect(below).toContainText('upper turn, leg');
   await request.delete(`/collections/plans/items/${plan}`);
 });

@@ -1,5 +1,5 @@
 import { numberIn } from '../model/draft';
-import { endTitles } from '../model/flight';
+import { endedSo, endTitles } from '../model/flight';
 import { closeSimulation, flightForm, flying, flyingFault, opened, playedFlight, stored } from '../model/simulations';
 import { announce } from '../model/screen';
 import * as api from './client';
@@ -33,7 +33,7 @@ export async function fly(plan: Plan): Promise<void> {
     if (simulation.status === 'cancelled') return;
     await listSimulations(plan.plan_id);
     await openSimulation(simulation.simulation_id);
-    announce(`Flown: ${simulation.arrived} of ${simulation.runs} arrived, ${simulation.collisions} collided.`);
+    announce(`Flown: ${simulation.arrived} of ${simulation.runs} arrived, ${endedSo(simulation, 'collided')} collided, ${endedSo(simulation, 'grounded')} grounded.`);
   } catch (error) {
     if (!signal.aborted) flyingFault.value = api.wordsOf(error);
   } finally {

@@ -12,7 +12,7 @@ import { project, unproject } from '../geo/projections';
 import { selectedWaypoint, shownPlans, waypointLabel } from '../model/plans';
 import { halfway, insertWaypoint, moveWaypoint, openEdit, type RouteEdit } from '../model/route_edit';
 import { projection } from '../model/settings';
-import { palette, type Palette } from '../theme/palette';
+import { palette, planColour, type Palette } from '../theme/palette';
 import { toMap } from './projections';
 
 /** Drawn 16 px wide, held within 22 px of its middle. */
@@ -93,7 +93,7 @@ function routeWith(feature: Feature): Position[] | undefined {
 function colourOf(edit: RouteEdit, colours: Palette): string {
   if (edit.verdict.state === 'infeasible') return colours.danger;
   const style = shownPlans.value.find(({ plan }) => plan.plan_id === edit.origin.plan_id)?.style ?? 0;
-  return colours.plans[style] ?? colours.plans[0];
+  return planColour(colours, style);
 }
 
 /** Dotted while its figures are not known. */

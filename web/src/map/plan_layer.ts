@@ -14,7 +14,7 @@ import { selectedId, selectedWaypoint, shownPlans, vehicleAt, waypointLabel, typ
 import { openEdit } from '../model/route_edit';
 import { projection } from '../model/settings';
 import { runsOf } from '../model/under_ice';
-import { belowIceDash, palette, planDashes, tunnelDash, type Palette } from '../theme/palette';
+import { belowIceDash, palette, planColour, planDash, tunnelDash, type Palette } from '../theme/palette';
 import { toMap } from './projections';
 
 /**
@@ -44,12 +44,12 @@ export function planLayer(): VectorLayer<VectorSource> {
 function lineStyles({ style }: ShownPlan, isBelowIce: boolean, selected: boolean, colours: Palette): Style[] {
   const width = selected ? 3 : 2;
   const zIndex = selected ? 2 : 1;
-  const lineDash = [...(isBelowIce ? belowIceDash : (planDashes[style] ?? []))];
+  const lineDash = isBelowIce ? [...belowIceDash] : planDash(style);
   return [
     ...(isBelowIce ? [new Style({ stroke: new Stroke({ color: colours.ink, width: width + 6, lineDash: [...tunnelDash], lineCap: 'butt' }), zIndex })] : []),
     new Style({ stroke: new Stroke({ color: colours.casing, width: width + 3 }), zIndex }),
     new Style({
-      stroke: new Stroke({ color: colours.plans[style] ?? colours.plans[0], width, lineDash, ...(isBelowIce ? { lineCap: 'butt' as const } : {}) }),
+      stroke: new Stroke({ color: planColour(colours, style), width, lineDash, ...(isBelowIce ? { lineCap: 'butt' as const } : {}) }),
       zIndex,
     }),
   ];
@@ -83,7 +83,7 @@ export function waypointLayer(): VectorLayer<VectorSource> {
 }
 
 function waypointStyles({ index, may_surface }: Waypoint, style: number, chosen: boolean, colours: Palette): Style[] {
-  const colour = colours.plans[style] ?? colours.plans[0];
+  const colour = planColour(colours, style);
   const fill = new Fill({ color: chosen ? colour : colours.casing });
   const dot = new Circle({ radius: chosen ? 6 : 3.5, fill, stroke: new Stroke({ color: colour, width: 2 }), declutterMode: 'none' });
   const closed = new RegularShape({
@@ -138,7 +138,7 @@ function arrowImage(fill: string, casing: string): string {
 }
 
 function vehicleStyles({ style, letter }: ShownPlan, rotation: number, colours: Palette): Style[] {
-  const colour = colours.plans[style] ?? colours.plans[0];
+  const colour = planColour(colours, style);
   return [
     new Style({ image: new Icon({ src: arrowImage(colour, colours.casing), rotation, rotateWithView: true }) }),
     new Style({

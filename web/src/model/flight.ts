@@ -1,4 +1,4 @@
-import type { Flight, FlightEnd, FlightMode } from '../api/simulation_types';
+import type { Flight, FlightEnd, FlightMode, SimulationSummary } from '../api/simulation_types';
 import type { Position } from '../api/data_types';
 import type { Plan } from '../api/types';
 import { destination, inverse } from '../geo/geodesic';
@@ -133,6 +133,9 @@ export function returnsOf({ sensors: { sonar } }: Flight): { echoes: (number | n
 export const modeTitles: Record<FlightMode, string> = {
   mission: 'on its mission', path: 'around an obstacle', reactive: 'evading', 'given up': 'given up',
 };
+
+/** How many flights of a simulation ended so. */
+export const endedSo = ({ statistics }: Pick<SimulationSummary, 'statistics'>, end: FlightEnd): number => statistics.ends.find((one) => one.end === end)?.runs ?? 0;
 
 export const endTitles: Record<FlightEnd, string> = {
   arrived: 'arrived', collided: 'collided', grounded: 'grounded', gave_up: 'gave up', time_up: 'took too long', battery: 'battery empty',

@@ -6,7 +6,7 @@ import { inverse, destination } from '../geo/geodesic';
 /** All stored plans, newest first. */
 export const plans = signal<Plan[]>([]);
 
-/** Ids of the plans drawn on the map; their order gives the letters. */
+/** Ids of the plans drawn on the map. */
 export const shown = signal<string[]>([]);
 export const selectedId = signal<string | undefined>(undefined);
 export const baselineId = signal<string | undefined>(undefined);
@@ -15,17 +15,31 @@ export const selectedWaypoint = signal<number | undefined>(undefined);
 export interface ShownPlan {
   plan: Plan;
   letter: string;
-  style: number; // 0 to 3: which colour and dash pattern
+  style: number; // from 0: which colour and dash pattern
 }
 
 const letterOf = (index: number): string => String.fromCharCode(65 + (index % 26));
 
-export const shownPlans = computed<ShownPlan[]>(() =>
-  shown.value.flatMap((id, index) => {
+/** The place in the alphabet of each plan on the map: it keeps it as long as it is shown, whatever else comes and goes. */
+const places = new Map<string, number>();
+
+function placeOf(id: string): number {
+  const taken = new Set(places.values());
+  let free = 0;
+  while (taken.has(free)) ++free;
+  const place = places.get(id) ?? free;
+  places.set(id, place);
+  return place;
+}
+
+export const shownPlans = computed<ShownPlan[]>(() => {
+  for (const id of places.keys()) if (!shown.value.includes(id)) places.delete(id);
+  return shown.value.flatMap((id) => {
     const plan = plans.value.find((candidate) => candidate.plan_id === id);
-    return plan ? [{ plan, letter: letterOf(index), style: index % 4 }] : [];
-  }),
-);
+    const place = placeOf(id);
+    return plan ? [{ plan, letter: letterOf(place), style: place }] : [];
+  });
+});
 
 export const selectedPlan = computed(() => plans.value.find((plan) => plan.plan_id === selectedId.value));
 export const selectedShown = computed(() => shownPlans.value.find(({ plan }) => plan.plan_id === selectedId.value));

@@ -101,7 +101,15 @@ export const depthLimits_m = [50, 200, 500, 1000] as const;
 export const currentLimits_m_s = [0.15, 0.4] as const;
 
 /** Dash patterns of the plans in pixels, so that colour is not the only difference. */
-export const planDashes: readonly (readonly number[])[] = [[], [14, 7], [12, 6, 2, 6], [2, 7]];
+const planDashes: readonly (readonly number[])[] = [[], [14, 7], [12, 6, 2, 6], [2, 7]];
+
+/** Which of the colours a plan has. */
+export const hueOf = (style: number): number => style % 4;
+
+/** A colour comes again with another dash pattern: sixteen plans differ. */
+export const planDash = (style: number): number[] => [...(planDashes[(style + Math.floor(style / 4)) % 4] ?? [])];
+
+export const planColour = ({ plans }: Palette, style: number): string => plans[hueOf(style)] ?? plans[0];
 
 /** Of the legs below ice, whatever their plan; and of the edges beside them. */
 export const belowIceDash = [5, 5] as const;

@@ -1,6 +1,7 @@
 import { beforeEach, describe, expect, it } from 'vitest';
 import type { Plan } from '../../src/api/types';
 import { inverse } from '../../src/geo/geodesic';
+import { hueOf, planDash } from '../../src/theme/palette';
 import { add, nextName, plans, select, selectedPlan, show, shown, shownPlans, vehicleAt } from '../../src/model/plans';
 
 function plan(id: string, name = ''): Plan {
@@ -30,6 +31,23 @@ describe('plans', () => {
     expect(selectedPlan.value?.plan_id).toBe('two');
     show('two', false);
     expect(selectedPlan.value?.plan_id).toBe('one');
+  });
+
+  it('keep their letter and colour as long as they are shown, and those with the same colour differ in dash', () => {
+    for (const id of ['one', 'two', 'three']) add(plan(id));
+    const keyOf = (id: string): string | undefined => {
+      const found = shownPlans.value.find((candidate) => candidate.plan.plan_id === id);
+      return found && `${found.letter}${found.style}`;
+    };
+    const [second, third] = [keyOf('two'), keyOf('three')];
+    show('one', false);
+    expect([keyOf('two'), keyOf('three')]).toEqual([second, third]);
+    show('one', true);
+    expect(new Set(['one', 'two', 'three'].map(keyOf)).size).toBe(3);
+    expect([keyOf('two'), keyOf('three')]).toEqual([second, third]);
+
+    const looks = Array.from({ length: 16 }, (_, style) => `${hueOf(style)} ${planDash(style).join()}`);
+    expect(new Set(looks).size).toBe(16);
   });
 
   it('are named by the next free number', () => {

@@ -44,21 +44,17 @@ function Charts({ plan, points }: { plan: Plan; points: ProfilePoint[] }): VNode
 
   const depths = useMemo((): Line[] => {
     const bed = points.map(({ probe }) => probe?.depth_m ?? null);
-    const ice = points.map(iceDraft_m);
-    const turns = points.map(({ turn_m }) => turn_m);
     const dives = points.map(({ probe }) => (dive_m === undefined ? null : Math.min(dive_m, probe?.depth_m ?? dive_m)));
     return [
       { label: 'sea bed', values: bed, colour: colours.coast, fill: colours.land },
       { label: 'dives to', values: dives, colour: colours.plans[0], dash: [5, 4] },
-      ...(turns.some((value) => value !== null && value > 0) ? [{ label: 'upper turn, leg', values: turns, colour: colours.plans[0], stepped: true }] : []),
-      ...(ice.some((value) => value !== null && value > 0)
-        ? [
-            { label: 'ice draft', values: ice, colour: colours.seaIce.edge, width: 3 },
-            { label: 'deepest keel', values: points.map(iceKeel_m), colour: colours.seaIce.edge, dash: [2, 3] },
-          ]
-        : []),
     ];
   }, [points, colours, dive_m]);
+  const above = useMemo((): Line[] => [
+    { label: 'ice draft', values: points.map(iceDraft_m), colour: colours.seaIce.edge, width: 3 },
+    { label: 'deepest keel', values: points.map(iceKeel_m), colour: colours.seaIce.edge, dash: [2, 3] },
+    { label: 'upper turn, leg', values: points.map(({ turn_m }) => turn_m), colour: colours.plans[0], stepped: true },
+  ], [points, colours]);
   const speeds = useMemo((): Line[] => [
     { label: 'over ground, leg mean', values: points.map((point) => figure(speedFigure(point.speed_over_ground_m_s))), colour: colours.plans[0], stepped: true },
     { label: 'current along', values: points.map((point) => figure(speedFigure(currentAlong_m_s(point)))), colour: colours.currents[1], dash: [5, 4] },
@@ -68,10 +64,12 @@ function Charts({ plan, points }: { plan: Plan; points: ProfilePoint[] }): VNode
   ], [points, colours, units]);
 
   const common = { times_s, mark_ms: time_ms.value, onPick: (time_s: number) => setTime(1000 * time_s) };
+  const isBelowIce = above.some(({ values }) => values.some((value) => value !== null && value > 0));
   const hasIce = ice[0]?.values.some((value) => value !== null) ?? false;
   return (
     <div class="profile">
       <Chart {...common} title="Depth" unit="m" lines={depths} height_px={120} downward fromZero description={`Depth of the sea bed along the way${dive_m === undefined ? '' : `; dives to ${dive_m} m`}.`} />
+      {isBelowIce && <Chart {...common} title="Below the ice" unit="m" lines={above} height_px={96} downward fromZero description="Draft of the sea ice above the way, its deepest keels, and how deep the dives of each leg turn, below icebergs too." />}
       <Chart {...common} title="Speed" unit={speedUnit()} lines={speeds} height_px={100} fromZero description="Speed over ground and the current along the course, positive when it pushes." />
       {hasIce && <Chart {...common} title="To the nearest iceberg as sighted" unit={distanceUnit()} lines={ice} height_px={86} fromZero description="Distance to the nearest iceberg where it was last sighted." />}
       <details>

@@ -6,6 +6,7 @@ import { chosenCurrents, currentTimes_ms } from '../../model/datasets';
 import { draft } from '../../model/draft';
 import { shownPlans } from '../../model/plans';
 import { hour_ms, parseTime, shortTime, spokenTime } from '../../model/time';
+import { hueOf } from '../../theme/palette';
 import { IconButton } from '../common/icon';
 
 /** The one clock: playback, slider, and under it the steps of the currents and the plans' durations. */
@@ -84,7 +85,7 @@ function Timeline({ span }: { span: Span }): VNode {
       ))}
       {shownPlans.value.slice(0, 3).map(({ plan, style }, i) => (
         <rect
-          key={plan.plan_id} class={`plan-${style}`} fill="currentColor" x={x(Date.parse(plan.departure))} y={5 + 3 * i} height={2}
+          key={plan.plan_id} class={`plan-${hueOf(style)}`} fill="currentColor" x={x(Date.parse(plan.departure))} y={5 + 3 * i} height={2}
           width={Math.max(2, x(Date.parse(plan.arrival)) - x(Date.parse(plan.departure)))}
         />
       ))}

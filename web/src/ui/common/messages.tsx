@@ -3,6 +3,7 @@ import type { Message, Told } from '../../api/types';
 import { formatPosition } from '../../geo/coordinates';
 import { countOf, messagesOf, placeOf, showMessage, type Rank } from '../../model/messages';
 import { inPageWords } from '../../model/page_words';
+import { dialog } from '../../model/screen';
 import { settings } from '../../model/settings';
 import { Icon } from './icon';
 
@@ -35,6 +36,15 @@ function Box({ messages, rank }: { messages: Message[]; rank: 'danger' | 'cautio
   );
 }
 
+/** With a capital letter, unless it begins with the name of a file. */
+const begun = (text: string): string => (/^\w+\.\w/.test(text) ? text : text.charAt(0).toUpperCase() + text.slice(1));
+
+/** On the map; a dialog would hide it. */
+function show(message: Message): void {
+  dialog.value = undefined;
+  showMessage(message);
+}
+
 /** Each with its place, where it has one: a press moves the map there. */
 export function MessageList({ messages }: { messages: Message[] }): VNode {
   return (
@@ -43,9 +53,9 @@ export function MessageList({ messages }: { messages: Message[] }): VNode {
         const place = placeOf(message);
         return (
           <li key={`${message.code} ${message.text}`}>
-            {inPageWords(message.text)}
+            {begun(inPageWords(message.text))}
             {place && (
-              <button type="button" class="link place" title="Show on the map" onClick={() => showMessage(message)}>
+              <button type="button" class="link place" title="Show on the map" onClick={() => show(message)}>
                 {formatPosition(place, settings.value.coordinates)}
               </button>
             )}

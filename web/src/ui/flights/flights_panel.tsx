@@ -3,6 +3,7 @@ import { useEffect } from 'preact/hooks';
 import { cancelFlight, fly, listSimulations, openSimulation, removeSimulation } from '../../api/simulating';
 import type { SimulationSummary } from '../../api/simulation_types';
 import type { Plan } from '../../api/types';
+import { endedSo, endTitles } from '../../model/flight';
 import { stageTitle } from '../../model/job';
 import { may } from '../../model/login';
 import { startsUnderIce } from '../../model/plans';
@@ -76,7 +77,7 @@ function Ask({ plan }: { plan: Plan }): VNode {
 }
 
 function Row({ one, chosen }: { one: SimulationSummary; chosen: boolean }): VNode {
-  const { arrived, collisions, created, plan_id, runs, simulation_id, avoidance } = one;
+  const { arrived, created, plan_id, runs, simulation_id, avoidance } = one;
   const remove = (): void => {
     if (window.confirm('Remove this simulation for good?')) void removeSimulation(plan_id, simulation_id);
   };
@@ -85,7 +86,9 @@ function Row({ one, chosen }: { one: SimulationSummary; chosen: boolean }): VNod
       <button type="button" class="plan-choose" aria-pressed={chosen} onClick={() => void openSimulation(simulation_id)}>
         <span class="plan-name">
           {runs === 1 ? '1 flight' : `${runs} flights`}
-          {collisions > 0 && <span class="badge bad"><Icon name="warning" size={12} /> {collisions} collided</span>}
+          {(['collided', 'grounded'] as const).map((end) => endedSo(one, end) > 0 && (
+            <span class="badge bad" key={end}><Icon name="warning" size={12} /> {endedSo(one, end)} {endTitles[end]}</span>
+          ))}
         </span>
         <span class="plan-figures">
           {arrived} arrived · {avoidance ? 'with' : 'without'} avoidance{created ? ` · ${shortTime(Date.parse(created))}` : ''}
