@@ -1,3 +1,4 @@
+import { setTime } from '../model/clock';
 import { draft, edit, faults, generalFaults, refuse } from '../model/draft';
 import { editFor, sortViolations } from '../model/draft_answer';
 import { inputsOf } from '../model/draft_request';
@@ -120,6 +121,7 @@ function showPlan(answer: Plan): void {
   if (answer.departures) rightTab.value = 'departures';
   add({ ...answer, created: answer.created ?? new Date().toISOString() });
   drawer.value = undefined; // on a narrow screen it lies over the map
+  setTime(Date.parse(answer.departure));
   ask({ do: 'fit', places: routeOf(answer) });
   announce(`Plan ready: ${duration(answer.travel_time_s)}, ${answer.waypoints.length} waypoints.${warnedOf(answer)}`);
 }

@@ -2,6 +2,7 @@ import { computed, signal } from '@preact/signals';
 import type { Position } from '../api/data_types';
 import type { Plan } from '../api/types';
 import { inverse, destination } from '../geo/geodesic';
+import { time_ms } from './clock';
 
 /** All stored plans, newest first. */
 export const plans = signal<Plan[]>([]);
@@ -90,6 +91,9 @@ export function vehicleAt(plan: Plan, at_ms: number): OnTheWay | undefined {
   const place = destination([from.lon, from.lat], leg.azimuth_deg, leg.distance_m * share);
   return { place, course_deg: leg.azimuth_deg, leg: next };
 }
+
+/** Which leg the selected plan is on at the clock's time; it changes once a leg, not with each tick. */
+export const legUnderWay = computed(() => selectedPlan.value && vehicleAt(selectedPlan.value, time_ms.value)?.leg);
 
 /** What a waypoint is called everywhere: S for the start, then 1, 2, ... by row, which are the JSON indices and the counting of mission files. */
 export const waypointLabel = (index: number): string => (index === 0 ? 'S' : String(index));

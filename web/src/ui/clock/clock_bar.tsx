@@ -4,7 +4,7 @@ import { advance, playing, range, setTime, speed, speeds, stepHours, time_ms, to
 import { coveredDatasets } from '../../model/coverage';
 import { chosenCurrents, currentTimes_ms } from '../../model/datasets';
 import { draft } from '../../model/draft';
-import { shownPlans } from '../../model/plans';
+import { selectedPlan, shownPlans } from '../../model/plans';
 import { hour_ms, parseTime, shortTime, spokenTime } from '../../model/time';
 import { hueOf } from '../../theme/palette';
 import { IconButton } from '../common/icon';
@@ -48,8 +48,9 @@ export function ClockBar(): VNode {
   );
 }
 
+/** Hours since the selected plan departs, or the set-up where none is selected; nothing before. */
 function sinceDeparture(now_ms: number, lead: string): string {
-  const depart_ms = parseTime(draft.value.depart);
+  const depart_ms = selectedPlan.value ? Date.parse(selectedPlan.value.departure) : parseTime(draft.value.depart);
   if (depart_ms === undefined || now_ms < depart_ms) return '';
   return `${lead}${Math.floor((now_ms - depart_ms) / hour_ms)} h`;
 }

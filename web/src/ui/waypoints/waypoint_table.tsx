@@ -2,7 +2,7 @@ import type { VNode } from 'preact';
 import type { Plan } from '../../api/types';
 import { formatLat, formatLon } from '../../geo/coordinates';
 import { setTime } from '../../model/clock';
-import { selectedWaypoint, vehicleAt, waypointLabel } from '../../model/plans';
+import { legUnderWay, selectedWaypoint, waypointLabel } from '../../model/plans';
 import { settings } from '../../model/settings';
 import { isLegBelowIce, maySurface } from '../../model/under_ice';
 import { shortTime } from '../../model/time';
@@ -12,8 +12,8 @@ import { ask } from '../../model/view';
 const whole = (metres: number | null | undefined): string => (typeof metres === 'number' ? String(Math.round(metres)) : none);
 
 /** The waypoints in figures; the leg under way at the clock's time is marked. */
-export function WaypointTable({ plan, at_ms }: { plan: Plan; at_ms: number }): VNode {
-  const leg = vehicleAt(plan, at_ms)?.leg;
+export function WaypointTable({ plan }: { plan: Plan }): VNode {
+  const leg = legUnderWay.value;
   return (
     <div class="scroll-box" tabIndex={0} role="region" aria-label="Waypoints">
       <table class="figures waypoints">

@@ -1,7 +1,6 @@
 import type { VNode } from 'preact';
 import { deletePlan } from '../../api/session';
 import type { Plan } from '../../api/types';
-import { time_ms } from '../../model/clock';
 import { edit, emptyDraft } from '../../model/draft';
 import { editablePosition } from '../../geo/coordinates';
 import { may } from '../../model/login';
@@ -73,7 +72,7 @@ export function WaypointsPanel(): VNode {
       ) : rightTab.value === 'flights' ? (
         <FlightsPanel plan={plan} />
       ) : (
-        <WaypointTable plan={plan} at_ms={time_ms.value} />
+        <WaypointTable plan={plan} />
       )}
       <details class="provenance">
         <summary>Computed from</summary>
