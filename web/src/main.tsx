@@ -1,4 +1,5 @@
 import { render } from 'preact';
+import { followBergHistory } from './api/berg_history';
 import { followDrift } from './api/drifting';
 import { followRouteEdit } from './api/evaluating';
 import { followFields } from './api/fields';
@@ -22,6 +23,7 @@ const root = document.getElementById('app');
 if (root) render(<App />, root);
 followFields();
 followDrift();
+followBergHistory();
 followTracks();
 followHandMade();
 followRouteEdit();

@@ -110,7 +110,7 @@ test('an area is closed with Enter, and nothing is planned while it is drawn', a
   await page.keyboard.press('Backspace'); // takes the last corner back
   await page.keyboard.press('Enter');
   await expect(page.locator('#map')).toHaveAttribute('data-areas', '1');
-  await expect(page.getByText('3 corners')).toBeVisible();
+  await expect(page.locator('.area-row summary')).toHaveText('3 corners');
   await expect(page.locator('.prompt')).toHaveCount(0);
 
   await page.getByRole('button', { name: 'Draw an area' }).click();

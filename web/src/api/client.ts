@@ -1,4 +1,4 @@
-import type { Box, CoastFeature, FeaturePage, GliderTrackFeature, IcebergDrift, IcebergFeature, IngestInputs, IngestReport, NewFeature, StoredDatasets, Upload, Vehicle, ZoneFeature } from './data_types';
+import type { Box, CoastFeature, FeaturePage, GliderTrackFeature, IcebergDrift, IcebergFeature, IcebergTrackFeature, IngestInputs, IngestReport, NewFeature, StoredDatasets, Upload, Vehicle, ZoneFeature } from './data_types';
 import type { EvaluateInputs, EvaluationResults, JobStatus, MissionPreview, PlanFeature, PlanInputs, PlanResults, Probe, Reach, ReachInputs } from './types';
 import type { Flight, SimulateInputs, Simulation, SimulationSummary } from './simulation_types';
 import { decodeGrid, type Grid } from '../geo/grid';
@@ -47,6 +47,9 @@ export const icebergsAt = (time: string, choice: IcebergChoice, signal: AbortSig
 
 export const icebergsOf = (dataset: string): Promise<FeaturePage<IcebergFeature>> =>
   json(address('/collections/icebergs/items', { dataset, limit: 10000 }));
+
+export const icebergTracks = (berg_id: string, signal: AbortSignal): Promise<FeaturePage<IcebergTrackFeature>> =>
+  json(address('/collections/iceberg-tracks/items', { berg_id, limit: 1 }), { signal });
 
 export const gliderTracks = (signal: AbortSignal): Promise<FeaturePage<GliderTrackFeature>> =>
   json(address('/collections/glider-tracks/items', { limit: 1000 }), { signal });

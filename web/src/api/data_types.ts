@@ -111,6 +111,13 @@ export interface IcebergFeature {
   properties: IcebergProperties;
 }
 
+/** Where an iceberg has been that was seen more than once. */
+export interface IcebergTrackFeature {
+  type: 'Feature';
+  id: number | string;
+  properties: { berg_id: string; from: string; until: string; sightings: number; times: string[]; dataset_id: string };
+}
+
 /** Where a glider has been, with the depth-averaged currents that it met. */
 export interface GliderTrackFeature {
   type: 'Feature';

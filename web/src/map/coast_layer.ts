@@ -56,9 +56,10 @@ function clipped(ring: Position[], code: ProjectionCode): Position[] {
   return ring.map(([lon, lat]) => [lon, Math.min(lat, mercatorNorthLimit_deg)]);
 }
 
-function paint({ context, resolution, toPixel }: Frame, land: Path2D): void {
+function paint(frame: Frame, land: Path2D): void {
+  const { context, resolution } = frame;
   const { land: fill, coast: line } = palette.peek();
-  const [origin, right, up] = [toPixel([0, 0]), toPixel([resolution, 0]), toPixel([0, resolution])];
+  const [origin, right, up] = [frame.toPixel([0, 0]), frame.toPixel([resolution, 0]), frame.toPixel([0, resolution])];
   const scaled = (end: [number, number]): [number, number] => [(end[0] - origin[0]) / resolution, (end[1] - origin[1]) / resolution];
   context.save();
   context.transform(...scaled(right), ...scaled(up), ...origin);

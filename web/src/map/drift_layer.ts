@@ -23,6 +23,9 @@ import { toMap } from './projections';
 const rings_m = 150;
 const ticks_m = 60;
 
+/** And the lines themselves, where bergs lie close together. */
+const lines_m = 300;
+
 /** Rings of many bergs overlap: each lets the plans and the others shine through. */
 const half = '80';
 
@@ -54,7 +57,10 @@ export function driftLayer(): VectorImageLayer<VectorSource> {
     const { reach } = palette.value;
     const line = new Style({ stroke: new Stroke({ color: reach, width: 1 }) });
     const tick = new Style({ image: new Circle({ radius: 1.8, fill: new Fill({ color: reach }) }) });
-    layer.setStyle((feature, resolution) => (feature.getGeometry()?.getType() === 'LineString' ? line : resolution < ticks_m ? tick : undefined));
+    layer.setStyle((feature, resolution) => {
+      const isLine = feature.getGeometry()?.getType() === 'LineString';
+      return resolution < (isLine ? lines_m : ticks_m) ? (isLine ? line : tick) : undefined;
+    });
   });
   effect(() => layer.setVisible(isShown()));
   return layer;

@@ -13,6 +13,7 @@ import { boxAround } from '../geo/boxes';
 import { editablePosition } from '../geo/coordinates';
 import { densify } from '../geo/geodesic';
 import { northAngle, project, projections, scaleFactor, unproject, type ProjectionCode } from '../geo/projections';
+import { openBergId } from '../model/berg_card';
 import { coveredDatasets } from '../model/coverage';
 import { datasets, homeBox } from '../model/datasets';
 import { draft, edit } from '../model/draft';
@@ -299,6 +300,11 @@ function use(map: Map, event: MapBrowserEvent, place: Position, probe: (place: P
       map.forEachFeatureAtPixel(
         event.pixel,
         (feature) => {
+          const berg = feature.get('berg') as IcebergFeature | undefined;
+          if (berg) {
+            openBergId.value = berg.properties.berg_id;
+            return true;
+          }
           const handle = feature.get('handle') as number | undefined;
           if (handle !== undefined) {
             selectedWaypoint.value = handle;

@@ -1,6 +1,7 @@
 import { plan } from '../api/planning';
 import { probeAt } from '../api/session';
 import { range, setTime, stepHours, togglePlay } from '../model/clock';
+import { openBergId } from '../model/berg_card';
 import { drawByKey } from '../model/drawing';
 import { forbids } from '../model/login';
 import { routeOf, select, selectedPlan, selectedWaypoint, shownPlans } from '../model/plans';
@@ -63,6 +64,7 @@ export function listenForShortcuts(): void {
     if (event.key === 'Escape' && dialog.peek() === undefined) {
       tool.value = 'pan';
       selectedWaypoint.value = undefined;
+      openBergId.value = undefined;
       drawer.value = undefined;
       return;
     }

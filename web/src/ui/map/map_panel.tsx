@@ -8,6 +8,7 @@ import { currentsFault, isLoading } from '../../model/field';
 import { routeOf, selectedPlan } from '../../model/plans';
 import { ask, tool, view } from '../../model/view';
 import { IconButton } from '../common/icon';
+import { BergCard } from './berg_card';
 import { EmptyStore } from './empty_store';
 import { Legend } from './legend';
 import { ProbeCard } from './probe_card';
@@ -30,6 +31,7 @@ export function MapPanel(): VNode {
       <div class="map-upper-right">
         <NorthArrow />
         <ProbeCard />
+        <BergCard />
       </div>
       <Legend />
       <div class="map-lower">

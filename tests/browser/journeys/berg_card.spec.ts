@@ -1,0 +1,24 @@
+import { expectAccessible } from '../support/accessible';
+import { expect, open, pixelOf, test, type LonLat } from '../support/page';
+
+test('a click on an iceberg opens its card with source, size, keel, history and forecast', async ({ page, request }) => {
+  const { features } = (await (await request.get('/collections/icebergs/items?limit=200')).json()) as {
+    features: { geometry: { coordinates: LonLat }; properties: { berg_id: string } }[];
+  };
+  // One that lies apart, so that no other is hit.
+  const away = (a: LonLat, b: LonLat): number => Math.hypot((a[0] - b[0]) * 0.36, a[1] - b[1]);
+  const nearest = (berg: (typeof features)[number]): number => Math.min(...features.filter((other) => other !== berg).map((other) => away(berg.geometry.coordinates, other.geometry.coordinates)));
+  const [berg] = [...features].sort((a, b) => nearest(b) - nearest(a));
+  if (!berg) throw new Error('The store has no icebergs.');
+  await open(page);
+  const { x, y } = await pixelOf(page, berg.geometry.coordinates);
+  await page.mouse.click(x, y);
+  const card = page.getByRole('region', { name: `Iceberg ${berg.properties.berg_id}` });
+  await expect(card).toContainText('icebergs');
+  for (const word of ['Seen', 'Size', 'Keel', 'History', 'Expected now', 'Forecast to']) await expect(card).toContainText(word);
+  await expect(card).toContainText(/\d sighting/);
+  await expectAccessible(page);
+  await page.locator('#map').focus();
+  await page.keyboard.press('Escape');
+  await expect(card).toHaveCount(0);
+});

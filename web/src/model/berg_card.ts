@@ -1,0 +1,27 @@
+import { computed, signal } from '@preact/signals';
+import type { IcebergFeature } from '../api/data_types';
+import { time_ms } from './clock';
+import { datasets } from './datasets';
+import { drifts, expectedAt, type Expected } from './drift';
+import { icebergs } from './field';
+
+/** The iceberg whose card is open, by name: newer sightings of it take the place of older ones. */
+export const openBergId = signal<string | undefined>(undefined);
+
+export const openBerg = computed<IcebergFeature | undefined>(() => icebergs.value.find(({ properties }) => properties.berg_id === openBergId.value));
+
+/** How often the server knows it to have been seen; undefined until it has answered. */
+export const bergHistory = signal<{ berg_id: string; sightings: number; from: string } | undefined>(undefined);
+
+const openDrift = computed(() => drifts.value.find(({ berg_id }) => berg_id === openBergId.value));
+
+/** Where it is expected at the clock's time; undefined where its forecast does not reach. */
+export const expectedNow = computed<Expected | undefined>(() => openDrift.value && expectedAt(openDrift.value, time_ms.value));
+
+export const forecastEnd_ms = computed<number | undefined>(() => {
+  const end = openDrift.value?.time.at(-1);
+  return end === undefined ? undefined : Date.parse(end);
+});
+
+/** The dataset that its sighting comes from. */
+export const bergSource = computed<string | undefined>(() => datasets.value?.find(({ id }) => id === openBerg.value?.properties.dataset_id)?.name);
