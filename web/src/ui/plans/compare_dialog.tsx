@@ -1,11 +1,12 @@
 import { signal } from '@preact/signals';
 import type { VNode } from 'preact';
+import type { DatasetKind } from '../../api/data_types';
 import type { Plan } from '../../api/types';
 import { ofRank } from '../../model/messages';
 import { baseline, baselineId, shownPlans, titleOf } from '../../model/plans';
 import { duration, shortTime } from '../../model/time';
 import { belowIce_m } from '../../model/under_ice';
-import { distance, energy } from '../../model/units';
+import { distance, energy, none } from '../../model/units';
 import { Modal } from '../common/modal';
 import { PlanKey } from '../common/plan_key';
 
@@ -33,22 +34,33 @@ const columns: Column[] = [
   { title: 'Arrival', value: (plan) => Date.parse(plan.arrival), text: (value) => shortTime(value ?? 0), difference: (value) => signed(value / 1000, duration) },
   { title: 'Travel time', value: (plan) => plan.travel_time_s, text: (value) => duration(value ?? 0), difference: (value) => signed(value, duration) },
   { title: 'Distance', value: (plan) => plan.distance_m, ...metres },
-  { title: 'Energy', value: (plan) => plan.energy_j, text: energy, difference: (value) => signed(value, energy) },
-  { title: 'Battery used', value: ({ energy: battery, energy_j }) => (battery && energy_j !== null ? energy_j / battery.usable_j : null), ...shares },
-  { title: 'Waypoints', value: (plan) => plan.waypoints.length, text: String, difference: (value) => signed(value, String) },
-  { title: 'Nearest iceberg', value: (plan) => plan.clearances.iceberg_m, ...metres },
-  { title: 'Nearest land', value: (plan) => plan.clearances.land_m, ...metres },
-  { title: 'Above sea bed', value: (plan) => plan.clearances.bottom_m, ...metres },
   { title: 'Below ice', value: belowIce_m, ...metres },
   {
     title: 'Longest without a place to surface', value: ({ surfacing }) => surfacing?.longest_without_surfacing_s ?? null,
     text: (value) => duration(value ?? 0), difference: (value) => signed(value, duration),
   },
   { title: 'Surfacings', value: ({ surfacing }) => surfacing?.planned.length ?? null, text: String, difference: (value) => signed(value, String) },
+  { title: 'Energy', value: (plan) => plan.energy_j, text: energy, difference: (value) => signed(value, energy) },
+  { title: 'Battery used', value: ({ energy: battery, energy_j }) => (battery && energy_j !== null ? energy_j / battery.usable_j : null), ...shares },
+  { title: 'Waypoints', value: (plan) => plan.waypoints.length, text: String, difference: (value) => signed(value, String) },
+  { title: 'Nearest iceberg', value: (plan) => plan.clearances.iceberg_m, ...metres },
+  { title: 'Nearest land', value: (plan) => plan.clearances.land_m, ...metres },
+  { title: 'Above sea bed', value: (plan) => plan.clearances.bottom_m, ...metres },
   { title: 'Optimality gap', value: (plan) => plan.optimality_gap, ...shares },
   { title: 'Dangers', value: (plan) => ofRank(plan, 'danger').length, text: String, difference: (value) => signed(value, String) },
   { title: 'Cautions', value: (plan) => ofRank(plan, 'caution').length, text: String, difference: (value) => signed(value, String) },
 ];
+
+/** What a plan was asked for and made on; words, which differ or do not. */
+const inputs: { title: string; words: (plan: Plan) => string }[] = [
+  { title: 'Departure', words: (plan) => shortTime(Date.parse(plan.departure)) },
+  { title: 'Vehicle', words: (plan) => plan.vehicle },
+  { title: 'Currents', words: (plan) => dataOf(plan, 'currents') },
+  { title: 'Sea ice', words: (plan) => dataOf(plan, 'ice') },
+  { title: 'Icebergs', words: (plan) => dataOf(plan, 'icebergs') },
+];
+
+const dataOf = ({ datasets }: Plan, kind: DatasetKind): string => datasets.filter((one) => one.kind === kind).map(({ name }) => name).join(', ') || none;
 
 const order = signal<{ column: number; descending: boolean } | undefined>(undefined);
 
@@ -70,6 +82,7 @@ export function CompareDialog(): VNode {
               <th scope="col">Plan</th>
               <th scope="col">Baseline</th>
               {columns.map(({ title }, i) => <Heading key={title} title={title} column={i} />)}
+              {inputs.map(({ title }) => <th scope="col" key={title}>{title}</th>)}
             </tr>
           </thead>
           <tbody>
@@ -85,12 +98,18 @@ export function CompareDialog(): VNode {
                   />
                 </td>
                 {columns.map((column) => <Cell key={column.title} column={column} plan={plan} base={base} />)}
+                {inputs.map(({ title, words }) => (
+                  <td key={title} class="words" title={words(plan)}>
+                    {words(plan)}
+                    {base && base !== plan && words(plan) !== words(base) && <span class="difference">differs</span>}
+                  </td>
+                ))}
               </tr>
             ))}
           </tbody>
         </table>
       </div>
-      <p class="hint">Small figures are the difference to the baseline.</p>
+      <p class="hint">Small figures are the difference to the baseline; the table scrolls to the right, to what each plan was made on.</p>
     </Modal>
   );
 }

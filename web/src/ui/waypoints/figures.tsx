@@ -68,11 +68,16 @@ const figures: Figure[] = [
     },
     why: ({ uncertainty }) => (uncertainty ? `${uncertainty.arrived} of ${uncertainty.members} members arrive` : ''),
   },
+  {
+    title: 'Chance to arrive in time',
+    text: ({ uncertainty }) => (typeof uncertainty?.chance === 'number' ? `${Math.round(100 * uncertainty.chance)} %` : none),
+    why: ({ uncertainty }) => (uncertainty?.arrive_before ? `To be there by ${shortTime(Date.parse(uncertainty.arrive_before))}` : ''),
+  },
 ];
 
 /** A plan in figures; beside another plan with the differences to it, and dimmed while they are worked out anew. */
 export function Figures({ plan, beside, pending = false }: { plan: Plan; beside?: Plan; pending?: boolean }): VNode {
-  const shown = figures.filter(({ title, text }) => text(plan) !== none || !/^(Energy|Battery|Iceberg enc|Sea ice unk|Arrival, )/.test(title));
+  const shown = figures.filter(({ title, text }) => text(plan) !== none || !/^(Energy|Battery|Iceberg enc|Sea ice unk|Arrival, |Chance)/.test(title));
   return (
     <dl class={pending ? 'figures-grid pending' : 'figures-grid'} aria-busy={pending}>
       {shown.map((figure) => (
