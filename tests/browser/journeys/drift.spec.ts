@@ -14,7 +14,7 @@ test('icebergs have ghosts where they are expected, and the layer puts them away
   const map = page.locator('#map');
   await expect(map).not.toHaveAttribute('data-drifts', '0');
   expect(await map.getAttribute('data-drifts')).toBe(await map.getAttribute('data-icebergs'));
-  await expect(page.getByText('expected, within the ring')).toBeVisible();
+  await expect(page.getByText('expected, in its keep-out ring')).toBeVisible();
 
   const drift = page.getByRole('button', { name: 'Show iceberg drift' });
   await drift.focus();

@@ -12,7 +12,7 @@ import { circle } from '../geo/geodesic';
 import { project } from '../geo/projections';
 import { time_ms } from '../model/clock';
 import { drifts, expectedAt, ticksOf, wayOf } from '../model/drift';
-import { crowd } from '../model/icebergs';
+import { crowd, keepOut_m } from '../model/icebergs';
 import { visible } from '../model/layers';
 import { projection } from '../model/settings';
 import { view } from '../model/view';
@@ -66,7 +66,7 @@ export function driftLayer(): VectorImageLayer<VectorSource> {
   return layer;
 }
 
-/** Where each berg is expected at the clock's time, within a ring of the error that may have grown till then. */
+/** Where each berg is expected at the clock's time, in the ring that plans keep out of: it grows with the error of the position. */
 export function ghostLayer(): VectorImageLayer<VectorSource> {
   const source = new VectorSource();
   const layer = new VectorImageLayer({ source, zIndex: 5, imageRatio: painted });
@@ -82,7 +82,7 @@ export function ghostLayer(): VectorImageLayer<VectorSource> {
       if (!expected || minute <= Date.parse(drift.observed)) return [];
       const ghost = new Feature<Geometry>(new Point(project(code, expected.place)));
       if (!ringsAreShown.value) return [ghost];
-      return [new Feature<Geometry>(new Polygon([toMap(code, circle(expected.place, expected.error_m + drift.safe_length_m / 2))])), ghost];
+      return [new Feature<Geometry>(new Polygon([toMap(code, circle(expected.place, keepOut_m(drift.safe_length_m, expected.error_m)))])), ghost];
     });
     source.clear(true);
     source.addFeatures(ghosts);

@@ -1,5 +1,6 @@
 import type { IcebergProperties } from '../api/data_types';
-import { draft } from './draft';
+import { requestFields } from '../contract/request_fields';
+import { draft, numberIn } from './draft';
 import { hour_ms } from './time';
 
 /** After this a sighting no longer says where the berg is. */
@@ -18,6 +19,17 @@ export const sizeTitle = (size: string): string => size.replaceAll('_', ' ');
 
 export function isStale({ observed }: IcebergProperties, at_ms: number): boolean {
   return at_ms - Date.parse(observed) > validity_h * hour_ms;
+}
+
+const metresIn = (text: string, usual: number): number => {
+  const value = numberIn(text);
+  return value !== undefined && value >= 0 ? value : usual;
+};
+
+/** How far plans keep from where a berg is expected: hull, margin and the error that its position may have by then, up to the set-up's bound. */
+export function keepOut_m(safe_length_m: number, error_m: number): number {
+  const { margin_m, max_inflation_m } = requestFields;
+  return safe_length_m / 2 + metresIn(draft.value.margin_m, margin_m.usual) + Math.min(error_m, metresIn(draft.value.max_inflation_m, max_inflation_m.usual));
 }
 
 /**

@@ -142,7 +142,7 @@ function Icebergs({ circles, drift }: { circles: boolean; drift: boolean }): VNo
       <h3>Icebergs <span class="unit">{icebergs.value.length}</span></h3>
       {choiceInWords.value !== undefined && <p class="caution">{choiceInWords.value}</p>}
       <p><svg width="22" height="14" aria-hidden="true"><path class="berg" d="M11 1 L19 12 H3 Z" /></svg> by size; grey after {validity_h} h</p>
-      {drift && <p><svg width="22" height="14" aria-hidden="true"><path class="ghost" d="M11 1 L19 12 H3 Z" /></svg> expected, within the ring</p>}
+      {drift && <p><svg width="22" height="14" aria-hidden="true"><path class="ghost" d="M11 1 L19 12 H3 Z" /></svg> expected, in its keep-out ring</p>}
       {circles && (
         <>
           <p><svg width="22" height="14" aria-hidden="true"><circle class="ring" cx="11" cy="7" r="6" /></svg> hull + {margin || '0'} m margin</p>
