@@ -14,6 +14,9 @@ import { CanvasLayer, type Frame } from './canvas_layer';
 /** How far apart the nodes stand on the screen at which the ice is looked up, at least. */
 const spacing_px = 7;
 
+/** How often the ice is drawn anew from one step of the data to the next: in between it changes too little to be seen. */
+const stages = 100;
+
 /** How many nodes lie from one figure of thickness to the next. */
 const figuresApart = { columns: 12, rows: 7 };
 
@@ -61,6 +64,8 @@ interface Shapes {
   figures: { x: number; y: number; text: string }[];
 }
 
+type Drawn = Omit<Shapes, 'figures'>;
+
 /** What is kept from frame to frame: places change with the view, values with the data, shapes with the clock. */
 class Stand {
   private nodes: Nodes | undefined;
@@ -70,6 +75,7 @@ class Stand {
   private grids: [Grid, Grid] | undefined;
   private before: Float32Array = new Float32Array(0);
   private after: Float32Array = new Float32Array(0);
+  private screen: { shapes: Shapes; key: string; drawn: Drawn } | undefined;
   private drawn: { pair: TimedPair | undefined; limit: number; shapes: Shapes } | undefined;
 
   at(frame: Frame, code: ProjectionCode): Nodes {
@@ -90,12 +96,30 @@ class Stand {
     return nodes;
   }
 
-  shapesOf(nodes: Nodes, pair: TimedPair | undefined, limit: number): Shapes {
+  shapesOf(nodes: Nodes, now: TimedPair | undefined, limit: number): Shapes {
     const { drawn } = this;
-    if (drawn && drawn.pair === pair && drawn.limit === limit) return drawn.shapes;
+    const pair = now && { ...now, share: Math.round(now.share * stages) / stages };
+    if (drawn && drawn.limit === limit && isSame(drawn.pair, pair)) return drawn.shapes;
     const shapes = this.shaped(nodes, pair, limit);
     this.drawn = { pair, limit, shapes };
     return shapes;
+  }
+
+  /** The shapes in pixels; while the map rests and the ice stays as it is, those of the frame before. */
+  onScreen(shapes: Shapes, matrix: DOMMatrix): Drawn {
+    const { a, b, c, d, e, f } = matrix;
+    const key = [a, b, c, d, e, f].join();
+    if (this.screen?.shapes === shapes && this.screen.key === key) return this.screen.drawn;
+    const moved = (path: Path2D): Path2D => {
+      const copy = new Path2D();
+      copy.addPath(path, matrix);
+      return copy;
+    };
+    const drawn = {
+      areas: shapes.areas.map(({ path, hatch }) => ({ path: moved(path), hatch })), unknown: moved(shapes.unknown), edge: moved(shapes.edge), limit: moved(shapes.limit),
+    };
+    this.screen = { shapes, key, drawn };
+    return drawn;
   }
 
   private settle({ code, step, left, top, nx, ny }: Nodes): void {
@@ -160,6 +184,8 @@ class Stand {
   }
 }
 
+const isSame = (a: TimedPair | undefined, b: TimedPair | undefined): boolean => a?.before === b?.before && a?.after === b?.after && a?.share === b?.share;
+
 function paint(frame: Frame, nodes: Nodes, stand: Stand): void {
   const { context } = frame;
   const { seaIce: colours, ink, casing, halo } = palette.peek();
@@ -168,27 +194,21 @@ function paint(frame: Frame, nodes: Nodes, stand: Stand): void {
   const place = (x: number, y: number): [number, number] => frame.toPixel([(left + x) * step, -(top + y) * step]);
   const [origin, right, below] = [place(0, 0), place(1, 0), place(0, 1)];
   const toScreen = new DOMMatrix([right[0] - origin[0], right[1] - origin[1], below[0] - origin[0], below[1] - origin[1], ...origin]);
-  const onScreen = (path: Path2D): Path2D => {
-    const moved = new Path2D();
-    moved.addPath(path, toScreen);
-    return moved;
-  };
+  const drawn = stand.onScreen(shapes, toScreen);
   const anchor = frame.toPixel([0, 0]); // hatching moves with the map
 
   context.fillStyle = hatching(context, unknownHatch, colours.unknown, anchor);
-  context.fill(onScreen(shapes.unknown));
-  for (const { path, hatch } of shapes.areas) {
-    const area = onScreen(path);
+  context.fill(drawn.unknown);
+  for (const { path, hatch } of drawn.areas) {
     context.fillStyle = colours.veil;
-    context.fill(area);
+    context.fill(path);
     context.fillStyle = hatching(context, hatch, colours.hatch, anchor);
-    context.fill(area);
+    context.fill(path);
   }
   context.lineJoin = 'round';
-  const limit = onScreen(shapes.limit);
-  stroke(context, limit, casing, 3.4, []);
-  stroke(context, onScreen(shapes.edge), colours.edge, 1.2, []);
-  stroke(context, limit, ink, 2, surfacingDash);
+  stroke(context, drawn.limit, casing, 3.4, []);
+  stroke(context, drawn.edge, colours.edge, 1.2, []);
+  stroke(context, drawn.limit, ink, 2, surfacingDash);
 
   context.font = '600 11px system-ui, sans-serif';
   context.textAlign = 'center';
