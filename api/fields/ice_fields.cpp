@@ -46,8 +46,8 @@ const Table<IcebergRules>& iceberg_fields() {
                                .unit = "m",
                                .most = 100'000.0,
                                .flag = "max-inflation",
-                               .help = "Most that is kept from an iceberg for the error of its position",
-                               .form = {"Most for errors", "m"}},
+                               .help = "Largest allowance for the position error of an iceberg",
+                               .form = {"Max. position allowance", "m"}},
                               [](auto& rules) -> auto& { return rules.max_inflation; }),
           bound<IcebergRules>(
               {.name = "pass_under_icebergs",
@@ -68,7 +68,7 @@ const Table<IcebergRules>& iceberg_fields() {
                                .most = 1000.0,
                                .flag = "keel-clearance",
                                .help = "Kept below the deepest keel when passing under",
-                               .form = {"Below the keel", "m"}},
+                               .form = {"Clearance below keel", "m"}},
                               [](auto& rules) -> auto& { return rules.keel_clearance; }),
           bound<IcebergRules>(
               {.name = "draft_uncertainty",
@@ -114,9 +114,9 @@ const Table<EnvironmentQuery>& sighting_fields() {
                                  .most = 30.0,
                                  .usual = EnvironmentQuery{}.max_sighting_age.count() / day_s,
                                  .flag = "max-sighting-age",
-                                 .help = "Leave out icebergs last seen longer before the departure",
+                                 .help = "Ignore icebergs last seen longer than this before the departure",
                                  .details = "Before icebergs_as_of where that is earlier; by whole UTC days",
-                                 .form = {"Sightings up to", "days"}},
+                                 .form = {"Max. sighting age", "days"}},
                        .set =
                            [](auto& query, const Value& days) {
                              query.max_sighting_age = core::Seconds{std::get<double>(days) * day_s};
@@ -141,7 +141,7 @@ const Table<UnderIceRules>& passing_under_ice_fields() {
                                  .most = 500.0,
                                  .flag = "margin-below-ice",
                                  .help = "Kept between the deepest keel and the upper turn of the dives",
-                                 .form = {"Below the ice", "m"}},
+                                 .form = {"Clearance below ice", "m"}},
                                 [](auto& rules) -> auto& { return rules.margin_below_ice; }),
                       under_ice({.name = "draft_if_unknown_m",
                                  .unit = "m",
@@ -155,7 +155,7 @@ const Table<UnderIceRules>& passing_under_ice_fields() {
                                  .most = 3.2e7,
                                  .flag = "max-time-without-surfacing",
                                  .help = "Longest time between places where the vehicle may surface",
-                                 .form = {"Longest below", "h", "no limit"}},
+                                 .form = {"Max. time without surfacing", "h", "no limit"}},
                                 [](auto& rules) -> auto& { return rules.max_time_without_surfacing; }),
                   });
   return table;
@@ -175,14 +175,14 @@ const Table<UnderIceRules>& surfacing_fields() {
                     [](auto& rules) -> auto& { return rules.surfacing_interval; }),
           under_ice({.name = "escape_plan",
                      .flag = "escape-plan",
-                     .help = "Find from every waypoint the way to where the vehicle may surface",
-                     .form = {"A way out from every waypoint"}},
+                     .help = "Find an escape route from every waypoint to where the vehicle may surface",
+                     .form = {"Escape route from every waypoint"}},
                     [](auto& rules) -> auto& { return rules.escape_plan; }),
           under_ice({.name = "dead_reckoning_share",
                      .unit = "share",
                      .most = 1.0,
                      .help = "Growth of the error of dead reckoning with the distance through water",
-                     .form = {"Lost way", "%"}},
+                     .form = {"Dead-reckoning error", "%"}},
                     [](auto& rules) -> auto& { return rules.dead_reckoning_share; }),
           under_ice({.name = "current_uncertainty_m_s",
                      .unit = "m/s",

@@ -51,11 +51,11 @@ const std::vector<Field>& way_fields() {
        .kind = Kind::places,
        .flag = "via",
        .group = group::places,
-       .help = "Places to visit on the way, in this order"},
+       .help = "Via points, in this order"},
       {.name = "goals_file",
        .flag = "goals",
        .help =
-           "File with the places to visit instead of via and to; without from its first place is the start"},
+           "File whose places are visited instead of via and to; without from its first place is the start"},
       route_name(),
   };
   return list;
@@ -115,22 +115,22 @@ const Table<IsochroneRequest>& isochrone_grid_fields() {
   static const Table<IsochroneRequest> table = in_group<IsochroneRequest>(
       group::search,
       {
-          bound<IsochroneRequest>(
-              {.name = "spacing_m",
-               .unit = "m",
-               .least = least_step_m,
-               .most = most_step_m,
-               .flag = "spacing",
-               .help =
-                   "Spacing of the grid (left out: a hundredth of the way in still water, 100 m to 5 km)"},
-              [](auto& request) -> auto& { return request.spacing; }),
+          bound<IsochroneRequest>({.name = "spacing_m",
+                                   .unit = "m",
+                                   .least = least_step_m,
+                                   .most = most_step_m,
+                                   .flag = "spacing",
+                                   .help = "Spacing of the grid (left out: a hundredth of the distance made "
+                                           "in still water, 100 m to 5 km)"},
+                                  [](auto& request) -> auto& { return request.spacing; }),
           bound<IsochroneRequest>(
               {.name = "sectors",
                .least = 1.0,
                .most = 5.0,
                .flag = "sectors",
-               .help = "Reach of the grid's edges; left out, 3, and 5 where currents are as fast as "
-                       "the vehicle"},
+               .help =
+                   "Neighbourhood of the grid, in sectors; left out, 3, and 5 where currents are as fast as "
+                   "the vehicle"},
               [](auto& request) -> auto& { return request.sectors; }),
       });
   return table;
@@ -197,9 +197,9 @@ const Table<PlanRequest>& search_fields() {
                .least = 1.0,
                .most = 5.0,
                .flag = "sectors",
-               .help = "Reach of the grid's edges",
+               .help = "Neighbourhood of the grid, in sectors",
                .details = "Where currents are as fast as the vehicle grids of 5 are tried, too",
-               .form = {"Reach", "1–5"}},
+               .form = {"Neighbourhood", "1–5 sectors"}},
               [](auto& request) -> auto& { return request.sectors; }),
           worded<PlanRequest>(
               {.name = "method", .flag = "method", .help = "How routes are searched for", .form = {"Method"}},
@@ -213,8 +213,8 @@ const Table<PlanRequest>& search_fields() {
                               .least = 2.0,
                               .most = 10'000.0,
                               .flag = "max-waypoints",
-                              .help = "Waypoints at most, start and goal included",
-                              .form = {"Most waypoints", {}, "no limit"}},
+                              .help = "Largest number of waypoints, start and goal included",
+                              .form = {"Max. waypoints", {}, "no limit"}},
                              [](auto& request) -> auto& { return request.max_waypoints; }),
           bound<PlanRequest>({.name = "max_leg_m",
                               .unit = "m",
@@ -222,7 +222,7 @@ const Table<PlanRequest>& search_fields() {
                               .most = 5e6,
                               .flag = "max-leg",
                               .help = "Length of the longest leg; longer legs are divided",
-                              .form = {"Longest leg", "km", "no limit"}},
+                              .form = {"Max. leg length", "km", "no limit"}},
                              [](auto& request) -> auto& { return request.max_leg; }),
           bound<PlanRequest>(
               {.name = "refine",
@@ -247,9 +247,9 @@ const Table<PlanRequest>& search_fields() {
               [](auto& request) -> auto& { return request.refine_time; }),
           bound<PlanRequest>({.name = "optimality_gap",
                               .flag = "no-optimality-gap",
-                              .help = "Compare the plan with the best way in open water",
+                              .help = "Compare the plan with the best possible route in open water",
                               .details = "The answer is the plan's optimality_gap",
-                              .form = {"Compare with the best way in open water"}},
+                              .form = {"Compare with the best possible route"}},
                              [](auto& request) -> auto& { return request.optimality_gap; }),
       });
   return table;
@@ -279,16 +279,16 @@ const Table<UncertaintyRules>& error_model_fields() {
                        .least = 1e3,
                        .most = 1e6,
                        .flag = "error-length",
-                       .help = "Over how far the error is alike",
-                       .form = {"Alike over", "km"}},
+                       .help = "Correlation length of the error",
+                       .form = {"Correlation length", "km"}},
                       [](auto& rules) -> auto& { return rules.error.length_scale; }),
           uncertainty({.name = "time_scale_s",
                        .unit = "s",
                        .least = 600.0,
                        .most = 2'592'000.0,
                        .flag = "error-time",
-                       .help = "Over how long the error is alike",
-                       .form = {"and over", "h"}},
+                       .help = "Correlation time of the error",
+                       .form = {"Correlation time", "h"}},
                       [](auto& rules) -> auto& { return rules.error.time_scale; }),
           uncertainty({.name = "seed",
                        .most = largest_seed,
@@ -323,7 +323,7 @@ const Table<UncertaintyRules>& robustness_fields() {
               [](auto& rules) -> auto& { return rules.quantile; }),
           uncertainty({.name = "arrive_before",
                        .flag = "arrive-before",
-                       .help = "Show the chance to be there by then",
+                       .help = "Show the chance of arriving by this time",
                        .form = {"Chance to arrive before", "UTC", "not asked"}},
                       [](auto& rules) -> auto& { return rules.arrive_before; }),
       });

@@ -79,8 +79,8 @@ const Table<FlightChoices>& flight_fields() {
                                 .unit = "m",
                                 .most = 1000.0,
                                 .flag = "altimeter-margin",
-                                .help = "Kept above the sea bed",
-                                .form = {"Above bed", "m"}},
+                                .help = "Least altitude above the sea bed",
+                                .form = {"Altitude", "m"}},
                                [](auto& choices) -> auto& { return choices.altimeter_margin; }),
           bound<FlightChoices>({.name = "battery_j",
                                 .unit = "J",
@@ -95,7 +95,7 @@ const Table<FlightChoices>& flight_fields() {
                                 .most = 1.0,
                                 .flag = "battery-start",
                                 .help = "Share of the battery's energy that is left at the departure",
-                                .form = {"Charged", "%"}},
+                                .form = {"State of charge", "%"}},
                                [](auto& choices) -> auto& { return choices.battery_start_share; }),
       });
   return table;
@@ -175,7 +175,7 @@ const Table<GliderProfile>& build_fields() {
                  .least = 1.0,
                  .most = 10'000.0,
                  .help = "Of one goto list",
-                 .form = {"List holds", "waypoints"}},
+                 .form = {"Waypoints per list"}},
                 [](auto& profile) -> auto& { return profile.max_waypoints_per_list; }),
       }));
   return table;
