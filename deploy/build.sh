@@ -24,7 +24,7 @@ install_web_packages() {
 web_is_built() {
   [[ -f $root/web/dist/index.html ]] || return 1
   local newer
-  newer=$(find "$root/web" \( -name node_modules -o -name dist -o -name tests \) -prune -o \
+  newer=$(find "$root/web" "$root/SECURITY.md" \( -name node_modules -o -name dist -o -name tests \) -prune -o \
     -type f -newer "$root/web/dist/index.html" -print -quit)
   [[ -z $newer ]]
 }

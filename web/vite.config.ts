@@ -1,4 +1,5 @@
 import { defineConfig } from 'vitest/config';
+import { guide, guideFrame } from './tools/guide/plugin.ts';
 
 export default defineConfig(({ command }) => ({
   base: command === 'build' ? '/app/' : '/',
@@ -9,8 +10,12 @@ export default defineConfig(({ command }) => ({
     assetsInlineLimit: 0,
     modulePreload: { polyfill: false },
     // What several parts need comes in one file: each file more is a request more before the map can be used.
-    rolldownOptions: { output: { codeSplitting: { groups: [{ name: 'shared', minShareCount: 2 }] } } },
+    rolldownOptions: {
+      input: { app: 'index.html', guide: guideFrame },
+      output: { codeSplitting: { groups: [{ name: 'shared', minShareCount: 2 }] } },
+    },
   },
+  plugins: [guide()],
   oxc: { jsx: { runtime: 'automatic', importSource: 'preact' } },
   server: { proxy: apiProxy() },
   test: {

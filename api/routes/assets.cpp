@@ -55,6 +55,17 @@ Response show_asset(const Context& context, const Request& request, const PathPa
   return *asset;
 }
 
+/// A page of the guide by its name, or a file that pages show.
+Response show_guide(const Context& context, const Request& request, const PathParameters& path) {
+  const auto given = path.find("path");
+  const std::filesystem::path name = given == path.end() ? "index" : given->second;
+  auto file =
+      read_asset(context.service.web, "guide/" + name.string() + (name.has_extension() ? "" : ".html"));
+  if (!file) return problem_reply<"unknown-path">(request, request.path);
+  file->headers.emplace_back("Cache-Control", "no-cache");
+  return *file;
+}
+
 }  // namespace
 
 std::optional<Response> read_asset(const std::filesystem::path& folder, const std::string& name) {
@@ -74,6 +85,10 @@ std::optional<Response> read_asset(const std::filesystem::path& folder, const st
   return response;
 }
 
-std::vector<Route> asset_routes() { return {{"GET", "/app/{path...}", {}, show_asset, Access::everybody}}; }
+std::vector<Route> asset_routes() {
+  return {{"GET", "/app/{path...}", {}, show_asset, Access::everybody},
+          {"GET", "/guide", {}, show_guide, Access::everybody},
+          {"GET", "/guide/{path...}", {}, show_guide, Access::everybody}};
+}
 
 }  // namespace floeplan::routes

@@ -25,6 +25,7 @@ json landing_page(const std::string& url) {
            {link("self", "application/json", url + "/", "This document"),
             link("alternate", "text/html", url + "/?f=html", "The map"),
             link("service-desc", openapi_type, url + "/api", "The API"),
+            link("help", "text/html", url + "/guide", "The guide"),
             link("conformance", "application/json", url + "/conformance", "Conformance classes"),
             link(ogc + "conformance", "application/json", url + "/conformance", "Conformance classes"),
             link("data", "application/json", url + "/collections", "Feature collections"),

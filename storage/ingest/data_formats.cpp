@@ -130,9 +130,9 @@ std::vector<DataFormat> all_formats() {
        .check = check_hdf5_references},
 
       {.name = "NetCDF",
-       .reads =
-           "model output on regular, bent and staggered grids and meshes; GEBCO, ETOPO, IBCAO and EMODnet; "
-           "TPXO, TMD, FES and HAMTIDE; GSHHG as GMT has it; tracks of the IOOS DAC and OG1, dbd2netcdf",
+       .reads = "model output on regular, curvilinear and staggered grids and meshes; GEBCO, ETOPO, IBCAO "
+                "and EMODnet; "
+                "TPXO, TMD, FES and HAMTIDE; GSHHG as GMT has it; tracks of the IOOS DAC and OG1, dbd2netcdf",
        .kinds = {currents, wind, bathymetry, ice, tides, coastline, glider_tracks},
        .writing = Writing::binary,
        .is_it = [](const FileStart& start) { return is_classic_netcdf(start.bytes) || is_hdf5(start.bytes); },

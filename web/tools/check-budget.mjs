@@ -2,14 +2,17 @@
 import { readFileSync, readdirSync } from 'node:fs';
 import { gzipSync } from 'node:zlib';
 
-const budget_kb = { js: 200, css: 12, total: 230, charts: 30, panels: 20 };
+const budget_kb = { js: 200, css: 12, total: 230, charts: 30, panels: 20, guide: 15 };
 const dist = new URL('../dist/', import.meta.url);
 const page = readFileSync(new URL('index.html', dist), 'utf8');
+const guide = readFileSync(new URL('guide/index.html', dist), 'utf8');
 
-const size_kb = { js: 0, css: 0, total: 0, charts: 0, panels: 0 };
+const size_kb = { js: 0, css: 0, total: 0, charts: 0, panels: 0, guide: 0 };
 for (const name of readdirSync(new URL('assets/', dist))) {
   const kb = gzipSync(readFileSync(new URL(`assets/${name}`, dist)), { level: 9 }).length / 1000;
+  if (guide.includes(name)) size_kb.guide += kb;
   if (!page.includes(name)) {
+    if (guide.includes(name)) continue;
     size_kb[name.startsWith('plot-') ? 'charts' : 'panels'] += kb;
     continue;
   }

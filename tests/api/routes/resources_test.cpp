@@ -1,8 +1,11 @@
 #include <algorithm>
 #include <cctype>
+#include <filesystem>
+#include <fstream>
 
 #include "tests/api/routes/api_fixture.hpp"
 #include "tests/support/places.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace floeplan::routes::resources_test {
 namespace {
@@ -75,6 +78,38 @@ TEST_F(ResourcesTest, AssetNamesCannotLeaveTheirFolder) {
   EXPECT_EQ(ask("GET", "/app/router.cpp").status, 200);
   EXPECT_EQ(ask("GET", "/app/../openapi/openapi.json").status, 404);
   EXPECT_EQ(ask("GET", "/app/%2e%2e/openapi/openapi.json").status, 404);
+}
+
+class GuideTest : public ResourcesTest {
+ protected:
+  void SetUp() override {
+    ResourcesTest::SetUp();
+    std::filesystem::create_directories(folder_.path() / "guide/pictures");
+    for (const char* name : {"index.html", "guide/index.html", "guide/data.html", "guide/pictures/jet.svg"})
+      std::ofstream{folder_.path() / name} << name;
+    service_.web = folder_.path();
+  }
+
+ private:
+  support::TemporaryFolder folder_;
+};
+
+TEST_F(GuideTest, IsServedByTheNamesOfItsPages) {
+  EXPECT_EQ(ask("GET", "/guide").body, "guide/index.html");
+  EXPECT_EQ(ask("GET", "/guide/").body, "guide/index.html");
+  EXPECT_EQ(ask("GET", "/guide/data").body, "guide/data.html");
+  EXPECT_EQ(ask("GET", "/guide/data").content_type, "text/html; charset=utf-8");
+  EXPECT_EQ(ask("GET", "/guide/pictures/jet.svg").content_type, "image/svg+xml");
+  EXPECT_EQ(header_of(ask("GET", "/guide/data"), "Cache-Control"), "no-cache");
+}
+
+TEST_F(GuideTest, HasNoPageOutsideItsFolder) {
+  for (const char* path : {"/guide/none", "/guide/../index", "/guide/%2e%2e/index", "/guide/..%2findex"})
+    EXPECT_EQ(ask("GET", path).status, 404) << path;
+}
+
+TEST_F(ResourcesTest, TheGuideIsNotThereWhereTheClientWasNotBuilt) {
+  EXPECT_EQ(ask("GET", "/guide").status, 404);
 }
 
 }  // namespace

@@ -417,6 +417,9 @@ def rest():
     for process in ("plan-route", "evaluate-route", "reach", "simulate-plan", "fly-scenario", "compare-flight", "ingest", "echo"):
         drive("GET", "/processes/{process_id}", 200, process_id=process)
     drive("GET", "/app/{path}", 404, path="none.js")
+    drive("GET", "/guide", 200)
+    drive("GET", "/guide/{path}", 200, path="data")
+    drive("GET", "/guide/{path}", 404, path="none")
     for template in ("/session", "/audit", "/metrics", "/readyz"):
         drive("GET", template, 200)
     drive("POST", "/session", 400, {"token": "none is needed here"})

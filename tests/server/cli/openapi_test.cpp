@@ -37,10 +37,16 @@ class ServedDemo : public testing::Test {
     for (const auto& entry : std::filesystem::directory_iterator{demo})
       if (entry.path().extension() != ".txt") ingest.push_back(entry.path().string());
     ASSERT_EQ(program_.run(ingest).exit_code, 0);
+    std::filesystem::create_directories(web() / "guide");
+    for (const char* page : {"guide/index.html", "guide/data.html"})
+      std::ofstream{web() / page} << "<h1>Guide</h1>";
   }
 
+  /// A built client with no more than a guide.
+  [[nodiscard]] std::filesystem::path web() const { return program_.folder() / "web"; }
+
   [[nodiscard]] int run(const std::string& script) const {
-    const support::ServedProgram served{program_.folder() / "store"};
+    const support::ServedProgram served{program_.folder() / "store", {"--web", web().string()}};
     return std::system(
         ("python3 " + support::source_folder() + "/tests/server/cli/" + script + ' ' + served.address())
             .c_str());

@@ -3,14 +3,12 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <set>
 
 #include "storage/ingest/format_of.hpp"
 #include "tests/storage/ingest/support/store_fixture.hpp"
-#include "tests/support/places.hpp"
+#include "tests/support/written_out.hpp"
 
 namespace floeplan::ingest::data_formats_test {
 namespace {
@@ -41,11 +39,6 @@ const std::map<std::string, std::string>& beginnings() {
   return all;
 }
 
-std::string text_of(const std::filesystem::path& file) {
-  std::ifstream in{file, std::ios::binary};
-  return {std::istreambuf_iterator<char>{in}, {}};
-}
-
 TEST(DataFormats, HaveANameOfTheirOwnAReaderAndKinds) {
   std::set<std::string_view> names;
   for (const DataFormat& format : data_formats()) {
@@ -67,11 +60,16 @@ TEST(DataFormats, HoldEveryKindOfDataBetweenThem) {
     })) << repository::kind_name(kind);
 }
 
-TEST(DataFormats, AreNamedInTheGuide) {
-  const std::string guide = text_of(std::filesystem::path{support::source_folder()} / "web/guide/data.md");
+TEST(DataFormats, AreTheTableOfTheGuide) {
+  std::string table = "| format | kinds of data | what is read |\n|---|---|---|\n";
+  for (const DataFormat& format : data_formats()) {
+    std::string kinds;
+    for (const DatasetKind kind : format.kinds)
+      kinds += (kinds.empty() ? "" : ", ") + repository::kind_name(kind);
+    table += "| " + std::string{format.name} + " | " + kinds + " | " + std::string{format.reads} + " |\n";
+  }
 
-  for (const DataFormat& format : data_formats())
-    EXPECT_THAT(guide, HasSubstr(std::string{format.name})) << "tell of the format in web/guide/data.md";
+  support::expect_written_part("web/guide/data.md", "formats", table, "ingest_test");
 }
 
 class FormatOf : public StoreFixture {};

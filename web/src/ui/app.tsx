@@ -1,7 +1,9 @@
 import type { VNode } from 'preact';
-import { announcement, dialog, drawer, leftTab, notice } from '../model/screen';
+import { announcement, dialog, drawer, leftTab, notice, rightTab } from '../model/screen';
+import { guidePages } from '../model/guide_pages';
 import { plans } from '../model/plans';
 import { ClockBar } from './clock/clock_bar';
+import { GuideLink } from './common/guide_link';
 import { dialogLater } from './common/later';
 import { DataPanel } from './data/data_panel';
 import { DropOverlay } from './data/drop_overlay';
@@ -34,11 +36,12 @@ export function App(): VNode {
           {leftTab.value === 'setup' ? <SetupPanel /> : leftTab.value === 'plans' ? <PlansPanel /> : <DataPanel />}
         </div>
         <LayersPanel />
-        <p class="disclaimer">Not for navigation; check before flight.</p>
+        <p class="disclaimer"><span>Not for navigation; check before flight.</span> <GuideLink page={guidePages[leftTab.value]} /></p>
       </aside>
       <MapPanel />
       <aside class="right" id="right" aria-label="Waypoints" tabIndex={-1}>
         <WaypointsPanel />
+        <p class="disclaimer"><GuideLink page={guidePages[rightTab.value]} /></p>
       </aside>
       <ClockBar />
       {dialog.value === 'export' && <ExportDialog />}

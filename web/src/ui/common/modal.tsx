@@ -1,10 +1,12 @@
 import type { ComponentChildren, VNode } from 'preact';
 import { useEffect, useRef } from 'preact/hooks';
+import { guidePages, type GuideTopic } from '../../model/guide_pages';
 import { dialog } from '../../model/screen';
+import { GuideLink } from './guide_link';
 import { IconButton } from './icon';
 
 /** A modal dialog: traps the focus, closes with Esc, gives the focus back to where it was. */
-export function Modal({ title, wide, children }: { title: string; wide?: boolean; children: ComponentChildren }): VNode {
+export function Modal({ title, guide, wide, children }: { title: string; guide: GuideTopic; wide?: boolean; children: ComponentChildren }): VNode {
   const box = useRef<HTMLDialogElement>(null);
   const isOpen = useRef(true);
   useEffect(() => {
@@ -32,6 +34,7 @@ export function Modal({ title, wide, children }: { title: string; wide?: boolean
     >
       <div class="modal-head">
         <h2 id="modal-title">{title}</h2>
+        <GuideLink page={guidePages[guide]} />
         <IconButton icon="x" label="Close" onClick={close} />
       </div>
       <div class="modal-body">{children}</div>

@@ -29,7 +29,7 @@ const keys: [string, string][] = [
 
 export function HelpDialog(): VNode {
   return (
-    <Modal title="Help and settings">
+    <Modal title="Help and settings" guide="front">
       <p>
         Give a start and a goal (click or type), a departure and a vehicle, and press <b>Plan route</b>. One clock drives currents,
         icebergs and the vehicle. All times are UTC; positions are WGS84.

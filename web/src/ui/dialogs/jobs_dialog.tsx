@@ -37,7 +37,7 @@ export function JobsDialog(): VNode {
     };
   }, []);
   return (
-    <Modal title="Jobs" wide>
+    <Modal title="Jobs" guide="jobs" wide>
       {fault && <p class="fault" role="alert">{fault}</p>}
       {!listed && !fault && <p class="quiet">Asking the server …</p>}
       {listed?.length === 0 && <p class="quiet">No jobs yet.</p>}

@@ -9,8 +9,8 @@ import { Modal } from '../common/modal';
 /** Shows the token to the server once; to those who are signed in, who they are and the way out. */
 export function LoginDialog(): VNode {
   const who = signedIn.value;
-  if (who && !locked.value) return <Modal title="Signed in"><Account who={who} /></Modal>;
-  return <Modal title="Sign in"><TokenForm /></Modal>;
+  if (who && !locked.value) return <Modal title="Signed in" guide="login"><Account who={who} /></Modal>;
+  return <Modal title="Sign in" guide="login"><TokenForm /></Modal>;
 }
 
 function TokenForm(): VNode {

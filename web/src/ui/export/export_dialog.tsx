@@ -60,7 +60,7 @@ function Export({ plan }: { plan: Plan }): VNode {
   const closed = dangers.length > 0 && !accepted;
   const told = [...new Map([...(preview ? messagesOf(preview) : []), ...messagesOf(plan)].map((message) => [message.text, message])).values()];
   return (
-    <Modal title={`Export ${titleOf(plan)}`} wide>
+    <Modal title={`Export ${titleOf(plan)}`} guide="export" wide>
       <div class="export-controls">
         <div class={valid ? 'field' : 'field faulty'}>
           <label for="list-number">Number of the waypoint list <span class="unit">0–{last_list}</span></label>

@@ -1,6 +1,8 @@
 import type { VNode } from 'preact';
 import { useState } from 'preact/hooks';
+import { guidePages } from '../../model/guide_pages';
 import { layerNames, layerTitles, toggleLayer, visible } from '../../model/layers';
+import { GuideLink } from '../common/guide_link';
 import { IconButton } from '../common/icon';
 
 /** Below this size of the window the list starts folded, so that the set-up and its messages keep their room. */
@@ -22,6 +24,7 @@ export function LayersPanel(): VNode {
             </li>
           );
         })}
+        <li><GuideLink page={guidePages.layers} /></li>
       </ul>
     </details>
   );

@@ -74,7 +74,7 @@ export function CompareDialog(): VNode {
     rows.sort((a, b) => ((sorting.value(a.plan) ?? Infinity) - (sorting.value(b.plan) ?? Infinity)) * (by.descending ? -1 : 1));
   }
   return (
-    <Modal title="Compare plans" wide>
+    <Modal title="Compare plans" guide="compare" wide>
       <div class="scroll-box" tabIndex={0} role="region" aria-label="Comparison table">
         <table class="figures compare">
           <thead>

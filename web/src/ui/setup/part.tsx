@@ -1,6 +1,8 @@
 import type { ComponentChildren, VNode } from 'preact';
 import { draft, emptyDraft, faults, type Field } from '../../model/draft';
 import { namesInGroup } from '../../model/fields';
+import { guidePagesOfParts } from '../../model/guide_pages';
+import { GuideLink } from '../common/guide_link';
 
 /** What was opened is read from its top: the panel is low, and a part below its edge would seem empty. */
 function showWhole({ currentTarget }: Event): void {
@@ -16,6 +18,7 @@ const planButton_px = 50;
 export function Part({ title, children }: { title: string; children: ComponentChildren }): VNode {
   const fields = namesInGroup(title) as Field[];
   const faulty = fields.some((field) => faults.value[field]);
+  const page = guidePagesOfParts[title];
   const changed = fields.filter((field) => JSON.stringify(draft.value[field]).replaceAll(' ', '') !== JSON.stringify(emptyDraft[field])).length;
   return (
     <details class="advanced" open={faulty || undefined} onToggle={showWhole}>
@@ -24,6 +27,7 @@ export function Part({ title, children }: { title: string; children: ComponentCh
         {changed > 0 && <span class="count" title={`${changed} changed`}>{changed}</span>}
       </summary>
       {children}
+      {page && <GuideLink page={page} />}
     </details>
   );
 }

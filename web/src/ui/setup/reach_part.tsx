@@ -1,7 +1,9 @@
 import type { VNode } from 'preact';
 import { hideReach, showReach } from '../../api/reaching';
+import { guidePages } from '../../model/guide_pages';
 import { may } from '../../model/login';
 import { reach, reachHours } from '../../model/reach';
+import { GuideLink } from '../common/guide_link';
 import { Icon } from '../common/icon';
 
 /** How far the vehicle comes from the start in so many hours. */
@@ -31,6 +33,7 @@ export function ReachPart(): VNode {
         </button>
         {shown && <button type="button" onClick={hideReach}>{shown.state === 'pending' ? 'Cancel' : 'Remove'}</button>}
       </div>
+      <GuideLink page={guidePages.reach} />
     </details>
   );
 }

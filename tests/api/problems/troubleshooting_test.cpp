@@ -1,0 +1,61 @@
+#include <gtest/gtest.h>
+
+#include <span>
+
+#include "api/problems/problem_catalogue.hpp"
+#include "engine/messages/data_messages.hpp"
+#include "engine/messages/export_messages.hpp"
+#include "engine/messages/plan_messages.hpp"
+#include "engine/messages/refusal_messages.hpp"
+#include "engine/messages/sentence.hpp"
+#include "tests/support/written_out.hpp"
+
+namespace floeplan::problems::troubleshooting_test {
+namespace {
+
+using messages::Kind;
+
+/// As Markdown that reads so.
+std::string plain(std::string_view text) {
+  std::string escaped;
+  for (const char c : text) {
+    if (std::string_view{"*<`["}.find(c) != std::string_view::npos) escaped += '\\';
+    escaped += c;
+  }
+  return escaped;
+}
+
+std::string heading(std::string_view code) { return "\n### `" + std::string{code} + "`\n\n"; }
+
+std::string entries(std::span<const Kind> kinds) {
+  std::string text;
+  for (const Kind& kind : kinds) {
+    text += heading(kind.code) + "**" + std::string{messages::rank_name(kind.rank)} + "** " +
+            plain(messages::whole_text(messages::example_of(kind))) + '\n';
+  }
+  return text;
+}
+
+std::string problem_entries() {
+  std::string text;
+  for (const ProblemKind& kind : problem_kinds) {
+    text += heading(kind.code) + "**" + std::to_string(kind.status) + "** " + std::string{kind.title} + ". " +
+            plain(messages::example_of(kind.words()).text) + '\n';
+  }
+  return text;
+}
+
+TEST(Troubleshooting, HasEveryMessageAndProblemByItsCode) {
+  support::expect_written_part("web/guide/troubleshooting.md", "messages",
+                               "## Messages of plans\n" + entries(messages::plan_kinds) +
+                                   "\n## Messages of data\n" + entries(messages::data_kinds) +
+                                   "\n## Why there is no plan\n" + entries(messages::refusal_kinds) +
+                                   "\n## Messages of exports and checks\n" + entries(messages::export_kinds) +
+                                   "\n## Problems of the API\n\nThe type of a problem ends in its code, or "
+                                   "in that of a group of problems.\n" +
+                                   problem_entries(),
+                               "problems_test");
+}
+
+}  // namespace
+}  // namespace floeplan::problems::troubleshooting_test
