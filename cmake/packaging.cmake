@@ -14,6 +14,12 @@ install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright)
 install(FILES deploy/floeplan.service deploy/floeplan-backup.service deploy/floeplan-backup.timer
   DESTINATION lib/systemd/system)
 install(FILES deploy/debian/default DESTINATION /etc/default RENAME floeplan)
+# What the program says of itself follows from its commands: it writes man pages and completions itself.
+install(CODE "
+  set(share \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_DATADIR}\")
+  execute_process(COMMAND \"$<TARGET_FILE:floeplan>\" write-manual \"\${share}\" COMMAND_ERROR_IS_FATAL ANY)
+  file(GLOB pages \"\${share}/man/man1/floeplan*.1\")
+  execute_process(COMMAND gzip -9nf \${pages} COMMAND_ERROR_IS_FATAL ANY)")
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME floeplan)

@@ -21,6 +21,9 @@ try_package() {
   say "installing $package"
   run_or_fail "the package could not be installed" "apt-get install -f names what is missing" dpkg -i "$package"
   floeplan --version
+  [[ -f /usr/share/man/man1/floeplan-plan.1.gz && -f /usr/share/bash-completion/completions/floeplan ]] ||
+    fail "the package lacks man pages or completions" "look at what cmake/packaging.cmake installs"
+  [[ -f /usr/share/floeplan/web/guide/index.html ]] || fail "the package lacks the guide" "deploy/build.sh builds it"
   local store
   store=$(mktemp -d)
   floeplan --data "$store" datasets

@@ -15,7 +15,9 @@ namespace {
 
 using nlohmann::json;
 
-int run_evaluate(const std::string& route, const InputFlags& flags, bool json_out, const Program& program) {
+int run_evaluate(const std::string& route, const InputFlags& flags, PlanOutput output,
+                 const Program& program) {
+  const bool json_out = output == PlanOutput::json;
   json inputs = flags.inputs();
   if (std::filesystem::is_regular_file(route)) {
     inputs["route_file"] = file_member(route);
@@ -32,7 +34,7 @@ int run_evaluate(const std::string& route, const InputFlags& flags, bool json_ou
     return complain_of_no_plan(*parsed->plan_id);
   const auto document = jobs::evaluate_route_document(db, *parsed, {});
   if (!document) return print_violations(document.error(), json_out);
-  return print_plan(*document, json_out);
+  return print_plan(*document, output);
 }
 
 }  // namespace
@@ -40,7 +42,6 @@ int run_evaluate(const std::string& route, const InputFlags& flags, bool json_ou
 void add_evaluate(CLI::App& app, Program& program) {
   auto flags = std::make_shared<InputFlags>();
   auto route = std::make_shared<std::string>();
-  auto json_out = std::make_shared<bool>(false);
   auto* command = app.add_subcommand("evaluate", "Time a given route in the stored data");
   command
       ->add_option("ROUTE", *route,
@@ -49,9 +50,8 @@ void add_evaluate(CLI::App& app, Program& program) {
       ->required();
   flags->add_request(*command, "the inputs of process evaluate-route");
   flags->add(*command, fields::fields_of(fields::Process::evaluate_route));
-  command->add_flag("--json", *json_out, "Answer with one JSON document");
-  command->callback([flags, route, json_out, &program] {
-    program.exit_code = run_evaluate(*route, *flags, *json_out, program);
+  command->callback([flags, route, output = add_plan_output(*command), &program] {
+    program.exit_code = run_evaluate(*route, *flags, output(), program);
   });
 }
 

@@ -125,6 +125,20 @@ struct UsualText {
   }
 };
 
+/// What the help shows behind the flag; numbers and texts show by themselves what they are.
+const char* value_text(const Field& field) {
+  switch (field.kind) {
+    case Kind::word: return "WORD";
+    case Kind::time: return "TIME";
+    case Kind::duration: return "DURATION";
+    case Kind::place:
+    case Kind::places: return "LON,LAT";
+    case Kind::dataset: return "ID";
+    case Kind::datasets: return "ID,ID";
+    default: return "";
+  }
+}
+
 bool is_usual(const Field& field) { return field.usual && std::get<bool>(*field.usual); }
 
 /// How the value is written on the command line.
@@ -249,6 +263,7 @@ void InputFlags::add(CLI::App& command, const std::vector<Field>& list) {
     } else {
       option = command.add_option(name, flag.given.emplace<std::optional<std::string>>(), help);
     }
+    if (field.flag_sets.empty()) option->option_text(value_text(field));
     if (!field.group.empty()) option->group(std::string{field.group});
   }
 }

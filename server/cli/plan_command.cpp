@@ -11,27 +11,27 @@
 namespace floeplan::cli {
 namespace {
 
-int run_plan(const InputFlags& flags, bool json_out, const Program& program) {
+int run_plan(const InputFlags& flags, PlanOutput output, const Program& program) {
+  const bool json_out = output == PlanOutput::json;
   const auto inputs = codec::parse_plan_inputs(flags.inputs());
   if (!inputs) return print_violations(inputs.error(), json_out);
 
   auto db = open_existing_store(program);
   const auto document = jobs::plan_route_document(db, *inputs, {}, terminal_progress(), now());
   if (!document) return print_violations(document.error(), json_out);
-  return print_plan(*document, json_out);
+  return print_plan(*document, output);
 }
 
 }  // namespace
 
 void add_plan(CLI::App& app, Program& program) {
   auto flags = std::make_shared<InputFlags>();
-  auto json_out = std::make_shared<bool>(false);
   auto* command = app.add_subcommand("plan", "Plan the fastest route through the stored data");
   flags->add_request(*command, "the inputs of process plan-route");
   flags->add(*command, fields::fields_of(fields::Process::plan_route));
-  command->add_flag("--json", *json_out, "Answer with one JSON document");
-  command->callback(
-      [flags, json_out, &program] { program.exit_code = run_plan(*flags, *json_out, program); });
+  command->callback([flags, output = add_plan_output(*command), &program] {
+    program.exit_code = run_plan(*flags, output(), program);
+  });
 }
 
 }  // namespace floeplan::cli

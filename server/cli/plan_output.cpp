@@ -18,6 +18,9 @@ namespace {
 
 using nlohmann::json;
 
+/// Beside the waypoints, so that the whole stays on one screen.
+constexpr std::size_t most_summary_lines = 25;
+
 /// "69 10.245 N": whole degrees and decimal minutes, as pilots read positions.
 std::string degrees_minutes(double degrees, char positive, char negative) {
   const auto thousandths = static_cast<long>(std::llround(std::abs(degrees) * 60'000.0));
@@ -49,11 +52,16 @@ void print_table(const json& plan) {
         cell(waypoint.at("depth_m"), "%.0f").c_str(), cell(waypoint.at("energy_j"), "%.1f", 1e-3).c_str(),
         waypoint.at("propulsion").is_string() ? waypoint.at("propulsion").get<std::string>().c_str() : "-");
   }
+}
+
+std::vector<std::string> wait_lines(const json& plan) {
+  std::vector<std::string> lines;
   for (const json& waypoint : plan.at("waypoints")) {
     if (waypoint.value("wait_s", 0.0) <= 0.0) continue;
-    std::printf("wait at waypoint %s for %s h\n", label(waypoint.at("index")).c_str(),
-                cell(waypoint.at("wait_s"), "%.2f", 1.0 / 3600.0).c_str());
+    lines.push_back("wait at waypoint " + label(waypoint.at("index")) + " for " +
+                    cell(waypoint.at("wait_s"), "%.2f h", 1.0 / 3600.0));
   }
+  return lines;
 }
 
 /// What refinement saved, and what more legs are worth.
@@ -97,14 +105,24 @@ void print_departures(const json& document) {
   }
 }
 
-void print_energy(const json& plan) {
+/// The best of a window of departures in a line.
+std::vector<std::string> departure_lines(const json& document) {
+  if (!document.contains("departures")) return {};
+  const json& all = document.at("departures");
+  const auto with_plan =
+      std::ranges::count_if(all, [](const json& entry) { return entry.at("status") == "ok"; });
+  return {"best of " + std::to_string(all.size()) + " departures, " + std::to_string(with_plan) +
+          " with a route"};
+}
+
+std::vector<std::string> energy_lines(const json& plan) {
   const json energy = plan.value("energy", json());
-  if (energy.is_null()) return;
+  if (energy.is_null()) return {};
   const auto megajoules = [](const json& joules) { return cell(joules, "%.3f", 1e-6); };
-  std::printf("energy %s MJ of %s MJ: hotel %s, pump %s, thruster %s; %s inflections\n",
-              megajoules(plan.at("energy_j")).c_str(), megajoules(energy.at("usable_j")).c_str(),
-              megajoules(energy.at("hotel_j")).c_str(), megajoules(energy.at("pump_j")).c_str(),
-              megajoules(energy.at("thruster_j")).c_str(), cell(energy.at("inflections"), "%.0f").c_str());
+  return {"energy " + megajoules(plan.at("energy_j")) + " MJ of " + megajoules(energy.at("usable_j")) +
+          " MJ: hotel " + megajoules(energy.at("hotel_j")) + ", pump " + megajoules(energy.at("pump_j")) +
+          ", thruster " + megajoules(energy.at("thruster_j")) + "; " +
+          cell(energy.at("inflections"), "%.0f") + " inflections"};
 }
 
 std::string optimality_line(const json& plan) {
@@ -114,19 +132,27 @@ std::string optimality_line(const json& plan) {
   return cell(plan.at("optimality_gap"), "%.2f", 100.0) + " % slower than the best way in open water";
 }
 
-/// What a person must know of ice: nothing when there is none.
-void print_surfacings(const json& plan) {
+/// How long the vehicle stays below, and how deep: nothing where there is no ice.
+std::vector<std::string> ice_lines(const json& plan) {
   const json& surfacing = plan.at("surfacing");
-  if (surfacing.is_null()) return;
-  std::printf("longest time between places to surface %s h\n",
-              cell(surfacing.at("longest_without_surfacing_s"), "%.2f", 1.0 / 3600.0).c_str());
+  if (surfacing.is_null()) return {};
+  std::vector<std::string> lines{"longest time between places to surface " +
+                                 cell(surfacing.at("longest_without_surfacing_s"), "%.2f h", 1.0 / 3600.0)};
   double deepest_m = 0.0;
   for (const json& waypoint : plan.at("waypoints")) {
     if (const json turn = waypoint.value("leg_upper_turn_m", json()); turn.is_number())
       deepest_m = std::max(deepest_m, turn.get<double>());
   }
   if (deepest_m > 0.0)
-    std::printf("below ice or icebergs the dives turn no higher than %.0f m\n", std::ceil(deepest_m));
+    lines.push_back("below ice or icebergs the dives turn no higher than " +
+                    cell(std::ceil(deepest_m), "%.0f m"));
+  return lines;
+}
+
+/// Each planned surfacing and escape route.
+void print_surfacings(const json& plan) {
+  const json& surfacing = plan.at("surfacing");
+  if (surfacing.is_null()) return;
   for (const json& planned : surfacing.at("planned")) {
     std::printf("surface at %s, %s %s, position known to %s m before the fix\n",
                 planned.at("time").get<std::string>().c_str(),
@@ -163,55 +189,132 @@ void print_passages(const json& plan) {
   }
 }
 
-void print_for_people(const json& plan) {
-  const std::string id = plan.at("plan_id").is_string() ? plan.at("plan_id").get<std::string>() : "";
-  std::printf("%s  %s to %s, %s h, %s km\n", id.empty() ? "route" : id.c_str(),
-              plan.at("departure").get<std::string>().c_str(), plan.at("arrival").get<std::string>().c_str(),
-              cell(plan.at("travel_time_s"), "%.2f", 1.0 / 3600.0).c_str(),
-              cell(plan.at("distance_m"), "%.1f", 1e-3).c_str());
-  print_table(plan);
-  print_refinement(plan);
-  print_energy(plan);
-  if (const json& spread = plan.at("uncertainty"); !spread.is_null()) {
-    std::printf("%d of %d members arrive: mean %s h, standard deviation %s h, 90 %% within %s h\n",
-                spread.at("arrived").get<int>(), spread.at("members").get<int>(),
-                cell(spread.at("mean_s"), "%.2f", 1.0 / 3600.0).c_str(),
-                cell(spread.at("standard_deviation_s"), "%.2f", 1.0 / 3600.0).c_str(),
-                cell(spread.at("quantiles_s").at("p90"), "%.2f", 1.0 / 3600.0).c_str());
-    if (!spread.at("chance").is_null()) {
-      std::printf("chance to be there by %s: %s %%\n", spread.at("arrive_before").get<std::string>().c_str(),
-                  cell(spread.at("chance"), "%.0f", 100.0).c_str());
-    }
+std::vector<std::string> uncertainty_lines(const json& plan) {
+  const json& spread = plan.at("uncertainty");
+  if (spread.is_null()) return {};
+  std::vector<std::string> lines{
+      cell(spread.at("arrived"), "%.0f") + " of " + cell(spread.at("members"), "%.0f") +
+      " members arrive: mean " + cell(spread.at("mean_s"), "%.2f h", 1.0 / 3600.0) + ", standard deviation " +
+      cell(spread.at("standard_deviation_s"), "%.2f h", 1.0 / 3600.0) + ", 90 % within " +
+      cell(spread.at("quantiles_s").at("p90"), "%.2f h", 1.0 / 3600.0)};
+  if (!spread.at("chance").is_null()) {
+    lines.push_back("chance to be there by " + spread.at("arrive_before").get<std::string>() + ": " +
+                    cell(spread.at("chance"), "%.0f %%", 100.0));
   }
+  return lines;
+}
+
+std::vector<std::string> clearance_lines(const json& plan) {
   const json& clear = plan.at("clearances");
-  std::printf("clear of icebergs by %s m, of land by %s m, of the bottom by %s m\n",
-              cell(clear.at("iceberg_m"), "%.0f").c_str(), cell(clear.at("land_m"), "%.0f").c_str(),
-              cell(clear.at("bottom_m"), "%.0f").c_str());
-  std::printf("%s\n", optimality_line(plan).c_str());
-  if (plan.contains("iceberg_encounters") && plan.at("iceberg_encounters").is_number()) {
-    std::printf("expected encounters with icebergs, within the margin: %s\n",
-                cell(plan.at("iceberg_encounters"), "%.2g").c_str());
+  std::vector<std::string> lines{"clear of icebergs by " + cell(clear.at("iceberg_m"), "%.0f m") +
+                                 ", of land by " + cell(clear.at("land_m"), "%.0f m") +
+                                 ", of the bottom by " + cell(clear.at("bottom_m"), "%.0f m")};
+  if (const json expected = plan.value("iceberg_encounters", json()); expected.is_number())
+    lines.push_back("expected encounters with icebergs, within the margin: " + cell(expected, "%.2g"));
+  return lines;
+}
+
+/// What a summary says below the waypoints.
+std::vector<std::string> figure_lines(const json& plan) {
+  std::vector<std::string> lines;
+  for (const auto& part :
+       {energy_lines(plan), uncertainty_lines(plan), clearance_lines(plan), ice_lines(plan)})
+    lines.insert(lines.end(), part.begin(), part.end());
+  return lines;
+}
+
+/// "caution: ..." of the messages of a rank.
+std::vector<std::string> message_lines(const json& plan, messages::Rank rank) {
+  const std::string name{messages::rank_name(rank)};
+  std::vector<std::string> lines;
+  for (const json& message : plan.at("messages")) {
+    if (message.at("rank") == name) lines.push_back(name + ": " + message.at("text").get<std::string>());
   }
+  return lines;
+}
+
+void print_each(const std::vector<std::string>& lines) {
+  for (const std::string& line : lines) std::printf("%s\n", line.c_str());
+}
+
+/// The dangers, all of them, and as many cautions as there is room for.
+void print_gravest(const json& plan, std::size_t other_lines) {
+  const std::vector<std::string> dangers = message_lines(plan, messages::Rank::danger);
+  std::vector<std::string> cautions = message_lines(plan, messages::Rank::caution);
+  print_each(dangers);
+  const std::size_t taken = dangers.size() + other_lines;
+  const std::size_t room = most_summary_lines > taken ? most_summary_lines - taken : 0;
+  if (cautions.size() > room) {
+    const std::size_t shown = room > 0 ? room - 1 : 0;
+    const std::size_t more = cautions.size() - shown;
+    cautions.resize(shown);
+    cautions.push_back(std::to_string(more) + (more == 1 ? " more caution" : " more cautions") +
+                       ": see --verbose");
+  }
+  print_each(cautions);
+}
+
+std::string headline(const json& plan) {
+  const std::string id = plan.at("plan_id").is_string() ? plan.at("plan_id").get<std::string>() : "";
+  return (id.empty() ? "route" : id) + "  " + plan.at("departure").get<std::string>() + " to " +
+         plan.at("arrival").get<std::string>() + ", " +
+         cell(plan.at("travel_time_s"), "%.2f h", 1.0 / 3600.0) + ", " +
+         cell(plan.at("distance_m"), "%.1f km", 1e-3);
+}
+
+void print_summary(const json& plan) {
+  std::vector<std::string> below = figure_lines(plan);
+  const std::vector<std::string> departures = departure_lines(plan);
+  below.insert(below.end(), departures.begin(), departures.end());
+  below.emplace_back("--verbose adds notes, refinement, surfacings and data");
+  const std::vector<std::string> waits = wait_lines(plan);
+  std::printf("%s\n", headline(plan).c_str());
+  print_gravest(plan, 1 + waits.size() + below.size());
+  print_table(plan);
+  print_each(waits);
+  print_each(below);
+}
+
+void print_everything(const json& plan) {
+  std::printf("%s\n", headline(plan).c_str());
+  for (const messages::Rank rank : {messages::Rank::danger, messages::Rank::caution, messages::Rank::note})
+    print_each(message_lines(plan, rank));
+  print_table(plan);
+  print_each(wait_lines(plan));
+  print_each(figure_lines(plan));
+  print_refinement(plan);
+  std::printf("%s\n", optimality_line(plan).c_str());
   print_passages(plan);
   print_surfacings(plan);
   for (const json& dataset : plan.at("datasets")) {
     std::printf("data: %s (%s)\n", dataset.at("id").get<std::string>().c_str(),
                 dataset.at("name").get<std::string>().c_str());
   }
-  print_by_rank(plan.at("warnings"));
   print_departures(plan);
 }
 
 }  // namespace
 
-int print_plan(const json& document, bool json_out) {
+std::function<PlanOutput()> add_plan_output(CLI::App& command) {
+  const CLI::Option* json_out = command.add_flag("--json")->description("Answer with one JSON document");
+  const CLI::Option* verbose =
+      command.add_flag("--verbose")->description("Print all that is known of the plan");
+  return [json_out, verbose] {
+    if (json_out->count() > 0) return PlanOutput::json;
+    return verbose->count() > 0 ? PlanOutput::everything : PlanOutput::summary;
+  };
+}
+
+int print_plan(const json& document, PlanOutput output) {
   const bool ok = document.at("status") == "ok";
-  if (json_out) {
+  if (output == PlanOutput::json) {
     std::cout << document.dump(2) << '\n';
-  } else if (ok) {
-    print_for_people(document);
-  } else {
+  } else if (!ok) {
     print_departures(document);
+  } else if (output == PlanOutput::everything) {
+    print_everything(document);
+  } else {
+    print_summary(document);
   }
   if (ok) return done;
   const json& at = document.at("at");

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <CLI/CLI.hpp>
+#include <functional>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
@@ -7,8 +9,18 @@
 
 namespace floeplan::cli {
 
-/// Prints a plan or infeasible document, as JSON or as a table for a person. Returns the exit code.
-int print_plan(const nlohmann::json& document, bool json_out);
+/// How a plan is printed.
+enum class PlanOutput {
+  summary,     // the waypoints and at most 25 lines, dangers first
+  everything,  // for a person
+  json
+};
+
+/// Adds the flags --json and --verbose. The result says, once the command line is read, which of them were given.
+[[nodiscard]] std::function<PlanOutput()> add_plan_output(CLI::App& command);
+
+/// Prints a plan or infeasible document. Returns the exit code.
+int print_plan(const nlohmann::json& document, PlanOutput output);
 
 /// Prints an array of sentences for the pilot, each behind its rank, the dangers first.
 void print_by_rank(const nlohmann::json& sentences);

@@ -35,7 +35,8 @@ int run_reach(const InputFlags& flags, bool json_out, const Program& program) {
   auto db = open_existing_store(program);
   const auto document = jobs::reach_document(db, *inputs, {}, terminal_progress());
   if (!document) return print_violations(document.error(), json_out);
-  if (document->at("status") != "ok") return print_plan(*document, json_out);
+  if (document->at("status") != "ok")
+    return print_plan(*document, json_out ? PlanOutput::json : PlanOutput::summary);
   if (json_out) {
     std::cout << document->dump() << '\n';
   } else {

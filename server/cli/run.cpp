@@ -10,6 +10,9 @@
 #include "server/cli/operator_commands.hpp"
 #include "server/cli/plan_commands.hpp"
 #include "server/cli/serve.hpp"
+#include "server/manual/help_format.hpp"
+#include "server/manual/manual_commands.hpp"
+#include "server/manual/near_words.hpp"
 
 namespace floeplan::cli {
 namespace {
@@ -38,9 +41,12 @@ void add_commands(CLI::App& app, Program& program) {
   add_restore(app, program);
   add_verify(app, program);
   add_repair(app, program);
+  manual::add_manual_commands(
+      app, [&program](const std::string& why) { program.exit_code = complain(wrong_usage, why); });
 }
 
 void add_everything(CLI::App& app, Program& program) {
+  manual::prepare_help(app);
   app.require_subcommand(1);
   program.store = default_store();
   app.add_option("--data", program.store, "Folder of the store")->capture_default_str();
@@ -50,6 +56,7 @@ void add_everything(CLI::App& app, Program& program) {
   add_instructions(app);
   app.set_config("--config", "", "File with options in TOML, a [section] for each command");
   add_commands(app, program);
+  manual::group_commands(app);
   refuse_empty_numbers(app);
 }
 
@@ -89,10 +96,13 @@ int run(int argc, char** argv, const std::string& version) {
     return program.exit_code;
   } catch (const CLI::CallForHelp& help) {
     return app.exit(help);
+  } catch (const CLI::CallForAllHelp& help) {
+    return app.exit(help);
   } catch (const CLI::CallForVersion& call) {
     return app.exit(call);
   } catch (const CLI::ParseError& error) {
-    return complain(wrong_usage, std::string{error.what()} + "; floeplan --help lists commands and flags");
+    const std::string other = std::string{error.what()} + "; floeplan --help lists commands and flags";
+    return complain(wrong_usage, manual::unknown_word(app).value_or(other));
   } catch (const BadDataError& error) {
     return complain(bad_data, error.what());
   } catch (const std::exception& error) {

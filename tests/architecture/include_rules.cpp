@@ -102,7 +102,10 @@ const std::map<std::string, Folder>& folders() {
       {"server/http",
        {{"engine/core", "api/log", "api/problems"},
         {"api/codec/sha256.hpp", "api/routes/message.hpp", "api/routes/reply.hpp"}}},
-      {"server/cli", {{"api/routes", "server/jobs", "server/http", "storage/demo", "engine/reproduction"}}},
+      {"server/manual", {{}}},
+      {"server/cli",
+       {{"api/routes", "server/jobs", "server/http", "server/manual", "storage/demo",
+         "engine/reproduction"}}},
       {"server", {{"server/cli"}}},
   };
   return all;

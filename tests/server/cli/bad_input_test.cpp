@@ -159,9 +159,9 @@ TEST(BadInput, NotANumberInAFlagIsWrongUsage) {
 std::vector<std::string> flags_with_a_number(const Program& program,
                                              const std::vector<std::string>& command) {
   std::vector<std::string> words = command;
-  words.push_back("--help");
+  words.push_back("--help-all");
   const std::string help = program.run(words).out;
-  static const std::regex form{R"((--[a-z-]+) (FLOAT|INT|UINT))"};
+  static const std::regex form{R"((--[a-z-]+) (NUMBER|INTEGER))"};
   std::vector<std::string> flags;
   for (std::sregex_iterator at{help.begin(), help.end(), form}; at != std::sregex_iterator{}; ++at)
     flags.push_back((*at)[1]);

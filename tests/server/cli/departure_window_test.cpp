@@ -117,7 +117,7 @@ TEST_F(DemoStore, DrawsWhatCanBeReachedAndFromWhere) {
 
 /// Law: what the help of a command offers, its process takes.
 TEST_F(DemoStore, OffersNoFlagForReachThatReachRefuses) {
-  const std::string help = program_->run({"reach", "--help"}).out;
+  const std::string help = program_->run({"reach", "--help-all"}).out;
   for (const char* flag : {"--objective", "--thruster", "--require-battery", "--max-loiter",
                            "--surfacing-interval", "--escape-plan"}) {
     EXPECT_THAT(help, Not(HasSubstr(flag)));

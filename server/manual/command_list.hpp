@@ -1,0 +1,35 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+namespace floeplan::manual {
+
+/// A flag or an argument of a command, as a person writes it.
+struct Argument {
+  std::vector<std::string> names;  // "-h", "--help"; of an argument without a flag its one name, "FILE"
+  std::string value;               // what stands behind the flag, "LON,LAT"; empty: nothing
+  std::string help;
+  std::string group;  // heading in the help
+};
+
+/// A command that is registered on the parser.
+struct Command {
+  std::string path;  // with those above it, "datasets prune"; of the program itself empty
+  std::string description;
+  std::vector<Argument> arguments;
+  std::vector<Argument> flags;
+  std::vector<std::string> commands;  // below it, by their names
+};
+
+/// The program itself and all commands that its help shows, each before those below it.
+[[nodiscard]] std::vector<Command> commands_of(const CLI::App& app);
+
+/// What stands behind a flag: "LON,LAT", "NUMBER"; empty where it takes nothing.
+[[nodiscard]] std::string value_of(const CLI::Option& option);
+
+/// The name of the command with those above it.
+[[nodiscard]] std::string path_of(const CLI::App& command);
+
+}  // namespace floeplan::manual

@@ -1,0 +1,87 @@
+#include "server/manual/near_words.hpp"
+
+#include <algorithm>
+
+#include "server/manual/command_list.hpp"
+
+namespace floeplan::manual {
+namespace {
+
+/// How many letters have to be changed, put in, left out or swapped with the next (optimal string alignment).
+std::size_t distance(std::string_view a, std::string_view b) {
+  std::vector<std::vector<std::size_t>> table(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
+  for (std::size_t i = 0; i <= a.size(); ++i) table[i][0] = i;
+  for (std::size_t j = 0; j <= b.size(); ++j) table[0][j] = j;
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t changed = table[i - 1][j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
+      table[i][j] = std::min({changed, table[i - 1][j] + 1, table[i][j - 1] + 1});
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+        table[i][j] = std::min(table[i][j], table[i - 2][j - 2] + 1);
+    }
+  }
+  return table[a.size()][b.size()];
+}
+
+/// What a person may write: nothing that the help hides.
+std::vector<std::string> commands_below(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+    if (!command->get_group().empty()) names.push_back(command->get_name());
+  return names;
+}
+
+std::vector<std::string> flag_names(const CLI::App& app) {
+  std::vector<std::string> flags;
+  for (const CLI::Option* option : app.get_options([](const CLI::Option*) { return true; })) {
+    if (option->get_group().empty()) continue;
+    for (const std::string& name : option->get_lnames()) flags.push_back("--" + name);
+  }
+  return flags;
+}
+
+/// The command that the words have led to so far.
+const CLI::App& last_command(const CLI::App& app) {
+  const CLI::App* last = &app;
+  while (!last->get_subcommands().empty()) last = last->get_subcommands().back();
+  return *last;
+}
+
+/// `list`  the help that lists the words
+std::string meant(const std::string& written, const std::vector<std::string>& words,
+                  const std::string& list) {
+  const std::string word = nearest(written, words);
+  return word.empty() ? "; floeplan " + list + " lists them" : "; did you mean " + word + "?";
+}
+
+}  // namespace
+
+std::string nearest(std::string_view written, const std::vector<std::string>& words) {
+  const std::size_t most = std::max<std::size_t>(1, written.size() / 3);
+  std::string best;
+  std::size_t least = most + 1;
+  for (const std::string& word : words) {
+    if (const std::size_t wrong = distance(written, word); wrong < least) {
+      least = wrong;
+      best = word;
+    }
+  }
+  return best;
+}
+
+std::optional<std::string> unknown_word(const CLI::App& app) {
+  const std::vector<std::string> unknown = app.remaining(true);
+  if (unknown.empty()) return std::nullopt;
+  const CLI::App& command = last_command(app);
+  const std::string path = path_of(command);
+  const std::string who = path.empty() ? "there is no" : path + " has no";
+  const std::string help = path.empty() ? "" : path + ' ';
+  const std::string word = unknown.front().substr(0, unknown.front().find('='));
+  if (word.starts_with("-"))
+    return who + " flag " + word + meant(word, flag_names(command), help + "--help-all");
+  const std::vector<std::string> commands = commands_below(command);
+  if (commands.empty()) return std::nullopt;
+  return who + " command " + word + meant(word, commands, help + "--help");
+}
+
+}  // namespace floeplan::manual
