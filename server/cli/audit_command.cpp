@@ -38,7 +38,7 @@ int show(const AuditFlags& flags, const Program& program) {
 
 void add_audit(CLI::App& app, Program& program) {
   auto flags = std::make_shared<AuditFlags>();
-  auto* command = app.add_subcommand("audit", "Who did what over HTTP, the newest first");
+  auto* command = app.add_subcommand("audit", "List who did what over HTTP, newest first");
   command->add_option("--limit", flags->limit, "At most so many entries")
       ->check(CLI::Range(1, 1'000'000))
       ->capture_default_str();

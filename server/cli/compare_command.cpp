@@ -74,7 +74,7 @@ void add_compare(CLI::App& app, Program& program) {
   auto flags = std::make_shared<CompareFlags>();
   auto* command = app.add_subcommand("compare", "Show two stored plans side by side");
   command->add_option("FIRST", flags->plans[0], "A plan's id")->required();
-  command->add_option("SECOND", flags->plans[1], "Another's")->required();
+  command->add_option("SECOND", flags->plans[1], "The other plan's id")->required();
   command->add_flag("--json", flags->json_out, "Answer with one JSON document");
   command->callback([flags, &program] { program.exit_code = run_compare(*flags, program); });
 }

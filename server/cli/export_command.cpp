@@ -174,7 +174,8 @@ void add_export(CLI::App& app, Program& program) {
                     "Write the mission with yo, surfac, sample and prepar files, too");
   command->add_option("--mission", flags->mission.name, "Name of the mission with --full")
       ->capture_default_str();
-  command->add_option("--firmware", flags->firmware, "Of the vehicle")->capture_default_str();
+  command->add_option("--firmware", flags->firmware, "Firmware version of the vehicle")
+      ->capture_default_str();
   command
       ->add_option(
           "--safe", flags->safe,

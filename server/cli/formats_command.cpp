@@ -39,8 +39,8 @@ int list_formats(bool json_out) {
 
 void add_formats(CLI::App& app, Program& program) {
   auto json_out = std::make_shared<bool>(false);
-  auto* command =
-      app.add_subcommand("formats", "The formats of data that ingest reads, and the kinds of data in them");
+  auto* command = app.add_subcommand(
+      "formats", "List the formats of data that ingest reads, and the kinds of data in them");
   command->add_flag("--json", *json_out, "Answer with one JSON document");
   command->callback([json_out, &program] { program.exit_code = list_formats(*json_out); });
 }

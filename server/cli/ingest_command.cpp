@@ -107,10 +107,10 @@ void add_ingest(CLI::App& app, Program& program) {
       "concentration of sea ice (default: the greatest)");
   command->add_option("--missing", flags->missing,
                       "Number that marks missing values in NetCDF that does not declare it, as -99.99");
-  command->add_option("--time", flags->time, "For when sea ice holds whose file does not say it");
+  command->add_option("--time", flags->time, "Valid time of sea ice whose file does not say it");
   command->add_option("--at", flags->at,
                       "Where a station of the tide is whose file does not say it, LON,LAT");
-  command->add_option("--unit", flags->unit, "Of a station's amplitudes where its file does not say it")
+  command->add_option("--unit", flags->unit, "Unit of a station's amplitudes where its file does not say it")
       ->check(CLI::IsMember({"m", "cm", "mm", "ft"}));
   command
       ->add_option("--zone-kind", flags->zone_kind, "Rule of zones whose file states none: no_go or stay_in")

@@ -110,7 +110,7 @@ int run_probe(const ProbeFlags& flags, const Program& program) {
 void add_probe(CLI::App& app, Program& program) {
   auto flags = std::make_shared<ProbeFlags>();
   auto* command = app.add_subcommand(
-      "probe", "Depth, current, tide, wind, sea ice, icebergs and zones at a place and a time");
+      "probe", "Show depth, current, tide, wind, sea ice, icebergs and zones at a place and a time");
   command->add_option("--at", flags->at, "LON,LAT in degrees")->required();
   command->add_option("--time", flags->time, "ISO 8601 with zone; default: now");
   command->add_option("--depth", flags->depth_m, "Metres below the surface, for the current");

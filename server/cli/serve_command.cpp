@@ -21,7 +21,7 @@ void add_time_limit(CLI::App& command, const std::string& job_class, core::Secon
 
 void add_serve(CLI::App& app, Program& program) {
   auto options = std::make_shared<ServeOptions>();
-  auto* command = app.add_subcommand("serve", "HTTP API, map and planning in one process");
+  auto* command = app.add_subcommand("serve", "Serve the map, the HTTP API and the guide");
   command->add_option("--listen", options->listen, "ADDR:PORT; port 0: any free port")->capture_default_str();
   command
       ->add_option("--workers", options->workers,
@@ -50,7 +50,9 @@ void add_serve(CLI::App& app, Program& program) {
   add_time_limit(*command, "interactive", options->time_limits.interactive);
   add_time_limit(*command, "batch", options->time_limits.batch);
   add_time_limit(*command, "ingest", options->time_limits.ingest);
-  command->add_option("--public-url", options->public_url, "What links in answers begin with");
+  command->add_option(
+      "--public-url", options->public_url,
+      "Address that links in answers begin with, where clients know the server by another than --listen");
   auto* cert = command->add_option("--tls-cert", options->tls_cert,
                                    "Certificate with its chain, PEM; then HTTPS alone");
   auto* key = command->add_option("--tls-key", options->tls_key, "Key of the certificate, PEM");

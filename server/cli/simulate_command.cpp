@@ -228,7 +228,9 @@ void add_simulate(CLI::App& app, Program& program) {
                       "JSON file with the inputs of process simulate-plan, for what has no flag");
   command->add_option("--runs", flags->runs, "Flights, each with errors and icebergs of its own; default 1")
       ->check(CLI::Range(1, codec::most_runs));
-  command->add_option("--seed", flags->seed, "Of all chance; the same seed gives the same flights; default 1")
+  command
+      ->add_option("--seed", flags->seed,
+                   "Seed of all random numbers; the same seed gives the same flights; default 1")
       ->check(CLI::Range(0, 2'000'000'000));
   command->add_option("--tracks", flags->tracks, "Flights to keep whole, the first ones; default 10");
   command->add_option("--current-error", flags->current_error_m_s,

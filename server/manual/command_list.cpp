@@ -1,11 +1,25 @@
 #include "server/manual/command_list.hpp"
 
+#include <algorithm>
+
 namespace floeplan::manual {
 namespace {
 
+struct TypeAndCheck {
+  std::string type;   // "UINT"
+  std::string check;  // "UINT in [1 - 256]", "{up,down}"; empty: none
+};
+
+/// As the parser joins them: "UINT:UINT in [1 - 256]".
+TypeAndCheck type_and_check(const CLI::Option& option) {
+  const std::string name = option.get_type_name();
+  const auto colon = name.find(':');
+  return {name.substr(0, colon), colon == std::string::npos ? "" : name.substr(colon + 1)};
+}
+
 Argument argument_of(const CLI::Option& option) {
   Argument argument{
-      .names = {}, .value = value_of(option), .help = option.get_description(), .group = option.get_group()};
+      .names = {}, .value = value_of(option), .help = help_of(option), .group = option.get_group()};
   if (option.get_positional()) {
     argument.names.push_back(option.get_name(true, false));
     return argument;
@@ -42,10 +56,24 @@ std::vector<Command> commands_of(const CLI::App& app) {
 std::string value_of(const CLI::Option& option) {
   if (!option.get_option_text().empty()) return option.get_option_text();
   if (option.get_type_size() == 0) return "";
-  const std::string type = option.get_type_name();
+  const auto [type, check] = type_and_check(option);
+  if (check.starts_with('{')) {
+    std::string words = check.substr(1, check.find('}') - 1);
+    std::ranges::replace(words, ',', '|');
+    return words;
+  }
   if (type == "FLOAT") return "NUMBER";
   if (type == "INT" || type == "UINT") return "INTEGER";
   return type;
+}
+
+std::string help_of(const CLI::Option& option) {
+  std::string help = option.get_description();
+  const auto [type, check] = type_and_check(option);
+  if (const auto from = check.find('['), to = check.find(" - "), end = check.find(']');
+      from != std::string::npos && to != std::string::npos && end != std::string::npos)
+    help += "; " + check.substr(from + 1, to - from - 1) + " to " + check.substr(to + 3, end - to - 3);
+  return option.get_default_str().empty() ? help : help + "; default " + option.get_default_str();
 }
 
 std::string path_of(const CLI::App& command) {

@@ -26,8 +26,11 @@ struct Command {
 /// The program itself and all commands that its help shows, each before those below it.
 [[nodiscard]] std::vector<Command> commands_of(const CLI::App& app);
 
-/// What stands behind a flag: "LON,LAT", "NUMBER"; empty where it takes nothing.
+/// What stands behind a flag: "LON,LAT", "NUMBER", "up|down"; empty where it takes nothing.
 [[nodiscard]] std::string value_of(const CLI::Option& option);
+
+/// What a flag or an argument is for, with its range and what counts where it is left out.
+[[nodiscard]] std::string help_of(const CLI::Option& option);
 
 /// The name of the command with those above it.
 [[nodiscard]] std::string path_of(const CLI::App& command);

@@ -31,9 +31,7 @@ class HelpFormat : public CLI::Formatter {
   std::string make_option(const CLI::Option* option, bool is_positional) const override {
     const std::string value = is_positional ? "" : value_of(*option);
     const std::string name = make_option_name(option, is_positional) + (value.empty() ? "" : " " + value);
-    std::string help = option->get_description();
-    if (!option->get_default_str().empty()) help += "; default " + option->get_default_str();
-    return row(name, help);
+    return row(name, help_of(*option));
   }
 
   std::string make_subcommand(const CLI::App* command) const override {

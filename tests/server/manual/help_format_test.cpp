@@ -19,7 +19,7 @@ TEST(Help, OfACommandShowsWhatMostNeedAndCountsTheRest) {
 
   EXPECT_THAT(help, HasSubstr("Needed most:\n  --from WORD"));
   EXPECT_THAT(help, Not(HasSubstr("--margin")));
-  EXPECT_THAT(help, HasSubstr("More with --help-all: Options 2, Ice 1."));
+  EXPECT_THAT(help, HasSubstr("More with --help-all: Options 2, Ice 3."));
   EXPECT_THAT(help, HasSubstr("Example:\n  floeplan --data store plan --from="));
 }
 
@@ -29,6 +29,8 @@ TEST(Help, OfACommandShowsEverythingWhenAsked) {
 
   EXPECT_THAT(help, HasSubstr("\nIce:\n  --margin NUMBER"));
   EXPECT_THAT(help, HasSubstr("--from WORD"));
+  EXPECT_THAT(help, testing::ContainsRegex("--workers NUMBER +Flights at once; 1 to 256; default 2\n"));
+  EXPECT_THAT(help, testing::ContainsRegex("--positive (up.down|down.up) +Sign of depths\n"));
 }
 
 TEST(Help, HidesCommandsThatAreNotForPeople) {
