@@ -2,8 +2,9 @@
 
 #include "storage/ingest/files/file_digest.hpp"
 #include "storage/ingest/files/first_bytes.hpp"
-#include "storage/ingest/formats/netcdf/hdf5_references.hpp"
+#include "storage/ingest/formats/hdf5/hdf5_references.hpp"
 #include "storage/ingest/formats/netcdf/netcdf3_length.hpp"
+#include "storage/ingest/formats/s100/s100_coverage.hpp"
 #include "storage/ingest/formats/slocum/slocum_header.hpp"
 #include "storage/ingest/formats/slocum/slocum_log.hpp"
 #include "storage/ingest/formats/vector/geojson_file.hpp"
@@ -16,11 +17,13 @@
 #include "storage/ingest/readers/bathymetry/ascii_grid_length.hpp"
 #include "storage/ingest/readers/bathymetry/bathymetry_raster_reader.hpp"
 #include "storage/ingest/readers/bathymetry/depth_table.hpp"
+#include "storage/ingest/readers/bathymetry/s102_bathymetry.hpp"
 #include "storage/ingest/readers/bathymetry/s57_cell.hpp"
 #include "storage/ingest/readers/bathymetry/s57_reader.hpp"
 #include "storage/ingest/readers/coastline/coastline_reader.hpp"
 #include "storage/ingest/readers/currents/grib_contents.hpp"
 #include "storage/ingest/readers/currents/grib_currents.hpp"
+#include "storage/ingest/readers/currents/s111_currents.hpp"
 #include "storage/ingest/readers/ice/ice_chart_reader.hpp"
 #include "storage/ingest/readers/icebergs/iceberg_csv_reader.hpp"
 #include "storage/ingest/readers/icebergs/iceberg_geojson_reader.hpp"
@@ -52,8 +55,11 @@ bool is_tiff(std::string_view bytes) {
          bytes.starts_with("MM\0+"sv);
 }
 
-/// The leader of ISO 8211 with interchange level 3, as S-57 has it.
-bool is_s57(std::string_view bytes) { return bytes.size() > 24 && bytes.substr(5, 3) == "3LE"; }
+/// The leader of ISO 8211 with interchange level 3, as S-57 has it; S-101 has it, too, and names itself.
+bool is_s57(std::string_view bytes) {
+  return bytes.size() > 24 && bytes.substr(5, 3) == "3LE" &&
+         bytes.find("INT.IHO.S-101") == std::string_view::npos;
+}
 
 bool is_ascii_grid(std::string_view text) {
   const std::string start = lower(trimmed(text.substr(0, 64)));
@@ -127,6 +133,22 @@ std::vector<DataFormat> all_formats() {
        .writing = Writing::binary,
        .is_it = [](const FileStart& start) { return is_bag(start.bytes); },
        .read = [](const Reading& r) { return read_raster_bathymetry(r.file.path, "BAG", r.options); },
+       .check = check_hdf5_references},
+
+      {.name = "S-102",
+       .reads = "depths of a hydrographic office on a regular grid, with their uncertainty",
+       .kinds = {bathymetry},
+       .writing = Writing::binary,
+       .is_it = [](const FileStart& start) { return is_s100(start.bytes, "S-102"); },
+       .read = [](const Reading& r) { return read_s102_bathymetry(r.file.path); },
+       .check = check_hdf5_references},
+
+      {.name = "S-111",
+       .reads = "surface currents of a hydrographic office on a regular grid",
+       .kinds = {currents},
+       .writing = Writing::binary,
+       .is_it = [](const FileStart& start) { return is_s100(start.bytes, "S-111"); },
+       .read = [](const Reading& r) { return read_s111_currents(r.file.path, r.progress); },
        .check = check_hdf5_references},
 
       {.name = "NetCDF",

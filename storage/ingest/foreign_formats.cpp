@@ -34,6 +34,10 @@ std::string refusal_of_foreign(std::string_view head) {
   if (head.find("BSB/") < 4096 || head.find("KNP/") < 4096)
     return "this is a raster chart (KAP/BSB): a picture of a chart in colours, not depths; depths cannot be "
            "read from it; give a bathymetry grid of the area";
+  if (head.find("INT.IHO.S-101") != std::string_view::npos)
+    return "this is an electronic chart of S-101, which this program does not read; give the S-57 cell of "
+           "the same "
+           "area, or its depths as S-102";
   if (is_sensor_cache(head))
     return "this is the list of the sensors of a Slocum glider's logs, which holds no data by itself; "
            "give it together with the logs that name it";

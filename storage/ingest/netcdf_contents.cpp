@@ -127,9 +127,9 @@ std::string nothing_known(const NetcdfFile& file) {
   if (std::string left_out = ice_left_out(file); !left_out.empty()) return left_out;
   if (const std::string product = file.attribute("productSpecification"); product.starts_with("INT.IHO.S-"))
     return "this is a dataset of the product " + product +
-           " in HDF5, as S-100 lays it out, which this program does not read; ask its producer for the same "
-           "data "
-           "as NetCDF";
+           " in HDF5; of the S-100 family this program reads depths (S-102) and surface currents (S-111); "
+           "ask its "
+           "producer for the same data as NetCDF";
   if (holds_ice_thickness(file))
     return "the file holds a thickness of sea ice but no concentration; how much of the sea is covered is "
            "not known from "

@@ -8,7 +8,7 @@
 
 #include "storage/ingest/common/gdal_guard.hpp"
 #include "storage/ingest/files/first_bytes.hpp"
-#include "storage/ingest/formats/netcdf/hdf5_references.hpp"
+#include "storage/ingest/formats/hdf5/hdf5_references.hpp"
 #include "storage/ingest/formats/netcdf/netcdf_axis.hpp"
 #include "storage/ingest/formats/zarr/zarr3_view.hpp"
 #include "storage/ingest/formats/zarr/zarr_store.hpp"

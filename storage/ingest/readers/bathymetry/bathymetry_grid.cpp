@@ -200,6 +200,16 @@ std::function<Checked<RawRows>(std::size_t, std::size_t)> rows_in_memory(RawRows
   };
 }
 
+void widen(RawRows& rows, const std::vector<float>& uncertainty_m) {
+  if (rows.lowest_m.empty()) rows.lowest_m = rows.values_m;
+  if (rows.highest_m.empty()) rows.highest_m = rows.values_m;
+  for (std::size_t i = 0; i < uncertainty_m.size(); ++i) {
+    if (!(uncertainty_m[i] > 0.0F) || uncertainty_m[i] > 1000.0F) continue;  // missing, or a marker for it
+    rows.lowest_m[i] -= uncertainty_m[i];
+    rows.highest_m[i] += uncertainty_m[i];
+  }
+}
+
 Checked<PreparedDataset> prepare_bathymetry(RawBathymetry raw, const std::optional<std::string>& positive) {
   raw.read = kept_if_alone(raw.grid, std::move(raw.read));
   Survey survey{raw.grid.x().size()};

@@ -27,6 +27,10 @@ struct RawBathymetry {
 [[nodiscard]] std::function<Checked<RawRows>(std::size_t, std::size_t)> rows_in_memory(RawRows all,
                                                                                        std::size_t columns);
 
+/// The bed may lie higher or lower than measured by as much as the measurement may be wrong.
+/// `uncertainty_m`  as the values; not above 0, or above 1000: not known
+void widen(RawRows& rows, const std::vector<float>& uncertainty_m);
+
 /// Decides the sense, leaves out markers for "missing" that the file does not declare, and checks the extent.
 /// Errors   nothing but missing values; deeper than 12000 m or higher than 9000 m; sense unknown; those of `read`
 [[nodiscard]] Checked<PreparedDataset> prepare_bathymetry(RawBathymetry raw,

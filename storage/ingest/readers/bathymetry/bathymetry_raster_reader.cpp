@@ -203,17 +203,6 @@ int uncertainty_band(GDALDataset& dataset) {
   return 0;
 }
 
-/// The bed may lie higher or lower than measured by as much as the measurement may be wrong.
-void widen(RawRows& rows, const std::vector<float>& uncertainty_m) {
-  if (rows.lowest_m.empty()) rows.lowest_m = rows.values_m;
-  if (rows.highest_m.empty()) rows.highest_m = rows.values_m;
-  for (std::size_t i = 0; i < uncertainty_m.size(); ++i) {
-    if (!(uncertainty_m[i] > 0.0F) || uncertainty_m[i] > 1000.0F) continue;  // missing, or a marker for it
-    rows.lowest_m[i] -= uncertainty_m[i];
-    rows.highest_m[i] += uncertainty_m[i];
-  }
-}
-
 /// What is known of each cell; all on the same nodes.
 struct Planes {
   Views views;  // to which the planes belong

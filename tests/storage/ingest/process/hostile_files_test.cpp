@@ -25,6 +25,7 @@
 #include "tests/storage/ingest/support/foreign_files.hpp"
 #include "tests/storage/ingest/support/grib_writer.hpp"
 #include "tests/storage/ingest/support/netcdf_writer.hpp"
+#include "tests/storage/ingest/support/s100_writer.hpp"
 #include "tests/storage/ingest/support/store_fixture.hpp"
 #include "tests/support/places.hpp"
 #include "tests/support/property.hpp"
@@ -81,6 +82,11 @@ class HostileFiles : public StoreFixture {
       write_archive(path(name), Packing::zip, members_of({path("bergs.gpkg")}));
     }
     if (name == "currents.grb") write_file(name, grib_currents());
+    if (name == "currents.h5")
+      s111_sample([](std::size_t column, std::size_t row, std::size_t /*time*/) {
+        return std::pair{0.5F + 0.1F * static_cast<float>(column), 60.0F * static_cast<float>(row)};
+      }).write(path(name));
+    if (name == "bed.h5") s102_sample({10.0F, 20.0F, 30.0F, 40.0F, 50.0F, 60.0F}, 2.0F).write(path(name));
     if (name == "log.csv") write_file(name, slocum_log());
     if (name == "bed.asc")
       write_file(name,
@@ -261,9 +267,10 @@ INSTANTIATE_TEST_SUITE_P(
     Of, HostileFormat,
     testing::Values("US4MD81M.000", "gutils_profile.nc", "gnome_gridded_current.nc", "sample-2.0.1.bag",
                     "comet-2019-222-02-154.dbd", "currents.nc", "bed.tif", "bergs.gpkg", "bergs.shp",
-                    "bergs.zip", "currents.grb", "log.csv", "bed.asc", "bergs.kml", "bergs.geojson",
-                    "nw_atlantic_etopo1_4min.xyz", "cis_beacon_1997_12995.csv", "byu_latest_20260818.json",
-                    "noaa_anchorage-knik-arm.json", "otps_tpxo9v2a_extract_HC_sample_out.txt"),
+                    "bergs.zip", "currents.grb", "currents.h5", "bed.h5", "log.csv", "bed.asc", "bergs.kml",
+                    "bergs.geojson", "nw_atlantic_etopo1_4min.xyz", "cis_beacon_1997_12995.csv",
+                    "byu_latest_20260818.json", "noaa_anchorage-knik-arm.json",
+                    "otps_tpxo9v2a_extract_HC_sample_out.txt"),
     [](const testing::TestParamInfo<const char*>& format) {
       std::string name = format.param;
       std::ranges::replace_if(

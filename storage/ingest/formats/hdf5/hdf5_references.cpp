@@ -1,47 +1,13 @@
-#include "storage/ingest/formats/netcdf/hdf5_references.hpp"
-
-#include <hdf5.h>
+#include "storage/ingest/formats/hdf5/hdf5_references.hpp"
 
 #include <optional>
 #include <string>
 
 #include "storage/ingest/files/first_bytes.hpp"
+#include "storage/ingest/formats/hdf5/hdf5_library.hpp"
 
 namespace floeplan::ingest {
 namespace {
-
-/// A handle of the library, closed with this object.
-template <herr_t (*Close)(hid_t)>
-class Handle {
- public:
-  explicit Handle(hid_t id) : id_{id} {}
-  Handle(const Handle&) = delete;
-  Handle& operator=(const Handle&) = delete;
-  ~Handle() {
-    if (id_ >= 0) Close(id_);
-  }
-  [[nodiscard]] hid_t get() const { return id_; }
-  explicit operator bool() const { return id_ >= 0; }
-
- private:
-  hid_t id_;
-};
-
-/// The library prints each of its errors unless it is told not to.
-class QuietLibrary {
- public:
-  QuietLibrary() {
-    H5Eget_auto2(H5E_DEFAULT, &print_, &data_);
-    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
-  }
-  QuietLibrary(const QuietLibrary&) = delete;
-  QuietLibrary& operator=(const QuietLibrary&) = delete;
-  ~QuietLibrary() { H5Eset_auto2(H5E_DEFAULT, print_, data_); }
-
- private:
-  H5E_auto2_t print_{};
-  void* data_{};
-};
 
 /// Those that every library of HDF5 has. Any other one is a plugin.
 bool is_built_in(H5Z_filter_t filter) {
@@ -69,10 +35,10 @@ std::optional<std::string> foreign_part_of(hid_t creation) {
 
 /// The same of what a name stands for.
 std::optional<std::string> foreign_part_of(hid_t parent, const char* name) {
-  const Handle<H5Oclose> object{H5Oopen(parent, name, H5P_DEFAULT)};
+  const Hdf5Handle<H5Oclose> object{H5Oopen(parent, name, H5P_DEFAULT)};
   if (!object) return "cannot be opened";
   if (H5Iget_type(object.get()) != H5I_DATASET) return std::nullopt;
-  const Handle<H5Pclose> creation{H5Dget_create_plist(object.get())};
+  const Hdf5Handle<H5Pclose> creation{H5Dget_create_plist(object.get())};
   if (!creation) return "cannot be looked at";
   return foreign_part_of(creation.get());
 }
@@ -104,9 +70,9 @@ Checked<bool> cannot_be_walked() {
 }  // namespace
 
 Checked<bool> check_hdf5_references(const std::filesystem::path& file) {
-  const QuietLibrary quiet;
+  const QuietHdf5 quiet;
   if (first_bytes(file, 8) != "\x89HDF\r\n\x1a\n") return true;
-  const Handle<H5Fclose> opened{H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT)};
+  const Hdf5Handle<H5Fclose> opened{H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT)};
   Checked<bool> found = true;
   if (!opened) return cannot_be_walked();
   const herr_t walked = H5Lvisit(opened.get(), H5_INDEX_NAME, H5_ITER_NATIVE, visit, &found);

@@ -1,4 +1,4 @@
-#include "storage/ingest/formats/netcdf/hdf5_references.hpp"
+#include "storage/ingest/formats/hdf5/hdf5_references.hpp"
 
 #include <gtest/gtest.h>
 #include <hdf5.h>

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "storage/ingest/common/refusal.hpp"
+
+namespace floeplan::ingest {
+
+/// A dataset whose elements have named parts (a compound type), opened for reading.
+/// Threads  one thread at a time
+class Hdf5Table {
+ public:
+  /// Of each dimension.
+  [[nodiscard]] const std::vector<std::size_t>& shape() const { return shape_; }
+  [[nodiscard]] bool has(const std::string& part) const;
+  /// One part of so many rows from one on, of a table of two dimensions.
+  /// Shape   [row][column]
+  /// Errors  no such part, or one that is no number; damage
+  [[nodiscard]] Checked<std::vector<float>> numbers(const std::string& part, std::size_t first_row,
+                                                    std::size_t rows) const;
+  /// One part of all elements of a table of one dimension.
+  /// Errors  no such part, or one that is no text; more than a thousand elements; damage
+  [[nodiscard]] Checked<std::vector<std::string>> texts(const std::string& part) const;
+
+ private:
+  friend class Hdf5Group;
+  struct Open;
+
+  std::shared_ptr<const Open> open_;
+  std::vector<std::size_t> shape_;
+};
+
+/// A group of an HDF5 file, opened for reading. Whoever opens a file has let check_hdf5_references look at it.
+/// Threads  one thread at a time
+class Hdf5Group {
+ public:
+  /// Errors  damage
+  [[nodiscard]] static Checked<Hdf5Group> root_of(const std::filesystem::path& file);
+
+  /// An attribute that is one number, or one member of an enumeration.
+  [[nodiscard]] std::optional<double> number(const std::string& attribute) const;
+  /// An attribute that is one text, without the blanks round it.
+  [[nodiscard]] std::optional<std::string> text(const std::string& attribute) const;
+  /// Names of what it holds, sorted.
+  [[nodiscard]] std::vector<std::string> members() const;
+  /// Errors  there is none of this name; damage
+  [[nodiscard]] Checked<Hdf5Group> group(const std::string& name) const;
+  [[nodiscard]] Checked<Hdf5Table> table(const std::string& name) const;
+
+ private:
+  struct Open;
+
+  std::shared_ptr<const Open> open_;
+};
+
+}  // namespace floeplan::ingest

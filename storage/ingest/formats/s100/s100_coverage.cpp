@@ -1,0 +1,214 @@
+#include "storage/ingest/formats/s100/s100_coverage.hpp"
+
+#include <ogr_spatialref.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "storage/ingest/common/missing_value.hpp"
+#include "storage/ingest/formats/netcdf/netcdf_axis.hpp"
+#include "storage/ingest/notation/grid_frame_of_crs.hpp"
+#include "storage/ingest/notation/text.hpp"
+
+namespace floeplan::ingest {
+namespace {
+
+constexpr double regular_grid = 2.0;       // dataCodingFormat
+constexpr double most_side = 1'000'000.0;  // nodes along one side
+constexpr std::size_t most_records = 100'000;
+
+tl::unexpected<std::string> s100_lacks(const std::string& what) {
+  return refuse("the S-100 file does not say " + what +
+                ", so its values cannot be placed; ask its producer for a whole one");
+}
+
+/// How the values of a feature lie that are on no regular grid.
+std::string layout_in_words(double data_coding_format) {
+  constexpr std::array words{"fixed stations",      "a regular grid",    "a grid of places of their own",
+                             "a moving vessel",     "an irregular grid", "cells of several sizes",
+                             "a triangulated mesh", "fixed stations",    "a regular grid of features"};
+  const auto index = static_cast<std::size_t>(data_coding_format) - 1;
+  return data_coding_format >= 1.0 && index < words.size() ? words.at(index) : "a layout that is not known";
+}
+
+/// Where in its cell a value lies, as a share of the cell from its south-western corner along x and y. A file that says
+/// nothing has its first value at the grid's origin, as one with code 1 has.
+std::optional<std::array<double, 2>> place_in_cell(const Hdf5Group& feature) {
+  constexpr std::array<std::array<double, 2>, 5> places{
+      {{0.0, 0.0}, {1.0, 1.0}, {1.0, 0.0}, {0.0, 1.0}, {0.5, 0.5}}};
+  const double code = feature.number("dataOffsetCode").value_or(1.0);
+  if (!(code >= 1.0 && code <= static_cast<double>(places.size()))) return std::nullopt;
+  return places.at(static_cast<std::size_t>(code) - 1);
+}
+
+/// Whether rows follow each other from south to north, and in each the values from west to east.
+bool runs_row_by_row(const Hdf5Group& feature, const Hdf5Group& area) {
+  if (feature.number("sequencingRule.type").value_or(1.0) != 1.0) return false;  // linear
+  std::string order = lower(feature.text("sequencingRule.scanDirection").value_or("longitude,latitude"));
+  std::erase(order, ' ');
+  std::string start = area.text("startSequence").value_or("0,0");
+  std::erase_if(start, [](char c) { return c == ' ' || c == '(' || c == ')'; });
+  return (order == "longitude,latitude" || order == "easting,northing" || order == "x,y") && start == "0,0";
+}
+
+Checked<std::vector<double>> s100_nodes(const Hdf5Group& area, const std::string& direction, double share) {
+  const auto origin = area.number("gridOrigin" + direction);
+  const std::string axis = direction == "Longitude" ? "Longitudinal" : "Latitudinal";
+  const auto spacing = area.number("gridSpacing" + axis);
+  const auto count = area.number("numPoints" + axis);
+  if (!origin || !spacing || !count || !std::isfinite(*origin) || !(*spacing > 0.0) || !(*count >= 1.0) ||
+      !(*count <= most_side))
+    return s100_lacks("where its grid lies (gridOrigin" + direction + ", gridSpacing" + axis + ", numPoints" +
+                      axis + ")");
+  std::vector<double> values;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(*count); ++i)
+    values.push_back(*origin + *spacing * (static_cast<double>(i) + share));
+  return values;
+}
+
+Checked<geo::GridFrame> s100_frame(const Hdf5Group& file) {
+  const auto code = file.number("horizontalCRS");
+  if (!code) return s100_lacks("which reference system its places have (horizontalCRS)");
+  OGRSpatialReference crs;
+  if (!(*code > 0.0 && *code <= 999'999.0) || crs.importFromEPSG(static_cast<int>(*code)) != OGRERR_NONE)
+    return refuse(
+        "the reference system EPSG:" + number(*code) +
+        " of the S-100 file is not known; ask its producer for one in longitude and latitude (EPSG:4326)");
+  crs.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+  const auto frame = grid_frame_of(crs);
+  if (!frame)
+    return refuse("the S-100 file is in the reference system EPSG:" + number(*code) +
+                  ", which this program cannot plan in; ask its producer for one in longitude and latitude "
+                  "(EPSG:4326), or in UTM");
+  return *frame;
+}
+
+/// What Group_F says of the values of a feature.
+Checked<std::map<std::string, S100Value>> described_values(const Hdf5Group& file,
+                                                           const std::string& feature) {
+  const auto descriptions = file.group("Group_F");
+  if (!descriptions) return refuse(descriptions.error());
+  const auto table = descriptions->table(feature);
+  if (!table) return refuse(table.error());
+  const auto codes = table->texts("code");
+  const auto units = table->texts("uom.name");
+  const auto fills = table->texts("fillValue");
+  for (const auto* column : {&codes, &units, &fills})
+    if (!*column) return refuse(column->error());
+  std::map<std::string, S100Value> values;
+  for (std::size_t i = 0; i < codes->size(); ++i) {
+    const auto fill = parse_number((*fills)[i]);
+    values[(*codes)[i]] = {(*units)[i], fill ? static_cast<float>(*fill) : missing};
+  }
+  return values;
+}
+
+/// "SurfaceCurrent.01", where it is the only one.
+Checked<Hdf5Group> only_area(const Hdf5Group& feature, const std::string& name) {
+  std::vector<std::string> areas;
+  for (const std::string& member : feature.members())
+    if (member.starts_with(name + ".")) areas.push_back(member);
+  if (areas.size() == 1) return feature.group(areas.front());
+  return refuse(
+      areas.empty()
+          ? "the S-100 file holds no values of " + name +
+                "; there is nothing to store; check what you were sent"
+          : "the S-100 file holds " + std::to_string(areas.size()) + " areas of " + name +
+                ", each on a grid of its own; this program reads files with one; ask its producer for one "
+                "file an area");
+}
+
+Checked<std::vector<Hdf5Group>> records_in(const Hdf5Group& area) {
+  std::vector<Hdf5Group> records;
+  for (const std::string& member : area.members()) {
+    if (!member.starts_with("Group_")) continue;
+    if (records.size() == most_records)
+      return refuse("the S-100 file holds more than 100000 records; cut out your period first");
+    auto record = area.group(member);
+    if (!record) return refuse(record.error());
+    records.push_back(std::move(*record));
+  }
+  const double stated = area.number("numGRP").value_or(static_cast<double>(records.size()));
+  if (records.empty() || stated != static_cast<double>(records.size()))
+    return refuse("the S-100 file announces " + number(stated) + " records, but has " +
+                  std::to_string(records.size()) +
+                  "; it is damaged or was cut short; copy or download it again");
+  return records;
+}
+
+}  // namespace
+
+bool is_s100(std::string_view bytes, std::string_view product) {
+  return bytes.starts_with("\x89HDF\r\n\x1a\n") &&
+         bytes.find("INT.IHO." + std::string{product}) != std::string_view::npos;
+}
+
+Checked<Hdf5Table> S100Coverage::table(std::size_t record) const {
+  auto table = records[record].table("values");
+  if (!table) return refuse(table.error());
+  if (table->shape() != std::vector{grid.y().size(), file_columns})
+    return refuse(
+        "a record of the S-100 file has other rows and columns than its grid; it is damaged; copy or "
+        "download it "
+        "again");
+  return table;
+}
+
+Checked<std::vector<float>> S100Coverage::read(const Hdf5Table& table, const std::string& value,
+                                               std::size_t first_row, std::size_t rows) const {
+  const auto all = table.numbers(value, first_row, rows);
+  if (!all) return refuse(all.error());
+  const auto described = values.find(value);
+  const float fill = described == values.end() ? missing : described->second.fill;
+  std::vector<float> result;
+  result.reserve(rows * columns.size());
+  for (std::size_t row = 0; row < rows; ++row) {
+    for (const std::size_t column : columns) {
+      const float stored = (*all)[row * file_columns + column];
+      result.push_back(!std::isfinite(stored) || stored == fill ? missing : stored);
+    }
+  }
+  return result;
+}
+
+Checked<S100Coverage> s100_coverage(const std::filesystem::path& path, const std::string& feature_name) {
+  auto file = Hdf5Group::root_of(path);
+  if (!file) return refuse(file.error());
+  const auto feature = file->group(feature_name);
+  if (!feature) return refuse(feature.error());
+  const double layout = feature->number("dataCodingFormat").value_or(0.0);
+  if (layout != regular_grid)
+    return refuse("the values of " + feature_name + " in the S-100 file are those of " +
+                  layout_in_words(layout) +
+                  "; of this family the program reads regular grids; ask its producer for one");
+  const auto area = only_area(*feature, feature_name);
+  if (!area) return refuse(area.error());
+  const auto share = place_in_cell(*feature);
+  if (!share || !runs_row_by_row(*feature, *area))
+    return refuse(
+        "the grid of the S-100 file runs in an order that this program does not follow; ask its producer for "
+        "one "
+        "whose rows run from south to north");
+  const auto frame = s100_frame(*file);
+  if (!frame) return refuse(frame.error());
+  const auto x_values = s100_nodes(*area, "Longitude", (*share)[0]);
+  if (!x_values) return refuse(x_values.error());
+  const auto y_values = s100_nodes(*area, "Latitude", (*share)[1]);
+  if (!y_values) return refuse(y_values.error());
+  const bool geographic = std::holds_alternative<geo::GeographicFrame>(*frame);
+  auto x = geographic ? longitude_nodes("longitude", *x_values) : monotonic_nodes("x", *x_values);
+  if (!x) return refuse(x.error());
+  const auto y = geographic ? latitude_nodes("latitude", *y_values) : monotonic_nodes("y", *y_values);
+  if (!y) return refuse(y.error());
+  auto values = described_values(*file, feature_name);
+  if (!values) return refuse(values.error());
+  auto records = records_in(*area);
+  if (!records) return refuse(records.error());
+  return S100Coverage{std::move(*file),   {*frame, ocean::Axis{x->nodes}, ocean::Axis{y->nodes}},
+                      x_values->size(),   std::move(x->source),
+                      std::move(*values), std::move(*records)};
+}
+
+}  // namespace floeplan::ingest

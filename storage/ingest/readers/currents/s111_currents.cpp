@@ -1,0 +1,183 @@
+#include "storage/ingest/readers/currents/s111_currents.hpp"
+
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "engine/core/utc_text.hpp"
+#include "storage/ingest/common/missing_value.hpp"
+#include "storage/ingest/formats/netcdf/netcdf_axis.hpp"
+#include "storage/ingest/formats/s100/s100_coverage.hpp"
+#include "storage/ingest/notation/cf_units.hpp"
+#include "storage/ingest/notation/text.hpp"
+#include "storage/ingest/readers/currents/current_dataset.hpp"
+
+namespace floeplan::ingest {
+namespace {
+
+constexpr const char* speed_name = "surfaceCurrentSpeed";
+constexpr const char* direction_name = "surfaceCurrentDirection";
+
+/// "20260111T002000Z", as S-100 writes a time, or with the marks of ISO 8601.
+std::optional<core::UtcTime> s111_time(std::string text) {
+  constexpr std::size_t basic_length = 16;
+  if (text.size() == basic_length) {
+    for (const std::size_t at : {13UL, 11UL}) text.insert(at, ":");
+    for (const std::size_t at : {6UL, 4UL}) text.insert(at, "-");
+  }
+  return core::parse_iso8601(text);
+}
+
+/// Of the records, in ascending order, and which record each is.
+Checked<AxisNodes> record_times(const S100Coverage& currents) {
+  std::vector<double> times_s;
+  for (const Hdf5Group& record : currents.records) {
+    const std::string text = record.text("timePoint").value_or("");
+    const auto time = s111_time(text);
+    if (!time)
+      return refuse("a record of the S-111 file has the time \"" + text +
+                    "\", which is none; it is damaged; copy or download it again");
+    times_s.push_back(core::unix_seconds(*time));
+  }
+  return sorted_nodes("timePoint", std::move(times_s));
+}
+
+/// Where in the water the currents are.
+struct Level {
+  std::optional<double> depth_m;  // empty: the file does not say
+  std::string warning{};          // empty: none
+};
+
+/// What the depth of the currents counts from, or that it is the thickness of a layer below the surface.
+enum class Reference : std::uint8_t { layer, surface, datum, bed, unknown };
+
+/// The codes of depthTypeIndex changed with edition 1.2; from then on it is the vertical datum that counts.
+Reference reference_of(const Hdf5Group& file) {
+  constexpr double sea_floor = 47.0;  // S-100 edition 5, part 17, vertical and sounding datums
+  constexpr double sea_surface = 48.0;
+  const std::string product = file.text("productSpecification").value_or("");
+  const std::string marker = "S-111.";
+  const double edition = parse_number(product.substr(product.find(marker) + marker.size(), 3)).value_or(2.0);
+  const double type = file.number("depthTypeIndex").value_or(edition < 1.2 ? 2.0 : 1.0);
+  const double datum = file.number("verticalDatum").value_or(sea_surface);
+  if (edition < 1.2) {
+    if (type == 1.0) return Reference::layer;
+    if (type == 2.0) return Reference::surface;
+    if (type == 3.0) return Reference::datum;
+    return type == 4.0 ? Reference::bed : Reference::unknown;
+  }
+  if (type == 2.0) return Reference::layer;
+  if (type != 1.0) return Reference::unknown;
+  if (datum == sea_floor) return Reference::bed;
+  return datum == sea_surface ? Reference::surface : Reference::datum;
+}
+
+Checked<Level> s111_level(const Hdf5Group& file) {
+  const auto stated = file.number("surfaceCurrentDepth");
+  if (!stated) return Level{};
+  if (!std::isfinite(*stated))
+    return refuse(
+        "the S-111 file has no number for the depth of its currents; it is damaged; copy or download it "
+        "again");
+  const double depth_m =
+      std::abs(*stated);  // below a surface it is negative, though not every producer has it so
+  switch (reference_of(file)) {
+    case Reference::surface: return Level{depth_m};
+    case Reference::layer:
+      return Level{depth_m / 2.0, "the currents are means over the uppermost " + number(depth_m) +
+                                      " m of the water; they were placed at the middle of that layer"};
+    case Reference::datum:
+      return Level{depth_m,
+                   "the depth of the currents, " + number(depth_m) +
+                       " m, counts from the datum of charts; it was taken from the surface, which the tide "
+                       "moves up and down"};
+    case Reference::bed:
+    case Reference::unknown: break;
+  }
+  return refuse(
+      "the depth of the currents in the S-111 file does not count from the surface or a datum of charts; "
+      "where in "
+      "the water they are is not known; ask its producer for currents below the surface");
+}
+
+class S111Source : public VelocitySource {
+ public:
+  S111Source(S100Coverage currents, AxisNodes times, std::optional<double> depth_m, double unit_m_s)
+      : currents_{std::move(currents)}, records_{std::move(times.source)}, unit_m_s_{unit_m_s} {
+    shape_.columns = currents_.grid.x().size();
+    shape_.rows = currents_.grid.y().size();
+    shape_.times_s = std::move(times.nodes);
+    if (depth_m) shape_.depths_m = {*depth_m};
+  }
+
+  [[nodiscard]] const SourceShape& shape() const override { return shape_; }
+  [[nodiscard]] geo::LonLat place(std::size_t point) const override {
+    return currents_.grid.place(point % shape_.columns, point / shape_.columns);
+  }
+
+  [[nodiscard]] Checked<VelocitySlice> read(std::size_t time, std::size_t /*level*/) const override {
+    const auto table = currents_.table(records_[time]);
+    if (!table) return refuse(table.error());
+    auto speeds = currents_.read(*table, speed_name, 0, shape_.rows);
+    if (!speeds) return refuse(speeds.error());
+    auto directions = currents_.read(*table, direction_name, 0, shape_.rows);
+    if (!directions) return refuse(directions.error());
+    VelocitySlice slice{std::move(*speeds), std::move(*directions)};
+    for (std::size_t i = 0; i < slice.east.size(); ++i) {
+      const double speed_m_s = unit_m_s_ * static_cast<double>(slice.east[i]);
+      const double direction_deg = static_cast<double>(slice.north[i]);
+      if (speed_m_s == 0.0) {  // and no direction
+        slice.east[i] = slice.north[i] = 0.0F;
+      } else if (!(speed_m_s > 0.0 && direction_deg >= 0.0 && direction_deg <= 360.0)) {
+        slice.east[i] = slice.north[i] = missing;
+      } else {
+        const double towards_rad = direction_deg * std::numbers::pi / 180.0;
+        slice.east[i] = static_cast<float>(speed_m_s * std::sin(towards_rad));
+        slice.north[i] = static_cast<float>(speed_m_s * std::cos(towards_rad));
+      }
+    }
+    return slice;
+  }
+
+  [[nodiscard]] Checked<std::vector<float>> level_depths(std::size_t /*time*/,
+                                                         std::size_t /*level*/) const override {
+    return refuse("the levels of an S-111 file do not follow the sea bed");
+  }
+
+ private:
+  S100Coverage currents_;
+  std::vector<std::size_t> records_;  // by time
+  double unit_m_s_;
+  SourceShape shape_;
+};
+
+}  // namespace
+
+Checked<PreparedDataset> read_s111_currents(const std::filesystem::path& file,
+                                            const core::ProgressCallback& progress) {
+  auto currents = s100_coverage(file, "SurfaceCurrent");
+  if (!currents) return refuse(currents.error());
+  const auto speed = currents->values.find(speed_name);
+  const std::string unit = speed == currents->values.end() ? "" : speed->second.unit;
+  const auto unit_m_s = speed_factor(unit);
+  if (!unit_m_s)
+    return refuse("the speeds of the S-111 file have the unit \"" + unit +
+                  "\", which is no speed that this program knows; ask its producer for a file in knots");
+  auto times = record_times(*currents);
+  if (!times) return refuse(times.error());
+  const auto level = s111_level(currents->file);
+  if (!level) return refuse(level.error());
+
+  CurrentInput input;
+  input.variables = {speed_name, direction_name};
+  if (!level->warning.empty()) input.warnings.push_back(level->warning);
+  input.grid = currents->grid;
+  input.source =
+      std::make_shared<const S111Source>(std::move(*currents), std::move(*times), level->depth_m, *unit_m_s);
+  return prepare_currents(std::move(input), progress);
+}
+
+}  // namespace floeplan::ingest

@@ -1,0 +1,188 @@
+#include "tests/storage/ingest/support/s100_writer.hpp"
+
+#include <hdf5.h>
+
+#include <array>
+#include <cstdio>
+#include <stdexcept>
+
+namespace floeplan::ingest {
+namespace {
+
+constexpr std::size_t text_bytes = 64;
+
+void put_number(hid_t object, const std::string& name, double value) {
+  const hid_t space = H5Screate(H5S_SCALAR);
+  const hid_t attribute = H5Acreate2(object, name.c_str(), H5T_IEEE_F64LE, space, H5P_DEFAULT, H5P_DEFAULT);
+  H5Awrite(attribute, H5T_NATIVE_DOUBLE, &value);
+  H5Aclose(attribute);
+  H5Sclose(space);
+}
+
+/// As an enumeration of one byte, as S-100 has its codes.
+void put_code(hid_t object, const std::string& name, double value) {
+  const hid_t type = H5Tenum_create(H5T_NATIVE_UCHAR);
+  for (unsigned char member = 0; member < 20; ++member)
+    H5Tenum_insert(type, ("member " + std::to_string(member)).c_str(), &member);
+  const hid_t space = H5Screate(H5S_SCALAR);
+  const hid_t attribute = H5Acreate2(object, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT);
+  const auto code = static_cast<unsigned char>(value);
+  H5Awrite(attribute, type, &code);
+  H5Aclose(attribute);
+  H5Sclose(space);
+  H5Tclose(type);
+}
+
+hid_t text_type(bool variable) {
+  const hid_t type = H5Tcopy(H5T_C_S1);
+  H5Tset_size(type, variable ? H5T_VARIABLE : text_bytes);
+  H5Tset_cset(type, H5T_CSET_UTF8);
+  return type;
+}
+
+void put_text(hid_t object, const std::string& name, const std::string& value, bool variable = true) {
+  const hid_t type = text_type(variable);
+  const hid_t space = H5Screate(H5S_SCALAR);
+  const hid_t attribute = H5Acreate2(object, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT);
+  const char* pointed = value.c_str();
+  std::string fixed = value;
+  fixed.resize(text_bytes);
+  H5Awrite(attribute, type, variable ? static_cast<const void*>(&pointed) : fixed.data());
+  H5Aclose(attribute);
+  H5Sclose(space);
+  H5Tclose(type);
+}
+
+hid_t put_group(hid_t place, const std::string& name) {
+  return H5Gcreate2(place, name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+}
+
+/// Group_F: code, unit and fill value of every value, as texts of variable length.
+void describe(hid_t file, const S100Sample& sample) {
+  const hid_t group = put_group(file, "Group_F");
+  const hid_t text = text_type(true);
+  const hid_t row = H5Tcreate(H5T_COMPOUND, 3 * sizeof(char*));
+  std::size_t offset = 0;
+  for (const char* column : {"code", "uom.name", "fillValue"}) {
+    H5Tinsert(row, column, offset, text);
+    offset += sizeof(char*);
+  }
+  std::vector<const char*> cells;
+  for (const S100Sample::Value& value : sample.values)
+    for (const std::string* cell : {&value.code, &value.unit, &value.fill}) cells.push_back(cell->c_str());
+  const hsize_t count = sample.values.size();
+  const hid_t space = H5Screate_simple(1, &count, nullptr);
+  const hid_t table =
+      H5Dcreate2(group, sample.feature.c_str(), row, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+  H5Dwrite(table, row, H5S_ALL, H5S_ALL, H5P_DEFAULT, cells.data());
+  H5Dclose(table);
+  H5Sclose(space);
+  H5Tclose(row);
+  H5Tclose(text);
+  H5Gclose(group);
+}
+
+void put_values(hid_t group, const S100Sample& sample, const S100Sample::Record& record) {
+  const hid_t cell = H5Tcreate(H5T_COMPOUND, sample.values.size() * sizeof(float));
+  for (std::size_t i = 0; i < sample.values.size(); ++i)
+    H5Tinsert(cell, sample.values[i].code.c_str(), i * sizeof(float), H5T_IEEE_F32LE);
+  std::vector<float> cells;
+  for (std::size_t node = 0; node < sample.rows * sample.columns; ++node)
+    for (const std::vector<float>& values : record.values) cells.push_back(values.at(node));
+  const std::array<hsize_t, 2> size{sample.rows, sample.columns};
+  const hid_t space = H5Screate_simple(2, size.data(), nullptr);
+  const hid_t table = H5Dcreate2(group, "values", cell, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+  H5Dwrite(table, cell, H5S_ALL, H5S_ALL, H5P_DEFAULT, cells.data());
+  H5Dclose(table);
+  H5Sclose(space);
+  H5Tclose(cell);
+}
+
+std::string numbered(const std::string& name, const char* pattern, int number) {
+  std::array<char, 16> digits{};
+  std::snprintf(digits.data(), digits.size(), pattern, number);
+  return name + digits.data();
+}
+
+void put_area(hid_t feature, const S100Sample& sample, int number) {
+  const hid_t area = put_group(feature, numbered(sample.feature, ".%02d", number));
+  for (const auto& [name, value] : std::map<std::string, double>{
+           {"gridOriginLongitude", sample.west},
+           {"gridOriginLatitude", sample.south},
+           {"gridSpacingLongitudinal", sample.step},
+           {"gridSpacingLatitudinal", sample.step},
+           {"numPointsLongitudinal", static_cast<double>(sample.columns)},
+           {"numPointsLatitudinal", static_cast<double>(sample.rows)},
+           {"numGRP", sample.announced_records < 0.0 ? static_cast<double>(sample.records.size())
+                                                     : sample.announced_records}})
+    put_number(area, name, value);
+  put_text(area, "startSequence", "(0,0)");
+  int count = 0;
+  for (const S100Sample::Record& record : sample.records) {
+    const hid_t group = put_group(area, numbered("Group_", "%03d", ++count));
+    put_text(group, "timePoint", record.time, false);
+    put_values(group, sample, record);
+    H5Gclose(group);
+  }
+  H5Gclose(area);
+}
+
+}  // namespace
+
+std::filesystem::path S100Sample::write(const std::filesystem::path& path) const {
+  const hid_t file = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+  if (file < 0) throw std::runtime_error{"no file to write to: " + path.string()};
+  put_text(file, "productSpecification", product);
+  for (const auto& [name, value] : file_numbers) put_number(file, name, value);
+  describe(file, *this);
+  const hid_t group = put_group(file, feature);
+  for (const auto& [name, value] : feature_numbers) put_code(group, name, value);
+  put_text(group, "sequencingRule.scanDirection", scan_direction);
+  for (int number = 1; number <= areas; ++number) put_area(group, *this, number);
+  H5Gclose(group);
+  H5Fclose(file);
+  return path;
+}
+
+S100Sample s111_sample(
+    const std::function<std::pair<float, float>(std::size_t, std::size_t, std::size_t)>& current) {
+  S100Sample sample{.product = "INT.IHO.S-111.2.0",
+                    .feature = "SurfaceCurrent",
+                    .values = {{"surfaceCurrentSpeed", "knot", "-9999.0"},
+                               {"surfaceCurrentDirection", "arc-degree", "-9999.0"}},
+                    .west = -50.05,
+                    .south = 46.95,
+                    .step = 0.1,
+                    .columns = 3,
+                    .rows = 2,
+                    .records = {}};
+  sample.file_numbers["depthTypeIndex"] = 1.0;  // a height or a depth
+  sample.file_numbers["verticalDatum"] = 48.0;  // from the sea surface
+  sample.file_numbers["surfaceCurrentDepth"] = -4.0;
+  for (std::size_t time = 0; time < 2; ++time) {
+    S100Sample::Record record{time == 0 ? "20260111T000000Z" : "20260111T002000Z", {{}, {}}};
+    for (std::size_t row = 0; row < sample.rows; ++row) {
+      for (std::size_t column = 0; column < sample.columns; ++column) {
+        const auto [speed, direction] = current(column, row, time);
+        record.values[0].push_back(speed);
+        record.values[1].push_back(direction);
+      }
+    }
+    sample.records.push_back(std::move(record));
+  }
+  return sample;
+}
+
+S100Sample s102_sample(const std::vector<float>& depths_m, float uncertainty_m) {
+  return {.product = "INT.IHO.S-102.3.0.0",
+          .feature = "BathymetryCoverage",
+          .values = {{"depth", "metres", "1000000"}, {"uncertainty", "metres", "1000000"}},
+          .west = -50.05,
+          .south = 46.95,
+          .step = 0.1,
+          .columns = 3,
+          .rows = 2,
+          .records = {{"00010101T000000Z", {depths_m, std::vector<float>(depths_m.size(), uncertainty_m)}}}};
+}
+
+}  // namespace floeplan::ingest

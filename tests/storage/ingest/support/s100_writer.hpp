@@ -1,0 +1,50 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace floeplan::ingest {
+
+/// A file of the S-100 family with one feature on one regular grid; tests change what they are about.
+struct S100Sample {
+  struct Value {
+    std::string code;
+    std::string unit;
+    std::string fill;
+  };
+  struct Record {
+    std::string time;
+    std::vector<std::vector<float>> values;  // by value, each [row][column]
+  };
+
+  std::string product;
+  std::string feature;
+  std::vector<Value> values;
+  std::map<std::string, double> file_numbers{{"horizontalCRS", 4326.0}};
+  std::map<std::string, double> feature_numbers{
+      {"dataCodingFormat", 2.0}, {"dataOffsetCode", 5.0}, {"sequencingRule.type", 1.0}};
+  std::string scan_direction{"longitude,latitude"};
+  double west{};
+  double south{};
+  double step{};
+  std::size_t columns{};
+  std::size_t rows{};
+  std::vector<Record> records;
+  double announced_records{-1.0};  // less than 0: as many as there are
+  int areas{1};                    // all alike
+
+  std::filesystem::path write(const std::filesystem::path& path) const;
+};
+
+/// Currents over 3 x 2 nodes off Newfoundland at two times, every value by `current(column, row, time)` in knots and
+/// degrees towards.
+[[nodiscard]] S100Sample s111_sample(
+    const std::function<std::pair<float, float>(std::size_t, std::size_t, std::size_t)>& current);
+
+/// Depths over 3 x 2 nodes, each with the same uncertainty.
+[[nodiscard]] S100Sample s102_sample(const std::vector<float>& depths_m, float uncertainty_m);
+
+}  // namespace floeplan::ingest
