@@ -96,6 +96,37 @@ cost::Route waiting_instead(const cost::Sea& sea, cost::Route route, const std::
   return route;
 }
 
+/// The route with a straight leg for each part that such a leg can replace while the vehicle waits somewhere from there
+/// on and arrives no later: one wait is easier to fly than many short ones.
+cost::Route with_fewer_waits(const cost::Sea& sea, cost::Route route, const std::stop_token& stop) {
+  constexpr double as_early = 1e-4;  // of the travel time: the fineness of waits
+  auto schedule = cost::schedule_along(sea, route.points, cost::at_departure);
+  if (!schedule) return route;
+  const core::Seconds latest = (1.0 + as_early) * (schedule->arrivals.back() - cost::at_departure);
+  const auto waits_from = [&](std::size_t first) {
+    return std::any_of(schedule->waits.begin() + static_cast<std::ptrdiff_t>(first), schedule->waits.end(),
+                       [](core::Seconds wait) { return wait.count() > 0.0; });
+  };
+  for (std::size_t from = 0; from + 2 < route.points.size() && waits_from(from); ++from) {
+    for (std::size_t legs = route.points.size() - 1 - from; legs > 1; legs /= 2) {
+      if (stop.stop_requested()) return route;
+      const auto begin = static_cast<std::ptrdiff_t>(from) + 1;
+      const auto end = static_cast<std::ptrdiff_t>(from + legs);
+      const auto fixed_end = route.fixed.begin() + end;
+      if (std::find(route.fixed.begin() + begin, fixed_end, true) != fixed_end) continue;
+      cost::Route shorter = route;
+      shorter.points.erase(shorter.points.begin() + begin, shorter.points.begin() + end);
+      shorter.fixed.erase(shorter.fixed.begin() + begin, shorter.fixed.begin() + end);
+      auto waiting = cost::schedule_along(sea, shorter.points, cost::at_departure);
+      if (!waiting || waiting->arrivals.back() - cost::at_departure > latest) continue;
+      route = std::move(shorter);
+      schedule = std::move(waiting);
+      break;
+    }
+  }
+  return route;
+}
+
 /// Whether the route is open as a whole, for what is right of each leg alone need not be of all. Where the time without
 /// a possible surfacing is bounded, the drive along other legs is looked at in other places, which may count a little
 /// more time under ice; where the vehicle waits, there must be places to wait at; and a leg that was joined is followed
@@ -163,8 +194,10 @@ cost::Route joined_where_open(const cost::Sea& sea, const cost::Route& way) {
 cost::Route finished(const cost::Sea& sea, cost::Route route, const PlanRequest& request,
                      const std::stop_token& stop) {
   // Where an opening sets the arrival, refinement leaves detours that a wait makes needless.
-  if (request.refine && sea.longest_wait().count() > 0.0)
-    route = waiting_instead(sea, cost::drop_needless_points(sea, route, cost::at_departure, stop), stop);
+  if (request.refine && sea.longest_wait().count() > 0.0) {
+    route = cost::drop_needless_points(sea, route, cost::at_departure, stop);
+    route = with_fewer_waits(sea, waiting_instead(sea, std::move(route), stop), stop);
+  }
   // Refinement has cut the number already; where it could not, this cannot either.
   if (const auto most = most_legs(request)) route = thinned(sea, route, *most, stop);
   if (request.max_leg) route = cost::part_long_legs(sea, route, *request.max_leg);
