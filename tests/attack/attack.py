@@ -109,7 +109,8 @@ def attacked(name, attack):
         faults.append(name)
 
 
-def connected(address="127.0.0.1"):
+def connected(address="127.0.4.1"):
+    """From an address that others do not have: the server is fair between addresses, not between a client's requests."""
     return socket.create_connection(("127.0.0.1", PORT), timeout=5, source_address=(address, 0))
 
 
