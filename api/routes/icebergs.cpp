@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "api/codec/iceberg_feature.hpp"
+#include "api/problems/problem_catalogue.hpp"
 #include "api/routes/feature_collection.hpp"
 #include "api/routes/hand_made.hpp"
 #include "api/routes/text_values.hpp"

@@ -2,6 +2,7 @@
 #include <charconv>
 
 #include "api/codec/line_geometry.hpp"
+#include "api/problems/problem_catalogue.hpp"
 #include "api/routes/feature_collection.hpp"
 #include "api/routes/hand_made.hpp"
 #include "engine/ocean/isobath.hpp"

@@ -1,3 +1,6 @@
+// clang-format off: Asio's awaitable uses std::exchange, but does not include it
+#include <utility>
+// clang-format on
 
 #include <boost/asio/co_spawn.hpp>
 #include <boost/asio/redirect_error.hpp>
