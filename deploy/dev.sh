@@ -65,7 +65,9 @@ main() {
   build || fail "the program does not build" "read the first error above"
   fill_store
   if [[ ! -d $root/web/node_modules ]]; then npm --prefix "$root/web" ci --no-audit --no-fund --loglevel=error; fi
-  trap end EXIT INT TERM
+  trap end EXIT
+  trap 'exit 130' INT
+  trap 'exit 143' TERM
   start_server
   # Not by npm, which would leave Vite running when it is ended.
   (cd "$root/web" && exec node_modules/.bin/vite --host 127.0.0.1 --port 5173 --strictPort) &
