@@ -112,7 +112,7 @@ def kills(program, folder, count, generator):
     store, promised, given_up = folder / "killed", [], 0
     hostile = hostile_files.sample_of(store)
     for number in range(count):
-        server = Served(program, store)
+        server = Served(program, store, ["--max-uploads", "100000"])  # one client sends thousands of files
         client = Client(server, generator, promised, 1000 * number, hostile)
         client.start()
         client.join(generator.uniform(0.0, 1.5))  # it works on: the moment of the kill is random
