@@ -296,8 +296,8 @@ inline constexpr auto plan_kinds = std::to_array<Kind>({
      .hint = "with more, or on another machine, the route may be a little better"},
     {.code = "route-not-refined",
      .rank = Rank::note,
-     .text = "the way is that of the grid, without refinement: the better ones that it led to break what "
-             "binds the way as a whole, such as the time without a place to surface"},
+     .text = "the route is not refined: refined routes are faster, but break a rule that holds for the whole "
+             "route, such as the longest time without a place to surface"},
     {.code = "more-waypoints-than-asked",
      .rank = Rank::caution,
      .text = "the route needs more waypoints than asked for; without them it would be closed or have longer "

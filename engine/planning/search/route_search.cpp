@@ -242,7 +242,8 @@ bool look_for_a_wait(RouteSearch& result, const cost::Sea& sea, const OpenGrid& 
   return true;
 }
 
-/// Whether a leg that the current closed may be open for who holds before it, and lead to the goal before that arrival.
+/// Whether some leg that the current closed may open later, and a vehicle that holds until then may still reach the goal
+/// before `arrival`.
 bool may_open_in_time(const RefusedEdges& refused, const StraightBound& straight, core::Seconds arrival) {
   return std::ranges::any_of(refused.edges, [&](const RefusedEdge& leg) {
     return leg.when + straight.least_time(leg.edge) + straight.remaining(leg.edge.head) < arrival;
@@ -350,8 +351,8 @@ RouteSearch search_unbounded(const cost::Sea& sea, const OpenGrid& open, const P
   const auto untimed_way = in_time ? timed_without_delay(sea, result.path, depart, tree.arrival_s(grid.goal))
                                    : UntimedWay{.is_best = true, .arrival_s = tree.arrival_s(grid.goal)};
   if (cost::waits_may_help(sea) && request.method != Method::frozen && !result.cancelled) {
-    const bool is_hindered = (!result.path.empty() && !untimed_way.is_best) ||
-                             may_open_in_time(refused, straight, result.arrival);
+    const bool is_hindered =
+        (!result.path.empty() && !untimed_way.is_best) || may_open_in_time(refused, straight, result.arrival);
     if (is_hindered) {
       if (look_for_holds(result, sea, open, untimed_way, depart, latest, stop, report)) return result;
       RouteSearch moving = search_unbounded(sea.without_waits(), open, request, depart, stop, report_fraction,
