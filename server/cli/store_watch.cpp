@@ -56,8 +56,7 @@ std::vector<WatchedFile> watched_files(const fs::path& store) {
   std::_Exit(1);
 }
 
-void watch(const std::stop_token& stop, const fs::path& store, sqlite::Connection db) {
-  const std::vector<WatchedFile> files = watched_files(store);
+void watch(const std::stop_token& stop, const std::vector<WatchedFile>& files, sqlite::Connection db) {
   std::mutex mutex;
   std::condition_variable_any woken;
   for (int looks = 1;; ++looks) {
@@ -76,9 +75,10 @@ void watch(const std::stop_token& stop, const fs::path& store, sqlite::Connectio
 
 }  // namespace
 
+/// The files are looked up before the thread starts, so that none can be taken away between the first answer of
+/// the server and the first look.
 StoreWatch::StoreWatch(const fs::path& store)
-    : thread_{[store, db = repository::open_store(store)](const std::stop_token& stop) mutable {
-        watch(stop, store, std::move(db));
-      }} {}
+    : thread_{[db = repository::open_store(store), files = watched_files(store)](
+                  const std::stop_token& stop) mutable { watch(stop, files, std::move(db)); }} {}
 
 }  // namespace floeplan::cli
