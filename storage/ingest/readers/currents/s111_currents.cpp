@@ -54,13 +54,22 @@ struct Level {
 /// What the depth of the currents counts from, or that it is the thickness of a layer below the surface.
 enum class Reference : std::uint8_t { layer, surface, datum, bed, unknown };
 
+/// Of the product specification, "INT.IHO.S-111.1.2": 1.2. A file that does not say counts as one of today.
+double edition_of(const Hdf5Group& file) {
+  constexpr double today = 2.0;
+  constexpr std::size_t digits = 3;  // "1.2"
+  const std::string marker = "S-111.";
+  const std::string product = file.text("productSpecification").value_or("");
+  const std::size_t at = product.find(marker);
+  return at == std::string::npos ? today
+                                 : parse_number(product.substr(at + marker.size(), digits)).value_or(today);
+}
+
 /// The codes of depthTypeIndex changed with edition 1.2; from then on it is the vertical datum that counts.
 Reference reference_of(const Hdf5Group& file) {
   constexpr double sea_floor = 47.0;  // S-100 edition 5, part 17, vertical and sounding datums
   constexpr double sea_surface = 48.0;
-  const std::string product = file.text("productSpecification").value_or("");
-  const std::string marker = "S-111.";
-  const double edition = parse_number(product.substr(product.find(marker) + marker.size(), 3)).value_or(2.0);
+  const double edition = edition_of(file);
   const double type = file.number("depthTypeIndex").value_or(edition < 1.2 ? 2.0 : 1.0);
   const double datum = file.number("verticalDatum").value_or(sea_surface);
   if (edition < 1.2) {

@@ -102,6 +102,7 @@ TEST_F(S111, IsAtTheDepthThatTheFileSays) {
   EXPECT_THAT(words(report_), HasSubstr("counts from the datum of charts"));
   EXPECT_EQ(depth_m(before_1_2, 1.0, 23.0, 10.0), 5.0);
   EXPECT_EQ(depth_m(before_1_2, 2.0, 23.0, -4.6), 4.6);
+  EXPECT_EQ(depth_m("INT.IHO.S-111", 1.0, 48.0, -4.5), 4.5) << "without an edition as today";
 }
 
 TEST_F(S111, AboveTheSeaBedIsRefused) {
