@@ -9,7 +9,6 @@
 #include <string>
 #include <vector>
 
-#include "storage/repository/field_repository.hpp"
 #include "tests/storage/ingest/support/netcdf_writer.hpp"
 #include "tests/storage/ingest/support/store_fixture.hpp"
 #include "tests/support/places.hpp"
@@ -215,11 +214,7 @@ class BedLevels : public StoreFixture {
   /// The currents of a file, beside which its depths may be stored, too.
   ocean::CurrentGrid stored(const std::filesystem::path& file) {
     report_ = ingest_all(file).front();
-    EXPECT_EQ(report_.status, IngestStatus::stored) << words(report_);
-    if (!report_.dataset) throw std::runtime_error{"nothing was stored"};
-    return repository::FieldRepository{db_}
-        .load_currents(report_.dataset->id, {-180.0, -90.0, 180.0, 90.0}, std::nullopt, std::nullopt)
-        .value();
+    return currents_of(report_);
   }
 
   IngestReport report_;
@@ -300,11 +295,7 @@ TEST_F(BedLevels, OfOtherModelsAreReadWhereTheirFilesSayThatTheyLie) {
                                Sample{"delft3dfm_sigma_map.nc", 60.0, 0.3125}}) {
     SCOPED_TRACE(sample.file);
     const auto report = ingest(case_file("16-mesh-models-refused") / sample.file);
-    ASSERT_TRUE(report.dataset) << words(report);
-    const auto currents =
-        repository::FieldRepository{db_}
-            .load_currents(report.dataset->id, {-180.0, -90.0, 180.0, 90.0}, std::nullopt, std::nullopt)
-            .value();
+    const auto currents = currents_of(report);
     const auto water = currents.at({-7.25, 52.25}, core::Metres{sample.depth_m}, *report.dataset->time_start);
     ASSERT_TRUE(water);
     EXPECT_NEAR(water->east.value, sample.east_m_s, 2e-3);

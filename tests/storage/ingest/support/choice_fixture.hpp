@@ -9,7 +9,6 @@
 #include <utility>
 #include <vector>
 
-#include "storage/repository/field_repository.hpp"
 #include "tests/storage/ingest/support/netcdf_writer.hpp"
 #include "tests/storage/ingest/support/store_fixture.hpp"
 
@@ -83,16 +82,10 @@ class Choice : public StoreFixture {
     return reports.empty() ? IngestReport{} : reports.front();
   }
 
-  ocean::CurrentGrid field_of(const IngestReport& report) {
-    return repository::FieldRepository{db_}
-        .load_currents(report.dataset->id, everywhere, std::nullopt, std::nullopt)
-        .value();
-  }
-
   /// What was stored, as one number for each component, or nothing.
   std::optional<std::pair<double, double>> stored(const IngestReport& report) {
     if (report.status != IngestStatus::stored) return std::nullopt;
-    const ocean::CurrentGrid field = field_of(report);
+    const ocean::CurrentGrid field = currents_of(report);
     return std::pair{static_cast<double>(field.samples().u.front()),
                      static_cast<double>(field.samples().v.front())};
   }

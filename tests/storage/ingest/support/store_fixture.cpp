@@ -6,9 +6,11 @@
 
 #include <cstdlib>
 #include <fstream>
+#include <stdexcept>
 
 #include "storage/ingest/common/gdal_guard.hpp"
 #include "storage/repository/dataset_repository.hpp"
+#include "storage/repository/field_repository.hpp"
 #include "tests/support/places.hpp"
 
 CPL_C_START
@@ -65,6 +67,13 @@ IngestReport StoreFixture::ingest_together(const std::vector<std::filesystem::pa
   auto reports = ingest_all_together(files, options);
   EXPECT_EQ(reports.size(), 1U) << files.front();
   return reports.empty() ? IngestReport{} : reports.front();
+}
+
+ocean::CurrentGrid StoreFixture::currents_of(const IngestReport& report) {
+  if (!report.dataset) throw std::runtime_error{"nothing is stored" + words(report)};
+  return repository::FieldRepository{db_}
+      .load_currents(report.dataset->id, {-180.0, -90.0, 180.0, 90.0}, std::nullopt, std::nullopt)
+      .value();
 }
 
 std::size_t StoreFixture::stored_datasets() { return repository::DatasetRepository{db_}.list().size(); }

@@ -5,7 +5,9 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <vector>
 
+#include "engine/ocean/current_grid.hpp"
 #include "storage/ingest/ingest_file.hpp"
 #include "storage/repository/migrations.hpp"
 
@@ -30,6 +32,9 @@ class StoreFixture : public testing::Test {
   /// The report of files that make one dataset.
   [[nodiscard]] IngestReport ingest_together(const std::vector<std::filesystem::path>& files,
                                              const IngestOptions& options = {});
+  /// All currents of the dataset that a report names.
+  /// Errors  std::runtime_error with the words of a report that names none
+  [[nodiscard]] ocean::CurrentGrid currents_of(const IngestReport& report);
   [[nodiscard]] std::size_t stored_datasets();
   /// Expects a refusal whose reason contains `reason`, and a store as it was before.
   void expect_refused(const std::filesystem::path& file, const std::string& reason,

@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "storage/repository/field_repository.hpp"
 #include "tests/storage/ingest/support/netcdf_writer.hpp"
 #include "tests/storage/ingest/support/store_fixture.hpp"
 #include "tests/support/property.hpp"
@@ -40,13 +39,7 @@ void write_pair(NetcdfWriter& writer, const std::string& first, const std::strin
 
 class NetcdfGroups : public StoreFixture {
  protected:
-  float first_value(const IngestReport& report) {
-    return repository::FieldRepository{db_}
-        .load_currents(report.dataset.value().id, {-180.0, -90.0, 180.0, 90.0}, std::nullopt, std::nullopt)
-        .value()
-        .samples()
-        .u.front();
-  }
+  float first_value(const IngestReport& report) { return currents_of(report).samples().u.front(); }
 };
 
 TEST_F(NetcdfGroups, AreLookedIntoHoweverDeepTheDataLie) {

@@ -155,13 +155,10 @@ class ProjectedPlanes : public StoreFixture {
  protected:
   ocean::CurrentGrid stored_velocity(DatasetKind kind) {
     const auto report = ingest(path("plane.nc"));
-    EXPECT_EQ(report.status, IngestStatus::stored) << words(report);
-    if (!report.dataset) throw std::runtime_error{"nothing was stored"};
+    ocean::CurrentGrid currents = currents_of(report);
     EXPECT_EQ(report.dataset->kind, kind);
     EXPECT_THAT(words(report), HasSubstr("resampled"));
-    return repository::FieldRepository{db_}
-        .load_currents(report.dataset->id, everywhere, std::nullopt, std::nullopt)
-        .value();
+    return currents;
   }
   ocean::IceField stored_ice() {
     const auto report = ingest(path("plane.nc"));

@@ -99,7 +99,7 @@ TEST_F(LevelChoice, OfCurrentsWithoutLevelsLeavesThemWhereTheyAre) {
         outcome(write({{file.first, 0.25, file.first_texts}, {file.second, -0.25, file.second_texts}}));
     expect_pair(stored(report), 0.25, report);
     EXPECT_THAT(words(report), HasSubstr(file.warning)) << file.first;
-    const auto depths = field_of(report).samples().depths_m;
+    const auto depths = currents_of(report).samples().depths_m;
     EXPECT_EQ(depths.has_value(), !std::isnan(file.depth_m)) << file.first;
     if (depths) {
       EXPECT_EQ(depths->nodes(), std::vector{file.depth_m}) << file.first;
@@ -134,7 +134,7 @@ TEST_F(LevelChoice, OfALevelBesideTheVariableIsThatOfALevelAlongADimension) {
       level.is_dimension = is_dimension;
       const auto report = outcome(write(pair_of("uo", "vo", 0.25), level));
       expect_pair(stored(report), 0.25, report);
-      const auto depths = field_of(report).samples().depths_m;
+      const auto depths = currents_of(report).samples().depths_m;
       ASSERT_TRUE(depths) << is_dimension << words(report);
       EXPECT_NEAR(depths->front(), depth_m, 1e-9) << is_dimension;
     }

@@ -14,7 +14,6 @@
 
 #include "storage/ingest/common/gdal_guard.hpp"
 #include "storage/repository/dataset_repository.hpp"
-#include "storage/repository/field_repository.hpp"
 #include "tests/storage/ingest/support/store_fixture.hpp"
 #include "tests/support/property.hpp"
 
@@ -121,12 +120,7 @@ class Zarr3 : public StoreFixture {
     component<float>("vo", "float32", {second, first}, json::object(), "NaN", packing);
   }
 
-  ocean::CurrentGrid::Samples stored(const IngestReport& report) {
-    return repository::FieldRepository{db_}
-        .load_currents(report.dataset->id, {-180.0, -90.0, 180.0, 90.0}, {}, {})
-        .value()
-        .samples();
-  }
+  ocean::CurrentGrid::Samples stored(const IngestReport& report) { return currents_of(report).samples(); }
 
   static constexpr float nan = std::numeric_limits<float>::quiet_NaN();
   const std::vector<float> first{0.1F, 0.2F, 0.3F, -0.4F, 0.5F, 0.6F};

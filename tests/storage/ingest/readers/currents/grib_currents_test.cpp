@@ -5,7 +5,6 @@
 #include <numbers>
 
 #include "engine/core/utc_text.hpp"
-#include "storage/repository/field_repository.hpp"
 #include "tests/storage/ingest/support/grib_writer.hpp"
 #include "tests/storage/ingest/support/model_grid_writer.hpp"
 #include "tests/storage/ingest/support/store_fixture.hpp"
@@ -20,11 +19,7 @@ class GribCurrents : public StoreFixture {
  protected:
   ocean::CurrentGrid stored(const std::string& octets) {
     report_ = ingest(write_file("currents.grb2", octets));
-    EXPECT_EQ(report_.status, IngestStatus::stored) << words(report_);
-    if (!report_.dataset) throw std::runtime_error{"nothing was stored"};
-    return repository::FieldRepository{db_}
-        .load_currents(report_.dataset->id, {-180.0, -90.0, 180.0, 90.0}, std::nullopt, std::nullopt)
-        .value();
+    return currents_of(report_);
   }
 
   IngestReport report_;

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "engine/geo/geodesic.hpp"
-#include "storage/repository/field_repository.hpp"
 #include "tests/storage/ingest/support/model_grid_writer.hpp"
 #include "tests/storage/ingest/support/netcdf_writer.hpp"
 #include "tests/storage/ingest/support/store_fixture.hpp"
@@ -21,11 +20,7 @@ class ModelLayouts : public StoreFixture {
  protected:
   ocean::CurrentGrid stored(const std::vector<std::filesystem::path>& files) {
     report_ = ingest_together(files);
-    EXPECT_EQ(report_.status, IngestStatus::stored) << words(report_);
-    if (!report_.dataset) throw std::runtime_error{"nothing was stored"};
-    return repository::FieldRepository{db_}
-        .load_currents(report_.dataset->id, {-180.0, -90.0, 180.0, 90.0}, std::nullopt, std::nullopt)
-        .value();
+    return currents_of(report_);
   }
   ocean::CurrentGrid stored_nemo(const ModelGrid& grid) {
     write_nemo(grid, path("u.nc"), path("v.nc"), no_land);

@@ -5,7 +5,6 @@
 #include <sstream>
 
 #include "engine/core/utc_text.hpp"
-#include "storage/repository/field_repository.hpp"
 #include "tests/storage/ingest/support/store_fixture.hpp"
 
 namespace floeplan::ingest::model_samples_test {
@@ -26,19 +25,12 @@ struct KnownCurrent {
 
 class ModelSamples : public StoreFixture {
  protected:
-  const ocean::CurrentGrid& currents_of(const std::string& names) {
+  const ocean::CurrentGrid& sample(const std::string& names) {
     if (const auto known = grids_.find(names); known != grids_.end()) return known->second;
     std::vector<std::filesystem::path> files;
     std::istringstream words_of{names};
     for (std::string name; words_of >> name;) files.push_back(sample_folder() / "currents" / name);
-    const auto report = ingest_together(files);
-    EXPECT_EQ(report.status, IngestStatus::stored) << words(report);
-    return grids_
-        .emplace(names, repository::FieldRepository{db_}
-                            .load_currents(report.dataset.value().id, {-180.0, -90.0, 180.0, 90.0},
-                                           std::nullopt, std::nullopt)
-                            .value())
-        .first->second;
+    return grids_.emplace(names, currents_of(ingest_together(files))).first->second;
   }
 
  private:
@@ -80,8 +72,8 @@ TEST_F(ModelSamples, HoldTheCurrentsThatAnotherReaderSees) {
        1e-6},
   };
   for (const KnownCurrent& current : known) {
-    const auto water = currents_of(current.files)
-                           .at(current.place, {current.depth_m}, core::parse_iso8601(current.time).value());
+    const auto water =
+        sample(current.files).at(current.place, {current.depth_m}, core::parse_iso8601(current.time).value());
     ASSERT_TRUE(water.has_value()) << current.files << " " << current.place.lon_deg;
     EXPECT_NEAR(water->east.value, current.east_m_s, current.tolerance_m_s)
         << current.files << " " << current.place.lon_deg;

@@ -5,7 +5,6 @@
 #include <numbers>
 
 #include "engine/core/utc_text.hpp"
-#include "storage/repository/field_repository.hpp"
 #include "tests/storage/ingest/support/s100_writer.hpp"
 #include "tests/storage/ingest/support/store_fixture.hpp"
 
@@ -27,11 +26,7 @@ class S111 : public StoreFixture {
  protected:
   ocean::CurrentGrid stored(const std::filesystem::path& file) {
     report_ = ingest(file);
-    EXPECT_EQ(report_.status, IngestStatus::stored) << words(report_);
-    if (!report_.dataset) throw std::runtime_error{"nothing was stored"};
-    return repository::FieldRepository{db_}
-        .load_currents(report_.dataset->id, {-180.0, -90.0, 180.0, 90.0}, std::nullopt, std::nullopt)
-        .value();
+    return currents_of(report_);
   }
 
   IngestReport report_;

@@ -1,7 +1,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "storage/repository/field_repository.hpp"
 #include "tests/storage/ingest/support/netcdf_writer.hpp"
 #include "tests/storage/ingest/support/store_fixture.hpp"
 
@@ -30,12 +29,6 @@ class Wind : public StoreFixture {
     file.write(path("wind.nc"));
     return ingest(path("wind.nc"));
   }
-
-  [[nodiscard]] ocean::CurrentGrid field_of(const IngestReport& report) {
-    return repository::FieldRepository{db_}
-        .load_currents(report.dataset->id, {-180.0, -90.0, 180.0, 90.0}, std::nullopt, std::nullopt)
-        .value();
-  }
 };
 
 TEST_F(Wind, IsStoredAsItBlows) {
@@ -44,7 +37,7 @@ TEST_F(Wind, IsStoredAsItBlows) {
 
   ASSERT_EQ(report.status, IngestStatus::stored) << words(report);
   EXPECT_EQ(report.dataset->kind, DatasetKind::wind);
-  const ocean::CurrentGrid field = field_of(report);
+  const ocean::CurrentGrid field = currents_of(report);
   EXPECT_FALSE(field.samples().depths_m);
   const auto wind = field.at({2.0, 51.0}, core::Metres{0.0}, *report.dataset->time_end);
   ASSERT_TRUE(wind);
@@ -59,7 +52,7 @@ TEST_F(Wind, IsBroughtToMetresASecond) {
   const auto report = stored(file);
 
   ASSERT_EQ(report.status, IngestStatus::stored) << words(report);
-  const auto wind = field_of(report).at({0.0, 50.0}, core::Metres{0.0}, *report.dataset->time_start);
+  const auto wind = currents_of(report).at({0.0, 50.0}, core::Metres{0.0}, *report.dataset->time_start);
   EXPECT_NEAR(wind.value().east.value, 5.0 * 1852.0 / 3600.0, 1e-5);
 }
 
@@ -106,7 +99,7 @@ TEST_F(Wind, IsTakenAtTenMetres) {
   const auto report = stored(file);
 
   ASSERT_EQ(report.status, IngestStatus::stored) << words(report);
-  const auto wind = field_of(report).at({1.0, 51.0}, core::Metres{0.0}, *report.dataset->time_start);
+  const auto wind = currents_of(report).at({1.0, 51.0}, core::Metres{0.0}, *report.dataset->time_start);
   EXPECT_NEAR(wind.value().east.value, 7.0, 1e-6);
 
   file.depths = {100.0};

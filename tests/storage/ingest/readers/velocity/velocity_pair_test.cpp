@@ -40,7 +40,7 @@ TEST_P(PublicFile, IsStoredAsItsProducerMeansItOrRefused) {
   }
   ASSERT_EQ(report.status, IngestStatus::stored) << words(report);
   const auto current =
-      field_of(report).at({-7.25, 52.25}, core::Metres{0.0}, *report.dataset->time_start).value();
+      currents_of(report).at({-7.25, 52.25}, core::Metres{0.0}, *report.dataset->time_start).value();
   EXPECT_NEAR(current.east.value, *GetParam().east, 1e-6);
   EXPECT_NEAR(current.north.value, *GetParam().east - 0.4, 1e-6);
 }
