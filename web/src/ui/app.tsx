@@ -24,10 +24,10 @@ const CompareDialog = dialogLater(async () => (await import('./plans/compare_dia
 export function App(): VNode {
   return (
     <div class="app" data-drawer={drawer.value}>
-      <nav class="skip-links" aria-label="Skip">
-        <a href="#map">To the map</a>
-        <a href="#left">To set-up and plans</a>
-        <a href="#right">To the waypoints</a>
+      <nav aria-label="Skip">
+        <a class="skip-link" href="#map">To the map</a>
+        <a class="skip-link" href="#left">To set-up and plans</a>
+        <a class="skip-link" href="#right">To the waypoints</a>
       </nav>
       <Header />
       <aside class="left" id="left" aria-label="Set-up, plans, data and layers" tabIndex={-1}>
