@@ -8,6 +8,7 @@ namespace floeplan::planning::cost {
 namespace {
 
 constexpr core::Seconds between_looks{900.0};
+constexpr core::Seconds fineness_of_clear{5.0};  // of `Sea::first_clear_departure`
 constexpr int most_tries = 8;  // of a leg, each at a departure at which the straight and even way is clear
 constexpr int tries_in_currents = 48;  // a tidal cycle in quarters of an hour
 constexpr double tries_per_time_step = 4.0;
@@ -223,6 +224,7 @@ OpenLegLook next_open_leg(const Sea& sea, geo::PlanePoint a, geo::PlanePoint b, 
   };
   core::Seconds depart = departure_for(sea, a, b, departures.from, not_before);
   std::optional<core::Seconds> refused;
+  bool even_is_closed_until = false;  // the departure that is tried
   for (int i = 0; i < most_tries; ++i) {
     if (depart > departures.until) {
       if (!refused || *refused >= departures.until) return none;
@@ -231,6 +233,16 @@ OpenLegLook next_open_leg(const Sea& sea, geo::PlanePoint a, geo::PlanePoint b, 
     const auto time = sea.leg_time(a, b, depart);
     if (time && depart + *time >= not_before) {
       OpenLeg open{depart, *time};
+      // An even drive opens a few seconds from when the exact one does.
+      for (core::Seconds step = fineness_of_clear; even_is_closed_until && refused; step *= 2.0) {
+        const core::Seconds before = std::max(*refused, depart - step);
+        const auto earlier = before > *refused ? open_at(before) : std::nullopt;
+        if (!earlier) {
+          refused = before;
+          break;
+        }
+        open = *earlier;
+      }
       while (refused && open.depart - *refused > punctual) {
         const core::Seconds middle = 0.5 * (*refused + open.depart);
         if (const auto earlier = open_at(middle)) {
@@ -246,10 +258,11 @@ OpenLegLook next_open_leg(const Sea& sea, geo::PlanePoint a, geo::PlanePoint b, 
       depart += std::max(not_before - (depart + *time), punctual);
       continue;
     }
-    bool is_first = false;
-    const auto next = departure_after(sea, a, b, depart, departures.until, time.error(), is_first);
+    even_is_closed_until = false;
+    const auto next =
+        departure_after(sea, a, b, depart, departures.until, time.error(), even_is_closed_until);
     if (!next) return none;
-    refused = is_first ? std::nullopt : std::optional{depart};
+    refused = depart;
     depart = *next;
   }
   return {std::nullopt, refused.value_or(depart)};

@@ -15,7 +15,6 @@
 #include "engine/planning/search/explanation.hpp"
 #include "engine/planning/search/voyage_grids.hpp"
 #include "engine/planning/search/voyage_search.hpp"
-#include "engine/planning/search/waiting/time_killing.hpp"
 
 namespace floeplan::planning::planner {
 namespace {
@@ -135,34 +134,10 @@ Attempt plan_on_grids(const Task& task) {
   return best;
 }
 
-bool waits_somewhere(const Result<Plan>& plan) {
-  return plan && std::ranges::any_of(plan->waypoints,
-                                     [](const Waypoint& waypoint) { return waypoint.wait.count() > 0.0; });
-}
-
-/// Whether a plan only seems the better one: it kills time under way where the other one waits, and is earlier by no
-/// more than the searches are exact to.
-bool only_kills_time(const Attempt& moving, const Result<Plan>& waiting) {
-  constexpr double just_as_good = 2e-3;  // of a search and of a refinement
-  if (!waits_somewhere(waiting) || waiting->travel_time() > (1.0 + just_as_good) * moving.plan->travel_time())
-    return false;
-  const cost::Sea& sea = moving.chart->sea;
-  const auto schedule = cost::schedule_along(sea, moving.route.points, cost::at_departure);
-  return schedule && search::longest_killing_of_time(sea, moving.route, *schedule).has_value();
-}
-
-/// The request without its leave to wait and to pass under icebergs; empty where neither can make a difference.
+/// The request without its leave to pass under icebergs; empty where that makes no difference.
 std::optional<PlanRequest> without_leave(const ocean::Environment& environment, const PlanRequest& request) {
-  const bool has_icebergs = !environment.icebergs.empty();
-  const bool currents_change =
-      environment.currents && !environment.steady_currents && environment.currents->times_s().size() > 1;
-  const bool something_opens =
-      has_icebergs || !environment.zones.empty() || !request.zones.empty() || currents_change;
-  const bool may_wait = request.max_loiter.count() > 0.0 && something_opens;
-  const bool may_pass_under = request.icebergs.pass_under && has_icebergs;
-  if (!may_wait && !may_pass_under) return std::nullopt;
+  if (!request.icebergs.pass_under || environment.icebergs.empty()) return std::nullopt;
   PlanRequest strict = request;
-  strict.max_loiter = core::Seconds{0.0};
   strict.icebergs.pass_under = false;
   return strict;
 }
@@ -174,14 +149,12 @@ Result<Plan> plan_fastest(const Task& task, const Planning&) {
   Attempt best = plan_on_grids(task);
   const std::optional<PlanRequest> strict = without_leave(environment, request);
   if (strict && !stop.stop_requested()) {
-    // Refinement finds other ways where less is allowed: a leave must never make a plan later, but for the time that is
-    // killed else.
+    // Refinement finds other ways where less is allowed: a leave must never make a plan later.
     best.chart.reset();  // of no use any longer, and large
     Attempt without = plan_on_grids(task.with(*strict));
     if (stop.stop_requested()) return tl::unexpected(search::explain_cancelled(request));
     const bool is_no_later = without.plan && (!best.plan || without.plan->arrival <= best.plan->arrival);
-    const bool may_wait = request.max_loiter.count() > 0.0;
-    if (is_no_later && !(may_wait && only_kills_time(without, best.plan))) best = std::move(without);
+    if (is_no_later) best = std::move(without);
   }
   progress("done", 1.0);
   return std::move(best.plan);

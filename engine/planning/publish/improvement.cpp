@@ -9,39 +9,16 @@
 #include "engine/planning/cost/route.hpp"
 #include "engine/planning/cost/route_cost.hpp"
 #include "engine/planning/cost/straightening.hpp"
+#include "engine/planning/publish/held_legs.hpp"
 #include "engine/planning/refinement/refinement.hpp"
 #include "engine/planning/refinement/refinement_budget.hpp"
 #include "engine/planning/refinement/shortening.hpp"
-#include "engine/planning/search/waiting/time_killing.hpp"
 
 namespace floeplan::planning::publish {
 namespace {
 
-constexpr double cost_of_waiting = 4.0;  // of a leg that is timed at several departures until it opens
-
-/// What asks the sea, in the shape that refinement wants. A way on which nothing is waited for is moved without waits:
-/// it gains nothing by them, and each leg is timed once.
-struct SeaTimer {
-  const cost::Sea& sea;
-  bool waits;
-
-  tl::expected<core::Seconds, motion::EdgeClosed> operator()(geo::PlanePoint a, geo::PlanePoint b,
-                                                             core::Seconds depart) const {
-    return waits ? cost::time_with_wait(sea, a, b, depart) : sea.leg_time(a, b, depart);
-  }
-};
-
-bool has_waits(const cost::Sea& sea, const cost::Route& way) {
-  const auto schedule = cost::schedule_along(sea, way.points, cost::at_departure);
-  return schedule &&
-         std::ranges::any_of(schedule->waits, [](core::Seconds wait) { return wait.count() > 0.0; });
-}
-
-refinement::RefinementBudget budget_of(bool waits, const PlanRequest& request, const std::stop_token& stop,
-                                       const core::SteadyClock& clock) {
-  const double per_second =
-      waits ? refinement::timed_legs_per_second / cost_of_waiting : refinement::timed_legs_per_second;
-  return refinement::refinement_budget(request, per_second, stop, clock);
+bool has_waits(const cost::Schedule& schedule) {
+  return std::ranges::any_of(schedule.waits, [](core::Seconds wait) { return wait.count() > 0.0; });
 }
 
 std::optional<std::size_t> most_legs(const PlanRequest& request) {
@@ -52,62 +29,47 @@ std::optional<std::size_t> most_legs(const PlanRequest& request) {
 /// The way of a grid after refinement; as it is when it is closed, for publishing to tell why.
 Improved refined(const cost::Sea& sea, const cost::Route& way, const PlanRequest& request,
                  const std::stop_token& stop, const core::SteadyClock& clock) {
-  const SeaTimer timer{sea, has_waits(sea, way)};
+  const auto schedule = cost::schedule_along(sea, way.points, cost::at_departure);
+  if (!schedule) return {way, std::nullopt};
+  const HeldLegs timer{sea, way, *schedule};
   refinement::LegMeter legs{timer, {.stop = stop}};
   const auto on_grid = legs.timed(way, cost::at_departure);
-  const auto start =
-      legs.timed(cost::drop_needless_points(sea, way, cost::at_departure, stop), cost::at_departure);
-  if (!on_grid || !start) return {way, std::nullopt};
+  if (!on_grid) return {way, std::nullopt};
+  auto start = on_grid;
+  if (!has_waits(*schedule)) {
+    const cost::Sea moving = sea.without_waits();
+    start = legs.timed(cost::drop_needless_points(moving, way, cost::at_departure, stop), cost::at_departure);
+    if (!start) return {way, std::nullopt};
+  }
   const auto most = most_legs(request);
   std::vector<cost::Itinerary> shorter;
   if (most)
     shorter = {refinement::shorten_to(legs, *start, *most), refinement::shorten_to(legs, *on_grid, *most)};
-  refinement::Refined result = refinement::refine_route(timer, *start, {.most_legs = most},
-                                                        budget_of(timer.waits, request, stop, clock),
-                                                        shorter);
+  const auto budget = refinement::refinement_budget(request, refinement::timed_legs_per_second, stop, clock);
+  refinement::Refined result = refinement::refine_route(timer, *start, {.most_legs = most}, budget, shorter);
   result.report.before = on_grid->travel_time();
   return {std::move(result.itinerary.route), std::move(result.report)};
 }
 
 cost::Route thinned(const cost::Sea& sea, const cost::Route& route, std::size_t most,
                     const std::stop_token& stop) {
-  const SeaTimer timer{sea, has_waits(sea, route)};
+  const auto schedule = cost::schedule_along(sea, route.points, cost::at_departure);
+  if (!schedule) return route;
+  const HeldLegs timer{sea, route, *schedule};
   refinement::LegMeter legs{timer, {.stop = stop}};
   auto timed = legs.timed(route, cost::at_departure);
   return timed ? refinement::shorten_to(legs, std::move(*timed), most).route : route;
 }
 
-/// The route with a wait and a straight leg for each part that only kills time, as long as it arrives no later.
-cost::Route waiting_instead(const cost::Sea& sea, cost::Route route, const std::stop_token& stop) {
-  auto schedule = cost::schedule_along(sea, route.points, cost::at_departure);
-  while (schedule && !stop.stop_requested()) {
-    const auto killed = search::longest_killing_of_time(sea, route, *schedule);
-    if (!killed) break;
-    const auto from = static_cast<std::ptrdiff_t>(killed->from) + 1;
-    const auto to = static_cast<std::ptrdiff_t>(killed->to);
-    cost::Route shorter = route;
-    shorter.points.erase(shorter.points.begin() + from, shorter.points.begin() + to);
-    shorter.fixed.erase(shorter.fixed.begin() + from, shorter.fixed.begin() + to);
-    auto waiting = cost::schedule_along(sea, shorter.points, cost::at_departure);
-    if (!waiting || waiting->arrivals.back() > schedule->arrivals.back()) break;
-    route = std::move(shorter);
-    schedule = std::move(waiting);
-  }
-  return route;
-}
-
-/// The route with a straight leg for each part that such a leg can replace while the vehicle waits somewhere from there
-/// on and arrives no later: one wait is easier to fly than many short ones.
-cost::Route with_fewer_waits(const cost::Sea& sea, cost::Route route, const std::stop_token& stop) {
+/// The route with a straight leg for each part that such a leg can replace so that the vehicle is at the end no later:
+/// where an opening sets the arrival, refinement leaves detours that a hold makes needless, and one hold is easier to
+/// fly than many short ones.
+cost::Route with_fewer_points(const cost::Sea& sea, cost::Route route, const std::stop_token& stop) {
   constexpr double as_early = 1e-4;  // of the travel time: the fineness of waits
-  auto schedule = cost::schedule_along(sea, route.points, cost::at_departure);
+  const auto schedule = cost::schedule_along(sea, route.points, cost::at_departure);
   if (!schedule) return route;
   const core::Seconds latest = (1.0 + as_early) * (schedule->arrivals.back() - cost::at_departure);
-  const auto waits_from = [&](std::size_t first) {
-    return std::any_of(schedule->waits.begin() + static_cast<std::ptrdiff_t>(first), schedule->waits.end(),
-                       [](core::Seconds wait) { return wait.count() > 0.0; });
-  };
-  for (std::size_t from = 0; from + 2 < route.points.size() && waits_from(from); ++from) {
+  for (std::size_t from = 0; from + 2 < route.points.size(); ++from) {
     for (std::size_t legs = route.points.size() - 1 - from; legs > 1; legs /= 2) {
       if (stop.stop_requested()) return route;
       const auto begin = static_cast<std::ptrdiff_t>(from) + 1;
@@ -117,10 +79,9 @@ cost::Route with_fewer_waits(const cost::Sea& sea, cost::Route route, const std:
       cost::Route shorter = route;
       shorter.points.erase(shorter.points.begin() + begin, shorter.points.begin() + end);
       shorter.fixed.erase(shorter.fixed.begin() + begin, shorter.fixed.begin() + end);
-      auto waiting = cost::schedule_along(sea, shorter.points, cost::at_departure);
-      if (!waiting || waiting->arrivals.back() - cost::at_departure > latest) continue;
+      const auto then = cost::schedule_along(sea, shorter.points, cost::at_departure);
+      if (!then || then->arrivals.back() - cost::at_departure > latest) continue;
       route = std::move(shorter);
-      schedule = std::move(waiting);
       break;
     }
   }
@@ -133,6 +94,16 @@ cost::Route with_fewer_waits(const cost::Sea& sea, cost::Route route, const std:
 /// in longer pieces, which keep somewhat more from icebergs.
 bool stays_open(const cost::Sea& sea, const cost::Route& route) {
   return cost::arrivals_along(sea, route.points, cost::at_departure).has_value();
+}
+
+/// Whether it is, and the vehicle is at the end no later than by the other one: a little later, and it may be shut in
+/// until something opens again.
+bool is_as_early(const cost::Sea& sea, const cost::Route& route, const cost::Route& other) {
+  constexpr double rounding = 1e-4;  // of times, as the fineness of waits
+  const auto arrivals = cost::arrivals_along(sea, route.points, cost::at_departure);
+  if (!arrivals || !cost::waits_may_help(sea)) return arrivals.has_value();
+  const auto others = cost::arrivals_along(sea, other.points, cost::at_departure);
+  return !others || arrivals->back() <= (1.0 + rounding) * others->back();
 }
 
 /// The route with fixed points where it comes out of the ice and where it goes below it: what moves between them leaves
@@ -193,11 +164,7 @@ cost::Route joined_where_open(const cost::Sea& sea, const cost::Route& way) {
 /// What comes after the waypoints were moved.
 cost::Route finished(const cost::Sea& sea, cost::Route route, const PlanRequest& request,
                      const std::stop_token& stop) {
-  // Where an opening sets the arrival, refinement leaves detours that a wait makes needless.
-  if (request.refine && sea.longest_wait().count() > 0.0) {
-    route = cost::drop_needless_points(sea, route, cost::at_departure, stop);
-    route = with_fewer_waits(sea, waiting_instead(sea, std::move(route), stop), stop);
-  }
+  if (request.refine && cost::waits_may_help(sea)) route = with_fewer_points(sea, std::move(route), stop);
   // Refinement has cut the number already; where it could not, this cannot either.
   if (const auto most = most_legs(request)) route = thinned(sea, route, *most, stop);
   if (request.max_leg) route = cost::part_long_legs(sea, route, *request.max_leg);
@@ -214,7 +181,8 @@ Improved improve(const cost::Sea& sea, const cost::Route& way, const PlanRequest
     if (request.refine) improved = refined(sea, improved.route, request, stop, clock);
   }
   improved.route = finished(sea, improved.route, request, stop);
-  if (stays_open(sea, improved.route)) return improved;
+  if (request.max_waypoints ? stays_open(sea, improved.route) : is_as_early(sea, improved.route, way))
+    return improved;
   const cost::Route joined = joined_where_open(sea, way);
   if (request.refine && request.method != Method::direct && sea.overhead().bounds_surfacing()) {
     Improved held = refined(sea, held_at_the_ice(sea, joined), request, stop, clock);

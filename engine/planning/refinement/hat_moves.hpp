@@ -66,7 +66,7 @@ class HatMoves {
       times.push_back(now);
       costs.push_back(cost);
       // Who is later here and has spent more hardly makes up for it.
-      if (i == hat.right && !(now < best_.times[i] || cost < best_.costs[i])) return false;
+      if (i >= hat.right && !(now < best_.times[i] || cost < best_.costs[i])) return false;
       from = to;
     }
     if (!(cost < best_.cost())) return false;
