@@ -39,7 +39,7 @@ json polygon_json(const geo::Polygon& polygon) {
           {"geometry", {{"type", "Polygon"}, {"coordinates", std::move(rings)}}}};
 }
 
-std::vector<geo::Polygon> load(sqlite::Connection& db, const geo::BoundingBox& area) {
+std::vector<geo::Polygon> load(sql::Connection& db, const geo::BoundingBox& area) {
   std::vector<geo::Polygon> land;
   for (const auto& dataset : repository::DatasetRepository{db}.list()) {
     if (dataset.kind != repository::DatasetKind::coastline) continue;

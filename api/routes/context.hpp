@@ -14,7 +14,7 @@
 #include "api/routes/remembered.hpp"
 #include "api/routes/request_counts.hpp"
 #include "storage/repository/current_blocks.hpp"
-#include "storage/sqlite/connection.hpp"
+#include "storage/sql/connection.hpp"
 
 namespace floeplan::routes {
 
@@ -65,7 +65,7 @@ struct ServiceInfo {
 
 /// What a resource answers from.
 struct Context {
-  sqlite::Connection& db;  // of this thread
+  sql::Connection& db;  // of this thread
   JobGateway& jobs;
   const ServiceInfo& service;
   Remembered* remembered{nullptr};  // of the connection, refreshed for this request; null: nothing is kept

@@ -13,7 +13,7 @@ namespace {
 
 using nlohmann::json;
 
-std::vector<core::UtcTime> times_of(sqlite::Connection& db, const repository::Dataset& dataset) {
+std::vector<core::UtcTime> times_of(sql::Connection& db, const repository::Dataset& dataset) {
   std::vector<core::UtcTime> times;
   const bool has_steps = repository::has_steps(dataset.kind);
   if (!has_steps) return times;
@@ -27,7 +27,7 @@ Response list_datasets(const Context& context, const Request&, const PathParamet
   auto [whole, damaged] = repository::DatasetRepository{context.db}.list_past_damage();
   json datasets = json::array();
   for (const auto& dataset : whole) {
-    const bool has_times = repository::meets_no_damage(
+    const bool has_times = sql::meets_no_damage(
         [&] { datasets.push_back(codec::dataset_document(dataset, times_of(context.db, dataset))); });
     if (!has_times) damaged.push_back({.kind = "dataset", .id = dataset.id.value});
   }

@@ -57,7 +57,7 @@ std::vector<core::UtcTime> new_steps(const EdrShape& run, const TimeSpan& span,
 
 /// The answer with the steps of other runs in a period that was asked for, as plans join runs: at each time the newest
 /// that covers it.
-codec::CoverageGrid with_other_runs(const EdrAttempt& answer, sqlite::Connection& db,
+codec::CoverageGrid with_other_runs(const EdrAttempt& answer, sql::Connection& db,
                                     const EdrCollection& collection, const Wanted& wanted,
                                     const geo::BoundingBox& box, const EdrShape& first,
                                     const std::vector<repository::Dataset>& datasets) {
@@ -192,7 +192,7 @@ bool AskedGrids::take(const ocean::HorizontalGrid& grid) {
 }
 
 tl::expected<codec::CoverageGrid, Response> first_with_values(
-    sqlite::Connection& db, const Request& request, const EdrCollection& collection, const Wanted& wanted,
+    sql::Connection& db, const Request& request, const EdrCollection& collection, const Wanted& wanted,
     const geo::BoundingBox& box,
     const std::function<tl::expected<EdrAttempt, Response>(const EdrShape&)>& ask) {
   auto datasets = edr_datasets(db, collection, box, wanted.span);

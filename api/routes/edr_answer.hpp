@@ -60,7 +60,7 @@ class AskedGrids {
 /// are the answer; else a refusal.
 /// Where a period is asked for, the other runs of the same model add their steps in it that no newer run speaks of.
 [[nodiscard]] tl::expected<codec::CoverageGrid, Response> first_with_values(
-    sqlite::Connection& db, const Request& request, const EdrCollection& collection, const Wanted& wanted,
+    sql::Connection& db, const Request& request, const EdrCollection& collection, const Wanted& wanted,
     const geo::BoundingBox& box,
     const std::function<tl::expected<EdrAttempt, Response>(const EdrShape&)>& ask);
 

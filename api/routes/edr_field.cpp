@@ -97,7 +97,7 @@ std::size_t nodes_apart(const ocean::Axis& all, const ocean::Axis& kept) {
   return static_cast<std::size_t>(std::max(1.0, std::round(apart)));
 }
 
-void sort_finest_first(std::vector<repository::Dataset>& datasets, sqlite::Connection& db) {
+void sort_finest_first(std::vector<repository::Dataset>& datasets, sql::Connection& db) {
   using Ranked = std::pair<double, repository::Dataset>;  // by the spacing in metres
   std::vector<Ranked> ranked;
   for (const auto& dataset : datasets) {
@@ -144,7 +144,7 @@ const std::vector<EdrCollection>& edr_collections() {
   return collections;
 }
 
-std::vector<repository::Dataset> edr_datasets(sqlite::Connection& db, const EdrCollection& collection,
+std::vector<repository::Dataset> edr_datasets(sql::Connection& db, const EdrCollection& collection,
                                               const std::optional<geo::BoundingBox>& area,
                                               const TimeSpan& span) {
   auto datasets = repository::DatasetRepository{db}.list();
@@ -163,7 +163,7 @@ bool are_of_one_model(const EdrShape& a, const EdrShape& b) {
          a.grid.y().nodes() == b.grid.y().nodes();
 }
 
-std::optional<EdrShape> edr_shape(sqlite::Connection& db, const repository::Dataset& dataset) {
+std::optional<EdrShape> edr_shape(sql::Connection& db, const repository::Dataset& dataset) {
   const auto stored = FieldRepository{db}.shape(dataset.id);
   if (!stored) return std::nullopt;
   EdrShape shape{.dataset = dataset, .grid = stored->grid, .depths_m = {}, .times = {}};
@@ -175,7 +175,7 @@ std::optional<EdrShape> edr_shape(sqlite::Connection& db, const repository::Data
   return shape;
 }
 
-std::unique_ptr<EdrField> load_edr_field(sqlite::Connection& db, const EdrShape& shape,
+std::unique_ptr<EdrField> load_edr_field(sql::Connection& db, const EdrShape& shape,
                                          const geo::BoundingBox& area, core::UtcTime from, core::UtcTime to,
                                          const std::vector<double>& depths_m) {
   const FieldRepository fields{db};
@@ -197,7 +197,7 @@ std::unique_ptr<EdrField> load_edr_field(sqlite::Connection& db, const EdrShape&
   return std::make_unique<CurrentsField>(std::make_shared<const ocean::CurrentGrid>(std::move(*currents)));
 }
 
-std::unique_ptr<EdrField> load_edr_field_at(sqlite::Connection& db, const EdrShape& shape, geo::LonLat place,
+std::unique_ptr<EdrField> load_edr_field_at(sql::Connection& db, const EdrShape& shape, geo::LonLat place,
                                             core::UtcTime from, core::UtcTime to,
                                             const std::vector<double>& depths_m,
                                             repository::CurrentBlocks* kept) {

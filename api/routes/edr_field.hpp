@@ -12,7 +12,7 @@
 #include "engine/ocean/horizontal_grid.hpp"
 #include "storage/repository/current_blocks.hpp"
 #include "storage/repository/dataset.hpp"
-#include "storage/sqlite/connection.hpp"
+#include "storage/sql/connection.hpp"
 
 namespace floeplan::routes {
 
@@ -52,23 +52,23 @@ struct EdrShape {
 
 /// The datasets of the collection that meet the area and the period, by their bounds: the newest model run first, but
 /// depths of the sea bed as plans take them, the finest first.
-[[nodiscard]] std::vector<repository::Dataset> edr_datasets(sqlite::Connection& db,
+[[nodiscard]] std::vector<repository::Dataset> edr_datasets(sql::Connection& db,
                                                             const EdrCollection& collection,
                                                             const std::optional<geo::BoundingBox>& area,
                                                             const TimeSpan& span);
 /// Whether both are runs of one model: on one grid, with the same depths.
 [[nodiscard]] bool are_of_one_model(const EdrShape& a, const EdrShape& b);
 /// nullopt: the dataset has no field.
-[[nodiscard]] std::optional<EdrShape> edr_shape(sqlite::Connection& db, const repository::Dataset& dataset);
+[[nodiscard]] std::optional<EdrShape> edr_shape(sql::Connection& db, const repository::Dataset& dataset);
 
 /// What of it lies around the area and the period, and around the depths that are asked for (none: at all depths);
 /// null: nothing.
-[[nodiscard]] std::unique_ptr<EdrField> load_edr_field(sqlite::Connection& db, const EdrShape& shape,
+[[nodiscard]] std::unique_ptr<EdrField> load_edr_field(sql::Connection& db, const EdrShape& shape,
                                                        const geo::BoundingBox& area, core::UtcTime from,
                                                        core::UtcTime to, const std::vector<double>& depths_m);
 
 /// The same about one place. `kept`: blocks of currents that were read before; null: none.
-[[nodiscard]] std::unique_ptr<EdrField> load_edr_field_at(sqlite::Connection& db, const EdrShape& shape,
+[[nodiscard]] std::unique_ptr<EdrField> load_edr_field_at(sql::Connection& db, const EdrShape& shape,
                                                           geo::LonLat place, core::UtcTime from,
                                                           core::UtcTime to,
                                                           const std::vector<double>& depths_m,

@@ -11,7 +11,7 @@
 #include "api/routes/reply.hpp"
 #include "storage/json/json.hpp"
 #include "storage/repository/dataset_choice.hpp"
-#include "storage/sqlite/snapshot.hpp"
+#include "storage/sql/snapshot.hpp"
 
 namespace floeplan::routes {
 namespace {
@@ -101,7 +101,7 @@ Response grid_reply(const EdrCollection& collection, const Context& context, con
   const auto columns = query.reader().integer("resolution-x", 1, most_nodes);
   const auto rows = query.reader().integer("resolution-y", 1, most_nodes);
   if (!query.violations().empty()) return invalid(request, query.violations());
-  const sqlite::Snapshot one_moment{context.db};
+  const sql::Snapshot one_moment{context.db};
   const AreaQuery question{collection,
                            context,
                            request,

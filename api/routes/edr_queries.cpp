@@ -6,7 +6,7 @@
 #include "api/routes/reply.hpp"
 #include "api/routes/resources.hpp"
 #include "engine/geo/bounding_box.hpp"
-#include "storage/sqlite/snapshot.hpp"
+#include "storage/sql/snapshot.hpp"
 
 namespace floeplan::routes {
 namespace {
@@ -34,7 +34,7 @@ tl::expected<json, Response> coverage_at(const EdrCollection& collection, const 
     fill(*coverage, *field, collection, wanted, {true});
     return EdrAttempt{.coverage = std::move(*coverage), .is_inside = {true}, .is_conclusive = true};
   };
-  const sqlite::Snapshot one_moment{context.db};
+  const sql::Snapshot one_moment{context.db};
   const auto coverage = first_with_values(context.db, request, collection, wanted, box, ask);
   if (!coverage) return tl::unexpected(coverage.error());
   return codec::coverage_json(*coverage);
@@ -185,7 +185,7 @@ Response query_trajectory(const EdrCollection& collection, const Context& contex
     wanted.span.from = std::min(wanted.span.from.value_or(*place.time), *place.time);
     wanted.span.to = std::max(wanted.span.to.value_or(*place.time), *place.time);
   }
-  const sqlite::Snapshot one_moment{context.db};
+  const sql::Snapshot one_moment{context.db};
   std::optional<codec::CoverageTrajectory> coverage;
   std::vector<bool> is_known(way.size(), false);
   AskedGrids asked;

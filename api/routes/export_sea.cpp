@@ -43,7 +43,7 @@ vehicle::GliderProfile vehicle_of(const repository::PlanRecord& record, const pl
   return vehicle::find_profile(plan.vehicle).value_or(vehicle::known_profiles().front());
 }
 
-std::vector<std::optional<mission::Shoal>> shoals_of(sqlite::Connection& db,
+std::vector<std::optional<mission::Shoal>> shoals_of(sql::Connection& db,
                                                      const repository::PlanRecord& record,
                                                      const planning::Plan& plan) {
   const auto inputs = inputs_of(record);
@@ -57,7 +57,7 @@ std::vector<std::optional<mission::Shoal>> shoals_of(sqlite::Connection& db,
   return mission::shoals_along(*sea->bathymetry, plan);
 }
 
-std::vector<mission::SafePlace> safe_places_of(sqlite::Connection& db, const repository::PlanRecord& record,
+std::vector<mission::SafePlace> safe_places_of(sql::Connection& db, const repository::PlanRecord& record,
                                                const planning::Plan& plan,
                                                const std::vector<geo::LonLat>& places) {
   const auto inputs = inputs_of(record);

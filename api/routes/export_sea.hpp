@@ -9,7 +9,7 @@
 #include "engine/planning/problem/plan.hpp"
 #include "engine/vehicle/glider_profile.hpp"
 #include "storage/repository/plan_repository.hpp"
-#include "storage/sqlite/connection.hpp"
+#include "storage/sql/connection.hpp"
 
 namespace floeplan::routes {
 
@@ -22,13 +22,13 @@ namespace floeplan::routes {
 
 /// The least water on the legs of a stored plan, by the newest of the depths that it chose; empty where there are none,
 /// or the choice cannot be read any more.
-[[nodiscard]] std::vector<std::optional<mission::Shoal>> shoals_of(sqlite::Connection& db,
+[[nodiscard]] std::vector<std::optional<mission::Shoal>> shoals_of(sql::Connection& db,
                                                                    const repository::PlanRecord& record,
                                                                    const planning::Plan& plan);
 
 /// The places with what the newest stored depths, coastlines, ice, icebergs and areas say of them while the plan lasts.
 /// Which sightings count says the request of the plan.
-[[nodiscard]] std::vector<mission::SafePlace> safe_places_of(sqlite::Connection& db,
+[[nodiscard]] std::vector<mission::SafePlace> safe_places_of(sql::Connection& db,
                                                              const repository::PlanRecord& record,
                                                              const planning::Plan& plan,
                                                              const std::vector<geo::LonLat>& places);

@@ -61,7 +61,7 @@ struct FeatureCollection {
   std::string schema;     // component of the OpenAPI document that describes a feature
   std::string item_name;  // of the id in the OpenAPI document's path
   std::vector<std::string> filters;
-  FeatureExtent (*extent)(sqlite::Connection&);
+  FeatureExtent (*extent)(sql::Connection&);
   tl::expected<FeaturePage, problems::Problem> (*list)(const Context&, const FeatureQuery&);
   std::optional<nlohmann::json> (*find)(const Context&, const std::string& id);
   std::optional<FeatureEditing> editing{};

@@ -5,7 +5,7 @@
 #include "api/routes/feature_crs.hpp"
 #include "api/routes/reply.hpp"
 #include "storage/json/json.hpp"
-#include "storage/sqlite/transaction.hpp"
+#include "storage/sql/transaction.hpp"
 
 namespace floeplan::routes {
 namespace {
@@ -62,7 +62,7 @@ Response changed(const FeatureCollection& collection, const Context& context, co
 Response create_feature(const FeatureCollection& collection, const Context& context, const Request& request) {
   const auto feature = read_feature(request);
   if (!feature) return feature.error();
-  sqlite::Transaction transaction{context.db};
+  sql::Transaction transaction{context.db};
   const auto id = collection.editing->create(context, *feature, request.now);
   if (!id) return invalid(request, id.error());
   transaction.commit();
@@ -78,7 +78,7 @@ Response replace_feature(const FeatureCollection& collection, const Context& con
                          const std::string& id) {
   const auto feature = read_feature(request);
   if (!feature) return feature.error();
-  sqlite::Transaction transaction{context.db};
+  sql::Transaction transaction{context.db};
   const auto before = changeable(collection, context, request, id);
   if (!before) return before.error();
   const auto replaced = collection.editing->replace(context, id, *feature, request.now);
@@ -91,7 +91,7 @@ Response update_feature(const FeatureCollection& collection, const Context& cont
                         const std::string& id) {
   const auto patch = read_feature(request);
   if (!patch) return patch.error();
-  sqlite::Transaction transaction{context.db};
+  sql::Transaction transaction{context.db};
   auto feature = changeable(collection, context, request, id);
   if (!feature) return feature.error();
   feature->merge_patch(*patch);
@@ -103,7 +103,7 @@ Response update_feature(const FeatureCollection& collection, const Context& cont
 
 Response remove_feature(const FeatureCollection& collection, const Context& context, const Request& request,
                         const std::string& id) {
-  sqlite::Transaction transaction{context.db};
+  sql::Transaction transaction{context.db};
   const auto before = changeable(collection, context, request, id);
   if (!before) return before.error();
   collection.editing->remove(context, id, request.now);

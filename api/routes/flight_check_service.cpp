@@ -20,7 +20,7 @@ std::vector<geo::LonLat> whole_route(std::optional<geo::LonLat> start, const mis
 
 }  // namespace
 
-core::Violations check_flight(sqlite::Connection& db, const json& inputs, std::optional<geo::LonLat> start,
+core::Violations check_flight(sql::Connection& db, const json& inputs, std::optional<geo::LonLat> start,
                               std::vector<mission::Document>& documents) {
   const mission::FlightRoute flight = mission::route_of(documents, start);
   if (flight.stops.empty()) {

@@ -7,7 +7,7 @@
 #include "engine/core/violation.hpp"
 #include "engine/geo/lon_lat.hpp"
 #include "engine/mission/document.hpp"
-#include "storage/sqlite/connection.hpp"
+#include "storage/sql/connection.hpp"
 
 namespace floeplan::routes {
 
@@ -15,7 +15,7 @@ namespace floeplan::routes {
 /// `inputs`  what a plan takes besides its places: departure, vehicle, margins, choice of data
 /// `start`   where the vehicle is; without it the first waypoint is the start
 /// Errors    every violation of the inputs and of the choice of data
-[[nodiscard]] core::Violations check_flight(sqlite::Connection& db, const nlohmann::json& inputs,
+[[nodiscard]] core::Violations check_flight(sql::Connection& db, const nlohmann::json& inputs,
                                             std::optional<geo::LonLat> start,
                                             std::vector<mission::Document>& documents);
 

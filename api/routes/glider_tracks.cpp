@@ -29,7 +29,7 @@ std::optional<json> find_glider_track(const Context& context, const std::string&
   return track ? std::optional{codec::glider_track_feature(*track)} : std::nullopt;
 }
 
-FeatureExtent glider_track_extent(sqlite::Connection& db) {
+FeatureExtent glider_track_extent(sql::Connection& db) {
   return extent_of_kind(db, repository::DatasetKind::glider_tracks);
 }
 

@@ -37,7 +37,7 @@ struct Contents {
   std::optional<core::UtcTime> to;
 };
 
-Contents contents_of(sqlite::Connection& db, const DatasetId& id, DatasetKind kind) {
+Contents contents_of(sql::Connection& db, const DatasetId& id, DatasetKind kind) {
   Contents contents;
   if (kind == DatasetKind::icebergs) {
     repository::SightingFilter filter;
@@ -64,7 +64,7 @@ Contents contents_of(sqlite::Connection& db, const DatasetId& id, DatasetKind ki
 
 }  // namespace
 
-DatasetId hand_made_dataset(sqlite::Connection& db, DatasetKind kind, core::UtcTime now) {
+DatasetId hand_made_dataset(sql::Connection& db, DatasetKind kind, core::UtcTime now) {
   const DatasetId id = repository::hand_made_id(kind);
   repository::DatasetRepository datasets{db};
   if (datasets.find(id)) return id;
@@ -79,7 +79,7 @@ DatasetId hand_made_dataset(sqlite::Connection& db, DatasetKind kind, core::UtcT
   return id;
 }
 
-void refresh_hand_made(sqlite::Connection& db, DatasetKind kind, core::UtcTime now) {
+void refresh_hand_made(sql::Connection& db, DatasetKind kind, core::UtcTime now) {
   const DatasetId id = repository::hand_made_id(kind);
   repository::DatasetRepository datasets{db};
   auto dataset = datasets.find(id);
@@ -108,7 +108,7 @@ std::string objection_to_editing(const DatasetId& dataset) {
          ", which holds what a file says; remove the dataset, or ingest a newer file.";
 }
 
-FeatureExtent extent_of_kind(sqlite::Connection& db, DatasetKind kind) {
+FeatureExtent extent_of_kind(sql::Connection& db, DatasetKind kind) {
   FeatureExtent extent;
   std::vector<geo::BoundingBox> boxes;
   for (const Dataset& dataset : repository::DatasetRepository{db}.list()) {

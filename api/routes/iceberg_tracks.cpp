@@ -29,7 +29,7 @@ std::optional<json> find_iceberg_track(const Context& context, const std::string
   return track ? std::optional{codec::iceberg_track_feature(*track)} : std::nullopt;
 }
 
-FeatureExtent iceberg_track_extent(sqlite::Connection& db) {
+FeatureExtent iceberg_track_extent(sql::Connection& db) {
   return extent_of_kind(db, repository::DatasetKind::icebergs);
 }
 

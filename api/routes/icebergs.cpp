@@ -30,7 +30,7 @@ struct Latest {
 };
 
 /// As a plan would have it that leaves then and knows what was seen by `as_of`, by ascending row.
-std::vector<StoredSighting> latest_of_each(sqlite::Connection& db, const Latest& latest,
+std::vector<StoredSighting> latest_of_each(sql::Connection& db, const Latest& latest,
                                            const geo::BoundingBox& area, core::UtcTime as_of) {
   core::Violations none;  // its datasets have been found, and all meet the whole world
   auto known = repository::known_icebergs(db, repository::DatasetRepository{db}.list(),
@@ -148,7 +148,7 @@ std::optional<json> find_iceberg(const Context& context, const std::string& id) 
   return sighting ? std::optional{codec::iceberg_feature(*sighting)} : std::nullopt;
 }
 
-FeatureExtent iceberg_extent(sqlite::Connection& db) { return extent_of_kind(db, DatasetKind::icebergs); }
+FeatureExtent iceberg_extent(sql::Connection& db) { return extent_of_kind(db, DatasetKind::icebergs); }
 
 tl::expected<std::string, core::Violations> create(const Context& context, const json& feature,
                                                    core::UtcTime now) {

@@ -6,7 +6,7 @@
 #include "api/routes/owner.hpp"
 #include "api/routes/reply.hpp"
 #include "storage/json/json.hpp"
-#include "storage/sqlite/transaction.hpp"
+#include "storage/sql/transaction.hpp"
 
 namespace floeplan::routes {
 namespace {
@@ -58,7 +58,7 @@ Response key_reused(const Request& request) { return problem_reply<"idempotency-
 
 Response answer_once(const Context& context, const Request& request, const repository::IdempotencyKey& key,
                      const std::function<Response()>& answer) {
-  sqlite::Transaction transaction{context.db};
+  sql::Transaction transaction{context.db};
   repository::KeptAnswers answers{context.db};
   answers.remove_expired(request.now);
   if (const auto kept = answers.find(key)) {

@@ -55,7 +55,7 @@ std::optional<int> whole_depth(const std::string& text) {
   return whole && depth_m > 0 && depth_m <= deepest_m ? std::optional{depth_m} : std::nullopt;
 }
 
-FeatureExtent isobath_extent(sqlite::Connection& db) {
+FeatureExtent isobath_extent(sql::Connection& db) {
   return extent_of_kind(db, repository::DatasetKind::bathymetry);
 }
 

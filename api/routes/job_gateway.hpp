@@ -9,7 +9,7 @@
 #include "engine/core/units.hpp"
 #include "storage/repository/job_repository.hpp"
 #include "storage/repository/kept_answers.hpp"
-#include "storage/sqlite/connection.hpp"
+#include "storage/sql/connection.hpp"
 
 namespace floeplan::routes {
 
@@ -40,9 +40,9 @@ class JobGateway {
   /// Puts a job into the durable queue; it is on disk, with its key, when the call returns. The same key again gives
   /// the same job; so does a submission with the digest of a job whose result is there, or that the owner waits for.
   [[nodiscard]] virtual tl::expected<repository::JobRecord, SubmissionRefused> submit(
-      sqlite::Connection& db, const Submission& submission, core::UtcTime now) = 0;
+      sql::Connection& db, const Submission& submission, core::UtcTime now) = 0;
   /// Ends the job, stopping its work within a second. False when it is unknown or already ended.
-  virtual bool dismiss(sqlite::Connection& db, const repository::JobId& id, core::UtcTime now) = 0;
+  virtual bool dismiss(sql::Connection& db, const repository::JobId& id, core::UtcTime now) = 0;
   /// Calls `wake` after every change of the job until the returned object is gone.
   [[nodiscard]] virtual std::shared_ptr<void> subscribe(const repository::JobId& id,
                                                         std::function<void()> wake) = 0;

@@ -37,7 +37,7 @@ mission::FileOrigin origin_of(const repository::PlanRecord& record, core::UtcTim
   return {record.id.value, record.name, generated, std::string{core::program_version()}};
 }
 
-tl::expected<mission::MissionFiles, core::Violations> seaglider_set_of(sqlite::Connection& db,
+tl::expected<mission::MissionFiles, core::Violations> seaglider_set_of(sql::Connection& db,
                                                                        const repository::PlanRecord& record,
                                                                        const planning::Plan& plan,
                                                                        const MissionRequest& request,
@@ -55,7 +55,7 @@ planning::UnderIceRules ice_rules_of(const repository::PlanRecord& record) {
   return inputs ? inputs->request.under_ice : planning::UnderIceRules{};
 }
 
-mission::MissionSetOptions set_options(sqlite::Connection& db, const repository::PlanRecord& record,
+mission::MissionSetOptions set_options(sql::Connection& db, const repository::PlanRecord& record,
                                        const planning::Plan& plan, const MissionRequest& request,
                                        core::UtcTime generated) {
   mission::MissionSetOptions options;
@@ -74,7 +74,7 @@ mission::MissionSetOptions set_options(sqlite::Connection& db, const repository:
 }
 
 /// What the newest data say of the safe places; nothing of those that the writer of the set refuses by themselves.
-mission::SafePlaceFindings judge_safe_places(sqlite::Connection& db, const repository::PlanRecord& record,
+mission::SafePlaceFindings judge_safe_places(sql::Connection& db, const repository::PlanRecord& record,
                                              const planning::Plan& plan,
                                              const mission::MissionSetOptions& options) {
   if (!options.under_ice || !mission::ice_violations(plan, options).empty()) return {};
@@ -83,7 +83,7 @@ mission::SafePlaceFindings judge_safe_places(sqlite::Connection& db, const repos
 }
 
 /// The plan as its mission's yo flies it, in the newest data; nothing where that is as the plan was made.
-mission::YoFlight judge_yo(sqlite::Connection& db, const repository::PlanRecord& record,
+mission::YoFlight judge_yo(sql::Connection& db, const repository::PlanRecord& record,
                            const planning::Plan& plan) {
   if (!mission::flies_otherwise(plan, vehicle_of(record, plan))) return {};
   const auto inputs = inputs_of(record);
@@ -108,7 +108,7 @@ tl::expected<mission::MissionFiles, core::Violations> lists_of(const planning::P
 }
 
 tl::expected<mission::MissionFiles, core::Violations> mission_set_of(
-    sqlite::Connection& db, const repository::PlanRecord& record, const planning::Plan& plan,
+    sql::Connection& db, const repository::PlanRecord& record, const planning::Plan& plan,
     const mission::MissionSetOptions& options, mission::YoFlight flight) {
   auto set = mission::write_mission_set(plan, options);
   mission::SafePlaceFindings safe = judge_safe_places(db, record, plan, options);
@@ -126,7 +126,7 @@ tl::expected<mission::MissionFiles, core::Violations> mission_set_of(
 
 }  // namespace
 
-tl::expected<mission::MissionFiles, core::Violations> mission_of(sqlite::Connection& db,
+tl::expected<mission::MissionFiles, core::Violations> mission_of(sql::Connection& db,
                                                                  const repository::PlanRecord& record,
                                                                  const MissionRequest& request,
                                                                  core::UtcTime generated) {

@@ -10,7 +10,7 @@
 #include "engine/mission/mission_set.hpp"
 #include "engine/mission/seaglider_files.hpp"
 #include "storage/repository/plan_repository.hpp"
-#include "storage/sqlite/connection.hpp"
+#include "storage/sql/connection.hpp"
 
 namespace floeplan::routes {
 
@@ -30,7 +30,7 @@ struct MissionRequest {
 /// Errors   every fault of plan or options, as mission::write_mission_set, mission::write_seaglider_set,
 ///          mission::check_safe_places and mission::fly_by_yo
 [[nodiscard]] tl::expected<mission::MissionFiles, core::Violations> mission_of(
-    sqlite::Connection& db, const repository::PlanRecord& record, const MissionRequest& request,
+    sql::Connection& db, const repository::PlanRecord& record, const MissionRequest& request,
     core::UtcTime generated);
 
 /// Where a shore station looks for the files that a glider shall fetch: a dockserver in "gliders/amadeus/to-glider/"

@@ -7,6 +7,7 @@
 #include "api/routes/resources.hpp"
 #include "engine/core/version.hpp"
 #include "storage/repository/job_repository.hpp"
+#include "storage/sql/store_file.hpp"
 
 namespace floeplan::routes {
 namespace {
@@ -28,9 +29,9 @@ std::optional<std::uint64_t> resident_bytes() {
 
 std::uintmax_t store_bytes(const std::filesystem::path& store) {
   std::uintmax_t total = 0;
-  for (const char* name : {"floeplan.sqlite", "floeplan.sqlite-wal"}) {
+  for (const auto& file : sql::database_files_in(store)) {
     std::error_code absent;
-    const auto size = std::filesystem::file_size(store / name, absent);
+    const auto size = std::filesystem::file_size(file, absent);
     if (!absent) total += size;
   }
   return total;

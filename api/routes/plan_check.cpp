@@ -47,7 +47,7 @@ std::optional<DataChange> fate_of(const DatasetRef& used, const repository::Data
 }
 
 /// `now`: what the plan's request takes today.
-std::vector<ChangedData> changes(sqlite::Connection& db, const std::vector<DatasetRef>& used,
+std::vector<ChangedData> changes(sql::Connection& db, const std::vector<DatasetRef>& used,
                                  const std::vector<DatasetRef>& now) {
   const repository::DatasetRepository datasets{db};
   std::vector<ChangedData> result;
@@ -63,7 +63,7 @@ std::vector<ChangedData> changes(sqlite::Connection& db, const std::vector<Datas
 }
 
 /// When nobody can tell what the request would take today: what is gone, and why the rest is not known.
-PlanCheck not_checkable(sqlite::Connection& db, const std::vector<DatasetRef>& used, messages::Message why) {
+PlanCheck not_checkable(sql::Connection& db, const std::vector<DatasetRef>& used, messages::Message why) {
   const repository::DatasetRepository datasets{db};
   PlanCheck check;
   for (const DatasetRef& dataset : used) {
@@ -86,7 +86,7 @@ std::vector<messages::Message> gaps_of(const planning::Plan& plan) {
 }
 
 /// What newer data say of the plan.
-PlanCheck in_newest_data(sqlite::Connection& db, const repository::PlanRecord& record,
+PlanCheck in_newest_data(sql::Connection& db, const repository::PlanRecord& record,
                          const planning::Plan& plan) {
   auto inputs = inputs_of(record);
   if (!inputs) {
@@ -129,7 +129,7 @@ PlanCheck in_newest_data(sqlite::Connection& db, const repository::PlanRecord& r
 
 }  // namespace
 
-PlanCheck check_plan(sqlite::Connection& db, const repository::PlanRecord& record) {
+PlanCheck check_plan(sql::Connection& db, const repository::PlanRecord& record) {
   const planning::Plan plan = codec::parse_plan_document(json::parse(record.document_json));
   PlanCheck check = in_newest_data(db, record, plan);
   for (const messages::Message& message : plan.messages) {

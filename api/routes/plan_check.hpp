@@ -7,7 +7,7 @@
 #include "engine/messages/message.hpp"
 #include "engine/ocean/dataset_ref.hpp"
 #include "storage/repository/plan_repository.hpp"
-#include "storage/sqlite/connection.hpp"
+#include "storage/sql/connection.hpp"
 
 namespace floeplan::routes {
 
@@ -36,7 +36,7 @@ struct PlanCheck {
 
 /// Follows a stored plan once more through the newest data of its choice, from its own departure. A plan whose data are
 /// unchanged has been checked when it was made. One function for API and command line.
-[[nodiscard]] PlanCheck check_plan(sqlite::Connection& db, const repository::PlanRecord& record);
+[[nodiscard]] PlanCheck check_plan(sql::Connection& db, const repository::PlanRecord& record);
 
 /// The dangers first.
 [[nodiscard]] std::vector<messages::Message> all_of(const PlanCheck& check);

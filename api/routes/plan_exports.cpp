@@ -40,7 +40,7 @@ constexpr double map_width = 720.0;
 constexpr double map_height = 420.0;
 
 /// Of the datasets that the plan was made with, by the rule of its request.
-std::vector<repository::StoredSighting> obeyed_sightings(sqlite::Connection& db, const PlanRecord& record,
+std::vector<repository::StoredSighting> obeyed_sightings(sql::Connection& db, const PlanRecord& record,
                                                          const planning::Plan& plan,
                                                          const repository::DatasetChoice& of_icebergs) {
   if (of_icebergs.ids.empty()) return {};
@@ -56,7 +56,7 @@ std::vector<repository::StoredSighting> obeyed_sightings(sqlite::Connection& db,
 }
 
 /// Land and icebergs of the data that the plan was made with, as far as they are still stored.
-codec::MapPicture picture_of(sqlite::Connection& db, const PlanRecord& record, const planning::Plan& plan) {
+codec::MapPicture picture_of(sql::Connection& db, const PlanRecord& record, const planning::Plan& plan) {
   const geo::BoundingBox area = geo::grown(record.bounds, around_route);
   std::vector<geo::Polygon> land;
   std::vector<ocean::Iceberg> icebergs;
@@ -75,7 +75,7 @@ codec::MapPicture picture_of(sqlite::Connection& db, const PlanRecord& record, c
 }
 
 /// The plan in the format, which can hold it.
-std::string bytes_of(sqlite::Connection& db, const PlanRecord& record, const planning::Plan& plan,
+std::string bytes_of(sql::Connection& db, const PlanRecord& record, const planning::Plan& plan,
                      const ExportFormat& format, const std::vector<messages::Message>& told,
                      core::UtcTime now) {
   const std::string& id = record.id.value;
@@ -153,7 +153,7 @@ std::string download_stem(const PlanRecord& record) {
   return (name.empty() ? "plan" : name) + "-" + minute + "Z-" + record.id.value;
 }
 
-tl::expected<ExportedPlan, core::Violations> export_plan(sqlite::Connection& db, const PlanRecord& record,
+tl::expected<ExportedPlan, core::Violations> export_plan(sql::Connection& db, const PlanRecord& record,
                                                          const ExportFormat& format,
                                                          const std::vector<messages::Message>& told,
                                                          core::UtcTime now) {

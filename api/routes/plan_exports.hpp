@@ -9,7 +9,7 @@
 #include "engine/core/violation.hpp"
 #include "engine/messages/message.hpp"
 #include "storage/repository/plan_repository.hpp"
-#include "storage/sqlite/connection.hpp"
+#include "storage/sql/connection.hpp"
 
 namespace floeplan::routes {
 
@@ -41,7 +41,7 @@ struct ExportedPlan {
 /// Errors   a violation for a plan that the format cannot hold, and for targets of a Seaglider that pass below ice or
 ///          icebergs
 [[nodiscard]] tl::expected<ExportedPlan, core::Violations> export_plan(
-    sqlite::Connection& db, const repository::PlanRecord& record, const ExportFormat& format,
+    sql::Connection& db, const repository::PlanRecord& record, const ExportFormat& format,
     const std::vector<messages::Message>& told, core::UtcTime now);
 
 }  // namespace floeplan::routes

@@ -30,7 +30,7 @@ FeaturePage parts_page(const Context& context, const FeatureQuery& query, PartsO
   if (const auto found = query.filters.find("plan_id"); found != query.filters.end())
     filter.id = repository::PlanId{found->second};
   bool counted = false;
-  (void)repository::meets_no_damage([&] { counted = plans.count(filter) <= most_plans_counted; });
+  (void)sql::meets_no_damage([&] { counted = plans.count(filter) <= most_plans_counted; });
 
   FeaturePage page;
   if (counted) page.matched = 0;
@@ -65,7 +65,7 @@ std::optional<json> find_part(const Context& context, const std::string& id, Par
   return std::move(parts[static_cast<std::size_t>(*index)].feature);
 }
 
-FeatureExtent plan_part_extent(sqlite::Connection&) { return {}; }
+FeatureExtent plan_part_extent(sql::Connection&) { return {}; }
 
 tl::expected<FeaturePage, problems::Problem> list_legs(const Context& context, const FeatureQuery& query) {
   return parts_page(context, query, codec::plan_legs);

@@ -12,13 +12,13 @@ namespace {
 using nlohmann::json;
 using repository::PlanRepository;
 
-FeatureExtent plan_extent(sqlite::Connection&) { return {}; }
+FeatureExtent plan_extent(sql::Connection&) { return {}; }
 
 tl::expected<FeaturePage, problems::Problem> list_plans(const Context& context, const FeatureQuery& query) {
   const PlanRepository plans{context.db};
   const repository::PlanFilter filter{.area = query.area, .from = query.span.from, .to = query.span.to};
   FeaturePage page;
-  (void)repository::meets_no_damage([&] { page.matched = plans.count(filter); });
+  (void)sql::meets_no_damage([&] { page.matched = plans.count(filter); });
   auto stored = plans.list_past_damage(filter, query.after, query.limit);
   for (const auto& plan : stored.whole) page.features.push_back(codec::plan_feature(plan));
   if (std::ssize(stored.whole) == query.limit) page.next = stored.whole.back().row;

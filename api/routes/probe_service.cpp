@@ -52,7 +52,7 @@ Source choose(const std::vector<Dataset>& datasets, DatasetKind kind, const std:
 
 /// As `choose`, but of those that cover place and time the first of which the steps tell most of it, as plans ask them:
 /// what lies in a long gap of one may be in another.
-Source choose_ice(sqlite::Connection& db, const std::vector<Dataset>& datasets,
+Source choose_ice(sql::Connection& db, const std::vector<Dataset>& datasets,
                   const std::optional<Dataset>& named, const ProbeQuery& query) {
   Source source = choose(datasets, DatasetKind::ice, named, query);
   if (named && named->kind == DatasetKind::ice) return source;
@@ -71,7 +71,7 @@ Source choose_ice(sqlite::Connection& db, const std::vector<Dataset>& datasets,
 }
 
 /// The depths that plans are made with at this place: of the finest dataset that knows any, or of the named one.
-void read_depth(sqlite::Connection& db, const std::vector<Dataset>& datasets,
+void read_depth(sql::Connection& db, const std::vector<Dataset>& datasets,
                 const std::optional<Dataset>& named, codec::Probe& probe) {
   const repository::FieldRepository fields{db};
   std::vector<std::pair<core::Metres, Dataset>> layers;
@@ -96,7 +96,7 @@ void read_depth(sqlite::Connection& db, const std::vector<Dataset>& datasets,
 
 /// The steps of the data around the time asked for.
 template <class Part>
-void read_steps(sqlite::Connection& db, const Dataset& dataset, core::UtcTime time, Part& part) {
+void read_steps(sql::Connection& db, const Dataset& dataset, core::UtcTime time, Part& part) {
   const auto shape = repository::FieldRepository{db}.shape(dataset.id);
   if (!shape || !shape->times_s) return;
   const auto position = shape->times_s->locate(core::unix_seconds(time));
@@ -110,7 +110,7 @@ std::string outside_period(const Dataset& dataset) {
          core::iso8601(*dataset.time_end);
 }
 
-void read_ice(sqlite::Connection& db, const Source& source, codec::Probe& probe) {
+void read_ice(sql::Connection& db, const Source& source, codec::Probe& probe) {
   auto& ice = probe.ice;
   ice.reason = source.reason;
   if (!source.dataset) return;
@@ -156,7 +156,7 @@ struct Velocities {
   Dataset dataset;
 };
 
-std::optional<Velocities> joined_velocities(sqlite::Connection& db, const std::vector<Dataset>& datasets,
+std::optional<Velocities> joined_velocities(sql::Connection& db, const std::vector<Dataset>& datasets,
                                             DatasetKind kind, const ProbeQuery& query) {
   std::vector<Dataset> runs;
   std::ranges::copy_if(datasets, std::back_inserter(runs), [&](const Dataset& dataset) {
@@ -175,7 +175,7 @@ std::optional<Velocities> joined_velocities(sqlite::Connection& db, const std::v
 }
 
 /// Of the named dataset, or of one without time.
-std::optional<Velocities> own_velocities(sqlite::Connection& db, const Dataset& dataset,
+std::optional<Velocities> own_velocities(sql::Connection& db, const Dataset& dataset,
                                          const ProbeQuery& query) {
   if (!covers_time(dataset, query.time)) return std::nullopt;
   return Velocities{
@@ -191,7 +191,7 @@ void tell_source(const Dataset& dataset, codec::Probe::Velocity& part) {
 }
 
 /// The velocity of the sea or the air, at the depth asked for or the shallowest there is.
-void read_velocity(sqlite::Connection& db, const std::vector<Dataset>& datasets, DatasetKind kind,
+void read_velocity(sql::Connection& db, const std::vector<Dataset>& datasets, DatasetKind kind,
                    const std::optional<Dataset>& named, const ProbeQuery& query,
                    codec::Probe::Velocity& part) {
   const bool by_name = named && named->kind == kind;
@@ -229,7 +229,7 @@ void read_velocity(sqlite::Connection& db, const std::vector<Dataset>& datasets,
   }
 }
 
-void read_land(sqlite::Connection& db, const std::vector<Dataset>& datasets, codec::Probe& probe) {
+void read_land(sql::Connection& db, const std::vector<Dataset>& datasets, codec::Probe& probe) {
   std::vector<Dataset> coastlines;
   std::ranges::copy_if(datasets, std::back_inserter(coastlines), [&](const Dataset& dataset) {
     return dataset.kind == DatasetKind::coastline && geo::contains(dataset.bounds, probe.place);
@@ -245,7 +245,7 @@ void read_land(sqlite::Connection& db, const std::vector<Dataset>& datasets, cod
   if (probe.depth) probe.land = probe.depth->value <= 0.0;
 }
 
-void read_icebergs(sqlite::Connection& db, const std::vector<Dataset>& datasets, const ProbeQuery& query,
+void read_icebergs(sql::Connection& db, const std::vector<Dataset>& datasets, const ProbeQuery& query,
                    codec::Probe& probe) {
   core::Violations none;  // none is named
   const auto known = repository::known_icebergs(db, datasets,
@@ -264,7 +264,7 @@ void read_icebergs(sqlite::Connection& db, const std::vector<Dataset>& datasets,
                    [](const auto& a, const auto& b) { return a.distance < b.distance; });
 }
 
-void read_zones(sqlite::Connection& db, const std::vector<Dataset>& datasets, codec::Probe& probe) {
+void read_zones(sql::Connection& db, const std::vector<Dataset>& datasets, codec::Probe& probe) {
   for (const auto& dataset : datasets) {
     if (dataset.kind != DatasetKind::zones) continue;
     for (ocean::Zone& zone : repository::ZoneRepository{db}.at(dataset.id, probe.place)) {
@@ -277,7 +277,7 @@ void read_zones(sqlite::Connection& db, const std::vector<Dataset>& datasets, co
 
 }  // namespace
 
-tl::expected<codec::Probe, core::Violations> probe(sqlite::Connection& db, const ProbeQuery& query) {
+tl::expected<codec::Probe, core::Violations> probe(sql::Connection& db, const ProbeQuery& query) {
   auto datasets = repository::DatasetRepository{db}.list();
   repository::sort_newest_run_first(datasets);
   std::optional<Dataset> named;

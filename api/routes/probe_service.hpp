@@ -9,7 +9,7 @@
 #include "engine/core/violation.hpp"
 #include "engine/geo/lon_lat.hpp"
 #include "engine/ocean/sighting_age.hpp"
-#include "storage/sqlite/connection.hpp"
+#include "storage/sql/connection.hpp"
 
 namespace floeplan::routes {
 
@@ -32,7 +32,7 @@ inline constexpr core::Metres probe_iceberg_range{50'000.0};
 /// What the stored data say of a place and a time; nothing is extrapolated. One function for API and command
 /// line.
 /// Errors   a violation when `dataset_id` is unknown or of a kind that has no values at a place
-[[nodiscard]] tl::expected<codec::Probe, core::Violations> probe(sqlite::Connection& db,
+[[nodiscard]] tl::expected<codec::Probe, core::Violations> probe(sql::Connection& db,
                                                                  const ProbeQuery& query);
 
 }  // namespace floeplan::routes

@@ -43,7 +43,7 @@ struct NearStation {
   Dataset dataset;
 };
 
-std::optional<NearStation> nearest_station(sqlite::Connection& db, const std::vector<Dataset>& datasets,
+std::optional<NearStation> nearest_station(sql::Connection& db, const std::vector<Dataset>& datasets,
                                            geo::LonLat place) {
   std::optional<NearStation> nearest;
   for (const Dataset& dataset : datasets) {
@@ -67,7 +67,7 @@ void predict(const NearStation& near, core::UtcTime time, codec::Probe::Tide& ti
 
 }  // namespace
 
-codec::Probe::Tide probe_tide(sqlite::Connection& db, const std::vector<Dataset>& datasets,
+codec::Probe::Tide probe_tide(sql::Connection& db, const std::vector<Dataset>& datasets,
                               const std::optional<Dataset>& named, geo::LonLat place, core::UtcTime time) {
   const bool one = named && named->kind == DatasetKind::tides;
   std::vector<Dataset> tides;

@@ -7,7 +7,7 @@
 #include "engine/core/units.hpp"
 #include "engine/geo/lon_lat.hpp"
 #include "storage/repository/dataset.hpp"
-#include "storage/sqlite/connection.hpp"
+#include "storage/sql/connection.hpp"
 
 namespace floeplan::routes {
 
@@ -16,7 +16,7 @@ inline constexpr core::Metres probe_station_range{20'000.0};
 
 /// The tide at a place and a time, from all models on a grid that cover the place (of two that have a line the newer
 /// counts) or, where none does, from the nearest station within `probe_station_range`; from one dataset if it is named.
-[[nodiscard]] codec::Probe::Tide probe_tide(sqlite::Connection& db,
+[[nodiscard]] codec::Probe::Tide probe_tide(sql::Connection& db,
                                             const std::vector<repository::Dataset>& datasets,
                                             const std::optional<repository::Dataset>& named,
                                             geo::LonLat place, core::UtcTime time);

@@ -26,7 +26,7 @@ using nlohmann::json;
 using repository::DatasetKind;
 
 /// Notes every named dataset that is not there or is of another kind, before a job exists.
-void check_choice(sqlite::Connection& db, const repository::DatasetChoice& choice, const std::string& key,
+void check_choice(sql::Connection& db, const repository::DatasetChoice& choice, const std::string& key,
                   DatasetKind kind, core::Violations& violations) {
   for (const auto& id : choice.ids) {
     const auto dataset = repository::DatasetRepository{db}.find(id);
@@ -39,7 +39,7 @@ void check_choice(sqlite::Connection& db, const repository::DatasetChoice& choic
   }
 }
 
-core::Violations check_data(sqlite::Connection& db, const repository::EnvironmentQuery& data) {
+core::Violations check_data(sql::Connection& db, const repository::EnvironmentQuery& data) {
   core::Violations violations;
   check_choice(db, data.currents, "currents", DatasetKind::currents, violations);
   check_choice(db, data.tides.choice, "tides", DatasetKind::tides, violations);
@@ -80,7 +80,7 @@ tl::expected<json, core::Violations> checked_reach_inputs(const Context& context
 }
 
 tl::expected<json, core::Violations> checked_ingest_inputs(const Context& context, const Request& request,
-                                                            const json& inputs) {
+                                                           const json& inputs) {
   const auto parsed = codec::parse_ingest_inputs(inputs);
   if (!parsed) return tl::unexpected(parsed.error());
   const repository::UploadRepository uploads{context.service.uploads};

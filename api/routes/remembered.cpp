@@ -37,8 +37,8 @@ bool is_feature(std::string_view path) {
 
 }  // namespace
 
-void Remembered::refresh(sqlite::Connection& db) {
-  const sqlite::Version now = sqlite::version_of(db);
+void Remembered::refresh(sql::Connection& db) {
+  const sql::Version now = sql::version_of(db);
   if (version_ == now) return;
   answers_.clear();
   bytes_ = 0;

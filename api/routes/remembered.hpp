@@ -6,8 +6,7 @@
 #include <string>
 
 #include "api/routes/message.hpp"
-#include "storage/sqlite/connection.hpp"
-#include "storage/sqlite/version.hpp"
+#include "storage/sql/connection.hpp"
 
 namespace floeplan::routes {
 
@@ -17,8 +16,8 @@ namespace floeplan::routes {
 class Remembered {
  public:
   /// Before each request: forgets what may have changed since the last one.
-  /// Errors   sqlite::Failure when the store cannot be read
-  void refresh(sqlite::Connection& db);
+  /// Errors   sql::Failure when the store cannot be read
+  void refresh(sql::Connection& db);
 
   /// Null when there is none.
   [[nodiscard]] const Response* find(const Request& request) const;
@@ -28,7 +27,7 @@ class Remembered {
   std::optional<bool> ever_any_tokens{};  // whether the store has ever held one; nothing: not looked yet
 
  private:
-  std::optional<sqlite::Version> version_;
+  std::optional<sql::Version> version_;
   std::map<std::string, Response> answers_;  // by path and query
   std::size_t bytes_{0};
 };

@@ -11,7 +11,7 @@ namespace {
 
 using nlohmann::json;
 
-std::vector<json> flights_of(sqlite::Connection& db, const repository::SimulationRecord& record,
+std::vector<json> flights_of(sql::Connection& db, const repository::SimulationRecord& record,
                              std::optional<std::int64_t> run) {
   const repository::SimulationRepository repository{db};
   std::vector<json> flights;
@@ -32,8 +32,7 @@ std::span<const SimulationFormat> simulation_formats() {
   return formats;
 }
 
-std::optional<std::string> export_simulation(sqlite::Connection& db,
-                                             const repository::SimulationRecord& record,
+std::optional<std::string> export_simulation(sql::Connection& db, const repository::SimulationRecord& record,
                                              const SimulationFormat& format,
                                              std::optional<std::int64_t> run) {
   const std::vector<json> flights = flights_of(db, record, run);

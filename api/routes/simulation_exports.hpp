@@ -6,7 +6,7 @@
 #include <string>
 
 #include "storage/repository/simulation_repository.hpp"
-#include "storage/sqlite/connection.hpp"
+#include "storage/sql/connection.hpp"
 
 namespace floeplan::routes {
 
@@ -19,7 +19,7 @@ struct SimulationFormat {
 [[nodiscard]] std::span<const SimulationFormat> simulation_formats();
 
 /// One kept flight, or all of them. Empty when that run is not kept, or none is.
-[[nodiscard]] std::optional<std::string> export_simulation(sqlite::Connection& db,
+[[nodiscard]] std::optional<std::string> export_simulation(sql::Connection& db,
                                                            const repository::SimulationRecord& record,
                                                            const SimulationFormat& format,
                                                            std::optional<std::int64_t> run);

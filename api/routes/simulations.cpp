@@ -53,7 +53,7 @@ Response list_simulations(const Context& context, const Request& request, const 
                          address_with(request, url, "after", std::to_string(found.back().row))));
   }
   json page{{"simulations", std::move(simulations)}, {"links", std::move(links)}};
-  (void)repository::meets_no_damage([&] { page["numberMatched"] = repository.count(plan_id); });
+  (void)sql::meets_no_damage([&] { page["numberMatched"] = repository.count(plan_id); });
   name_damaged(page, damaged);
   return json_reply(page);
 }

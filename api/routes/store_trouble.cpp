@@ -7,22 +7,22 @@
 namespace floeplan::routes {
 namespace {
 
-problems::Problem problem_of(sqlite::Trouble trouble) {
+problems::Problem problem_of(sql::Trouble trouble) {
   switch (trouble) {
-    case sqlite::Trouble::disk_full: return problems::problem<"insufficient-storage">();
-    case sqlite::Trouble::held_by_another: return problems::problem<"store-held">();
-    case sqlite::Trouble::not_writable: return problems::problem<"store-not-writable">();
-    case sqlite::Trouble::damaged: return problems::problem<"store-damaged">();
-    case sqlite::Trouble::other: return problems::problem<"internal-error">();
+    case sql::Trouble::disk_full: return problems::problem<"insufficient-storage">();
+    case sql::Trouble::held_by_another: return problems::problem<"store-held">();
+    case sql::Trouble::not_writable: return problems::problem<"store-not-writable">();
+    case sql::Trouble::damaged: return problems::problem<"store-damaged">();
+    case sql::Trouble::other: return problems::problem<"internal-error">();
   }
   throw std::logic_error{"Trouble without a problem"};
 }
 
 }  // namespace
 
-Response store_trouble_reply(const Request& request, const sqlite::Failure& failure) {
+Response store_trouble_reply(const Request& request, const sql::Failure& failure) {
   Response response = problem_reply(request, problem_of(failure.trouble()));
-  if (failure.trouble() == sqlite::Trouble::held_by_another)
+  if (failure.trouble() == sql::Trouble::held_by_another)
     response.headers.emplace_back("Retry-After", "5");
   else if (response.status != 500)
     response.headers.emplace_back("Retry-After", "60");

@@ -31,7 +31,7 @@ std::optional<json> find_zone(const Context& context, const std::string& id) {
   return zone ? std::optional{codec::zone_feature(*zone)} : std::nullopt;
 }
 
-FeatureExtent zone_extent(sqlite::Connection& db) { return extent_of_kind(db, DatasetKind::zones); }
+FeatureExtent zone_extent(sql::Connection& db) { return extent_of_kind(db, DatasetKind::zones); }
 
 tl::expected<std::string, core::Violations> create(const Context& context, const json& feature,
                                                    core::UtcTime now) {

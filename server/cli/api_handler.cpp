@@ -15,7 +15,7 @@ namespace {
 
 /// A connection, and what it knows.
 struct Reader {
-  sqlite::Connection db;
+  sql::Connection db;
   routes::Remembered remembered{};
 };
 
@@ -23,7 +23,7 @@ struct Reader {
 /// knows most.
 class ConnectionPool {
  public:
-  explicit ConnectionPool(std::function<sqlite::Connection()> open) : open_{std::move(open)} {}
+  explicit ConnectionPool(std::function<sql::Connection()> open) : open_{std::move(open)} {}
 
   template <class Use>
   auto with_reader(const Use& use) {
@@ -52,7 +52,7 @@ class ConnectionPool {
     free_.push_back(std::move(reader));
   }
 
-  std::function<sqlite::Connection()> open_;
+  std::function<sql::Connection()> open_;
   std::mutex mutex_;
   std::vector<std::unique_ptr<Reader>> free_;
 };
@@ -62,7 +62,7 @@ template <class Result, class Work>
 Result or_store_trouble(const routes::Request& request, const Work& work) {
   try {
     return work();
-  } catch (const sqlite::Failure& failure) {
+  } catch (const sql::Failure& failure) {
     log::error(
         {"method=", request.method, " path=", core::shown_target(request.path), " failed: ", failure.what()});
     return routes::store_trouble_reply(request, failure);
@@ -71,7 +71,7 @@ Result or_store_trouble(const routes::Request& request, const Work& work) {
 
 }  // namespace
 
-Api make_api(std::function<sqlite::Connection()> open_store, routes::JobGateway& jobs,
+Api make_api(std::function<sql::Connection()> open_store, routes::JobGateway& jobs,
              routes::ServiceInfo service, routes::Doors doors) {
   auto clients = std::make_shared<routes::KnownClients>(doors.behind_proxy);
   auto doorkeeper =

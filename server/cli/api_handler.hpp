@@ -7,7 +7,7 @@
 #include "api/routes/doorkeeper.hpp"
 #include "api/routes/job_gateway.hpp"
 #include "api/routes/message.hpp"
-#include "storage/sqlite/connection.hpp"
+#include "storage/sql/connection.hpp"
 
 namespace floeplan::cli {
 
@@ -24,7 +24,7 @@ struct Api {
 
 /// Joins the resources with store and job system: handlers that lend each call a connection of its own.
 /// `jobs` is borrowed and outlives them.
-[[nodiscard]] Api make_api(std::function<sqlite::Connection()> open_store, routes::JobGateway& jobs,
+[[nodiscard]] Api make_api(std::function<sql::Connection()> open_store, routes::JobGateway& jobs,
                            routes::ServiceInfo service, routes::Doors doors);
 
 }  // namespace floeplan::cli

@@ -5,8 +5,9 @@
 #include "storage/repository/migrations.hpp"
 #include "storage/repository/replacement.hpp"
 #include "storage/repository/store_lock.hpp"
-#include "storage/sqlite/backup.hpp"
-#include "storage/sqlite/failure.hpp"
+#include "storage/sql/driver/failure.hpp"
+#include "storage/sql/store_file.hpp"
+#include "storage/sql/upkeep.hpp"
 
 namespace floeplan::cli {
 namespace {
@@ -14,11 +15,11 @@ namespace {
 namespace fs = std::filesystem;
 
 int back_up(const fs::path& file, const Program& program) {
-  if (!fs::exists(program.store / "floeplan.sqlite"))
+  if (!fs::exists(sql::database_in(program.store)))
     return complain(could_not,
                     "there is no store in " + program.store.string() + "; name its folder with --data");
   auto db = repository::open_store(program.store);
-  sqlite::back_up(db, file);
+  sql::back_up(db, file);
   std::cout << file.string() << '\n';
   return done;
 }
@@ -34,7 +35,7 @@ int restore(const fs::path& file, const Program& program) {
     const auto replacement = repository::restore_store(program.store, file, terminal_progress());
     std::cout << "restored " << file.string() << words_for_kept(replacement.kept) << '\n';
     return done;
-  } catch (const sqlite::Failure&) {
+  } catch (const sql::Failure&) {
     throw;
   } catch (const std::runtime_error& error) {
     return complain(bad_data, error.what());

@@ -23,7 +23,7 @@ std::filesystem::path default_store() {
   return "floeplan-data";
 }
 
-sqlite::Connection open_existing_store(const Program& program) {
+sql::Connection open_existing_store(const Program& program) {
   if (program.store != default_store() && !std::filesystem::exists(program.store))
     throw std::runtime_error{
         "there is no store in " + program.store.string() +

@@ -9,7 +9,7 @@
 #include "engine/core/progress.hpp"
 #include "engine/core/units.hpp"
 #include "engine/core/violation.hpp"
-#include "storage/sqlite/connection.hpp"
+#include "storage/sql/connection.hpp"
 
 namespace floeplan::cli {
 
@@ -39,7 +39,7 @@ class BadDataError : public std::runtime_error {
 /// The store of a command that asks for what is stored.
 /// Errors   std::runtime_error where --data names a folder that is not there: from a mistyped path a plan would be one
 ///          through an empty sea; else as `repository::open_store`
-[[nodiscard]] sqlite::Connection open_existing_store(const Program& program);
+[[nodiscard]] sql::Connection open_existing_store(const Program& program);
 
 [[nodiscard]] core::UtcTime now();
 

@@ -6,7 +6,7 @@
 #include "storage/repository/damage.hpp"
 #include "storage/repository/replacement.hpp"
 #include "storage/repository/store_lock.hpp"
-#include "storage/sqlite/database_files.hpp"
+#include "storage/sql/store_file.hpp"
 
 namespace floeplan::cli {
 namespace {
@@ -59,7 +59,7 @@ int verify(bool as_json, const Program& program) {
 }
 
 int repair(bool as_json, const Program& program) {
-  if (!std::filesystem::exists(sqlite::database_in(program.store)))
+  if (!std::filesystem::exists(sql::database_in(program.store)))
     return complain(could_not,
                     "there is no store in " + program.store.string() + "; name its folder with --data");
   const repository::StoreLock lock{program.store};

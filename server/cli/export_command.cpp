@@ -70,7 +70,7 @@ routes::MissionRequest mission_request(const ExportFlags& flags) {
 }
 
 /// The files of the format, before any is written.
-tl::expected<mission::MissionFiles, core::Violations> files_of(sqlite::Connection& db,
+tl::expected<mission::MissionFiles, core::Violations> files_of(sql::Connection& db,
                                                                const repository::PlanRecord& record,
                                                                const ExportFlags& flags,
                                                                const std::vector<messages::Message>& told) {

@@ -24,8 +24,8 @@
 #include "storage/repository/store_lock.hpp"
 #include "storage/repository/token_repository.hpp"
 #include "storage/repository/upload_repository.hpp"
-#include "storage/sqlite/damaged_pages.hpp"
-#include "storage/sqlite/database_files.hpp"
+#include "storage/sql/store_file.hpp"
+#include "storage/sql/upkeep.hpp"
 
 namespace floeplan::cli {
 namespace {
@@ -135,10 +135,10 @@ std::optional<std::string> fault_of(const ServeOptions& options, const http::Lis
 /// Looks at every page. What is damaged answers with an error from here on, and cannot be written over; all else is served.
 /// Returns  how many pages have changed
 std::size_t logged_damage(const std::filesystem::path& store) {
-  const bool is_new = !std::filesystem::exists(sqlite::database_in(store));
+  const bool is_new = !std::filesystem::exists(sql::database_in(store));
   auto db = repository::open_store(store);
   if (is_new) log::warn({"store new=\"", store.string(), "\" it was created, and holds nothing"});
-  const std::size_t pages = sqlite::damaged_pages(db).size();
+  const std::size_t pages = sql::damaged_pages(db).size();
   if (pages > 0)
     log::error({"store damaged_pages=", std::to_string(pages),
                 " what lies there cannot be read; floeplan verify names it, floeplan repair saves the rest, "

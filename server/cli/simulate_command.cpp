@@ -147,7 +147,7 @@ double real_time_factor(const json& document, std::chrono::steady_clock::time_po
   return std::round(simulated_s / std::max(1e-3, took.count()));
 }
 
-int write_files(sqlite::Connection& db, const json& document, const SimulateFlags& flags) {
+int write_files(sql::Connection& db, const json& document, const SimulateFlags& flags) {
   const std::string id = document.at("simulation_id").get<std::string>();
   const auto record = repository::SimulationRepository{db}.find({id});
   std::vector<OutputFile> files;

@@ -13,8 +13,8 @@
 
 #include "api/log/log.hpp"
 #include "storage/repository/migrations.hpp"
-#include "storage/sqlite/database_files.hpp"
-#include "storage/sqlite/statement.hpp"
+#include "storage/sql/store_file.hpp"
+#include "storage/sql/upkeep.hpp"
 
 namespace floeplan::cli {
 namespace {
@@ -40,8 +40,7 @@ struct WatchedFile {
 
 std::vector<WatchedFile> watched_files(const fs::path& store) {
   std::vector<WatchedFile> files;
-  for (const char* const ending : {"", "-wal"}) {
-    fs::path path = sqlite::database_in(store).string() + ending;
+  for (fs::path& path : sql::database_files_in(store)) {
     auto identity = identity_of(path);
     files.push_back({std::move(path), identity});
   }
@@ -56,7 +55,7 @@ std::vector<WatchedFile> watched_files(const fs::path& store) {
   std::_Exit(1);
 }
 
-void watch(const std::stop_token& stop, const std::vector<WatchedFile>& files, sqlite::Connection db) {
+void watch(const std::stop_token& stop, const std::vector<WatchedFile>& files, sql::Connection db) {
   std::mutex mutex;
   std::condition_variable_any woken;
   for (int looks = 1;; ++looks) {
@@ -66,7 +65,7 @@ void watch(const std::stop_token& stop, const std::vector<WatchedFile>& files, s
       if (file.identity && identity_of(file.path) != file.identity) end_at_once(file.path);
     if (looks % looks_between_checkpoints != 0) continue;
     try {
-      sqlite::execute(db, "PRAGMA wal_checkpoint(PASSIVE)");
+      sql::shorten_log(db);
     } catch (const std::runtime_error& error) {
       log::warn({"store log not moved to the database: ", error.what()});
     }

@@ -85,7 +85,7 @@ json report_document(const std::vector<ingest::IngestReport>& reports) {
   return {{"datasets", std::move(documents)}};
 }
 
-tl::expected<json, std::string> ingest_document(sqlite::Connection& db, const codec::IngestInputs& inputs,
+tl::expected<json, std::string> ingest_document(sql::Connection& db, const codec::IngestInputs& inputs,
                                                 const IngestPlace& place, const std::string& owner,
                                                 bool again, const std::stop_token& stop,
                                                 const core::ProgressCallback& progress, core::UtcTime now) {

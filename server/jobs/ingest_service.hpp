@@ -30,7 +30,7 @@ struct IngestPlace {
 /// `again`  after an attempt that broke off: what is found unchanged may be the owner's of then
 /// Errors   why nothing could be read: an upload has expired
 [[nodiscard]] tl::expected<nlohmann::json, std::string> ingest_document(
-    sqlite::Connection& db, const codec::IngestInputs& inputs, const IngestPlace& place,
+    sql::Connection& db, const codec::IngestInputs& inputs, const IngestPlace& place,
     const std::string& owner, bool again, const std::stop_token& stop, const core::ProgressCallback& progress,
     core::UtcTime now);
 

@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "server/jobs/job_class.hpp"
-#include "storage/sqlite/transaction.hpp"
+#include "storage/sql/transaction.hpp"
 
 namespace floeplan::jobs {
 namespace {
@@ -41,7 +41,7 @@ JobRecord new_job(const routes::Submission& submission, core::UtcTime now) {
 }
 
 /// The job of an earlier request with the same key; empty: there was none.
-tl::expected<std::optional<JobRecord>, SubmissionRefused> find_by_key(sqlite::Connection& db,
+tl::expected<std::optional<JobRecord>, SubmissionRefused> find_by_key(sql::Connection& db,
                                                                       const repository::IdempotencyKey& key,
                                                                       core::UtcTime now) {
   repository::KeptAnswers answers{db};
@@ -56,7 +56,7 @@ tl::expected<std::optional<JobRecord>, SubmissionRefused> find_by_key(sqlite::Co
 }
 
 /// A job that does the same work, or has done it.
-std::optional<JobRecord> find_shared(sqlite::Connection& db, const routes::Submission& submission) {
+std::optional<JobRecord> find_shared(sql::Connection& db, const routes::Submission& submission) {
   if (!submission.digest || submission.force) return std::nullopt;
   return repository::JobRepository{db}.find_shared(*submission.digest, submission.owner);
 }
@@ -73,11 +73,11 @@ bool has_room(const repository::JobRepository& jobs, const std::string& owner) {
 
 }  // namespace
 
-tl::expected<JobRecord, SubmissionRefused> JobBoard::submit(sqlite::Connection& db,
+tl::expected<JobRecord, SubmissionRefused> JobBoard::submit(sql::Connection& db,
                                                             const routes::Submission& submission,
                                                             core::UtcTime now) {
   // One transaction, so that two submissions of the same at once do not make two jobs.
-  sqlite::Transaction transaction{db};
+  sql::Transaction transaction{db};
   if (submission.key) {
     auto repeated = find_by_key(db, *submission.key, now);
     if (!repeated) return tl::unexpected(repeated.error());
@@ -101,7 +101,7 @@ tl::expected<JobRecord, SubmissionRefused> JobBoard::submit(sqlite::Connection& 
   return job;
 }
 
-bool JobBoard::dismiss(sqlite::Connection& db, const JobId& id, core::UtcTime now) {
+bool JobBoard::dismiss(sql::Connection& db, const JobId& id, core::UtcTime now) {
   if (!repository::JobRepository{db}.dismiss(id, now)) return false;
   stop(id);
   announce(id);

@@ -35,8 +35,8 @@ class JobBoard : public routes::JobGateway {
   static constexpr int max_waiting_of_owner = 200;
 
   [[nodiscard]] tl::expected<repository::JobRecord, routes::SubmissionRefused> submit(
-      sqlite::Connection& db, const routes::Submission& submission, core::UtcTime now) override;
-  bool dismiss(sqlite::Connection& db, const repository::JobId& id, core::UtcTime now) override;
+      sql::Connection& db, const routes::Submission& submission, core::UtcTime now) override;
+  bool dismiss(sql::Connection& db, const repository::JobId& id, core::UtcTime now) override;
   [[nodiscard]] std::shared_ptr<void> subscribe(const repository::JobId& id,
                                                 std::function<void()> wake) override;
   [[nodiscard]] std::shared_ptr<void> subscribe_to_all(std::function<void()> wake) override;

@@ -16,7 +16,7 @@
 #include "storage/repository/dataset_repository.hpp"
 #include "storage/repository/environment_loader.hpp"
 #include "storage/repository/plan_repository.hpp"
-#include "storage/sqlite/snapshot.hpp"
+#include "storage/sql/snapshot.hpp"
 
 namespace floeplan::jobs {
 namespace {
@@ -83,7 +83,7 @@ repository::Reading reading(const std::stop_token& stop, KeptWork* kept) {
   return {stop, kept != nullptr ? &kept->currents : nullptr};
 }
 
-GroundKey ground_key(sqlite::Connection& db, const codec::EvaluateInputs& inputs,
+GroundKey ground_key(sql::Connection& db, const codec::EvaluateInputs& inputs,
                      const planning::PlanRequest& on_route) {
   json conditions = codec::to_json(inputs);
   for (const char* other : {"name", "plan_id", "remarks", "route"}) conditions.erase(other);
@@ -95,8 +95,7 @@ GroundKey ground_key(sqlite::Connection& db, const codec::EvaluateInputs& inputs
 
 }  // namespace
 
-tl::expected<json, core::Violations> plan_route_document(sqlite::Connection& db,
-                                                         const codec::PlanInputs& inputs,
+tl::expected<json, core::Violations> plan_route_document(sql::Connection& db, const codec::PlanInputs& inputs,
                                                          const std::stop_token& stop,
                                                          const core::ProgressCallback& progress,
                                                          core::UtcTime now, KeptWork* kept) {
@@ -142,7 +141,7 @@ tl::expected<json, core::Violations> plan_route_document(sqlite::Connection& db,
   return stored ? json::parse(stored->document_json) : document;
 }
 
-tl::expected<json, core::Violations> evaluate_route_document(sqlite::Connection& db,
+tl::expected<json, core::Violations> evaluate_route_document(sql::Connection& db,
                                                              codec::EvaluateInputs inputs,
                                                              const std::stop_token& stop, KeptWork* kept) {
   if (inputs.plan_id) {
@@ -152,7 +151,7 @@ tl::expected<json, core::Violations> evaluate_route_document(sqlite::Connection&
     codec::set_route(inputs, codec::route_of(json::parse(stored->document_json)));
   }
   const planning::PlanRequest on_route = planning::search::request_along(inputs.route, inputs.request);
-  const sqlite::Snapshot one_moment{db};
+  const sql::Snapshot one_moment{db};
   const GroundKey key = ground_key(db, inputs, on_route);
   auto ground = kept != nullptr ? kept->grounds.find(key) : nullptr;
 

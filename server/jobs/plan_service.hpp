@@ -9,7 +9,7 @@
 #include "engine/core/units.hpp"
 #include "engine/core/violation.hpp"
 #include "server/jobs/kept_work.hpp"
-#include "storage/sqlite/connection.hpp"
+#include "storage/sql/connection.hpp"
 
 namespace floeplan::jobs {
 
@@ -20,14 +20,13 @@ namespace floeplan::jobs {
 /// Errors   violations of the choice of data (unknown id, wrong kind, nothing in common with the area)
 /// Names    the plan's id is codec::plan_identity: the same request on the same data gives the same id
 [[nodiscard]] tl::expected<nlohmann::json, core::Violations> plan_route_document(
-    sqlite::Connection& db, const codec::PlanInputs& inputs, const std::stop_token& stop,
+    sql::Connection& db, const codec::PlanInputs& inputs, const std::stop_token& stop,
     const core::ProgressCallback& progress, core::UtcTime now, KeptWork* kept = nullptr);
 
 /// Times a given route in the stored data; stores nothing.
 /// Returns  a document of the same shape, without a plan_id
 /// Errors   as above; also for a plan_id that is not stored
 [[nodiscard]] tl::expected<nlohmann::json, core::Violations> evaluate_route_document(
-    sqlite::Connection& db, codec::EvaluateInputs inputs, const std::stop_token& stop,
-    KeptWork* kept = nullptr);
+    sql::Connection& db, codec::EvaluateInputs inputs, const std::stop_token& stop, KeptWork* kept = nullptr);
 
 }  // namespace floeplan::jobs

@@ -36,7 +36,7 @@ tl::expected<std::string, std::string> result(const char* output,
 }
 
 /// Counts what the job stored for its owner; documents without an id say that nothing was.
-void note_owner(sqlite::Connection& db, const repository::JobRecord& job, core::UtcTime now,
+void note_owner(sql::Connection& db, const repository::JobRecord& job, core::UtcTime now,
                 const repository::ThingTable& table, const char* id,
                 const tl::expected<json, core::Violations>& document) {
   if (document && document->contains(id))
@@ -54,7 +54,7 @@ tl::expected<json, core::Violations> compare_flight_document(const codec::Compar
 
 }  // namespace
 
-tl::expected<std::string, std::string> run_process(sqlite::Connection& db, const repository::JobRecord& job,
+tl::expected<std::string, std::string> run_process(sql::Connection& db, const repository::JobRecord& job,
                                                    const IngestPlace& place, std::size_t workers,
                                                    KeptWork& kept, const std::stop_token& stop,
                                                    const core::ProgressCallback& progress,

@@ -10,7 +10,7 @@
 #include "server/jobs/ingest_service.hpp"
 #include "server/jobs/kept_work.hpp"
 #include "storage/repository/job_repository.hpp"
-#include "storage/sqlite/connection.hpp"
+#include "storage/sql/connection.hpp"
 
 namespace floeplan::jobs {
 
@@ -19,7 +19,7 @@ namespace floeplan::jobs {
 /// Returns  the results document as JSON text; of no use when `stop` was requested meanwhile
 /// Errors   why it could not be done, for a person; std::exception when the machine or the stored data fail
 [[nodiscard]] tl::expected<std::string, std::string> run_process(
-    sqlite::Connection& db, const repository::JobRecord& job, const IngestPlace& place, std::size_t workers,
+    sql::Connection& db, const repository::JobRecord& job, const IngestPlace& place, std::size_t workers,
     KeptWork& kept, const std::stop_token& stop, const core::ProgressCallback& progress, core::UtcTime now);
 
 }  // namespace floeplan::jobs

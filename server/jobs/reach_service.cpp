@@ -11,7 +11,7 @@
 
 namespace floeplan::jobs {
 
-tl::expected<nlohmann::json, core::Violations> reach_document(sqlite::Connection& db,
+tl::expected<nlohmann::json, core::Violations> reach_document(sql::Connection& db,
                                                               const codec::ReachInputs& inputs,
                                                               const std::stop_token& stop,
                                                               const core::ProgressCallback& progress,

@@ -8,7 +8,7 @@
 #include "engine/core/progress.hpp"
 #include "engine/core/violation.hpp"
 #include "server/jobs/kept_work.hpp"
-#include "storage/sqlite/connection.hpp"
+#include "storage/sql/connection.hpp"
 
 namespace floeplan::jobs {
 
@@ -17,7 +17,7 @@ namespace floeplan::jobs {
 ///          ("cancelled" when `stop` was requested)
 /// Errors   violations of the choice of data, as for a plan
 [[nodiscard]] tl::expected<nlohmann::json, core::Violations> reach_document(
-    sqlite::Connection& db, const codec::ReachInputs& inputs, const std::stop_token& stop,
+    sql::Connection& db, const codec::ReachInputs& inputs, const std::stop_token& stop,
     const core::ProgressCallback& progress, KeptWork* kept = nullptr);
 
 }  // namespace floeplan::jobs

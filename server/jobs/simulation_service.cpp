@@ -56,7 +56,7 @@ core::Violations of_mission_files(core::Violations violations) {
 }
 
 /// The plan, with the choice of data that the simulation makes instead of the plan's own.
-tl::expected<FlownPlan, core::Violations> plan_of(sqlite::Connection& db, const SimulateInputs& inputs) {
+tl::expected<FlownPlan, core::Violations> plan_of(sql::Connection& db, const SimulateInputs& inputs) {
   auto record = repository::PlanRepository{db}.find({inputs.plan_id});
   if (!record) return tl::unexpected(core::Violations{{"/plan_id", "no plan has the id " + inputs.plan_id}});
   json request = json::parse(record->request_json);
@@ -317,9 +317,8 @@ json document_of(const std::string& id, const SimulateInputs& inputs, const Flow
 
 }  // namespace
 
-tl::expected<json, core::Violations> simulate_plan_document(sqlite::Connection& db,
-                                                            const SimulateInputs& inputs, std::size_t workers,
-                                                            const std::stop_token& stop,
+tl::expected<json, core::Violations> simulate_plan_document(sql::Connection& db, const SimulateInputs& inputs,
+                                                            std::size_t workers, const std::stop_token& stop,
                                                             const core::ProgressCallback& progress,
                                                             core::UtcTime now) {
   if (progress) progress("loading data", 0.0);

@@ -9,7 +9,7 @@
 #include "engine/core/progress.hpp"
 #include "engine/core/units.hpp"
 #include "engine/core/violation.hpp"
-#include "storage/sqlite/connection.hpp"
+#include "storage/sql/connection.hpp"
 
 namespace floeplan::jobs {
 
@@ -22,7 +22,7 @@ namespace floeplan::jobs {
 /// Names    the simulation's id is a digest of its inputs, the plan and the data: the same request gives the same id
 ///          and the same bytes, whatever the number of `workers`
 [[nodiscard]] tl::expected<nlohmann::json, core::Violations> simulate_plan_document(
-    sqlite::Connection& db, const codec::SimulateInputs& inputs, std::size_t workers,
+    sql::Connection& db, const codec::SimulateInputs& inputs, std::size_t workers,
     const std::stop_token& stop, const core::ProgressCallback& progress, core::UtcTime now);
 
 }  // namespace floeplan::jobs

@@ -83,8 +83,8 @@ void put_away(const fs::path& file, const fs::path& folder, const std::string& r
 }
 
 /// Ingests files that are complete and puts each away with the reports of the group that it was in.
-void ingest_and_put_away(sqlite::Connection& db, const ingest::Guard& guard,
-                         const std::vector<fs::path>& files, const std::stop_token& stop) {
+void ingest_and_put_away(sql::Connection& db, const ingest::Guard& guard, const std::vector<fs::path>& files,
+                         const std::stop_token& stop) {
   std::map<ingest::FileGroup, std::vector<ingest::IngestReport>> groups;
   const core::UtcTime now = std::chrono::system_clock::now();
   for (ingest::IngestReport& report : ingest::guarded_ingest(db, guard, files, {}, now, stop, {}, {}))

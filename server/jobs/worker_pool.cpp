@@ -11,7 +11,7 @@
 #include "api/log/log.hpp"
 #include "server/jobs/pause.hpp"
 #include "server/jobs/process_runner.hpp"
-#include "storage/sqlite/failure.hpp"
+#include "storage/sql/driver/failure.hpp"
 
 namespace floeplan::jobs {
 namespace {
@@ -50,13 +50,13 @@ void lower_priority(JobClass job_class) {
 }
 
 /// Whether the store may do later what it could not do now: somebody makes room on the disk, or gives back its lock.
-bool may_pass(const sqlite::Failure& failure) {
+bool may_pass(const sql::Failure& failure) {
   switch (failure.trouble()) {
-    case sqlite::Trouble::disk_full:
-    case sqlite::Trouble::held_by_another:
-    case sqlite::Trouble::not_writable: return true;
-    case sqlite::Trouble::damaged:
-    case sqlite::Trouble::other: break;
+    case sql::Trouble::disk_full:
+    case sql::Trouble::held_by_another:
+    case sql::Trouble::not_writable: return true;
+    case sql::Trouble::damaged:
+    case sql::Trouble::other: break;
   }
   return false;
 }
@@ -65,7 +65,7 @@ bool may_pass(const sqlite::Failure& failure) {
 /// while: what fails is tried again until it can be done, or until the server stops, which hands the job back when it
 /// starts again.
 template <class Write>
-void keep_trying(sqlite::Connection& db, const repository::JobId& id, const Write& write,
+void keep_trying(sql::Connection& db, const repository::JobId& id, const Write& write,
                  const std::stop_token& stop) {
   constexpr std::chrono::seconds between{2};
   while (true) {
@@ -116,7 +116,7 @@ void WorkerPool::stop() {
   lease_keeper_ = {};
 }
 
-void WorkerPool::work(sqlite::Connection& db, const std::string& name, JobClass job_class,
+void WorkerPool::work(sql::Connection& db, const std::string& name, JobClass job_class,
                       const std::stop_token& stop) {
   lower_priority(job_class);
   std::optional<std::int64_t> most_of_owner;
@@ -136,7 +136,7 @@ void WorkerPool::work(sqlite::Connection& db, const std::string& name, JobClass 
   }
 }
 
-void WorkerPool::run(sqlite::Connection& db, const JobRecord& job, const std::string& worker,
+void WorkerPool::run(sql::Connection& db, const JobRecord& job, const std::string& worker,
                      const std::stop_token& pool_stop) {
   const auto begin = std::chrono::steady_clock::now();
   const core::Seconds limit = limits_.of(job.job_class);
@@ -157,7 +157,7 @@ void WorkerPool::run(sqlite::Connection& db, const JobRecord& job, const std::st
   } catch (const std::bad_alloc&) {
     log::error({"job=", job.id.value, " broke off: no memory"});
     result = tl::unexpected(std::string{no_memory});
-  } catch (const sqlite::Failure& failure) {
+  } catch (const sql::Failure& failure) {
     // A file that is too large for the disk would fill it again and again, so whoever sent it is told at once.
     put_off = job.job_class != JobClass::ingest && may_pass(failure);
     log::error({"job=", job.id.value, put_off ? " is put off: " : " broke off: ", failure.what()});
@@ -192,7 +192,7 @@ void WorkerPool::run(sqlite::Connection& db, const JobRecord& job, const std::st
   if (put_off) pause(before_next_try, pool_stop);
 }
 
-void WorkerPool::keep_leases(sqlite::Connection& db, const std::stop_token& stop) {
+void WorkerPool::keep_leases(sql::Connection& db, const std::stop_token& stop) {
   std::map<repository::JobId, core::UtcTime> renewed;
   while (!stop.stop_requested()) {
     board_.stop_overdue(std::chrono::steady_clock::now());

@@ -10,12 +10,12 @@
 #include "server/jobs/job_board.hpp"
 #include "server/jobs/job_class.hpp"
 #include "server/jobs/kept_work.hpp"
-#include "storage/sqlite/connection.hpp"
+#include "storage/sql/connection.hpp"
 
 namespace floeplan::jobs {
 
 /// Opens a connection to the store, for one thread.
-using OpenStore = std::function<sqlite::Connection()>;
+using OpenStore = std::function<sql::Connection()>;
 
 /// Threads that take jobs from the queue and do them, at lower priority than the rest of the process, and one
 /// that keeps their leases, their time limits, and writes their progress.
@@ -51,11 +51,11 @@ class WorkerPool {
   void stop();
 
  private:
-  void work(sqlite::Connection& db, const std::string& name, repository::JobClass job_class,
+  void work(sql::Connection& db, const std::string& name, repository::JobClass job_class,
             const std::stop_token& stop);
-  void run(sqlite::Connection& db, const repository::JobRecord& job, const std::string& worker,
+  void run(sql::Connection& db, const repository::JobRecord& job, const std::string& worker,
            const std::stop_token& pool_stop);
-  void keep_leases(sqlite::Connection& db, const std::stop_token& stop);
+  void keep_leases(sql::Connection& db, const std::stop_token& stop);
 
   JobBoard& board_;  // borrowed
   std::size_t workers_;

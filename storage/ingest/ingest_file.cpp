@@ -16,7 +16,7 @@
 #include "storage/ingest/netcdf_contents.hpp"
 #include "storage/ingest/recognise.hpp"
 #include "storage/repository/dataset_repository.hpp"
-#include "storage/sqlite/transaction.hpp"
+#include "storage/sql/transaction.hpp"
 
 namespace floeplan::ingest {
 namespace {
@@ -101,7 +101,7 @@ std::optional<std::string> warning_of_open_end(const RecognisedFile& file) {
 }
 
 /// Reads and checks one kind of data. Nothing is written yet: the store stays open for others meanwhile.
-Candidate check_kind(sqlite::Connection& db, const RecognisedFile& file, const FileGroup& files,
+Candidate check_kind(sql::Connection& db, const RecognisedFile& file, const FileGroup& files,
                      DatasetKind kind, const std::string& sha256, const IngestOptions& options,
                      const core::ProgressCallback& progress) {
   if (auto stored = repository::DatasetRepository{db}.find(id_of(kind, sha256))) {
@@ -129,7 +129,7 @@ Candidate check_kind(sqlite::Connection& db, const RecognisedFile& file, const F
 }
 
 /// Stores what was checked, in place of what was misread of the same file. Runs inside the file's transaction.
-IngestReport store(sqlite::Connection& db, const FileGroup& files, const IngestOptions& options,
+IngestReport store(sql::Connection& db, const FileGroup& files, const IngestOptions& options,
                    const PreparedDataset& data, Dataset dataset) {
   repository::DatasetRepository datasets{db};
   if (const auto before = datasets.find(dataset.id); before && before->outdated) datasets.remove(dataset.id);
@@ -185,7 +185,7 @@ IngestReport refused(const FileGroup& files, const IngestOptions& options, std::
   return report;
 }
 
-std::vector<IngestReport> ingest_group(sqlite::Connection& db, const FileGroup& files,
+std::vector<IngestReport> ingest_group(sql::Connection& db, const FileGroup& files,
                                        const IngestOptions& options, core::UtcTime now,
                                        const core::ProgressCallback& progress) {
   const GdalMessages quiet;
@@ -209,7 +209,7 @@ std::vector<IngestReport> ingest_group(sqlite::Connection& db, const FileGroup& 
 
   const auto failed = [](const Candidate& candidate) { return !candidate.report.errors.empty(); };
   if (std::none_of(candidates.begin(), candidates.end(), failed)) {
-    sqlite::Transaction transaction{db};
+    sql::Transaction transaction{db};
     for (Candidate& candidate : candidates)
       if (candidate.data)
         candidate.report = store(db, files, options, *candidate.data,
@@ -224,14 +224,13 @@ std::vector<IngestReport> ingest_group(sqlite::Connection& db, const FileGroup& 
   return reports;
 }
 
-std::vector<IngestReport> ingest_file(sqlite::Connection& db, const std::filesystem::path& file,
+std::vector<IngestReport> ingest_file(sql::Connection& db, const std::filesystem::path& file,
                                       const IngestOptions& options, core::UtcTime now,
                                       const core::ProgressCallback& progress) {
   return ingest_group(db, {file}, options, now, progress);
 }
 
-std::vector<IngestReport> ingest_files(sqlite::Connection& db,
-                                       const std::vector<std::filesystem::path>& files,
+std::vector<IngestReport> ingest_files(sql::Connection& db, const std::vector<std::filesystem::path>& files,
                                        const IngestOptions& options, core::UtcTime now,
                                        const core::ProgressCallback& progress,
                                        const std::function<void(const IngestReport&)>& reported) {

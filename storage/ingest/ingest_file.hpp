@@ -10,7 +10,7 @@
 #include "storage/ingest/common/ingest_options.hpp"
 #include "storage/ingest/files/file_group.hpp"
 #include "storage/ingest/ingest_report.hpp"
-#include "storage/sqlite/connection.hpp"
+#include "storage/sql/connection.hpp"
 
 namespace floeplan::ingest {
 
@@ -19,13 +19,13 @@ namespace floeplan::ingest {
 /// A file whose content is already stored under the same kind is "unchanged", unless an earlier program misread it: then
 /// it is read again and replaces what was stored.
 /// Errors   std::runtime_error only when the store itself fails
-[[nodiscard]] std::vector<IngestReport> ingest_file(sqlite::Connection& db, const std::filesystem::path& file,
+[[nodiscard]] std::vector<IngestReport> ingest_file(sql::Connection& db, const std::filesystem::path& file,
                                                     const IngestOptions& options, core::UtcTime now,
                                                     const core::ProgressCallback& progress);
 
 /// As ingest_file, of files that make one dataset.
 /// Errors   as ingest_file
-[[nodiscard]] std::vector<IngestReport> ingest_group(sqlite::Connection& db, const FileGroup& files,
+[[nodiscard]] std::vector<IngestReport> ingest_group(sql::Connection& db, const FileGroup& files,
                                                      const IngestOptions& options, core::UtcTime now,
                                                      const core::ProgressCallback& progress);
 
@@ -37,7 +37,7 @@ namespace floeplan::ingest {
 /// `reported`  called with each report as soon as it is known; may be empty
 /// Errors   as ingest_file
 [[nodiscard]] std::vector<IngestReport> ingest_files(
-    sqlite::Connection& db, const std::vector<std::filesystem::path>& files, const IngestOptions& options,
+    sql::Connection& db, const std::vector<std::filesystem::path>& files, const IngestOptions& options,
     core::UtcTime now, const core::ProgressCallback& progress,
     const std::function<void(const IngestReport&)>& reported);
 

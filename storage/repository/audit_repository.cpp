@@ -1,13 +1,13 @@
 #include "storage/repository/audit_repository.hpp"
 
-#include "storage/sqlite/statement.hpp"
-#include "storage/sqlite/transaction.hpp"
+#include "storage/sql/statement.hpp"
+#include "storage/sql/transaction.hpp"
 
 namespace floeplan::repository {
 
 std::int64_t AuditRepository::add(const AuditEntry& entry) {
-  sqlite::Transaction transaction{db_};
-  sqlite::Statement insert{
+  sql::Transaction transaction{db_};
+  sql::Statement insert{
       db_,
       "INSERT INTO audit (at_s, caller, peer, action, target, request_id) VALUES (?1, ?2, ?3, ?4, ?5, ?6) "
       "RETURNING row"};
@@ -15,7 +15,7 @@ std::int64_t AuditRepository::add(const AuditEntry& entry) {
   (void)insert.step();
   const std::int64_t row = insert.integer(0);
   (void)insert.step();  // to its end: a transaction with an open statement is not committed
-  sqlite::Statement forget{db_, "DELETE FROM audit WHERE row <= (SELECT max(row) FROM audit) - ?1"};
+  sql::Statement forget{db_, "DELETE FROM audit WHERE row <= (SELECT max(row) FROM audit) - ?1"};
   forget.bind(1, most_entries);
   forget.run();
   transaction.commit();
@@ -23,16 +23,15 @@ std::int64_t AuditRepository::add(const AuditEntry& entry) {
 }
 
 void AuditRepository::restate(std::int64_t row, const std::string& target) {
-  sqlite::Statement change{db_, "UPDATE audit SET target = ?2 WHERE row = ?1"};
+  sql::Statement change{db_, "UPDATE audit SET target = ?2 WHERE row = ?1"};
   change.bind_all(row, target);
   change.run();
 }
 
 std::vector<AuditEntry> AuditRepository::list(std::int64_t before, int limit) const {
-  sqlite::Statement query{
-      db_,
-      "SELECT row, at_s, caller, peer, action, target, request_id FROM audit WHERE ?1 = 0 "
-      "OR row < ?1 ORDER BY row DESC LIMIT max(?2, 0)"};
+  sql::Statement query{db_,
+                       "SELECT row, at_s, caller, peer, action, target, request_id FROM audit WHERE ?1 = 0 "
+                       "OR row < ?1 ORDER BY row DESC LIMIT max(?2, 0)"};
   query.bind_all(before, limit);
   std::vector<AuditEntry> entries;
   while (query.step()) {

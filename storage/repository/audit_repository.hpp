@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "engine/core/units.hpp"
-#include "storage/sqlite/connection.hpp"
+#include "storage/sql/connection.hpp"
 
 namespace floeplan::repository {
 
@@ -24,7 +24,7 @@ struct AuditEntry {
 /// Threads  as the connection: one thread at a time
 class AuditRepository {
  public:
-  explicit AuditRepository(sqlite::Connection& db) : db_{db} {}
+  explicit AuditRepository(sql::Connection& db) : db_{db} {}
 
   static constexpr std::int64_t most_entries = 1'000'000;  // some 150 MB: years of a busy station
 
@@ -36,7 +36,7 @@ class AuditRepository {
   [[nodiscard]] std::vector<AuditEntry> list(std::int64_t before, int limit) const;
 
  private:
-  sqlite::Connection& db_;  // borrowed
+  sql::Connection& db_;  // borrowed
 };
 
 }  // namespace floeplan::repository

@@ -11,7 +11,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "storage/sqlite/failure.hpp"
+#include "storage/sql/driver/failure.hpp"
 
 namespace floeplan::repository {
 namespace {
@@ -20,10 +20,10 @@ constexpr int compression_level = 3;
 constexpr std::size_t largest_blob_bytes = std::size_t{1} << 30;
 
 [[noreturn]] void refuse(const std::string& why) {
-  throw sqlite::Failure{
+  throw sql::Failure{
       "stored data are damaged (" + why +
           "); remove the dataset and ingest its file again, or restore the store from a backup",
-      sqlite::Trouble::damaged};
+      sql::Trouble::damaged};
 }
 
 /// Puts the bytes of each number together again.

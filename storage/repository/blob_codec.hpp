@@ -17,7 +17,7 @@ namespace floeplan::repository {
 ///          checksum. Neighbouring values of a smooth field share their high bytes; shuffling joins those. Floats that
 ///          are multiples of steps: those (see write_as_steps), told by their odd length, in the same frame
 /// Threads  one thread at a time
-/// Errors   sqlite::Failure (damaged) from `unpack` and `check` for a damaged blob or one of another length
+/// Errors   sql::Failure (damaged) from `unpack` and `check` for a damaged blob or one of another length
 class BlobCodec {
  public:
   BlobCodec();

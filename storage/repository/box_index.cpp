@@ -22,7 +22,7 @@ std::string box_condition(const std::string& box_table, int first_parameter) {
   return "row IN (" + probes + ")";
 }
 
-void bind_box(sqlite::Statement& statement, int first_parameter, const geo::BoundingBox& area) {
+void bind_box(sql::Statement& statement, int first_parameter, const geo::BoundingBox& area) {
   statement.bind(first_parameter, area.south_deg - slack_deg);
   statement.bind(first_parameter + 1, area.north_deg + slack_deg);
   const UnrolledBox box = unrolled(area);

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "engine/geo/bounding_box.hpp"
-#include "storage/sqlite/statement.hpp"
+#include "storage/sql/statement.hpp"
 
 namespace floeplan::repository {
 
@@ -13,7 +13,7 @@ inline constexpr int box_parameters = 8;
 /// SQL condition on `row`: the rows of an R*Tree table whose box comes near the area. It may hold for rows
 /// that just miss the area (the tree keeps 32-bit numbers), so the caller checks each exactly.
 [[nodiscard]] std::string box_condition(const std::string& box_table, int first_parameter);
-void bind_box(sqlite::Statement& statement, int first_parameter, const geo::BoundingBox& area);
+void bind_box(sql::Statement& statement, int first_parameter, const geo::BoundingBox& area);
 
 /// The box as the R*Tree keeps it: eastwards from [-180, 180).
 struct UnrolledBox {

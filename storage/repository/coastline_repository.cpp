@@ -6,8 +6,8 @@
 #include "storage/repository/box_index.hpp"
 #include "storage/repository/dataset_row.hpp"
 #include "storage/repository/polygon_blob.hpp"
-#include "storage/sqlite/statement.hpp"
-#include "storage/sqlite/transaction.hpp"
+#include "storage/sql/statement.hpp"
+#include "storage/sql/transaction.hpp"
 
 namespace floeplan::repository {
 
@@ -20,11 +20,10 @@ void keep_newest_coastline(std::vector<Dataset>& datasets) {
 }
 
 void CoastlineRepository::insert(const DatasetId& dataset, const std::vector<geo::Polygon>& land) {
-  sqlite::Transaction transaction{db_};
+  sql::Transaction transaction{db_};
   const std::int64_t dataset_number = dataset_row(db_, dataset);
-  sqlite::Statement insert{db_, "INSERT INTO land_polygon (dataset_row, rings) VALUES (?1, ?2)"};
-  sqlite::Statement insert_box{db_,
-                               "INSERT INTO land_polygon_box VALUES (last_insert_rowid(), ?1, ?2, ?3, ?4)"};
+  sql::Statement insert{db_, "INSERT INTO land_polygon (dataset_row, rings) VALUES (?1, ?2)"};
+  sql::Statement insert_box{db_, "INSERT INTO land_polygon_box VALUES (last_insert_rowid(), ?1, ?2, ?3, ?4)"};
   BlobCodec codec;
   for (const geo::Polygon& polygon : land) {
     insert.bind_all(dataset_number, pack_polygon(codec, polygon));
@@ -40,7 +39,7 @@ void CoastlineRepository::insert(const DatasetId& dataset, const std::vector<geo
 
 std::vector<geo::Polygon> CoastlineRepository::load(const DatasetId& dataset,
                                                     const geo::BoundingBox& area) const {
-  sqlite::Statement query{
+  sql::Statement query{
       db_,
       "SELECT rings FROM land_polygon WHERE dataset_row = (SELECT row FROM dataset WHERE id = ?1) "
       "AND " +

@@ -5,7 +5,7 @@
 #include "engine/geo/bounding_box.hpp"
 #include "engine/geo/polygon.hpp"
 #include "storage/repository/dataset.hpp"
-#include "storage/sqlite/connection.hpp"
+#include "storage/sql/connection.hpp"
 
 namespace floeplan::repository {
 
@@ -20,14 +20,14 @@ void keep_newest_coastline(std::vector<Dataset>& datasets);
 /// Threads  as the connection: one thread at a time
 class CoastlineRepository {
  public:
-  explicit CoastlineRepository(sqlite::Connection& db) : db_{db} {}
+  explicit CoastlineRepository(sql::Connection& db) : db_{db} {}
 
   void insert(const DatasetId& dataset, const std::vector<geo::Polygon>& land);
   /// Every polygon whose box meets the area, whole, in the order of insertion.
   [[nodiscard]] std::vector<geo::Polygon> load(const DatasetId& dataset, const geo::BoundingBox& area) const;
 
  private:
-  sqlite::Connection& db_;  // borrowed
+  sql::Connection& db_;  // borrowed
 };
 
 }  // namespace floeplan::repository

@@ -2,8 +2,8 @@
 
 #include "storage/repository/blob_codec.hpp"
 #include "storage/repository/dataset_tables.hpp"
-#include "storage/sqlite/damaged_pages.hpp"
-#include "storage/sqlite/statement.hpp"
+#include "storage/sql/statement.hpp"
+#include "storage/sql/upkeep.hpp"
 
 namespace floeplan::repository {
 namespace {
@@ -11,21 +11,21 @@ namespace {
 constexpr const char* samples_table = "field_chunk";
 
 /// Reads every row that belongs to a thing, samples down to their own checksums.
-bool is_whole_below(sqlite::Connection& db, const ThingTable& table, std::int64_t row, BlobCodec& codec) {
+bool is_whole_below(sql::Connection& db, const ThingTable& table, std::int64_t row, BlobCodec& codec) {
   for (const std::string& below : tables_below(db, "main", table)) {
-    const bool whole = past_damaged_indices([&](const char* index) {
+    const bool whole = sql::past_damaged_indices([&](const char* index) {
       const std::string columns = below == samples_table ? "samples" : "*";
-      sqlite::Statement rows{db, "SELECT " + columns + " FROM main." + below + index + "WHERE " +
-                                     std::string{table.key} + " = ?1"};
+      sql::Statement rows{db, "SELECT " + columns + " FROM main." + below + index + "WHERE " +
+                                  std::string{table.key} + " = ?1"};
       rows.bind(1, row);
       while (rows.step())
         if (below == samples_table) codec.check(rows.blob(0));
     });
     if (!whole) return false;
     const std::string boxes = boxes_of(below);
-    const bool boxes_whole = !has_table(db, boxes) || meets_no_damage([&] {
-      sqlite::Statement rows{db, "SELECT * FROM main." + boxes + " WHERE row IN (SELECT row FROM main." +
-                                     below + " WHERE " + std::string{table.key} + " = ?1)"};
+    const bool boxes_whole = !sql::has_table(db, boxes) || sql::meets_no_damage([&] {
+      sql::Statement rows{db, "SELECT * FROM main." + boxes + " WHERE row IN (SELECT row FROM main." + below +
+                                  " WHERE " + std::string{table.key} + " = ?1)"};
       rows.bind(1, row);
       while (rows.step()) continue;
     });
@@ -34,18 +34,12 @@ bool is_whole_below(sqlite::Connection& db, const ThingTable& table, std::int64_
   return true;
 }
 
-std::string structure_of(sqlite::Connection& db) {
-  sqlite::Statement check{db, "PRAGMA integrity_check(1)"};
-  const std::string found = check.step() ? check.text(0) : "nothing was checked";
-  return found == "ok" ? "" : found;
-}
-
 }  // namespace
 
-Damage find_damage(sqlite::Connection& db, const core::ProgressCallback& progress) {
+Damage find_damage(sql::Connection& db, const core::ProgressCallback& progress) {
   Damage damage;
   if (progress) progress("reading every page", 0.0);
-  damage.pages = sqlite::damaged_pages(db);
+  damage.pages = sql::damaged_pages(db);
   BlobCodec codec;
   for (const ThingTable& table : thing_tables) {
     ThingList list = things_in(db, "main", table);
@@ -58,13 +52,13 @@ Damage find_damage(sqlite::Connection& db, const core::ProgressCallback& progres
     }
   }
   for (const std::string& table : tables_beside(db, "main")) {
-    const bool whole = meets_no_damage([&] {
-      sqlite::Statement rows{db, "SELECT * FROM main." + table};
+    const bool whole = sql::meets_no_damage([&] {
+      sql::Statement rows{db, "SELECT * FROM main." + table};
       while (rows.step()) continue;
     });
     if (!whole) damage.tables.push_back(table);
   }
-  if (damage.pages.empty()) damage.structure = structure_of(db);
+  if (damage.pages.empty()) damage.structure = sql::damage_of_structure(db);
   return damage;
 }
 

@@ -14,7 +14,7 @@ struct Damage {
   std::vector<StoredThing> things;   // as users know them
   std::vector<std::string> tables;   // with rows that belong to no thing, such as "audit"
   std::vector<std::uint32_t> pages;  // of the database, from 1: every one that has changed, whatever it holds
-  std::string structure;             // what SQLite's own check says where no page has changed; empty: nothing
+  std::string structure;  // what the database's own check says where no page has changed; empty: nothing
 
   [[nodiscard]] bool is_none() const {
     return things.empty() && tables.empty() && pages.empty() && structure.empty();
@@ -23,7 +23,7 @@ struct Damage {
 
 /// Reads all of a store: every page with its checksum, everything that users know by name, every block of samples. Others
 /// may use the store meanwhile.
-/// Errors  sqlite::Failure when the store cannot be opened, its schema is damaged, or it fails otherwise
-[[nodiscard]] Damage find_damage(sqlite::Connection& db, const core::ProgressCallback& progress = {});
+/// Errors  sql::Failure when the store cannot be opened, its schema is damaged, or it fails otherwise
+[[nodiscard]] Damage find_damage(sql::Connection& db, const core::ProgressCallback& progress = {});
 
 }  // namespace floeplan::repository

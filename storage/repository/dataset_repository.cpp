@@ -4,8 +4,8 @@
 #include <limits>
 
 #include "storage/repository/dataset_row.hpp"
-#include "storage/sqlite/statement.hpp"
-#include "storage/sqlite/transaction.hpp"
+#include "storage/sql/statement.hpp"
+#include "storage/sql/transaction.hpp"
 
 namespace floeplan::repository {
 namespace {
@@ -17,9 +17,9 @@ constexpr const char* select_dataset =
     "dataset "
     "WHERE arriving_s IS NULL ";
 
-void insert_texts(sqlite::Connection& db, std::int64_t row, const std::string& role,
+void insert_texts(sql::Connection& db, std::int64_t row, const std::string& role,
                   const std::vector<std::string>& texts) {
-  sqlite::Statement insert{
+  sql::Statement insert{
       db, "INSERT INTO dataset_text (dataset_row, role, position, text) VALUES (?1, ?2, ?3, ?4)"};
   for (std::size_t i = 0; i < texts.size(); ++i) {
     insert.bind_all(row, role, static_cast<std::int64_t>(i), texts[i]);
@@ -27,8 +27,8 @@ void insert_texts(sqlite::Connection& db, std::int64_t row, const std::string& r
   }
 }
 
-std::vector<std::string> read_texts(sqlite::Connection& db, std::int64_t row, const std::string& role) {
-  sqlite::Statement query{
+std::vector<std::string> read_texts(sql::Connection& db, std::int64_t row, const std::string& role) {
+  sql::Statement query{
       db, "SELECT text FROM dataset_text WHERE dataset_row = ?1 AND role = ?2 ORDER BY position"};
   query.bind_all(row, role);
   std::vector<std::string> texts;
@@ -36,7 +36,7 @@ std::vector<std::string> read_texts(sqlite::Connection& db, std::int64_t row, co
   return texts;
 }
 
-Dataset read_dataset(sqlite::Connection& db, const sqlite::Statement& row) {
+Dataset read_dataset(sql::Connection& db, const sql::Row& row) {
   return {.id = {row.text(1)},
           .kind = parse_kind(row.text(2)).value(),
           .name = row.text(3),
@@ -59,8 +59,8 @@ Dataset read_dataset(sqlite::Connection& db, const sqlite::Statement& row) {
 }  // namespace
 
 void DatasetRepository::insert(const Dataset& dataset) {
-  sqlite::Transaction transaction{db_};
-  sqlite::Statement insert{
+  sql::Transaction transaction{db_};
+  sql::Statement insert{
       db_,
       "INSERT INTO dataset (id, kind, name, west_deg, south_deg, east_deg, north_deg, time_start_s, "
       "time_end_s, "
@@ -81,7 +81,7 @@ void DatasetRepository::insert(const Dataset& dataset) {
 }
 
 void DatasetRepository::update(const Dataset& dataset) {
-  sqlite::Statement update{
+  sql::Statement update{
       db_,
       "UPDATE dataset SET west_deg = ?2, south_deg = ?3, east_deg = ?4, north_deg = ?5, time_start_s = ?6, "
       "time_end_s = ?7, rows_accepted = ?8, rows_refused = ?9, file_size_bytes = ?10, sha256 = ?11, "
@@ -95,14 +95,14 @@ void DatasetRepository::update(const Dataset& dataset) {
 }
 
 std::optional<Dataset> DatasetRepository::find(const DatasetId& id) const {
-  sqlite::Statement query{db_, std::string{select_dataset} + "AND id = ?1"};
+  sql::Statement query{db_, std::string{select_dataset} + "AND id = ?1"};
   query.bind(1, id.value);
   if (!query.step()) return std::nullopt;
   return read_dataset(db_, query);
 }
 
 std::vector<Dataset> DatasetRepository::list() const {
-  sqlite::Statement query{db_, std::string{select_dataset} + "ORDER BY ingested_s DESC, id"};
+  sql::Statement query{db_, std::string{select_dataset} + "ORDER BY ingested_s DESC, id"};
   std::vector<Dataset> datasets;
   while (query.step()) datasets.push_back(read_dataset(db_, query));
   return datasets;
@@ -110,7 +110,7 @@ std::vector<Dataset> DatasetRepository::list() const {
 
 PartialList<Dataset> DatasetRepository::list_past_damage() const {
   const auto of_row = [&](std::int64_t row) {
-    sqlite::Statement query{db_, std::string{select_dataset} + "AND row = ?1"};
+    sql::Statement query{db_, std::string{select_dataset} + "AND row = ?1"};
     query.bind(1, row);
     return query.step() ? std::optional{read_dataset(db_, query)} : std::nullopt;
   };
@@ -125,14 +125,14 @@ PartialList<Dataset> DatasetRepository::list_past_damage() const {
 }
 
 std::string DatasetRepository::contents() const {
-  sqlite::Statement query{db_, "SELECT id, sha256 FROM dataset ORDER BY id"};
+  sql::Statement query{db_, "SELECT id, sha256 FROM dataset ORDER BY id"};
   std::string text;
   while (query.step()) text += query.text(0) + ' ' + query.text(1) + '\n';
   return text;
 }
 
 bool DatasetRepository::remove(const DatasetId& id) {
-  sqlite::Statement remove{db_, "DELETE FROM dataset WHERE id = ?1"};
+  sql::Statement remove{db_, "DELETE FROM dataset WHERE id = ?1"};
   remove.bind(1, id.value);
   return remove.run() > 0;
 }

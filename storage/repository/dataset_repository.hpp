@@ -6,7 +6,7 @@
 
 #include "storage/repository/dataset.hpp"
 #include "storage/repository/partial_list.hpp"
-#include "storage/sqlite/connection.hpp"
+#include "storage/sql/connection.hpp"
 
 namespace floeplan::repository {
 
@@ -14,7 +14,7 @@ namespace floeplan::repository {
 /// Threads  as the connection: one thread at a time
 class DatasetRepository {
  public:
-  explicit DatasetRepository(sqlite::Connection& db) : db_{db} {}
+  explicit DatasetRepository(sql::Connection& db) : db_{db} {}
 
   void insert(const Dataset& dataset);
   /// States bounds, period, rows and provenance of the dataset anew.
@@ -30,7 +30,7 @@ class DatasetRepository {
   bool remove(const DatasetId& id);
 
  private:
-  sqlite::Connection& db_;  // borrowed
+  sql::Connection& db_;  // borrowed
 };
 
 }  // namespace floeplan::repository

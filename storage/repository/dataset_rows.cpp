@@ -6,7 +6,8 @@
 #include <span>
 
 #include "storage/repository/dataset_repository.hpp"
-#include "storage/sqlite/failure.hpp"
+#include "storage/sql/driver/failure.hpp"
+#include "storage/sql/references.hpp"
 
 namespace floeplan::repository {
 namespace {
@@ -26,32 +27,32 @@ void append_bytes(std::string& out, std::string_view bytes) {
   out.append(bytes);
 }
 
-void append_value(std::string& out, const sqlite::Statement& row, int column, ColumnType type) {
+void append_value(std::string& out, const sql::Row& row, int column, sql::ColumnType type) {
   const bool is_there = !row.is_null(column);
   append(out, static_cast<char>(is_there));
   if (!is_there) return;
   switch (type) {
-    case ColumnType::integer: return append(out, row.integer(column));
-    case ColumnType::real: return append(out, row.real(column));
-    case ColumnType::text: return append_bytes(out, row.text(column));
-    case ColumnType::blob: {
+    case sql::ColumnType::integer: return append(out, row.integer(column));
+    case sql::ColumnType::real: return append(out, row.real(column));
+    case sql::ColumnType::text: return append_bytes(out, row.text(column));
+    case sql::ColumnType::blob: {
       const std::span<const std::byte> blob = row.blob(column);
       return append_bytes(out, {reinterpret_cast<const char*>(blob.data()), blob.size()});
     }
   }
 }
 
-std::string names_of(const std::vector<Column>& columns) {
+std::string names_of(const std::vector<sql::Column>& columns) {
   std::string names;
-  for (const Column& column : columns) names += (names.empty() ? "" : ", ") + column.name;
+  for (const sql::Column& column : columns) names += (names.empty() ? "" : ", ") + column.name;
   return names;
 }
 
 /// Sends the rows that `condition`, with a text for its parameter, chooses.
-void send_rows(sqlite::Connection& db, const std::string& table, const std::string& condition,
+void send_rows(sql::Connection& db, const std::string& table, const std::string& condition,
                const std::string& parameter, const std::function<void(std::string_view)>& send) {
-  const std::vector<Column> columns = columns_of(db, table);
-  sqlite::Statement rows{db, "SELECT " + names_of(columns) + " FROM " + table + " WHERE " + condition};
+  const std::vector<sql::Column> columns = sql::columns_of(db, table);
+  sql::Statement rows{db, "SELECT " + names_of(columns) + " FROM " + table + " WHERE " + condition};
   rows.bind(1, parameter);
   const std::string head = static_cast<char>(table.size()) + table;
   std::string parcel = head;
@@ -86,23 +87,23 @@ std::int64_t checked_integer(const std::string& column, std::int64_t value) {
   return value;
 }
 
-void bind_value(sqlite::Statement& insert, int parameter, const Column& column, std::string_view& values) {
+void bind_value(sql::Statement& insert, int parameter, const sql::Column& column, std::string_view& values) {
   const char is_there = number<char>(values);
   if (is_there == 0) return insert.bind_null(parameter);
   if (is_there != 1) throw BrokenParcel{"a value that is neither there nor absent"};
   switch (column.type) {
-    case ColumnType::integer:
+    case sql::ColumnType::integer:
       return insert.bind(parameter, checked_integer(column.name, number<std::int64_t>(values)));
-    case ColumnType::real: {
+    case sql::ColumnType::real: {
       const auto value = number<double>(values);
       if (std::isnan(value)) throw BrokenParcel{"a number that is none"};
       return insert.bind(parameter, value);
     }
-    case ColumnType::text: {
+    case sql::ColumnType::text: {
       const auto length = number<std::uint32_t>(values);
       return insert.bind(parameter, std::string{cut(values, length)});
     }
-    case ColumnType::blob: {
+    case sql::ColumnType::blob: {
       const auto length = number<std::uint32_t>(values);
       const std::string_view blob = cut(values, length);
       return insert.bind(parameter, std::as_bytes(std::span{blob.data(), blob.size()}));
@@ -111,11 +112,11 @@ void bind_value(sqlite::Statement& insert, int parameter, const Column& column, 
 }
 
 /// Datasets that every list of the store can show.
-std::vector<Dataset> checked_datasets(sqlite::Connection& db) {
+std::vector<Dataset> checked_datasets(sql::Connection& db) {
   std::vector<Dataset> datasets;
   try {
     datasets = DatasetRepository{db}.list();
-  } catch (const sqlite::Failure&) {
+  } catch (const sql::Failure&) {
     throw;
   } catch (const std::exception& fault) {
     throw BrokenParcel{fault.what()};
@@ -132,45 +133,45 @@ template <class Work>
 void blaming_the_sender(const Work& work) {
   try {
     work();
-  } catch (const sqlite::Failure& failure) {
-    if (failure.trouble() != sqlite::Trouble::other) throw;
+  } catch (const sql::Failure& failure) {
+    if (failure.trouble() != sql::Trouble::other) throw;
     throw BrokenParcel{failure.what()};
   }
 }
 
 }  // namespace
 
-void send_datasets(sqlite::Connection& db, const std::vector<DatasetId>& ids,
+void send_datasets(sql::Connection& db, const std::vector<DatasetId>& ids,
                    const std::function<void(std::string_view)>& send) {
   const std::vector<std::string> tables = tables_of_data(db);
   for (const DatasetId& id : ids) {
     send_rows(db, "dataset", "id = ?1", id.value, send);
     for (const std::string& table : tables) {
-      // The unary plus keeps SQLite from an index, so that rows without numbers keep their order.
+      // The unary plus keeps the database from an index, so that rows without numbers keep their order.
       const std::string chosen = "+dataset_row = (SELECT row FROM dataset WHERE id = ?1)";
       send_rows(db, table, chosen, id.value, send);
-      if (const std::string boxes = boxes_of(table); has_table(db, boxes))
+      if (const std::string boxes = boxes_of(table); sql::has_table(db, boxes))
         send_rows(db, boxes, "row IN (SELECT row FROM " + table + " WHERE " + chosen + ")", id.value, send);
     }
   }
 }
 
-DatasetReceiver::DatasetReceiver(sqlite::Connection& db) : db_{db}, transaction_{db} {
-  sqlite::execute(db_, "PRAGMA defer_foreign_keys = ON");
+DatasetReceiver::DatasetReceiver(sql::Connection& db) : db_{db}, transaction_{db} {
+  sql::defer_references(db_);
   open_table("dataset");
   for (const std::string& table : tables_of_data(db_)) {
     open_table(table);
-    if (has_table(db_, boxes_of(table))) open_table(boxes_of(table));
+    if (sql::has_table(db_, boxes_of(table))) open_table(boxes_of(table));
   }
 }
 
 void DatasetReceiver::open_table(const std::string& name) {
-  std::vector<Column> columns = columns_of(db_, name);
+  std::vector<sql::Column> columns = sql::columns_of(db_, name);
   std::string values;
   for (std::size_t i = 0; i < columns.size(); ++i) values += (i == 0 ? "?" : ", ?") + std::to_string(i + 1);
   // A trigger may have filled the box of a row already, with the same.
   const bool may_be_there = name.ends_with(boxes_of(""));
-  auto insert = std::make_unique<sqlite::Statement>(
+  auto insert = std::make_unique<sql::Statement>(
       db_, std::string{may_be_there ? "INSERT OR REPLACE" : "INSERT"} + " INTO " + name + " (" +
                names_of(columns) + ") VALUES (" + values + ")");
   tables_.emplace(name, Table{std::move(columns), std::move(insert)});

@@ -10,9 +10,9 @@
 
 #include "storage/repository/dataset.hpp"
 #include "storage/repository/dataset_tables.hpp"
-#include "storage/sqlite/connection.hpp"
-#include "storage/sqlite/statement.hpp"
-#include "storage/sqlite/transaction.hpp"
+#include "storage/sql/connection.hpp"
+#include "storage/sql/statement.hpp"
+#include "storage/sql/transaction.hpp"
 
 namespace floeplan::repository {
 
@@ -27,7 +27,7 @@ namespace floeplan::repository {
 inline constexpr std::size_t largest_parcel_bytes = std::size_t{256} << 20;
 
 /// Hands over all rows of these datasets, parcel by parcel.
-void send_datasets(sqlite::Connection& db, const std::vector<DatasetId>& ids,
+void send_datasets(sql::Connection& db, const std::vector<DatasetId>& ids,
                    const std::function<void(std::string_view parcel)>& send);
 
 /// What a parcel holds cannot have been sent by send_datasets: its sender is broken.
@@ -39,10 +39,10 @@ struct BrokenParcel : std::runtime_error {
 class DatasetReceiver {
  public:
   /// `db`  outlives this
-  explicit DatasetReceiver(sqlite::Connection& db);
+  explicit DatasetReceiver(sql::Connection& db);
 
   /// Errors   BrokenParcel for an unknown table, a value that is none, a row that the schema does not take;
-  ///          sqlite::Failure when the disk is full
+  ///          sql::Failure when the disk is full
   void take(std::string_view parcel);
 
   /// Commits all that came.
@@ -52,16 +52,16 @@ class DatasetReceiver {
 
  private:
   struct Table {
-    std::vector<Column> columns;
-    std::unique_ptr<sqlite::Statement> insert;
+    std::vector<sql::Column> columns;
+    std::unique_ptr<sql::Statement> insert;
   };
 
   void open_table(const std::string& name);
   void insert_row(Table& table, std::string_view& values);
 
-  sqlite::Connection& db_;  // borrowed
+  sql::Connection& db_;  // borrowed
   std::map<std::string, Table, std::less<>> tables_;
-  sqlite::Transaction transaction_;
+  sql::Transaction transaction_;
 };
 
 }  // namespace floeplan::repository

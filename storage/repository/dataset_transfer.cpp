@@ -10,9 +10,11 @@
 
 #include "storage/repository/dataset_row.hpp"
 #include "storage/repository/dataset_tables.hpp"
-#include "storage/sqlite/attachment.hpp"
-#include "storage/sqlite/statement.hpp"
-#include "storage/sqlite/transaction.hpp"
+#include "storage/sql/attachment.hpp"
+#include "storage/sql/references.hpp"
+#include "storage/sql/statement.hpp"
+#include "storage/sql/store_file.hpp"
+#include "storage/sql/transaction.hpp"
 
 namespace floeplan::repository {
 namespace {
@@ -20,28 +22,24 @@ namespace {
 /// A table whose rows belong to datasets.
 struct Table {
   std::string name;
-  std::vector<Column> columns;
+  std::vector<sql::Column> columns;
   std::int64_t row_offset{};  // from a row's number there to its number here
 };
 
-/// The highest number that a row of the table has or ever had; 0 of a table whose rows have no numbers.
-std::int64_t highest_row(sqlite::Connection& db, const Table& table) {
-  if (std::ranges::find(table.columns, "row", &Column::name) == table.columns.end()) return 0;
-  sqlite::Statement query{db,
-                          "SELECT max(coalesce((SELECT max(row) FROM main." + table.name +
-                              "), 0), coalesce((SELECT seq FROM main.sqlite_sequence WHERE name = ?1), 0))"};
-  query.bind(1, table.name);
-  return query.step() ? query.integer(0) : 0;
+/// 0 of a table whose rows have no numbers.
+std::int64_t highest_row(sql::Connection& db, const Table& table) {
+  const bool has_numbers = std::ranges::find(table.columns, "row", &sql::Column::name) != table.columns.end();
+  return has_numbers ? sql::highest_row(db, table.name) : 0;
 }
 
-Table table_of(sqlite::Connection& db, const std::string& name) {
-  Table table{name, columns_of(db, name)};
+Table table_of(sql::Connection& db, const std::string& name) {
+  Table table{name, sql::columns_of(db, name)};
   table.row_offset = highest_row(db, table);
   return table;
 }
 
 /// What copies a table, or the R*Tree of its boxes, with the numbers of rows as they are here.
-std::string copy(const Table& table, const std::string& into, const std::vector<Column>& columns,
+std::string copy(const Table& table, const std::string& into, const std::vector<sql::Column>& columns,
                  std::int64_t dataset_offset) {
   std::string names;
   std::string values;
@@ -58,8 +56,8 @@ std::string copy(const Table& table, const std::string& into, const std::vector<
   return " INTO main." + into + " (" + names + ") SELECT " + values + " FROM arrived." + into + " ";
 }
 
-void run_for(sqlite::Connection& db, const std::string& sql, std::int64_t row) {
-  sqlite::Statement statement{db, sql};
+void run_for(sql::Connection& db, const std::string& sql, std::int64_t row) {
+  sql::Statement statement{db, sql};
   statement.bind(1, row);
   statement.run();
 }
@@ -77,14 +75,14 @@ constexpr const char* early_table = "grid";
 constexpr const char* large_table = "field_chunk";
 /// About 10 MB of samples: the lock on writing is held for some tens of milliseconds.
 constexpr std::int64_t rows_at_once = 1024;
-/// Writers that wait ask again after 25 ms at most (sqlite3_busy_timeout), so one of them gets its turn in the pauses.
+/// Writers that wait ask again after 25 ms at most, so one of them gets its turn in the pauses.
 constexpr std::chrono::milliseconds least_pause{5};
 constexpr const char* abandoned_after = "3600";  // seconds; of a process that died while it copied
 
-void remove_arrivals_of_the_dead(sqlite::Connection& db) {
+void remove_arrivals_of_the_dead(sql::Connection& db) {
   const std::string abandoned = std::string{"arriving_s < unixepoch() - "} + abandoned_after;
-  sqlite::Statement any{db, "SELECT 1 FROM main.dataset WHERE " + abandoned};
-  if (any.step()) sqlite::execute(db, "DELETE FROM main.dataset WHERE " + abandoned);
+  sql::Statement any{db, "SELECT 1 FROM main.dataset WHERE " + abandoned};
+  if (any.step()) sql::execute(db, "DELETE FROM main.dataset WHERE " + abandoned);
 }
 
 /// What is there and not here, or here in a form that what is there replaces.
@@ -93,12 +91,12 @@ constexpr const char* fresh_datasets =
     "here.id = there.id AND here.outdated <= there.outdated) ORDER BY row";
 
 /// Hidden rows for what is new, under an id that nothing else can have.
-std::vector<Arrival> announce(sqlite::Connection& db) {
-  sqlite::Transaction transaction{db};
+std::vector<Arrival> announce(sql::Connection& db) {
+  sql::Transaction transaction{db};
   const Table datasets = table_of(db, "dataset");
   std::vector<Arrival> arrivals;
   {
-    sqlite::Statement fresh{db, fresh_datasets};
+    sql::Statement fresh{db, fresh_datasets};
     while (fresh.step())
       arrivals.push_back({{fresh.text(1)}, fresh.integer(0), fresh.integer(0) + datasets.row_offset});
   }
@@ -119,18 +117,18 @@ std::vector<Arrival> announce(sqlite::Connection& db) {
 }
 
 /// The last of the next rows to copy; empty when all are here.
-std::optional<std::int64_t> end_of_batch(sqlite::Connection& db, const Arrival& arrival, std::int64_t after) {
-  // The unary plus keeps SQLite from the index by dataset, whose rows would have to be sorted each time.
-  sqlite::Statement query{db, std::string{"SELECT max(number) FROM (SELECT rowid AS number FROM arrived."} +
-                                  large_table +
-                                  " WHERE +dataset_row = ?1 AND rowid > ?2 ORDER BY rowid LIMIT ?3)"};
+std::optional<std::int64_t> end_of_batch(sql::Connection& db, const Arrival& arrival, std::int64_t after) {
+  // The unary plus keeps the database from the index by dataset, whose rows would have to be sorted each time.
+  sql::Statement query{db, std::string{"SELECT max(number) FROM (SELECT rowid AS number FROM arrived."} +
+                               large_table +
+                               " WHERE +dataset_row = ?1 AND rowid > ?2 ORDER BY rowid LIMIT ?3)"};
   query.bind_all(arrival.there, after, rows_at_once);
   if (!query.step() || query.is_null(0)) return std::nullopt;
   return query.integer(0);
 }
 
 /// In many short transactions with pauses between them, so that others can write meanwhile.
-void copy_samples(sqlite::Connection& db, const Arrival& arrival) {
+void copy_samples(sql::Connection& db, const Arrival& arrival) {
   const Table samples = table_of(db, large_table);
   const std::string sql = "INSERT" +
                           copy(samples, samples.name, samples.columns, arrival.here - arrival.there) +
@@ -139,8 +137,8 @@ void copy_samples(sqlite::Connection& db, const Arrival& arrival) {
   while (const auto last = end_of_batch(db, arrival, after)) {
     const auto begun = std::chrono::steady_clock::now();
     {
-      sqlite::Transaction transaction{db};
-      sqlite::Statement insert{db, sql};
+      sql::Transaction transaction{db};
+      sql::Statement insert{db, sql};
       insert.bind_all(arrival.there, after, *last);
       insert.run();
       run_for(db, "UPDATE main.dataset SET arriving_s = unixepoch() WHERE row = ?1", arrival.here);
@@ -152,7 +150,7 @@ void copy_samples(sqlite::Connection& db, const Arrival& arrival) {
   }
 }
 
-void copy_the_rest(sqlite::Connection& db, const Arrival& arrival) {
+void copy_the_rest(sql::Connection& db, const Arrival& arrival) {
   for (const std::string& name : tables_of_data(db)) {
     if (name == early_table || name == large_table) continue;
     const Table table = table_of(db, name);
@@ -160,22 +158,22 @@ void copy_the_rest(sqlite::Connection& db, const Arrival& arrival) {
     run_for(db, "INSERT" + copy(table, table.name, table.columns, offset) + "WHERE dataset_row = ?1",
             arrival.there);
     const std::string box = boxes_of(table.name);  // where a trigger has filled it already, with the same
-    if (!has_table(db, box)) continue;
+    if (!sql::has_table(db, box)) continue;
     run_for(db,
-            "INSERT OR REPLACE" + copy(table, box, columns_of(db, box), offset) +
+            "INSERT OR REPLACE" + copy(table, box, sql::columns_of(db, box), offset) +
                 "WHERE row IN (SELECT row FROM arrived." + table.name + " WHERE dataset_row = ?1)",
             arrival.there);
   }
 }
 
-void remove_row(sqlite::Connection& db, const Arrival& arrival) {
+void remove_row(sql::Connection& db, const Arrival& arrival) {
   run_for(db, "DELETE FROM main.dataset WHERE row = ?1", arrival.here);
 }
 
 /// Shows everything at once. What another process has stored meanwhile stays as that one stored it.
-std::vector<DatasetId> show(sqlite::Connection& db, const std::vector<Arrival>& arrivals) {
-  sqlite::Transaction transaction{db};
-  sqlite::execute(db, "PRAGMA defer_foreign_keys = ON");
+std::vector<DatasetId> show(sql::Connection& db, const std::vector<Arrival>& arrivals) {
+  sql::Transaction transaction{db};
+  sql::defer_references(db);
   std::vector<DatasetId> ids;
   for (const Arrival& arrival : arrivals) {
     run_for(db,
@@ -187,7 +185,7 @@ std::vector<DatasetId> show(sqlite::Connection& db, const std::vector<Arrival>& 
       continue;
     }
     copy_the_rest(db, arrival);
-    sqlite::Statement reveal{db, "UPDATE main.dataset SET id = ?2, arriving_s = NULL WHERE row = ?1"};
+    sql::Statement reveal{db, "UPDATE main.dataset SET id = ?2, arriving_s = NULL WHERE row = ?1"};
     reveal.bind_all(arrival.here, arrival.id.value);
     if (reveal.run() != 1)
       throw std::runtime_error{"the data were removed while they arrived; ingest the files again"};
@@ -198,20 +196,15 @@ std::vector<DatasetId> show(sqlite::Connection& db, const std::vector<Arrival>& 
 }
 
 /// The other file was written next to foreign data: a view or a trigger that does not belong there must not run.
-void refuse_another_schema(sqlite::Connection& db) {
-  sqlite::Statement differing{
-      db,
-      "SELECT name FROM arrived.sqlite_schema AS there WHERE NOT EXISTS (SELECT 1 FROM "
-      "main.sqlite_schema AS here WHERE here.name = there.name AND here.type = there.type "
-      "AND here.sql IS there.sql)"};
-  if (differing.step())
+void refuse_another_schema(sql::Connection& db) {
+  if (!sql::has_only_tables_of_main(db, "arrived"))
     throw std::runtime_error{"the data that arrived have tables of another form; ingest the files again"};
 }
 
 }  // namespace
 
-std::vector<DatasetId> take_over_datasets(sqlite::Connection& db, const std::filesystem::path& folder) {
-  const sqlite::Attachment arrived{db, folder / "floeplan.sqlite", "arrived"};
+std::vector<DatasetId> take_over_datasets(sql::Connection& db, const std::filesystem::path& folder) {
+  const sql::Attachment arrived{db, sql::database_in(folder), "arrived"};
   refuse_another_schema(db);
   remove_arrivals_of_the_dead(db);
   const std::vector<Arrival> arrivals = announce(db);

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "storage/repository/dataset.hpp"
-#include "storage/sqlite/connection.hpp"
+#include "storage/sql/connection.hpp"
 
 namespace floeplan::repository {
 
@@ -12,7 +12,7 @@ namespace floeplan::repository {
 /// outdated here and not there is replaced. They show up together at the end; others can write to this store while large data are copied. The other store has the same schema
 /// and is left as it is. What a process left behind that died while it copied is removed after an hour.
 /// Returns  the ids of what was taken over
-/// Errors   sqlite::Failure when either store fails; this one is then as it was
-std::vector<DatasetId> take_over_datasets(sqlite::Connection& db, const std::filesystem::path& folder);
+/// Errors   sql::Failure when either store fails; this one is then as it was
+std::vector<DatasetId> take_over_datasets(sql::Connection& db, const std::filesystem::path& folder);
 
 }  // namespace floeplan::repository

@@ -12,13 +12,13 @@
 #include "storage/repository/environment_query.hpp"
 #include "storage/repository/field_repository.hpp"
 #include "storage/repository/forecast_runs.hpp"
-#include "storage/sqlite/connection.hpp"
+#include "storage/sql/connection.hpp"
 
 namespace floeplan::repository {
 
 /// The environment while it is put together.
 struct EnvironmentDraft {
-  sqlite::Connection& db;  // borrowed
+  sql::Connection& db;  // borrowed
   const EnvironmentQuery& query;
   const Reading& reading;
   std::vector<Dataset> stored;  // newest first

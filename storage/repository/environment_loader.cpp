@@ -19,7 +19,7 @@
 #include "storage/repository/field_repository.hpp"
 #include "storage/repository/known_icebergs.hpp"
 #include "storage/repository/zone_repository.hpp"
-#include "storage/sqlite/snapshot.hpp"
+#include "storage/sql/snapshot.hpp"
 
 namespace floeplan::repository {
 namespace {
@@ -231,10 +231,10 @@ core::UtcTime sightings_as_of(const EnvironmentQuery& query) {
   return query.icebergs_as_of.value_or(last_moment);
 }
 
-tl::expected<ocean::Environment, core::Violations> load_environment(sqlite::Connection& db,
+tl::expected<ocean::Environment, core::Violations> load_environment(sql::Connection& db,
                                                                     const EnvironmentQuery& query,
                                                                     const Reading& reading) {
-  const sqlite::Snapshot snapshot{db};
+  const sql::Snapshot snapshot{db};
   EnvironmentDraft draft{.db = db,
                          .query = query,
                          .reading = reading,

@@ -5,7 +5,7 @@
 #include "engine/core/violation.hpp"
 #include "engine/ocean/environment.hpp"
 #include "storage/repository/environment_query.hpp"
-#include "storage/sqlite/connection.hpp"
+#include "storage/sql/connection.hpp"
 
 namespace floeplan::repository {
 
@@ -25,6 +25,6 @@ namespace floeplan::repository {
 ///          the earliest departure is refused
 /// Stops    early once `reading.stop` is requested; what is returned then is incomplete and must not be used
 [[nodiscard]] tl::expected<ocean::Environment, core::Violations> load_environment(
-    sqlite::Connection& db, const EnvironmentQuery& query, const Reading& reading = {});
+    sql::Connection& db, const EnvironmentQuery& query, const Reading& reading = {});
 
 }  // namespace floeplan::repository

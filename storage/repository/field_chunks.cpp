@@ -21,7 +21,7 @@ NodeRun common(NodeRun a, NodeRun b) {
 
 }  // namespace
 
-ChunkWriter::ChunkWriter(sqlite::Connection& db, const ChunkLayout& layout)
+ChunkWriter::ChunkWriter(sql::Connection& db, const ChunkLayout& layout)
     : layout_{layout},
       upsert_{db,
               "INSERT INTO field_chunk (dataset_row, variable, time_index, depth_index, chunk_y, chunk_x, "
@@ -49,7 +49,7 @@ void ChunkWriter::write(const SliceKey& slice, std::size_t first_row, std::span<
   }
 }
 
-ChunkReader::ChunkReader(sqlite::Connection& db, const ChunkLayout& layout)
+ChunkReader::ChunkReader(sql::Connection& db, const ChunkLayout& layout)
     : layout_{layout},
       select_{
           db,

@@ -7,8 +7,8 @@
 
 #include "storage/repository/blob_codec.hpp"
 #include "storage/repository/grid_window.hpp"
-#include "storage/sqlite/connection.hpp"
-#include "storage/sqlite/statement.hpp"
+#include "storage/sql/connection.hpp"
+#include "storage/sql/statement.hpp"
 
 namespace floeplan::repository {
 
@@ -31,7 +31,7 @@ struct SliceKey {
 /// Threads  as the connection: one thread at a time
 class ChunkWriter {
  public:
-  ChunkWriter(sqlite::Connection& db, const ChunkLayout& layout);
+  ChunkWriter(sql::Connection& db, const ChunkLayout& layout);
   /// Shape  values are [y][x], whole rows from `first_row` on, which begins a chunk, to the end of one
   /// `steps`  in which the values may have been counted
   void write(const SliceKey& slice, std::size_t first_row, std::span<const float> values,
@@ -39,7 +39,7 @@ class ChunkWriter {
 
  private:
   ChunkLayout layout_;
-  sqlite::Statement upsert_;
+  sql::Statement upsert_;
   BlobCodec codec_;
 };
 
@@ -47,7 +47,7 @@ class ChunkWriter {
 /// Threads  as the connection: one thread at a time
 class ChunkReader {
  public:
-  ChunkReader(sqlite::Connection& db, const ChunkLayout& layout);
+  ChunkReader(sql::Connection& db, const ChunkLayout& layout);
   /// Fills `out`, [y][x] of the window; NaN where nothing was ever written.
   void read(const SliceKey& slice, const GridWindow& window, std::span<float> out);
 
@@ -58,7 +58,7 @@ class ChunkReader {
                  std::span<float> out);
 
   ChunkLayout layout_;
-  sqlite::Statement select_;
+  sql::Statement select_;
   BlobCodec codec_;
 };
 

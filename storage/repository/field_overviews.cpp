@@ -8,8 +8,8 @@
 #include "storage/repository/field_chunks.hpp"
 #include "storage/repository/field_repository.hpp"
 #include "storage/repository/grid_window.hpp"
-#include "storage/sqlite/statement.hpp"
-#include "storage/sqlite/transaction.hpp"
+#include "storage/sql/statement.hpp"
+#include "storage/sql/transaction.hpp"
 
 namespace floeplan::repository {
 namespace {
@@ -57,8 +57,8 @@ ChunkLayout layout_of(std::int64_t dataset_row, const ocean::HorizontalGrid& gri
   return {dataset_row, grid.x().size(), grid.y().size(), FieldRepository::rows_together};
 }
 
-bool is_stored(sqlite::Connection& db, std::int64_t dataset_row, const std::string& variable) {
-  sqlite::Statement query{db, "SELECT 1 FROM field_chunk WHERE dataset_row = ?1 AND variable = ?2 LIMIT 1"};
+bool is_stored(sql::Connection& db, std::int64_t dataset_row, const std::string& variable) {
+  sql::Statement query{db, "SELECT 1 FROM field_chunk WHERE dataset_row = ?1 AND variable = ?2 LIMIT 1"};
   query.bind_all(dataset_row, variable);
   return query.step();
 }
@@ -70,7 +70,7 @@ AxisWindow rows_of(const ocean::Axis& y, std::size_t first, std::size_t last) {
               {begin + static_cast<std::ptrdiff_t>(first), begin + static_cast<std::ptrdiff_t>(last) + 1}}};
 }
 
-void thin(sqlite::Connection& db, std::int64_t dataset_row, const Level& finer, const Level& coarser) {
+void thin(sql::Connection& db, std::int64_t dataset_row, const Level& finer, const Level& coarser) {
   ChunkReader reader{db, layout_of(dataset_row, finer.grid)};
   ChunkWriter writer{db, layout_of(dataset_row, coarser.grid)};
   const auto columns = kept_of(finer.grid.x().size());
@@ -99,7 +99,7 @@ void FieldOverviews::make(const DatasetId& id, const std::string& variable) {
   if (!shape) return;
   const std::int64_t row = dataset_row(db_, id);
   const std::vector<Level> levels = levels_of(variable, shape->grid);
-  sqlite::Transaction transaction{db_};
+  sql::Transaction transaction{db_};
   for (std::size_t i = 1; i < levels.size(); ++i) thin(db_, row, levels[i - 1], levels[i]);
   transaction.commit();
 }

@@ -7,7 +7,7 @@
 #include "engine/geo/bounding_box.hpp"
 #include "engine/ocean/bathymetry.hpp"
 #include "storage/repository/dataset.hpp"
-#include "storage/sqlite/connection.hpp"
+#include "storage/sql/connection.hpp"
 
 namespace floeplan::repository {
 
@@ -20,7 +20,7 @@ class FieldOverviews {
   /// with no more nodes have no overviews.
   static constexpr std::size_t plenty = 4'000'000;
 
-  explicit FieldOverviews(sqlite::Connection& db) : db_{db} {}
+  explicit FieldOverviews(sql::Connection& db) : db_{db} {}
 
   /// Makes those of a variable that is stored whole; of a small field there are none.
   /// Memory   256 rows of the field
@@ -32,7 +32,7 @@ class FieldOverviews {
                                                             std::size_t most_nodes) const;
 
  private:
-  sqlite::Connection& db_;  // borrowed
+  sql::Connection& db_;  // borrowed
 };
 
 }  // namespace floeplan::repository

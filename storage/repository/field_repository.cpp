@@ -8,9 +8,9 @@
 #include "storage/repository/dataset_row.hpp"
 #include "storage/repository/field_chunks.hpp"
 #include "storage/repository/grid_window.hpp"
-#include "storage/sqlite/snapshot.hpp"
-#include "storage/sqlite/statement.hpp"
-#include "storage/sqlite/transaction.hpp"
+#include "storage/sql/snapshot.hpp"
+#include "storage/sql/statement.hpp"
+#include "storage/sql/transaction.hpp"
 
 namespace floeplan::repository {
 namespace {
@@ -26,8 +26,8 @@ struct StoredLayout {
   std::size_t time_count{};
 };
 
-std::optional<StoredLayout> find_layout(sqlite::Connection& db, const DatasetId& id) {
-  sqlite::Statement query{
+std::optional<StoredLayout> find_layout(sql::Connection& db, const DatasetId& id) {
+  sql::Statement query{
       db,
       "SELECT dataset_row, x_count, y_count, chunk_side, depth_count, time_count FROM grid WHERE "
       "dataset_row = (SELECT row FROM dataset WHERE id = ?1)"};
@@ -37,15 +37,15 @@ std::optional<StoredLayout> find_layout(sqlite::Connection& db, const DatasetId&
   return StoredLayout{{query.integer(0), size(1), size(2), size(3)}, size(4), size(5)};
 }
 
-StoredLayout layout_to_fill(sqlite::Connection& db, const DatasetId& id) {
+StoredLayout layout_to_fill(sql::Connection& db, const DatasetId& id) {
   const auto layout = find_layout(db, id);
   if (!layout) throw std::invalid_argument{"no grid for " + id.value + ": create it before its slices"};
   return *layout;
 }
 
-void write(sqlite::Connection& db, const ChunkLayout& layout, const SliceKey& slice, std::size_t first_row,
+void write(sql::Connection& db, const ChunkLayout& layout, const SliceKey& slice, std::size_t first_row,
            std::span<const float> values, const SampleSteps& steps) {
-  sqlite::Transaction transaction{db};
+  sql::Transaction transaction{db};
   ChunkWriter{db, layout}.write(slice, first_row, values, steps);
   transaction.commit();
 }
@@ -93,8 +93,8 @@ std::optional<AxisWindow> steps_around(const ocean::Axis& times_s, const std::op
                     ocean::Axis{{nodes.begin() + first, nodes.begin() + last + 1}}};
 }
 
-bool holds(sqlite::Connection& db, const ChunkLayout& layout, const std::string& variable) {
-  sqlite::Statement query{db, "SELECT 1 FROM field_chunk WHERE dataset_row = ?1 AND variable = ?2 LIMIT 1"};
+bool holds(sql::Connection& db, const ChunkLayout& layout, const std::string& variable) {
+  sql::Statement query{db, "SELECT 1 FROM field_chunk WHERE dataset_row = ?1 AND variable = ?2 LIMIT 1"};
   query.bind_all(layout.dataset_row, variable);
   return query.step();
 }
@@ -138,7 +138,7 @@ struct DepthRange {
   std::optional<core::Metres> deepest;
 };
 
-std::optional<StoredCurrents> find_currents(sqlite::Connection& db, const DatasetId& id,
+std::optional<StoredCurrents> find_currents(sql::Connection& db, const DatasetId& id,
                                             const geo::BoundingBox& area, const std::optional<Period>& period,
                                             const DepthRange& range) {
   const auto layout = find_layout(db, id);
@@ -158,7 +158,7 @@ std::optional<StoredCurrents> find_currents(sqlite::Connection& db, const Datase
                         .times = std::move(*times)};
 }
 
-ocean::CurrentGrid read_currents(sqlite::Connection& db, const StoredCurrents& part,
+ocean::CurrentGrid read_currents(sql::Connection& db, const StoredCurrents& part,
                                  const std::stop_token& stop) {
   ChunkReader reader{db, part.chunks};
   const auto read = [&](const std::string& variable) {
@@ -176,7 +176,7 @@ ocean::CurrentGrid read_currents(sqlite::Connection& db, const StoredCurrents& p
 
 void FieldRepository::create(const DatasetId& id, const FieldShape& shape) {
   BlobCodec codec;
-  sqlite::Statement insert{
+  sql::Statement insert{
       db_,
       "INSERT INTO grid (dataset_row, frame, x_count, y_count, depth_count, time_count, "
       "chunk_side, x_nodes, y_nodes, depth_nodes_m, time_nodes_s) VALUES (?1, ?2, ?3, ?4, ?5, ?6, "
@@ -215,7 +215,7 @@ void FieldRepository::write_rows(const DatasetId& id, const std::string& variabl
 }
 
 std::optional<FieldShape> FieldRepository::shape(const DatasetId& id) const {
-  sqlite::Statement query{
+  sql::Statement query{
       db_,
       "SELECT frame, x_nodes, y_nodes, depth_nodes_m, time_nodes_s, x_count, y_count, depth_count, "
       "time_count FROM grid WHERE dataset_row = (SELECT row FROM dataset WHERE id = ?1)"};
@@ -238,7 +238,7 @@ std::optional<FieldShape> FieldRepository::shape(const DatasetId& id) const {
 std::optional<ocean::CurrentGrid> FieldRepository::load_currents(
     const DatasetId& id, const geo::BoundingBox& area, std::optional<Period> period,
     std::optional<core::Metres> deepest, std::optional<core::Metres> shallowest) const {
-  const sqlite::Snapshot one_moment{db_};
+  const sql::Snapshot one_moment{db_};
   const auto part = find_currents(db_, id, area, period, {shallowest, deepest});
   if (!part) return std::nullopt;
   return read_currents(db_, *part, stop_);
@@ -247,7 +247,7 @@ std::optional<ocean::CurrentGrid> FieldRepository::load_currents(
 std::shared_ptr<const ocean::CurrentGrid> FieldRepository::load_currents_at(
     const DatasetId& id, geo::LonLat place, std::optional<Period> period, std::optional<core::Metres> deepest,
     std::optional<core::Metres> shallowest, CurrentBlocks& kept) const {
-  const sqlite::Snapshot one_moment{db_};
+  const sql::Snapshot one_moment{db_};
   const geo::BoundingBox at_place{place.lon_deg, place.lat_deg, place.lon_deg, place.lat_deg};
   auto part = find_currents(db_, id, at_place, period, {shallowest, deepest});
   if (!part) return nullptr;
@@ -264,7 +264,7 @@ std::shared_ptr<const ocean::CurrentGrid> FieldRepository::load_currents_at(
 
 std::optional<ocean::Bathymetry> FieldRepository::load_bathymetry(const DatasetId& id,
                                                                   const geo::BoundingBox& area) const {
-  const sqlite::Snapshot one_moment{db_};
+  const sql::Snapshot one_moment{db_};
   const auto layout = find_layout(db_, id);
   const auto stored = shape(id);
   if (!layout || !stored) return std::nullopt;
@@ -283,7 +283,7 @@ std::optional<ocean::Bathymetry> FieldRepository::load_bathymetry(const DatasetI
 
 std::optional<ocean::IceField> FieldRepository::load_ice(const DatasetId& id, const geo::BoundingBox& area,
                                                          std::optional<Period> period) const {
-  const sqlite::Snapshot one_moment{db_};
+  const sql::Snapshot one_moment{db_};
   const auto layout = find_layout(db_, id);
   const auto stored = shape(id);
   if (!layout || !stored || !stored->times_s) return std::nullopt;
@@ -304,7 +304,7 @@ std::optional<ocean::IceField> FieldRepository::load_ice(const DatasetId& id, co
 }
 
 std::vector<std::string> FieldRepository::variables(const DatasetId& id) const {
-  sqlite::Statement query{
+  sql::Statement query{
       db_,
       "SELECT DISTINCT variable FROM field_chunk WHERE dataset_row = (SELECT row FROM dataset WHERE id = ?1) "
       "ORDER BY variable"};
@@ -316,7 +316,7 @@ std::vector<std::string> FieldRepository::variables(const DatasetId& id) const {
 
 std::optional<FieldRepository::Planes> FieldRepository::load_planes(
     const DatasetId& id, const geo::BoundingBox& area, std::span<const std::string> variables) const {
-  const sqlite::Snapshot one_moment{db_};
+  const sql::Snapshot one_moment{db_};
   const auto layout = find_layout(db_, id);
   const auto stored = shape(id);
   if (!layout || !stored) return std::nullopt;

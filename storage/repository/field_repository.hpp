@@ -16,7 +16,7 @@
 #include "storage/repository/current_blocks.hpp"
 #include "storage/repository/dataset.hpp"
 #include "storage/repository/sample_steps.hpp"
-#include "storage/sqlite/connection.hpp"
+#include "storage/sql/connection.hpp"
 
 namespace floeplan::repository {
 
@@ -43,7 +43,7 @@ class FieldRepository {
   /// Rows of a slice that are packed together.
   static constexpr std::size_t rows_together = 64;
 
-  explicit FieldRepository(sqlite::Connection& db, std::stop_token stop = {})
+  explicit FieldRepository(sql::Connection& db, std::stop_token stop = {})
       : db_{db}, stop_{std::move(stop)} {}
 
   void create(const DatasetId& id, const FieldShape& shape);
@@ -87,7 +87,7 @@ class FieldRepository {
                                                   std::span<const std::string> variables) const;
 
  private:
-  sqlite::Connection& db_;  // borrowed
+  sql::Connection& db_;  // borrowed
   std::stop_token stop_;
 };
 

@@ -81,7 +81,7 @@ std::vector<RunSteps> newest_steps(std::span<const std::vector<double>> runs_s, 
   return {};
 }
 
-std::vector<JoinedPart> join_runs(sqlite::Connection& db, const std::vector<Dataset>& runs, std::size_t which,
+std::vector<JoinedPart> join_runs(sql::Connection& db, const std::vector<Dataset>& runs, std::size_t which,
                                   const Period& within, core::UtcTime wanted, bool may_begin_later) {
   const FieldRepository fields{db};
   const auto shape = fields.shape(runs[which].id);
@@ -102,7 +102,7 @@ std::vector<JoinedPart> join_runs(sqlite::Connection& db, const std::vector<Data
   return parts;
 }
 
-std::optional<ocean::CurrentGrid> load_joined(sqlite::Connection& db, const std::vector<JoinedPart>& parts,
+std::optional<ocean::CurrentGrid> load_joined(sql::Connection& db, const std::vector<JoinedPart>& parts,
                                               const geo::BoundingBox& area, core::UtcTime from,
                                               std::optional<core::Metres> deepest,
                                               const std::stop_token& stop) {

@@ -8,7 +8,7 @@
 #include "engine/ocean/current_grid.hpp"
 #include "storage/repository/dataset.hpp"
 #include "storage/repository/field_repository.hpp"
-#include "storage/sqlite/connection.hpp"
+#include "storage/sql/connection.hpp"
 
 namespace floeplan::repository {
 
@@ -40,13 +40,13 @@ struct JoinedPart {
 /// `runs`    of one kind, the newest run first
 /// `within`  steps outside are not followed
 /// Returns   as newest_steps
-[[nodiscard]] std::vector<JoinedPart> join_runs(sqlite::Connection& db, const std::vector<Dataset>& runs,
+[[nodiscard]] std::vector<JoinedPart> join_runs(sql::Connection& db, const std::vector<Dataset>& runs,
                                                 std::size_t which, const Period& within, core::UtcTime wanted,
                                                 bool may_begin_later);
 
 /// The currents (or the wind) of parts that were joined, from the last step before `from` on; nullopt: no node near the
 /// area, or no step that late. Stops early as a FieldRepository does.
-[[nodiscard]] std::optional<ocean::CurrentGrid> load_joined(sqlite::Connection& db,
+[[nodiscard]] std::optional<ocean::CurrentGrid> load_joined(sql::Connection& db,
                                                             const std::vector<JoinedPart>& parts,
                                                             const geo::BoundingBox& area, core::UtcTime from,
                                                             std::optional<core::Metres> deepest,

@@ -9,8 +9,8 @@
 #include "storage/repository/blob_codec.hpp"
 #include "storage/repository/box_index.hpp"
 #include "storage/repository/dataset_row.hpp"
-#include "storage/sqlite/statement.hpp"
-#include "storage/sqlite/transaction.hpp"
+#include "storage/sql/statement.hpp"
+#include "storage/sql/transaction.hpp"
 
 namespace floeplan::repository {
 namespace {
@@ -52,14 +52,14 @@ std::vector<ocean::TrackPoint> track_from(const std::vector<double>& numbers) {
   return points;
 }
 
-std::vector<ocean::TrackPoint> points_of(const sqlite::Statement& row, BlobCodec& codec) {
+std::vector<ocean::TrackPoint> points_of(const sql::Row& row, BlobCodec& codec) {
   return track_from(codec.unpack_doubles(row.blob(5), planes * static_cast<std::size_t>(row.integer(3))));
 }
 
-std::vector<ocean::DepthAveragedCurrent> currents_of(sqlite::Connection& db, const sqlite::Statement& row) {
-  sqlite::Statement query{db,
-                          "SELECT time_s, lon_deg, lat_deg, east_m_s, north_m_s FROM glider_current WHERE "
-                          "dataset_row = ?1 AND position = ?2 ORDER BY time_s, row"};
+std::vector<ocean::DepthAveragedCurrent> currents_of(sql::Connection& db, const sql::Row& row) {
+  sql::Statement query{db,
+                       "SELECT time_s, lon_deg, lat_deg, east_m_s, north_m_s FROM glider_current WHERE "
+                       "dataset_row = ?1 AND position = ?2 ORDER BY time_s, row"};
   query.bind_all(row.integer(6), row.integer(7));
   std::vector<ocean::DepthAveragedCurrent> currents;
   while (query.step())
@@ -69,7 +69,7 @@ std::vector<ocean::DepthAveragedCurrent> currents_of(sqlite::Connection& db, con
   return currents;
 }
 
-std::optional<ocean::VehicleAxes> axes_of(const sqlite::Statement& row) {
+std::optional<ocean::VehicleAxes> axes_of(const sql::Row& row) {
   const auto name = row.optional_text(9);
   const auto variation_west_rad = row.optional_real(10);
   const auto source = name ? ocean::parse_variation_source(*name) : std::nullopt;
@@ -77,7 +77,7 @@ std::optional<ocean::VehicleAxes> axes_of(const sqlite::Statement& row) {
   return ocean::VehicleAxes{{static_cast<int>(row.integer(11)), {*variation_west_rad}}, *source};
 }
 
-StoredGliderTrack read_track(sqlite::Connection& db, const sqlite::Statement& row, BlobCodec& codec) {
+StoredGliderTrack read_track(sql::Connection& db, const sql::Row& row, BlobCodec& codec) {
   StoredGliderTrack stored;
   stored.row = row.integer(0);
   stored.dataset = {row.text(1)};
@@ -104,8 +104,8 @@ bool comes_into(const geo::BoundingBox& area, const std::vector<ocean::TrackPoin
 }
 
 /// `SELECT <what> FROM glider_track` with the filter's conditions, bound. The area is only narrowed down.
-sqlite::Statement select_tracks(sqlite::Connection& db, const std::string& what,
-                                const GliderTrackFilter& filter, std::int64_t after) {
+sql::Statement select_tracks(sql::Connection& db, const std::string& what, const GliderTrackFilter& filter,
+                             std::int64_t after) {
   std::string sql = "SELECT " + what + " FROM glider_track WHERE row > ?1";
   if (filter.from) sql += " AND end_s >= ?2";
   if (filter.to) sql += " AND start_s <= ?3";
@@ -113,7 +113,7 @@ sqlite::Statement select_tracks(sqlite::Connection& db, const std::string& what,
   if (filter.glider) sql += " AND glider = ?5";
   if (filter.area) sql += " AND " + box_condition("glider_track_box", first_of_box);
 
-  sqlite::Statement query{db, sql + " ORDER BY row"};
+  sql::Statement query{db, sql + " ORDER BY row"};
   query.bind(1, after);
   if (filter.from) query.bind(2, *filter.from);
   if (filter.to) query.bind(3, *filter.to);
@@ -135,7 +135,7 @@ std::vector<ocean::DepthAveragedCurrent> chosen(const std::vector<ocean::DepthAv
 
 class TrackWriter {
  public:
-  TrackWriter(sqlite::Connection& db, const DatasetId& dataset)
+  TrackWriter(sql::Connection& db, const DatasetId& dataset)
       : dataset_row_{dataset_row(db, dataset)},
         track_{
             db,
@@ -174,23 +174,23 @@ class TrackWriter {
 
  private:
   std::int64_t dataset_row_;
-  sqlite::Statement track_;
-  sqlite::Statement box_;
-  sqlite::Statement current_;
+  sql::Statement track_;
+  sql::Statement box_;
+  sql::Statement current_;
   BlobCodec codec_;
 };
 
 }  // namespace
 
 void GliderTrackRepository::insert(const DatasetId& dataset, const std::vector<ocean::GliderTrack>& tracks) {
-  sqlite::Transaction transaction{db_};
+  sql::Transaction transaction{db_};
   TrackWriter writer{db_, dataset};
   for (std::size_t i = 0; i < tracks.size(); ++i) writer.write(static_cast<std::int64_t>(i), tracks[i]);
   transaction.commit();
 }
 
 std::optional<StoredGliderTrack> GliderTrackRepository::find(std::int64_t row) const {
-  sqlite::Statement query{db_, "SELECT " + track_columns + "FROM glider_track WHERE row = ?1"};
+  sql::Statement query{db_, "SELECT " + track_columns + "FROM glider_track WHERE row = ?1"};
   query.bind(1, row);
   if (!query.step()) return std::nullopt;
   BlobCodec codec;
@@ -199,7 +199,7 @@ std::optional<StoredGliderTrack> GliderTrackRepository::find(std::int64_t row) c
 
 GliderTrackPage GliderTrackRepository::list(const GliderTrackFilter& filter, std::int64_t after,
                                             int limit) const {
-  sqlite::Statement query = select_tracks(db_, track_columns, filter, after);
+  sql::Statement query = select_tracks(db_, track_columns, filter, after);
   GliderTrackPage page;
   std::size_t listed = 0;
   BlobCodec codec;
@@ -218,10 +218,10 @@ GliderTrackPage GliderTrackRepository::list(const GliderTrackFilter& filter, std
 
 std::int64_t GliderTrackRepository::count(const GliderTrackFilter& filter) const {
   if (!filter.area) {
-    sqlite::Statement query = select_tracks(db_, "count(*)", filter, 0);
+    sql::Statement query = select_tracks(db_, "count(*)", filter, 0);
     return query.step() ? query.integer(0) : 0;
   }
-  sqlite::Statement query = select_tracks(db_, track_columns, filter, 0);
+  sql::Statement query = select_tracks(db_, track_columns, filter, 0);
   std::int64_t tracks = 0;
   BlobCodec codec;
   while (query.step()) tracks += comes_into(*filter.area, points_of(query, codec)) ? 1 : 0;

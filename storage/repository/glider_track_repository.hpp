@@ -8,7 +8,7 @@
 #include "engine/geo/bounding_box.hpp"
 #include "engine/ocean/glider_track.hpp"
 #include "storage/repository/dataset.hpp"
-#include "storage/sqlite/connection.hpp"
+#include "storage/sql/connection.hpp"
 
 namespace floeplan::repository {
 
@@ -46,7 +46,7 @@ class GliderTrackRepository {
   /// A page has no more points than this and those of its last track.
   static constexpr std::size_t most_on_a_page = 100'000;
 
-  explicit GliderTrackRepository(sqlite::Connection& db) : db_{db} {}
+  explicit GliderTrackRepository(sql::Connection& db) : db_{db} {}
 
   /// Adds the tracks of a dataset, which must be in the list of datasets.
   /// Errors   std::invalid_argument for a track without points, or of a dataset that is not there
@@ -59,7 +59,7 @@ class GliderTrackRepository {
   [[nodiscard]] std::int64_t count(const GliderTrackFilter& filter) const;
 
  private:
-  sqlite::Connection& db_;  // borrowed
+  sql::Connection& db_;  // borrowed
 };
 
 }  // namespace floeplan::repository

@@ -8,7 +8,7 @@
 #include "engine/geo/bounding_box.hpp"
 #include "engine/ocean/iceberg.hpp"
 #include "storage/repository/dataset.hpp"
-#include "storage/sqlite/connection.hpp"
+#include "storage/sql/connection.hpp"
 
 namespace floeplan::repository {
 
@@ -33,7 +33,7 @@ struct SightingFilter {
 /// Threads  as the connection: one thread at a time
 class IcebergRepository {
  public:
-  explicit IcebergRepository(sqlite::Connection& db) : db_{db} {}
+  explicit IcebergRepository(sql::Connection& db) : db_{db} {}
 
   void insert(const DatasetId& dataset, const std::vector<ocean::Iceberg>& sightings);
   /// One sighting more; returns its row.
@@ -56,7 +56,7 @@ class IcebergRepository {
                                                    core::UtcTime as_of, core::Seconds max_age) const;
 
  private:
-  sqlite::Connection& db_;  // borrowed
+  sql::Connection& db_;  // borrowed
 };
 
 }  // namespace floeplan::repository

@@ -1,7 +1,7 @@
 #include "storage/repository/iceberg_track_repository.hpp"
 
 #include "storage/repository/box_index.hpp"
-#include "storage/sqlite/statement.hpp"
+#include "storage/sql/statement.hpp"
 
 namespace floeplan::repository {
 namespace {
@@ -30,7 +30,7 @@ std::string heads(const TrackFilter& filter) {
   return sql;
 }
 
-void bind_filter(sqlite::Statement& query, const TrackFilter& filter, std::int64_t after) {
+void bind_filter(sql::Statement& query, const TrackFilter& filter, std::int64_t after) {
   query.bind(1, after);
   if (filter.berg_id) query.bind(2, *filter.berg_id);
   if (filter.from) query.bind(3, *filter.from);
@@ -44,14 +44,14 @@ void bind_filter(sqlite::Statement& query, const TrackFilter& filter, std::int64
   bind_box(query, first_of_box_index, *filter.area);
 }
 
-IcebergTrack read_head(const sqlite::Statement& row) {
+IcebergTrack read_head(const sql::Row& row) {
   return {.first_row = row.integer(0), .dataset = {row.text(1)}, .berg_id = row.text(2), .fixes = {}};
 }
 
 }  // namespace
 
 std::optional<IcebergTrack> IcebergTrackRepository::find(std::int64_t first_row) const {
-  sqlite::Statement query{
+  sql::Statement query{
       db_,
       "SELECT row, (SELECT id FROM dataset WHERE dataset.row = dataset_row), berg_id FROM sighting AS first "
       "WHERE row = ?1 AND berg_id <> '' AND NOT EXISTS (SELECT 1 FROM sighting WHERE dataset_row = "
@@ -64,7 +64,7 @@ std::optional<IcebergTrack> IcebergTrackRepository::find(std::int64_t first_row)
 }
 
 TrackPage IcebergTrackRepository::list(const TrackFilter& filter, std::int64_t after, int limit) const {
-  sqlite::Statement query{db_, heads(filter) + " ORDER BY first_row LIMIT " + std::to_string(limit + 1)};
+  sql::Statement query{db_, heads(filter) + " ORDER BY first_row LIMIT " + std::to_string(limit + 1)};
   bind_filter(query, filter, after);
   TrackPage page;
   std::size_t fixes = 0;
@@ -79,13 +79,13 @@ TrackPage IcebergTrackRepository::list(const TrackFilter& filter, std::int64_t a
 }
 
 std::int64_t IcebergTrackRepository::count(const TrackFilter& filter) const {
-  sqlite::Statement query{db_, "SELECT count(*) FROM (" + heads(filter) + ")"};
+  sql::Statement query{db_, "SELECT count(*) FROM (" + heads(filter) + ")"};
   bind_filter(query, filter, 0);
   return query.step() ? query.integer(0) : 0;
 }
 
 std::vector<ocean::IcebergFix> IcebergTrackRepository::fixes_of(const IcebergTrack& track) const {
-  sqlite::Statement query{
+  sql::Statement query{
       db_,
       "SELECT lon_deg, lat_deg, observed_s, max(row) FROM sighting WHERE dataset_row = (SELECT row FROM "
       "dataset WHERE id = ?1) AND berg_id = ?2 GROUP BY observed_s ORDER BY observed_s"};

@@ -8,7 +8,7 @@
 #include "engine/geo/bounding_box.hpp"
 #include "engine/ocean/iceberg.hpp"
 #include "storage/repository/dataset.hpp"
-#include "storage/sqlite/connection.hpp"
+#include "storage/sql/connection.hpp"
 
 namespace floeplan::repository {
 
@@ -41,7 +41,7 @@ class IcebergTrackRepository {
   /// A page of tracks has no more fixes than this and those of its last track.
   static constexpr std::size_t most_fixes = 100'000;
 
-  explicit IcebergTrackRepository(sqlite::Connection& db) : db_{db} {}
+  explicit IcebergTrackRepository(sql::Connection& db) : db_{db} {}
 
   [[nodiscard]] std::optional<IcebergTrack> find(std::int64_t first_row) const;
   /// At most `limit` tracks with a first row above `after`. Only theirs is read but for an index.
@@ -51,7 +51,7 @@ class IcebergTrackRepository {
  private:
   [[nodiscard]] std::vector<ocean::IcebergFix> fixes_of(const IcebergTrack& track) const;
 
-  sqlite::Connection& db_;  // borrowed
+  sql::Connection& db_;  // borrowed
 };
 
 }  // namespace floeplan::repository

@@ -5,8 +5,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "storage/sqlite/statement.hpp"
-#include "storage/sqlite/transaction.hpp"
+#include "storage/sql/statement.hpp"
+#include "storage/sql/transaction.hpp"
 
 namespace floeplan::repository {
 namespace {
@@ -27,7 +27,7 @@ const std::string job_columns =
     "updated_s, "
     "result_json, message, owner, digest, reply_json, change, class ";
 
-JobRecord read_job(const sqlite::Statement& row) {
+JobRecord read_job(const sql::Row& row) {
   return {.row = row.integer(0),
           .id = {row.text(1)},
           .process = row.text(2),
@@ -50,8 +50,8 @@ JobRecord read_job(const sqlite::Statement& row) {
 }
 
 /// Newest first. `rows` is a condition on the row that ?1 stands for.
-sqlite::Statement select_jobs(sqlite::Connection& db, const std::string& rows, std::int64_t row, int limit,
-                              const JobFilter& filter) {
+sql::Statement select_jobs(sql::Connection& db, const std::string& rows, std::int64_t row, int limit,
+                           const JobFilter& filter) {
   const std::string duration = "(coalesce(finished_s, updated_s) - started_s)";
   std::string sql = "SELECT " + job_columns + "FROM job WHERE " + rows;
   if (filter.status) sql += " AND status = ?3";
@@ -62,7 +62,7 @@ sqlite::Statement select_jobs(sqlite::Connection& db, const std::string& rows, s
   if (filter.least_duration) sql += " AND " + duration + " >= ?8";
   if (filter.most_duration) sql += " AND " + duration + " <= ?9";
 
-  sqlite::Statement query{db, sql + " ORDER BY row DESC LIMIT max(?2, 0)"};
+  sql::Statement query{db, sql + " ORDER BY row DESC LIMIT max(?2, 0)"};
   query.bind_all(row, limit);
   if (filter.status) query.bind(3, status_name(*filter.status));
   if (filter.process) query.bind(4, *filter.process);
@@ -74,23 +74,23 @@ sqlite::Statement select_jobs(sqlite::Connection& db, const std::string& rows, s
   return query;
 }
 
-std::vector<JobRecord> read_jobs(sqlite::Statement& query) {
+std::vector<JobRecord> read_jobs(sql::Statement& query) {
   std::vector<JobRecord> jobs;
   while (query.step()) jobs.push_back(read_job(query));
   return jobs;
 }
 
 /// Rows of the jobs that wait or run and can be read to their end.
-std::set<std::int64_t> whole_unfinished_jobs(sqlite::Connection& db) {
+std::set<std::int64_t> whole_unfinished_jobs(sql::Connection& db) {
   std::set<std::int64_t> unfinished;
   {
-    sqlite::Statement query{
+    sql::Statement query{
         db, "SELECT row FROM job INDEXED BY job_by_status WHERE status IN ('accepted', 'running')"};
     while (query.step()) unfinished.insert(query.integer(0));
   }
-  sqlite::Statement query{db, "SELECT * FROM job WHERE row = ?1"};
+  sql::Statement query{db, "SELECT * FROM job WHERE row = ?1"};
   std::erase_if(unfinished, [&](std::int64_t row) {
-    return !meets_no_damage([&] {
+    return !sql::meets_no_damage([&] {
       query.reset();
       query.bind(1, row);
       (void)query.step();
@@ -104,14 +104,14 @@ std::set<std::int64_t> whole_unfinished_jobs(sqlite::Connection& db) {
 class Queue {
  public:
   /// Where the text says {jobs} it reads from them; ?9 is taken.
-  [[nodiscard]] sqlite::Statement statement(sqlite::Connection& db, std::string sql) const {
+  [[nodiscard]] sql::Statement statement(sql::Connection& db, std::string sql) const {
     constexpr std::string_view place = "{jobs}";
     const std::string jobs =
         rows_ ? "(SELECT job.* FROM json_each(?9) AS listed CROSS JOIN job ON job.row = listed.value)"
               : "job";
     for (auto at = sql.find(place); at != std::string::npos; at = sql.find(place, at + jobs.size()))
       sql.replace(at, place.size(), jobs);
-    sqlite::Statement prepared{db, sql};
+    sql::Statement prepared{db, sql};
     if (rows_) prepared.bind(9, json(*rows_));
     return prepared;
   }
@@ -119,7 +119,7 @@ class Queue {
   /// After damage was met: first everything that cannot be read, then the job that was to be written, whose row may share
   /// a page with one that is damaged.
   /// Returns  whether that leaves fewer than before
-  [[nodiscard]] bool leave_out(sqlite::Connection& db, std::optional<std::int64_t> row) {
+  [[nodiscard]] bool leave_out(sql::Connection& db, std::optional<std::int64_t> row) {
     if (rows_) return row && rows_->erase(*row) > 0;
     rows_ = whole_unfinished_jobs(db);
     return true;
@@ -139,18 +139,18 @@ class Queue {
 /// or not be written, for its row may share a page with one that is damaged, stays as it is and holds up no other.
 /// `bind`  binds the parameters of both texts; ?9 is taken
 template <class Bind>
-void update_jobs(sqlite::Connection& db, const std::string& set, const std::string& condition,
+void update_jobs(sql::Connection& db, const std::string& set, const std::string& condition,
                  const Bind& bind) {
   const std::string update = "UPDATE job SET " + set + " WHERE " + condition;
-  const bool whole = meets_no_damage([&] {
-    sqlite::Statement statement{db, update};
+  const bool whole = sql::meets_no_damage([&] {
+    sql::Statement statement{db, update};
     bind(statement);
     statement.run();
   });
   if (whole) return;
   for (const std::int64_t row : whole_unfinished_jobs(db)) {
-    (void)meets_no_damage([&] {
-      sqlite::Statement statement{db, update + " AND row = ?9"};
+    (void)sql::meets_no_damage([&] {
+      sql::Statement statement{db, update + " AND row = ?9"};
       bind(statement);
       statement.bind(9, row);
       statement.run();
@@ -164,10 +164,10 @@ std::optional<std::string> name_of(std::optional<JobClass> only) {
 
 /// The oldest claimable job of the class and the owner whose turn it is. A read, which many idle workers may do at once,
 /// before anybody asks for the right to write.
-std::optional<std::int64_t> next_in_turn(sqlite::Connection& db, const Queue& queue, core::UtcTime now,
+std::optional<std::int64_t> next_in_turn(sql::Connection& db, const Queue& queue, core::UtcTime now,
                                          std::optional<JobClass> only,
                                          std::optional<std::int64_t> most_of_owner) {
-  sqlite::Statement query = queue.statement(db, R"sql(
+  sql::Statement query = queue.statement(db, R"sql(
     SELECT first_row FROM (
       SELECT first_row, its_class, candidate, (
         SELECT count(*) FROM {jobs}
@@ -190,15 +190,13 @@ std::optional<std::int64_t> next_in_turn(sqlite::Connection& db, const Queue& qu
 }
 
 /// Begins no writing where there is nothing to write.
-void fail_exhausted(sqlite::Connection& db, core::UtcTime now) {
+void fail_exhausted(sql::Connection& db, core::UtcTime now) {
   const std::string exhausted =
       "status = 'running' AND (lease_until_s IS NULL OR lease_until_s <= ?1) AND attempts >= ?2";
-  const auto bind = [&](sqlite::Statement& statement) {
-    statement.bind_all(now, JobRepository::max_attempts);
-  };
+  const auto bind = [&](sql::Statement& statement) { statement.bind_all(now, JobRepository::max_attempts); };
   bool any = true;  // where damage leaves that open
-  (void)meets_no_damage([&] {
-    sqlite::Statement query{db, "SELECT 1 FROM job WHERE " + exhausted + " LIMIT 1"};
+  (void)sql::meets_no_damage([&] {
+    sql::Statement query{db, "SELECT 1 FROM job WHERE " + exhausted + " LIMIT 1"};
     bind(query);
     any = query.step();
   });
@@ -210,13 +208,13 @@ void fail_exhausted(sqlite::Connection& db, core::UtcTime now) {
       exhausted, bind);
 }
 
-std::optional<JobRecord> take(sqlite::Connection& db, std::int64_t row, const std::string& worker,
+std::optional<JobRecord> take(sql::Connection& db, std::int64_t row, const std::string& worker,
                               core::UtcTime now, core::Seconds lease) {
-  sqlite::Statement update{db, R"sql(
+  sql::Statement update{db, R"sql(
     UPDATE job SET status = 'running', worker = ?2, lease_until_s = ?4, attempts = attempts + 1,
       started_s = coalesce(started_s, ?3), updated_s = ?3, stage = '', progress = 0.0
     WHERE row = ?1 RETURNING )sql" +
-                                   job_columns};
+                                job_columns};
   update.bind_all(row, worker, now, now + lease);
   return update.step() ? std::optional{read_job(update)} : std::nullopt;
 }
@@ -252,31 +250,31 @@ JobClass parse_class(const std::string& name) {
 }
 
 void JobRepository::submit(const JobRecord& job) {
-  sqlite::Statement insert{db_,
-                           "INSERT INTO job (id, process, request_json, status, stage, progress, attempts, "
-                           "created_s, updated_s, message, owner, digest, reply_json, class) "
-                           "VALUES (?1, ?2, ?3, 'accepted', '', 0.0, 0, ?4, ?4, '', ?5, ?6, ?7, ?8)"};
+  sql::Statement insert{db_,
+                        "INSERT INTO job (id, process, request_json, status, stage, progress, attempts, "
+                        "created_s, updated_s, message, owner, digest, reply_json, class) "
+                        "VALUES (?1, ?2, ?3, 'accepted', '', 0.0, 0, ?4, ?4, '', ?5, ?6, ?7, ?8)"};
   insert.bind_all(job.id.value, job.process, job.request_json, job.created, job.owner, job.digest,
                   job.reply_json, class_name(job.job_class));
   insert.run();
 }
 
 std::optional<JobRecord> JobRepository::find(const JobId& id) const {
-  sqlite::Statement query{db_, "SELECT " + job_columns + "FROM job WHERE id = ?1"};
+  sql::Statement query{db_, "SELECT " + job_columns + "FROM job WHERE id = ?1"};
   query.bind(1, id.value);
   if (!query.step()) return std::nullopt;
   return read_job(query);
 }
 
 std::vector<JobRecord> JobRepository::list(std::int64_t before, int limit, const JobFilter& filter) const {
-  sqlite::Statement query = select_jobs(db_, "(?1 = 0 OR row < ?1)", before, limit, filter);
+  sql::Statement query = select_jobs(db_, "(?1 = 0 OR row < ?1)", before, limit, filter);
   return read_jobs(query);
 }
 
 PartialList<JobRecord> JobRepository::list_past_damage(std::int64_t before, int limit,
                                                        const JobFilter& filter) const {
   const auto of_row = [&](std::int64_t row) {
-    sqlite::Statement query = select_jobs(db_, "row = ?1", row, 1, filter);
+    sql::Statement query = select_jobs(db_, "row = ?1", row, 1, filter);
     return query.step() ? std::optional{read_job(query)} : std::nullopt;
   };
   return repository::list_past_damage(
@@ -286,37 +284,37 @@ PartialList<JobRecord> JobRepository::list_past_damage(std::int64_t before, int 
 
 std::optional<JobRecord> JobRepository::find_shared(const std::string& digest,
                                                     const std::string& owner) const {
-  sqlite::Statement query{db_, "SELECT " + job_columns +
-                                   "FROM job WHERE digest = ?1 AND (status = 'successful' OR (owner = ?2 AND "
-                                   "status IN ('accepted', 'running'))) ORDER BY status = 'successful' DESC, "
-                                   "row DESC LIMIT 1"};
+  sql::Statement query{db_, "SELECT " + job_columns +
+                                "FROM job WHERE digest = ?1 AND (status = 'successful' OR (owner = ?2 AND "
+                                "status IN ('accepted', 'running'))) ORDER BY status = 'successful' DESC, "
+                                "row DESC LIMIT 1"};
   query.bind_all(digest, owner);
   std::optional<JobRecord> shared;
-  (void)meets_no_damage([&] {
+  (void)sql::meets_no_damage([&] {
     if (query.step()) shared = read_job(query);
   });
   return shared;
 }
 
 std::vector<JobRecord> JobRepository::changed_since(std::int64_t change, int limit) const {
-  sqlite::Statement query{
+  sql::Statement query{
       db_, "SELECT " + job_columns + "FROM job WHERE change > ?1 ORDER BY change LIMIT max(?2, 0)"};
   query.bind_all(change, limit);
   return read_jobs(query);
 }
 
 std::int64_t JobRepository::last_change() const {
-  sqlite::Statement query{db_, "SELECT change FROM job_clock"};
+  sql::Statement query{db_, "SELECT change FROM job_clock"};
   return query.step() ? query.integer(0) : 0;
 }
 
 std::int64_t JobRepository::count(JobStatus status) const {
-  sqlite::Statement query{db_, "SELECT count(*) FROM job WHERE status = ?1"};
+  sql::Statement query{db_, "SELECT count(*) FROM job WHERE status = ?1"};
   query.bind(1, status_name(status));
   return query.step() ? query.integer(0) : 0;
 }
 
-void JobRepository::touch_queue() { sqlite::execute(db_, "UPDATE job_clock SET change = change"); }
+void JobRepository::touch_queue() { sql::execute(db_, "UPDATE job_clock SET change = change"); }
 
 std::optional<JobRecord> JobRepository::claim(const std::string& worker, core::UtcTime now,
                                               core::Seconds lease, std::optional<JobClass> only,
@@ -328,21 +326,21 @@ std::optional<JobRecord> JobRepository::claim(const std::string& worker, core::U
     try {
       row = next_in_turn(db_, queue, now, only, most_of_owner);
       if (!row) return std::nullopt;
-      sqlite::Transaction transaction{db_};
+      sql::Transaction transaction{db_};
       row = next_in_turn(db_, queue, now, only, most_of_owner);
       std::optional<JobRecord> claimed;
       if (row) claimed = take(db_, *row, worker, now, lease);
       transaction.commit();
       return claimed;
-    } catch (const sqlite::Failure& failure) {
-      if (failure.trouble() != sqlite::Trouble::damaged || !queue.leave_out(db_, row)) throw;
+    } catch (const sql::Failure& failure) {
+      if (failure.trouble() != sql::Trouble::damaged || !queue.leave_out(db_, row)) throw;
     }
   }
 }
 
 bool JobRepository::renew(const JobId& id, const std::string& worker, const std::string& stage,
                           double progress, core::UtcTime now, core::Seconds lease) {
-  sqlite::Statement update{
+  sql::Statement update{
       db_,
       "UPDATE job SET stage = ?3, progress = ?4, updated_s = ?5, lease_until_s = ?6 WHERE id = ?1 "
       "AND worker = ?2 AND status = 'running'"};
@@ -352,7 +350,7 @@ bool JobRepository::renew(const JobId& id, const std::string& worker, const std:
 
 bool JobRepository::succeed(const JobId& id, const std::string& worker, const std::string& result_json,
                             core::UtcTime now) {
-  sqlite::Statement update{
+  sql::Statement update{
       db_,
       "UPDATE job SET status = 'successful', result_json = ?3, stage = '', progress = 1.0, worker = NULL, "
       "lease_until_s = NULL, finished_s = ?4, updated_s = ?4 WHERE id = ?1 AND worker = ?2 AND "
@@ -363,7 +361,7 @@ bool JobRepository::succeed(const JobId& id, const std::string& worker, const st
 
 bool JobRepository::fail(const JobId& id, const std::string& worker, const std::string& message,
                          core::UtcTime now) {
-  sqlite::Statement update{
+  sql::Statement update{
       db_,
       "UPDATE job SET status = 'failed', message = ?3, worker = NULL, lease_until_s = NULL, "
       "finished_s = ?4, updated_s = ?4 WHERE id = ?1 AND worker = ?2 AND status = 'running'"};
@@ -377,16 +375,16 @@ void JobRepository::hand_back(const std::string& worker, core::UtcTime now) {
       "status = 'accepted', attempts = attempts - 1, started_s = iif(attempts = 1, NULL, started_s), stage = "
       "'', progress = 0.0, worker = NULL, lease_until_s = NULL, updated_s = ?2",
       "worker = ?1 AND status = 'running'",
-      [&](sqlite::Statement& statement) { statement.bind_all(worker, now); });
+      [&](sql::Statement& statement) { statement.bind_all(worker, now); });
 }
 
 void JobRepository::release_all_leases(core::UtcTime now) {
   update_jobs(db_, "worker = NULL, lease_until_s = NULL, updated_s = ?1", "status = 'running'",
-              [&](sqlite::Statement& statement) { statement.bind(1, now); });
+              [&](sql::Statement& statement) { statement.bind(1, now); });
 }
 
 bool JobRepository::dismiss(const JobId& id, core::UtcTime now) {
-  sqlite::Statement update{
+  sql::Statement update{
       db_,
       "UPDATE job SET status = 'dismissed', message = 'dismissed on request', worker = NULL, "
       "lease_until_s = NULL, finished_s = ?2, updated_s = ?2 WHERE id = ?1 AND status IN "
@@ -396,7 +394,7 @@ bool JobRepository::dismiss(const JobId& id, core::UtcTime now) {
 }
 
 bool JobRepository::remove(const JobId& id) {
-  sqlite::Statement remove{db_, "DELETE FROM job WHERE id = ?1"};
+  sql::Statement remove{db_, "DELETE FROM job WHERE id = ?1"};
   remove.bind(1, id.value);
   return remove.run() > 0;
 }

@@ -7,7 +7,7 @@
 
 #include "engine/core/units.hpp"
 #include "storage/repository/partial_list.hpp"
-#include "storage/sqlite/connection.hpp"
+#include "storage/sql/connection.hpp"
 
 namespace floeplan::repository {
 
@@ -75,7 +75,7 @@ struct JobFilter {
 /// Threads  as the connection: one thread at a time; several connections and processes may claim at once
 class JobRepository {
  public:
-  explicit JobRepository(sqlite::Connection& db) : db_{db} {}
+  explicit JobRepository(sql::Connection& db) : db_{db} {}
 
   static constexpr int max_attempts = 3;
 
@@ -98,7 +98,7 @@ class JobRepository {
   [[nodiscard]] std::int64_t last_change() const;
   [[nodiscard]] std::int64_t count(JobStatus status) const;
   /// Writes to the queue as a new job would, and changes nothing.
-  /// Errors  sqlite::Failure where a job could not be taken
+  /// Errors  sql::Failure where a job could not be taken
   void touch_queue();
 
   /// An accepted job, or a running one whose lease ran out, made this worker's until `now + lease`: of the first class
@@ -128,7 +128,7 @@ class JobRepository {
   bool remove(const JobId& id);
 
  private:
-  sqlite::Connection& db_;  // borrowed
+  sql::Connection& db_;  // borrowed
 };
 
 }  // namespace floeplan::repository

@@ -16,7 +16,7 @@ struct DepthLayer {
   core::Metres spacing;
 };
 
-std::vector<DepthLayer> depth_layers_in(sqlite::Connection& db, const geo::BoundingBox& area) {
+std::vector<DepthLayer> depth_layers_in(sql::Connection& db, const geo::BoundingBox& area) {
   const FieldRepository fields{db};
   std::vector<DepthLayer> layers;
   for (const Dataset& dataset : DatasetRepository{db}.list()) {
@@ -29,7 +29,7 @@ std::vector<DepthLayer> depth_layers_in(sqlite::Connection& db, const geo::Bound
 
 }  // namespace
 
-std::optional<JoinedBathymetry> joined_bathymetry(sqlite::Connection& db, const geo::BoundingBox& area,
+std::optional<JoinedBathymetry> joined_bathymetry(sql::Connection& db, const geo::BoundingBox& area,
                                                   std::size_t most_nodes) {
   const std::vector<DepthLayer> layers = depth_layers_in(db, area);
   if (layers.empty()) return std::nullopt;

@@ -7,7 +7,7 @@
 #include "engine/geo/bounding_box.hpp"
 #include "engine/ocean/bathymetry.hpp"
 #include "storage/repository/dataset.hpp"
-#include "storage/sqlite/connection.hpp"
+#include "storage/sql/connection.hpp"
 
 namespace floeplan::repository {
 
@@ -21,7 +21,7 @@ struct JoinedBathymetry {
 /// The depths of an area for those who look at it from afar: of all bathymetry stored, the finest first as for plans,
 /// on no more than about `most_nodes` nodes. Where a dataset has several nodes in a cell, the depth is their mean.
 /// Outside  nullopt when no dataset has a node there
-[[nodiscard]] std::optional<JoinedBathymetry> joined_bathymetry(sqlite::Connection& db,
+[[nodiscard]] std::optional<JoinedBathymetry> joined_bathymetry(sql::Connection& db,
                                                                 const geo::BoundingBox& area,
                                                                 std::size_t most_nodes);
 

@@ -96,7 +96,7 @@ std::vector<ocean::IcebergFix> track_of(const IcebergRepository& repository, con
 
 }  // namespace
 
-std::vector<StoredSighting> joined_sightings(sqlite::Connection& db, const std::vector<Dataset>& datasets,
+std::vector<StoredSighting> joined_sightings(sql::Connection& db, const std::vector<Dataset>& datasets,
                                              const geo::BoundingBox& area, core::UtcTime as_of,
                                              core::Seconds max_age, core::Seconds track_age) {
   const IcebergRepository repository{db};
@@ -119,7 +119,7 @@ std::vector<StoredSighting> joined_sightings(sqlite::Connection& db, const std::
   return joined;
 }
 
-std::vector<StoredSighting> first_seen_after(sqlite::Connection& db, const std::vector<Dataset>& datasets,
+std::vector<StoredSighting> first_seen_after(sql::Connection& db, const std::vector<Dataset>& datasets,
                                              const geo::BoundingBox& area, core::UtcTime as_of,
                                              core::UtcTime until,
                                              const std::vector<StoredSighting>& counted) {

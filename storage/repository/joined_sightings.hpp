@@ -15,7 +15,7 @@ namespace floeplan::repository {
 /// `max_age`  of sightings before `as_of`
 /// Returns    in the order of the datasets, then by row; those in the area; with `earlier` fixes no older than
 ///            `track_age` before each, none where that is zero
-[[nodiscard]] std::vector<StoredSighting> joined_sightings(sqlite::Connection& db,
+[[nodiscard]] std::vector<StoredSighting> joined_sightings(sql::Connection& db,
                                                            const std::vector<Dataset>& datasets,
                                                            const geo::BoundingBox& area, core::UtcTime as_of,
                                                            core::Seconds max_age,
@@ -23,7 +23,7 @@ namespace floeplan::repository {
 
 /// The first sighting in the area after `as_of`, up to `until`, of each berg that none of `counted` is of, by the same
 /// rule of which sightings are of one berg. In the order of the datasets, then by row.
-[[nodiscard]] std::vector<StoredSighting> first_seen_after(sqlite::Connection& db,
+[[nodiscard]] std::vector<StoredSighting> first_seen_after(sql::Connection& db,
                                                            const std::vector<Dataset>& datasets,
                                                            const geo::BoundingBox& area, core::UtcTime as_of,
                                                            core::UtcTime until,

@@ -1,11 +1,11 @@
 #include "storage/repository/kept_answers.hpp"
 
-#include "storage/sqlite/statement.hpp"
+#include "storage/sql/statement.hpp"
 
 namespace floeplan::repository {
 
 std::optional<KeptAnswer> KeptAnswers::find(const IdempotencyKey& key) const {
-  sqlite::Statement query{
+  sql::Statement query{
       db_, "SELECT request_sha256, job_id, answer FROM kept_answer WHERE owner = ?1 AND key = ?2"};
   query.bind_all(key.owner, key.key);
   if (!query.step()) return std::nullopt;
@@ -16,16 +16,16 @@ std::optional<KeptAnswer> KeptAnswers::find(const IdempotencyKey& key) const {
 
 void KeptAnswers::insert(const IdempotencyKey& key, const std::optional<JobId>& job,
                          const std::optional<std::string>& answer, core::UtcTime now) {
-  sqlite::Statement insert{db_,
-                           "INSERT INTO kept_answer (owner, key, request_sha256, created_s, job_id, answer) "
-                           "VALUES (?1, ?2, ?3, ?4, ?5, ?6)"};
+  sql::Statement insert{db_,
+                        "INSERT INTO kept_answer (owner, key, request_sha256, created_s, job_id, answer) "
+                        "VALUES (?1, ?2, ?3, ?4, ?5, ?6)"};
   const auto id = job ? std::optional{job->value} : std::nullopt;
   insert.bind_all(key.owner, key.key, key.request_sha256, now, id, answer);
   insert.run();
 }
 
 void KeptAnswers::remove_expired(core::UtcTime now) {
-  sqlite::Statement remove{db_, "DELETE FROM kept_answer WHERE created_s < ?1"};
+  sql::Statement remove{db_, "DELETE FROM kept_answer WHERE created_s < ?1"};
   remove.bind(1, now - lifetime);
   remove.run();
 }

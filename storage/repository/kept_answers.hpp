@@ -5,7 +5,7 @@
 
 #include "engine/core/units.hpp"
 #include "storage/repository/job_repository.hpp"
-#include "storage/sqlite/connection.hpp"
+#include "storage/sql/connection.hpp"
 
 namespace floeplan::repository {
 
@@ -27,7 +27,7 @@ struct KeptAnswer {
 /// Threads  as the connection: one thread at a time
 class KeptAnswers {
  public:
-  explicit KeptAnswers(sqlite::Connection& db) : db_{db} {}
+  explicit KeptAnswers(sql::Connection& db) : db_{db} {}
 
   static constexpr core::Seconds lifetime{86'400.0};
 
@@ -37,7 +37,7 @@ class KeptAnswers {
   void remove_expired(core::UtcTime now);
 
  private:
-  sqlite::Connection& db_;  // borrowed
+  sql::Connection& db_;  // borrowed
 };
 
 }  // namespace floeplan::repository

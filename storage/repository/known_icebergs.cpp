@@ -53,7 +53,7 @@ bool KnownIcebergs::speaks_here(const DatasetId& dataset) const {
   return std::ranges::find(here, dataset, &Dataset::id) != here.end();
 }
 
-KnownIcebergs known_icebergs(sqlite::Connection& db, const std::vector<Dataset>& stored,
+KnownIcebergs known_icebergs(sql::Connection& db, const std::vector<Dataset>& stored,
                              const SightingQuery& query, core::Violations& violations) {
   KnownIcebergs known;
   known.oldest = ocean::oldest_that_counts(query.as_of, query.depart, query.max_age);

@@ -7,7 +7,7 @@
 #include "engine/ocean/sighting_age.hpp"
 #include "storage/repository/dataset_choice.hpp"
 #include "storage/repository/iceberg_repository.hpp"
-#include "storage/sqlite/connection.hpp"
+#include "storage/sql/connection.hpp"
 
 namespace floeplan::repository {
 
@@ -42,7 +42,7 @@ struct KnownIcebergs {
 /// as well.
 /// What people reported by hand is always consulted.
 /// Errors   adds the violations of `candidates`
-[[nodiscard]] KnownIcebergs known_icebergs(sqlite::Connection& db, const std::vector<Dataset>& stored,
+[[nodiscard]] KnownIcebergs known_icebergs(sql::Connection& db, const std::vector<Dataset>& stored,
                                            const SightingQuery& query, core::Violations& violations);
 
 }  // namespace floeplan::repository

@@ -7,9 +7,10 @@
 #include "storage/repository/replacement.hpp"
 #include "storage/repository/schema.hpp"
 #include "storage/repository/store_mark.hpp"
-#include "storage/sqlite/damaged_pages.hpp"
-#include "storage/sqlite/database_files.hpp"
-#include "storage/sqlite/failure.hpp"
+#include "storage/sql/driver/failure.hpp"
+#include "storage/sql/schema_number.hpp"
+#include "storage/sql/store_file.hpp"
+#include "storage/sql/upkeep.hpp"
 
 namespace floeplan::repository {
 namespace {
@@ -18,38 +19,38 @@ namespace fs = std::filesystem;
 
 void refuse_folder_without_its_database(const fs::path& store) {
   std::error_code none;
-  if (fs::exists(sqlite::database_in(store), none) || !is_marked_as_store(store)) return;
-  throw sqlite::Failure{
-      "the folder " + store.string() +
-      " held a store, but its floeplan.sqlite is gone; put it back, for example with floeplan "
-      "restore FILE, or choose an empty folder"};
+  if (fs::exists(sql::database_in(store), none) || !is_marked_as_store(store)) return;
+  throw sql::Failure{
+      "the folder " + store.string() + " held a store, but its " +
+      sql::database_in(store).filename().string() +
+      " is gone; put it back, for example with floeplan restore FILE, or choose an empty folder"};
 }
 
 }  // namespace
 
-sqlite::Connection open_store(const fs::path& store) {
+sql::Connection open_store(const fs::path& store) {
   refuse_folder_without_its_database(store);
-  std::optional<sqlite::Connection> db = sqlite::Connection::open(store);
-  const std::int64_t schema = schema_of(*db);
-  if (schema > 0 && (schema < newest_schema() || !sqlite::has_page_checksums(*db))) {
+  std::optional<sql::Connection> db = sql::Connection::open(store);
+  const std::int64_t schema = sql::schema_number(*db);
+  if (schema > 0 && (schema < newest_schema() || !sql::has_page_checksums(*db))) {
     refuse_newer_schema(schema);
     db.reset();  // who puts another database in the place of this one has to be alone
     (void)bring_up_to_date(store);
-    db = sqlite::Connection::open(store);
+    db = sql::Connection::open(store);
   }
   bring_to_newest_schema(*db);
   mark_as_store(store);
   return std::move(*db);
 }
 
-sqlite::Connection open_scratch_store(const fs::path& folder) {
-  sqlite::Connection db = sqlite::Connection::open_scratch(folder);
+sql::Connection open_scratch_store(const fs::path& folder) {
+  sql::Connection db = sql::Connection::open_scratch(folder);
   bring_to_newest_schema(db);
   return db;
 }
 
-sqlite::Connection open_store_in_memory() {
-  sqlite::Connection db = sqlite::Connection::in_memory();
+sql::Connection open_store_in_memory() {
+  sql::Connection db = sql::Connection::in_memory();
   bring_to_newest_schema(db);
   return db;
 }

@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "storage/sqlite/connection.hpp"
+#include "storage/sql/connection.hpp"
 
 namespace floeplan::repository {
 
@@ -10,13 +10,13 @@ namespace floeplan::repository {
 /// Errors   std::runtime_error for a store that a newer program has written, for a file that is damaged or
 /// not a store,
 ///          and when the folder cannot be written
-[[nodiscard]] sqlite::Connection open_store(const std::filesystem::path& store);
+[[nodiscard]] sql::Connection open_store(const std::filesystem::path& store);
 
 /// A store of the same schema whose contents nobody misses after a kill: where data lie until they are complete.
 /// The folder exists.
-[[nodiscard]] sqlite::Connection open_scratch_store(const std::filesystem::path& folder);
+[[nodiscard]] sql::Connection open_scratch_store(const std::filesystem::path& folder);
 
 /// A private, empty store in memory, for tests.
-[[nodiscard]] sqlite::Connection open_store_in_memory();
+[[nodiscard]] sql::Connection open_store_in_memory();
 
 }  // namespace floeplan::repository

@@ -1,6 +1,6 @@
 #include "storage/repository/owners.hpp"
 
-#include "storage/sqlite/statement.hpp"
+#include "storage/sql/statement.hpp"
 
 namespace floeplan::repository {
 namespace {
@@ -14,21 +14,21 @@ constexpr const char* stored_bytes =
 }  // namespace
 
 void Owners::note_dataset(const std::string& id, const std::string& owner) {
-  sqlite::Statement update{db_, "UPDATE dataset SET owner = ?2 WHERE id = ?1 AND owner IS NULL"};
+  sql::Statement update{db_, "UPDATE dataset SET owner = ?2 WHERE id = ?1 AND owner IS NULL"};
   update.bind_all(id, owner);
   update.run();
 }
 
 void Owners::note_made(const ThingTable& table, const std::string& id, core::UtcTime made,
                        const std::string& owner) {
-  sqlite::Statement update{db_, "UPDATE " + std::string{table.table} +
-                                    " SET owner = ?3 WHERE id = ?1 AND created_s = ?2 AND owner IS NULL"};
+  sql::Statement update{db_, "UPDATE " + std::string{table.table} +
+                                 " SET owner = ?3 WHERE id = ?1 AND created_s = ?2 AND owner IS NULL"};
   update.bind_all(id, made, owner);
   update.run();
 }
 
 std::uint64_t Owners::bytes_of(const std::string& owner) const {
-  sqlite::Statement query{db_, stored_bytes};
+  sql::Statement query{db_, stored_bytes};
   query.bind(1, owner);
   return query.step() ? static_cast<std::uint64_t>(query.integer(0)) : 0;
 }

@@ -5,7 +5,7 @@
 
 #include "engine/core/units.hpp"
 #include "storage/repository/stored_things.hpp"
-#include "storage/sqlite/connection.hpp"
+#include "storage/sql/connection.hpp"
 
 namespace floeplan::repository {
 
@@ -14,7 +14,7 @@ namespace floeplan::repository {
 /// Threads  as the connection: one thread at a time
 class Owners {
  public:
-  explicit Owners(sqlite::Connection& db) : db_{db} {}
+  explicit Owners(sql::Connection& db) : db_{db} {}
 
   /// Of a dataset that has no owner yet; otherwise nothing changes.
   void note_dataset(const std::string& id, const std::string& owner);
@@ -27,7 +27,7 @@ class Owners {
   [[nodiscard]] std::uint64_t bytes_of(const std::string& owner) const;
 
  private:
-  sqlite::Connection& db_;  // borrowed
+  sql::Connection& db_;  // borrowed
 };
 
 }  // namespace floeplan::repository

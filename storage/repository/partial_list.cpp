@@ -4,8 +4,8 @@
 
 namespace floeplan::repository {
 
-std::vector<MetThing> things_behind(sqlite::Connection& db, const ThingTable& table, const ListPart& part) {
-  const ThingList things = things_in(db, "main", table, RowReading::number);
+std::vector<MetThing> things_behind(sql::Connection& db, const ThingTable& table, const ListPart& part) {
+  const ThingList things = things_in(db, "main", table, sql::RowReading::number);
   std::vector<MetThing> met;
   const auto meet = [&](const std::vector<StoredThing>& some, bool damaged) {
     for (const StoredThing& thing : some) {

@@ -31,23 +31,23 @@ struct MetThing {
   StoredThing thing;
   bool is_damaged{false};  // known without reading it to its end
 };
-[[nodiscard]] std::vector<MetThing> things_behind(sqlite::Connection& db, const ThingTable& table,
+[[nodiscard]] std::vector<MetThing> things_behind(sql::Connection& db, const ThingTable& table,
                                                   const ListPart& part);
 
 /// Reads a list at once, and where that meets damage row by row.
 /// Parameters  at_once  reads the whole part with one query
 ///             of_row   the record of one row; nothing for one that the list does not want
-/// Errors      sqlite::Failure for other trouble than damage
+/// Errors      sql::Failure for other trouble than damage
 template <class AtOnce, class OfRow>
-[[nodiscard]] auto list_past_damage(sqlite::Connection& db, const ThingTable& table, const ListPart& part,
+[[nodiscard]] auto list_past_damage(sql::Connection& db, const ThingTable& table, const ListPart& part,
                                     const AtOnce& at_once, const OfRow& of_row) {
   using Record = typename std::invoke_result_t<AtOnce>::value_type;
   PartialList<Record> list;
-  if (meets_no_damage([&] { list.whole = at_once(); })) return list;
+  if (sql::meets_no_damage([&] { list.whole = at_once(); })) return list;
   for (const MetThing& met : things_behind(db, table, part)) {
     if (std::ssize(list.whole) >= part.limit) break;
     std::optional<Record> record;
-    const bool whole = !met.is_damaged && meets_no_damage([&] { record = of_row(met.thing.row); });
+    const bool whole = !met.is_damaged && sql::meets_no_damage([&] { record = of_row(met.thing.row); });
     if (!whole) list.damaged.push_back(met.thing);
     if (record) list.whole.push_back(std::move(*record));
   }

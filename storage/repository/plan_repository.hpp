@@ -8,7 +8,7 @@
 #include "engine/core/units.hpp"
 #include "engine/geo/bounding_box.hpp"
 #include "storage/repository/partial_list.hpp"
-#include "storage/sqlite/connection.hpp"
+#include "storage/sql/connection.hpp"
 
 namespace floeplan::repository {
 
@@ -42,7 +42,7 @@ struct PlanFilter {
 /// Threads  as the connection: one thread at a time
 class PlanRepository {
  public:
-  explicit PlanRepository(sqlite::Connection& db) : db_{db} {}
+  explicit PlanRepository(sql::Connection& db) : db_{db} {}
 
   /// Stores the plan; a plan with the same id is left as it is (the id is a digest of inputs and data).
   /// Returns its row.
@@ -57,7 +57,7 @@ class PlanRepository {
   bool remove(const PlanId& id);
 
  private:
-  sqlite::Connection& db_;  // borrowed
+  sql::Connection& db_;  // borrowed
 };
 
 }  // namespace floeplan::repository

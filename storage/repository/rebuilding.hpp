@@ -12,9 +12,9 @@ namespace floeplan::repository {
 /// indices anew. A thing of which any part is damaged is left out as a whole, for half of the icebergs or of a field would
 /// pass for all of it. The database is one file afterwards, without a log, not yet flushed to the disk.
 /// Parameters  from    a database that nobody writes meanwhile
-///             folder  gets floeplan.sqlite; what is there is removed
+///             folder  gets the database; what is there is removed
 /// Returns     what was left out
-/// Errors      sqlite::Failure when either fails otherwise than by damage of things, or the schema cannot be read
+/// Errors      sql::Failure when either fails otherwise than by damage of things, or the schema cannot be read
 std::vector<StoredThing> rebuild(const std::filesystem::path& from, const std::filesystem::path& folder,
                                  const core::ProgressCallback& progress = {});
 

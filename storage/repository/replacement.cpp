@@ -5,8 +5,7 @@
 #include "storage/repository/rebuilding.hpp"
 #include "storage/repository/schema.hpp"
 #include "storage/repository/store_mark.hpp"
-#include "storage/sqlite/backup.hpp"
-#include "storage/sqlite/database_files.hpp"
+#include "storage/sql/store_file.hpp"
 
 namespace floeplan::repository {
 namespace {
@@ -25,11 +24,11 @@ std::string in_words(const StoredThing& thing) {
 
 /// The one place whose damage shows in no checksum says whether there are any. Nothing may be written then.
 void refuse_changed_header(const fs::path& database) {
-  const auto header = sqlite::header_of(database);
+  const auto header = sql::header_of(database);
   if (header.schema < first_schema_with_checksums || header.has_checksums) return;
-  throw sqlite::Failure{
+  throw sql::Failure{
       "the header of " + database.string() + " is damaged; put back a backup with floeplan restore FILE",
-      sqlite::Trouble::damaged};
+      sql::Trouble::damaged};
 }
 
 /// Builds the new database beside the old one, of which `from` may be the file, and puts it in its place as the last step:
@@ -41,19 +40,19 @@ Replacement replace(const fs::path& store, const fs::path& from, const std::stri
   replacement.lost = rebuild(from, beside, progress);
   if (losses == Losses::refused && !replacement.lost.empty()) {
     fs::remove_all(beside);
-    throw sqlite::Failure{in_words(replacement.lost.front()) + " of " + from.string() +
-                              " is damaged; nothing was changed; floeplan repair saves what is whole",
-                          sqlite::Trouble::damaged};
+    throw sql::Failure{in_words(replacement.lost.front()) + " of " + from.string() +
+                           " is damaged; nothing was changed; floeplan repair saves what is whole",
+                       sql::Trouble::damaged};
   }
   {
-    auto db = sqlite::Connection::open(beside);
+    auto db = sql::Connection::open(beside);
     bring_to_newest_schema(db);
   }
-  sqlite::settle(sqlite::database_in(beside));
-  const fs::path place = sqlite::database_in(store);
+  sql::settle(sql::database_in(beside));
+  const fs::path place = sql::database_in(store);
   mark_as_store(store);
-  if (was == OldDatabase::unreadable) replacement.kept = sqlite::set_aside(place, why);
-  const fs::path kept = sqlite::put_in_place(sqlite::database_in(beside), place, why);
+  if (was == OldDatabase::unreadable) replacement.kept = sql::set_aside(place, why);
+  const fs::path kept = sql::put_in_place(sql::database_in(beside), place, why);
   if (!kept.empty()) replacement.kept = kept;
   fs::remove_all(beside);
   return replacement;
@@ -62,11 +61,11 @@ Replacement replace(const fs::path& store, const fs::path& from, const std::stri
 }  // namespace
 
 Replacement bring_up_to_date(const fs::path& store, const core::ProgressCallback& progress) {
-  const auto alone = sqlite::StoreUse::alone(store);
-  const fs::path database = sqlite::database_in(store);
+  const auto alone = sql::StoreUse::alone(store);
+  const fs::path database = sql::database_in(store);
   refuse_changed_header(database);
-  sqlite::settle(database);
-  const auto header = sqlite::header_of(database);
+  sql::settle(database);
+  const auto header = sql::header_of(database);
   refuse_newer_schema(header.schema);
   if (header.schema == newest_schema() && header.has_checksums) return {};  // somebody else did meanwhile
   return replace(store, database, "schema-" + std::to_string(newest_schema()), Losses::refused,
@@ -74,31 +73,31 @@ Replacement bring_up_to_date(const fs::path& store, const core::ProgressCallback
 }
 
 Replacement repair_store(const fs::path& store, const core::ProgressCallback& progress) {
-  const auto alone = sqlite::StoreUse::alone(store);
-  const fs::path database = sqlite::database_in(store);
+  const auto alone = sql::StoreUse::alone(store);
+  const fs::path database = sql::database_in(store);
   refuse_changed_header(database);
-  sqlite::settle(database);
-  refuse_newer_schema(sqlite::header_of(database).schema);
+  sql::settle(database);
+  refuse_newer_schema(sql::header_of(database).schema);
   return replace(store, database, "repair", Losses::accepted, OldDatabase::settled, progress);
 }
 
 Replacement restore_store(const fs::path& store, const fs::path& backup,
                           const core::ProgressCallback& progress) {
-  const auto header = sqlite::header_of(backup);
+  const auto header = sql::header_of(backup);
   const auto refuse = [&](const std::string& why) {
     return std::runtime_error{backup.string() + " cannot be restored; " + why + "; take another backup"};
   };
-  if (header.application_id != sqlite::application_id) throw refuse("it is no store of Floeplan");
+  if (!header.is_store) throw refuse("it is no store of Floeplan");
   refuse_newer_schema(header.schema);
-  if (const std::string damage = sqlite::damage_of(backup); !damage.empty()) throw refuse(damage);
+  if (const std::string damage = sql::damage_of(backup); !damage.empty()) throw refuse(damage);
   fs::create_directories(store);
-  const auto alone = sqlite::StoreUse::alone(store);
-  const fs::path database = sqlite::database_in(store);
+  const auto alone = sql::StoreUse::alone(store);
+  const fs::path database = sql::database_in(store);
   const auto settle = [&] {
     refuse_changed_header(database);
-    sqlite::settle(database);
+    sql::settle(database);
   };
-  const bool is_settled = fs::exists(database) && meets_no_damage(settle);
+  const bool is_settled = fs::exists(database) && sql::meets_no_damage(settle);
   return replace(store, backup, "restore", Losses::refused,
                  is_settled ? OldDatabase::settled : OldDatabase::unreadable, progress);
 }

@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "storage/repository/dataset_repository.hpp"
-#include "storage/sqlite/statement.hpp"
-#include "storage/sqlite/transaction.hpp"
+#include "storage/sql/statement.hpp"
+#include "storage/sql/transaction.hpp"
 
 namespace floeplan::repository {
 namespace {
@@ -50,9 +50,9 @@ std::vector<StoredSize> beyond_retention(std::vector<StoredSize> stored, const R
   return going;
 }
 
-std::vector<StoredSize> stored_sizes(sqlite::Connection& db) {
+std::vector<StoredSize> stored_sizes(sql::Connection& db) {
   std::vector<StoredSize> sizes;
-  sqlite::Statement query{
+  sql::Statement query{
       db,
       "SELECT (SELECT coalesce(sum(length(samples)), 0) FROM field_chunk WHERE dataset_row = dataset.row) + "
       "(SELECT coalesce(sum(length(way)), 0) FROM glider_track WHERE dataset_row = dataset.row) FROM dataset "
@@ -66,9 +66,9 @@ std::vector<StoredSize> stored_sizes(sqlite::Connection& db) {
   return sizes;
 }
 
-std::vector<StoredSize> remove_beyond_retention(sqlite::Connection& db, const RetentionRules& rules,
+std::vector<StoredSize> remove_beyond_retention(sql::Connection& db, const RetentionRules& rules,
                                                 core::UtcTime now) {
-  sqlite::Transaction transaction{db};
+  sql::Transaction transaction{db};
   std::vector<StoredSize> going = beyond_retention(stored_sizes(db), rules, now);
   DatasetRepository datasets{db};
   for (const StoredSize& each : going) datasets.remove(each.dataset.id);

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "storage/repository/dataset.hpp"
-#include "storage/sqlite/connection.hpp"
+#include "storage/sql/connection.hpp"
 
 namespace floeplan::repository {
 
@@ -32,11 +32,11 @@ struct StoredSize {
                                                        const RetentionRules& rules, core::UtcTime now);
 
 /// Every dataset of the list with its size.
-[[nodiscard]] std::vector<StoredSize> stored_sizes(sqlite::Connection& db);
+[[nodiscard]] std::vector<StoredSize> stored_sizes(sql::Connection& db);
 
 /// Removes what is beyond the rules, all or nothing.
 /// Returns  what was removed
-std::vector<StoredSize> remove_beyond_retention(sqlite::Connection& db, const RetentionRules& rules,
+std::vector<StoredSize> remove_beyond_retention(sql::Connection& db, const RetentionRules& rules,
                                                 core::UtcTime now);
 
 }  // namespace floeplan::repository

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "storage/sqlite/connection.hpp"
+#include "storage/sql/connection.hpp"
 
 namespace floeplan::repository {
 
@@ -12,14 +12,11 @@ namespace floeplan::repository {
 /// From this schema on the pages of a database have checksums.
 inline constexpr std::int64_t first_schema_with_checksums = 12;
 
-/// That of an open database; 0: it is empty.
-[[nodiscard]] std::int64_t schema_of(sqlite::Connection& db);
-
 /// Errors  std::runtime_error for a schema that this program does not know yet
 void refuse_newer_schema(std::int64_t schema);
 
 /// Brings a database of any older schema, and an empty one, to the newest in one transaction.
 /// Errors  std::runtime_error for a newer one, and where rows refer to others that are not there
-void bring_to_newest_schema(sqlite::Connection& db);
+void bring_to_newest_schema(sql::Connection& db);
 
 }  // namespace floeplan::repository

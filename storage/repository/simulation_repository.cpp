@@ -1,7 +1,7 @@
 #include "storage/repository/simulation_repository.hpp"
 
-#include "storage/sqlite/statement.hpp"
-#include "storage/sqlite/transaction.hpp"
+#include "storage/sql/statement.hpp"
+#include "storage/sql/transaction.hpp"
 
 namespace floeplan::repository {
 namespace {
@@ -13,7 +13,7 @@ constexpr const char* select_flight =
     "SELECT run, document_json FROM simulation_flight WHERE simulation_row = (SELECT row FROM simulation "
     "WHERE id = ?1) ";
 
-SimulationRecord read_simulation(const sqlite::Statement& row) {
+SimulationRecord read_simulation(const sql::Row& row) {
   return {.row = row.integer(0),
           .id = {row.text(1)},
           .plan_id = row.text(2),
@@ -27,8 +27,8 @@ SimulationRecord read_simulation(const sqlite::Statement& row) {
 
 std::int64_t SimulationRepository::insert(const SimulationRecord& simulation,
                                           const std::vector<SimulatedFlight>& flights) {
-  sqlite::Transaction transaction{db_};
-  sqlite::Statement insert{
+  sql::Transaction transaction{db_};
+  sql::Statement insert{
       db_,
       "INSERT INTO simulation (id, plan_id, name, created_s, request_json, document_json, stored_bytes) "
       "VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7) ON CONFLICT (id) DO NOTHING"};
@@ -40,12 +40,12 @@ std::int64_t SimulationRepository::insert(const SimulationRecord& simulation,
 
   std::int64_t row = 0;
   {
-    sqlite::Statement query{db_, "SELECT row FROM simulation WHERE id = ?1"};
+    sql::Statement query{db_, "SELECT row FROM simulation WHERE id = ?1"};
     query.bind(1, simulation.id.value);
     if (query.step()) row = query.integer(0);
   }
   if (fresh) {
-    sqlite::Statement insert_flight{
+    sql::Statement insert_flight{
         db_, "INSERT INTO simulation_flight (simulation_row, run, document_json) VALUES (?1, ?2, ?3)"};
     for (const SimulatedFlight& flight : flights) {
       insert_flight.bind_all(row, flight.run, flight.document_json);
@@ -57,7 +57,7 @@ std::int64_t SimulationRepository::insert(const SimulationRecord& simulation,
 }
 
 std::optional<SimulationRecord> SimulationRepository::find(const SimulationId& id) const {
-  sqlite::Statement query{db_, std::string{select_simulation} + "WHERE id = ?1"};
+  sql::Statement query{db_, std::string{select_simulation} + "WHERE id = ?1"};
   query.bind(1, id.value);
   if (!query.step()) return std::nullopt;
   return read_simulation(query);
@@ -65,9 +65,9 @@ std::optional<SimulationRecord> SimulationRepository::find(const SimulationId& i
 
 std::vector<SimulationRecord> SimulationRepository::list(const std::optional<std::string>& plan_id,
                                                          std::int64_t after, int limit) const {
-  sqlite::Statement query{
-      db_, std::string{select_simulation} +
-               "WHERE row > ?1 AND (?2 IS NULL OR plan_id = ?2) ORDER BY row LIMIT max(?3, 0)"};
+  sql::Statement query{db_,
+                       std::string{select_simulation} +
+                           "WHERE row > ?1 AND (?2 IS NULL OR plan_id = ?2) ORDER BY row LIMIT max(?3, 0)"};
   query.bind_all(after, plan_id, limit);
   std::vector<SimulationRecord> simulations;
   while (query.step()) simulations.push_back(read_simulation(query));
@@ -77,8 +77,8 @@ std::vector<SimulationRecord> SimulationRepository::list(const std::optional<std
 PartialList<SimulationRecord> SimulationRepository::list_past_damage(
     const std::optional<std::string>& plan_id, std::int64_t after, int limit) const {
   const auto of_row = [&](std::int64_t row) -> std::optional<SimulationRecord> {
-    sqlite::Statement query{
-        db_, std::string{select_simulation} + "WHERE row = ?1 AND (?2 IS NULL OR plan_id = ?2)"};
+    sql::Statement query{db_,
+                         std::string{select_simulation} + "WHERE row = ?1 AND (?2 IS NULL OR plan_id = ?2)"};
     query.bind_all(row, plan_id);
     return query.step() ? std::optional{read_simulation(query)} : std::nullopt;
   };
@@ -88,21 +88,21 @@ PartialList<SimulationRecord> SimulationRepository::list_past_damage(
 }
 
 std::int64_t SimulationRepository::count(const std::optional<std::string>& plan_id) const {
-  sqlite::Statement query{db_, "SELECT count(*) FROM simulation WHERE ?1 IS NULL OR plan_id = ?1"};
+  sql::Statement query{db_, "SELECT count(*) FROM simulation WHERE ?1 IS NULL OR plan_id = ?1"};
   query.bind_all(plan_id);
   return query.step() ? query.integer(0) : 0;
 }
 
 std::optional<SimulatedFlight> SimulationRepository::find_flight(const SimulationId& id,
                                                                  std::int64_t run) const {
-  sqlite::Statement query{db_, std::string{select_flight} + "AND run = ?2"};
+  sql::Statement query{db_, std::string{select_flight} + "AND run = ?2"};
   query.bind_all(id.value, run);
   if (!query.step()) return std::nullopt;
   return SimulatedFlight{query.integer(0), query.text(1)};
 }
 
 std::vector<SimulatedFlight> SimulationRepository::flights(const SimulationId& id) const {
-  sqlite::Statement query{db_, std::string{select_flight} + "ORDER BY run"};
+  sql::Statement query{db_, std::string{select_flight} + "ORDER BY run"};
   query.bind(1, id.value);
   std::vector<SimulatedFlight> flights;
   while (query.step()) flights.push_back({query.integer(0), query.text(1)});
@@ -110,7 +110,7 @@ std::vector<SimulatedFlight> SimulationRepository::flights(const SimulationId& i
 }
 
 bool SimulationRepository::remove(const SimulationId& id) {
-  sqlite::Statement remove{db_, "DELETE FROM simulation WHERE id = ?1"};
+  sql::Statement remove{db_, "DELETE FROM simulation WHERE id = ?1"};
   remove.bind(1, id.value);
   return remove.run() > 0;
 }

@@ -7,7 +7,7 @@
 
 #include "engine/core/units.hpp"
 #include "storage/repository/partial_list.hpp"
-#include "storage/sqlite/connection.hpp"
+#include "storage/sql/connection.hpp"
 
 namespace floeplan::repository {
 
@@ -37,7 +37,7 @@ struct SimulatedFlight {
 /// Threads  as the connection: one thread at a time
 class SimulationRepository {
  public:
-  explicit SimulationRepository(sqlite::Connection& db) : db_{db} {}
+  explicit SimulationRepository(sql::Connection& db) : db_{db} {}
 
   /// Stores the simulation with those of its flights that are kept whole, all or nothing; one with the same id is left
   /// as it is (the id is a digest of inputs and data). Returns its row.
@@ -56,7 +56,7 @@ class SimulationRepository {
   bool remove(const SimulationId& id);
 
  private:
-  sqlite::Connection& db_;  // borrowed
+  sql::Connection& db_;  // borrowed
 };
 
 }  // namespace floeplan::repository

@@ -76,7 +76,7 @@ void report_tides(ocean::Environment& environment, const Tides& tides, TidesMode
 
 }  // namespace
 
-Tides load_tides(sqlite::Connection& db, const std::vector<Dataset>& stored, const TidesQuery& query,
+Tides load_tides(sql::Connection& db, const std::vector<Dataset>& stored, const TidesQuery& query,
                  const geo::BoundingBox& area, core::Violations& violations) {
   Tides tides;
   if (!query.wanted()) {
@@ -109,7 +109,7 @@ Tides load_tides(sqlite::Connection& db, const std::vector<Dataset>& stored, con
   return tides;
 }
 
-Tides load_again(sqlite::Connection& db, const Tides& tides, const geo::BoundingBox& area) {
+Tides load_again(sql::Connection& db, const Tides& tides, const geo::BoundingBox& area) {
   Tides again;
   for (const Dataset& dataset : tides.datasets) {
     auto model = TideRepository{db}.load(dataset.id, area);

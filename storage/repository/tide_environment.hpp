@@ -8,7 +8,7 @@
 #include "engine/ocean/environment.hpp"
 #include "engine/ocean/tide_overlay.hpp"
 #include "storage/repository/dataset_choice.hpp"
-#include "storage/sqlite/connection.hpp"
+#include "storage/sql/connection.hpp"
 
 namespace floeplan::repository {
 
@@ -35,12 +35,12 @@ struct Tides {
 /// Reads the models that the query names (or the newest one with currents) around the area.
 /// Errors   adds violations for a mode that is missing or given without tides, for datasets that do not exist, are of
 ///          another kind, share nothing with the area or hold no tidal currents; fields "/tides" and "/tides_mode"
-[[nodiscard]] Tides load_tides(sqlite::Connection& db, const std::vector<Dataset>& stored,
+[[nodiscard]] Tides load_tides(sql::Connection& db, const std::vector<Dataset>& stored,
                                const TidesQuery& query, const geo::BoundingBox& area,
                                core::Violations& violations);
 
 /// The same models around another area, as far as they are there.
-[[nodiscard]] Tides load_again(sqlite::Connection& db, const Tides& tides, const geo::BoundingBox& area);
+[[nodiscard]] Tides load_again(sql::Connection& db, const Tides& tides, const geo::BoundingBox& area);
 
 /// Puts the tidal currents into the environment, into every member of an ensemble too, and says in its messages what
 /// that implies. `period` counts where the currents have no times of their own.

@@ -7,8 +7,8 @@
 
 #include "storage/repository/dataset_row.hpp"
 #include "storage/repository/field_repository.hpp"
-#include "storage/sqlite/statement.hpp"
-#include "storage/sqlite/transaction.hpp"
+#include "storage/sql/statement.hpp"
+#include "storage/sql/transaction.hpp"
 
 namespace floeplan::repository {
 namespace {
@@ -101,13 +101,13 @@ std::optional<ocean::TideGrid> TideRepository::load(const DatasetId& id, const g
 }
 
 void TideRepository::insert(const DatasetId& id, const std::vector<TideStation>& stations) {
-  sqlite::Transaction transaction{db_};
+  sql::Transaction transaction{db_};
   const std::int64_t dataset = dataset_row(db_, id);
-  sqlite::Statement insert_station{
+  sql::Statement insert_station{
       db_,
       "INSERT INTO tide_station (dataset_row, position, name, lon_deg, lat_deg, quantity) "
       "VALUES (?1, ?2, ?3, ?4, ?5, ?6)"};
-  sqlite::Statement insert_constant{
+  sql::Statement insert_constant{
       db_,
       "INSERT INTO tide_constant (dataset_row, position, constituent, cosine, sine) "
       "VALUES (?1, ?2, ?3, ?4, ?5)"};
@@ -127,7 +127,7 @@ void TideRepository::insert(const DatasetId& id, const std::vector<TideStation>&
 }
 
 std::vector<TideStation> TideRepository::stations(const DatasetId& id) const {
-  sqlite::Statement query{
+  sql::Statement query{
       db_,
       "SELECT position, name, lon_deg, lat_deg, quantity FROM tide_station WHERE dataset_row = "
       "(SELECT row FROM dataset WHERE id = ?1) ORDER BY position"};
@@ -139,7 +139,7 @@ std::vector<TideStation> TideRepository::stations(const DatasetId& id) const {
       throw std::runtime_error{"the store holds a tide of an unknown quantity: " + query.text(4)};
     result.push_back({query.text(1), {query.real(2), query.real(3)}, *quantity, {}});
   }
-  sqlite::Statement constants{
+  sql::Statement constants{
       db_,
       "SELECT position, constituent, cosine, sine FROM tide_constant WHERE dataset_row = "
       "(SELECT row FROM dataset WHERE id = ?1) ORDER BY position, row"};

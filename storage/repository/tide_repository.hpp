@@ -10,7 +10,7 @@
 #include "engine/geo/bounding_box.hpp"
 #include "engine/ocean/tide_grid.hpp"
 #include "storage/repository/dataset.hpp"
-#include "storage/sqlite/connection.hpp"
+#include "storage/sql/connection.hpp"
 
 namespace floeplan::repository {
 
@@ -26,7 +26,7 @@ struct TideStation {
 /// Threads  as the connection: one thread at a time
 class TideRepository {
  public:
-  explicit TideRepository(sqlite::Connection& db) : db_{db} {}
+  explicit TideRepository(sql::Connection& db) : db_{db} {}
 
   void create(const DatasetId& id, const ocean::HorizontalGrid& grid);
   /// One field [y][x] of a grid that was created.
@@ -41,7 +41,7 @@ class TideRepository {
   [[nodiscard]] std::vector<TideStation> stations(const DatasetId& id) const;
 
  private:
-  sqlite::Connection& db_;  // borrowed
+  sql::Connection& db_;  // borrowed
 };
 
 }  // namespace floeplan::repository

@@ -4,8 +4,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "storage/sqlite/statement.hpp"
-#include "storage/sqlite/transaction.hpp"
+#include "storage/sql/statement.hpp"
+#include "storage/sql/transaction.hpp"
 
 namespace floeplan::repository {
 namespace {
@@ -14,7 +14,7 @@ constexpr std::array<std::pair<Role, const char*>, 3> role_names{
     {{Role::viewer, "viewer"}, {Role::pilot, "pilot"}, {Role::admin, "admin"}}};
 
 /// From the columns name, role, key, digest, created_s.
-TokenRecord read_token(const sqlite::Statement& row) {
+TokenRecord read_token(const sql::Row& row) {
   const auto role = role_of(row.text(1));
   if (!role) throw std::runtime_error{"the store holds a token with the unknown role " + row.text(1)};
   return {
@@ -36,51 +36,51 @@ std::optional<Role> role_of(const std::string& name) {
 }
 
 bool TokenRepository::add(const TokenRecord& token) {
-  sqlite::Statement insert{db_,
-                           "INSERT INTO token (name, role, key, digest, created_s) VALUES (?1, ?2, ?3, ?4, "
-                           "?5) ON CONFLICT (name) DO NOTHING"};
+  sql::Statement insert{db_,
+                        "INSERT INTO token (name, role, key, digest, created_s) VALUES (?1, ?2, ?3, ?4, "
+                        "?5) ON CONFLICT (name) DO NOTHING"};
   insert.bind_all(token.name, role_name(token.role), token.key, token.digest, token.created);
   return insert.run() > 0;
 }
 
 bool TokenRepository::remove(const std::string& name) {
-  sqlite::Statement remove{db_, "DELETE FROM token WHERE name = ?1"};
+  sql::Statement remove{db_, "DELETE FROM token WHERE name = ?1"};
   remove.bind(1, name);
   return remove.run() > 0;
 }
 
 std::vector<TokenRecord> TokenRepository::list() const {
-  sqlite::Statement query{db_, "SELECT name, role, key, digest, created_s FROM token ORDER BY name"};
+  sql::Statement query{db_, "SELECT name, role, key, digest, created_s FROM token ORDER BY name"};
   std::vector<TokenRecord> tokens;
   while (query.step()) tokens.push_back(read_token(query));
   return tokens;
 }
 
 bool TokenRepository::any() const {
-  sqlite::Statement query{db_, "SELECT 1 FROM token LIMIT 1"};
+  sql::Statement query{db_, "SELECT 1 FROM token LIMIT 1"};
   return query.step();
 }
 
 bool TokenRepository::ever_any() const {
-  sqlite::Statement query{db_, "SELECT 1 FROM first_token"};
+  sql::Statement query{db_, "SELECT 1 FROM first_token"};
   return query.step();
 }
 
 std::optional<TokenRecord> TokenRepository::find(const std::string& key) const {
-  sqlite::Statement query{db_, "SELECT name, role, key, digest, created_s FROM token WHERE key = ?1"};
+  sql::Statement query{db_, "SELECT name, role, key, digest, created_s FROM token WHERE key = ?1"};
   query.bind(1, key);
   if (!query.step()) return std::nullopt;
   return read_token(query);
 }
 
 bool TokenRepository::log_in(const std::string& token_key, const LoginRecord& login) {
-  sqlite::Transaction transaction{db_};
-  sqlite::Statement forget{db_, "DELETE FROM login WHERE expires_s <= ?1"};
+  sql::Transaction transaction{db_};
+  sql::Statement forget{db_, "DELETE FROM login WHERE expires_s <= ?1"};
   forget.bind(1, login.created);
   forget.run();
-  sqlite::Statement insert{db_,
-                           "INSERT INTO login (token_row, key, digest, created_s, expires_s) SELECT row, ?2, "
-                           "?3, ?4, ?5 FROM token WHERE key = ?1"};
+  sql::Statement insert{db_,
+                        "INSERT INTO login (token_row, key, digest, created_s, expires_s) SELECT row, ?2, "
+                        "?3, ?4, ?5 FROM token WHERE key = ?1"};
   insert.bind_all(token_key, login.key, login.digest, login.created, login.expires);
   const bool opened = insert.run() > 0;
   transaction.commit();
@@ -88,17 +88,17 @@ bool TokenRepository::log_in(const std::string& token_key, const LoginRecord& lo
 }
 
 std::optional<TokenRecord> TokenRepository::find_login(const std::string& key, core::UtcTime now) const {
-  sqlite::Statement query{db_,
-                          "SELECT token.name, token.role, login.key, login.digest, token.created_s FROM "
-                          "login JOIN token ON token.row = login.token_row WHERE login.key = ?1 AND "
-                          "login.expires_s > ?2"};
+  sql::Statement query{db_,
+                       "SELECT token.name, token.role, login.key, login.digest, token.created_s FROM "
+                       "login JOIN token ON token.row = login.token_row WHERE login.key = ?1 AND "
+                       "login.expires_s > ?2"};
   query.bind_all(key, now);
   if (!query.step()) return std::nullopt;
   return read_token(query);
 }
 
 bool TokenRepository::log_out(const std::string& key) {
-  sqlite::Statement remove{db_, "DELETE FROM login WHERE key = ?1"};
+  sql::Statement remove{db_, "DELETE FROM login WHERE key = ?1"};
   remove.bind(1, key);
   return remove.run() > 0;
 }

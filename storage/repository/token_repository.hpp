@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "engine/core/units.hpp"
-#include "storage/sqlite/connection.hpp"
+#include "storage/sql/connection.hpp"
 
 namespace floeplan::repository {
 
@@ -38,7 +38,7 @@ struct LoginRecord {
 /// Threads  as the connection: one thread at a time
 class TokenRepository {
  public:
-  explicit TokenRepository(sqlite::Connection& db) : db_{db} {}
+  explicit TokenRepository(sql::Connection& db) : db_{db} {}
 
   /// False when there is one of this name already.
   [[nodiscard]] bool add(const TokenRecord& token);
@@ -58,7 +58,7 @@ class TokenRepository {
   bool log_out(const std::string& key);
 
  private:
-  sqlite::Connection& db_;  // borrowed
+  sql::Connection& db_;  // borrowed
 };
 
 }  // namespace floeplan::repository

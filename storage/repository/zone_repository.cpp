@@ -6,8 +6,8 @@
 #include "storage/repository/box_index.hpp"
 #include "storage/repository/dataset_row.hpp"
 #include "storage/repository/polygon_blob.hpp"
-#include "storage/sqlite/statement.hpp"
-#include "storage/sqlite/transaction.hpp"
+#include "storage/sql/statement.hpp"
+#include "storage/sql/transaction.hpp"
 
 namespace floeplan::repository {
 namespace {
@@ -16,7 +16,7 @@ const std::string select_of_dataset =
     "SELECT name, kind, from_s, until_s, top_m, bottom_m, rings FROM zone "
     "WHERE dataset_row = (SELECT row FROM dataset WHERE id = ?1)";
 
-ocean::Zone read_zone(const sqlite::Statement& row, BlobCodec& codec) {
+ocean::Zone read_zone(const sql::Row& row, BlobCodec& codec) {
   const auto kind = ocean::parse_zone_kind(row.text(1));
   if (!kind) throw std::runtime_error{"a stored zone has a rule that is not known"};
   ocean::Zone zone;
@@ -35,8 +35,8 @@ std::optional<double> bottom_m(const ocean::Zone& zone) {
 }
 
 /// `SELECT <what> FROM zone` with the filter's conditions, bound. The area is only narrowed down: check each outline.
-sqlite::Statement select_zones(sqlite::Connection& db, const std::string& what, const ZoneFilter& filter,
-                               std::int64_t after) {
+sql::Statement select_zones(sql::Connection& db, const std::string& what, const ZoneFilter& filter,
+                            std::int64_t after) {
   std::string sql = "SELECT " + what + " FROM zone WHERE row > ?1";
   if (filter.from) sql += " AND (until_s IS NULL OR until_s >= ?2)";
   if (filter.to) sql += " AND (from_s IS NULL OR from_s <= ?3)";
@@ -45,7 +45,7 @@ sqlite::Statement select_zones(sqlite::Connection& db, const std::string& what, 
   if (filter.name) sql += " AND name = ?6";
   if (filter.area) sql += " AND " + box_condition("zone_box", 7);
 
-  sqlite::Statement query{db, sql + " ORDER BY row"};
+  sql::Statement query{db, sql + " ORDER BY row"};
   query.bind(1, after);
   if (filter.from) query.bind(2, *filter.from);
   if (filter.to) query.bind(3, *filter.to);
@@ -68,26 +68,26 @@ bool is_wanted(const ocean::Zone& zone, const ZoneFilter& filter) {
 }  // namespace
 
 std::int64_t ZoneRepository::add(const DatasetId& dataset, const ocean::Zone& zone) {
-  sqlite::Transaction transaction{db_};
+  sql::Transaction transaction{db_};
   insert(dataset, {zone});
-  sqlite::Statement query{db_, "SELECT max(row) FROM zone"};
+  sql::Statement query{db_, "SELECT max(row) FROM zone"};
   const std::int64_t row = query.step() ? query.integer(0) : 0;
   transaction.commit();
   return row;
 }
 
 bool ZoneRepository::replace(std::int64_t row, const ocean::Zone& zone) {
-  sqlite::Transaction transaction{db_};
+  sql::Transaction transaction{db_};
   BlobCodec codec;
-  sqlite::Statement update{db_,
-                           "UPDATE zone SET name = ?2, kind = ?3, from_s = ?4, until_s = ?5, top_m = ?6, "
-                           "bottom_m = ?7, rings = ?8 WHERE row = ?1"};
+  sql::Statement update{db_,
+                        "UPDATE zone SET name = ?2, kind = ?3, from_s = ?4, until_s = ?5, top_m = ?6, "
+                        "bottom_m = ?7, rings = ?8 WHERE row = ?1"};
   update.bind_all(row, zone.name, ocean::zone_kind_name(zone.kind), zone.from, zone.until, zone.top.value,
                   bottom_m(zone), pack_polygon(codec, zone.area));
   const bool found = update.run() > 0;
   const geo::BoundingBox box = geo::bounding_box(zone.area);
   const UnrolledBox width = unrolled(box);
-  sqlite::Statement index{
+  sql::Statement index{
       db_, "UPDATE zone_box SET west_deg = ?2, east_deg = ?3, south_deg = ?4, north_deg = ?5 WHERE row = ?1"};
   index.bind_all(row, width.west_deg, width.east_deg, box.south_deg, box.north_deg);
   index.run();
@@ -96,13 +96,13 @@ bool ZoneRepository::replace(std::int64_t row, const ocean::Zone& zone) {
 }
 
 bool ZoneRepository::remove(std::int64_t row) {
-  sqlite::Statement remove{db_, "DELETE FROM zone WHERE row = ?1"};
+  sql::Statement remove{db_, "DELETE FROM zone WHERE row = ?1"};
   remove.bind(1, row);
   return remove.run() > 0;
 }
 
 std::optional<StoredZone> ZoneRepository::find(std::int64_t row) const {
-  sqlite::Statement query{db_, "SELECT " + stored_columns + " FROM zone WHERE row = ?1"};
+  sql::Statement query{db_, "SELECT " + stored_columns + " FROM zone WHERE row = ?1"};
   query.bind(1, row);
   if (!query.step()) return std::nullopt;
   BlobCodec codec;
@@ -110,7 +110,7 @@ std::optional<StoredZone> ZoneRepository::find(std::int64_t row) const {
 }
 
 std::vector<StoredZone> ZoneRepository::list(const ZoneFilter& filter, std::int64_t after, int limit) const {
-  sqlite::Statement query = select_zones(db_, stored_columns, filter, after);
+  sql::Statement query = select_zones(db_, stored_columns, filter, after);
   std::vector<StoredZone> zones;
   BlobCodec codec;
   while (std::ssize(zones) < limit && query.step()) {
@@ -122,10 +122,10 @@ std::vector<StoredZone> ZoneRepository::list(const ZoneFilter& filter, std::int6
 
 std::int64_t ZoneRepository::count(const ZoneFilter& filter) const {
   if (!filter.area) {
-    sqlite::Statement query = select_zones(db_, "count(*)", filter, 0);
+    sql::Statement query = select_zones(db_, "count(*)", filter, 0);
     return query.step() ? query.integer(0) : 0;
   }
-  sqlite::Statement query = select_zones(db_, stored_columns, filter, 0);
+  sql::Statement query = select_zones(db_, stored_columns, filter, 0);
   std::int64_t zones = 0;
   BlobCodec codec;
   while (query.step()) zones += is_wanted(read_zone(query, codec), filter) ? 1 : 0;
@@ -133,13 +133,12 @@ std::int64_t ZoneRepository::count(const ZoneFilter& filter) const {
 }
 
 void ZoneRepository::insert(const DatasetId& dataset, const std::vector<ocean::Zone>& zones) {
-  sqlite::Transaction transaction{db_};
+  sql::Transaction transaction{db_};
   const std::int64_t dataset_number = dataset_row(db_, dataset);
-  sqlite::Statement insert{
-      db_,
-      "INSERT INTO zone (dataset_row, name, kind, from_s, until_s, top_m, bottom_m, rings) "
-      "VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8)"};
-  sqlite::Statement insert_box{db_, "INSERT INTO zone_box VALUES (last_insert_rowid(), ?1, ?2, ?3, ?4)"};
+  sql::Statement insert{db_,
+                        "INSERT INTO zone (dataset_row, name, kind, from_s, until_s, top_m, bottom_m, rings) "
+                        "VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8)"};
+  sql::Statement insert_box{db_, "INSERT INTO zone_box VALUES (last_insert_rowid(), ?1, ?2, ?3, ?4)"};
   BlobCodec codec;
   for (const ocean::Zone& zone : zones) {
     insert.bind_all(dataset_number, zone.name, ocean::zone_kind_name(zone.kind), zone.from, zone.until,
@@ -157,9 +156,8 @@ void ZoneRepository::insert(const DatasetId& dataset, const std::vector<ocean::Z
 std::vector<ocean::Zone> ZoneRepository::load(const DatasetId& dataset, const geo::BoundingBox& area,
                                               core::UtcTime from) const {
   constexpr int first_of_box = 4;
-  sqlite::Statement query{db_, select_of_dataset +
-                                   " AND (until_s IS NULL OR until_s >= ?2) AND (kind = ?3 OR " +
-                                   box_condition("zone_box", first_of_box) + ") ORDER BY row"};
+  sql::Statement query{db_, select_of_dataset + " AND (until_s IS NULL OR until_s >= ?2) AND (kind = ?3 OR " +
+                                box_condition("zone_box", first_of_box) + ") ORDER BY row"};
   query.bind_all(dataset.value, from, ocean::zone_kind_name(ocean::ZoneKind::stay_in));
   bind_box(query, first_of_box, area);
   std::vector<ocean::Zone> zones;
@@ -173,7 +171,7 @@ std::vector<ocean::Zone> ZoneRepository::load(const DatasetId& dataset, const ge
 }
 
 std::vector<ocean::Zone> ZoneRepository::at(const DatasetId& dataset, geo::LonLat place) const {
-  sqlite::Statement query{db_, select_of_dataset + " AND " + box_condition("zone_box", 2) + " ORDER BY row"};
+  sql::Statement query{db_, select_of_dataset + " AND " + box_condition("zone_box", 2) + " ORDER BY row"};
   query.bind(1, dataset.value);
   bind_box(query, 2, {place.lon_deg, place.lat_deg, place.lon_deg, place.lat_deg});
   std::vector<ocean::Zone> zones;

@@ -9,7 +9,7 @@
 #include "engine/geo/bounding_box.hpp"
 #include "engine/ocean/zone.hpp"
 #include "storage/repository/dataset.hpp"
-#include "storage/sqlite/connection.hpp"
+#include "storage/sql/connection.hpp"
 
 namespace floeplan::repository {
 
@@ -38,7 +38,7 @@ struct ZoneFilter {
 /// Threads  as the connection: one thread at a time
 class ZoneRepository {
  public:
-  explicit ZoneRepository(sqlite::Connection& db) : db_{db} {}
+  explicit ZoneRepository(sql::Connection& db) : db_{db} {}
 
   void insert(const DatasetId& dataset, const std::vector<ocean::Zone>& zones);
   /// One zone more; returns its row.
@@ -58,7 +58,7 @@ class ZoneRepository {
   [[nodiscard]] std::vector<ocean::Zone> at(const DatasetId& dataset, geo::LonLat place) const;
 
  private:
-  sqlite::Connection& db_;  // borrowed
+  sql::Connection& db_;  // borrowed
 };
 
 }  // namespace floeplan::repository

@@ -56,9 +56,11 @@ const std::map<std::string, Folder>& folders() {
       {"engine/mission", {{"engine/planning/problem"}, {"engine/planning"}}},
       {"engine/avoidance", {{"engine/graph", "engine/motion", "engine/vehicle"}}},
       {"engine/simulation", {{"engine/mission", "engine/avoidance", "engine/planning/ice"}}},
-      {"storage/sqlite", {{"engine/core"}}},
+      {"storage/sql/driver", {{}}},
+      {"storage/sql/sqlite", {{"storage/sql/driver"}}},
+      {"storage/sql", {{"storage/sql/sqlite", "engine/core"}}},
       {"storage/json", {{}}},
-      {"storage/repository", {{"storage/sqlite", "storage/json", "engine/mission", "engine/simulation"}}},
+      {"storage/repository", {{"storage/sql", "storage/json", "engine/mission", "engine/simulation"}}},
       {"storage/xml", {{"engine/core"}}},
       {"storage/sandbox", {{}}},
       {"storage/ingest/common", {{"storage/repository"}}},
@@ -129,7 +131,7 @@ const std::vector<Library>& libraries() {
       {std::regex{"gdal.*|ogr.*|cpl_.*"}, {"storage/ingest", "storage/demo"}},
       {std::regex{"seccomp\\.h"}, {"storage/sandbox"}},
       {std::regex{"expat\\.h"}, {"storage/xml"}},
-      {std::regex{"sqlite3.*|SQLiteCpp/.*"}, {"storage/sqlite"}},
+      {std::regex{"sqlite3.*|SQLiteCpp/.*"}, {"storage/sql/sqlite"}},
       {std::regex{"boost/(beast|asio).*|openssl/ssl.*"}, {"server"}},
   };
   return all;

@@ -10,7 +10,7 @@
 #include "engine/geo/bounding_box.hpp"
 #include "storage/ingest/common/refusal.hpp"
 #include "storage/repository/dataset.hpp"
-#include "storage/sqlite/connection.hpp"
+#include "storage/sql/connection.hpp"
 
 namespace floeplan::ingest {
 
@@ -27,7 +27,7 @@ struct PreparedDataset {
   std::int64_t rows_refused{};
   std::vector<std::string> warnings;
   /// Runs inside the file's transaction. Refuses when the file can no longer be read.
-  std::function<tl::expected<void, std::string>(sqlite::Connection&, const repository::DatasetId&)> write;
+  std::function<tl::expected<void, std::string>(sql::Connection&, const repository::DatasetId&)> write;
 };
 
 }  // namespace floeplan::ingest

@@ -61,7 +61,7 @@ std::vector<FileGroup> guarded_groups(const Guard& guard, FileGroup files, const
 
 /// A store for the reader of one group of files. It lists what is stored already, so that the same file is not read
 /// twice. Only the reader opens it afterwards.
-void prepare_scratch_store(sqlite::Connection& db, const std::filesystem::path& folder) {
+void prepare_scratch_store(sql::Connection& db, const std::filesystem::path& folder) {
   auto scratch = repository::open_scratch_store(folder);
   repository::DatasetRepository listed{scratch};
   for (const auto& dataset : repository::DatasetRepository{db}.list()) listed.insert(dataset);
@@ -82,7 +82,7 @@ class Delivery {
 
   /// Takes over what came, if that is what was reported.
   /// Errors   repository::BrokenParcel when it is not
-  std::vector<repository::DatasetId> take_over(sqlite::Connection& db,
+  std::vector<repository::DatasetId> take_over(sql::Connection& db,
                                                const std::vector<IngestReport>& reports) {
     std::vector<std::string> reported;
     for (const IngestReport& report : reports)
@@ -102,7 +102,7 @@ class Delivery {
  private:
   const std::filesystem::path& parent_;
   std::optional<StagingFolder> folder_;
-  std::optional<sqlite::Connection> db_;
+  std::optional<sql::Connection> db_;
   std::optional<repository::DatasetReceiver> receiver_;
 };
 
@@ -114,7 +114,7 @@ bool is_possible(const IngestReport& report) {
 
 /// Completes a report of the reader with the dataset as it is now stored here. Another process may have stored the same
 /// file meanwhile, or removed it.
-IngestReport completed(sqlite::Connection& db, IngestReport report,
+IngestReport completed(sql::Connection& db, IngestReport report,
                        const std::vector<repository::DatasetId>& taken_over) {
   if (!report.dataset) return report;
   const repository::DatasetId id = report.dataset->id;
@@ -130,7 +130,7 @@ IngestReport completed(sqlite::Connection& db, IngestReport report,
   return report;
 }
 
-std::optional<std::vector<IngestReport>> ingest_one_group(sqlite::Connection& db, const Guard& guard,
+std::optional<std::vector<IngestReport>> ingest_one_group(sql::Connection& db, const Guard& guard,
                                                           const FileGroup& files,
                                                           const IngestOptions& options, core::UtcTime now,
                                                           const std::stop_token& stop,
@@ -247,7 +247,7 @@ std::optional<sandbox::Layers> layers_in_force(const Guard& guard) {
       .layers;
 }
 
-std::vector<IngestReport> guarded_ingest(sqlite::Connection& db, const Guard& guard,
+std::vector<IngestReport> guarded_ingest(sql::Connection& db, const Guard& guard,
                                          const std::vector<std::filesystem::path>& files,
                                          const IngestOptions& options, core::UtcTime now,
                                          const std::stop_token& stop, const core::ProgressCallback& progress,

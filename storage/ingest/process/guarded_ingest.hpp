@@ -11,7 +11,7 @@
 #include "storage/ingest/ingest_report.hpp"
 #include "storage/ingest/process/guard.hpp"
 #include "storage/sandbox/confinement.hpp"
-#include "storage/sqlite/connection.hpp"
+#include "storage/sql/connection.hpp"
 
 namespace floeplan::ingest {
 
@@ -27,7 +27,7 @@ namespace floeplan::ingest {
 /// Returns  the reports; of a group during which `stop` was requested none, and none of those after it
 /// Errors   std::runtime_error when the store or the machine fails
 [[nodiscard]] std::vector<IngestReport> guarded_ingest(
-    sqlite::Connection& db, const Guard& guard, const std::vector<std::filesystem::path>& files,
+    sql::Connection& db, const Guard& guard, const std::vector<std::filesystem::path>& files,
     const IngestOptions& options, core::UtcTime now, const std::stop_token& stop,
     const core::ProgressCallback& progress, const std::function<void(const IngestReport&)>& reported);
 

@@ -22,7 +22,7 @@
 #include "storage/repository/dataset_rows.hpp"
 #include "storage/repository/migrations.hpp"
 #include "storage/sandbox/confinement.hpp"
-#include "storage/sqlite/failure.hpp"
+#include "storage/sql/driver/failure.hpp"
 
 namespace floeplan::ingest {
 namespace {
@@ -98,7 +98,7 @@ ReaderEvent unpacked(const std::filesystem::path& archive, const std::filesystem
   return told;
 }
 
-void hand_over_what_was_stored(sqlite::Connection& db, const std::vector<IngestReport>& reports,
+void hand_over_what_was_stored(sql::Connection& db, const std::vector<IngestReport>& reports,
                                const Reporter& reporter) {
   std::vector<repository::DatasetId> stored;
   for (const IngestReport& report : reports)
@@ -153,7 +153,7 @@ int read_foreign_files(const std::filesystem::path& staging,
     if (is_confined(request, staging, files, reporter)) work(request, staging, files, reporter);
   } catch (const std::bad_alloc&) {
     reporter.tell(Failed{Failed::Cause::memory, ""});
-  } catch (const sqlite::Failure& failure) {
+  } catch (const sql::Failure& failure) {
     reporter.tell(Failed{Failed::Cause::store, failure.what()});
   } catch (const std::exception& fault) {
     reporter.tell(Failed{Failed::Cause::reader, fault.what()});

@@ -14,7 +14,7 @@
 
 #include "storage/ingest/common/gdal_guard.hpp"
 #include "storage/ingest/notation/text.hpp"
-#include "storage/sqlite/foreign_schema.hpp"
+#include "storage/sql/foreign_database.hpp"
 
 namespace floeplan::ingest {
 namespace {
@@ -78,7 +78,7 @@ void add_what_lies_beside(const fs::path& folder, const Stems& stems, std::vecto
 
 void prepare_libraries() {
   OPENSSL_init_crypto(0, nullptr);
-  sqlite::distrust_schemas();
+  sql::distrust_schemas();
   H5open();
   H5PLset_loading_state(0);
   register_drivers();

@@ -13,7 +13,7 @@ namespace floeplan::support {
 /// A queue without workers: jobs stay as they were submitted until a test changes them.
 class IdleJobs : public routes::JobGateway {
  public:
-  tl::expected<repository::JobRecord, routes::SubmissionRefused> submit(sqlite::Connection& db,
+  tl::expected<repository::JobRecord, routes::SubmissionRefused> submit(sql::Connection& db,
                                                                         const routes::Submission& submission,
                                                                         core::UtcTime now) override {
     last_submission = submission;
@@ -29,7 +29,7 @@ class IdleJobs : public routes::JobGateway {
     repository::JobRepository{db}.submit(job);
     return job;
   }
-  bool dismiss(sqlite::Connection& db, const repository::JobId& id, core::UtcTime now) override {
+  bool dismiss(sql::Connection& db, const repository::JobId& id, core::UtcTime now) override {
     return repository::JobRepository{db}.dismiss(id, now);
   }
   std::shared_ptr<void> subscribe(const repository::JobId&, std::function<void()>) override {
@@ -66,7 +66,7 @@ class ApiTest : public testing::Test {
     return router_.answer({db_, jobs_, service_}, last_request_);
   }
 
-  sqlite::Connection db_{repository::open_store_in_memory()};
+  sql::Connection db_{repository::open_store_in_memory()};
   IdleJobs jobs_;
   routes::ServiceInfo service_{.public_url = "http://127.0.0.1:8080",
                                .web = {},

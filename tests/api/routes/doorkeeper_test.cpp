@@ -52,7 +52,7 @@ class DoorsTest : public testing::Test {
   }
 
   core::UtcTime now_{noon};
-  sqlite::Connection db_{repository::open_store_in_memory()};
+  sql::Connection db_{repository::open_store_in_memory()};
   support::IdleJobs jobs_;
   ServiceInfo service_{"http://127.0.0.1:8080", {}, {}};
   Doorkeeper keeper_;

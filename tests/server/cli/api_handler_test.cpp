@@ -6,14 +6,14 @@
 #include "storage/repository/migrations.hpp"
 #include "storage/repository/plan_repository.hpp"
 #include "storage/repository/token_repository.hpp"
-#include "storage/sqlite/failure.hpp"
+#include "storage/sql/driver/failure.hpp"
 #include "tests/api/routes/api_fixture.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace floeplan::cli::api_handler_test {
 namespace {
 
-using sqlite::Trouble;
+using sql::Trouble;
 
 routes::Request upload() {
   routes::Request request;
@@ -25,8 +25,8 @@ routes::Request upload() {
 
 /// An API on a store that fails whenever it is opened.
 Api api_without_store(Trouble trouble, support::IdleJobs& jobs) {
-  return make_api([trouble]() -> sqlite::Connection { throw sqlite::Failure{"the disk is gone", trouble}; },
-                  jobs, {}, {});
+  return make_api([trouble]() -> sql::Connection { throw sql::Failure{"the disk is gone", trouble}; }, jobs,
+                  {}, {});
 }
 
 TEST(ApiHandler, AnswersATroubledStoreAlikeBeforeAndAfterABodyIsTakenIn) {
@@ -78,7 +78,7 @@ class AtOnce : public testing::Test {
 
   const std::string plan_{"/collections/plans/items/p1"};
   support::TemporaryFolder folder_;
-  sqlite::Connection other_{repository::open_store(folder_.path())};
+  sql::Connection other_{repository::open_store(folder_.path())};
   support::IdleJobs jobs_;
   Api api_{make_api([this] { return repository::open_store(folder_.path()); }, jobs_, {}, {})};
 };

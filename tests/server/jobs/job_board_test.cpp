@@ -25,7 +25,7 @@ class JobBoardTest : public testing::Test {
     ASSERT_TRUE(JobRepository{db_}.succeed(id, "w", "{}", some_time));
   }
 
-  sqlite::Connection db_{repository::open_store_in_memory()};
+  sql::Connection db_{repository::open_store_in_memory()};
   JobBoard board_;
 };
 

@@ -8,7 +8,7 @@
 #include "storage/repository/dataset_repository.hpp"
 #include "storage/repository/iceberg_repository.hpp"
 #include "storage/repository/migrations.hpp"
-#include "storage/sqlite/statement.hpp"
+#include "storage/sql/statement.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace floeplan::jobs::plan_service_test {
@@ -20,7 +20,7 @@ constexpr core::UtcTime some_time{core::Seconds{1.8e9}};
 
 TEST(PlanService, AnswersWithThePlanThatIsStored) {
   const support::TemporaryFolder store;
-  sqlite::Connection db{repository::open_store(store.path())};
+  sql::Connection db{repository::open_store(store.path())};
   const auto inputs = codec::parse_plan_inputs(json{{"from", {-53, 69}},
                                                     {"to", {-52.9, 69.05}},
                                                     {"depart", "2026-11-20T06:00:00Z"},
@@ -30,7 +30,7 @@ TEST(PlanService, AnswersWithThePlanThatIsStored) {
   ASSERT_EQ(first.at("status"), "ok");
 
   // As if an attempt that was killed after it had stored its plan had taken longer.
-  sqlite::execute(db, "UPDATE plan SET document_json = json_set(document_json, '$.search.seconds', 7)");
+  sql::execute(db, "UPDATE plan SET document_json = json_set(document_json, '$.search.seconds', 7)");
   const json second = plan_route_document(db, inputs, {}, {}, some_time).value();
   EXPECT_EQ(second.at("plan_id"), first.at("plan_id"));
   EXPECT_EQ(second.at("search").at("seconds"), 7);
@@ -49,7 +49,7 @@ json figures(const json& evaluation) {
   return result;
 }
 
-void add_iceberg(sqlite::Connection& db, geo::LonLat place) {
+void add_iceberg(sql::Connection& db, geo::LonLat place) {
   repository::Dataset dataset;
   dataset.id = {"icebergs-12345678"};
   dataset.kind = repository::DatasetKind::icebergs;
@@ -67,7 +67,7 @@ void add_iceberg(sqlite::Connection& db, geo::LonLat place) {
 
 TEST(PlanService, AnotherPlanForTheSameInputsAndDataHasAnIdOfItsOwn) {
   const support::TemporaryFolder store;
-  sqlite::Connection db{repository::open_store(store.path())};
+  sql::Connection db{repository::open_store(store.path())};
   add_iceberg(db, {-52.7, 69.2});
   const auto inputs =
       codec::parse_plan_inputs(
@@ -77,7 +77,7 @@ TEST(PlanService, AnotherPlanForTheSameInputsAndDataHasAnIdOfItsOwn) {
   ASSERT_EQ(before.at("status"), "ok");
 
   // As if another program read more from the same data.
-  sqlite::execute(db, "UPDATE sighting SET lat_deg = 69.02");
+  sql::execute(db, "UPDATE sighting SET lat_deg = 69.02");
   const json after = plan_route_document(db, inputs, {}, {}, some_time).value();
 
   ASSERT_EQ(after.at("status"), "ok");
@@ -93,7 +93,7 @@ KeptWork room_for_work() {
 
 TEST(PlanService, EvaluatesOnKeptGroundAsOnNew) {
   const support::TemporaryFolder store;
-  sqlite::Connection db{repository::open_store(store.path())};
+  sql::Connection db{repository::open_store(store.path())};
   KeptWork kept = room_for_work();
   for (const double lat_deg : {69.05, 69.051, 69.049, 69.05}) {
     const json evaluation = evaluate_route_document(db, route_past(lat_deg), {}, &kept).value();
@@ -104,7 +104,7 @@ TEST(PlanService, EvaluatesOnKeptGroundAsOnNew) {
 
 TEST(PlanService, KeepsNoGroundBeyondAChangeOfTheData) {
   const support::TemporaryFolder store;
-  sqlite::Connection db{repository::open_store(store.path())};
+  sql::Connection db{repository::open_store(store.path())};
   KeptWork kept = room_for_work();
   ASSERT_EQ(evaluate_route_document(db, route_past(69.05), {}, &kept).value().at("status"), "ok");
 

@@ -12,7 +12,7 @@
 #include "server/jobs/scenario_service.hpp"
 #include "storage/json/json.hpp"
 #include "storage/repository/migrations.hpp"
-#include "storage/sqlite/statement.hpp"
+#include "storage/sql/statement.hpp"
 #include "tests/server/jobs/wait_until.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -50,7 +50,7 @@ class WorkerPoolTest : public testing::Test {
   }
 
   support::TemporaryFolder store_;
-  sqlite::Connection db_{repository::open_store(store_.path())};
+  sql::Connection db_{repository::open_store(store_.path())};
   JobBoard board_;
 };
 
@@ -72,14 +72,14 @@ TEST_F(WorkerPoolTest, FailsAJobThatCannotBeDoneWithTheReason) {
 }
 
 TEST_F(WorkerPoolTest, KeepsAPlanForWhichTheDiskHasNoRoomUntilThereIs) {
-  sqlite::execute(
+  sql::execute(
       db_,
       "CREATE TABLE filler AS WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n WHERE i < "
       "100) SELECT i, randomblob(8000) FROM n");
   const auto job = submit("plan-route", plan_of_many_legs);
   const OpenStore open_full_store = [open = open_store()] {
-    sqlite::Connection db = open();
-    sqlite::execute(db, "PRAGMA max_page_count = 1");  // no more pages than there are
+    sql::Connection db = open();
+    sql::execute(db, "PRAGMA max_page_count = 1");  // no more pages than there are
     return db;
   };
   WorkerPool pool{open_full_store, board_, 1};
@@ -88,7 +88,7 @@ TEST_F(WorkerPoolTest, KeepsAPlanForWhichTheDiskHasNoRoomUntilThereIs) {
     return found->status == JobStatus::accepted && found->updated != job.updated;
   }));
 
-  sqlite::execute(db_, "DROP TABLE filler");  // its pages are free for whoever needs them
+  sql::execute(db_, "DROP TABLE filler");  // its pages are free for whoever needs them
 
   EXPECT_TRUE(wait_for(job.id, JobStatus::successful)) << JobRepository{db_}.find(job.id)->message;
 }
@@ -126,18 +126,18 @@ TEST_F(WorkerPoolTest, KeepsARunningJobHoweverTheClockIsSet) {
 
 TEST_F(WorkerPoolTest, WritesTheResultDownOnceTheStoreTakesItAgain) {
   // FAIL, other than ABORT, leaves what was done before it.
-  sqlite::execute(db_, R"(CREATE TABLE tried (n INTEGER) STRICT;
+  sql::execute(db_, R"(CREATE TABLE tried (n INTEGER) STRICT;
     CREATE TRIGGER no_room BEFORE UPDATE OF status ON job WHEN new.status = 'successful' BEGIN
       INSERT INTO tried VALUES (1); SELECT RAISE(FAIL, 'no room'); END)");
   WorkerPool pool{open_store(), board_, 1};
   const auto job = submit("echo", R"({"echo":"kept","pause":0})");
   ASSERT_TRUE(wait_until([&] {
-    sqlite::Statement query{db_, "SELECT count(*) FROM tried"};
+    sql::Statement query{db_, "SELECT count(*) FROM tried"};
     return query.step() && query.integer(0) > 0;
   }));
   EXPECT_EQ(JobRepository{db_}.find(job.id)->status, JobStatus::running);
 
-  sqlite::execute(db_, "DROP TRIGGER no_room");
+  sql::execute(db_, "DROP TRIGGER no_room");
 
   ASSERT_TRUE(wait_for(job.id, JobStatus::successful));
   EXPECT_EQ(JobRepository{db_}.find(job.id)->result_json, R"({"echo":"kept"})");

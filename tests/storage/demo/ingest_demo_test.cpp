@@ -3,14 +3,14 @@
 #include "storage/ingest/ingest_file.hpp"
 #include "storage/repository/field_repository.hpp"
 #include "storage/repository/migrations.hpp"
-#include "storage/sqlite/connection.hpp"
+#include "storage/sql/connection.hpp"
 #include "tests/storage/demo/demo_files.hpp"
 
 namespace floeplan::demo::ingest_demo_test {
 namespace {
 
 void expect_all_stored(const std::vector<std::filesystem::path>& files) {
-  sqlite::Connection db = repository::open_store_in_memory();
+  sql::Connection db = repository::open_store_in_memory();
 
   for (const std::filesystem::path& file : files) {
     const auto reports = ingest::ingest_file(db, file, {}, first_hour, {});
@@ -30,7 +30,7 @@ TEST(IngestDemo, StoresEveryFileOfDiskoBay) {
 
 TEST(IngestDemo, StoresAFieldOfDriftIceWithOpenWaterInItsMiddleAndRoundIt) {
   if (!has_shoreline()) GTEST_SKIP() << "install the package gmt-gshhg-full to run this test";
-  sqlite::Connection db = repository::open_store_in_memory();
+  sql::Connection db = repository::open_store_in_memory();
   const auto reports =
       ingest::ingest_file(db, demo_files(Scenario::disko, 1, "disko")[2], {}, first_hour, {});
   ASSERT_TRUE(reports.front().dataset.has_value());
@@ -55,7 +55,7 @@ TEST(IngestDemo, StoresEveryFileOfTheStrait) { expect_all_stored(demo_files(Scen
 TEST(IngestDemo, StoresABeltOfPackIceWithLeadsThatDriftWithIt) {
   const auto files = demo_files(Scenario::pack_ice, 1, "pack-ice");
   expect_all_stored(files);
-  sqlite::Connection db = repository::open_store_in_memory();
+  sql::Connection db = repository::open_store_in_memory();
   const auto reports = ingest::ingest_file(db, files[2], {}, first_hour, {});
   const auto ice = repository::FieldRepository{db}.load_ice(reports.front().dataset->id,
                                                             {-66.0, 72.7, -62.0, 73.3}, std::nullopt);

@@ -8,7 +8,7 @@ namespace floeplan::repository::audit_repository_test {
 namespace {
 
 TEST(Audit, IsReadFromTheNewestEntryBackwards) {
-  sqlite::Connection db = open_store_in_memory();
+  sql::Connection db = open_store_in_memory();
   AuditRepository audit{db};
   for (int i = 1; i <= 3; ++i) {
     audit.add({.at = core::UtcTime{core::Seconds{1.8e9 + i}},

@@ -25,7 +25,7 @@ class CoastlineRepositoryTest : public testing::Test {
     DatasetRepository{db_}.insert(sample_dataset("coast", DatasetKind::coastline));
   }
 
-  sqlite::Connection db_ = open_store_in_memory();
+  sql::Connection db_ = open_store_in_memory();
   CoastlineRepository coastline_{db_};
 };
 

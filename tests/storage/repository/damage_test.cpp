@@ -14,10 +14,9 @@
 #include "storage/repository/migrations.hpp"
 #include "storage/repository/plan_repository.hpp"
 #include "storage/repository/replacement.hpp"
-#include "storage/sqlite/backup.hpp"
-#include "storage/sqlite/damaged_pages.hpp"
-#include "storage/sqlite/database_files.hpp"
-#include "storage/sqlite/statement.hpp"
+#include "storage/sql/statement.hpp"
+#include "storage/sql/store_file.hpp"
+#include "storage/sql/upkeep.hpp"
 #include "tests/storage/repository/sample_data.hpp"
 #include "tests/support/property.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -72,20 +71,20 @@ void flip_bit(const fs::path& file, std::uint64_t at, int bit) {
 }
 
 /// What every plan and every iceberg of a store says; of what cannot be read "damaged".
-std::map<std::string, std::string> contents_of(sqlite::Connection& db) {
+std::map<std::string, std::string> contents_of(sql::Connection& db) {
   std::map<std::string, std::string> contents;
   for (int i = 0; i < plans; ++i) {
     const PlanId id = plan_of(i).id;
-    const bool whole = meets_no_damage([&] {
+    const bool whole = sql::meets_no_damage([&] {
       const auto plan = PlanRepository{db}.find(id);
       contents[id.value] = plan ? plan->name + plan->request_json + plan->document_json : "gone";
     });
     if (!whole) contents[id.value] = "damaged";
   }
   for (const char* const id : {"bergs-a", "bergs-b"}) {
-    const bool whole = meets_no_damage([&] {
+    const bool whole = sql::meets_no_damage([&] {
       std::string text;
-      sqlite::Statement rows{
+      sql::Statement rows{
           db,
           "SELECT s.* FROM sighting AS s JOIN dataset AS d ON d.row = s.dataset_row WHERE d.id = ?1 "
           "ORDER BY s.row"};
@@ -140,7 +139,7 @@ class DamagedStore : public testing::Test {
     auto db = open_store(folder_.path());
     before_ = contents_of(db);
   }
-  [[nodiscard]] fs::path database() const { return sqlite::database_in(folder_.path()); }
+  [[nodiscard]] fs::path database() const { return sql::database_in(folder_.path()); }
 
   const support::TemporaryFolder folder_;
   std::map<std::string, std::string> before_;
@@ -150,7 +149,7 @@ TEST_F(DamagedStore, IsWholeAsItWasWritten) {
   auto db = open_store(folder_.path());
 
   EXPECT_TRUE(find_damage(db).is_none());
-  EXPECT_TRUE(sqlite::has_page_checksums(db));
+  EXPECT_TRUE(sql::has_page_checksums(db));
 }
 
 /// Wherever a bit is flipped: never another answer, always noticed, and what cannot be read is named and left out. A store
@@ -167,9 +166,9 @@ TEST_F(DamagedStore, AnswersNothingElseThanWasWrittenAndNamesWhatItCannotAnswer)
         static_cast<std::uint64_t>(support::uniform_int(rng, 0, static_cast<int>(page_size) - 1));
     flip_bit(database(), page * page_size + byte, support::uniform_int(rng, 0, 7));
 
-    if (!meets_no_damage([&] { const auto db = open_store(folder_.path()); })) {
+    if (!sql::meets_no_damage([&] { const auto db = open_store(folder_.path()); })) {
       ++unopened;
-      EXPECT_FALSE(meets_no_damage([&] { (void)repair_store(folder_.path()); }))
+      EXPECT_FALSE(sql::meets_no_damage([&] { (void)repair_store(folder_.path()); }))
           << "with a schema that is whole";
       return;
     }
@@ -221,7 +220,7 @@ TEST_F(DamagedStore, IsListedPastWhatCannotBeRead) {
     const auto byte =
         static_cast<std::uint64_t>(support::uniform_int(rng, 0, static_cast<int>(page_size) - 1));
     flip_bit(database(), page * page_size + byte, support::uniform_int(rng, 0, 7));
-    if (!meets_no_damage([&] { const auto db = open_store(folder_.path()); })) return;  // its schema
+    if (!sql::meets_no_damage([&] { const auto db = open_store(folder_.path()); })) return;  // its schema
 
     auto db = open_store(folder_.path());
     const Listed plan_list =
@@ -243,7 +242,7 @@ TEST_F(DamagedStore, HandsOutEveryJobThatIsWhole) {
   std::vector<std::uint64_t> job_pages;
   {
     auto db = open_store(folder_.path());
-    sqlite::Statement query{db, "SELECT pageno FROM dbstat WHERE name = 'job'"};
+    sql::Statement query{db, "SELECT pageno FROM dbstat WHERE name = 'job'"};
     while (query.step()) job_pages.push_back(static_cast<std::uint64_t>(query.integer(0)) - 1);
   }
   const fs::path whole = folder_.path() / "whole";
@@ -268,7 +267,7 @@ TEST_F(DamagedStore, HandsOutEveryJobThatIsWhole) {
     jobs.release_all_leases(now);
     while (const auto job = jobs.claim("w", now, core::Seconds{60.0})) {
       EXPECT_TRUE(claimed.insert(job->id.value).second) << job->id.value << " was handed out twice";
-      if (!meets_no_damage([&] { jobs.succeed(job->id, "w", "{}", now); })) ++not_ended;
+      if (!sql::meets_no_damage([&] { jobs.succeed(job->id, "w", "{}", now); })) ++not_ended;
     }
     jobs.hand_back("w", now);
 
@@ -311,7 +310,7 @@ TEST_F(DamagedStore, OfASampleBlockIsNoticedEvenWhereItsPageIsNot) {
   fields.write_slice({"field"}, "u_m_s", 0, 0, samples);
   ASSERT_TRUE(find_damage(db).is_none());
 
-  sqlite::execute(
+  sql::execute(
       db, "UPDATE field_chunk SET samples = CAST(substr(samples, 1, length(samples) - 1) || x'00' AS BLOB)");
 
   const Damage damage = find_damage(db);
@@ -323,9 +322,9 @@ TEST_F(DamagedStore, IsRestoredFromABackupAndKept) {
   const fs::path backup = folder_.path() / "backup";
   {
     auto db = open_store(folder_.path());
-    sqlite::back_up(db, backup);
+    sql::back_up(db, backup);
   }
-  EXPECT_EQ(sqlite::damage_of(backup), "");
+  EXPECT_EQ(sql::damage_of(backup), "");
   flip_bit(database(), 0, 0);
 
   const Replacement restored = restore_store(folder_.path(), backup);
@@ -336,7 +335,7 @@ TEST_F(DamagedStore, IsRestoredFromABackupAndKept) {
   flip_bit(backup, 3 * page_size + 100, 1);
   EXPECT_THAT([&] { (void)restore_store(folder_.path() / "elsewhere", backup); },
               testing::Throws<std::runtime_error>());
-  EXPECT_FALSE(fs::exists(sqlite::database_in(folder_.path() / "elsewhere")));
+  EXPECT_FALSE(fs::exists(sql::database_in(folder_.path() / "elsewhere")));
 }
 
 TEST(StoreFolder, WhoseDatabaseIsGoneIsNoNewStore) {
@@ -344,7 +343,7 @@ TEST(StoreFolder, WhoseDatabaseIsGoneIsNoNewStore) {
   {
     const auto db = open_store(folder.path());
   }
-  fs::remove(sqlite::database_in(folder.path()));
+  fs::remove(sql::database_in(folder.path()));
 
   EXPECT_THAT([&] { const auto db = open_store(folder.path()); },
               testing::Throws<std::runtime_error>(testing::Property(
@@ -356,8 +355,8 @@ TEST(StoreFolder, IsNotReplacedWhileItIsUsed) {
   const auto db = open_store(folder.path());
 
   EXPECT_THAT([&] { (void)repair_store(folder.path()); },
-              testing::Throws<sqlite::Failure>(
-                  testing::Property(&sqlite::Failure::trouble, sqlite::Trouble::held_by_another)));
+              testing::Throws<sql::Failure>(
+                  testing::Property(&sql::Failure::trouble, sql::Trouble::held_by_another)));
 }
 
 }  // namespace

@@ -6,8 +6,8 @@
 #include "storage/repository/field_repository.hpp"
 #include "storage/repository/iceberg_repository.hpp"
 #include "storage/repository/migrations.hpp"
-#include "storage/sqlite/statement.hpp"
-#include "storage/sqlite/transaction.hpp"
+#include "storage/sql/statement.hpp"
+#include "storage/sql/transaction.hpp"
 #include "tests/storage/repository/sample_data.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -17,11 +17,11 @@ namespace {
 class DatasetRepositoryTest : public testing::Test {
  protected:
   std::int64_t rows(const std::string& table) {
-    sqlite::Statement query{db_, "SELECT count(*) FROM " + table};
+    sql::Statement query{db_, "SELECT count(*) FROM " + table};
     return query.step() ? query.integer(0) : -1;
   }
 
-  sqlite::Connection db_ = open_store_in_memory();
+  sql::Connection db_ = open_store_in_memory();
   DatasetRepository datasets_{db_};
 };
 
@@ -99,13 +99,13 @@ TEST_F(DatasetRepositoryTest, RefusesDataOfAnUnknownDataset) {
 TEST(DatasetRepository, KeepsNothingOfAnIngestionThatDidNotFinish) {
   const support::TemporaryFolder folder;
   {
-    sqlite::Connection db = open_store(folder.path());
-    const sqlite::Transaction ingestion{db};
+    sql::Connection db = open_store(folder.path());
+    const sql::Transaction ingestion{db};
     DatasetRepository{db}.insert(sample_dataset("a", DatasetKind::icebergs));
     IcebergRepository{db}.insert({"a"}, {sample_berg("berg", {1.0, 2.0})});
   }
 
-  sqlite::Connection db = open_store(folder.path());
+  sql::Connection db = open_store(folder.path());
   EXPECT_TRUE(DatasetRepository{db}.list().empty());
   EXPECT_EQ(IcebergRepository{db}.count({}), 0);
 }

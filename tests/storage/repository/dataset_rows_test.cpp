@@ -9,14 +9,14 @@
 #include "storage/repository/dataset_repository.hpp"
 #include "storage/repository/iceberg_repository.hpp"
 #include "storage/repository/migrations.hpp"
-#include "storage/sqlite/failure.hpp"
+#include "storage/sql/driver/failure.hpp"
 #include "tests/storage/repository/sample_data.hpp"
 #include "tests/support/property.hpp"
 
 namespace floeplan::repository::dataset_rows_test {
 namespace {
 
-void store(sqlite::Connection& db, const std::string& id) {
+void store(sql::Connection& db, const std::string& id) {
   Dataset dataset = sample_dataset(id, DatasetKind::icebergs);
   dataset.warnings = {"seen from afar"};
   DatasetRepository{db}.insert(dataset);
@@ -28,20 +28,20 @@ void store(sqlite::Connection& db, const std::string& id) {
   IcebergRepository{db}.insert({id}, sightings);
 }
 
-std::vector<std::string> parcels_of(sqlite::Connection& db, const std::vector<DatasetId>& ids) {
+std::vector<std::string> parcels_of(sql::Connection& db, const std::vector<DatasetId>& ids) {
   std::vector<std::string> parcels;
   send_datasets(db, ids, [&](std::string_view parcel) { parcels.emplace_back(parcel); });
   return parcels;
 }
 
-std::vector<DatasetId> receive(sqlite::Connection& db, const std::vector<std::string>& parcels) {
+std::vector<DatasetId> receive(sql::Connection& db, const std::vector<std::string>& parcels) {
   DatasetReceiver receiver{db};
   for (const std::string& parcel : parcels) receiver.take(parcel);
   return receiver.finish();
 }
 
-std::int64_t count(sqlite::Connection& db, const std::string& rows) {
-  sqlite::Statement query{db, "SELECT count(*) FROM " + rows};
+std::int64_t count(sql::Connection& db, const std::string& rows) {
+  sql::Statement query{db, "SELECT count(*) FROM " + rows};
   return query.step() ? query.integer(0) : -1;
 }
 
@@ -107,7 +107,7 @@ TEST(DatasetRows, AreRefusedWithNumbersThatWouldOverflow) {
 TEST(DatasetRows, AreRefusedOfAKindThatNoListCouldShow) {
   auto there = open_store_in_memory();
   store(there, "icebergs-a");
-  sqlite::execute(there, "UPDATE dataset SET kind = 'treasure'");
+  sql::execute(there, "UPDATE dataset SET kind = 'treasure'");
   auto here = open_store_in_memory();
   EXPECT_THROW(static_cast<void>(receive(here, parcels_of(there, {{"icebergs-a"}}))), BrokenParcel);
 }

@@ -8,8 +8,8 @@
 #include "storage/repository/field_repository.hpp"
 #include "storage/repository/iceberg_repository.hpp"
 #include "storage/repository/migrations.hpp"
-#include "storage/sqlite/statement.hpp"
-#include "storage/sqlite/transaction.hpp"
+#include "storage/sql/statement.hpp"
+#include "storage/sql/transaction.hpp"
 #include "tests/storage/repository/sample_data.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -22,7 +22,7 @@ Dataset named(const std::string& id) {
   return dataset;
 }
 
-void store(sqlite::Connection& db, const std::string& id, double lon_deg) {
+void store(sql::Connection& db, const std::string& id, double lon_deg) {
   DatasetRepository{db}.insert(named(id));
   ocean::Iceberg sighting;
   sighting.id = id + "-berg";
@@ -30,8 +30,8 @@ void store(sqlite::Connection& db, const std::string& id, double lon_deg) {
   IcebergRepository{db}.insert({id}, {sighting});
 }
 
-std::int64_t count(sqlite::Connection& db, const std::string& rows) {
-  sqlite::Statement query{db, "SELECT count(*) FROM " + rows};
+std::int64_t count(sql::Connection& db, const std::string& rows) {
+  sql::Statement query{db, "SELECT count(*) FROM " + rows};
   return query.step() ? query.integer(0) : -1;
 }
 
@@ -60,17 +60,17 @@ TEST(DatasetTransfer, ReplacesWhatIsOutdatedByWhatWasReadAnew) {
   const support::TemporaryFolder arrived;
   auto here = open_store_in_memory();
   for (const char* id : {"mended", "still", "good"}) store(here, id, 10.0);
-  sqlite::execute(here, "UPDATE dataset SET outdated = 1 WHERE id <> 'good'");
+  sql::execute(here, "UPDATE dataset SET outdated = 1 WHERE id <> 'good'");
   {
     auto there = open_scratch_store(arrived.path());
     for (const char* id : {"mended", "still", "good"}) store(there, id, 20.0);
-    sqlite::execute(there, "UPDATE dataset SET outdated = 1 WHERE id = 'still'");
+    sql::execute(there, "UPDATE dataset SET outdated = 1 WHERE id = 'still'");
   }
 
   EXPECT_EQ(take_over_datasets(here, arrived.path()), std::vector{DatasetId{"mended"}});
 
   const auto lon_deg_of = [&](const char* id) {
-    sqlite::Statement query{
+    sql::Statement query{
         here, "SELECT lon_deg FROM sighting WHERE dataset_row = (SELECT row FROM dataset WHERE id = ?1)"};
     query.bind(1, std::string{id});
     return query.step() ? query.real(0) : 0.0;
@@ -105,7 +105,7 @@ TEST(DatasetTransfer, TakesOverEverySampleOfALargeDataset) {
     auto scratch = open_scratch_store(arrived.path());
     std::vector<double> times;
     for (std::size_t step = 0; step < steps; ++step) times.push_back(3600.0 * static_cast<double>(step));
-    sqlite::Transaction one_commit{scratch};
+    sql::Transaction one_commit{scratch};
     for (const char* id : {"currents-a", "currents-b"}) {
       Dataset dataset = named(id);
       dataset.kind = DatasetKind::currents;
@@ -137,9 +137,9 @@ TEST(DatasetTransfer, ShowsNothingOfWhatIsStillArrivingAndRemovesWhatNobodyCopie
   const support::TemporaryFolder arrived;
   auto db = open_store_in_memory();
   for (const char* id : {"currents-now~7", "currents-left~8"}) DatasetRepository{db}.insert(named(id));
-  sqlite::execute(db,
-                  "UPDATE dataset SET arriving_s = unixepoch();"
-                  "UPDATE dataset SET arriving_s = arriving_s - 7200 WHERE id = 'currents-left~8'");
+  sql::execute(db,
+               "UPDATE dataset SET arriving_s = unixepoch();"
+               "UPDATE dataset SET arriving_s = arriving_s - 7200 WHERE id = 'currents-left~8'");
   {
     const auto scratch = open_scratch_store(arrived.path());
   }
@@ -160,7 +160,7 @@ TEST(DatasetTransfer, RefusesAStoreThatHoldsAViewOrATriggerOfItsOwn) {
     {
       auto scratch = open_scratch_store(arrived.path());
       store(scratch, "icebergs-new", -55.0);
-      sqlite::execute(scratch, foreign);
+      sql::execute(scratch, foreign);
     }
     EXPECT_THROW(take_over_datasets(db, arrived.path()), std::runtime_error) << foreign;
     EXPECT_EQ(count(db, "dataset"), 0) << foreign;

@@ -46,7 +46,7 @@ class DriftBox : public testing::Test {
     return read->samples().u.size();
   }
 
-  sqlite::Connection db_ = open_store_in_memory();
+  sql::Connection db_ = open_store_in_memory();
   Dataset flow_ = sample_dataset("flow", DatasetKind::currents, bay);
   EnvironmentQuery query_;
   Reading reading_;

@@ -13,7 +13,7 @@
 #include "storage/repository/iceberg_repository.hpp"
 #include "storage/repository/migrations.hpp"
 #include "storage/repository/zone_repository.hpp"
-#include "storage/sqlite/statement.hpp"
+#include "storage/sql/statement.hpp"
 #include "tests/storage/repository/sample_data.hpp"
 #include "tests/support/property.hpp"
 
@@ -148,7 +148,7 @@ class EnvironmentLoaderTest : public testing::Test {
 
   static DatasetChoice none() { return {.how = DatasetChoice::How::none, .ids = {}}; }
 
-  sqlite::Connection db_ = open_store_in_memory();
+  sql::Connection db_ = open_store_in_memory();
   EnvironmentQuery query_;
   int added_ = 0;
   const ocean::Axis levels_{{0.0, 50.0, 300.0}};
@@ -999,7 +999,7 @@ TEST_F(EnvironmentLoaderTest, GoesByWhenTheDataBeginWhereFilesWithoutARunWereIng
        {std::pair{"a-yesterday", "b-today"}, std::pair{"d-yesterday", "c-today"}}) {
     add_currents(yesterday, sample_time - day, 49, levels_);
     add_currents(today, sample_time, 25, levels_);
-    sqlite::Statement at_once{db_, "UPDATE dataset SET ingested_s = ?1"};
+    sql::Statement at_once{db_, "UPDATE dataset SET ingested_s = ?1"};
     at_once.bind_all(sample_time);
     at_once.run();
 
@@ -1014,7 +1014,7 @@ TEST_F(EnvironmentLoaderTest, GoesByWhenTheDataBeginWhereFilesWithoutARunWereIng
 TEST_F(EnvironmentLoaderTest, GoesByWhenARunBeganAndNotByWhenItArrived) {
   add_currents("later", sample_time, 5, levels_);
   add_currents("earlier", sample_time, 5, levels_);
-  sqlite::Statement dated{db_, "UPDATE dataset SET run_s = ?2 WHERE id = ?1"};
+  sql::Statement dated{db_, "UPDATE dataset SET run_s = ?2 WHERE id = ?1"};
   for (const auto& [id, run] : {std::pair{"later", sample_time}, std::pair{"earlier", sample_time - day}}) {
     dated.bind_all(std::string{id}, run);
     dated.run();

@@ -35,7 +35,7 @@ class FieldOverviewsTest : public testing::Test {
   }
 
   const DatasetId id_{"bed"};
-  sqlite::Connection db_ = open_store_in_memory();
+  sql::Connection db_ = open_store_in_memory();
 };
 
 TEST_F(FieldOverviewsTest, ShowsTheWholeOfALargeFieldByNoMoreNodesThanAskedFor) {

@@ -11,7 +11,7 @@
 
 #include "storage/repository/dataset_repository.hpp"
 #include "storage/repository/migrations.hpp"
-#include "storage/sqlite/statement.hpp"
+#include "storage/sql/statement.hpp"
 #include "tests/storage/repository/sample_data.hpp"
 #include "tests/support/property.hpp"
 
@@ -78,7 +78,7 @@ class FieldRepositoryTest : public testing::Test {
   }
 
   const DatasetId id_{"field"};
-  sqlite::Connection db_ = open_store_in_memory();
+  sql::Connection db_ = open_store_in_memory();
   FieldRepository fields_{db_};
 };
 
@@ -469,7 +469,7 @@ TEST_F(FieldRepositoryTest, ReadsCurrentsWithoutTimeAndDepth) {
 TEST_F(FieldRepositoryTest, SaysWhenAChunkIsDamaged) {
   std::mt19937_64 rng{1};
   store_noise(rng, {geo::GeographicFrame{}, axis(0.0, 1.0, 4), axis(0.0, 1.0, 4)});
-  sqlite::execute(db_, "UPDATE field_chunk SET samples = x'00112233445566778899'");
+  sql::execute(db_, "UPDATE field_chunk SET samples = x'00112233445566778899'");
 
   try {
     (void)fields_.load_bathymetry(id_, everywhere);

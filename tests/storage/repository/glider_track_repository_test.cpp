@@ -9,7 +9,7 @@
 #include "storage/repository/dataset_transfer.hpp"
 #include "storage/repository/migrations.hpp"
 #include "storage/repository/retention.hpp"
-#include "storage/sqlite/statement.hpp"
+#include "storage/sql/statement.hpp"
 #include "tests/storage/repository/sample_data.hpp"
 #include "tests/support/property.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -47,11 +47,11 @@ class GliderTracks : public testing::Test {
   }
 
   std::int64_t rows(const std::string& table) {
-    sqlite::Statement query{db_, "SELECT count(*) FROM " + table};
+    sql::Statement query{db_, "SELECT count(*) FROM " + table};
     return query.step() ? query.integer(0) : -1;
   }
 
-  sqlite::Connection db_{open_store_in_memory()};
+  sql::Connection db_{open_store_in_memory()};
   GliderTrackRepository tracks_{db_};
 };
 

@@ -28,7 +28,7 @@ class IcebergRepositoryTest : public testing::Test {
   }
 
   const DatasetId dataset_{"ice-1"};
-  sqlite::Connection db_ = open_store_in_memory();
+  sql::Connection db_ = open_store_in_memory();
   IcebergRepository icebergs_{db_};
 };
 

@@ -67,7 +67,7 @@ TrackFilter random_filter(std::mt19937_64& rng) {
 
 TEST(IcebergTracks, AreThoseOfEverySightingPageByPage) {
   support::for_each_seed(60, [](std::mt19937_64& rng) {
-    sqlite::Connection db = open_store_in_memory();
+    sql::Connection db = open_store_in_memory();
     IcebergRepository icebergs{db};
     for (const char* id : {"ice-1", "ice-2"}) {
       DatasetRepository{db}.insert(sample_dataset(id, DatasetKind::icebergs));

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "storage/repository/migrations.hpp"
-#include "storage/sqlite/transaction.hpp"
+#include "storage/sql/transaction.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace floeplan::repository::job_repository_test {
@@ -32,7 +32,7 @@ class JobRepositoryTest : public testing::Test {
  protected:
   JobRecord found(const std::string& id) { return jobs_.find({id}).value(); }
 
-  sqlite::Connection db_ = open_store_in_memory();
+  sql::Connection db_ = open_store_in_memory();
   JobRepository jobs_{db_};
 };
 
@@ -360,8 +360,8 @@ TEST(JobRepository, NeverGivesAJobToTwoWorkers) {
   const support::TemporaryFolder folder;
   constexpr int job_count = 60;
   {
-    sqlite::Connection db = open_store(folder.path());
-    sqlite::Transaction transaction{db};
+    sql::Connection db = open_store(folder.path());
+    sql::Transaction transaction{db};
     for (int i = 0; i < job_count; ++i) JobRepository{db}.submit(job("job" + std::to_string(i)));
     transaction.commit();
   }
@@ -372,7 +372,7 @@ TEST(JobRepository, NeverGivesAJobToTwoWorkers) {
     std::vector<std::jthread> workers;
     for (int i = 0; i < 4; ++i) {
       workers.emplace_back([&, name = "w" + std::to_string(i)] {
-        sqlite::Connection db = open_store(folder.path());
+        sql::Connection db = open_store(folder.path());
         JobRepository jobs{db};
         while (const auto claimed = jobs.claim(name, start, lease)) {
           const std::scoped_lock lock{mutex};

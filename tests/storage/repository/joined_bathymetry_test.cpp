@@ -33,7 +33,7 @@ class JoinedBathymetryTest : public testing::Test {
   }
 
   const geo::BoundingBox area_{0.0, 60.0, 4.0, 61.0};
-  sqlite::Connection db_ = open_store_in_memory();
+  sql::Connection db_ = open_store_in_memory();
 };
 
 TEST_F(JoinedBathymetryTest, IsTheOnlyDatasetItselfWhereThatIsSmall) {

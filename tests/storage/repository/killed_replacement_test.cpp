@@ -11,9 +11,9 @@
 #include "storage/repository/migrations.hpp"
 #include "storage/repository/plan_repository.hpp"
 #include "storage/repository/replacement.hpp"
-#include "storage/sqlite/backup.hpp"
-#include "storage/sqlite/database_files.hpp"
-#include "storage/sqlite/statement.hpp"
+#include "storage/sql/statement.hpp"
+#include "storage/sql/store_file.hpp"
+#include "storage/sql/upkeep.hpp"
 #include "tests/storage/repository/older_stores.hpp"
 #include "tests/support/killed_before.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -45,15 +45,15 @@ void fill(const fs::path& store, const std::string& mark) {
 /// What each plan of a store says, and the number of the last change of a job; "damaged" or "gone" for one that does not, and nothing of a store that is not opened.
 Contents contents_of(const fs::path& store) {
   Contents contents;
-  std::optional<sqlite::Connection> opened;
+  std::optional<sql::Connection> opened;
   try {
     opened = open_store(store);
-  } catch (const sqlite::Failure&) {
+  } catch (const sql::Failure&) {
     return contents;
   }
-  sqlite::Connection& db = *opened;
+  sql::Connection& db = *opened;
   for (int i = 0; i < plans; ++i) {
-    const bool whole = meets_no_damage([&] {
+    const bool whole = sql::meets_no_damage([&] {
       const auto plan = PlanRepository{db}.find(id_of(i));
       contents.push_back(plan ? plan->name + plan->document_json : "gone");
     });
@@ -100,7 +100,7 @@ class KilledReplacement : public testing::Test {
     const fs::path other = folder_.path() / "other";
     fill(other, "from the backup");
     auto db = open_store(other);
-    sqlite::back_up(db, folder_.path() / "backup");
+    sql::back_up(db, folder_.path() / "backup");
     return folder_.path() / "backup";
   }
 
@@ -121,18 +121,18 @@ TEST_F(KilledReplacement, OfAStoreThatCannotBeReadLeavesNoneOrTheBackup) {
   const fs::path kept = folder_.path() / "kept";
   {
     auto db = open_store(store_);  // its log is there while it is open
-    sqlite::execute(db, "UPDATE job_clock SET change = 1000");
+    sql::execute(db, "UPDATE job_clock SET change = 1000");
     fs::copy(store_, kept);
   }
   for (const bool is_gone : {false, true}) {
     const auto spoil = [&](const fs::path& store) {
       fs::remove_all(store);
       fs::copy(kept, store);
-      ASSERT_GT(fs::file_size(sqlite::database_in(store).string() + "-wal"), 0U);
+      ASSERT_GT(fs::file_size(sql::database_in(store).string() + "-wal"), 0U);
       if (is_gone)
-        fs::remove(sqlite::database_in(store));
+        fs::remove(sql::database_in(store));
       else
-        std::fstream{sqlite::database_in(store), std::ios::in | std::ios::out | std::ios::binary}
+        std::fstream{sql::database_in(store), std::ios::in | std::ios::out | std::ios::binary}
             << "unreadable";
     };
     spoil(store_);
@@ -149,7 +149,7 @@ TEST_F(KilledReplacement, OfAStoreThatCannotBeReadLeavesNoneOrTheBackup) {
 TEST_F(KilledReplacement, OfAnOlderStoreLeavesAllItHeld) {
   {
     auto db = open_store(store_);
-    sqlite::execute(db, "PRAGMA user_version = 12" + before_classes_of_jobs);
+    sql::execute(db, "PRAGMA user_version = 12" + before_classes_of_jobs);
   }
 
   expect_whole_whenever_killed(store_, [](const fs::path& store) { const auto db = open_store(store); });
@@ -158,7 +158,7 @@ TEST_F(KilledReplacement, OfAnOlderStoreLeavesAllItHeld) {
 
 TEST_F(KilledReplacement, OfARepairedStoreLeavesTheDamagedOneOrWhatIsWhole) {
   {
-    std::fstream io{sqlite::database_in(store_), std::ios::in | std::ios::out | std::ios::binary};
+    std::fstream io{sql::database_in(store_), std::ios::in | std::ios::out | std::ios::binary};
     const std::string text{std::istreambuf_iterator<char>{io}, {}};
     io.clear();
     io.seekp(static_cast<std::streamoff>(text.find(std::string(3000, 'x')) + 100));

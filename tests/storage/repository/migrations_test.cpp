@@ -16,8 +16,8 @@
 #include "storage/repository/schema.hpp"
 #include "storage/repository/token_repository.hpp"
 #include "storage/repository/zone_repository.hpp"
-#include "storage/sqlite/statement.hpp"
-#include "storage/sqlite/transaction.hpp"
+#include "storage/sql/statement.hpp"
+#include "storage/sql/transaction.hpp"
 #include "tests/storage/repository/older_stores.hpp"
 #include "tests/storage/repository/sample_data.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -27,7 +27,7 @@ namespace {
 
 std::string reason_why_not_opened(const std::filesystem::path& store) {
   try {
-    const sqlite::Connection db = open_store(store);
+    const sql::Connection db = open_store(store);
     return "";
   } catch (const std::runtime_error& error) {
     return error.what();
@@ -37,19 +37,19 @@ std::string reason_why_not_opened(const std::filesystem::path& store) {
 TEST(OpenStore, KeepsWhatIsThereWhenOpenedAgain) {
   const support::TemporaryFolder folder;
   {
-    sqlite::Connection db = open_store(folder.path());
+    sql::Connection db = open_store(folder.path());
     DatasetRepository{db}.insert(sample_dataset("a", DatasetKind::icebergs));
   }
 
-  sqlite::Connection db = open_store(folder.path());
+  sql::Connection db = open_store(folder.path());
 
   EXPECT_TRUE(DatasetRepository{db}.find({"a"}));
 }
 
 /// Takes a store back to the first schema, whose list of kinds was part of the table.
-void return_to_first_schema(sqlite::Connection& db) {
-  sqlite::execute(db, "PRAGMA foreign_keys = OFF");
-  sqlite::execute(db, R"sql(
+void return_to_first_schema(sql::Connection& db) {
+  sql::execute(db, "PRAGMA foreign_keys = OFF");
+  sql::execute(db, R"sql(
 CREATE TABLE first_dataset (
   row INTEGER PRIMARY KEY AUTOINCREMENT,
   id TEXT NOT NULL UNIQUE,
@@ -112,13 +112,13 @@ PRAGMA user_version = 1;
 TEST(OpenStore, BringsAnOlderStoreUpToDateWithEverythingInIt) {
   const support::TemporaryFolder folder;
   {
-    sqlite::Connection db = open_store(folder.path());
+    sql::Connection db = open_store(folder.path());
     DatasetRepository{db}.insert(sample_dataset("a", DatasetKind::icebergs));
     IcebergRepository{db}.insert({"a"}, {sample_berg("berg", {-52.0, 69.0})});
     return_to_first_schema(db);
   }
 
-  sqlite::Connection db = open_store(folder.path());
+  sql::Connection db = open_store(folder.path());
 
   EXPECT_EQ(DatasetRepository{db}.find({"a"}).value().warnings.size(), 2U);
   EXPECT_EQ(IcebergRepository{db}.count({}), 1);
@@ -134,17 +134,17 @@ TEST(OpenStore, BringsAnOlderStoreUpToDateWithEverythingInIt) {
 TEST(OpenStore, TellsTheClassesOfJobsThatWereAcceptedBeforeThereWereAny) {
   const support::TemporaryFolder folder;
   {
-    sqlite::Connection db = open_store(folder.path());
+    sql::Connection db = open_store(folder.path());
     for (const char* process : {"plan-route", "simulate-plan", "fly-scenario", "ingest"}) {
       JobRecord job;
       job.id = {process};
       job.process = process;
       JobRepository{db}.submit(job);
     }
-    sqlite::execute(db, "PRAGMA user_version = 12" + before_classes_of_jobs);
+    sql::execute(db, "PRAGMA user_version = 12" + before_classes_of_jobs);
   }
 
-  sqlite::Connection db = open_store(folder.path());
+  sql::Connection db = open_store(folder.path());
 
   const auto class_of = [&](const char* id) { return JobRepository{db}.find({id})->job_class; };
   EXPECT_EQ(class_of("plan-route"), JobClass::interactive);
@@ -157,16 +157,16 @@ TEST(OpenStore, KnowsOfTokensThatWereRevokedBeforeThatWasKept) {
   for (const char* caller : {"ship", "local"}) {
     const support::TemporaryFolder folder;
     {
-      sqlite::Connection db = open_store(folder.path());
+      sql::Connection db = open_store(folder.path());
       AuditEntry planned;
       planned.caller = caller;
       planned.action = "plan-route";
       AuditRepository{db}.add(planned);
-      sqlite::execute(db, "DROP TRIGGER note_first_token");
-      sqlite::execute(db, "DROP TABLE first_token");
-      sqlite::execute(db, "PRAGMA user_version = 13" + before_owners_of_plans);
+      sql::execute(db, "DROP TRIGGER note_first_token");
+      sql::execute(db, "DROP TABLE first_token");
+      sql::execute(db, "PRAGMA user_version = 13" + before_owners_of_plans);
     }
-    sqlite::Connection db = open_store(folder.path());
+    sql::Connection db = open_store(folder.path());
     EXPECT_EQ(TokenRepository{db}.ever_any(), std::string{caller} == "ship") << caller;
   }
 }
@@ -174,17 +174,17 @@ TEST(OpenStore, KnowsOfTokensThatWereRevokedBeforeThatWasKept) {
 TEST(OpenStore, KnowsNoRunOfWhatWasStoredBeforeRunsWereKept) {
   const support::TemporaryFolder folder;
   {
-    sqlite::Connection db = open_store(folder.path());
+    sql::Connection db = open_store(folder.path());
     DatasetRepository{db}.insert(sample_dataset("a", DatasetKind::currents));
-    sqlite::execute(db,
-                    "DROP TABLE glider_current; DROP TABLE glider_track; DROP TABLE glider_track_box;"
-                    "ALTER TABLE dataset DROP COLUMN arriving_s; ALTER TABLE dataset DROP COLUMN run_s;"
-                    "ALTER TABLE dataset DROP COLUMN outdated;"
-                    "PRAGMA user_version = 7" +
-                        before_classes_of_jobs);
+    sql::execute(db,
+                 "DROP TABLE glider_current; DROP TABLE glider_track; DROP TABLE glider_track_box;"
+                 "ALTER TABLE dataset DROP COLUMN arriving_s; ALTER TABLE dataset DROP COLUMN run_s;"
+                 "ALTER TABLE dataset DROP COLUMN outdated;"
+                 "PRAGMA user_version = 7" +
+                     before_classes_of_jobs);
   }
 
-  sqlite::Connection db = open_store(folder.path());
+  sql::Connection db = open_store(folder.path());
 
   EXPECT_EQ(DatasetRepository{db}.list().size(), 1U);
   EXPECT_FALSE(DatasetRepository{db}.find({"a"}).value().run);
@@ -193,15 +193,15 @@ TEST(OpenStore, KnowsNoRunOfWhatWasStoredBeforeRunsWereKept) {
 TEST(OpenStore, TakesTracksOfGlidersIntoAStoreThatWasMadeBeforeThem) {
   const support::TemporaryFolder folder;
   {
-    sqlite::Connection db = open_store(folder.path());
+    sql::Connection db = open_store(folder.path());
     DatasetRepository{db}.insert(sample_dataset("a", DatasetKind::icebergs));
-    sqlite::execute(db,
-                    "DROP TABLE glider_current; DROP TABLE glider_track; DROP TABLE glider_track_box;"
-                    "ALTER TABLE dataset DROP COLUMN outdated; PRAGMA user_version = 8" +
-                        before_classes_of_jobs);
+    sql::execute(db,
+                 "DROP TABLE glider_current; DROP TABLE glider_track; DROP TABLE glider_track_box;"
+                 "ALTER TABLE dataset DROP COLUMN outdated; PRAGMA user_version = 8" +
+                     before_classes_of_jobs);
   }
 
-  sqlite::Connection db = open_store(folder.path());
+  sql::Connection db = open_store(folder.path());
 
   DatasetRepository{db}.insert(sample_dataset("b", DatasetKind::glider_tracks));
   GliderTrackRepository{db}.insert(
@@ -211,7 +211,7 @@ TEST(OpenStore, TakesTracksOfGlidersIntoAStoreThatWasMadeBeforeThem) {
 }
 
 /// A dataset of one track, with the variables and the currents that it was read with.
-void store_track(sqlite::Connection& db, const std::string& id, std::vector<std::string> variables,
+void store_track(sql::Connection& db, const std::string& id, std::vector<std::string> variables,
                  bool current) {
   Dataset dataset = sample_dataset(id, DatasetKind::glider_tracks);
   dataset.variables = std::move(variables);
@@ -225,19 +225,19 @@ void store_track(sqlite::Connection& db, const std::string& id, std::vector<std:
 TEST(OpenStore, MarksTheCurrentsOfSlocumsThatWereStoredInTheirOwnAxes) {
   const support::TemporaryFolder folder;
   {
-    sqlite::Connection db = open_store(folder.path());
+    sql::Connection db = open_store(folder.path());
     store_track(db, "slocum", {"m_present_time", "m_gps_lat", "m_water_vx"}, true);
     store_track(db, "without", {"m_present_time", "m_gps_lat"}, false);
     store_track(db, "netcdf", {"time", "lat", "lon", "u", "v"}, true);
-    sqlite::execute(db,
-                    "ALTER TABLE dataset DROP COLUMN outdated; ALTER TABLE glider_track DROP COLUMN frame;"
-                    "ALTER TABLE glider_track DROP COLUMN variation_source;"
-                    "ALTER TABLE glider_track DROP COLUMN variation_west_rad;"
-                    "ALTER TABLE glider_track DROP COLUMN utm_zone; PRAGMA user_version = 10" +
-                        before_classes_of_jobs);
+    sql::execute(db,
+                 "ALTER TABLE dataset DROP COLUMN outdated; ALTER TABLE glider_track DROP COLUMN frame;"
+                 "ALTER TABLE glider_track DROP COLUMN variation_source;"
+                 "ALTER TABLE glider_track DROP COLUMN variation_west_rad;"
+                 "ALTER TABLE glider_track DROP COLUMN utm_zone; PRAGMA user_version = 10" +
+                     before_classes_of_jobs);
   }
 
-  sqlite::Connection db = open_store(folder.path());
+  sql::Connection db = open_store(folder.path());
 
   const DatasetRepository datasets{db};
   EXPECT_TRUE(datasets.find({"slocum"})->outdated);
@@ -257,8 +257,8 @@ TEST(OpenStore, MarksTheCurrentsOfSlocumsThatWereStoredInTheirOwnAxes) {
 TEST(OpenStore, RefusesTheStoreOfANewerProgram) {
   const support::TemporaryFolder folder;
   {
-    sqlite::Connection db = open_store(folder.path());
-    sqlite::execute(db, "PRAGMA user_version = 1000");
+    sql::Connection db = open_store(folder.path());
+    sql::execute(db, "PRAGMA user_version = 1000");
   }
 
   EXPECT_THAT(reason_why_not_opened(folder.path()),
@@ -268,8 +268,8 @@ TEST(OpenStore, RefusesTheStoreOfANewerProgram) {
 TEST(OpenStore, RefusesTheDatabaseOfAnotherProgram) {
   const support::TemporaryFolder folder;
   {
-    sqlite::Connection db = sqlite::Connection::open(folder.path());
-    sqlite::execute(db, "PRAGMA application_id = 12345; CREATE TABLE bookmark (url TEXT)");
+    sql::Connection db = sql::Connection::open(folder.path());
+    sql::execute(db, "PRAGMA application_id = 12345; CREATE TABLE bookmark (url TEXT)");
   }
 
   EXPECT_THAT(reason_why_not_opened(folder.path()), testing::HasSubstr("another program"));
@@ -296,8 +296,8 @@ TEST(OpenStore, FailsWithAClearReasonWhenTheFileIsDamaged) {
   const support::TemporaryFolder folder;
   const auto file = folder.path() / "floeplan.sqlite";
   {
-    sqlite::Connection db = open_store(folder.path());
-    sqlite::Transaction transaction{db};
+    sql::Connection db = open_store(folder.path());
+    sql::Transaction transaction{db};
     for (int i = 0; i < 200; ++i) {
       PlanRecord plan;
       plan.id = {std::to_string(i)};
@@ -313,7 +313,7 @@ TEST(OpenStore, FailsWithAClearReasonWhenTheFileIsDamaged) {
   }
 
   try {
-    sqlite::Connection db = open_store(folder.path());
+    sql::Connection db = open_store(folder.path());
     (void)PlanRepository{db}.list({}, 0, 1000);
     (void)JobRepository{db}.list(0, 1000);
     (void)DatasetRepository{db}.list();

@@ -23,7 +23,7 @@ class OwnersTest : public testing::Test {
     return dataset.id;
   }
 
-  sqlite::Connection db_ = open_store_in_memory();
+  sql::Connection db_ = open_store_in_memory();
   DatasetRepository datasets_{db_};
   Owners owners_{db_};
 };

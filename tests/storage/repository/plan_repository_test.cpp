@@ -28,7 +28,7 @@ std::vector<std::string> ids(const std::vector<PlanRecord>& plans) {
 
 class PlanRepositoryTest : public testing::Test {
  protected:
-  sqlite::Connection db_ = open_store_in_memory();
+  sql::Connection db_ = open_store_in_memory();
   PlanRepository plans_{db_};
 };
 

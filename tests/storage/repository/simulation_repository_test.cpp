@@ -22,7 +22,7 @@ SimulationRecord simulation(const std::string& id, const std::string& plan_id = 
 
 class SimulationRepositoryTest : public testing::Test {
  protected:
-  sqlite::Connection db_ = open_store_in_memory();
+  sql::Connection db_ = open_store_in_memory();
   SimulationRepository simulations_{db_};
 };
 

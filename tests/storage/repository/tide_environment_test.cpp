@@ -95,7 +95,7 @@ class TideEnvironment : public testing::Test {
                          time);
   }
 
-  sqlite::Connection db_ = open_store_in_memory();
+  sql::Connection db_ = open_store_in_memory();
   EnvironmentQuery query_;
 };
 
@@ -204,7 +204,7 @@ TEST_F(TideEnvironment, RefusesToAddTidesToNoCurrents) {
 }
 
 TEST(TideRepositoryTest, KeepsStationsInTheirOrder) {
-  sqlite::Connection db = open_store_in_memory();
+  sql::Connection db = open_store_in_memory();
   DatasetRepository{db}.insert(sample_dataset("tides-s", DatasetKind::tides));
   const std::vector<TideStation> stations{{"b",
                                            {1.0, 2.0},

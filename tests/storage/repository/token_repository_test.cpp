@@ -21,7 +21,7 @@ class Tokens : public testing::Test {
                           {.key = key, .digest = "digest-" + key, .created = now, .expires = now + hour});
   }
 
-  sqlite::Connection db_{open_store_in_memory()};
+  sql::Connection db_{open_store_in_memory()};
   TokenRepository tokens_{db_};
 };
 

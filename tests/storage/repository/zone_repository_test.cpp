@@ -33,7 +33,7 @@ class ZoneRepositoryTest : public testing::Test {
  protected:
   ZoneRepositoryTest() { DatasetRepository{db_}.insert(sample_dataset("zones", DatasetKind::zones)); }
 
-  sqlite::Connection db_ = open_store_in_memory();
+  sql::Connection db_ = open_store_in_memory();
   ZoneRepository zones_{db_};
 };
 

@@ -7,8 +7,8 @@
 #include <string_view>
 
 #include "storage/ingest/common/gdal_guard.hpp"
-#include "storage/sqlite/failure.hpp"
-#include "storage/sqlite/foreign_schema.hpp"
+#include "storage/sql/driver/failure.hpp"
+#include "storage/sql/foreign_database.hpp"
 
 namespace floeplan::ingest {
 
@@ -43,13 +43,13 @@ bool is_raster(const std::string& path, const char* const* drivers, const char* 
 /// Looks at the schema of a GeoPackage before GDAL does, whose functions it could call.
 Checked<void> holds_plain_tables(const std::filesystem::path& file) {
   try {
-    const auto part = sqlite::active_part_of(file);
+    const auto part = sql::active_part_of(file);
     if (!part) return {};
     return refuse(
         "the GeoPackage holds " + *part +
         ", which could run code of whoever made the file; save its layers into a new GeoPackage, for "
         "example with QGIS or ogr2ogr, and give that");
-  } catch (const sqlite::Failure& failure) {
+  } catch (const sql::Failure& failure) {
     return refuse(std::string{"the GeoPackage cannot be read ("} + failure.what() +
                   "); it is damaged or was cut short; copy or download it again");
   }

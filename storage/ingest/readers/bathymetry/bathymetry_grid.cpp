@@ -243,8 +243,7 @@ Checked<PreparedDataset> prepare_bathymetry(RawBathymetry raw, const std::option
   data.bounds = raw.grid.bounds();
   data.rows_accepted = static_cast<std::int64_t>(raw.grid.size());
   data.write = [grid = std::move(raw.grid), read = std::move(raw.read), survey, sense = finding->sense](
-                   sqlite::Connection& db,
-                   const repository::DatasetId& id) -> tl::expected<void, std::string> {
+                   sql::Connection& db, const repository::DatasetId& id) -> tl::expected<void, std::string> {
     repository::FieldRepository fields{db};
     fields.create(id, {grid, std::nullopt, std::nullopt});
     const auto written = for_each_band(grid, read, [&](std::size_t first_row, const RawRows& rows) {

@@ -80,8 +80,7 @@ Checked<PreparedDataset> read_coastline(GDALDataset& dataset, const IngestOption
     data.bounds = geo::united(data.bounds, geo::bounding_box(polygon));
   data.rows_accepted = static_cast<std::int64_t>(all.land.size());
   data.write = [land = std::move(all.land)](
-                   sqlite::Connection& db,
-                   const repository::DatasetId& id) -> tl::expected<void, std::string> {
+                   sql::Connection& db, const repository::DatasetId& id) -> tl::expected<void, std::string> {
     repository::CoastlineRepository{db}.insert(id, land);
     return {};
   };

@@ -46,7 +46,7 @@ Checked<PreparedDataset> read_gshhg_coastline(const std::filesystem::path& file,
 
   data.warnings.emplace_back(
       "GSHHG has gross errors in north Greenland and at old glacier fronts; not for navigation");
-  data.write = [file, progress](sqlite::Connection& db,
+  data.write = [file, progress](sql::Connection& db,
                                 const repository::DatasetId& id) -> tl::expected<void, std::string> {
     repository::CoastlineRepository repository{db};
     const auto writing = [&](double share) {

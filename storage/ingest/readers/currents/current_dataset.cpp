@@ -66,7 +66,7 @@ Checked<bool> for_each_level(const StoredCurrents& currents, std::size_t time, c
 }
 
 tl::expected<void, std::string> write_currents(const StoredCurrents& currents,
-                                               const core::ProgressCallback& progress, sqlite::Connection& db,
+                                               const core::ProgressCallback& progress, sql::Connection& db,
                                                const repository::DatasetId& id) {
   repository::FieldRepository fields{db};
   std::optional<ocean::Axis> depths;
@@ -233,7 +233,7 @@ Checked<PreparedDataset> prepare_currents(CurrentInput input, const core::Progre
   data.rows_accepted = static_cast<std::int64_t>(currents->grid.size());
   data.time_start = core::from_unix_seconds(shape.times_s.front());
   data.time_end = core::from_unix_seconds(shape.times_s.back());
-  data.write = [currents = std::move(*currents), progress](sqlite::Connection& db,
+  data.write = [currents = std::move(*currents), progress](sql::Connection& db,
                                                            const repository::DatasetId& id) {
     return write_currents(currents, progress, db, id);
   };

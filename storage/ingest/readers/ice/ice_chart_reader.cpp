@@ -121,8 +121,7 @@ Checked<PreparedDataset> read_ice_polygons(GDALDataset& dataset, const std::file
   data.time_start = *time;
   data.time_end = *time;
   data.write = [raster = std::move(*raster), time = *time](
-                   sqlite::Connection& db,
-                   const repository::DatasetId& id) -> tl::expected<void, std::string> {
+                   sql::Connection& db, const repository::DatasetId& id) -> tl::expected<void, std::string> {
     repository::FieldRepository fields{db};
     fields.create(id, {raster.grid, std::nullopt, ocean::Axis{{core::unix_seconds(time)}}});
     fields.write_slice(id, "concentration", 0, 0, raster.concentration);

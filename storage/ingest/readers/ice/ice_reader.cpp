@@ -121,7 +121,7 @@ Checked<std::vector<float>> read_greatest(const std::vector<Quantity>& quantitie
 }
 
 tl::expected<void, std::string> write(const IceSource& source, const core::ProgressCallback& progress,
-                                      sqlite::Connection& db, const repository::DatasetId& id) {
+                                      sql::Connection& db, const repository::DatasetId& id) {
   repository::FieldRepository fields{db};
   fields.create(id, {source.grid, std::nullopt, ocean::Axis{source.layout.times_s->nodes}});
   for (std::size_t time = 0; time < source.times(); ++time) {
@@ -215,8 +215,7 @@ Checked<PreparedDataset> read_ice(const std::shared_ptr<const NetcdfFile>& file,
   data.rows_accepted = static_cast<std::int64_t>(source->grid.size());
   data.time_start = core::from_unix_seconds(source->layout.times_s->nodes.front());
   data.time_end = core::from_unix_seconds(source->layout.times_s->nodes.back());
-  data.write = [source = std::move(*source), progress](sqlite::Connection& db,
-                                                       const repository::DatasetId& id) {
+  data.write = [source = std::move(*source), progress](sql::Connection& db, const repository::DatasetId& id) {
     return write(source, progress, db, id);
   };
   return data;

@@ -76,8 +76,7 @@ Checked<PreparedDataset> IcebergRows::prepared(std::vector<std::string> variable
   data.time_start = first->observed;
   data.time_end = last->observed;
   data.write = [icebergs = std::move(icebergs_)](
-                   sqlite::Connection& db,
-                   const repository::DatasetId& id) -> tl::expected<void, std::string> {
+                   sql::Connection& db, const repository::DatasetId& id) -> tl::expected<void, std::string> {
     repository::IcebergRepository{db}.insert(id, icebergs);
     return {};
   };

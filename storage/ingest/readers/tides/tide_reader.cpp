@@ -195,7 +195,7 @@ Checked<std::int64_t> look_through(const TideSource& source, const core::Progres
 }
 
 tl::expected<void, std::string> write(const TideSource& source, const core::ProgressCallback& progress,
-                                      sqlite::Connection& db, const repository::DatasetId& id) {
+                                      sql::Connection& db, const repository::DatasetId& id) {
   repository::TideRepository tides{db};
   tides.create(id, source.grid);
   const double steps = static_cast<double>(source.parts.size() * source.lines.size());
@@ -227,8 +227,7 @@ Checked<PreparedDataset> read_tides(const NetcdfFiles& files, const std::filesys
     if (line) data.variables.push_back(tide::constituent_name(*line));
   data.bounds = source->grid.bounds();
   data.rows_accepted = *nodes;
-  data.write = [source = std::move(*source), progress](sqlite::Connection& db,
-                                                       const repository::DatasetId& id) {
+  data.write = [source = std::move(*source), progress](sql::Connection& db, const repository::DatasetId& id) {
     return write(source, progress, db, id);
   };
   return data;

@@ -113,8 +113,7 @@ Checked<PreparedDataset> prepared_stations(std::vector<TideStation> stations,
   data.rows_accepted = static_cast<std::int64_t>(stations.size());
   data.warnings = std::move(warnings);
   data.write = [stations = std::move(stations)](
-                   sqlite::Connection& db,
-                   const repository::DatasetId& id) -> tl::expected<void, std::string> {
+                   sql::Connection& db, const repository::DatasetId& id) -> tl::expected<void, std::string> {
     repository::TideRepository{db}.insert(id, stations);
     return {};
   };

@@ -214,8 +214,7 @@ Checked<PreparedDataset> TrackBuilder::prepared(std::vector<std::string> variabl
   data.rows_refused = rows_refused_;
   data.warnings = std::move(warnings_);
   data.write = [track = std::move(track)](
-                   sqlite::Connection& db,
-                   const repository::DatasetId& id) -> tl::expected<void, std::string> {
+                   sql::Connection& db, const repository::DatasetId& id) -> tl::expected<void, std::string> {
     repository::GliderTrackRepository{db}.insert(id, {track});
     return {};
   };

@@ -183,8 +183,7 @@ Checked<PreparedDataset> read_zones(GDALDataset& dataset, const IngestOptions& o
   all.warn_of_unheeded();
   data.warnings = std::move(all.warnings);
   data.write = [zones = std::move(all.zones)](
-                   sqlite::Connection& db,
-                   const repository::DatasetId& id) -> tl::expected<void, std::string> {
+                   sql::Connection& db, const repository::DatasetId& id) -> tl::expected<void, std::string> {
     repository::ZoneRepository{db}.insert(id, zones);
     return {};
   };

@@ -10,7 +10,7 @@
 
 #include "storage/ingest/process/guarded_ingest.hpp"
 #include "storage/repository/dataset_repository.hpp"
-#include "storage/sqlite/statement.hpp"
+#include "storage/sql/statement.hpp"
 #include "tests/storage/ingest/support/store_fixture.hpp"
 #include "tests/support/loopback_listener.hpp"
 #include "tests/support/places.hpp"
@@ -68,7 +68,7 @@ class Gallery : public StoreFixture, public testing::WithParamInterface<std::str
   std::int64_t rows_with(const std::vector<std::string>& words_of_others) {
     std::vector<std::pair<std::string, std::string>> columns;
     {
-      sqlite::Statement query{
+      sql::Statement query{
           db_,
           "SELECT t.name, c.name FROM sqlite_schema AS t JOIN pragma_table_info(t.name) AS c "
           "WHERE t.type = 'table' AND c.type = 'TEXT' AND t.name NOT LIKE 'sqlite_%'"};
@@ -77,7 +77,7 @@ class Gallery : public StoreFixture, public testing::WithParamInterface<std::str
     std::int64_t rows = 0;
     for (const auto& [table, column] : columns)
       for (const std::string& word : words_of_others) {
-        sqlite::Statement query{db_, "SELECT count(*) FROM " + table + " WHERE instr(" + column + ", ?1)"};
+        sql::Statement query{db_, "SELECT count(*) FROM " + table + " WHERE instr(" + column + ", ?1)"};
         query.bind(1, word);
         if (query.step()) rows += query.integer(0);
       }

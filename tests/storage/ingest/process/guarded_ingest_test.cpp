@@ -11,7 +11,7 @@
 #include <stdexcept>
 
 #include "storage/repository/dataset_repository.hpp"
-#include "storage/sqlite/statement.hpp"
+#include "storage/sql/statement.hpp"
 #include "tests/storage/ingest/support/netcdf_writer.hpp"
 #include "tests/storage/ingest/support/store_fixture.hpp"
 #include "tests/support/places.hpp"
@@ -23,19 +23,18 @@ namespace {
 using testing::HasSubstr;
 
 /// Every row of every table with data of datasets, as text, without the numbers that rows got in their own store.
-std::multiset<std::string> rows_of_data(sqlite::Connection& db) {
+std::multiset<std::string> rows_of_data(sql::Connection& db) {
   std::multiset<std::string> rows;
-  sqlite::Statement tables{
-      db,
-      "SELECT t.name, group_concat('quote(' || c.name || ')', ' || ') FROM sqlite_schema t "
-      "JOIN pragma_table_info(t.name) c WHERE t.type = 'table' AND c.name NOT IN ('row', "
-      "'dataset_row') AND EXISTS (SELECT 1 FROM pragma_table_info(t.name) d WHERE d.name = "
-      "'dataset_row') GROUP BY t.name"};
+  sql::Statement tables{db,
+                        "SELECT t.name, group_concat('quote(' || c.name || ')', ' || ') FROM sqlite_schema t "
+                        "JOIN pragma_table_info(t.name) c WHERE t.type = 'table' AND c.name NOT IN ('row', "
+                        "'dataset_row') AND EXISTS (SELECT 1 FROM pragma_table_info(t.name) d WHERE d.name = "
+                        "'dataset_row') GROUP BY t.name"};
   while (tables.step()) {
     const std::string table = tables.text(0);
-    sqlite::Statement of_table{db,
-                               "SELECT d.id || " + tables.text(1) + " FROM " + table +
-                                   " JOIN (SELECT row AS number, id FROM dataset) d ON number = dataset_row"};
+    sql::Statement of_table{db,
+                            "SELECT d.id || " + tables.text(1) + " FROM " + table +
+                                " JOIN (SELECT row AS number, id FROM dataset) d ON number = dataset_row"};
     while (of_table.step()) rows.insert(table + ": " + of_table.text(0));
   }
   return rows;
@@ -135,7 +134,7 @@ TEST_F(GuardedIngest, ReadsAFileAgainThatAnEarlierProgramMisread) {
   CurrentFile{}.write(path("currents.nc"));
   ASSERT_EQ(guarded({path("currents.nc")}).front().status, IngestStatus::stored);
   const auto before = rows_of_data(db_);
-  sqlite::execute(db_, "UPDATE dataset SET outdated = 1; DELETE FROM field_chunk");
+  sql::execute(db_, "UPDATE dataset SET outdated = 1; DELETE FROM field_chunk");
 
   const auto again = guarded({path("currents.nc")});
 

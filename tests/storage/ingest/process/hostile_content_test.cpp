@@ -7,7 +7,7 @@
 
 #include "storage/ingest/process/guarded_ingest.hpp"
 #include "storage/repository/dataset_repository.hpp"
-#include "storage/sqlite/statement.hpp"
+#include "storage/sql/statement.hpp"
 #include "tests/storage/ingest/support/archive_writer.hpp"
 #include "tests/storage/ingest/support/foreign_files.hpp"
 #include "tests/storage/ingest/support/netcdf_writer.hpp"
@@ -77,7 +77,7 @@ class HostileContent : public StoreFixture {
     for (const char* const column : {"dataset_text.text", "sighting.berg_id", "sighting.shape", "zone.name",
                                      "glider_track.glider", "tide_station.name", "dataset.name"}) {
       const std::string name = column;
-      sqlite::Statement query{
+      sql::Statement query{
           db_, "SELECT count(*) FROM " + name.substr(0, name.find('.')) + " WHERE instr(" + name + ", ?1)"};
       query.bind(1, std::string{secret_word});
       if (query.step()) rows += query.integer(0);

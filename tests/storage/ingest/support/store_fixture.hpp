@@ -40,7 +40,7 @@ class StoreFixture : public testing::Test {
   void expect_refused(const std::filesystem::path& file, const std::string& reason,
                       const IngestOptions& options = {});
 
-  sqlite::Connection db_;
+  sql::Connection db_;
 
  private:
   std::filesystem::path folder_;

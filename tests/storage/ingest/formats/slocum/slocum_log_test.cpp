@@ -249,7 +249,7 @@ TEST_F(SlocumLogs, CutAnywhereAreRefusedOrLackOnlyTheirEnd) {
       EXPECT_NEAR(point.place.lat_deg, 54.32, 0.02) << length;
       EXPECT_NEAR(point.place.lon_deg, 7.39, 0.03) << length;
     }
-    sqlite::Connection empty = repository::open_store_in_memory();
+    sql::Connection empty = repository::open_store_in_memory();
     std::swap(db_, empty);
   }
 }

@@ -7,7 +7,7 @@
 
 #include "storage/repository/dataset_repository.hpp"
 #include "storage/repository/glider_track_repository.hpp"
-#include "storage/sqlite/statement.hpp"
+#include "storage/sql/statement.hpp"
 #include "tests/engine/simulation/logged.hpp"
 #include "tests/storage/ingest/support/store_fixture.hpp"
 #include "tests/support/property.hpp"
@@ -396,7 +396,7 @@ TEST_F(SlocumAxes, ByAVariationThatIsImpossibleAreTheModelsAndSaySo) {
 TEST_F(SlocumAxes, OfTracksStoredBeforeTheyWereKnownAreMendedByTheSameFile) {
   const std::string text = with_variation(dive_at(69.2, -52.5), 0.4750).text();
   const auto turned = track_of("log.csv", text);
-  sqlite::execute(
+  sql::execute(
       db_,
       "UPDATE dataset SET outdated = 1; UPDATE glider_track SET frame = 'vehicle', variation_source = "
       "NULL, variation_west_rad = NULL, utm_zone = NULL; UPDATE glider_current SET east_m_s = 0.1, "

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "storage/sql/driver/version.hpp"
+
+namespace floeplan::sql {
+
+/// A statement that an engine has parsed. `Statement` is what callers use.
+/// Edges    parameters count from 1, columns from 0; values are copied when bound; a blob is valid until the next step
+/// Errors   Failure when the engine refuses
+class PreparedStatement {
+ public:
+  virtual ~PreparedStatement() = default;
+
+  virtual void bind(int parameter, const std::string& value) = 0;
+  virtual void bind(int parameter, std::int64_t value) = 0;
+  virtual void bind(int parameter, double value) = 0;
+  virtual void bind(int parameter, std::span<const std::byte> value) = 0;
+  virtual void bind_null(int parameter) = 0;
+
+  /// Moves on to the next row. False: there is none.
+  [[nodiscard]] virtual bool step() = 0;
+  /// Runs to the end, ready to be bound and run again. Returns how many rows were changed.
+  virtual int run() = 0;
+  /// Ready to be bound and run again.
+  virtual void reset() = 0;
+
+  [[nodiscard]] virtual bool is_null(int column) const = 0;
+  [[nodiscard]] virtual std::string text(int column) const = 0;
+  [[nodiscard]] virtual std::int64_t integer(int column) const = 0;
+  [[nodiscard]] virtual double real(int column) const = 0;
+  [[nodiscard]] virtual std::span<const std::byte> blob(int column) const = 0;
+};
+
+/// One connection to a database engine: what engines do in ways of their own. What all take as the same text (COMMIT,
+/// ROLLBACK, savepoints) is run as a script.
+/// Threads  one thread at a time
+/// Errors   Failure when the engine refuses
+class Driver {
+ public:
+  virtual ~Driver() = default;
+
+  /// A statement without values, perhaps one that was parsed before. It is gone before the driver is.
+  [[nodiscard]] virtual std::unique_ptr<PreparedStatement> prepare(const std::string& sql) = 0;
+  virtual void run_script(const std::string& script) = 0;
+
+  [[nodiscard]] virtual bool is_in_transaction() = 0;
+  /// Begins a transaction with the right to write, which it waits for.
+  virtual void begin_writing() = 0;
+  /// Begins a transaction that reads as of its first read, and waits for nobody.
+  virtual void begin_reading() = 0;
+  /// Changes with every commit, whoever made it, and costs next to nothing.
+  [[nodiscard]] virtual Version version() = 0;
+
+  /// Writes the whole database, as it stands at one moment, into a new file.
+  virtual void back_up(const std::filesystem::path& file) = 0;
+  /// Whether the pages of the database end with checksums.
+  [[nodiscard]] virtual bool has_page_checksums() = 0;
+  /// Numbers of the pages, from 1, whose bytes in the file are not those that were written.
+  [[nodiscard]] virtual std::vector<std::uint32_t> damaged_pages() = 0;
+};
+
+}  // namespace floeplan::sql

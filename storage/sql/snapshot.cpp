@@ -1,0 +1,22 @@
+#include "storage/sql/snapshot.hpp"
+
+#include <stdexcept>
+
+#include "storage/sql/statement.hpp"
+
+namespace floeplan::sql {
+
+Snapshot::Snapshot(Connection& db) : db_{db}, began_{!db.driver().is_in_transaction()} {
+  if (began_) db_.driver().begin_reading();
+}
+
+Snapshot::~Snapshot() {
+  if (!began_) return;
+  try {
+    execute(db_, "ROLLBACK");
+    // NOLINTNEXTLINE(bugprone-empty-catch): after a failed read it has ended already
+  } catch (const std::runtime_error&) {
+  }
+}
+
+}  // namespace floeplan::sql

@@ -1,0 +1,71 @@
+#include "storage/sql/sqlite/backup.hpp"
+
+#include <SQLiteCpp/Backup.h>
+#include <SQLiteCpp/Database.h>
+#include <SQLiteCpp/Statement.h>
+
+#include <system_error>
+
+#include "storage/sql/sqlite/database_files.hpp"
+#include "storage/sql/sqlite/library_failure.hpp"
+#include "storage/sql/sqlite/page_checksums.hpp"
+
+namespace floeplan::sql::sqlite {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string damage_in(SQLite::Database& database) {
+  SQLite::Statement check{database, "PRAGMA quick_check(1)"};
+  const std::string found = check.executeStep() ? check.getColumn(0).getString() : "nothing was checked";
+  return found == "ok" ? "" : found;
+}
+
+/// In one step: the copy is of one moment, and in a write-ahead log nobody waits for it.
+void copy_into(SQLite::Database& from, const fs::path& file) {
+  SQLite::Database to{file.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE, 0, checked_files()};
+  fs::permissions(file, fs::perms::owner_read | fs::perms::owner_write);  // it holds tokens
+  {
+    SQLite::Backup backup{to, from};
+    backup.executeStep(-1);
+  }
+  to.exec("PRAGMA journal_mode = DELETE");  // one file that can be carried away
+  const std::string damage = damage_in(to);
+  if (!damage.empty())
+    throw Failure{"the copy is not sound (" + damage + "); the store is damaged, or the disk"};
+}
+
+}  // namespace
+
+void back_up(SQLite::Database& database, const fs::path& file) {
+  if (fs::exists(file)) throw Failure{file.string() + " exists already; name a new file"};
+  const fs::path unfinished = file.string() + ".unfinished";
+  std::error_code ignored;
+  fs::remove(unfinished, ignored);
+  try {
+    copy_into(database, unfinished);
+    flush(unfinished);
+    fs::rename(unfinished, file);
+    const fs::path folder = file.parent_path();
+    flush(folder.empty() ? fs::path{"."} : folder);
+  } catch (const SQLite::Exception& cause) {
+    fs::remove(unfinished, ignored);
+    throw failure_of(cause, unfinished.string());
+  } catch (...) {
+    fs::remove(unfinished, ignored);
+    throw;
+  }
+}
+
+std::string damage_of(const fs::path& file) {
+  try {
+    SQLite::Database database{file.string(), SQLite::OPEN_READONLY, 0, checked_files()};
+    if (database.execAndGet("PRAGMA application_id").getInt() != application_id)
+      return "it is no store of Floeplan";
+    return damage_in(database);
+  } catch (const SQLite::Exception& cause) {
+    throw failure_of(cause, file.string());
+  }
+}
+
+}  // namespace floeplan::sql::sqlite

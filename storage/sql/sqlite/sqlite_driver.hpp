@@ -1,0 +1,58 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "storage/sql/driver/driver.hpp"
+#include "storage/sql/sqlite/store_use.hpp"
+
+namespace SQLite {
+class Database;
+}
+
+namespace floeplan::sql::sqlite {
+
+class IdleStatements;
+
+/// A connection to a database of SQLite: foreign keys on, full synchronisation and a busy timeout, so that a committed
+/// transaction survives a kill and a power cut.
+/// Errors   Failure when the file cannot be opened, is damaged, or is a database of another program; such a file is left as
+///          it is
+class SqliteDriver : public Driver {
+ public:
+  /// `<store>/floeplan.sqlite`, created with its folder, with a write-ahead log and pages with checksums. Nobody puts another
+  /// file in its place while the connection lasts.
+  [[nodiscard]] static std::unique_ptr<Driver> open(const std::filesystem::path& store);
+  /// `<folder>/floeplan.sqlite` for data that are thrown away when anything goes wrong: nothing waits for the disk, and
+  /// nobody else may have it open for writing.
+  [[nodiscard]] static std::unique_ptr<Driver> open_scratch(const std::filesystem::path& folder);
+  /// A private database in memory.
+  [[nodiscard]] static std::unique_ptr<Driver> in_memory();
+
+  SqliteDriver(const SqliteDriver&) = delete;
+  SqliteDriver& operator=(const SqliteDriver&) = delete;
+  ~SqliteDriver() override;
+
+  [[nodiscard]] std::unique_ptr<PreparedStatement> prepare(const std::string& sql) override;
+  void run_script(const std::string& script) override;
+  [[nodiscard]] bool is_in_transaction() override;
+  void begin_writing() override;
+  void begin_reading() override;
+  [[nodiscard]] Version version() override;
+  void back_up(const std::filesystem::path& file) override;
+  [[nodiscard]] bool has_page_checksums() override;
+  [[nodiscard]] std::vector<std::uint32_t> damaged_pages() override;
+
+ private:
+  /// Whether others may have the database open, too, with a write-ahead log.
+  enum class Sharing { shared, alone };
+  SqliteDriver(std::unique_ptr<SQLite::Database> database, Sharing sharing);
+
+  std::optional<StoreUse> use_;  // ends after the database is closed
+  std::unique_ptr<SQLite::Database> database_;
+  std::unique_ptr<IdleStatements> idle_;  // of database_
+  Sharing sharing_;
+};
+
+}  // namespace floeplan::sql::sqlite

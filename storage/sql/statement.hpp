@@ -1,0 +1,85 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+
+#include "engine/core/units.hpp"
+#include "storage/sql/connection.hpp"
+
+namespace floeplan::sql {
+
+/// Runs a script of several statements that take no values and give no rows.
+void execute(Connection& db, const std::string& script);
+
+/// The row at which a statement stands. Columns count from 0.
+/// Errors   Failure when there is no such column, or the statement stands at no row
+class Row {
+ public:
+  Row(const Row&) = delete;
+  Row& operator=(const Row&) = delete;
+
+  [[nodiscard]] bool is_null(int column) const { return prepared_->is_null(column); }
+  [[nodiscard]] std::string text(int column) const { return prepared_->text(column); }
+  [[nodiscard]] std::int64_t integer(int column) const { return prepared_->integer(column); }
+  [[nodiscard]] double real(int column) const { return prepared_->real(column); }
+  [[nodiscard]] core::UtcTime time(int column) const { return core::from_unix_seconds(real(column)); }
+  /// Valid until the next step.
+  [[nodiscard]] std::span<const std::byte> blob(int column) const { return prepared_->blob(column); }
+  [[nodiscard]] std::optional<std::string> optional_text(int column) const;
+  [[nodiscard]] std::optional<double> optional_real(int column) const;
+  [[nodiscard]] std::optional<core::UtcTime> optional_time(int column) const;
+
+ protected:
+  explicit Row(std::unique_ptr<PreparedStatement> prepared) : prepared_{std::move(prepared)} {}
+  Row(Row&&) = default;
+  ~Row() = default;
+
+  std::unique_ptr<PreparedStatement> prepared_;
+};
+
+/// One prepared statement, and the row at which it stands. Parameters count from 1.
+/// Edges    an empty optional is NULL; text and blobs are copied when bound
+/// Threads  as the connection: one thread at a time
+/// Errors   Failure when the database refuses; std::invalid_argument for a NaN, which SQL would take for NULL
+class Statement : public Row {
+ public:
+  Statement(Connection& db, const std::string& sql) : Row{db.driver().prepare(sql)} {}
+
+  void bind(int parameter, const std::string& value) { prepared_->bind(parameter, value); }
+  void bind(int parameter, std::int64_t value) { prepared_->bind(parameter, value); }
+  void bind(int parameter, int value) { bind(parameter, std::int64_t{value}); }
+  void bind(int parameter, double value);
+  void bind(int parameter, core::UtcTime value) { bind(parameter, core::unix_seconds(value)); }
+  void bind(int parameter, std::span<const std::byte> value) { prepared_->bind(parameter, value); }
+  void bind_null(int parameter) { prepared_->bind_null(parameter); }
+
+  template <class T>
+  void bind(int parameter, const std::optional<T>& value) {
+    if (value) {
+      bind(parameter, *value);
+    } else {
+      bind_null(parameter);
+    }
+  }
+
+  /// Binds the values to the parameters 1, 2, 3, ...
+  template <class... Values>
+  void bind_all(const Values&... values) {
+    int parameter = 0;
+    (bind(++parameter, values), ...);
+  }
+
+  /// Moves on to the next row. False: there is none.
+  [[nodiscard]] bool step() { return prepared_->step(); }
+  /// Runs the statement to its end, ready to be bound and run again. Returns how many rows it changed.
+  int run() { return prepared_->run(); }
+  /// Ready to be bound and run again.
+  void reset() { prepared_->reset(); }
+};
+
+}  // namespace floeplan::sql

@@ -1,0 +1,68 @@
+#include "storage/sql/tables.hpp"
+
+#include <stdexcept>
+
+#include "storage/sql/own_tables.hpp"
+#include "storage/sql/statement.hpp"
+
+namespace floeplan::sql {
+namespace {
+
+ColumnType type_of(const std::string& declared) {
+  if (declared == "INTEGER" || declared == "INT") return ColumnType::integer;  // INT: the key of an R*Tree
+  if (declared == "REAL") return ColumnType::real;
+  if (declared == "TEXT") return ColumnType::text;
+  if (declared == "BLOB") return ColumnType::blob;
+  throw std::logic_error{"a column of the type " + declared};
+}
+
+std::string has_column(const std::string& schema, std::string_view column) {
+  return "EXISTS (SELECT 1 FROM pragma_table_info(t.name, '" + schema + "') AS c WHERE c.name = '" +
+         std::string{column} + "')";
+}
+
+}  // namespace
+
+std::vector<Column> columns_of(Connection& db, const std::string& table) {
+  Statement query{db, "SELECT name, type FROM pragma_table_info(?1) ORDER BY cid"};
+  query.bind(1, table);
+  std::vector<Column> columns;
+  while (query.step()) columns.push_back({query.text(0), type_of(query.text(1))});
+  return columns;
+}
+
+bool has_table(Connection& db, const std::string& name) {
+  Statement query{db, "SELECT 1 FROM main.sqlite_schema WHERE type = 'table' AND name = ?1"};
+  query.bind(1, name);
+  return query.step();
+}
+
+/// Not by PRAGMA table_list, which reads from R*Trees and fails where one is damaged.
+std::vector<std::string> tables_of(Connection& db, const std::string& schema, std::string_view with,
+                                   const std::vector<std::string>& without) {
+  std::string condition = own_tables;
+  if (!with.empty()) condition += " AND " + has_column(schema, with);
+  for (const std::string& column : without) condition += " AND NOT " + has_column(schema, column);
+  Statement query{
+      db, "SELECT t.name FROM " + schema + ".sqlite_schema AS t WHERE " + condition + " ORDER BY t.name"};
+  std::vector<std::string> names;
+  while (query.step()) names.push_back(query.text(0));
+  return names;
+}
+
+std::int64_t highest_row(Connection& db, const std::string& table) {
+  Statement query{db, "SELECT max(coalesce((SELECT max(row) FROM main." + table +
+                          "), 0), coalesce((SELECT seq FROM main.sqlite_sequence WHERE name = ?1), 0))"};
+  query.bind(1, table);
+  return query.step() ? query.integer(0) : 0;
+}
+
+bool has_only_tables_of_main(Connection& db, const std::string& schema) {
+  Statement differing{db, "SELECT name FROM " + schema +
+                              ".sqlite_schema AS there WHERE NOT EXISTS (SELECT 1 FROM main.sqlite_schema AS "
+                              "here WHERE here.name = there.name AND here.type = there.type AND here.sql IS "
+                              "there.sql)"};
+  return !differing.step();
+}
+
+}  // namespace floeplan::sql

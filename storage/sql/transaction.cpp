@@ -1,0 +1,32 @@
+#include "storage/sql/transaction.hpp"
+
+#include <stdexcept>
+
+#include "storage/sql/statement.hpp"
+
+namespace floeplan::sql {
+
+// Savepoints may share a name: it always means the innermost.
+Transaction::Transaction(Connection& db) : db_{db}, outermost_{!db.driver().is_in_transaction()} {
+  if (outermost_)
+    db_.driver().begin_writing();
+  else
+    execute(db_, "SAVEPOINT nested");
+}
+
+Transaction::~Transaction() {
+  if (finished_) return;
+  try {
+    execute(db_, outermost_ ? "ROLLBACK" : "ROLLBACK TO nested; RELEASE nested");
+    // NOLINTNEXTLINE(bugprone-empty-catch): after a full disk it was undone already
+  } catch (const std::runtime_error&) {
+  }
+}
+
+void Transaction::commit() {
+  if (finished_) throw std::logic_error{"the transaction is finished"};
+  execute(db_, outermost_ ? "COMMIT" : "RELEASE nested");
+  finished_ = true;
+}
+
+}  // namespace floeplan::sql

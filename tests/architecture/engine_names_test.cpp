@@ -1,0 +1,82 @@
+#include <gmock/gmock.h>
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <string>
+
+#include "tests/support/places.hpp"
+
+namespace floeplan::support::engine_names_test {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Code outside storage/sql that says the name of a database engine or speaks its dialect, and in how many lines: formats
+/// that are databases of that engine, and tests that look at its files. This list, and its numbers, only shrink.
+const std::map<std::string, int> known{
+    {"storage/ingest/foreign_formats.cpp", 2},
+    {"storage/ingest/formats/vector/vector_file.cpp", 1},
+    {"storage/ingest/formats/vector/vector_file.hpp", 2},
+    {"tests/bench/store_bench.cpp", 1},
+    {"tests/server/cli/damaged_store_test.cpp", 2},
+    {"tests/server/cli/doors_test.cpp", 1},
+    {"tests/server/cli/upgrade_test.cpp", 3},
+    {"tests/server/jobs/worker_pool_test.cpp", 1},
+    {"tests/storage/ingest/data_formats_test.cpp", 1},
+    {"tests/storage/ingest/formats/vector/geopackage_test.cpp", 1},
+    {"tests/storage/ingest/hostile/archives.cpp", 1},
+    {"tests/storage/ingest/hostile/databases.cpp", 5},
+    {"tests/storage/ingest/hostile/gallery.cpp", 1},
+    {"tests/storage/ingest/hostile/gallery_test.cpp", 3},
+    {"tests/storage/ingest/hostile/hdf5.cpp", 1},
+    {"tests/storage/ingest/process/guarded_ingest_test.cpp", 4},
+    {"tests/storage/ingest/process/hostile_content_test.cpp", 7},
+    {"tests/storage/repository/damage_test.cpp", 2},
+    {"tests/storage/repository/dataset_rows_test.cpp", 1},
+    {"tests/storage/repository/killed_replacement_test.cpp", 1},
+    {"tests/storage/repository/migrations_test.cpp", 10},
+    {"tests/storage/sandbox/attempts.hpp", 1},
+};
+
+/// How many lines of each code file name an engine.
+std::map<std::string, int> lines_that_name_an_engine(const fs::path& root) {
+  static const std::regex name{"sqlite|postgres|pragma (?!once)|pragma_", std::regex::icase};
+  std::map<std::string, int> lines;
+  for (const char* layer : {"engine", "storage", "api", "server", "web/src", "tests"}) {
+    for (const auto& entry : fs::recursive_directory_iterator{root / layer}) {
+      const fs::path file = entry.path().lexically_relative(root);
+      const fs::path ending = file.extension();
+      const bool is_code = ending == ".cpp" || ending == ".hpp" || ending == ".ts" || ending == ".tsx";
+      const std::string path = file.generic_string();
+      if (!is_code || path.starts_with("storage/sql/") || path.starts_with("tests/storage/sql/") ||
+          path.starts_with("tests/architecture/"))
+        continue;
+      std::ifstream in{entry.path()};
+      for (std::string line; std::getline(in, line);)
+        if (std::regex_search(line, name)) ++lines[path];
+    }
+  }
+  return lines;
+}
+
+TEST(NamesOfEngines, StandOnlyInTheFolderThatKnowsThem) {
+  EXPECT_THAT(lines_that_name_an_engine(source_folder()), testing::ContainerEq(known))
+      << "ask storage/sql for it by a name that says what it does; take from the list what is gone";
+}
+
+TEST(NamesOfEngines, AreFoundInAnyCase) {
+  const fs::path root = fs::path{testing::TempDir()} / "names_of_engines";
+  fs::remove_all(root);
+  for (const char* folder : {"engine", "storage/sql", "api", "server", "web/src", "tests"})
+    fs::create_directories(root / folder);
+  std::ofstream{root / "api/spoilt.cpp"}
+      << "#pragma once\n\"PRAGMA user_version\"\n// SQLite does\nsqlite3* db;\n";
+  std::ofstream{root / "storage/sql/engine.cpp"} << "\"PRAGMA user_version\"\n";
+  EXPECT_THAT(lines_that_name_an_engine(root), testing::ElementsAre(testing::Pair("api/spoilt.cpp", 3)));
+  fs::remove_all(root);
+}
+
+}  // namespace
+}  // namespace floeplan::support::engine_names_test
