@@ -3,7 +3,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "api/codec/input_reader.hpp"
-#include "storage/repository/environment_loader.hpp"
+#include "storage/repository/environment/environment_loader.hpp"
 
 namespace floeplan::codec {
 

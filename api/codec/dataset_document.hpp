@@ -5,7 +5,7 @@
 
 #include "engine/core/units.hpp"
 #include "engine/ocean/dataset_ref.hpp"
-#include "storage/repository/dataset.hpp"
+#include "storage/repository/datasets/dataset.hpp"
 
 namespace floeplan::codec {
 

@@ -4,7 +4,7 @@
 
 #include "api/codec/input_reader.hpp"
 #include "engine/planning/problem/plan_request.hpp"
-#include "storage/repository/environment_loader.hpp"
+#include "storage/repository/environment/environment_loader.hpp"
 
 namespace floeplan::codec {
 

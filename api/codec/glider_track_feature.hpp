@@ -2,7 +2,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "storage/repository/glider_track_repository.hpp"
+#include "storage/repository/features/glider_track_repository.hpp"
 
 namespace floeplan::codec {
 

@@ -5,7 +5,7 @@
 #include "api/codec/input_reader.hpp"
 #include "engine/planning/problem/iceberg_rules.hpp"
 #include "engine/planning/problem/under_ice_rules.hpp"
-#include "storage/repository/environment_loader.hpp"
+#include "storage/repository/environment/environment_loader.hpp"
 
 namespace floeplan::codec {
 

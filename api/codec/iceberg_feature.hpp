@@ -4,8 +4,8 @@
 #include <tl/expected.hpp>
 
 #include "engine/core/violation.hpp"
-#include "storage/repository/iceberg_repository.hpp"
-#include "storage/repository/iceberg_track_repository.hpp"
+#include "storage/repository/features/iceberg_repository.hpp"
+#include "storage/repository/features/iceberg_track_repository.hpp"
 
 namespace floeplan::codec {
 

@@ -8,7 +8,7 @@
 
 #include "engine/core/violation.hpp"
 #include "engine/geo/lon_lat.hpp"
-#include "storage/repository/dataset.hpp"
+#include "storage/repository/datasets/dataset.hpp"
 
 namespace floeplan::codec {
 

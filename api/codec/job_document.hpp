@@ -3,7 +3,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "storage/repository/job_repository.hpp"
+#include "storage/repository/work/job_repository.hpp"
 
 namespace floeplan::codec {
 

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "storage/json/json.hpp"
-#include "storage/repository/plan_repository.hpp"
+#include "storage/repository/work/plan_repository.hpp"
 
 namespace floeplan::codec {
 

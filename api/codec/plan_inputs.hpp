@@ -10,7 +10,7 @@
 #include "engine/geo/bounding_box.hpp"
 #include "engine/geo/lon_lat.hpp"
 #include "engine/planning/problem/plan_request.hpp"
-#include "storage/repository/environment_loader.hpp"
+#include "storage/repository/environment/environment_loader.hpp"
 
 namespace floeplan::codec {
 

@@ -7,7 +7,7 @@
 
 #include "engine/core/violation.hpp"
 #include "engine/planning/problem/isochrone_request.hpp"
-#include "storage/repository/environment_loader.hpp"
+#include "storage/repository/environment/environment_loader.hpp"
 
 namespace floeplan::codec {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "engine/core/violation.hpp"
-#include "storage/repository/retention.hpp"
+#include "storage/repository/datasets/retention.hpp"
 
 namespace floeplan::codec {
 

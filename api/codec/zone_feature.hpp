@@ -4,7 +4,7 @@
 #include <tl/expected.hpp>
 
 #include "engine/core/violation.hpp"
-#include "storage/repository/zone_repository.hpp"
+#include "storage/repository/features/zone_repository.hpp"
 
 namespace floeplan::codec {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "engine/core/units.hpp"
-#include "storage/repository/dataset_choice.hpp"
+#include "storage/repository/datasets/dataset_choice.hpp"
 
 namespace floeplan::fields {
 

@@ -12,7 +12,7 @@
 #include "engine/vehicle/energy_model.hpp"
 #include "engine/vehicle/flight_choices.hpp"
 #include "engine/vehicle/glider_profile.hpp"
-#include "storage/repository/environment_loader.hpp"
+#include "storage/repository/environment/environment_loader.hpp"
 
 /// The table of request fields, part by part. JSON is read and written by it (api/codec/input_fields), the options of
 /// the command line follow from it (server/cli/input_flags), and so do the schemas of the OpenAPI document and the forms of the

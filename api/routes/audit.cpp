@@ -10,7 +10,7 @@
 #include "api/routes/resources.hpp"
 #include "engine/core/shown_text.hpp"
 #include "engine/core/utc_text.hpp"
-#include "storage/repository/audit_repository.hpp"
+#include "storage/repository/access/audit_repository.hpp"
 
 namespace floeplan::routes {
 namespace {

@@ -5,8 +5,8 @@
 #include "api/routes/parameters.hpp"
 #include "api/routes/reply.hpp"
 #include "api/routes/resources.hpp"
-#include "storage/repository/coastline_repository.hpp"
-#include "storage/repository/dataset_repository.hpp"
+#include "storage/repository/datasets/dataset_repository.hpp"
+#include "storage/repository/features/coastline_repository.hpp"
 
 namespace floeplan::routes {
 namespace {

@@ -13,7 +13,7 @@
 #include "api/routes/job_gateway.hpp"
 #include "api/routes/remembered.hpp"
 #include "api/routes/request_counts.hpp"
-#include "storage/repository/current_blocks.hpp"
+#include "storage/repository/fields/current_blocks.hpp"
 #include "storage/sql/connection.hpp"
 
 namespace floeplan::routes {

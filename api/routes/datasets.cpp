@@ -4,9 +4,9 @@
 #include "api/routes/reply.hpp"
 #include "api/routes/resources.hpp"
 #include "api/routes/store_trouble.hpp"
-#include "storage/repository/dataset_repository.hpp"
-#include "storage/repository/field_repository.hpp"
-#include "storage/repository/retention.hpp"
+#include "storage/repository/datasets/dataset_repository.hpp"
+#include "storage/repository/datasets/retention.hpp"
+#include "storage/repository/fields/field_repository.hpp"
 
 namespace floeplan::routes {
 namespace {

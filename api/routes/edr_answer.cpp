@@ -10,7 +10,7 @@
 #include "engine/core/utc_text.hpp"
 #include "engine/geo/united_boxes.hpp"
 #include "storage/json/json.hpp"
-#include "storage/repository/dataset_choice.hpp"
+#include "storage/repository/datasets/dataset_choice.hpp"
 
 namespace floeplan::routes {
 namespace {

@@ -5,9 +5,9 @@
 #include <numbers>
 #include <utility>
 
-#include "storage/repository/dataset_repository.hpp"
-#include "storage/repository/field_overviews.hpp"
-#include "storage/repository/field_repository.hpp"
+#include "storage/repository/datasets/dataset_repository.hpp"
+#include "storage/repository/fields/field_overviews.hpp"
+#include "storage/repository/fields/field_repository.hpp"
 
 namespace floeplan::routes {
 namespace {

@@ -10,8 +10,8 @@
 #include "api/routes/parameters.hpp"
 #include "engine/geo/bounding_box.hpp"
 #include "engine/ocean/horizontal_grid.hpp"
-#include "storage/repository/current_blocks.hpp"
-#include "storage/repository/dataset.hpp"
+#include "storage/repository/datasets/dataset.hpp"
+#include "storage/repository/fields/current_blocks.hpp"
 #include "storage/sql/connection.hpp"
 
 namespace floeplan::routes {

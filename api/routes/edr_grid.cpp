@@ -10,7 +10,7 @@
 #include "api/routes/edr_places.hpp"
 #include "api/routes/reply.hpp"
 #include "storage/json/json.hpp"
-#include "storage/repository/dataset_choice.hpp"
+#include "storage/repository/datasets/dataset_choice.hpp"
 #include "storage/sql/snapshot.hpp"
 
 namespace floeplan::routes {

@@ -12,7 +12,7 @@
 #include "api/routes/reply.hpp"
 #include "api/routes/resources.hpp"
 #include "storage/json/json.hpp"
-#include "storage/repository/kept_answers.hpp"
+#include "storage/repository/work/kept_answers.hpp"
 
 namespace floeplan::routes {
 namespace {

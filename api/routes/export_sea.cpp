@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "storage/json/json.hpp"
-#include "storage/repository/environment_loader.hpp"
+#include "storage/repository/environment/environment_loader.hpp"
 
 namespace floeplan::routes {
 namespace {

@@ -8,7 +8,7 @@
 #include "engine/mission/shoals.hpp"
 #include "engine/planning/problem/plan.hpp"
 #include "engine/vehicle/glider_profile.hpp"
-#include "storage/repository/plan_repository.hpp"
+#include "storage/repository/work/plan_repository.hpp"
 #include "storage/sql/connection.hpp"
 
 namespace floeplan::routes {

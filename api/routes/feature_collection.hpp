@@ -11,7 +11,7 @@
 #include "api/routes/parameters.hpp"
 #include "engine/core/violation.hpp"
 #include "storage/json/json.hpp"
-#include "storage/repository/stored_things.hpp"
+#include "storage/repository/store/stored_things.hpp"
 
 namespace floeplan::routes {
 

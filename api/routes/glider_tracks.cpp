@@ -1,7 +1,7 @@
 #include "api/codec/glider_track_feature.hpp"
 #include "api/routes/feature_collection.hpp"
 #include "api/routes/hand_made.hpp"
-#include "storage/repository/glider_track_repository.hpp"
+#include "storage/repository/features/glider_track_repository.hpp"
 
 namespace floeplan::routes {
 namespace {

@@ -8,10 +8,10 @@
 #include "api/codec/zone_feature.hpp"
 #include "engine/core/version.hpp"
 #include "engine/geo/united_boxes.hpp"
-#include "storage/repository/dataset.hpp"
-#include "storage/repository/dataset_repository.hpp"
-#include "storage/repository/iceberg_repository.hpp"
-#include "storage/repository/zone_repository.hpp"
+#include "storage/repository/datasets/dataset.hpp"
+#include "storage/repository/datasets/dataset_repository.hpp"
+#include "storage/repository/features/iceberg_repository.hpp"
+#include "storage/repository/features/zone_repository.hpp"
 
 namespace floeplan::routes {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "api/routes/feature_collection.hpp"
-#include "storage/repository/dataset.hpp"
+#include "storage/repository/datasets/dataset.hpp"
 
 namespace floeplan::routes {
 

@@ -10,8 +10,8 @@
 #include "api/routes/text_values.hpp"
 #include "engine/core/utc_text.hpp"
 #include "storage/json/json.hpp"
-#include "storage/repository/dataset_repository.hpp"
-#include "storage/repository/environment_loader.hpp"
+#include "storage/repository/datasets/dataset_repository.hpp"
+#include "storage/repository/environment/environment_loader.hpp"
 
 namespace floeplan::routes {
 namespace {

@@ -1,7 +1,7 @@
 #include "api/codec/iceberg_feature.hpp"
 #include "api/routes/feature_collection.hpp"
 #include "api/routes/hand_made.hpp"
-#include "storage/repository/iceberg_track_repository.hpp"
+#include "storage/repository/features/iceberg_track_repository.hpp"
 
 namespace floeplan::routes {
 namespace {

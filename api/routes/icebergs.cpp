@@ -6,10 +6,10 @@
 #include "api/routes/hand_made.hpp"
 #include "api/routes/text_values.hpp"
 #include "engine/core/utc_text.hpp"
-#include "storage/repository/dataset_repository.hpp"
-#include "storage/repository/environment_loader.hpp"
-#include "storage/repository/iceberg_repository.hpp"
-#include "storage/repository/known_icebergs.hpp"
+#include "storage/repository/datasets/dataset_repository.hpp"
+#include "storage/repository/environment/environment_loader.hpp"
+#include "storage/repository/features/iceberg_repository.hpp"
+#include "storage/repository/features/known_icebergs.hpp"
 
 namespace floeplan::routes {
 namespace {

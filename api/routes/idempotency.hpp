@@ -7,7 +7,7 @@
 
 #include "api/routes/context.hpp"
 #include "api/routes/message.hpp"
-#include "storage/repository/kept_answers.hpp"
+#include "storage/repository/work/kept_answers.hpp"
 
 namespace floeplan::routes {
 

@@ -6,7 +6,7 @@
 #include "api/routes/feature_collection.hpp"
 #include "api/routes/hand_made.hpp"
 #include "engine/ocean/isobath.hpp"
-#include "storage/repository/joined_bathymetry.hpp"
+#include "storage/repository/fields/joined_bathymetry.hpp"
 
 namespace floeplan::routes {
 namespace {

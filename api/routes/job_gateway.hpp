@@ -7,8 +7,8 @@
 #include <tl/expected.hpp>
 
 #include "engine/core/units.hpp"
-#include "storage/repository/job_repository.hpp"
-#include "storage/repository/kept_answers.hpp"
+#include "storage/repository/work/job_repository.hpp"
+#include "storage/repository/work/kept_answers.hpp"
 #include "storage/sql/connection.hpp"
 
 namespace floeplan::routes {

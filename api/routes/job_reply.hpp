@@ -4,7 +4,7 @@
 
 #include "api/routes/context.hpp"
 #include "api/routes/message.hpp"
-#include "storage/repository/job_repository.hpp"
+#include "storage/repository/work/job_repository.hpp"
 
 namespace floeplan::routes {
 

@@ -3,7 +3,7 @@
 #include <bit>
 
 #include "api/log/log.hpp"
-#include "storage/repository/audit_repository.hpp"
+#include "storage/repository/access/audit_repository.hpp"
 
 namespace floeplan::routes {
 namespace {

@@ -6,9 +6,9 @@
 #include "api/routes/parameters.hpp"
 #include "api/routes/reply.hpp"
 #include "api/routes/resources.hpp"
-#include "storage/repository/dataset_repository.hpp"
-#include "storage/repository/field_overviews.hpp"
-#include "storage/repository/field_repository.hpp"
+#include "storage/repository/datasets/dataset_repository.hpp"
+#include "storage/repository/fields/field_overviews.hpp"
+#include "storage/repository/fields/field_repository.hpp"
 
 namespace floeplan::routes {
 namespace {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "engine/core/units.hpp"
-#include "storage/repository/token_repository.hpp"
+#include "storage/repository/access/token_repository.hpp"
 
 namespace floeplan::routes {
 

@@ -15,7 +15,7 @@
 #include "engine/mission/safe_places.hpp"
 #include "engine/mission/yo_flight.hpp"
 #include "storage/json/json.hpp"
-#include "storage/repository/environment_loader.hpp"
+#include "storage/repository/environment/environment_loader.hpp"
 
 namespace floeplan::routes {
 namespace {

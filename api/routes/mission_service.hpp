@@ -9,7 +9,7 @@
 #include "engine/core/violation.hpp"
 #include "engine/mission/mission_set.hpp"
 #include "engine/mission/seaglider_files.hpp"
-#include "storage/repository/plan_repository.hpp"
+#include "storage/repository/work/plan_repository.hpp"
 #include "storage/sql/connection.hpp"
 
 namespace floeplan::routes {

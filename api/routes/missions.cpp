@@ -10,7 +10,7 @@
 #include "engine/messages/sentence.hpp"
 #include "engine/mission/comment_text.hpp"
 #include "storage/json/json.hpp"
-#include "storage/repository/plan_repository.hpp"
+#include "storage/repository/work/plan_repository.hpp"
 
 namespace floeplan::routes {
 namespace {

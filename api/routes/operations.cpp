@@ -6,7 +6,7 @@
 #include "api/routes/request_counts.hpp"
 #include "api/routes/resources.hpp"
 #include "engine/core/version.hpp"
-#include "storage/repository/job_repository.hpp"
+#include "storage/repository/work/job_repository.hpp"
 #include "storage/sql/store_file.hpp"
 
 namespace floeplan::routes {

@@ -13,8 +13,8 @@
 #include "engine/mission/below_ice.hpp"
 #include "engine/mission/route_check.hpp"
 #include "storage/json/json.hpp"
-#include "storage/repository/dataset_repository.hpp"
-#include "storage/repository/environment_loader.hpp"
+#include "storage/repository/datasets/dataset_repository.hpp"
+#include "storage/repository/environment/environment_loader.hpp"
 
 namespace floeplan::routes {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "engine/messages/message.hpp"
 #include "engine/ocean/dataset_ref.hpp"
-#include "storage/repository/plan_repository.hpp"
+#include "storage/repository/work/plan_repository.hpp"
 #include "storage/sql/connection.hpp"
 
 namespace floeplan::routes {

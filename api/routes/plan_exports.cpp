@@ -25,10 +25,10 @@
 #include "engine/mission/nmea_route.hpp"
 #include "engine/mission/seaglider_files.hpp"
 #include "storage/json/json.hpp"
-#include "storage/repository/coastline_repository.hpp"
-#include "storage/repository/dataset_repository.hpp"
-#include "storage/repository/environment_loader.hpp"
-#include "storage/repository/known_icebergs.hpp"
+#include "storage/repository/datasets/dataset_repository.hpp"
+#include "storage/repository/environment/environment_loader.hpp"
+#include "storage/repository/features/coastline_repository.hpp"
+#include "storage/repository/features/known_icebergs.hpp"
 
 namespace floeplan::routes {
 namespace {

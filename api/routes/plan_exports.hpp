@@ -8,7 +8,7 @@
 #include "engine/core/units.hpp"
 #include "engine/core/violation.hpp"
 #include "engine/messages/message.hpp"
-#include "storage/repository/plan_repository.hpp"
+#include "storage/repository/work/plan_repository.hpp"
 #include "storage/sql/connection.hpp"
 
 namespace floeplan::routes {

@@ -1,6 +1,6 @@
 #include "api/codec/plan_feature.hpp"
 #include "api/routes/feature_collection.hpp"
-#include "storage/repository/plan_repository.hpp"
+#include "storage/repository/work/plan_repository.hpp"
 
 namespace floeplan::routes {
 namespace {

@@ -4,7 +4,7 @@
 #include "api/routes/plan_check.hpp"
 #include "api/routes/reply.hpp"
 #include "api/routes/resources.hpp"
-#include "storage/repository/plan_repository.hpp"
+#include "storage/repository/work/plan_repository.hpp"
 
 namespace floeplan::routes {
 namespace {

@@ -3,7 +3,7 @@
 #include "api/routes/probe_service.hpp"
 #include "api/routes/reply.hpp"
 #include "api/routes/resources.hpp"
-#include "storage/repository/dataset_repository.hpp"
+#include "storage/repository/datasets/dataset_repository.hpp"
 
 namespace floeplan::routes {
 namespace {

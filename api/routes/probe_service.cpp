@@ -8,13 +8,13 @@
 #include "engine/core/utc_text.hpp"
 #include "engine/geo/geodesic.hpp"
 #include "engine/geo/polygon.hpp"
-#include "storage/repository/coastline_repository.hpp"
-#include "storage/repository/dataset_repository.hpp"
-#include "storage/repository/environment_loader.hpp"
-#include "storage/repository/field_repository.hpp"
-#include "storage/repository/forecast_runs.hpp"
-#include "storage/repository/known_icebergs.hpp"
-#include "storage/repository/zone_repository.hpp"
+#include "storage/repository/datasets/dataset_repository.hpp"
+#include "storage/repository/environment/environment_loader.hpp"
+#include "storage/repository/features/coastline_repository.hpp"
+#include "storage/repository/features/known_icebergs.hpp"
+#include "storage/repository/features/zone_repository.hpp"
+#include "storage/repository/fields/field_repository.hpp"
+#include "storage/repository/fields/forecast_runs.hpp"
 
 namespace floeplan::routes {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "engine/geo/geodesic.hpp"
 #include "engine/tide/minor_constituents.hpp"
-#include "storage/repository/tide_repository.hpp"
+#include "storage/repository/fields/tide_repository.hpp"
 
 namespace floeplan::routes {
 namespace {

@@ -6,7 +6,7 @@
 #include "api/codec/probe_document.hpp"
 #include "engine/core/units.hpp"
 #include "engine/geo/lon_lat.hpp"
-#include "storage/repository/dataset.hpp"
+#include "storage/repository/datasets/dataset.hpp"
 #include "storage/sql/connection.hpp"
 
 namespace floeplan::routes {

@@ -14,10 +14,10 @@
 #include "api/routes/owner.hpp"
 #include "engine/core/version.hpp"
 #include "engine/core/violation_list.hpp"
-#include "storage/repository/dataset_repository.hpp"
-#include "storage/repository/plan_repository.hpp"
-#include "storage/repository/simulation_repository.hpp"
-#include "storage/repository/upload_repository.hpp"
+#include "storage/repository/datasets/dataset_repository.hpp"
+#include "storage/repository/work/plan_repository.hpp"
+#include "storage/repository/work/simulation_repository.hpp"
+#include "storage/repository/work/upload_repository.hpp"
 
 namespace floeplan::routes {
 namespace {

@@ -3,8 +3,8 @@
 #include "api/routes/owner.hpp"
 #include "api/routes/reply.hpp"
 #include "api/routes/text_values.hpp"
-#include "storage/repository/owners.hpp"
-#include "storage/repository/upload_repository.hpp"
+#include "storage/repository/access/owners.hpp"
+#include "storage/repository/work/upload_repository.hpp"
 
 namespace floeplan::routes {
 namespace {

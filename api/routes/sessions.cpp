@@ -3,7 +3,7 @@
 #include "api/routes/resources.hpp"
 #include "api/routes/shown_credential.hpp"
 #include "engine/core/utc_text.hpp"
-#include "storage/repository/token_repository.hpp"
+#include "storage/repository/access/token_repository.hpp"
 
 namespace floeplan::routes {
 namespace {

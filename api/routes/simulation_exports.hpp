@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-#include "storage/repository/simulation_repository.hpp"
+#include "storage/repository/work/simulation_repository.hpp"
 #include "storage/sql/connection.hpp"
 
 namespace floeplan::routes {

@@ -7,7 +7,7 @@
 #include "api/routes/store_trouble.hpp"
 #include "engine/core/utc_text.hpp"
 #include "storage/json/json.hpp"
-#include "storage/repository/simulation_repository.hpp"
+#include "storage/repository/work/simulation_repository.hpp"
 
 namespace floeplan::routes {
 namespace {

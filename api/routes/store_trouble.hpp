@@ -4,7 +4,7 @@
 
 #include "api/routes/message.hpp"
 #include "storage/json/json.hpp"
-#include "storage/repository/stored_things.hpp"
+#include "storage/repository/store/stored_things.hpp"
 #include "storage/sql/driver/failure.hpp"
 
 namespace floeplan::routes {

@@ -10,7 +10,7 @@
 #include "api/routes/resources.hpp"
 #include "engine/core/letter_case.hpp"
 #include "engine/core/utc_text.hpp"
-#include "storage/repository/upload_repository.hpp"
+#include "storage/repository/work/upload_repository.hpp"
 
 namespace floeplan::routes {
 namespace {

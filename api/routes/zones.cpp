@@ -1,7 +1,7 @@
 #include "api/codec/zone_feature.hpp"
 #include "api/routes/feature_collection.hpp"
 #include "api/routes/hand_made.hpp"
-#include "storage/repository/zone_repository.hpp"
+#include "storage/repository/features/zone_repository.hpp"
 
 namespace floeplan::routes {
 namespace {

@@ -4,7 +4,7 @@
 #include "engine/core/utc_text.hpp"
 #include "server/cli/operator_commands.hpp"
 #include "storage/json/json.hpp"
-#include "storage/repository/audit_repository.hpp"
+#include "storage/repository/access/audit_repository.hpp"
 
 namespace floeplan::cli {
 namespace {

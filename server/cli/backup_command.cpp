@@ -2,9 +2,9 @@
 #include <memory>
 
 #include "server/cli/operator_commands.hpp"
-#include "storage/repository/migrations.hpp"
-#include "storage/repository/replacement.hpp"
-#include "storage/repository/store_lock.hpp"
+#include "storage/repository/store/migrations.hpp"
+#include "storage/repository/store/replacement.hpp"
+#include "storage/repository/store/store_lock.hpp"
 #include "storage/sql/driver/failure.hpp"
 #include "storage/sql/store_file.hpp"
 #include "storage/sql/upkeep.hpp"

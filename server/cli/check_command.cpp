@@ -13,7 +13,7 @@
 #include "server/cli/input_flags.hpp"
 #include "server/cli/plan_output.hpp"
 #include "storage/json/json.hpp"
-#include "storage/repository/migrations.hpp"
+#include "storage/repository/store/migrations.hpp"
 
 namespace floeplan::cli {
 namespace {

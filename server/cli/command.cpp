@@ -9,7 +9,7 @@
 #include <stdexcept>
 
 #include "engine/core/violation_list.hpp"
-#include "storage/repository/migrations.hpp"
+#include "storage/repository/store/migrations.hpp"
 
 namespace floeplan::cli {
 

@@ -7,7 +7,7 @@
 #include "api/codec/plan_comparison.hpp"
 #include "server/cli/plan_commands.hpp"
 #include "storage/json/json.hpp"
-#include "storage/repository/plan_repository.hpp"
+#include "storage/repository/work/plan_repository.hpp"
 
 namespace floeplan::cli {
 namespace {

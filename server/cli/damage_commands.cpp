@@ -3,9 +3,9 @@
 
 #include "server/cli/operator_commands.hpp"
 #include "storage/json/json.hpp"
-#include "storage/repository/damage.hpp"
-#include "storage/repository/replacement.hpp"
-#include "storage/repository/store_lock.hpp"
+#include "storage/repository/store/damage.hpp"
+#include "storage/repository/store/replacement.hpp"
+#include "storage/repository/store/store_lock.hpp"
 #include "storage/sql/store_file.hpp"
 
 namespace floeplan::cli {

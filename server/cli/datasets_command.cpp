@@ -8,8 +8,8 @@
 #include "engine/core/utc_text.hpp"
 #include "server/cli/command.hpp"
 #include "storage/json/json.hpp"
-#include "storage/repository/dataset_repository.hpp"
-#include "storage/repository/retention.hpp"
+#include "storage/repository/datasets/dataset_repository.hpp"
+#include "storage/repository/datasets/retention.hpp"
 
 namespace floeplan::cli {
 namespace {

@@ -8,7 +8,7 @@
 #include "server/cli/plan_output.hpp"
 #include "server/jobs/plan_service.hpp"
 #include "storage/json/json.hpp"
-#include "storage/repository/plan_repository.hpp"
+#include "storage/repository/work/plan_repository.hpp"
 
 namespace floeplan::cli {
 namespace {

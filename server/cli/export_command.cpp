@@ -14,7 +14,7 @@
 #include "server/cli/flag_values.hpp"
 #include "server/cli/plan_output.hpp"
 #include "storage/json/json.hpp"
-#include "storage/repository/plan_repository.hpp"
+#include "storage/repository/work/plan_repository.hpp"
 
 namespace floeplan::cli {
 namespace {

@@ -7,7 +7,7 @@
 #include "server/jobs/ingest_service.hpp"
 #include "storage/ingest/process/guarded_ingest.hpp"
 #include "storage/json/json.hpp"
-#include "storage/repository/migrations.hpp"
+#include "storage/repository/store/migrations.hpp"
 
 namespace floeplan::cli {
 namespace {

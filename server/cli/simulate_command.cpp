@@ -19,8 +19,8 @@
 #include "server/jobs/scenario_service.hpp"
 #include "server/jobs/simulation_service.hpp"
 #include "storage/json/json.hpp"
-#include "storage/repository/plan_repository.hpp"
-#include "storage/repository/simulation_repository.hpp"
+#include "storage/repository/work/plan_repository.hpp"
+#include "storage/repository/work/simulation_repository.hpp"
 
 namespace floeplan::cli {
 namespace {

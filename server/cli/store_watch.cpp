@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "api/log/log.hpp"
-#include "storage/repository/migrations.hpp"
+#include "storage/repository/store/migrations.hpp"
 #include "storage/sql/store_file.hpp"
 #include "storage/sql/upkeep.hpp"
 

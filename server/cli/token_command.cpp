@@ -7,8 +7,8 @@
 #include "engine/core/utc_text.hpp"
 #include "server/cli/operator_commands.hpp"
 #include "storage/json/json.hpp"
-#include "storage/repository/migrations.hpp"
-#include "storage/repository/token_repository.hpp"
+#include "storage/repository/access/token_repository.hpp"
+#include "storage/repository/store/migrations.hpp"
 
 namespace floeplan::cli {
 namespace {

@@ -6,8 +6,8 @@
 #include "storage/ingest/files/file_digest.hpp"
 #include "storage/ingest/process/staging_folder.hpp"
 #include "storage/json/json.hpp"
-#include "storage/repository/owners.hpp"
-#include "storage/repository/upload_repository.hpp"
+#include "storage/repository/access/owners.hpp"
+#include "storage/repository/work/upload_repository.hpp"
 
 namespace floeplan::jobs {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "engine/core/units.hpp"
-#include "storage/repository/job_repository.hpp"
+#include "storage/repository/work/job_repository.hpp"
 
 namespace floeplan::jobs {
 

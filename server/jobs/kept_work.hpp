@@ -5,8 +5,8 @@
 
 #include "engine/geo/bounding_box.hpp"
 #include "engine/planning/search/route_ground.hpp"
-#include "storage/repository/current_grid_cache.hpp"
-#include "storage/repository/recently_used.hpp"
+#include "storage/repository/fields/current_grid_cache.hpp"
+#include "storage/repository/fields/recently_used.hpp"
 
 namespace floeplan::jobs {
 

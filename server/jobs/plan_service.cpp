@@ -13,9 +13,9 @@
 #include "engine/planning/plan_route.hpp"
 #include "engine/planning/plan_window.hpp"
 #include "storage/json/json.hpp"
-#include "storage/repository/dataset_repository.hpp"
-#include "storage/repository/environment_loader.hpp"
-#include "storage/repository/plan_repository.hpp"
+#include "storage/repository/datasets/dataset_repository.hpp"
+#include "storage/repository/environment/environment_loader.hpp"
+#include "storage/repository/work/plan_repository.hpp"
 #include "storage/sql/snapshot.hpp"
 
 namespace floeplan::jobs {

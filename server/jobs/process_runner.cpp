@@ -14,7 +14,7 @@
 #include "server/jobs/scenario_service.hpp"
 #include "server/jobs/simulation_service.hpp"
 #include "storage/json/json.hpp"
-#include "storage/repository/owners.hpp"
+#include "storage/repository/access/owners.hpp"
 
 namespace floeplan::jobs {
 namespace {

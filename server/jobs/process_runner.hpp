@@ -9,7 +9,7 @@
 #include "engine/core/units.hpp"
 #include "server/jobs/ingest_service.hpp"
 #include "server/jobs/kept_work.hpp"
-#include "storage/repository/job_repository.hpp"
+#include "storage/repository/work/job_repository.hpp"
 #include "storage/sql/connection.hpp"
 
 namespace floeplan::jobs {

@@ -7,7 +7,7 @@
 #include "engine/messages/plan_messages.hpp"
 #include "engine/planning/find_isochrones.hpp"
 #include "storage/json/json.hpp"
-#include "storage/repository/environment_loader.hpp"
+#include "storage/repository/environment/environment_loader.hpp"
 
 namespace floeplan::jobs {
 

@@ -25,9 +25,9 @@
 #include "engine/simulation/make_world.hpp"
 #include "server/jobs/parallel_runs.hpp"
 #include "storage/json/json.hpp"
-#include "storage/repository/environment_loader.hpp"
-#include "storage/repository/plan_repository.hpp"
-#include "storage/repository/simulation_repository.hpp"
+#include "storage/repository/environment/environment_loader.hpp"
+#include "storage/repository/work/plan_repository.hpp"
+#include "storage/repository/work/simulation_repository.hpp"
 
 namespace floeplan::jobs {
 namespace {

@@ -14,7 +14,7 @@
 #include "storage/ingest/common/refusal.hpp"
 #include "storage/ingest/files/file_group.hpp"
 #include "storage/ingest/formats/netcdf/netcdf_file.hpp"
-#include "storage/repository/dataset.hpp"
+#include "storage/repository/datasets/dataset.hpp"
 
 class GDALDataset;
 

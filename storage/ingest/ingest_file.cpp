@@ -15,7 +15,7 @@
 #include "storage/ingest/formats/zarr/zarr_store.hpp"
 #include "storage/ingest/netcdf_contents.hpp"
 #include "storage/ingest/recognise.hpp"
-#include "storage/repository/dataset_repository.hpp"
+#include "storage/repository/datasets/dataset_repository.hpp"
 #include "storage/sql/transaction.hpp"
 
 namespace floeplan::ingest {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "storage/ingest/files/file_group.hpp"
-#include "storage/repository/dataset.hpp"
+#include "storage/repository/datasets/dataset.hpp"
 
 namespace floeplan::ingest {
 

@@ -33,10 +33,10 @@ const std::map<std::string, int> known{
     {"tests/storage/ingest/hostile/hdf5.cpp", 1},
     {"tests/storage/ingest/process/guarded_ingest_test.cpp", 4},
     {"tests/storage/ingest/process/hostile_content_test.cpp", 7},
-    {"tests/storage/repository/damage_test.cpp", 2},
-    {"tests/storage/repository/dataset_rows_test.cpp", 1},
-    {"tests/storage/repository/killed_replacement_test.cpp", 1},
-    {"tests/storage/repository/migrations_test.cpp", 10},
+    {"tests/storage/repository/datasets/dataset_rows_test.cpp", 1},
+    {"tests/storage/repository/store/damage_test.cpp", 2},
+    {"tests/storage/repository/store/killed_replacement_test.cpp", 1},
+    {"tests/storage/repository/store/migrations_test.cpp", 10},
     {"tests/storage/sandbox/attempts.hpp", 1},
 };
 

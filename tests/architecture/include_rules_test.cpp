@@ -55,7 +55,7 @@ TEST_F(SpoiltTree, ShowsAnArrowThatPointsBack) {
 
 TEST_F(SpoiltTree, ShowsStorageInTheEngineAndAvoidanceThatSeesTheOcean) {
   append("engine/avoidance/spoilt.cpp", "#include \"engine/ocean/current_field.hpp\"");
-  append("engine/planning/problem/plan.hpp", "#include \"storage/repository/dataset.hpp\"");
+  append("engine/planning/problem/plan.hpp", "#include \"storage/repository/datasets/dataset.hpp\"");
 
   EXPECT_THAT(new_faults(), ElementsAre(HasSubstr("engine/avoidance/spoilt.cpp:1: "),
                                         HasSubstr("engine/planning/problem must not use")));
@@ -88,7 +88,7 @@ TEST_F(SpoiltTree, ShowsALibraryInTheWrongFolder) {
   append("engine/core/units.hpp", "#include <boost/beast.hpp>");
   append("engine/core/units.hpp", "#include <fstream>");
   append("engine/core/units.hpp", "#include <sqlite3.h>");
-  append("storage/repository/dataset.hpp", "#include <SQLiteCpp/Database.h>");
+  append("storage/repository/datasets/dataset.hpp", "#include <SQLiteCpp/Database.h>");
 
   const std::vector<std::string> faults = new_faults();
 

@@ -7,9 +7,9 @@
 
 #include "storage/ingest/common/gdal_guard.hpp"
 #include "storage/ingest/process/guarded_ingest.hpp"
-#include "storage/repository/dataset_repository.hpp"
-#include "storage/repository/field_repository.hpp"
-#include "storage/repository/migrations.hpp"
+#include "storage/repository/datasets/dataset_repository.hpp"
+#include "storage/repository/fields/field_repository.hpp"
+#include "storage/repository/store/migrations.hpp"
 #include "tests/bench/benchmarks.hpp"
 #include "tests/bench/child_usage.hpp"
 #include "tests/bench/ocean_file.hpp"

@@ -2,8 +2,8 @@
 #include <cstdint>
 #include <string_view>
 
-#include "storage/repository/dataset_rows.hpp"
-#include "storage/repository/migrations.hpp"
+#include "storage/repository/datasets/dataset_rows.hpp"
+#include "storage/repository/store/migrations.hpp"
 
 /// Rows of a process that a hostile file has taken over: they are taken or refused, and nothing else happens.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

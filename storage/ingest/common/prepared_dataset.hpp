@@ -9,7 +9,7 @@
 #include "engine/core/units.hpp"
 #include "engine/geo/bounding_box.hpp"
 #include "storage/ingest/common/refusal.hpp"
-#include "storage/repository/dataset.hpp"
+#include "storage/repository/datasets/dataset.hpp"
 #include "storage/sql/connection.hpp"
 
 namespace floeplan::ingest {

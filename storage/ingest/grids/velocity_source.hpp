@@ -8,7 +8,7 @@
 #include "engine/geo/lon_lat.hpp"
 #include "storage/ingest/common/refusal.hpp"
 #include "storage/ingest/formats/netcdf/grid_flags.hpp"
-#include "storage/repository/sample_steps.hpp"
+#include "storage/repository/encoding/sample_steps.hpp"
 
 namespace floeplan::ingest {
 

@@ -12,10 +12,10 @@
 #include "storage/ingest/process/reader_main.hpp"
 #include "storage/ingest/process/reader_work.hpp"
 #include "storage/ingest/process/staging_folder.hpp"
-#include "storage/repository/dataset_repository.hpp"
-#include "storage/repository/dataset_rows.hpp"
-#include "storage/repository/dataset_transfer.hpp"
-#include "storage/repository/migrations.hpp"
+#include "storage/repository/datasets/dataset_repository.hpp"
+#include "storage/repository/datasets/dataset_rows.hpp"
+#include "storage/repository/datasets/dataset_transfer.hpp"
+#include "storage/repository/store/migrations.hpp"
 
 namespace floeplan::ingest {
 namespace {

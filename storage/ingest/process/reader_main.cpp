@@ -19,8 +19,8 @@
 #include "storage/ingest/ingest_file.hpp"
 #include "storage/ingest/process/reader_messages.hpp"
 #include "storage/ingest/process/reader_needs.hpp"
-#include "storage/repository/dataset_rows.hpp"
-#include "storage/repository/migrations.hpp"
+#include "storage/repository/datasets/dataset_rows.hpp"
+#include "storage/repository/store/migrations.hpp"
 #include "storage/sandbox/confinement.hpp"
 #include "storage/sql/driver/failure.hpp"
 

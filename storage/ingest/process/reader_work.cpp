@@ -11,7 +11,7 @@
 
 #include "storage/ingest/process/reader_main.hpp"
 #include "storage/ingest/process/reader_process.hpp"
-#include "storage/repository/dataset_rows.hpp"
+#include "storage/repository/datasets/dataset_rows.hpp"
 
 namespace floeplan::ingest {
 namespace {

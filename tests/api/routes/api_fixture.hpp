@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "api/routes/router.hpp"
-#include "storage/repository/migrations.hpp"
+#include "storage/repository/store/migrations.hpp"
 
 namespace floeplan::support {
 

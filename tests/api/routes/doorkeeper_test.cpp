@@ -1,7 +1,7 @@
 #include "api/routes/doorkeeper.hpp"
 
 #include "api/codec/credential.hpp"
-#include "storage/repository/audit_repository.hpp"
+#include "storage/repository/access/audit_repository.hpp"
 #include "tests/api/routes/api_fixture.hpp"
 
 namespace floeplan::routes::doorkeeper_test {

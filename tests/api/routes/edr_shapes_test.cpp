@@ -3,9 +3,9 @@
 #include <map>
 #include <sstream>
 
-#include "storage/repository/dataset_repository.hpp"
-#include "storage/repository/field_overviews.hpp"
-#include "storage/repository/field_repository.hpp"
+#include "storage/repository/datasets/dataset_repository.hpp"
+#include "storage/repository/fields/field_overviews.hpp"
+#include "storage/repository/fields/field_repository.hpp"
 #include "tests/api/routes/api_fixture.hpp"
 #include "tests/support/property.hpp"
 

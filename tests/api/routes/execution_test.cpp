@@ -1,7 +1,7 @@
 #include "api/routes/execution_request.hpp"
-#include "storage/repository/dataset_repository.hpp"
-#include "storage/repository/owners.hpp"
-#include "storage/repository/plan_repository.hpp"
+#include "storage/repository/access/owners.hpp"
+#include "storage/repository/datasets/dataset_repository.hpp"
+#include "storage/repository/work/plan_repository.hpp"
 #include "tests/api/routes/api_fixture.hpp"
 #include "tests/support/property.hpp"
 

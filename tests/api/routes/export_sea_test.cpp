@@ -1,8 +1,8 @@
 #include "api/routes/export_sea.hpp"
 
 #include "api/codec/plan_document.hpp"
-#include "storage/repository/dataset_repository.hpp"
-#include "storage/repository/field_repository.hpp"
+#include "storage/repository/datasets/dataset_repository.hpp"
+#include "storage/repository/fields/field_repository.hpp"
 #include "tests/api/routes/api_fixture.hpp"
 
 namespace floeplan::routes::export_sea_test {

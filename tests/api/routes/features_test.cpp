@@ -1,8 +1,8 @@
-#include "storage/repository/dataset.hpp"
-#include "storage/repository/dataset_repository.hpp"
-#include "storage/repository/glider_track_repository.hpp"
-#include "storage/repository/iceberg_repository.hpp"
-#include "storage/repository/plan_repository.hpp"
+#include "storage/repository/datasets/dataset.hpp"
+#include "storage/repository/datasets/dataset_repository.hpp"
+#include "storage/repository/features/glider_track_repository.hpp"
+#include "storage/repository/features/iceberg_repository.hpp"
+#include "storage/repository/work/plan_repository.hpp"
 #include "tests/api/routes/api_fixture.hpp"
 
 namespace floeplan::routes::features_test {

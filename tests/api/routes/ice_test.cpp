@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "storage/repository/dataset_repository.hpp"
-#include "storage/repository/field_repository.hpp"
+#include "storage/repository/datasets/dataset_repository.hpp"
+#include "storage/repository/fields/field_repository.hpp"
 #include "tests/api/routes/api_fixture.hpp"
 
 namespace floeplan::routes::ice_test {

@@ -1,4 +1,4 @@
-#include "storage/repository/kept_answers.hpp"
+#include "storage/repository/work/kept_answers.hpp"
 #include "tests/api/routes/api_fixture.hpp"
 
 namespace floeplan::routes::idempotency_test {

@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 
-#include "storage/repository/dataset_repository.hpp"
-#include "storage/repository/field_repository.hpp"
+#include "storage/repository/datasets/dataset_repository.hpp"
+#include "storage/repository/fields/field_repository.hpp"
 #include "tests/api/routes/api_fixture.hpp"
 
 namespace floeplan::routes::isobaths_test {

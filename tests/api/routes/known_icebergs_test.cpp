@@ -4,9 +4,9 @@
 #include <tuple>
 
 #include "engine/core/utc_text.hpp"
-#include "storage/repository/dataset_repository.hpp"
-#include "storage/repository/environment_loader.hpp"
-#include "storage/repository/iceberg_repository.hpp"
+#include "storage/repository/datasets/dataset_repository.hpp"
+#include "storage/repository/environment/environment_loader.hpp"
+#include "storage/repository/features/iceberg_repository.hpp"
 #include "tests/api/routes/api_fixture.hpp"
 #include "tests/support/property.hpp"
 

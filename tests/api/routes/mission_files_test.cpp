@@ -1,7 +1,7 @@
 #include "api/codec/plan_document.hpp"
 #include "api/routes/plan_exports.hpp"
 #include "engine/core/utc_text.hpp"
-#include "storage/repository/plan_repository.hpp"
+#include "storage/repository/work/plan_repository.hpp"
 #include "tests/api/routes/api_fixture.hpp"
 
 namespace floeplan::routes::mission_files_test {

@@ -1,9 +1,9 @@
 #include <fstream>
 #include <utility>
 
-#include "storage/repository/dataset_repository.hpp"
-#include "storage/repository/owners.hpp"
-#include "storage/repository/upload_repository.hpp"
+#include "storage/repository/access/owners.hpp"
+#include "storage/repository/datasets/dataset_repository.hpp"
+#include "storage/repository/work/upload_repository.hpp"
 #include "tests/api/routes/api_fixture.hpp"
 #include "tests/support/temporary_folder.hpp"
 

@@ -1,6 +1,6 @@
-#include "storage/repository/dataset_repository.hpp"
-#include "storage/repository/field_repository.hpp"
-#include "storage/repository/zone_repository.hpp"
+#include "storage/repository/datasets/dataset_repository.hpp"
+#include "storage/repository/features/zone_repository.hpp"
+#include "storage/repository/fields/field_repository.hpp"
 #include "tests/api/routes/api_fixture.hpp"
 
 namespace floeplan::routes::zones_test {

@@ -2,10 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include "storage/repository/job_repository.hpp"
-#include "storage/repository/migrations.hpp"
-#include "storage/repository/plan_repository.hpp"
-#include "storage/repository/token_repository.hpp"
+#include "storage/repository/access/token_repository.hpp"
+#include "storage/repository/store/migrations.hpp"
+#include "storage/repository/work/job_repository.hpp"
+#include "storage/repository/work/plan_repository.hpp"
 #include "storage/sql/driver/failure.hpp"
 #include "tests/api/routes/api_fixture.hpp"
 #include "tests/support/temporary_folder.hpp"

@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "storage/repository/migrations.hpp"
+#include "storage/repository/store/migrations.hpp"
 
 namespace floeplan::jobs::job_board_test {
 namespace {

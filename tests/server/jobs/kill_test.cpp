@@ -9,9 +9,9 @@
 
 #include "api/codec/sha256.hpp"
 #include "server/jobs/job_board.hpp"
-#include "storage/repository/dataset_repository.hpp"
-#include "storage/repository/migrations.hpp"
-#include "storage/repository/upload_repository.hpp"
+#include "storage/repository/datasets/dataset_repository.hpp"
+#include "storage/repository/store/migrations.hpp"
+#include "storage/repository/work/upload_repository.hpp"
 #include "storage/sql/upkeep.hpp"
 #include "tests/server/jobs/wait_until.hpp"
 #include "tests/support/places.hpp"

@@ -5,9 +5,9 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/core/utc_text.hpp"
-#include "storage/repository/dataset_repository.hpp"
-#include "storage/repository/iceberg_repository.hpp"
-#include "storage/repository/migrations.hpp"
+#include "storage/repository/datasets/dataset_repository.hpp"
+#include "storage/repository/features/iceberg_repository.hpp"
+#include "storage/repository/store/migrations.hpp"
 #include "storage/sql/statement.hpp"
 #include "tests/support/temporary_folder.hpp"
 

@@ -11,7 +11,7 @@
 
 #include "server/jobs/scenario_service.hpp"
 #include "storage/json/json.hpp"
-#include "storage/repository/migrations.hpp"
+#include "storage/repository/store/migrations.hpp"
 #include "storage/sql/statement.hpp"
 #include "tests/server/jobs/wait_until.hpp"
 #include "tests/support/temporary_folder.hpp"

@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
 #include "storage/ingest/ingest_file.hpp"
-#include "storage/repository/field_repository.hpp"
-#include "storage/repository/migrations.hpp"
+#include "storage/repository/fields/field_repository.hpp"
+#include "storage/repository/store/migrations.hpp"
 #include "storage/sql/connection.hpp"
 #include "tests/storage/demo/demo_files.hpp"
 

@@ -7,9 +7,9 @@
 #include <ostream>
 
 #include "engine/core/utc_text.hpp"
-#include "storage/repository/dataset_repository.hpp"
-#include "storage/repository/field_repository.hpp"
-#include "storage/repository/iceberg_repository.hpp"
+#include "storage/repository/datasets/dataset_repository.hpp"
+#include "storage/repository/features/iceberg_repository.hpp"
+#include "storage/repository/fields/field_repository.hpp"
 #include "tests/storage/ingest/support/store_fixture.hpp"
 
 namespace floeplan::ingest::real_files_test {

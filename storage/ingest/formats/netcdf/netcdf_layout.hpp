@@ -7,7 +7,7 @@
 #include "engine/geo/bounding_box.hpp"
 #include "storage/ingest/formats/netcdf/netcdf_axis.hpp"
 #include "storage/ingest/formats/netcdf/netcdf_file.hpp"
-#include "storage/repository/field_repository.hpp"
+#include "storage/repository/fields/field_repository.hpp"
 
 namespace floeplan::ingest {
 

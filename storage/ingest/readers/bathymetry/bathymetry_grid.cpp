@@ -8,8 +8,8 @@
 
 #include "storage/ingest/common/missing_value.hpp"
 #include "storage/ingest/notation/text.hpp"
-#include "storage/repository/field_overviews.hpp"
-#include "storage/repository/field_repository.hpp"
+#include "storage/repository/fields/field_overviews.hpp"
+#include "storage/repository/fields/field_repository.hpp"
 
 namespace floeplan::ingest {
 namespace {

@@ -11,7 +11,7 @@
 #include "engine/geo/ring_turns.hpp"
 #include "storage/ingest/formats/vector/polygon_shapes.hpp"
 #include "storage/ingest/readers/zones/feature_kind.hpp"
-#include "storage/repository/coastline_repository.hpp"
+#include "storage/repository/features/coastline_repository.hpp"
 
 namespace floeplan::ingest {
 namespace {

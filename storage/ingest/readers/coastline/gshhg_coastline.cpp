@@ -3,7 +3,7 @@
 #include <functional>
 
 #include "storage/ingest/readers/coastline/gshhg_reader.hpp"
-#include "storage/repository/coastline_repository.hpp"
+#include "storage/repository/features/coastline_repository.hpp"
 
 namespace floeplan::ingest {
 namespace {

@@ -10,7 +10,7 @@
 #include "storage/ingest/grids/target_grid.hpp"
 #include "storage/ingest/notation/text.hpp"
 #include "storage/ingest/readers/currents/current_survey.hpp"
-#include "storage/repository/field_repository.hpp"
+#include "storage/repository/fields/field_repository.hpp"
 
 namespace floeplan::ingest {
 namespace {

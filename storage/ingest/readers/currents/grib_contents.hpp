@@ -9,7 +9,7 @@
 #include "storage/ingest/formats/grib/grib_messages.hpp"
 #include "storage/ingest/readers/currents/current_dataset.hpp"
 #include "storage/ingest/readers/velocity/velocity_kind.hpp"
-#include "storage/repository/dataset.hpp"
+#include "storage/repository/datasets/dataset.hpp"
 
 namespace floeplan::ingest {
 

@@ -14,7 +14,7 @@
 #include "storage/ingest/readers/ice/chart_time.hpp"
 #include "storage/ingest/readers/ice/ice_raster.hpp"
 #include "storage/ingest/readers/zones/feature_kind.hpp"
-#include "storage/repository/field_repository.hpp"
+#include "storage/repository/fields/field_repository.hpp"
 
 namespace floeplan::ingest {
 namespace {

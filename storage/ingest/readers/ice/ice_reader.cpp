@@ -11,7 +11,7 @@
 #include "storage/ingest/notation/text.hpp"
 #include "storage/ingest/readers/ice/ice_units.hpp"
 #include "storage/ingest/readers/ice/ice_variables.hpp"
-#include "storage/repository/field_repository.hpp"
+#include "storage/repository/fields/field_repository.hpp"
 
 namespace floeplan::ingest {
 namespace {

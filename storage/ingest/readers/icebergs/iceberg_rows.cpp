@@ -4,7 +4,7 @@
 #include <iterator>
 
 #include "storage/ingest/notation/text.hpp"
-#include "storage/repository/iceberg_repository.hpp"
+#include "storage/repository/features/iceberg_repository.hpp"
 
 namespace floeplan::ingest {
 namespace {

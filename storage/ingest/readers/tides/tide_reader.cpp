@@ -7,7 +7,7 @@
 #include "storage/ingest/notation/text.hpp"
 #include "storage/ingest/readers/tides/tide_layout.hpp"
 #include "storage/ingest/readers/tides/tide_variables.hpp"
-#include "storage/repository/tide_repository.hpp"
+#include "storage/repository/fields/tide_repository.hpp"
 
 namespace floeplan::ingest {
 namespace {

@@ -10,7 +10,7 @@
 #include "storage/ingest/notation/stated_place.hpp"
 #include "storage/ingest/notation/text.hpp"
 #include "storage/json/json.hpp"
-#include "storage/repository/tide_repository.hpp"
+#include "storage/repository/fields/tide_repository.hpp"
 
 namespace floeplan::ingest {
 namespace {

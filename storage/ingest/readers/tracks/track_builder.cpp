@@ -9,7 +9,7 @@
 #include "engine/geo/geodesic.hpp"
 #include "storage/ingest/notation/text.hpp"
 #include "storage/ingest/readers/velocity/velocity_component.hpp"
-#include "storage/repository/glider_track_repository.hpp"
+#include "storage/repository/features/glider_track_repository.hpp"
 
 namespace floeplan::ingest {
 namespace {

@@ -8,7 +8,7 @@
 #include "storage/ingest/formats/netcdf/grid_flags.hpp"
 #include "storage/ingest/formats/netcdf/missing_marks.hpp"
 #include "storage/ingest/formats/netcdf/netcdf_layout.hpp"
-#include "storage/repository/sample_steps.hpp"
+#include "storage/repository/encoding/sample_steps.hpp"
 
 namespace floeplan::ingest {
 

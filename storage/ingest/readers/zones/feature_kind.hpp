@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "storage/ingest/common/refusal.hpp"
-#include "storage/repository/dataset.hpp"
+#include "storage/repository/datasets/dataset.hpp"
 
 class GDALDataset;
 class OGRFeature;

@@ -14,7 +14,7 @@
 #include "storage/ingest/notation/stated_rule.hpp"
 #include "storage/ingest/notation/text.hpp"
 #include "storage/ingest/readers/zones/zone_attributes.hpp"
-#include "storage/repository/zone_repository.hpp"
+#include "storage/repository/features/zone_repository.hpp"
 
 namespace floeplan::ingest {
 namespace {

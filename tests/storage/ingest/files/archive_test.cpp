@@ -10,8 +10,8 @@
 
 #include "storage/ingest/common/gdal_guard.hpp"
 #include "storage/ingest/process/guarded_ingest.hpp"
-#include "storage/repository/dataset_repository.hpp"
-#include "storage/repository/iceberg_repository.hpp"
+#include "storage/repository/datasets/dataset_repository.hpp"
+#include "storage/repository/features/iceberg_repository.hpp"
 #include "tests/storage/ingest/support/archive_writer.hpp"
 #include "tests/storage/ingest/support/netcdf_writer.hpp"
 #include "tests/storage/ingest/support/store_fixture.hpp"

@@ -9,7 +9,7 @@
 #include <set>
 
 #include "storage/ingest/process/guarded_ingest.hpp"
-#include "storage/repository/dataset_repository.hpp"
+#include "storage/repository/datasets/dataset_repository.hpp"
 #include "storage/sql/statement.hpp"
 #include "tests/storage/ingest/support/store_fixture.hpp"
 #include "tests/support/loopback_listener.hpp"

@@ -10,7 +10,7 @@
 #include <set>
 #include <stdexcept>
 
-#include "storage/repository/dataset_repository.hpp"
+#include "storage/repository/datasets/dataset_repository.hpp"
 #include "storage/sql/statement.hpp"
 #include "tests/storage/ingest/support/netcdf_writer.hpp"
 #include "tests/storage/ingest/support/store_fixture.hpp"

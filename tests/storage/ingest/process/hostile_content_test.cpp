@@ -6,7 +6,7 @@
 #include <map>
 
 #include "storage/ingest/process/guarded_ingest.hpp"
-#include "storage/repository/dataset_repository.hpp"
+#include "storage/repository/datasets/dataset_repository.hpp"
 #include "storage/sql/statement.hpp"
 #include "tests/storage/ingest/support/archive_writer.hpp"
 #include "tests/storage/ingest/support/foreign_files.hpp"

@@ -9,7 +9,7 @@
 
 #include "engine/ocean/current_grid.hpp"
 #include "storage/ingest/ingest_file.hpp"
-#include "storage/repository/migrations.hpp"
+#include "storage/repository/store/migrations.hpp"
 
 namespace floeplan::ingest {
 

@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "storage/repository/field_repository.hpp"
+#include "storage/repository/fields/field_repository.hpp"
 #include "tests/storage/ingest/support/store_fixture.hpp"
 
 namespace floeplan::ingest::netcdf3_length_test {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "storage/repository/glider_track_repository.hpp"
+#include "storage/repository/features/glider_track_repository.hpp"
 #include "tests/storage/ingest/support/netcdf_writer.hpp"
 #include "tests/storage/ingest/support/store_fixture.hpp"
 

@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "engine/core/utc_text.hpp"
-#include "storage/repository/coastline_repository.hpp"
-#include "storage/repository/iceberg_repository.hpp"
+#include "storage/repository/features/coastline_repository.hpp"
+#include "storage/repository/features/iceberg_repository.hpp"
 #include "tests/storage/ingest/support/store_fixture.hpp"
 
 namespace floeplan::ingest::geojson_test {

@@ -13,7 +13,7 @@
 #include <nlohmann/json.hpp>
 
 #include "storage/ingest/common/gdal_guard.hpp"
-#include "storage/repository/dataset_repository.hpp"
+#include "storage/repository/datasets/dataset_repository.hpp"
 #include "tests/storage/ingest/support/store_fixture.hpp"
 #include "tests/support/property.hpp"
 

@@ -6,7 +6,7 @@
 #include <fstream>
 
 #include "engine/core/utc_text.hpp"
-#include "storage/repository/field_repository.hpp"
+#include "storage/repository/fields/field_repository.hpp"
 #include "tests/storage/ingest/support/store_fixture.hpp"
 
 namespace floeplan::ingest::zarr_test {

@@ -11,7 +11,7 @@
 
 #include "storage/ingest/common/gdal_guard.hpp"
 #include "storage/ingest/readers/bathymetry/vertical_sense.hpp"
-#include "storage/repository/field_repository.hpp"
+#include "storage/repository/fields/field_repository.hpp"
 #include "tests/storage/ingest/support/netcdf_writer.hpp"
 #include "tests/storage/ingest/support/store_fixture.hpp"
 #include "tests/support/places.hpp"

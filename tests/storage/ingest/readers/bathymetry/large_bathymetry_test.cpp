@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "storage/ingest/common/gdal_guard.hpp"
-#include "storage/repository/dataset_repository.hpp"
-#include "storage/repository/field_repository.hpp"
+#include "storage/repository/datasets/dataset_repository.hpp"
+#include "storage/repository/fields/field_repository.hpp"
 #include "tests/storage/ingest/support/store_fixture.hpp"
 
 namespace floeplan::ingest::large_bathymetry_test {

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "storage/repository/field_repository.hpp"
+#include "storage/repository/fields/field_repository.hpp"
 #include "tests/storage/ingest/support/s100_writer.hpp"
 #include "tests/storage/ingest/support/store_fixture.hpp"
 

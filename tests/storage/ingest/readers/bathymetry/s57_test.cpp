@@ -4,7 +4,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "storage/repository/field_repository.hpp"
+#include "storage/repository/fields/field_repository.hpp"
 #include "tests/storage/ingest/support/store_fixture.hpp"
 
 namespace floeplan::ingest::s57_test {

@@ -5,8 +5,8 @@
 #include <fstream>
 #include <iterator>
 
-#include "storage/repository/dataset_repository.hpp"
-#include "storage/repository/field_repository.hpp"
+#include "storage/repository/datasets/dataset_repository.hpp"
+#include "storage/repository/fields/field_repository.hpp"
 #include "tests/storage/ingest/support/model_grid_writer.hpp"
 #include "tests/storage/ingest/support/netcdf_writer.hpp"
 #include "tests/storage/ingest/support/store_fixture.hpp"

@@ -7,8 +7,8 @@
 #include "engine/core/utc_text.hpp"
 #include "storage/ingest/common/gdal_guard.hpp"
 #include "storage/ingest/readers/ice/chart_time.hpp"
-#include "storage/repository/coastline_repository.hpp"
-#include "storage/repository/field_repository.hpp"
+#include "storage/repository/features/coastline_repository.hpp"
+#include "storage/repository/fields/field_repository.hpp"
 #include "tests/storage/ingest/support/store_fixture.hpp"
 #include "tests/support/property.hpp"
 

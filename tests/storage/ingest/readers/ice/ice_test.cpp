@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "engine/core/utc_text.hpp"
-#include "storage/repository/field_repository.hpp"
+#include "storage/repository/fields/field_repository.hpp"
 #include "tests/storage/ingest/support/netcdf_writer.hpp"
 #include "tests/storage/ingest/support/store_fixture.hpp"
 

@@ -6,7 +6,7 @@
 
 #include "engine/core/utc_text.hpp"
 #include "storage/ingest/notation/delimited_text.hpp"
-#include "storage/repository/iceberg_repository.hpp"
+#include "storage/repository/features/iceberg_repository.hpp"
 #include "tests/storage/ingest/support/store_fixture.hpp"
 #include "tests/support/property.hpp"
 

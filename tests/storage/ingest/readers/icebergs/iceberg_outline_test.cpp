@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "storage/repository/iceberg_repository.hpp"
+#include "storage/repository/features/iceberg_repository.hpp"
 #include "tests/storage/ingest/support/store_fixture.hpp"
 
 namespace floeplan::ingest::iceberg_outline_test {

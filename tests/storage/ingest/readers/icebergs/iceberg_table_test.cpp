@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "engine/core/utc_text.hpp"
-#include "storage/repository/iceberg_repository.hpp"
+#include "storage/repository/features/iceberg_repository.hpp"
 #include "tests/storage/ingest/support/store_fixture.hpp"
 
 namespace floeplan::ingest::iceberg_table_test {

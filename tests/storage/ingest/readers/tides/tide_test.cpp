@@ -8,8 +8,8 @@
 
 #include "engine/core/utc_text.hpp"
 #include "storage/ingest/process/guarded_ingest.hpp"
-#include "storage/repository/field_repository.hpp"
-#include "storage/repository/tide_repository.hpp"
+#include "storage/repository/fields/field_repository.hpp"
+#include "storage/repository/fields/tide_repository.hpp"
 #include "tests/storage/ingest/support/netcdf_writer.hpp"
 #include "tests/storage/ingest/support/store_fixture.hpp"
 #include "tests/support/places.hpp"

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "storage/repository/glider_track_repository.hpp"
+#include "storage/repository/features/glider_track_repository.hpp"
 #include "tests/storage/ingest/support/netcdf_writer.hpp"
 #include "tests/storage/ingest/support/store_fixture.hpp"
 

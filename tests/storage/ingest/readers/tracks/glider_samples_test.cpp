@@ -4,7 +4,7 @@
 #include <cmath>
 #include <ostream>
 
-#include "storage/repository/glider_track_repository.hpp"
+#include "storage/repository/features/glider_track_repository.hpp"
 #include "tests/storage/ingest/support/store_fixture.hpp"
 
 namespace floeplan::ingest::glider_samples_test {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <ostream>
 
-#include "storage/repository/dataset_repository.hpp"
-#include "storage/repository/glider_track_repository.hpp"
+#include "storage/repository/datasets/dataset_repository.hpp"
+#include "storage/repository/features/glider_track_repository.hpp"
 #include "storage/sql/statement.hpp"
 #include "tests/engine/simulation/logged.hpp"
 #include "tests/storage/ingest/support/store_fixture.hpp"

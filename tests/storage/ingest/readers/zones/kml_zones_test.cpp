@@ -6,7 +6,7 @@
 #include <array>
 
 #include "engine/core/utc_text.hpp"
-#include "storage/repository/zone_repository.hpp"
+#include "storage/repository/features/zone_repository.hpp"
 #include "tests/storage/ingest/support/store_fixture.hpp"
 #include "tests/support/property.hpp"
 

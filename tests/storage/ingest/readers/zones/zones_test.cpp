@@ -10,8 +10,8 @@
 
 #include "engine/core/utc_text.hpp"
 #include "storage/ingest/common/gdal_guard.hpp"
-#include "storage/repository/coastline_repository.hpp"
-#include "storage/repository/zone_repository.hpp"
+#include "storage/repository/features/coastline_repository.hpp"
+#include "storage/repository/features/zone_repository.hpp"
 #include "tests/storage/ingest/support/store_fixture.hpp"
 #include "tests/support/property.hpp"
 

@@ -1,0 +1,52 @@
+#include "storage/repository/datasets/dataset.hpp"
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+#include <tuple>
+#include <utility>
+
+namespace floeplan::repository {
+namespace {
+
+constexpr std::array names{std::pair{DatasetKind::bathymetry, "bathymetry"},
+                           std::pair{DatasetKind::currents, "currents"},
+                           std::pair{DatasetKind::wind, "wind"},
+                           std::pair{DatasetKind::ice, "ice"},
+                           std::pair{DatasetKind::icebergs, "icebergs"},
+                           std::pair{DatasetKind::coastline, "coastline"},
+                           std::pair{DatasetKind::tides, "tides"},
+                           std::pair{DatasetKind::zones, "zones"},
+                           std::pair{DatasetKind::glider_tracks, "glider-tracks"}};
+
+}  // namespace
+
+std::string kind_name(DatasetKind kind) {
+  for (const auto& [candidate, name] : names) {
+    if (candidate == kind) return name;
+  }
+  throw std::logic_error{"DatasetKind without a name"};
+}
+
+std::optional<DatasetKind> parse_kind(const std::string& name) {
+  for (const auto& [kind, candidate] : names) {
+    if (name == candidate) return kind;
+  }
+  return std::nullopt;
+}
+
+bool has_steps(DatasetKind kind) {
+  return kind == DatasetKind::currents || kind == DatasetKind::wind || kind == DatasetKind::ice;
+}
+
+void sort_newest_run_first(std::vector<Dataset>& datasets) {
+  const auto newness = [](const Dataset& dataset) {
+    return std::tuple{dataset.run.value_or(dataset.provenance.ingested), dataset.time_start,
+                      dataset.time_end};
+  };
+  std::ranges::stable_sort(datasets, [&](const Dataset& a, const Dataset& b) {
+    return std::tuple{newness(b), a.id} < std::tuple{newness(a), b.id};
+  });
+}
+
+}  // namespace floeplan::repository

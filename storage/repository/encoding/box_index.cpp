@@ -1,0 +1,41 @@
+#include "storage/repository/encoding/box_index.hpp"
+
+#include <array>
+
+namespace floeplan::repository {
+namespace {
+
+constexpr double slack_deg = 1e-4;  // some steps of 32-bit numbers near 540
+constexpr std::array turns_deg{-360.0, 0.0, 360.0};
+
+}  // namespace
+
+std::string box_condition(const std::string& box_table, int first_parameter) {
+  const auto parameter = [&](int offset) { return "?" + std::to_string(first_parameter + offset); };
+  std::string probes;
+  for (int turn = 0; turn < std::ssize(turns_deg); ++turn) {
+    if (turn > 0) probes += " UNION ALL ";
+    probes += "SELECT row FROM " + box_table + " WHERE north_deg >= " + parameter(0) +
+              " AND south_deg <= " + parameter(1) + " AND east_deg >= " + parameter(2 + 2 * turn) +
+              " AND west_deg <= " + parameter(3 + 2 * turn);
+  }
+  return "row IN (" + probes + ")";
+}
+
+void bind_box(sql::Statement& statement, int first_parameter, const geo::BoundingBox& area) {
+  statement.bind(first_parameter, area.south_deg - slack_deg);
+  statement.bind(first_parameter + 1, area.north_deg + slack_deg);
+  const UnrolledBox box = unrolled(area);
+  int parameter = first_parameter + 2;
+  for (const double turn : turns_deg) {
+    statement.bind(parameter++, box.west_deg + turn - slack_deg);
+    statement.bind(parameter++, box.east_deg + turn + slack_deg);
+  }
+}
+
+UnrolledBox unrolled(const geo::BoundingBox& box) {
+  const double west = geo::wrap_longitude(box.west_deg);
+  return {west, west + geo::width_deg(box)};
+}
+
+}  // namespace floeplan::repository

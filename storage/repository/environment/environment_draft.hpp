@@ -1,0 +1,105 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/core/violation.hpp"
+#include "engine/messages/message.hpp"
+#include "engine/ocean/environment.hpp"
+#include "storage/repository/datasets/dataset.hpp"
+#include "storage/repository/environment/environment_query.hpp"
+#include "storage/repository/fields/field_repository.hpp"
+#include "storage/repository/fields/forecast_runs.hpp"
+#include "storage/sql/connection.hpp"
+
+namespace floeplan::repository {
+
+/// The environment while it is put together.
+struct EnvironmentDraft {
+  sql::Connection& db;  // borrowed
+  const EnvironmentQuery& query;
+  const Reading& reading;
+  std::vector<Dataset> stored;  // newest first
+  ocean::Environment environment;
+  core::Violations violations;
+
+  void tell(messages::Message message) { environment.messages.push_back(std::move(message)); }
+  void refuse(DatasetKind kind, std::string rule) {
+    violations.push_back({"/" + kind_name(kind), std::move(rule)});
+  }
+  /// Takes over what another part of the same environment has to say.
+  void append_report(const EnvironmentDraft& part) {
+    const auto append = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
+    append(environment.messages, part.environment.messages);
+    append(environment.datasets, part.environment.datasets);
+    append(violations, part.violations);
+  }
+  void cite(const Dataset& dataset) {
+    environment.datasets.push_back(
+        {dataset.id.value, kind_name(dataset.kind), dataset.name, dataset.provenance.sha256, dataset.run});
+  }
+  /// One of several datasets that were joined in time.
+  void cite(const Dataset& dataset, const Period& used) {
+    cite(dataset);
+    environment.datasets.back().from = used.from;
+    environment.datasets.back().until = used.to;
+  }
+};
+
+/// The period that a dataset states; empty where it states none.
+[[nodiscard]] std::optional<Period> period_of(const Dataset& dataset);
+[[nodiscard]] std::string period_text(const Period& period);
+[[nodiscard]] bool covers(const Period& period, core::UtcTime time);
+/// Whether data of this period serve a departure of the query.
+[[nodiscard]] bool covers_begin(const Period& period, const EnvironmentQuery& query);
+/// Which part of currents is read.
+struct CurrentsBox {
+  geo::BoundingBox area;
+  std::optional<core::Metres> deepest;  // empty: all levels
+};
+
+/// From when on currents and wind are needed: for the forecast of the icebergs' drift.
+[[nodiscard]] core::UtcTime drift_start(const EnvironmentDraft& draft);
+/// The runs of the product of `found[which]`, joined around the departure; that dataset alone where it was named.
+[[nodiscard]] std::vector<JoinedPart> joined_parts(const EnvironmentDraft& draft,
+                                                   const std::vector<Dataset>& found, std::size_t which,
+                                                   bool named);
+/// The period of the parts; of the dataset where nothing was joined.
+[[nodiscard]] std::optional<Period> joined_period(const Dataset& dataset,
+                                                  const std::vector<JoinedPart>& parts);
+/// As load_joined, and as kept as the reading may keep it; null: nothing there.
+[[nodiscard]] std::shared_ptr<const ocean::CurrentGrid> read_joined(const EnvironmentDraft& draft,
+                                                                    const std::vector<JoinedPart>& parts,
+                                                                    const CurrentsBox& box,
+                                                                    core::UtcTime from);
+/// The steps of one dataset; null: nothing there. No period: all steps.
+[[nodiscard]] std::shared_ptr<const ocean::CurrentGrid> read_currents(const EnvironmentDraft& draft,
+                                                                      const Dataset& dataset,
+                                                                      const CurrentsBox& box,
+                                                                      const std::optional<Period>& period);
+/// Names every part, and, where there are several, from when until when it was used.
+void cite_joined(EnvironmentDraft& draft, const std::vector<JoinedPart>& parts);
+/// Says what the plan goes without: that the kind was left out, if that was the choice, else that none is stored here.
+void tell_of_gap(EnvironmentDraft& draft, const DatasetChoice& choice, messages::Message left_out,
+                 messages::Message missing);
+/// The first ten names and how many more there are.
+[[nodiscard]] std::string shortened_list(const std::vector<std::string>& names);
+
+/// Whether `holds(place)` at all nodes of a lattice that cuts the area into `pieces` along either side, its edges
+/// included.
+template <class Holds>
+[[nodiscard]] bool holds_all_over(const geo::BoundingBox& area, int pieces, const Holds& holds) {
+  const double width_deg = geo::width_deg(area);
+  for (int row = 0; row <= pieces; ++row) {
+    for (int column = 0; column <= pieces; ++column) {
+      const double lat_deg = area.south_deg + (area.north_deg - area.south_deg) * row / pieces;
+      const double lon_deg = geo::wrap_longitude(area.west_deg + width_deg * column / pieces);
+      if (!holds(geo::LonLat{lon_deg, lat_deg})) return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace floeplan::repository

@@ -1,0 +1,207 @@
+#include "storage/repository/environment/environment_water.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include "engine/core/utc_text.hpp"
+#include "engine/messages/data_messages.hpp"
+#include "storage/repository/environment/environment_draft.hpp"
+#include "storage/repository/environment/environment_drift.hpp"
+
+namespace floeplan::repository {
+namespace {
+
+std::string in_metres(double length_m) { return std::to_string(std::lround(length_m)) + " m"; }
+
+/// As they count for every time, where they are held steady.
+std::shared_ptr<const ocean::CurrentGrid> as_they_count(const ocean::Environment& environment,
+                                                        std::shared_ptr<const ocean::CurrentGrid> currents) {
+  const bool varies = currents && currents->samples().times_s.size() > 1;
+  if (!environment.steady_currents || !varies) return currents;
+  return std::make_shared<const ocean::CurrentGrid>(currents->time_mean());
+}
+
+/// What carries icebergs, as large as the currents of the area may be or as 32 million samples, two floats
+/// each, are: 256 MB, shared by the members of an ensemble.
+template <class Read>
+std::shared_ptr<const ocean::CurrentGrid> read_drift(const EnvironmentDraft& draft, const Dataset& dataset,
+                                                     const ocean::CurrentGrid::Samples& of_area,
+                                                     std::size_t members, const Read& read) {
+  constexpr std::size_t most_samples = 32'000'000;
+  const std::size_t most = std::max(most_samples / members, of_area.u.size());
+  const auto box = drift_box(draft, dataset, of_area.times_s.size(), most);
+  return box ? as_they_count(draft.environment, read(*box)) : nullptr;
+}
+
+/// Reads the currents of the area by `read`, a function of a CurrentsBox, and those that carry icebergs.
+/// False: there are none.
+template <class Read>
+bool adopt_currents(EnvironmentDraft& draft, const Dataset& dataset, std::size_t members, const Read& read) {
+  auto currents = read(CurrentsBox{draft.query.area, draft.query.dive_depth});
+  if (!currents) return false;
+  const std::string name = title(dataset);
+  const auto& samples = currents->samples();
+  if (!samples.depths_m) {
+    draft.tell(messages::data_message<"currents-without-depth">(name));
+  } else if (samples.depths_m->size() == 1) {
+    draft.tell(messages::data_message<"currents-of-one-level">(name, in_metres(samples.depths_m->front())));
+  } else if (samples.depths_m->back() < draft.query.dive_depth.value) {
+    draft.tell(messages::data_message<"currents-above-dives">(name, in_metres(samples.depths_m->back()),
+                                                              in_metres(draft.query.dive_depth.value)));
+  }
+
+  const std::size_t steps = samples.times_s.size();
+  const auto covered = period_of(dataset);
+  if (!covered) {
+    draft.tell(messages::data_message<"currents-without-time">(name));
+  } else if (draft.query.steady && steps == 1) {
+    draft.tell(messages::data_message<"currents-held-steady">(name, covered->from));
+  } else if (draft.query.steady) {
+    draft.tell(messages::data_message<"currents-held-at-mean">(name, steps, period_text(*covered)));
+  }
+
+  draft.environment.steady_currents = draft.query.steady || !covered;
+  draft.environment.drift_currents = read_drift(draft, dataset, samples, members, read);
+  draft.environment.currents = as_they_count(draft.environment, std::move(currents));
+  return true;
+}
+
+bool covers_end(const Period& period, const EnvironmentQuery& query) {
+  return !query.until || covers(period, query.until->time);
+}
+
+/// `periods` says which dataset covers which period; `begins` whether one of them covers the departure.
+void refuse_period(EnvironmentDraft& draft, const std::string& periods, bool begins) {
+  const bool at_end = draft.query.until && (begins || draft.query.may_begin_later);
+  const std::string input = at_end ? draft.query.until->input : "depart";
+  const core::UtcTime time = at_end ? draft.query.until->time : draft.query.depart;
+  draft.violations.push_back(
+      {"/" + input, core::iso8601(time) + " is outside the currents' period: " + periods + ". " +
+                        (at_end ? "Stay" : "Depart") + " within it, or hold the currents steady (--steady)"});
+}
+
+/// Several currents are the members of an ensemble: every one must serve, the first is the one planned in.
+void add_ensemble(EnvironmentDraft& draft, const std::vector<Dataset>& found) {
+  const EnvironmentQuery& query = draft.query;
+  std::vector<std::shared_ptr<const ocean::CurrentGrid>> members;
+  std::vector<std::shared_ptr<const ocean::CurrentGrid>> drift_members;
+  bool all_steady = true;
+  bool none_steady = true;
+  for (const Dataset& dataset : found) {
+    auto period = query.steady ? std::nullopt : period_of(dataset);
+    if (period && !(covers_begin(*period, query) && covers_end(*period, query))) {
+      refuse_period(draft, title(dataset) + " covers " + period_text(*period), covers_begin(*period, query));
+      continue;
+    }
+    if (period) period->from = drift_start(draft);
+    const auto read = [&](const CurrentsBox& box) { return read_currents(draft, dataset, box, period); };
+    if (!adopt_currents(draft, dataset, found.size(), read)) {
+      draft.refuse(DatasetKind::currents, title(dataset) + " has no node near the area");
+      continue;
+    }
+    draft.cite(dataset);
+    members.push_back(draft.environment.currents);
+    if (draft.environment.drift_currents) drift_members.push_back(draft.environment.drift_currents);
+    all_steady = all_steady && draft.environment.steady_currents;
+    none_steady = none_steady && !draft.environment.steady_currents;
+  }
+  if (!all_steady && !none_steady) {
+    draft.refuse(DatasetKind::currents,
+                 "some members have times and some have none; hold them all steady (--steady)");
+  }
+  if (members.empty()) return;
+  draft.environment.currents = members.front();
+  draft.environment.members = std::move(members);
+  if (drift_members.empty()) return;
+  draft.environment.drift_currents = drift_members.front();
+  draft.environment.drift_members = std::move(drift_members);
+}
+
+/// Whoever has currents stored expects them to count: that none reaches the area is a mistake, often of coordinates.
+void refuse_other_waters(EnvironmentDraft& draft) {
+  if (draft.query.currents.how != DatasetChoice::How::newest || draft.query.tides.wanted()) return;
+  std::vector<std::string> elsewhere;
+  for (const Dataset& dataset : draft.stored) {
+    if (dataset.kind == DatasetKind::currents)
+      elsewhere.push_back(title(dataset) + " covers " + bounds_text(dataset.bounds));
+  }
+  if (elsewhere.empty()) return;
+  draft.refuse(DatasetKind::currents, "none of those stored reaches " + bounds_text(draft.query.area) + ": " +
+                                          shortened_list(elsewhere) +
+                                          ". Ingest some for this water, or plan without (--currents none)");
+}
+
+void add_currents(EnvironmentDraft& draft) {
+  const EnvironmentQuery& query = draft.query;
+  const auto found =
+      candidates(draft.stored, DatasetKind::currents, query.currents, query.area, draft.violations);
+  const bool named = query.currents.how == DatasetChoice::How::named;
+  if (named && query.currents.ids.size() > 1) {
+    return add_ensemble(draft, found);
+  }
+
+  std::string periods_missed;
+  bool begins = false;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const Dataset& dataset = found[i];
+    const auto parts = query.steady ? std::vector<JoinedPart>{} : joined_parts(draft, found, i, named);
+    const auto period = query.steady ? std::nullopt : joined_period(dataset, parts);
+    begins = begins || (period && covers_begin(*period, query));
+    if (period && !(covers_begin(*period, query) && covers_end(*period, query))) {
+      periods_missed +=
+          (periods_missed.empty() ? "" : "; ") + title(dataset) + " covers " + period_text(*period);
+      continue;
+    }
+    const auto read = [&](const CurrentsBox& box) {
+      return parts.empty() ? read_currents(draft, dataset, box, std::nullopt)
+                           : read_joined(draft, parts, box, drift_start(draft));
+    };
+    if (!adopt_currents(draft, dataset, 1, read)) continue;
+    return parts.empty() ? draft.cite(dataset) : cite_joined(draft, parts);
+  }
+
+  if (!periods_missed.empty()) return refuse_period(draft, periods_missed, begins);
+  if (named && !found.empty())
+    draft.refuse(DatasetKind::currents, title(found.front()) + " has no node near the area");
+  if (!named) refuse_other_waters(draft);
+  if (!named)
+    tell_of_gap(draft, query.currents, messages::data_message<"currents-left-out">(),
+                messages::data_message<"currents-missing">(bounds_text(query.area)));
+}
+
+/// Tides go on as long as an iceberg's drift is followed, or as long as the request wants the currents to be covered.
+ocean::TidePeriod period_of_tides(const EnvironmentDraft& draft) {
+  constexpr core::Seconds longest{30.0 * 86400.0};
+  core::UtcTime end = draft.query.depart + longest;
+  if (draft.query.until) end = std::max(end, draft.query.until->time + longest);
+  return {drift_start(draft), end};
+}
+
+}  // namespace
+
+void add_water(EnvironmentDraft& draft) {
+  const TidesQuery& query = draft.query.tides;
+  const bool alone = query.wanted() && query.mode == TidesMode::only;
+  if (alone && draft.query.currents.how == DatasetChoice::How::named)
+    draft.refuse(
+        DatasetKind::tides,
+        "with tides_mode only the currents that are named would be left out; say add, or name no currents");
+  if (!alone) add_currents(draft);
+  const Tides tides = load_tides(draft.db, draft.stored, query, draft.query.area, draft.violations);
+  if (!query.wanted() || !query.mode || !draft.violations.empty()) return;
+  if (!alone && !draft.environment.currents) {
+    draft.refuse(DatasetKind::tides,
+                 "there are no currents to add tides to; say tides_mode only to plan with the tide alone");
+    return;
+  }
+  const ocean::TidePeriod period = period_of_tides(draft);
+  lay_tides(draft.environment, tides, *query.mode, period);
+  if (draft.query.iceberg_drift && !draft.environment.icebergs.empty()) {
+    const geo::BoundingBox reached = geo::grown(draft.query.area, reach_of_drift);
+    lay_drift_tides(draft.environment, load_again(draft.db, tides, reached), *query.mode, period);
+  }
+}
+
+}  // namespace floeplan::repository

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <compare>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "engine/geo/bounding_box.hpp"
+#include "engine/ocean/current_grid.hpp"
+#include "storage/repository/fields/recently_used.hpp"
+
+namespace floeplan::repository {
+
+/// Grids of currents as they were read from the store, for others who want just the same: whoever tries a departure, a
+/// speed or a way after another reads the same tens of millions of samples each time.
+/// Memory   as of RecentlyUsed, by the bytes of samples
+/// Threads  all members may be called from several threads at once
+class CurrentGridCache {
+ public:
+  /// Steps of one dataset. A row number is never given twice, and what is stored under it never changes.
+  struct Part {
+    std::int64_t dataset_row{};
+    std::optional<double> first_s;  // seconds since 1970; empty: all steps
+    std::optional<double> last_s;
+
+    friend bool operator==(const Part&, const Part&) = default;
+  };
+  /// All that a grid follows from.
+  struct Key {
+    std::vector<Part> parts;
+    geo::BoundingBox area;
+    std::optional<double> from_s;
+    std::optional<double> deepest_m;
+
+    friend bool operator==(const Key&, const Key&) = default;
+  };
+
+  explicit CurrentGridCache(std::size_t most_bytes) : grids_{most_bytes} {}
+
+  /// Null where it is not kept.
+  [[nodiscard]] std::shared_ptr<const ocean::CurrentGrid> find(const Key& key) { return grids_.find(key); }
+  void keep(const Key& key, const std::shared_ptr<const ocean::CurrentGrid>& grid);
+
+ private:
+  RecentlyUsed<Key, ocean::CurrentGrid> grids_;
+};
+
+}  // namespace floeplan::repository

@@ -1,0 +1,138 @@
+#include "storage/repository/fields/forecast_runs.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace floeplan::repository {
+namespace {
+
+struct Step {
+  double time_s{};
+  std::size_t run{};
+};
+
+/// Every step that no newer run speaks of, ascending.
+std::vector<Step> steps_in_force(std::span<const std::vector<double>> runs_s) {
+  std::vector<Step> steps;
+  for (std::size_t run = 0; run < runs_s.size(); ++run) {
+    for (const double time_s : runs_s[run]) {
+      const auto newer = runs_s.first(run);
+      const bool replaced = std::ranges::any_of(newer, [&](const std::vector<double>& other) {
+        return !other.empty() && other.front() <= time_s && time_s <= other.back();
+      });
+      if (!replaced) steps.push_back({time_s, run});
+    }
+  }
+  std::ranges::sort(steps, {}, &Step::time_s);
+  return steps;
+}
+
+double longest_step(const std::vector<double>& times_s) {
+  double longest = 0.0;
+  for (std::size_t i = 1; i < times_s.size(); ++i) longest = std::max(longest, times_s[i] - times_s[i - 1]);
+  return longest;
+}
+
+bool follows(const Step& before, const Step& after, std::span<const std::vector<double>> runs_s) {
+  constexpr double rounding_s = 1.0;  // of times that a file keeps as fractions of a day
+  if (before.run == after.run) return true;
+  const double allowed = std::max(longest_step(runs_s[before.run]), longest_step(runs_s[after.run]));
+  return after.time_s - before.time_s <= allowed + rounding_s;
+}
+
+std::vector<RunSteps> runs_of(std::span<const Step> steps) {
+  std::vector<RunSteps> result;
+  for (const Step& step : steps) {
+    if (result.empty() || result.back().run != step.run)
+      result.push_back({step.run, step.time_s, step.time_s});
+    result.back().last_s = step.time_s;
+  }
+  return result;
+}
+
+bool same_axis(const ocean::Axis& a, const ocean::Axis& b) { return a.nodes() == b.nodes(); }
+
+bool same_product(const Dataset& a, const FieldShape& shape_a, const Dataset& b, const FieldShape& shape_b) {
+  if (a.variables != b.variables || shape_a.depths_m.has_value() != shape_b.depths_m.has_value())
+    return false;
+  if (shape_a.depths_m && !same_axis(*shape_a.depths_m, *shape_b.depths_m)) return false;
+  return shape_a.grid.frame() == shape_b.grid.frame() && same_axis(shape_a.grid.x(), shape_b.grid.x()) &&
+         same_axis(shape_a.grid.y(), shape_b.grid.y());
+}
+
+bool meets(const Dataset& dataset, const Period& period) {
+  return dataset.time_start && dataset.time_end && *dataset.time_end >= period.from &&
+         *dataset.time_start <= period.to;
+}
+
+}  // namespace
+
+std::vector<RunSteps> newest_steps(std::span<const std::vector<double>> runs_s, double wanted_s,
+                                   bool may_begin_later) {
+  const std::vector<Step> steps = steps_in_force(runs_s);
+  std::size_t first = 0;
+  for (std::size_t end = 1; end <= steps.size(); ++end) {
+    if (end < steps.size() && follows(steps[end - 1], steps[end], runs_s)) continue;
+    const bool holds_wanted = steps[first].time_s <= wanted_s || may_begin_later;
+    if (holds_wanted && wanted_s <= steps[end - 1].time_s)
+      return runs_of(std::span{steps}.subspan(first, end - first));
+    first = end;
+  }
+  return {};
+}
+
+std::vector<JoinedPart> join_runs(sql::Connection& db, const std::vector<Dataset>& runs, std::size_t which,
+                                  const Period& within, core::UtcTime wanted, bool may_begin_later) {
+  const FieldRepository fields{db};
+  const auto shape = fields.shape(runs[which].id);
+  if (!shape || !shape->times_s) return {};
+  std::vector<std::size_t> joined;
+  std::vector<std::vector<double>> times_s;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    if (i != which && !meets(runs[i], within)) continue;
+    const auto other = i == which ? shape : fields.shape(runs[i].id);
+    if (!other || !other->times_s || !same_product(runs[which], *shape, runs[i], *other)) continue;
+    joined.push_back(i);
+    times_s.push_back(other->times_s->nodes());
+  }
+  std::vector<JoinedPart> parts;
+  for (const RunSteps& steps : newest_steps(times_s, core::unix_seconds(wanted), may_begin_later))
+    parts.push_back({runs[joined[steps.run]],
+                     {core::from_unix_seconds(steps.first_s), core::from_unix_seconds(steps.last_s)}});
+  return parts;
+}
+
+std::optional<ocean::CurrentGrid> load_joined(sql::Connection& db, const std::vector<JoinedPart>& parts,
+                                              const geo::BoundingBox& area, core::UtcTime from,
+                                              std::optional<core::Metres> deepest,
+                                              const std::stop_token& stop) {
+  const auto load = [&](const JoinedPart& part) {
+    const Period wanted{std::clamp(from, part.used.from, part.used.to), part.used.to};
+    return FieldRepository{db, stop}.load_currents(part.dataset.id, area, wanted, deepest);
+  };
+  if (parts.size() == 1) return load(parts.front());
+
+  std::optional<ocean::CurrentGrid::Samples> joined;
+  std::vector<double> times_s;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    // The steps of one part lie around a `from` that falls between two parts, too.
+    const bool is_over = i + 1 < parts.size() && parts[i + 1].used.from <= from;
+    if (is_over) continue;
+    const auto loaded = load(parts[i]);
+    if (!loaded) return std::nullopt;
+    const ocean::CurrentGrid::Samples& samples = loaded->samples();
+    const auto& nodes = samples.times_s.nodes();
+    times_s.insert(times_s.end(), nodes.begin(), nodes.end());
+    if (!joined) {
+      joined = samples;
+      continue;
+    }
+    joined->u.insert(joined->u.end(), samples.u.begin(), samples.u.end());
+    joined->v.insert(joined->v.end(), samples.v.begin(), samples.v.end());
+  }
+  if (!joined) return std::nullopt;
+  joined->times_s = ocean::Axis{std::move(times_s)};
+  return ocean::CurrentGrid{std::move(*joined)};
+}
+
+}  // namespace floeplan::repository

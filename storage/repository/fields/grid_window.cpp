@@ -1,0 +1,152 @@
+#include "storage/repository/fields/grid_window.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace floeplan::repository {
+namespace {
+
+/// Nodes `first` to `last`, both included.
+AxisWindow part(const ocean::Axis& axis, std::size_t first, std::size_t last) {
+  const auto begin = axis.nodes().begin();
+  return {{{first, last - first + 1}},
+          ocean::Axis{
+              {begin + static_cast<std::ptrdiff_t>(first), begin + static_cast<std::ptrdiff_t>(last) + 1}}};
+}
+
+/// How many nodes lie within one turn of the first: all, unless the seam is stored twice (0 and 360).
+std::size_t distinct_longitudes(const ocean::Axis& x) {
+  const auto end = std::ranges::lower_bound(x.nodes(), x.front() + 360.0 - 1e-6);
+  return static_cast<std::size_t>(end - x.nodes().begin());
+}
+
+/// Window of an axis that goes round the globe. Its nodes are numbered on and on eastwards, turn after turn.
+AxisWindow window_round_the_globe(const ocean::Axis& x, double west_deg, double width_deg) {
+  const auto turn = static_cast<std::ptrdiff_t>(distinct_longitudes(x));
+  const auto begin = x.nodes().begin();
+  const double west = west_deg - 360.0 * std::floor((west_deg - x.front()) / 360.0);
+  const double turns_to_east = std::floor((west + width_deg - x.front()) / 360.0);
+  const double east = west + width_deg - 360.0 * turns_to_east;
+
+  std::ptrdiff_t first = std::lower_bound(begin, begin + turn, west) - begin - 1;
+  std::ptrdiff_t last =
+      std::upper_bound(begin, begin + turn, east) - begin + turn * static_cast<std::ptrdiff_t>(turns_to_east);
+  if (last - first + 1 >= turn) return whole(x);
+  if (first < 0) {
+    first += turn;
+    last += turn;
+  }
+
+  std::vector<double> nodes;
+  for (std::ptrdiff_t i = first; i <= last; ++i) {
+    const std::ptrdiff_t turns = i / turn;
+    nodes.push_back(begin[i % turn] + 360.0 * static_cast<double>(turns));
+  }
+  // Numbers beyond one turn mean the same nodes again, a turn further east.
+  const auto run = [](std::ptrdiff_t from, std::ptrdiff_t to) {
+    return NodeRun{static_cast<std::size_t>(from), static_cast<std::size_t>(to - from)};
+  };
+  if (last < turn) return {{run(first, last + 1)}, ocean::Axis{std::move(nodes)}};
+  return {{run(first, turn), run(0, last + 1 - turn)}, ocean::Axis{std::move(nodes)}};
+}
+
+/// Window of an axis with a gap. An area that reaches both ends round the back of the globe gets everything
+/// between.
+std::optional<AxisWindow> window_of_longitudes(const ocean::Axis& x, double west_deg, double width_deg) {
+  const double west =
+      west_deg - 360.0 * (std::floor((west_deg - x.front()) / 360.0) + 1.0);  // a turn before the axis
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  for (int turn = 0; turn <= 2; ++turn) {
+    const double from = west + 360.0 * turn;
+    if (from + width_deg < x.front() || from > x.back()) continue;
+    low = std::min(low, from);
+    high = std::max(high, from + width_deg);
+  }
+  return window_around(x, low, high);
+}
+
+struct Extent {
+  double low{std::numeric_limits<double>::infinity()};
+  double high{-std::numeric_limits<double>::infinity()};
+
+  void include(double value) {
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+};
+
+/// The area on a lattice of samples, in grid coordinates; grown by a part of their distance, since its rim
+/// bulges between them. Where the projection has no value, the extent is endless.
+std::optional<GridWindow> window_of_projected(const ocean::HorizontalGrid& grid,
+                                              const geo::BoundingBox& area) {
+  constexpr int steps = 48;
+  // Of the distance of two samples: an arc rises above its chord by a fifth of it, or less, up to a right angle.
+  constexpr double bulge = 0.25;
+  const double width = geo::width_deg(area);
+  Extent x;
+  Extent y;
+  double widest = 0.0;
+  std::vector<geo::GridPoint> row_before;
+  for (int j = 0; j <= steps; ++j) {
+    const double lat = area.south_deg + (area.north_deg - area.south_deg) * j / steps;
+    std::vector<geo::GridPoint> row;
+    for (int i = 0; i <= steps; ++i) {
+      const geo::GridPoint point = geo::to_grid(grid.frame(), {area.west_deg + width * i / steps, lat});
+      if (!std::isfinite(point.x) || !std::isfinite(point.y))
+        return GridWindow{whole(grid.x()), whole(grid.y())};
+      x.include(point.x);
+      y.include(point.y);
+      if (i > 0) widest = std::max(widest, std::hypot(point.x - row.back().x, point.y - row.back().y));
+      row.push_back(point);
+      if (j > 0) {
+        const geo::GridPoint below = row_before[static_cast<std::size_t>(i)];
+        widest = std::max(widest, std::hypot(point.x - below.x, point.y - below.y));
+      }
+    }
+    row_before = std::move(row);
+  }
+  const double margin = bulge * widest;
+  auto x_window = window_around(grid.x(), x.low - margin, x.high + margin);
+  auto y_window = window_around(grid.y(), y.low - margin, y.high + margin);
+  if (!x_window || !y_window) return std::nullopt;
+  return GridWindow{std::move(*x_window), std::move(*y_window)};
+}
+
+}  // namespace
+
+AxisWindow whole(const ocean::Axis& axis) { return {{{0, axis.size()}}, axis}; }
+
+std::optional<AxisWindow> window_around(const ocean::Axis& axis, double low, double high) {
+  if (!(high >= axis.front() && low <= axis.back())) return std::nullopt;
+  const auto begin = axis.nodes().begin();
+  const auto not_below = static_cast<std::size_t>(std::ranges::lower_bound(axis.nodes(), low) - begin);
+  const auto above = static_cast<std::size_t>(std::ranges::upper_bound(axis.nodes(), high) - begin);
+  return part(axis, not_below == 0 ? 0 : not_below - 1, std::min(above, axis.size() - 1));
+}
+
+std::optional<GridWindow> window_around(const ocean::HorizontalGrid& grid, const geo::BoundingBox& area) {
+  if (!std::holds_alternative<geo::GeographicFrame>(grid.frame())) return window_of_projected(grid, area);
+
+  auto y = window_around(grid.y(), area.south_deg, area.north_deg);
+  if (!y) return std::nullopt;
+  const bool closed = grid.wraps() || grid.x().back() - grid.x().front() >= 360.0 - 1e-6;
+  auto x = closed ? window_round_the_globe(grid.x(), area.west_deg, geo::width_deg(area))
+                  : window_of_longitudes(grid.x(), area.west_deg, geo::width_deg(area));
+  if (!x) return std::nullopt;
+  return GridWindow{std::move(*x), std::move(*y)};
+}
+
+GridWindow in_whole_blocks(const GridWindow& window, const ocean::HorizontalGrid& grid, std::size_t side) {
+  const auto widened = [side](const AxisWindow& along, const ocean::Axis& axis) {
+    if (along.runs.size() > 1) return along;
+    const NodeRun run = along.runs.front();
+    const std::size_t first = run.first / side * side;
+    const std::size_t end = (run.first + run.count + side - 1) / side * side;
+    return part(axis, first, std::min(end, axis.size()) - 1);
+  };
+  return {widened(window.x, grid.x()), widened(window.y, grid.y())};
+}
+
+}  // namespace floeplan::repository

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <complex>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "engine/core/units.hpp"
+#include "engine/geo/bounding_box.hpp"
+#include "engine/ocean/tide_grid.hpp"
+#include "storage/repository/datasets/dataset.hpp"
+#include "storage/sql/connection.hpp"
+
+namespace floeplan::repository {
+
+/// Harmonic constants of one quantity at a place where it was measured or asked for.
+struct TideStation {
+  std::string name;  // empty: the source gives none
+  geo::LonLat place;
+  ocean::TideQuantity quantity{ocean::TideQuantity::elevation};
+  std::vector<tide::HarmonicConstant> constants;
+};
+
+/// Tides: models on a grid, and stations.
+/// Threads  as the connection: one thread at a time
+class TideRepository {
+ public:
+  explicit TideRepository(sql::Connection& db) : db_{db} {}
+
+  void create(const DatasetId& id, const ocean::HorizontalGrid& grid);
+  /// One field [y][x] of a grid that was created.
+  void write(const DatasetId& id, tide::Constituent constituent, ocean::TideQuantity quantity,
+             std::span<const std::complex<float>> field);
+  /// The nodes around `area`, at least one on each side where the grid has one. nullopt when the dataset has no grid or
+  /// shares no node with the area.
+  [[nodiscard]] std::optional<ocean::TideGrid> load(const DatasetId& id, const geo::BoundingBox& area) const;
+
+  void insert(const DatasetId& id, const std::vector<TideStation>& stations);
+  /// In the order of insertion.
+  [[nodiscard]] std::vector<TideStation> stations(const DatasetId& id) const;
+
+ private:
+  sql::Connection& db_;  // borrowed
+};
+
+}  // namespace floeplan::repository

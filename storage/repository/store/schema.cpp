@@ -1,0 +1,50 @@
+#include "storage/repository/store/schema.hpp"
+
+#include <stdexcept>
+#include <string>
+
+#include "storage/repository/store/schema_scripts.hpp"
+#include "storage/sql/references.hpp"
+#include "storage/sql/schema_number.hpp"
+#include "storage/sql/statement.hpp"
+#include "storage/sql/transaction.hpp"
+
+namespace floeplan::repository {
+namespace {
+
+void refuse_broken_references(sql::Connection& db) {
+  if (sql::has_broken_references(db))
+    throw std::runtime_error{"the store refers to a dataset that it does not hold; it is damaged"};
+}
+
+}  // namespace
+
+std::int64_t newest_schema() { return static_cast<std::int64_t>(schema_scripts().size()); }
+
+void refuse_newer_schema(std::int64_t schema) {
+  if (schema <= newest_schema()) return;
+  throw std::runtime_error{"the store was written by a newer Floeplan (schema " + std::to_string(schema) +
+                           ", this program knows " + std::to_string(newest_schema()) +
+                           "); update the program, or choose another folder"};
+}
+
+void bring_to_newest_schema(sql::Connection& db) {
+  const std::int64_t before = sql::schema_number(db);
+  refuse_newer_schema(before);
+  if (before == newest_schema()) return;
+
+  // Dropping a table that others refer to would empty them, too.
+  const sql::WithoutReferences without_references{db};
+  sql::Transaction transaction{db};
+  // Asked again: another program may have migrated the store in the meantime.
+  const std::int64_t found = sql::schema_number(db);
+  refuse_newer_schema(found);
+  for (auto schema = static_cast<std::size_t>(found); schema < schema_scripts().size(); ++schema) {
+    sql::execute(db, schema_scripts()[schema]);
+  }
+  refuse_broken_references(db);
+  sql::set_schema_number(db, newest_schema());
+  transaction.commit();
+}
+
+}  // namespace floeplan::repository

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/core/units.hpp"
+#include "storage/repository/store/partial_list.hpp"
+#include "storage/sql/connection.hpp"
+
+namespace floeplan::repository {
+
+struct SimulationId {
+  std::string value;
+
+  friend auto operator<=>(const SimulationId&, const SimulationId&) = default;
+};
+
+/// A finished simulation of one flight or many, never changed after it was stored.
+struct SimulationRecord {
+  std::int64_t row{};  // given by the store, ascending in the order of insertion: the key to page by
+  SimulationId id;
+  std::string plan_id;  // that was flown; the plan itself may have been removed since
+  std::string name;
+  core::UtcTime created;
+  std::string request_json;   // the inputs with every default filled in
+  std::string document_json;  // the answer: a row for each run, and their statistics
+};
+
+/// The whole record of one of its flights.
+struct SimulatedFlight {
+  std::int64_t run{};  // from 0
+  std::string document_json;
+};
+
+/// Threads  as the connection: one thread at a time
+class SimulationRepository {
+ public:
+  explicit SimulationRepository(sql::Connection& db) : db_{db} {}
+
+  /// Stores the simulation with those of its flights that are kept whole, all or nothing; one with the same id is left
+  /// as it is (the id is a digest of inputs and data). Returns its row.
+  std::int64_t insert(const SimulationRecord& simulation, const std::vector<SimulatedFlight>& flights);
+  [[nodiscard]] std::optional<SimulationRecord> find(const SimulationId& id) const;
+  /// Those of one plan, or all.
+  [[nodiscard]] std::vector<SimulationRecord> list(const std::optional<std::string>& plan_id,
+                                                   std::int64_t after, int limit) const;
+  /// The same, past simulations that are damaged.
+  [[nodiscard]] PartialList<SimulationRecord> list_past_damage(const std::optional<std::string>& plan_id,
+                                                               std::int64_t after, int limit) const;
+  [[nodiscard]] std::int64_t count(const std::optional<std::string>& plan_id) const;
+  [[nodiscard]] std::optional<SimulatedFlight> find_flight(const SimulationId& id, std::int64_t run) const;
+  /// All that are kept, by run.
+  [[nodiscard]] std::vector<SimulatedFlight> flights(const SimulationId& id) const;
+  bool remove(const SimulationId& id);
+
+ private:
+  sql::Connection& db_;  // borrowed
+};
+
+}  // namespace floeplan::repository
