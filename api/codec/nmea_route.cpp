@@ -136,7 +136,7 @@ std::vector<geo::LonLat> places_in_order(const Sentences& sentences, const std::
     if (found != sentences.waypoints.end()) {
       places.push_back(found->second);
     } else if (faults.size() < most_faults) {
-      faults.push_back({"file", "has the waypoint " + name + " in its route, yet no WPL says where it is"});
+      faults.push_back({"file", "has the waypoint " + name + " in its route, but no WPL gives its position"});
     }
   }
   return places;

@@ -63,7 +63,7 @@ void read_goals(InputReader& reader, planning::PlanRequest& request, std::vector
     reader.refuse("/goals_file", "takes the place of \"to\" and \"via\"; give one or the other");
   GivenRoute goals = read_file_route(reader, "goals_file");
   if (goals.places.size() > max_vias + 2)
-    return reader.refuse("/goals_file", "must hold at most 50 places on the way to the goal");
+    return reader.refuse("/goals_file", "must hold at most 50 via points between start and goal");
   if (goals.places.size() < 2) return;
   request.from = goals.places.front();
   request.to = goals.places.back();

@@ -136,7 +136,7 @@ GivenRoute read_route(InputReader& reader) {
   given.plan_id = reader.text("plan_id");
   const bool from_file = reader.member("route_file") != nullptr;
   if ((route != nullptr) + (reader.member("plan_id") != nullptr) + from_file != 1) {
-    reader.refuse("/route", "is required, or else \"plan_id\" or \"route_file\", and only one of them");
+    reader.refuse("/route", "is required, or \"plan_id\" or \"route_file\" instead; give one of them");
     return given;
   }
   if (from_file) return read_file_route(reader, "route_file");

@@ -33,9 +33,9 @@ void read_error_model(InputReader& members, planning::UncertaintyRules& rules) {
     members.require("current_error_m_s",
                     "is required with \"members\": the standard deviation of each component's error, m/s");
     members.require("length_scale_m",
-                    "is required with \"members\": over how far the error is alike, metres");
+                    "is required with \"members\": the correlation length of the error, metres");
     members.require("time_scale_s",
-                    "is required with \"members\": over how long the error is alike, seconds");
+                    "is required with \"members\": the correlation time of the error, seconds");
   }
 }
 

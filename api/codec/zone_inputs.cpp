@@ -172,7 +172,7 @@ void refuse_near_names(InputReader& members, const json& properties) {
     if (value.is_null() || value.is_boolean() || std::ranges::count(right_names, name) > 0) continue;
     if (const auto meant = property_meant_by(name))
       members.refuse_member(name,
-                            "must be written " + *meant + ", or be left out where it means something else");
+                            "must be written " + *meant + "; leave it out if it means something different");
   }
 }
 

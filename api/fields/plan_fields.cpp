@@ -19,7 +19,7 @@ constexpr double most_step_m = 100'000.0;
 constexpr double heaviest = 1e6;
 
 constexpr std::string_view seen_from_route =
-    "Name or number, counted from 1, of the route to take from GeoJSON or a file that holds several";
+    "Route to use of GeoJSON or a file with several: its name, or its number from 1";
 
 /// A row of the member `uncertainty`.
 template <class Access>
@@ -40,7 +40,7 @@ const std::vector<Field>& way_fields() {
        .kind = Kind::place,
        .flag = "from",
        .help = "Start, [longitude, latitude] in degrees",
-       .details = "A height behind them is left out",
+       .details = "A third number, the height, is ignored",
        .form = {"Start", {}, "69°10.2′N 51°21.0′W"}},
       {.name = "to",
        .kind = Kind::place,
@@ -51,11 +51,12 @@ const std::vector<Field>& way_fields() {
        .kind = Kind::places,
        .flag = "via",
        .group = group::places,
-       .help = "Via points, in this order"},
+       .help = "Via points, in this order",
+       .form = {"Via points"}},
       {.name = "goals_file",
        .flag = "goals",
-       .help =
-           "File whose places are visited instead of via and to; without from its first place is the start"},
+       .help = "File with the places to visit, instead of via and to; without from, its first place is the "
+               "start"},
       route_name(),
   };
   return list;
@@ -69,7 +70,7 @@ const Table<PlanRequest>& order_fields() {
               {.name = "via_order",
                .flag = "best-order",
                .flag_sets = "best",
-               .help = "Visit the places in the order given or in the one that reaches the goal earliest"},
+               .help = "Order of the via points: as given, or the one that reaches the goal earliest"},
               std::vector<Choice<bool>>{{{"given"}, false}, {{"best"}, true}},
               [](auto& request) -> auto& { return request.via_in_best_order; }),
       });
@@ -81,9 +82,9 @@ const std::vector<Field>& route_fields() {
       {.name = "route",
        .help = "The route: GeoJSON (a line, also one cut at the antimeridian, a Feature, a "
                "FeatureCollection, the "
-               "legs of a plan) or an array of positions; else plan_id"},
-      {.name = "plan_id", .kind = Kind::text, .help = "A stored plan whose route is meant"},
-      {.name = "route_file", .help = "A file with the route, instead of route or plan_id"},
+               "legs of a plan) or an array of positions; or give plan_id"},
+      {.name = "plan_id", .kind = Kind::text, .help = "Stored plan with the route"},
+      {.name = "route_file", .help = "File with the route, instead of route or plan_id"},
       route_name(),
       {.name = "from",
        .kind = Kind::place,
@@ -98,15 +99,16 @@ const std::vector<Field>& isochrone_fields() {
       {.name = "from",
        .kind = Kind::place,
        .flag = "from",
-       .help = "Where the vehicle leaves at depart, [longitude, latitude] in degrees; else to"},
+       .help = "Start of the vehicle at depart, [longitude, latitude] in degrees; or give to"},
       {.name = "to",
        .kind = Kind::place,
        .flag = "to",
-       .help = "Where it is to be at arrive_by, [longitude, latitude] in degrees"},
+       .help = "Goal to reach by arrive_by, [longitude, latitude] in degrees"},
       {.name = "arrive_by", .kind = Kind::time, .flag = "arrive-by", .help = "Latest arrival, with to"},
       {.name = "hours",
        .flag = "hours",
-       .help = "Hours after the departure, or before the arrival; one number or several, as 6,12,24"},
+       .help =
+           "Hours after the departure, or before the arrival; one number or several, for example 6,12,24"},
   };
   return list;
 }
@@ -120,18 +122,16 @@ const Table<IsochroneRequest>& isochrone_grid_fields() {
                                    .least = least_step_m,
                                    .most = most_step_m,
                                    .flag = "spacing",
-                                   .help = "Spacing of the grid (left out: a hundredth of the distance made "
+                                   .help = "Spacing of the grid (default: a hundredth of the distance flown "
                                            "in still water, 100 m to 5 km)"},
                                   [](auto& request) -> auto& { return request.spacing; }),
-          bound<IsochroneRequest>(
-              {.name = "sectors",
-               .least = 1.0,
-               .most = 5.0,
-               .flag = "sectors",
-               .help =
-                   "Neighbourhood of the grid, in sectors; left out, 3, and 5 where currents are as fast as "
-                   "the vehicle"},
-              [](auto& request) -> auto& { return request.sectors; }),
+          bound<IsochroneRequest>({.name = "sectors",
+                                   .least = 1.0,
+                                   .most = 5.0,
+                                   .flag = "sectors",
+                                   .help = "Neighbourhood of the grid, in sectors (default: 3, or 5 where "
+                                           "currents are as fast as the vehicle)"},
+                                  [](auto& request) -> auto& { return request.sectors; }),
       });
   return table;
 }
@@ -141,8 +141,8 @@ const std::vector<Field>& departure_fields() {
       {.name = "depart",
        .kind = Kind::time,
        .flag = "depart",
-       .help = "Departure, ISO 8601 with its zone, as 2026-11-20T06:00:00Z",
-       .details = "A plan needs it unless arrive_by is given",
+       .help = "Departure, ISO 8601 with its zone, for example 2026-11-20T06:00:00Z",
+       .details = "Required unless arrive_by is given",
        .form = {"Departure", "UTC", "2026-11-20 06:00"}},
   };
   return list;
@@ -154,22 +154,21 @@ const std::vector<Field>& window_fields() {
        .kind = Kind::time,
        .flag = "depart-until",
        .group = group::window,
-       .help = "Last departure of a window that begins at depart; the best one is planned",
+       .help = "Last departure of a window that begins at depart; the best departure is planned",
        .form = {"Latest departure", "UTC", "one departure only"}},
       {.name = "depart_step",
        .kind = Kind::duration,
        .flag = "depart-step",
        .group = group::window,
-       .help = "From one departure of the window to the next, ISO 8601; default PT1H",
+       .help = "Time between departures of the window, ISO 8601; default PT1H",
        .example = "PT1H",
        .form = {"Every", "h"}},
       {.name = "arrive_by",
        .kind = Kind::time,
        .flag = "arrive-by",
        .group = group::window,
-       .help = "Leave as late as this arrival allows; depart is then the earliest departure",
-       .form = {"Latest arrival", "UTC", "any",
-                "With it the latest departure that arrives in time is found."}},
+       .help = "Latest arrival: the plan leaves as late as possible, not before depart",
+       .form = {"Latest arrival", "UTC", "any", "The plan leaves as late as possible and arrives in time."}},
   };
   return list;
 }
@@ -179,10 +178,9 @@ const std::vector<Field>& grid_fields() {
       {.name = "spacing_m",
        .flag = "spacing",
        .group = group::search,
-       .help = "Spacing of the search grid, metres, or two, along and across (left out: a 200th of the "
+       .help = "Spacing of the search grid, metres; two numbers: along and across (default: a 200th of the "
                "distance, 250 m to 5 km)",
-       .details =
-           "Where it is left out and not time alone counts, searches begin on steps 2.5 times as large",
+       .details = "By default, searches for more than the least time begin with a spacing 2.5 times as large",
        .form = {"Grid spacing", "m", "automatic"}},
   };
   return list;
@@ -198,11 +196,11 @@ const Table<PlanRequest>& search_fields() {
                .most = 5.0,
                .flag = "sectors",
                .help = "Neighbourhood of the grid, in sectors",
-               .details = "Where currents are as fast as the vehicle grids of 5 are tried, too",
+               .details = "Where currents are as fast as the vehicle, grids of 5 sectors are tried, too",
                .form = {"Neighbourhood", "1–5 sectors"}},
               [](auto& request) -> auto& { return request.sectors; }),
           worded<PlanRequest>(
-              {.name = "method", .flag = "method", .help = "How routes are searched for", .form = {"Method"}},
+              {.name = "method", .flag = "method", .help = "Search algorithm", .form = {"Method"}},
               std::vector<Choice<Method>>{{{"tve"}, Method::tve},
                                           {{"dijkstra"}, Method::dijkstra},
                                           {{"astar"}, Method::astar},
@@ -221,13 +219,13 @@ const Table<PlanRequest>& search_fields() {
                               .least = 100.0,
                               .most = 5e6,
                               .flag = "max-leg",
-                              .help = "Length of the longest leg; longer legs are divided",
+                              .help = "Longest leg; longer legs are divided",
                               .form = {"Max. leg length", "km", "no limit"}},
                              [](auto& request) -> auto& { return request.max_leg; }),
           bound<PlanRequest>(
               {.name = "refine",
                .flag = "no-refine",
-               .help = "Move waypoints off the grid where that saves time, or what else the objective counts",
+               .help = "Refine the route: move waypoints off the grid where that lowers the cost",
                .form = {"Refine the route beyond the grid"}},
               [](auto& request) -> auto& { return request.refine; }),
           bound<PlanRequest>(
@@ -236,19 +234,16 @@ const Table<PlanRequest>& search_fields() {
                .least = 0.05,
                .most = 60.0,
                .flag = "refine-seconds",
-               .help = "Computing time for moving waypoints off the grid",
-               .details =
-                   "It times up to 200000 legs for each second, 30000 where energy or encounters count, half "
-                   "as "
-                   "many "
-                   "with two drives; only when the time ends it first, as the plan then says, may the route "
-                   "differ from one machine to the next",
+               .help = "Computing time of the refinement",
+               .details = "Each second allows 200000 leg computations, 30000 with energy or encounters in "
+                          "the objective, half of that with a thruster. If the time runs out first, the plan "
+                          "says so, and the route may differ between machines",
                .form = {"Refine for at most", "s"}},
               [](auto& request) -> auto& { return request.refine_time; }),
           bound<PlanRequest>({.name = "optimality_gap",
                               .flag = "no-optimality-gap",
                               .help = "Compare the plan with the best possible route in open water",
-                              .details = "The answer is the plan's optimality_gap",
+                              .details = "The result is optimality_gap of the plan",
                               .form = {"Compare with the best possible route"}},
                              [](auto& request) -> auto& { return request.optimality_gap; }),
       });
@@ -263,7 +258,7 @@ const Table<UncertaintyRules>& error_model_fields() {
                        .least = 2.0,
                        .most = 64.0,
                        .flag = "members",
-                       .help = "Draw this many errors of the currents and show the spread",
+                       .help = "Number of random errors of the currents to draw; the plan shows the spread",
                        .form = {"Members", "2–64", "none"}},
                       [](auto& rules) -> auto& { return rules.drawn_members; }),
           uncertainty({.name = "current_error_m_s",
@@ -292,7 +287,7 @@ const Table<UncertaintyRules>& error_model_fields() {
                       [](auto& rules) -> auto& { return rules.error.time_scale; }),
           uncertainty({.name = "seed",
                        .most = largest_seed,
-                       .help = "Of the errors drawn; left out, 1",
+                       .help = "Seed of the random errors; default 1",
                        .form = {"Seed", {}, "1"}},
                       [](auto& rules) -> auto& { return rules.seed; }),
       }));
@@ -318,7 +313,8 @@ const Table<UncertaintyRules>& robustness_fields() {
                .unit = "share",
                .least = 0.01,
                .most = 0.99,
-               .help = "The share of members that keeps the time; with the objective \"quantile\" only",
+               .help =
+                   "Share of members that arrive by the planned time; only with the objective \"quantile\"",
                .form = {"Quantile", "%"}},
               [](auto& rules) -> auto& { return rules.quantile; }),
           uncertainty({.name = "arrive_before",
@@ -367,15 +363,15 @@ const Table<EnergyRules>& energy_fields() {
           worded<EnergyRules>(
               {.name = "thruster",
                .flag = "thruster",
-               .help = "Use of the thruster (auto: as the objective has it)",
+               .help = "Use of the thruster (auto: as the objective requires)",
                .form = {"Thruster"}},
               std::vector<Choice<ThrusterUse>>{
                   {{"auto"}, ThrusterUse::automatic}, {{"on"}, ThrusterUse::on}, {{"off"}, ThrusterUse::off}},
               [](auto& rules) -> auto& { return rules.thruster; }),
           bound<EnergyRules>({.name = "require_battery",
                               .flag = "require-battery",
-                              .help = "No plan beyond what the battery gives",
-                              .form = {"Only plans that the battery lasts for"}},
+                              .help = "Refuse plans that need more energy than the battery gives",
+                              .form = {"Only plans within the battery"}},
                              [](auto& rules) -> auto& { return rules.require_battery; }),
       });
   return table;
@@ -390,21 +386,15 @@ const Table<PlanRequest>& hold_fields() {
                .unit = "s",
                .most = 864'000.0,
                .flag = "max-loiter",
-               .help = "Longest wait at a waypoint for what clears later, icebergs, timed areas or currents",
+               .help = "Longest hold at a waypoint until an iceberg, a timed area or a current clears",
                .details =
-                   "0: the vehicle never waits. A glider cannot stand still: it keeps its place by making "
-                   "way, "
-                   "only where the current is "
-                   "known and "
-                   "weaker than its speed through the water, and draws energy as if under way. A waypoint's "
-                   "wait_s "
-                   "tells the wait between its ETA and the next leg. With an objective other than time only "
-                   "the "
-                   "fastest of the plans compared wait. Where under_ice.max_time_without_surfacing_s is "
-                   "given, "
-                   "time "
-                   "waited below ice counts; the vehicle waits only right before what is closed",
-               .form = {"Longest wait", "h", "never"}},
+                   "0: no holds. A glider cannot stand still: it holds station by making way against the "
+                   "current, only where the current is known and weaker than its speed through the water, "
+                   "and draws energy as if under way. wait_s of a waypoint is the hold between its ETA and "
+                   "the next leg. With an objective other than time, only the fastest of the compared plans "
+                   "hold. A hold below ice counts for under_ice.max_time_without_surfacing_s. The vehicle "
+                   "holds only right before the closed place",
+               .form = {"Longest hold", "h", "never"}},
               [](auto& request) -> auto& { return request.max_loiter; }),
       });
   return table;
@@ -428,7 +418,7 @@ const std::vector<Field>& name_fields() {
        .kind = Kind::text,
        .flag = "name",
        .group = group::search,
-       .help = "Name of the result, for people",
+       .help = "Name of the result",
        .form = {"Name of the plan", {}, "optional"}},
   };
   return list;
@@ -437,9 +427,8 @@ const std::vector<Field>& name_fields() {
 const std::vector<Field>& remark_fields() {
   static const std::vector<Field> list{
       {.name = "remarks",
-       .help = "Sentences to be added to the warnings of the answer, as a program that read the places from "
-               "a file may "
-               "have"},
+       .help = "Sentences to add to the warnings of the answer, for example of a program that read the "
+               "places from a file"},
   };
   return list;
 }

@@ -54,7 +54,7 @@ inline constexpr auto problem_kinds = std::to_array<ProblemKind>({
     {.code = "busy",
      .status = 503,
      .title = "Busy",
-     .detail = "The server holds all the memory that requests may take; send it again in a moment."},
+     .detail = "Requests use all the memory that the server gives them; send the request again in a moment."},
     {.code = "too-many-streams",
      .status = 503,
      .title = "Too many streams",
@@ -62,14 +62,14 @@ inline constexpr auto problem_kinds = std::to_array<ProblemKind>({
     {.code = "too-many-streams-of-client",
      .status = 429,
      .title = "Too many streams",
-     .detail = "You have {most} event streams open, as many as one client may; close some. One stream of "
-               "/events tells of all jobs.",
+     .detail = "You have {most} event streams open, the most for one client; close some. One stream of "
+               "/events reports all jobs.",
      .slots = {{{"most", 20}}},
      .type = "too-many-streams"},
     {.code = "too-many-files",
      .status = 429,
      .title = "Too many files at once",
-     .detail = "You are sending {most} files, as many as one client may at once; send this one when another "
+     .detail = "You are sending {most} files, the most for one client at a time; send this one when another "
                "has arrived.",
      .slots = {{{"most", 8}}}},
 
@@ -77,7 +77,7 @@ inline constexpr auto problem_kinds = std::to_array<ProblemKind>({
     {.code = "no-token",
      .status = 400,
      .title = "No token",
-     .detail = "A login takes a token: as {{\"token\": \"...\"}} or in the Authorization header. A server "
+     .detail = "A login needs a token: as {{\"token\": \"...\"}} or in the Authorization header. A server "
                "without tokens needs no login."},
     {.code = "unauthorized",
      .status = 401,
@@ -99,7 +99,7 @@ inline constexpr auto problem_kinds = std::to_array<ProblemKind>({
     {.code = "forbidden",
      .status = 403,
      .title = "Forbidden",
-     .detail = "This takes a token of the role {needed}; yours is of the role {given}.",
+     .detail = "This needs the role {needed}; your token has the role {given}.",
      .slots = {{{"needed", "pilot"}, {"given", "viewer"}}}},
     {.code = "foreign-page",
      .status = 403,
@@ -124,15 +124,15 @@ inline constexpr auto problem_kinds = std::to_array<ProblemKind>({
     {.code = "quota-uploads",
      .status = 403,
      .title = "Too many uploads",
-     .detail = "You have as many uploads waiting as one token may ({most}). This file was not kept. Remove "
+     .detail = "You have {most} uploads waiting, the most for one token. This file was not kept. Remove "
                "some of yours with DELETE /uploads/{{id}} (GET /uploads lists them); each expires after a "
                "day.",
      .slots = {{{"most", 20}}}},
     {.code = "quota-stored-bytes",
      .status = 403,
      .title = "Too much is stored",
-     .detail = "You have {stored_mb} MB stored of the {most_mb} MB that one token may; {more_mb} MB more do "
-               "not fit, and nothing was kept of this request. Remove what nobody needs: uploads with "
+     .detail = "You have stored {stored_mb} MB of the {most_mb} MB for one token; {more_mb} MB more do not "
+               "fit, and nothing of this request was kept. Remove what nobody needs: uploads with "
                "DELETE /uploads/{{id}} (GET /uploads lists them), datasets with DELETE /datasets/{{id}}, "
                "plans with DELETE /collections/plans/items/{{id}}, simulations with DELETE "
                "/simulations/{{id}}; or have the quota raised (serve --max-stored-mb).",
@@ -189,8 +189,8 @@ inline constexpr auto problem_kinds = std::to_array<ProblemKind>({
     {.code = "dangerous-plan",
      .status = 409,
      .title = "The plan is dangerous",
-     .detail = "The plan, or the newest data, tell of dangers; plan anew, or confirm them: repeat with "
-               "accept_dangers=true."},
+     .detail = "The plan has dangers, in itself or in the newest data. Plan again, or confirm the dangers "
+               "with accept_dangers=true."},
 
     // What is not there.
     {.code = "unknown-path",
@@ -220,8 +220,8 @@ inline constexpr auto problem_kinds = std::to_array<ProblemKind>({
     {.code = "unknown-flight",
      .status = 404,
      .title = "Not found",
-     .detail = "The flight {run} is not kept; a simulation keeps its first ones, as many as its input "
-               "\"tracks\" says.",
+     .detail = "The flight {run} is not kept; a simulation keeps its first flights, as many as its input "
+               "\"tracks\".",
      .slots = {{{"run", "12"}}}},
     {.code = "no-flight-kept",
      .status = 404,
@@ -304,7 +304,7 @@ inline constexpr auto problem_kinds = std::to_array<ProblemKind>({
     {.code = "unknown-job",
      .status = 404,
      .title = "Not found",
-     .detail = "The job was removed while its result was waited for."},
+     .detail = "The job was removed before it ended."},
     {.code = "job-failed",
      .status = 400,
      .title = "The job failed",
@@ -321,44 +321,43 @@ inline constexpr auto problem_kinds = std::to_array<ProblemKind>({
     {.code = "queue-full",
      .status = 503,
      .title = "The queue is full",
-     .detail = "Too many jobs are waiting, of all or of yours; try again later."},
+     .detail = "Too many jobs are waiting, in total or of yours; try again later."},
     {.code = "not-ready",
      .status = 503,
      .title = "Not ready",
-     .detail = "The server can take no work: {why}.",
+     .detail = "The server accepts no work: {why}.",
      .slots = {{{"why", "the disk is almost full"}}}},
 
     // The server and its store.
     {.code = "insufficient-storage",
      .status = 507,
      .title = "Insufficient storage",
-     .detail = "The server's disk is full. Nothing of the request was done; what was stored before is safe."},
+     .detail = "The server's disk is full. The request changed nothing; stored data are safe."},
     {.code = "store-held",
      .status = 503,
      .title = "Busy",
-     .detail = "Another program holds the store; send the request again."},
+     .detail = "Another program uses the store; send the request again."},
     {.code = "store-not-writable",
      .status = 503,
      .title = "The store cannot be written",
-     .detail = "The server cannot write to its disk. Nothing of the request was done; its operator has to "
-               "look."},
+     .detail = "The server cannot write to its disk. The request changed nothing; tell the operator."},
     {.code = "store-damaged",
      .status = 503,
      .title = "The store is damaged",
-     .detail = "What was asked for is damaged in the server's store and cannot be read; the rest can. Its "
-               "operator sees what is damaged with floeplan verify, saves the rest with floeplan repair, or "
-               "puts back a backup."},
+     .detail = "The requested data are damaged in the server's store and cannot be read; the rest can. The "
+               "operator lists the damage with floeplan verify, saves the rest with floeplan repair, or "
+               "restores a backup."},
     {.code = "entry-damaged",
      .status = 503,
      .title = "The store is damaged",
      .detail = "This {kind} is damaged in the server's store and cannot be read; the list lacks it. The "
-               "server's operator saves the rest with floeplan repair, or puts back a backup.",
+               "operator saves the rest with floeplan repair, or restores a backup.",
      .slots = {{{"kind", "plan"}}},
      .type = "store-damaged"},
     {.code = "internal-error",
      .status = 500,
      .title = "Internal error",
-     .detail = "The server could not answer; its log says why. The request may be sent again."},
+     .detail = "The server could not answer; its log says why. You may send the request again."},
 });
 
 consteval const ProblemKind& problem_kind(std::string_view code) {

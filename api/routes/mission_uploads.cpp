@@ -51,7 +51,7 @@ Read read_json(const Request& request) {
     codec::InputReader file{(*files)[i], pointer};
     const auto name = file.text("name");
     const auto text = file.text("text", request.body.size());
-    file.require("name", "is required: the file's name, whose ending tells .mi from .ma");
+    file.require("name", "is required: the file's name with its ending, .mi or .ma");
     file.require("text", "is required: what the file holds");
     file.refuse_unknown();
     reader.refuse_all("", file.violations());

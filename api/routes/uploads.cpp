@@ -42,9 +42,8 @@ core::Violations upload_faults(const Request& request) {
   if (!request.body_file) {
     faults.push_back({"", "must have the file as its body"});
   } else if (is_digest && core::lower_case(*sha256) != request.body_file->sha256) {
-    faults.push_back(
-        {"?sha256", "the file arrived with another digest, " + request.body_file->sha256 +
-                        "; it was damaged on its way or is not the one that was meant; send it again"});
+    faults.push_back({"?sha256", "the file arrived with another digest, " + request.body_file->sha256 +
+                                     "; it was damaged in transfer, or is a different file; send it again"});
   }
   return faults;
 }

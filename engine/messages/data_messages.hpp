@@ -88,31 +88,34 @@ inline constexpr auto data_kinds = std::to_array<Kind>({
          {{{"ignored", 1}, {"as_of", "2027-01-12T06:00:00Z"}, {"names", "B-17 at 2027-01-12T18:00:00Z"}}}},
     {.code = "icebergs-joined",
      .rank = Rank::note,
-     .text = "icebergs are joined from several datasets, of each berg the newest sighting: {datasets}",
+     .text = "icebergs are joined from several datasets, the newest sighting of each: {datasets}",
      .slots = {{{"datasets", "40 of Ice Patrol (icebergs-1), 3 of satellites (icebergs-2)"}}}},
     {.code = "icebergs-on-land",
      .rank = Rank::caution,
-     .text = "{on_land} of the icebergs lie on land by the coastline ({names}): their positions or the "
-             "coastline are wrong there",
+     .text = "{on_land} {on_land:iceberg lies|icebergs lie} on land of the coastline ({names}): a position "
+             "or the coastline is wrong there",
      .slots = {{{"on_land", 2}, {"names", "B-17, B-18"}}}},
     {.code = "sightings-before-currents",
      .rank = Rank::caution,
-     .text = "{before} of {icebergs} icebergs were seen before the currents begin, at {begin}: until then "
-             "each keeps its last observed drift, drifts with the wind, or stays put",
+     .text = "{before} of {icebergs} {icebergs:iceberg|icebergs} {before:was|were} last seen before the "
+             "currents begin, at {begin}. Until "
+             "then each keeps its last observed drift, drifts with the wind, or stays put",
      .slots = {{{"before", 60}, {"icebergs", 60}, {"begin", "2027-01-12T00:00:00Z"}}}},
     {.code = "earlier-sightings-before-currents",
      .rank = Rank::caution,
-     .text = "{before} of {icebergs} icebergs were seen twice, the first time before the currents begin, at "
-             "{begin}: their forecast follows current and wind alone and not the observed drift",
+     .text = "{before} of {icebergs} {icebergs:iceberg|icebergs} {before:was|were} first seen before the "
+             "currents begin, at {begin}: their "
+             "forecast follows current and wind, and not the observed drift",
      .slots = {{{"before", 3}, {"icebergs", 60}, {"begin", "2027-01-12T00:00:00Z"}}}},
     {.code = "icebergs-beyond-currents",
      .rank = Rank::caution,
-     .text = "{unknown} of {icebergs} icebergs drift beyond the current data ({names}): from then on each "
+     .text = "{unknown} of {icebergs} {icebergs:iceberg|icebergs} {unknown:drifts|drift} beyond the current "
+             "data ({names}). From then on each "
              "keeps its last observed drift, drifts with the wind, or stays put",
      .slots = {{{"unknown", 3}, {"icebergs", 60}, {"names", "B-17, B-18, B-19"}}}},
     {.code = "wind-not-at-departure",
      .rank = Rank::caution,
-     .text = "no stored wind for the time of departure ({periods}): icebergs drift as the water carries them",
+     .text = "no stored wind for the time of departure ({periods}): icebergs drift with the water alone",
      .slots = {{{"periods", "wind (wind-1) covers 2027-01-01T00:00:00Z to 2027-01-03T00:00:00Z"}}}},
 
     // Sea ice.
@@ -122,18 +125,17 @@ inline constexpr auto data_kinds = std::to_array<Kind>({
      .slots = {{{"periods", "chart (ice-1) covers 2027-01-01T00:00:00Z to 2027-01-03T00:00:00Z"}}}},
     {.code = "ice-not-begun",
      .rank = Rank::caution,
-     .text = "no ice is stored before {begin}: open water is assumed until {held_from}, from when on its "
-             "first step is held",
+     .text = "the stored ice begins at {begin}. Open water is assumed until {held_from}; from then on the "
+             "first ice is held",
      .slots = {{{"begin", "2027-01-16T00:00:00Z"}, {"held_from", "2027-01-13T00:00:00Z"}}}},
     {.code = "ice-unknown-at-departure",
      .rank = Rank::caution,
-     .text = "nothing is known of the ice at the departure: {dataset} tells of it at {step}, and ice is "
-             "held for at most 3 days; dives keep below the keels that were known last, and no surfacing is "
-             "counted on",
+     .text = "the ice at the departure is unknown: the nearest of {dataset} is at {step}, and ice is held "
+             "for at most 3 days. Dives keep below the last known keels, and the plan counts on no surfacing",
      .slots = {{{"dataset", "chart (ice-1)"}, {"step", "2027-01-08T00:00:00Z"}}}},
     {.code = "ice-held",
      .rank = Rank::caution,
-     .text = "ice of {dataset} is held as at {step}, the step nearest to the departure",
+     .text = "ice of {dataset} is held as at {step}, its step nearest to the departure",
      .slots = {{{"dataset", "chart (ice-1)"}, {"step", "2027-01-11T00:00:00Z"}}}},
     {.code = "ice-without-thickness",
      .rank = Rank::caution,
@@ -141,40 +143,40 @@ inline constexpr auto data_kinds = std::to_array<Kind>({
      .slots = {{{"dataset", "chart (ice-1)"}}}},
     {.code = "ice-with-thickness-of-others",
      .rank = Rank::caution,
-     .text = "ice of {dataset} has no thickness: that of others is taken where they tell of dense ice, and "
+     .text = "ice of {dataset} has no thickness: where other datasets show dense ice, theirs is used; "
              "elsewhere a draft is assumed",
      .slots = {{{"dataset", "chart (ice-1)"}}}},
     {.code = "ice-areas-not-used",
      .rank = Rank::caution,
-     .text = "{dataset} holds areas of ice and nothing outside them; not used beside {used}",
-     .hint = "make zones of them, or name it to plan with it alone",
+     .text = "{dataset} holds areas of ice and nothing outside them: it is not used beside {used}",
+     .hint = "Import it as zones, or name it (--ice) to plan with it alone",
      .slots = {{{"dataset", "fast ice (ice-2)"}, {"used", "chart (ice-1)"}}}},
     {.code = "ice-joined",
      .rank = Rank::note,
-     .text = "ice is taken from several datasets, at each place and time from the one whose data are "
-             "nearest to that time, the first where several are: {datasets}",
+     .text = "ice is joined from several datasets. Each place and time uses the data nearest in time, and of "
+             "equals the first: {datasets}",
      .slots = {{{"datasets", "chart (ice-1), then model (ice-2)"}}}},
     {.code = "old-ice-not-asked",
      .rank = Rank::note,
-     .text = "more than {most} datasets of ice are stored for this area and time: the oldest are not asked",
+     .text = "more than {most} ice datasets cover this area and time: the oldest are not used",
      .slots = {{{"most", 40}}}},
 
     // Depths.
     {.code = "bathymetry-coarse",
      .rank = Rank::caution,
-     .text = "bathymetry {datasets} is coarse, one depth in {spacing}: shoals and islands between its nodes "
-             "are not seen",
+     .text = "bathymetry {datasets} is coarse (one depth every {spacing}): shoals and islands between its "
+             "nodes are not seen",
      .slots = {{{"datasets", "globe (bathymetry-1)"}, {"spacing", "20 km"}}}},
     {.code = "bathymetry-joined",
      .rank = Rank::note,
-     .text = "bathymetry is put together from several datasets, in this order: {datasets}; one depth in "
-             "{spacing}",
+     .text =
+         "bathymetry is joined from several datasets in this order: {datasets}; one depth every {spacing}",
      .slots = {{{"datasets", "bay (bathymetry-2), then globe (bathymetry-1)"}, {"spacing", "500 m"}}}},
 
     // Currents.
     {.code = "currents-without-depth",
      .rank = Rank::caution,
-     .text = "currents {dataset} state no depth: taken as the same at every depth",
+     .text = "currents {dataset} state no depth: used at every depth",
      .slots = {{{"dataset", "bay model (currents-1)"}}}},
     {.code = "currents-of-one-level",
      .rank = Rank::caution,
@@ -182,8 +184,8 @@ inline constexpr auto data_kinds = std::to_array<Kind>({
      .slots = {{{"dataset", "bay model (currents-1)"}, {"level", "1 m"}}}},
     {.code = "currents-above-dives",
      .rank = Rank::caution,
-     .text = "currents {dataset} reach down to {deepest} only, dives to {dives}: the water below is taken "
-             "to move like the mean above",
+     .text = "currents {dataset} end at {deepest}, but dives go to {dives}: the water below is assumed to "
+             "move with the mean of the water above",
      .slots = {{{"dataset", "bay model (currents-1)"}, {"deepest", "50 m"}, {"dives", "200 m"}}}},
     {.code = "currents-without-time",
      .rank = Rank::caution,
@@ -195,7 +197,7 @@ inline constexpr auto data_kinds = std::to_array<Kind>({
      .slots = {{{"dataset", "bay model (currents-1)"}, {"time", "2027-01-12T00:00:00Z"}}}},
     {.code = "currents-held-at-mean",
      .rank = Rank::note,
-     .text = "currents held steady: {dataset}, the mean of {steps} steps from {period}",
+     .text = "currents held steady: {dataset}, the mean of {steps} {steps:step|steps} from {period}",
      .slots = {{{"dataset", "bay model (currents-1)"},
                 {"steps", 24},
                 {"period", "2027-01-12T00:00:00Z to 2027-01-13T00:00:00Z"}}}},
@@ -216,8 +218,8 @@ inline constexpr auto data_kinds = std::to_array<Kind>({
      .slots = {{{"tides", "bay tides (tides-1)"}, {"currents", "bay model, detided (currents-1)"}}}},
     {.code = "tides-may-count-twice",
      .rank = Rank::caution,
-     .text = "tides of {tides} are added to the currents {currents}, whose name does not say that they are "
-             "without tides: if they hold the tide already, it counts twice",
+     .text = "tides of {tides} are added to the currents {currents}. If these currents include the tide "
+             "already, it counts twice",
      .slots = {{{"tides", "bay tides (tides-1)"}, {"currents", "bay model (currents-1)"}}}},
     {.code = "tides-unknown",
      .rank = Rank::caution,
@@ -225,23 +227,23 @@ inline constexpr auto data_kinds = std::to_array<Kind>({
      .slots = {{{"tides", "bay tides (tides-1)"}}}},
     {.code = "tides-unknown-at-nodes",
      .rank = Rank::caution,
-     .text = "tides of {tides} have no value at {unknown} of {nodes} nodes of the currents: taken as "
-             "without water",
+     .text = "tides of {tides} have no value at {unknown} of {nodes} nodes of the currents: these nodes "
+             "count as land",
      .slots = {{{"tides", "bay tides (tides-1)"}, {"unknown", 14}, {"nodes", 900}}}},
     {.code = "tides-in-coarse-steps",
      .rank = Rank::caution,
-     .text = "tides are laid out in steps of {step}, coarser than their bends:",
-     .hint = "a smaller area helps",
+     .text = "tides are computed every {step}, too coarse for their changes",
+     .hint = "A smaller area allows finer steps",
      .slots = {{{"step", "30 min"}}}},
     {.code = "tides-end-early",
      .rank = Rank::caution,
-     .text = "tides are laid out to {end} only:",
-     .hint = "a smaller area helps",
+     .text = "tides are computed until {end} only",
+     .hint = "A smaller area allows a longer time",
      .slots = {{{"end", "2027-01-20T00:00:00Z"}}}},
     {.code = "drift-tides-end-early",
      .rank = Rank::caution,
-     .text = "the tides that carry icebergs are laid out to {end} only:",
-     .hint = "a smaller area helps",
+     .text = "the tides that carry icebergs are computed until {end} only",
+     .hint = "A smaller area allows a longer time",
      .slots = {{{"end", "2027-01-20T00:00:00Z"}}}},
 });
 

@@ -12,11 +12,11 @@ inline constexpr auto export_kinds = std::to_array<Kind>({
     {.code = "closed-in-newest-data",
      .rank = Rank::danger,
      .text = "In the newest data, leg {leg}: {found}.",
-     .slots = {{{"leg", 3}, {"found", "the way comes too close to an iceberg"}}}},
+     .slots = {{{"leg", 3}, {"found", "the route comes too close to an iceberg"}}}},
     {.code = "unknown-in-newest-data",
      .rank = Rank::caution,
      .text = "In the newest data, leg {leg}: {found}.",
-     .slots = {{{"leg", 3}, {"found", "the stored data do not cover this place"}}}},
+     .slots = {{{"leg", 3}, {"found", "the stored data do not cover this place at this time"}}}},
     {.code = "ice-above-in-newest-data",
      .rank = Rank::danger,
      .text = "In the newest data, {found}.",
@@ -28,90 +28,91 @@ inline constexpr auto export_kinds = std::to_array<Kind>({
      .slots = {{{"ignored", 2}}}},
     {.code = "clear-in-newest-data",
      .rank = Rank::note,
-     .text = "The data have changed since the plan was made; in the newest ones it is still clear."},
+     .text = "The data have changed since the plan was made. The plan is still clear in the newest data."},
     {.code = "not-checked-in-data",
      .rank = Rank::caution,
      .text = "The plan could not be checked in the stored data: {why}.",
-     .slots = {{{"why", "none of those stored reaches the area"}}}},
+     .slots = {{{"why", "no stored dataset reaches 60 W to 58 W, 69 N to 70 N"}}}},
     {.code = "not-checked-by-this-version",
      .rank = Rank::caution,
      .text = "The plan was stored by another version and could not be checked in newer data."},
     {.code = "made-without-bathymetry",
      .rank = Rank::caution,
-     .text = "The plan was made without bathymetry: it knows no depths."},
+     .text = "The plan was made without bathymetry: depths are not checked."},
     {.code = "made-without-ice",
      .rank = Rank::caution,
-     .text = "The plan was made without ice: it takes the water to be open."},
+     .text = "The plan was made without ice: open water is assumed."},
     {.code = "made-without-icebergs",
      .rank = Rank::caution,
-     .text = "The plan was made without icebergs: it avoids none."},
+     .text = "The plan was made without icebergs: no iceberg is avoided."},
 
     // Lists of waypoints.
     {.code = "several-lists",
      .rank = Rank::caution,
-     .text = "The plan is longer than one list of {most} waypoints: {lists} files, {first} to {last}. The "
-             "vehicle flies the list its mission names and no other:",
+     .text = "The plan is longer than one list of {most} {most:waypoint|waypoints}: {lists} files, {first} "
+             "to {last}. The "
+             "vehicle flies only the list that its mission names:",
      .hint = "send the next one when a list ends.",
      .slots = {{{"most", 8}, {"lists", 3}, {"first", "goto_l10.ma"}, {"last", "goto_l12.ma"}}}},
     {.code = "list-ends-in-unknown-ice",
      .rank = Rank::caution,
-     .text = "{list} ends at waypoint {waypoint}, where nothing is known of the ice:",
-     .hint = "make sure that the vehicle can surface there, where it comes up.",
+     .text = "{list} ends at waypoint {waypoint}, where the ice is unknown:",
+     .hint = "make sure that the vehicle can surface there.",
      .slots = {{{"list", "goto_l10.ma"}, {"waypoint", 8}}}},
     {.code = "list-ends-far-off",
      .rank = Rank::caution,
-     .text = "{list} ends at waypoint {waypoint}, where the vehicle may be off by {error_km:.0f} km:",
-     .hint = "make sure that the water is open so far to all sides, or have it come up on the way.",
+     .text = "{list} ends at waypoint {waypoint} with a position error of {error_km:.0f} km:",
+     .hint = "make sure that the water is open that far to all sides, or plan a surfacing before it.",
      .slots = {{{"list", "goto_l10.ma"}, {"waypoint", 8}, {"error_km", 6.0}}}},
     {.code = "list-ends-after-ice-of-earlier-version",
      .rank = Rank::caution,
-     .text = "{list} ends at waypoint {waypoint} after a way below ice or icebergs, and the plan, stored by "
-             "an older version, does not tell how far beyond them:",
-     .hint = "plan it anew before it is flown.",
+     .text = "{list} ends at waypoint {waypoint} after ice or icebergs. The plan was stored by an older "
+             "version, without the distance beyond them:",
+     .hint = "plan again before the flight.",
      .slots = {{{"list", "goto_l10.ma"}, {"waypoint", 8}}}},
     // A caution: the planned end lies in open water, and only an error of the position as large as expected leads below.
     {.code = "list-may-end-below-ice",
      .rank = Rank::caution,
-     .text = "{list} ends at waypoint {waypoint}, {room}: it may come up below the ice",
-     .hint = "Plan with its end more than {needed_m:.0f} m from it, or with the dead_reckoning_share and "
-             "current_uncertainty of a vehicle that knows its place better.",
+     .text = "{list} ends at waypoint {waypoint}, {room}: the vehicle may surface below the ice",
+     .hint = "Plan the end more than {needed_m:.0f} m from the ice, or use a vehicle with smaller errors of "
+             "dead reckoning and currents.",
      .slots = {{{"list", "goto_l10.ma"},
                 {"waypoint", 8},
-                {"room", "900 m beyond the ice, where the vehicle may be off by 1600 m"},
+                {"room", "900 m beyond the ice (waypoint radius 500 m, position error 1600 m)"},
                 {"needed_m", 1900.0}}}},
     {.code = "list-ends-beside-ice",
      .rank = Rank::caution,
      .text = "{list} ends at waypoint {waypoint}, {room}:",
-     .hint = "make sure that the water is open so far to all sides.",
+     .hint = "make sure that the water is open that far to all sides.",
      .slots = {{{"list", "goto_l10.ma"},
                 {"waypoint", 8},
-                {"room", "5000 m beyond the ice, where the vehicle may be off by 1600 m"}}}},
+                {"room", "5000 m beyond the ice (waypoint radius 500 m, position error 1600 m)"}}}},
     {.code = "list-flown-longer",
      .rank = Rank::caution,
-     .text = "{list} may be flown for {late_h:.1f} h longer than planned, because the vehicle reckons with "
-             "the current of the list before:",
+     .text = "{list} may take {late_h:.1f} h longer than planned, because the vehicle navigates with the "
+             "current estimate of the list before:",
      .hint = "make sure that the water at its end is still open then.",
      .slots = {{{"list", "goto_l11.ma"}, {"late_h", 5.6}}}},
     {.code = "long-before-first-surfacing",
      .rank = Rank::caution,
-     .text = "{list} is flown for {flown_h:.1f} h before the vehicle comes up for the first time: until "
-             "then it reckons with the current of its last mission, or with none, and each 0.1 m/s of it "
-             "takes it {off_km:.1f} km off, beside ice or below it",
+     .text = "{list} takes {flown_h:.1f} h to the first surfacing. Until then the vehicle navigates with the "
+             "current estimate of its last mission, or with none: each 0.1 m/s of error takes it "
+             "{off_km:.1f} km off the route, beside ice or below it",
      .hint = "Have it make a short dive at the start, or send the first waypoint alone.",
      .slots = {{{"list", "goto_l10.ma"}, {"flown_h", 8.0}, {"off_km", 2.9}}}},
     {.code = "lists-longer-than-documented",
      .rank = Rank::caution,
-     .text = "Lists of up to {most} waypoints: the vendor documents 8",
-     .hint = "make sure that this vehicle's firmware takes more.",
+     .text = "The lists hold up to {most} {most:waypoint|waypoints}; the vendor documents 8",
+     .hint = "Make sure that this vehicle's firmware takes more.",
      .slots = {{{"most", 12}}}},
     {.code = "waypoint-radius-too-large",
      .rank = Rank::caution,
-     .text = "The waypoint radius of {radius_m:.0f} m is not smaller than half of the shortest leg "
-             "({shortest_m:.0f} m): the vehicle may skip a waypoint.",
+     .text = "The waypoint radius of {radius_m:.0f} m is half of the shortest leg ({shortest_m:.0f} m) or "
+             "more: the vehicle may skip a waypoint.",
      .slots = {{{"radius_m", 500.0}, {"shortest_m", 800.0}}}},
     {.code = "corners-may-be-cut",
      .rank = Rank::caution,
-     .text = "Turning up to {radius_m:.0f} m before a waypoint, the vehicle may cut corners, yet the plan "
+     .text = "The vehicle turns up to {radius_m:.0f} m before a waypoint and may cut corners, but the plan "
              "passes {what} at {clearance_m:.0f} m:",
      .hint = "consider a smaller radius.",
      .slots = {{{"radius_m", 500.0}, {"what", "an iceberg"}, {"clearance_m", 400.0}}}},
@@ -122,109 +123,108 @@ inline constexpr auto export_kinds = std::to_array<Kind>({
      .slots = {{{"waypoint", 3}, {"leg_km", 140.0}}}},
     {.code = "wait-not-in-list",
      .rank = Rank::caution,
-     .text = "The plan waits {wait_h:.1f} h at waypoint {waypoint}, which a list cannot:",
-     .hint = "fly to it, and send the rest from there when the time has come.",
+     .text = "The plan holds for {wait_h:.1f} h at waypoint {waypoint}, but a list cannot:",
+     .hint = "fly to it, and send the other waypoints when the hold ends.",
      .slots = {{{"wait_h", 1.5}, {"waypoint", 1}}}},
     {.code = "beyond-utm",
      .rank = Rank::caution,
-     .text = "The plan goes beyond 84 N or 80 S, where the UTM metres that the vehicle navigates in are not "
-             "defined:",
-     .hint = "ask the vendor before flying it."},
+     .text = "The plan goes beyond 84 N or 80 S. The vehicle navigates in UTM metres, which are not defined "
+             "there:",
+     .hint = "ask the vendor before the flight."},
     {.code = "thruster-not-in-files",
      .rank = Rank::caution,
-     .text = "The legs to waypoints {waypoints} are planned on the thruster, which these files do not turn "
-             "on: without it the vehicle is slower, and comes too late to what the plan passes in time",
+     .text = "The legs to waypoints {waypoints} are planned with the thruster, but these files do not turn "
+             "it on: without it the vehicle is slower and misses the planned times",
      .hint = "Set d_use_thruster and c_use_thruster in the yo for them, or plan with the thruster on all "
              "legs or on none.",
      .slots = {{{"waypoints", "2 to 4"}}}},
     {.code = "currents-of-legs-not-told",
      .rank = Rank::caution,
-     .text = "The plan, stored by an older version, does not tell the currents on its legs, which may carry "
-             "the vehicle much farther off than the lists here allow for, beside ice or below it:",
-     .hint = "plan it anew before it is flown."},
+     .text = "The plan was stored by an older version, without the currents on its legs. They may carry the "
+             "vehicle farther than the lists allow for, beside ice or below it:",
+     .hint = "plan again before the flight."},
 
     // Below ice and icebergs.
     {.code = "files-pass-under-iceberg",
      .rank = Rank::caution,
-     .text = "The plan passes under iceberg {iceberg} from {from} to {until}: no surfacing meanwhile, and "
-             "the yo must turn no higher than {turn_m:.0f} m.",
+     .text = "The plan passes under iceberg {iceberg} from {from} to {until}: the vehicle must not surface "
+             "then, and the yo must turn no higher than {turn_m:.0f} m.",
      .slots = {{{"iceberg", "B-17"},
                 {"from", "2027-01-12T18:00:00Z"},
                 {"until", "2027-01-12T19:00:00Z"},
                 {"turn_m", 60.0}}}},
     {.code = "files-pass-below-ice",
      .rank = Rank::caution,
-     .text = "The plan passes below ice or icebergs on the way to waypoint {waypoints}: no surfacing may be "
-             "asked for there, and the yo must turn no higher than {turn_m:.0f} m.",
+     .text = "The plan passes below ice or icebergs before waypoint {waypoints}: request no surfacing there, "
+             "and let the yo turn no higher than {turn_m:.0f} m.",
      .slots = {{{"waypoints", "3 to 5"}, {"turn_m", 40.0}}}},
     {.code = "nowhere-to-surface",
      .rank = Rank::caution,
-     .text = "There is nowhere to surface on the way to waypoint {waypoints}.",
+     .text = "The vehicle has no place to surface before waypoint {waypoints}.",
      .slots = {{{"waypoints", "3 to 5"}}}},
     {.code = "upper-turns-not-told",
      .rank = Rank::caution,
-     .text = "The plan was stored before its legs told how deep the dives turn below ice:",
-     .hint = "plan it anew before it is flown."},
+     .text = "The plan was stored by an older version, without the depth where dives turn below ice:",
+     .hint = "plan again before the flight."},
     {.code = "files-in-unknown-ice",
      .rank = Rank::caution,
-     .text = "Nothing is known of the ice on {unknown_km:.1f} km of the way: there the yo turns as in open "
-             "water, or below the keels that were known last.",
+     .text = "The ice on {unknown_km:.1f} km of the route is unknown. There the yo turns as in open water, "
+             "or below the last known keels.",
      .slots = {{{"unknown_km", 12.4}}}},
     {.code = "format-without-turns",
      .rank = Rank::caution,
-     .text = "The plan passes below ice or icebergs, and a file of the format {format} does not tell the "
-             "vehicle: its dives must turn no higher than {turn}, and no surfacing may be asked for there.",
+     .text = "The plan passes below ice or icebergs, but the format {format} cannot tell the vehicle: its "
+             "dives must turn no higher than {turn}, and no surfacing may be requested there.",
      .slots = {{{"format", "gpx"}, {"turn", "40 m"}}}},
     {.code = "stock-missions-needed",
      .rank = Rank::caution,
      .text = "Under ice the vehicle's own response needs breadcr.mi, freewig.mi and recov.mi on board, with "
-             "dive depths for this water; these stock missions are not written here."},
+             "dive depths for this water. The export does not write these stock missions."},
     {.code = "safe-list-replaced",
      .rank = Rank::note,
      .text =
          "goto_l98.ma replaces the list of safe places on board; the firmware writes goto_l99.ma itself."},
     {.code = "watchdog-not-held-off",
      .rank = Rank::caution,
-     .text = "A list takes {list_h:.1f} h, below ice without contact, yet abend no_cop_tickle_for is left "
-             "at 13.5 h:",
+     .text = "A list takes {list_h:.1f} h below ice without contact, but abend no_cop_tickle_for stays at "
+             "13.5 h:",
      .hint = "make sure that u_always_cop_tickle_hardware holds the watchdog off.",
      .slots = {{{"list_h", 20.0}}}},
     {.code = "surfacings-not-in-files",
      .rank = Rank::caution,
-     .text = "The {surfacings} surfacings of the plan are not in the files, for below ice the vehicle comes "
-             "up at the end of each list alone: its error of position grows as without them.",
+     .text = "{surfacings} planned {surfacings:surfacing is|surfacings are} not in the files: below ice the "
+             "vehicle surfaces only at the end of each list. Its position error grows as without them.",
      .slots = {{{"surfacings", 3}}}},
     {.code = "bed-unknown-below-ice",
      .rank = Rank::caution,
-     .text = "Nothing is known of the sea bed on some of the way:",
-     .hint = "make sure that the yo has room there between the ice and the bed, and over every bank."},
+     .text = "The sea bed is unknown on part of the route:",
+     .hint = "make sure that the yo has room there between the ice and the sea bed, and over every bank."},
     {.code = "iceberg-near-safe-place",
      .rank = Rank::caution,
-     .text = "Iceberg {iceberg} was seen {away_km:.0f} km from the safe place {place} or nearer, and drifts:",
-     .hint = "make sure that it stays open.",
+     .text = "Iceberg {iceberg} was seen within {away_km:.0f} km of the safe place {place}, and drifts:",
+     .hint = "make sure that the safe place stays clear.",
      .slots = {{{"iceberg", "B-17"}, {"away_km", 3.0}, {"place", "69.2000 N 53.2000 W"}}}},
     {.code = "safe-place-unknown",
      .rank = Rank::caution,
-     .text = "Nothing is known of {unknown} at the safe place {place} for some or all of the time of the "
-             "plan:",
-     .hint = "make sure that it is open water.",
+     .text = "Data on {unknown} at the safe place {place} are missing for part or all of the plan:",
+     .hint = "make sure that the water there is open and deep enough.",
      .slots = {{{"unknown", "the ice"}, {"place", "69.2000 N 53.2000 W"}}}},
 
     // The yo.
     {.code = "yo-above-plan",
      .rank = Rank::caution,
-     .text = "The yo turns at {yo_m:.0f} m, not at the plan's {planned_m:.0f} m, to keep clear of the "
-             "rating of {rating_m:.0f} m where the vehicle aborts.",
+     .text = "The yo turns at {yo_m:.0f} m instead of the plan's {planned_m:.0f} m, to stay above the depth "
+             "rating of {rating_m:.0f} m, where the vehicle aborts.",
      .slots = {{{"yo_m", 980.0}, {"planned_m", 1000.0}, {"rating_m", 1000.0}}}},
     {.code = "pump-of-profile",
      .rank = Rank::caution,
-     .text = "Pump and pitch in the yo file are those of the vehicle profile, and ballast is not checked:",
-     .hint = "look at it before use."},
+     .text = "Pump and pitch in the yo file come from the vehicle profile, and ballast is not checked:",
+     .hint = "check them before use."},
     {.code = "pump-and-thruster-of-profile",
      .rank = Rank::caution,
-     .text = "Pump, pitch and thruster in the yo file are those of the vehicle profile, and ballast is not "
-             "checked:",
-     .hint = "look at it before use."},
+     .text =
+         "Pump, pitch and thruster in the yo file come from the vehicle profile, and ballast is not checked:",
+     .hint = "check them before use."},
     {.code = "yo-cannot-fly-plan",
      .rank = Rank::caution,
      .text = "The waypoints {why}.",
@@ -236,26 +236,26 @@ inline constexpr auto export_kinds = std::to_array<Kind>({
     {.code = "yo-flies-otherwise",
      .rank = Rank::caution,
      .text = "Flown {how}, {difference}",
-     .hint = "For times and a draw that hold, {instead}.",
+     .hint = "For times and energy that hold, {instead}.",
      .slots = {{{"how", "by the one yo of the mission"},
                 {"difference", "it arrives 2.0 h later than planned"},
                 {"instead", "plan anew for this yo"}}}},
     {.code = "yo-not-checked",
      .rank = Rank::caution,
-     .text = "Whether the yo, which turns at the same depths all the way, flies the plan could not be "
-             "looked at in the stored data."},
+     .text = "The yo turns at the same depths on the whole route. The stored data did not allow a check that "
+             "it can fly the plan."},
 
     // Seagliders.
     {.code = "seaglider-limits-on-board",
      .rank = Rank::caution,
-     .text = "The cmdfile sets $D_TGT and $T_DIVE alone:",
-     .hint = "make sure that $T_MISSION and $D_ABORT on board are beyond them, and that ballast and "
-             "$MAX_BUOY carry the vehicle at this rate of depth."},
+     .text = "The cmdfile sets only $D_TGT and $T_DIVE:",
+     .hint = "make sure that $T_MISSION and $D_ABORT on board are larger, and that ballast and $MAX_BUOY "
+             "give this vertical speed."},
     {.code = "seaglider-over-shoal",
      .rank = Rank::caution,
-     .text = "$D_TGT is {dive_m:.0f} m, yet the sea is {bed_m:.0f} m deep at {place}, on the way to "
-             "waypoint {waypoint}, where the plan dives to {planned_m:.0f} m:",
-     .hint = "make sure that the vehicle's altimeter or its own bathymetry map turns it there, or plan anew "
+     .text = "$D_TGT is {dive_m:.0f} m, but the sea is {bed_m:.0f} m deep at {place}, before waypoint "
+             "{waypoint}, where the plan dives to {planned_m:.0f} m:",
+     .hint = "make sure that the vehicle's altimeter or its own bathymetry map turns it there, or plan again "
              "with a smaller dive depth.",
      .slots = {{{"dive_m", 200.0},
                 {"bed_m", 120.0},

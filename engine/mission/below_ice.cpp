@@ -83,7 +83,7 @@ std::vector<std::string> closed_above_since(const planning::Plan& plan, const pl
   const double planned_m = std::ceil(least_upper_turn(plan).value);
   const double needed_m = std::ceil(least_upper_turn(now).value);
   if (needed_m > planned_m) {
-    found.push_back("the way passes below ice or icebergs, where dives must turn no higher than " +
+    found.push_back("the route passes below ice or icebergs, where dives must turn no higher than " +
                     whole(needed_m) + " m; the plan was made for " +
                     (planned_m > 0.0 ? whole(planned_m) + " m" : std::string{"open water"}));
   }

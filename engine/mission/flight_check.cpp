@@ -94,7 +94,7 @@ void note_recovery_lists(std::vector<Document>& documents, const FlightRoute& ro
         std::ranges::find(route.stops, i, &FlightRoute::Stop::document) != route.stops.end();
     if (!is_flown && is_recovery_list(documents[i]))
       report(documents[i], 0, Severity::note, "recovery_list",
-             "not part of the way: the firmware flies it to recover");
+             "not part of the route: the firmware flies it to recover");
   }
 }
 

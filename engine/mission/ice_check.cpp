@@ -120,8 +120,8 @@ class IceCheck {
       const core::Metres turn = needed_turn(i);
       if (turn <= dive.climb_to + rounding) continue;
       at_row(i, Severity::error, "ice_above_climb",
-             print("the yo climbs to %.0f m, yet ice or icebergs above this leg let it turn no higher than "
-                   "%.0f m",
+             print("the yo climbs to %.0f m, but below the ice or icebergs of this leg it must turn no "
+                   "higher than %.0f m",
                    dive.climb_to.value, std::ceil(turn.value)));
     }
   }
@@ -132,10 +132,10 @@ class IceCheck {
       const std::size_t last = list.part.last;
       if (overhead(plan_, last) == Overhead::closed) {
         at_row(last, Severity::error, "list_ends_below_ice",
-               "the list ends here, where the vehicle comes up, below ice or icebergs");
+               "the list ends here, and the vehicle surfaces below ice or icebergs");
       } else if (overhead(plan_, last) == Overhead::unknown) {
         at_row(last, Severity::warning, "list_end_unknown",
-               "the list ends here, where the vehicle comes up, and nothing is known of the ice");
+               "the list ends here, and the vehicle surfaces where the ice is unknown");
       } else if (const auto end = end_of(plan_, list.part); end && end->sure_room() <= list.radius) {
         const bool is_sure_to = end->room() <= list.radius;
         at_row(last, is_sure_to ? Severity::error : Severity::warning, "list_ends_near_ice",
@@ -165,7 +165,7 @@ class IceCheck {
       if (documents_[list.document].kind != DocumentKind::targets || !passes_below(plan_, list.part))
         continue;
       report(list.document, 0, Severity::error,
-             "comes up after every dive, yet ice or icebergs are above " + legs_below(list.part));
+             "surfaces after every dive, but ice or icebergs are above " + legs_below(list.part));
     }
   }
 
@@ -203,12 +203,12 @@ class IceCheck {
     return turn;
   }
 
-  /// "legs 2 to 4 of the way", counted from 1.
+  /// "legs 2 to 4 of the route", counted from 1.
   [[nodiscard]] std::string legs_below(const ListPart& part) const {
     return "legs " +
            waypoint_ranges(part.last + 1,
                            [&](std::size_t i) { return i >= part.first && passes_below(plan_, {i, i}); }) +
-           " of the way";
+           " of the route";
   }
 
   [[nodiscard]] ListPart whole_way() const { return {1, plan_.waypoints.size() - 1}; }
@@ -221,7 +221,7 @@ class IceCheck {
         const bool is_near = end && end->room() <= radius;
         if (overhead(plan_, i) != Overhead::closed && !is_near) continue;
         at_row(i, Severity::error, "surfaces_below_ice",
-               documents_[orders.document].name + " comes up at this waypoint, " +
+               documents_[orders.document].name + " surfaces at this waypoint, " +
                    (is_near && overhead(plan_, i) != Overhead::closed ? text_of(*end, radius)
                                                                       : "below ice or icebergs"));
       }
@@ -231,14 +231,14 @@ class IceCheck {
   void after_a_time(const SurfaceOrders& orders) {
     if (!passes_below(plan_, whole_way())) return;
     report(orders, Severity::error,
-           print("comes up every %.1f h, yet ice or icebergs are above ", orders.interval.count() / 3600.0) +
+           print("surfaces every %.1f h, but ice or icebergs are above ", orders.interval.count() / 3600.0) +
                legs_below(whole_way()));
   }
 
   void at_any_time(const SurfaceOrders& orders) {
     if (!passes_below(plan_, whole_way())) return;
     report(orders, Severity::warning,
-           "may come up at any time, yet ice or icebergs are above " + legs_below(whole_way()));
+           "may surface at any time, but ice or icebergs are above " + legs_below(whole_way()));
   }
 
   /// Whether the vehicle comes up at the waypoint by its files.
@@ -261,8 +261,8 @@ class IceCheck {
     }
     if (longest <= orders.interval) return;
     report(orders, Severity::error,
-           print("comes up after %.1f h without contact, yet the way is below ice or icebergs up to %.1f h "
-                 "after the last one, on ",
+           print("surfaces after %.1f h without contact, but is below ice or icebergs for up to %.1f h after "
+                 "the last one, on ",
                  orders.interval.count() / 3600.0, longest.count() / 3600.0) +
                legs_below(whole_way()));
   }

@@ -123,8 +123,8 @@ std::size_t last_of_list(const planning::Plan& plan, std::size_t first, std::siz
 /// `is_end`  of the plan
 std::string end_too_near(const ListEnd& end, core::Metres radius, bool is_end) {
   return (is_end ? "is the end of the plan, " : "is where a list has to end, ") + text_of(end, radius) +
-         ": plan on until it is more than " + std::to_string(std::lround(std::ceil(radius.value))) +
-         " m beyond them" + (is_end ? "" : ", or with fewer waypoints on the way there");
+         ": extend the plan until it is more than " + std::to_string(std::lround(std::ceil(radius.value))) +
+         " m beyond them" + (is_end ? "" : ", or use fewer waypoints before it");
 }
 
 }  // namespace
@@ -196,10 +196,10 @@ std::string text_of(const ListEnd& end, core::Metres radius) {
   if (end.from_ice)
     text += (text.empty() ? "" : " and ") + std::to_string(std::lround(end.from_ice->value)) +
             " m from the nearest ice";
-  text += ", and the vehicle comes up within " + std::to_string(std::lround(radius.value)) + " m of it";
+  text += " (waypoint radius " + std::to_string(std::lround(radius.value)) + " m";
   if (end.beyond_ice || end.from_ice)
-    text += ", where it may be off by " + std::to_string(std::lround(end.error.value)) + " m";
-  return text;
+    text += ", position error " + std::to_string(std::lround(end.error.value)) + " m";
+  return text + ")";
 }
 
 std::vector<ListPart> part_into_lists(const planning::Plan& plan, const ListRules& rules) {
@@ -226,16 +226,16 @@ core::Violations list_end_violations(const planning::Plan& plan, const ListRules
     if (above != Overhead::closed) continue;
     if (is_end)
       found.push_back({place,
-                       "is the end of the plan and lies below ice or icebergs, yet the vehicle comes up "
-                       "where its list is flown: plan on to open water"});
+                       "is the end of the plan and lies below ice or icebergs, but the vehicle surfaces at "
+                       "the end of its list: extend the plan to open water"});
     if (is_end || part.last <= told) continue;
     told = part.last;
     while (told + 1 < count && overhead(plan, told + 1) == Overhead::closed) ++told;
     found.push_back(
-        {"/waypoints", "must not be so many below ice or icebergs: " + waypoints_text(part.first, told) +
+        {"/waypoints", "are too many below ice or icebergs in a row: " + waypoints_text(part.first, told) +
                            " lie there, a list holds " + std::to_string(rules.max_waypoints) +
-                           ", and the vehicle comes up where its list is flown; plan anew with "
-                           "--max-waypoints or a longer --max-leg"});
+                           ", and the vehicle surfaces at the end of each list; plan again with fewer "
+                           "waypoints (--max-waypoints) or longer legs (--max-leg)"});
   }
   return found;
 }

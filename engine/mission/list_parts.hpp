@@ -57,7 +57,7 @@ struct ListEnd {
 /// Empty where the list's way passes below nothing and no ice is near its end, and in plans stored before it was kept.
 [[nodiscard]] std::optional<ListEnd> end_of(const planning::Plan& plan, const ListPart& part);
 
-/// "45 m beyond the ice, and the vehicle comes up within 500 m of it, where it may be off by 1650 m"
+/// "45 m beyond the ice (waypoint radius 500 m, position error 1650 m)"
 [[nodiscard]] std::string text_of(const ListEnd& end, core::Metres radius);
 
 /// The plan's waypoints after the start in lists of at most `max_waypoints` rows, each as long as it can be and still

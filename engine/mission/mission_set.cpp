@@ -105,15 +105,13 @@ core::Violations violations_below_ice(const planning::Plan& plan, const MissionS
   core::Violations found;
   if (!tells_upper_turns(plan)) {
     found.push_back({"/plan_id",
-                     "is a plan of an older version, which passes where the vehicle must not surface and "
-                     "does not tell how "
-                     "deep its dives turn there: plan it anew"});
+                     "is a plan of an older version that passes where the vehicle must not surface, without "
+                     "the depth where its dives turn there: plan again"});
   }
   if (least_upper_turn(plan).value > 0.0 && !options.under_ice) {
-    found.push_back(
-        {"/under_ice",
-         "is needed, with open water to head for: the plan passes below ice or icebergs, where the vehicle "
-         "must not surface"});
+    found.push_back({"/under_ice",
+                     "is required, with safe places in open water: the plan passes below ice or icebergs, "
+                     "where the vehicle must not surface"});
   }
   return found;
 }
@@ -142,11 +140,11 @@ core::Violations violations_of_yo(const planning::Plan& plan, const MissionSetOp
   const auto shoal = shoalest_of(plan, options.shoals);
   if (!shoal || shoal->bed >= needed) return found;
   std::string rule = "lead over water of " + whole(std::floor(shoal->bed.value)) + " m at " +
-                     place_text(shoal->place) + ", on the way to waypoint " +
-                     std::to_string(shoal->waypoint) +
-                     ", yet the one yo of the mission turns no higher than " + climb_text(plan, vehicle) +
+                     place_text(shoal->place) + ", before waypoint " + std::to_string(shoal->waypoint) +
+                     ", but the one yo of the mission must turn no higher than " + climb_text(plan, vehicle) +
                      ", and needs " + whole(needed.value) +
-                     " m: plan anew with vias that lead round it, or with a minimum_working_depth_m of " +
+                     " m: plan again with via points that lead round it, or with a minimum working depth "
+                     "(minimum_working_depth_m) of " +
                      whole(needed.value) + " for the vehicle, which below ice counts from the turn under it";
   if (is_below_ice(plan, vehicle))
     rule += ", or fly two plans, one over this water and one below the ice, each with a yo of its own";

@@ -81,7 +81,7 @@ std::optional<RouteFinding> finding_of(const DiveArguments& dive, core::Metres b
   std::array<char, 200> text{};
   if (!dive.altimeter && bed <= dive.target_depth) {
     std::snprintf(text.data(), text.size(),
-                  "the yo turns at %.0f m without heeding the altimeter, yet the sea bed lies at %.0f m",
+                  "the yo turns at %.0f m without using the altimeter, but the sea bed lies at %.0f m",
                   dive.target_depth.value, bed.value);
     return RouteFinding{place, true, "bottom_above_target", text.data()};
   }

@@ -33,10 +33,10 @@ bool leaves_thruster_off(const planning::Plan& plan, const YoDives& yo) {
   return !yo.on_thruster && has_leg_on_thruster(plan);
 }
 
-/// "which turns between 90 m and 196 m all the way and leaves the thruster off".
+/// "which turns between 90 m and 196 m on the whole route and leaves the thruster off".
 std::string text_of(const planning::Plan& plan, const YoDives& yo) {
   return "which turns between " + whole(yo.climb_to.value) + " m and " + whole(yo.dive_depth.value) +
-         " m all the way" + (leaves_thruster_off(plan, yo) ? " and leaves the thruster off" : "");
+         " m on the whole route" + (leaves_thruster_off(plan, yo) ? " and leaves the thruster off" : "");
 }
 
 /// How to come by a plan that one yo flies as it was made.
@@ -47,7 +47,7 @@ std::string way_out(const planning::Plan& plan, const vehicle::GliderProfile& ve
     changes.push_back("a dive_depth_m of " + whole(yo.dive_depth.value));
   if (leaves_thruster_off(plan, yo))
     changes.emplace_back("the thruster on all legs or on none (--thruster on, --thruster off)");
-  std::string text = "plan anew";
+  std::string text = "plan again";
   for (std::size_t i = 0; i < changes.size(); ++i) text += (i == 0 ? " with " : " and ") + changes[i];
   return text;
 }
@@ -65,7 +65,7 @@ std::string difference(const planning::Plan& plan, const planning::Plan& flown) 
   if (!is_timed && !is_drawn) return "";
   char text[160];
   std::snprintf(text, sizeof text,
-                "it arrives at %s, %.1f h %s than planned, and draws %.2f MJ, planned were %.2f MJ",
+                "it arrives at %s, %.1f h %s than planned, and draws %.2f MJ instead of %.2f MJ",
                 core::iso8601(flown.arrival).c_str(), std::abs(later.count()) / 3600.0,
                 later.count() < 0.0 ? "earlier" : "later", drawn_j / 1e6, planned_j / 1e6);
   return text;
@@ -110,7 +110,7 @@ YoFlight fly_by_yo(const ocean::Environment& environment, const std::vector<geo:
   const std::string instead = way_out(plan, request.vehicle, yo);
   for (const RouteFinding& finding : check.findings) {
     const std::string text =
-        flyer + ", on the way to waypoint " + std::to_string(finding.place) + ": " + finding.text;
+        flyer + ", before waypoint " + std::to_string(finding.place) + ": " + finding.text;
     if (finding.dangerous)
       result.violations.push_back({"/waypoints", "cannot be flown " + text + "; " + instead});
     else

@@ -60,10 +60,9 @@ core::Violations violations(const FlightRequest& request) {
   if (const auto bed_m = world.bed_depth_m(start.east, start.north); bed_m && *bed_m <= 0.0)
     found.push_back({"/start", "lies on land"});
   if (world.ice_draft_m(start.east, start.north, request.departure) > 0.0)
-    found.push_back(
-        {"/start",
-         "lies under ice at the departure, and the simulator launches a vehicle at the surface: plan anew "
-         "from a start in open water"});
+    found.push_back({"/start",
+                     "lies under ice at the departure, but the simulator launches a vehicle at the surface: "
+                     "plan again from a start in open water"});
   for (std::size_t i = 0; i < request.orders.lists.size(); ++i) {
     const auto& waypoints = request.orders.lists[i].waypoints;
     for (std::size_t row = 0; row < waypoints.size() && !core::is_full(found); ++row) {

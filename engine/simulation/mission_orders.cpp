@@ -186,9 +186,7 @@ class Reader {
       const double farthest_m = arguments.value("max_wpt_distance", -1.0);
       if (farthest_m >= 0.0) orders_.max_waypoint = core::Metres{farthest_m};
     } else if (behavior.name == "sample") {
-      note(
-          "When sensors sample is not simulated: a flight depends on them by their energy alone, and that is "
-          "the profile's.");
+      note("When sensors sample is not simulated; their energy is that of the vehicle profile.");
     } else if (behavior.name != "prepare_to_dive" && behavior.name != "sensors_in") {
       orders_.notes.push_back("Behavior " + behavior.name + " of " + arguments.where() +
                               " is not simulated.");

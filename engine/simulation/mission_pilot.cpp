@@ -66,13 +66,12 @@ MissionPilot::Turned MissionPilot::step(const Known& known, const avoidance::Gui
   if (orders_.overdepth && known.place.down > orders_.overdepth->value) {
     abort("The mission was aborted below the depth that abend allows.");
   } else if (guidance.mode == avoidance::Mode::given_up) {
-    abort("The mission was aborted: the system on board found no way on, for " +
+    abort("The mission was aborted: the onboard avoidance gave up: " +
           std::string{avoidance::text(guidance.reason)} + ".");
   } else if (is_held_at_one_depth(known)) {
     abort(
-        "The mission was aborted: samedepth_for of abend is over; sea bed, ice or the system on board leave "
-        "no room to "
-        "saw-tooth in.");
+        "The mission was aborted: samedepth_for of abend is over; sea bed, ice or the onboard avoidance "
+        "leave no room for dives.");
   } else if (!has_no_heading() && orders_.max_waypoint &&
              level_distance(path_.stops[stop_].place, known.place) > orders_.max_waypoint->value) {
     abort("The mission was aborted: the next waypoint lies beyond max_wpt_distance of abend.");

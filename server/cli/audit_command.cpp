@@ -39,7 +39,7 @@ int show(const AuditFlags& flags, const Program& program) {
 void add_audit(CLI::App& app, Program& program) {
   auto flags = std::make_shared<AuditFlags>();
   auto* command = app.add_subcommand("audit", "List who did what over HTTP, newest first");
-  command->add_option("--limit", flags->limit, "At most so many entries")
+  command->add_option("--limit", flags->limit, "Largest number of entries")
       ->check(CLI::Range(1, 1'000'000))
       ->capture_default_str();
   command->add_flag("--json", flags->json_out, "Answer with one JSON document");

@@ -47,15 +47,14 @@ int restore(const fs::path& file, const Program& program) {
 void add_backup(CLI::App& app, Program& program) {
   auto file = std::make_shared<fs::path>();
   auto* command = app.add_subcommand("backup", "Write the whole store into a file, while it is in use");
-  command->add_option("FILE", *file, "A new file; its folder exists")->required();
+  command->add_option("FILE", *file, "New file in an existing folder")->required();
   command->callback([file, &program] { program.exit_code = back_up(*file, program); });
 }
 
 void add_restore(CLI::App& app, Program& program) {
   auto file = std::make_shared<fs::path>();
-  auto* command =
-      app.add_subcommand("restore", "Put a backup in the place of the store; no server may be running");
-  command->add_option("FILE", *file, "As floeplan backup wrote it")->required();
+  auto* command = app.add_subcommand("restore", "Replace the store by a backup; no server may be running");
+  command->add_option("FILE", *file, "File written by floeplan backup")->required();
   command->callback([file, &program] { program.exit_code = restore(*file, program); });
 }
 

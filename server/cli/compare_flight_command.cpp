@@ -57,7 +57,7 @@ void print_dives(const std::vector<codec::ComparedDive>& dives) {
     print_compared("time under water", compared.under_water_s, 0, "s");
     print_compared("dives", compared.dives, 0, "");
     print_compared("speed through water", compared.speed_m_s, 3, "m/s");
-    print_compared("way over ground", compared.over_ground_m, 0, "m");
+    print_compared("distance over ground", compared.over_ground_m, 0, "m");
     std::printf("  %-22s %21.0f %-4s %6.1f %%\n", "positions apart", compared.apart_m, "m",
                 100.0 * compared.apart_share);
     std::printf("  flown with a parasite drag of %.3f and a trim of %+.0f cm3\n", compared.parasite_drag,
@@ -114,7 +114,7 @@ void add_compare_flight(CLI::App& app, Program& program) {
   command->add_option("--vehicle", flags->vehicle, "Kind of the vehicle")->capture_default_str();
   command
       ->add_option("--drag", flags->drag,
-                   "Whose drag to fly with: fitted to the log's own rates of depth, or the vehicle profile's")
+                   "Drag: log, fitted to the vertical speeds of the log, or profile, that of the vehicle")
       ->check(CLI::IsMember({"log", "profile"}))
       ->capture_default_str();
   command->add_flag("--json", flags->json_out, "Answer with one JSON document");

@@ -44,8 +44,8 @@ void print_damage(const repository::Damage& damage) {
   std::cout << damage.pages.size() << " changed pages";
   if (damage.things.empty() && damage.tables.empty() && damage.structure.empty())
     std::cout << " hold an index or nothing: no dataset, plan, simulation, job or token is lost";
-  std::cout << "\nfloeplan repair keeps what is whole and leaves the rest out; floeplan restore FILE puts "
-               "back a backup\n";
+  std::cout << "\nfloeplan repair keeps everything undamaged and drops the rest; floeplan restore FILE "
+               "brings back a backup\n";
 }
 
 int verify(bool as_json, const Program& program) {
@@ -71,7 +71,7 @@ int repair(bool as_json, const Program& program) {
     return done;
   }
   for (const auto& thing : replacement.lost) std::cout << "lost     " << in_words(thing) << '\n';
-  std::cout << (replacement.lost.empty() ? "nothing was lost" : "all else was kept")
+  std::cout << (replacement.lost.empty() ? "nothing was lost" : "everything undamaged was kept")
             << "; the store as it was lies in " << replacement.kept.string() << '\n';
   return done;
 }
@@ -81,16 +81,16 @@ int repair(bool as_json, const Program& program) {
 void add_verify(CLI::App& app, Program& program) {
   auto as_json = std::make_shared<bool>(false);
   auto* command =
-      app.add_subcommand("verify", "Read all of the store and name what is damaged; a server may be running");
-  command->add_flag("--json", *as_json, "For programs: status, things, tables, pages, structure");
+      app.add_subcommand("verify", "Check the whole store and list damage; a server may be running");
+  command->add_flag("--json", *as_json, "Answer with one JSON document");
   command->callback([as_json, &program] { program.exit_code = verify(*as_json, program); });
 }
 
 void add_repair(CLI::App& app, Program& program) {
   auto as_json = std::make_shared<bool>(false);
   auto* command = app.add_subcommand(
-      "repair", "Keep what is whole of a damaged store and list what is lost; no server may be running");
-  command->add_flag("--json", *as_json, "For programs: lost, and the file where the old store is kept");
+      "repair", "Save the undamaged part of a store and list what is lost; no server may be running");
+  command->add_flag("--json", *as_json, "Answer with one JSON document");
   command->callback([as_json, &program] { program.exit_code = repair(*as_json, program); });
 }
 

@@ -92,15 +92,15 @@ void add_datasets(CLI::App& app, Program& program) {
                                           "tides, zones) and the last dataset of each kind "
                                           "always stay");
   pruning->add_option("--older-than", flags->older_than,
-                      "Data whose period (or ingestion, if later) ended longer ago, as P30D");
+                      "Data that ended (or were ingested, if later) longer ago than this, for example P30D");
   pruning
       ->add_option("--max-size", flags->max_bytes,
                    "The oldest data, until the samples of the rest take no more, as 20GB")
       ->transform(CLI::AsSizeValue(true));
-  pruning->add_option("--kind", flags->kind, "Data of this kind alone")
+  pruning->add_option("--kind", flags->kind, "Data of this kind only")
       ->check(CLI::IsMember({"all", "currents", "wind", "ice", "icebergs", "glider-tracks"}))
       ->capture_default_str();
-  pruning->add_flag("--dry-run", flags->dry_run, "Say what would go, and remove nothing");
+  pruning->add_flag("--dry-run", flags->dry_run, "List the datasets that would go, and remove nothing");
   pruning->add_flag("--json", flags->json_out, "Answer with one JSON document");
   command->callback([flags, removal, pruning, &program] {
     program.exit_code = removal->parsed()   ? remove_datasets(*flags, program)

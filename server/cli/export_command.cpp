@@ -118,9 +118,8 @@ int refuse(const routes::PlanCheck& check, bool json_out) {
   if (json_out) std::cout << json{{"status", "dangerous"}, {"dangers", dangers}}.dump(2) << '\n';
   for (const std::string& danger : dangers) complain(could_not, danger);
   return complain(could_not,
-                  "nothing was written: the plan is dangerous; plan anew, or confirm the dangers: "
-                  "--accept-dangers writes it all "
-                  "the same");
+                  "nothing was written, because the plan is dangerous; plan again, or confirm the dangers "
+                  "with --accept-dangers");
 }
 
 int run_export(const ExportFlags& flags, const Program& program) {
@@ -177,10 +176,10 @@ void add_export(CLI::App& app, Program& program) {
   command->add_option("--firmware", flags->firmware, "Firmware version of the vehicle")
       ->capture_default_str();
   command
-      ->add_option(
-          "--safe", flags->safe,
-          "Open water to recover to from under ice, LON,LAT; may be repeated; writes the full set with its "
-          "ice settings, which a plan below ice or icebergs needs")
+      ->add_option("--safe", flags->safe,
+                   "Safe place in open water for a recovery from under ice, LON,LAT; may be repeated; writes "
+                   "the full set with its "
+                   "ice settings, which a plan below ice or icebergs needs")
       ->allow_extra_args(false);
   command
       ->add_option(

@@ -92,31 +92,33 @@ void add_ingest(CLI::App& app, Program& program) {
                    "command")
       ->required();
   command->add_option("--name", flags->name, "Name of the dataset; default: the file's name");
-  command->add_option("--kind", flags->kind, "What to take the file for")
+  command->add_option("--kind", flags->kind, "Kind of data in the file")
       ->check(CLI::IsMember({"auto", "bathymetry", "currents", "ice", "icebergs", "coastline", "tides",
                              "wind", "zones", "glider-tracks"}))
       ->capture_default_str();
-  command->add_option("--crs", flags->crs, "Reference system of a file that states none, as EPSG:4326");
+  command->add_option("--crs", flags->crs,
+                      "Reference system, if the file states none, for example EPSG:4326");
   command
       ->add_option("--positive", flags->positive,
-                   "Sign of bathymetry that does not say: up (elevation) or down (depth)")
+                   "Sign of bathymetry, if the file does not state it: up (elevation) or down (depth)")
       ->check(CLI::IsMember({"up", "down"}));
+  command->add_option("--variable", flags->variable,
+                      "Variable to use of a file that holds several: a component of the currents (its pair "
+                      "is used, too), or a concentration of sea ice (default: the greatest)");
   command->add_option(
-      "--variable", flags->variable,
-      "What to use of a file that holds several: a component of the currents (its pair is taken), or a "
-      "concentration of sea ice (default: the greatest)");
-  command->add_option("--missing", flags->missing,
-                      "Number that marks missing values in NetCDF that does not declare it, as -99.99");
-  command->add_option("--time", flags->time, "Valid time of sea ice whose file does not say it");
+      "--missing", flags->missing,
+      "Number that marks missing values, if a NetCDF file does not declare it, for example -99.99");
+  command->add_option("--time", flags->time, "Valid time of sea ice, if the file does not state it");
   command->add_option("--at", flags->at,
-                      "Where a station of the tide is whose file does not say it, LON,LAT");
-  command->add_option("--unit", flags->unit, "Unit of a station's amplitudes where its file does not say it")
+                      "Position of a tide station, LON,LAT, if the file does not state it");
+  command->add_option("--unit", flags->unit, "Unit of a station's amplitudes, if the file does not state it")
       ->check(CLI::IsMember({"m", "cm", "mm", "ft"}));
   command
-      ->add_option("--zone-kind", flags->zone_kind, "Rule of zones whose file states none: no_go or stay_in")
+      ->add_option("--zone-kind", flags->zone_kind,
+                   "Rule of zones, if the file states none: no_go or stay_in")
       ->check(CLI::IsMember({"no_go", "stay_in"}));
   command->add_flag("--allow-weak-sandbox", flags->allow_weak_sandbox,
-                    "Read files even where this machine cannot confine the process that does");
+                    "Read files even if this machine cannot confine the reading process");
   command->add_flag("--json", flags->json_out, "Answer with one JSON document");
   command->callback([flags, &program] { program.exit_code = run_ingest(*flags, program); });
 }

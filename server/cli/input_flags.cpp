@@ -213,8 +213,7 @@ json read_object(const std::string& file, const std::string& what) {
   stream.read(text.data(), static_cast<std::streamsize>(text.size()));
   text.resize(static_cast<std::size_t>(stream.gcount()));
   if (text.size() > most_bytes)
-    throw BadDataError{subject +
-                       " is longer than 16 MB; store areas with ingest, or leave out what is far away"};
+    throw BadDataError{subject + " is longer than 16 MB; store areas with ingest, or leave out distant ones"};
   json object;
   try {
     object = json::parse(text);

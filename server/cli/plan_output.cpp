@@ -58,7 +58,7 @@ std::vector<std::string> wait_lines(const json& plan) {
   std::vector<std::string> lines;
   for (const json& waypoint : plan.at("waypoints")) {
     if (waypoint.value("wait_s", 0.0) <= 0.0) continue;
-    lines.push_back("wait at waypoint " + label(waypoint.at("index")) + " for " +
+    lines.push_back("hold at waypoint " + label(waypoint.at("index")) + " for " +
                     cell(waypoint.at("wait_s"), "%.2f h", 1.0 / 3600.0));
   }
   return lines;
@@ -129,7 +129,8 @@ std::string optimality_line(const json& plan) {
   if (plan.at("optimality_gap").is_null()) {
     return "optimality gap not known: " + plan.at("optimality_gap_reason").get<std::string>();
   }
-  return cell(plan.at("optimality_gap"), "%.2f", 100.0) + " % slower than the best way in open water";
+  return cell(plan.at("optimality_gap"), "%.2f", 100.0) +
+         " % slower than the best possible route in open water";
 }
 
 /// How long the vehicle stays below, and how deep: nothing where there is no ice.

@@ -50,7 +50,7 @@ void add_everything(CLI::App& app, Program& program) {
   app.require_subcommand(1);
   program.store = default_store();
   app.add_option("--data", program.store,
-                 "Folder of the store; default: floeplan in $XDG_DATA_HOME, else in ~/.local/share");
+                 "Folder of the store; default: floeplan in $XDG_DATA_HOME, or in ~/.local/share");
   app.add_option("--log-level", program.log_level, "Level of a server's log on stderr")
       ->check(CLI::IsMember({"debug", "info", "warning", "error", "off"}))
       ->capture_default_str();

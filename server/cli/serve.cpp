@@ -112,7 +112,7 @@ std::optional<std::string> fault_of(const ServeOptions& options, const http::Lis
   for (const std::string& site : options.allow_origins) {
     if (!routes::is_origin(site))
       return "--allow-origin " + site +
-             " is no origin; write scheme, host and port alone, as https://map.example";
+             " is not an origin; write only scheme, host and port, for example https://map.example";
   }
   if (address.loopback && !options.behind_proxy) return std::nullopt;
   auto db = repository::open_store(options.store);

@@ -29,7 +29,7 @@ void add_serve(CLI::App& app, Program& program) {
       ->capture_default_str();
   command->add_option("--web", options->web, "Folder of the built map client");
   command->add_option("--watch", options->watch,
-                      "Folder whose files are ingested as soon as they are complete, then moved to done/ or "
+                      "Folder to watch: complete files are ingested, then moved to done/ or "
                       "refused/ in it with their reports");
   command->add_option("--max-upload-mb", options->max_upload_mb, "Largest file that may be sent, megabytes")
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1'000'000}))
@@ -54,17 +54,17 @@ void add_serve(CLI::App& app, Program& program) {
       "--public-url", options->public_url,
       "Address that links in answers begin with, where clients know the server by another than --listen");
   auto* cert = command->add_option("--tls-cert", options->tls_cert,
-                                   "Certificate with its chain, PEM; then HTTPS alone");
+                                   "Certificate with its chain, PEM; the server then speaks only HTTPS");
   auto* key = command->add_option("--tls-key", options->tls_key, "Key of the certificate, PEM");
   cert->needs(key);
   key->needs(cert);
-  command->add_flag(
-      "--https-only", options->https_only,
-      "Have browsers come by HTTPS alone for a year (HSTS); not with a certificate they do not know");
+  command->add_flag("--https-only", options->https_only,
+                    "Tell browsers to use only HTTPS for a year (HSTS); not with a self-signed certificate");
   command->add_flag("--behind-proxy", options->behind_proxy,
                     "A reverse proxy does TLS, and appends its client to X-Forwarded-For");
   command->add_option("--allow-origin", options->allow_origins,
-                      "Site whose pages may ask from a browser, as https://map.example; may be repeated");
+                      "Site with pages that may send requests from a browser, for example "
+                      "https://map.example; may be repeated");
   command->add_flag("--allow-weak-sandbox", options->allow_weak_sandbox,
                     "Ingest files even where this machine cannot confine the processes that read them");
   command->callback([options, &program] {

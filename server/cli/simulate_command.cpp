@@ -124,7 +124,7 @@ void print_not_there(const json& flights) {
                 flight.at("why").get<std::string>().c_str(),
                 saved == false ? " Full knowledge could not have saved it." : "");
   }
-  if (told > most_told) std::printf("and %d more; --json tells of all\n", told - most_told);
+  if (told > most_told) std::printf("and %d more; --json lists all\n", told - most_told);
 }
 
 void print_simulate_table(const json& document) {
@@ -207,7 +207,7 @@ int run_scenario(const SimulateFlags& flags) {
   std::printf("%s: %d runs, seed %s, obstacle avoidance %s\n", flags.scenario.c_str(), asked.runs,
               document.at("seed").get<std::string>().c_str(), asked.avoidance ? "on" : "off");
   print_statistics(document);
-  print_listed("beyond the help of full knowledge", document.at("runs_beyond_help"));
+  print_listed("lost even with full knowledge", document.at("runs_beyond_help"));
   print_listed("not there", document.at("runs_given_up"));
   return done;
 }
@@ -220,12 +220,12 @@ void add_simulate(CLI::App& app, Program& program) {
   command->add_option("PLAN", flags->plan_id, "The plan's id");
   command
       ->add_option("--scenario", flags->scenario,
-                   "Instead of a plan: random-icebergs, 5 km through icebergs that nobody knew of; takes "
+                   "Instead of a plan: random-icebergs, 5 km through unknown icebergs; works with "
                    "--runs, --seed, "
                    "--no-avoidance, --workers and --json")
       ->check(CLI::IsMember({codec::random_icebergs}));
   command->add_option("--request", flags->request_file,
-                      "JSON file with the inputs of process simulate-plan, for what has no flag");
+                      "JSON file with inputs of the process simulate-plan, also those without a flag");
   command->add_option("--runs", flags->runs, "Flights, each with errors and icebergs of its own; default 1")
       ->check(CLI::Range(1, codec::most_runs));
   command
@@ -234,12 +234,12 @@ void add_simulate(CLI::App& app, Program& program) {
       ->check(CLI::Range(0, 2'000'000'000));
   command->add_option("--tracks", flags->tracks, "Flights to keep whole, the first ones; default 10");
   command->add_option("--current-error", flags->current_error_m_s,
-                      "How far the currents are from the forecast, m/s rms of each component; default 0");
+                      "Error of the currents, m/s rms of each component; default 0");
   command->add_flag("--no-avoidance", flags->no_avoidance,
                     "Without sonar, ADCP and the obstacle avoidance system on board");
   command
       ->add_option("--mission", flags->missions,
-                   "Mission file to fly instead of those that the plan is exported as; may be repeated")
+                   "Mission file to fly instead of the exported plan; may be repeated")
       ->allow_extra_args(false);
   command->add_option("--vehicle", flags->vehicle, "Refuse a plan for another vehicle than this");
   command->add_option("--currents", flags->currents,
@@ -252,7 +252,7 @@ void add_simulate(CLI::App& app, Program& program) {
   command->add_option("--record-every", flags->record_every_s,
                       "Seconds between two points of a track; default 60");
   command->add_option("--name", flags->name, "Name of the simulation");
-  command->add_option("--workers", flags->workers, "Flights at the same time; does not change what comes out")
+  command->add_option("--workers", flags->workers, "Flights at the same time; does not change the result")
       ->check(CLI::Range(1, 256));
   command->add_option("--out", flags->out, "Folder to write the kept flights into, as NetCDF and GeoJSON");
   command->add_flag("--force", flags->force, "Replace files that exist");

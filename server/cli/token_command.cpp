@@ -108,8 +108,7 @@ void add_token(CLI::App& app, Program& program) {
 
   auto* addition = command->add_subcommand("add", "Create a token and print it, once");
   addition->alias("create");
-  addition->add_option("NAME", flags->name, "Whose it is; what is done with it is noted under this name")
-      ->required();
+  addition->add_option("NAME", flags->name, "Name of the owner; the audit log shows it")->required();
   addition
       ->add_option("--role", flags->role,
                    "viewer reads; pilot also plans, ingests and removes; admin does everything")
@@ -122,7 +121,7 @@ void add_token(CLI::App& app, Program& program) {
   with_json(listing);
   listing->callback([flags, &program] { program.exit_code = list_tokens(*flags, program); });
 
-  auto* removal = command->add_subcommand("revoke", "End a token and every login that was opened with it");
+  auto* removal = command->add_subcommand("revoke", "Revoke a token and end its logins");
   removal->alias("remove");
   removal->add_option("NAME", flags->name, "As the list shows it")->required();
   removal->callback([flags, &program] { program.exit_code = revoke_token(*flags, program); });

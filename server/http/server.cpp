@@ -89,7 +89,7 @@ class Server::Listener {
                                                                {},
                                                                {}};
       if (settings.tls.has_value() != (share_.tls != nullptr))
-        throw std::runtime_error{"TLS cannot be switched on or off while the server runs; start it anew"};
+        throw std::runtime_error{"TLS cannot be switched on or off while the server runs; restart it"};
       if (settings.tls) share_.tls = make_tls_context(*settings.tls);
       share_.limits = settings.limits;
       equipment.streaming.most_bytes = settings.most_upload_bytes;

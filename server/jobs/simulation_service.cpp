@@ -67,7 +67,8 @@ tl::expected<FlownPlan, core::Violations> plan_of(sql::Connection& db, const Sim
   if (inputs.vehicle && *inputs.vehicle != vehicle.name) {
     return tl::unexpected(core::Violations{
         {"/vehicle", "is " + *inputs.vehicle + ", but the plan " + inputs.plan_id + " is for " +
-                         vehicle.name + "; plan anew for the vehicle that shall fly, or leave it out"}});
+                         vehicle.name +
+                         "; plan again for the vehicle that is to fly, or leave the vehicle out"}});
   }
   planning::Plan plan = codec::parse_plan_document(json::parse(record->document_json));
   codec::cover_way(*planned, record->bounds);

@@ -104,7 +104,7 @@ void prepare_help(CLI::App& app) {
   app.formatter(format);
   app.set_help_flag("-h,--help", "Show this help");
   app.set_help_all_flag("--help-all", "Show all flags");
-  app.footer("\nfloeplan COMMAND --help tells more of a command, floeplan help of everything else.");
+  app.footer("\nfloeplan COMMAND --help explains a command, floeplan help TOPIC a subject.");
 }
 
 void group_commands(CLI::App& app) {

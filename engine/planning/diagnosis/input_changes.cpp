@@ -101,8 +101,7 @@ void InputChanges::allow_for_less_error() {
       now, 0.0, 100.0, [](PlanRequest& changed, double error) { changed.icebergs.max_inflation = {error}; });
   if (!needed) return;
   add("max_inflation_m", now, *needed, 2.0 - *needed / now,
-      written("reduce what is allowed for the error of icebergs' positions from %.0f to %.0f m", now,
-              *needed));
+      written("reduce the position allowance of icebergs from %.0f to %.0f m", now, *needed));
 }
 
 void InputChanges::stay_longer_under_ice() {
@@ -124,7 +123,7 @@ void InputChanges::keep_less_from_ice() {
   });
   if (!needed) return;
   add("under_ice/margin_below_ice_m", now, *needed, 2.0 - *needed / now,
-      written("reduce what is kept from the ice above from %.0f to %.0f m", now, *needed));
+      written("reduce the clearance below ice from %.0f to %.0f m", now, *needed));
 }
 
 void InputChanges::dive_towards(double extreme) {
@@ -393,7 +392,7 @@ void InputChanges::wait_up_to(core::Seconds most, core::Seconds least) {
   const auto waits = trials_.shortest_that_helps(most, least, waiting, more_h);
   if (!waits || waits->least <= request_.max_loiter) return;
   add("max_loiter_s", now, waits->least.count(), 1.0 + waits->least / a_day,
-      written("let the vehicle wait for up to %.0f h at one place instead of %.4g h", waits->least / an_hour,
+      written("allow holds of up to %.0f h at one place instead of %.4g h", waits->least / an_hour,
               now / an_hour.count()));
 }
 

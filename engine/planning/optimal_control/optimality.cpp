@@ -13,32 +13,32 @@ constexpr double tolerance = 1e-6;  // of a leg's time: the descent compares way
 /// Of legs, for all sections together: about two seconds. A count, not a clock: the same on every machine.
 constexpr std::int64_t most_evaluations = 1'000'000;
 
-constexpr const char* took_too_long = "the search for the best possible way took too long";
-constexpr const char* would_be_closed = "obstacles shape the route: without them the fastest way would lead ";
+constexpr const char* took_too_long = "the search for the best possible route took too long";
+constexpr const char* would_be_closed =
+    "obstacles shape the route: without them the fastest route would lead ";
 
 std::string describe(motion::EdgeClosed closed) {
   const std::string without = would_be_closed;
   switch (closed) {
     case motion::EdgeClosed::on_land: return without + "over land";
     case motion::EdgeClosed::too_shallow: return without + "through water that is too shallow";
-    case motion::EdgeClosed::obstacle: return without + "through the safety distance of an iceberg";
+    case motion::EdgeClosed::obstacle: return without + "through the keep-out distance of an iceberg";
     case motion::EdgeClosed::in_zone: return without + "through a zone against its rule";
     case motion::EdgeClosed::current_too_strong:
-      return "the fastest way would meet currents that are too strong";
+      return "the fastest route would meet currents that are too strong";
     case motion::EdgeClosed::under_ice: return without + "below ice that leaves no room for the vehicle";
-    case motion::EdgeClosed::no_surfacing:
-      return without + "too long past places where the vehicle may not surface";
+    case motion::EdgeClosed::no_surfacing: return without + "too long past places without surfacing";
     case motion::EdgeClosed::outside_data:
     case motion::EdgeClosed::too_late: break;
   }
-  return "the fastest way would leave the area or the period of the data";
+  return "the fastest route would leave the area or the period of the data";
 }
 
 std::string describe(NoFreeWay none) {
   switch (none) {
     case NoFreeWay::closed:
-      return "the fastest way would leave the data, or meet currents that are too strong";
-    case NoFreeWay::not_settled: return "the search for the best possible way did not settle";
+      return "the fastest route would leave the data, or meet currents that are too strong";
+    case NoFreeWay::not_settled: return "the search for the best possible route did not converge";
     case NoFreeWay::cancelled: break;
   }
   return "cancelled";
@@ -161,7 +161,7 @@ Optimality rate_route(const cost::Sea& sea, const cost::Route& route, const std:
   }
   const double gap = own->duration() / least - 1.0;
   if (gap < -std::max(accuracy, tolerance)) {
-    return {std::nullopt, "the route is faster than the best way that the comparison found"};
+    return {std::nullopt, "the route is faster than the best route that the comparison found"};
   }
   return {std::max(gap, 0.0), ""};
 }

@@ -20,7 +20,7 @@
 namespace floeplan::planning::planner {
 namespace {
 
-constexpr const char* no_gap = "only plans for the least time are compared with the best way";
+constexpr const char* no_gap = "only plans for the least time are compared with the best possible route";
 
 /// The route to publish and what its refinement did.
 struct ImprovedDrive {

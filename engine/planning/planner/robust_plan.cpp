@@ -203,7 +203,7 @@ Result<Plan> plan_uncertain(const Task& task, const Planning& plan_in_one_sea) {
   chosen.uncertainty = report_of(fares[best], rules, request.depart, candidates.size());
   if (auto closed = of_closed_members(*chosen.uncertainty)) chosen.messages.push_back(std::move(*closed));
   if (asked.optimality_gap)
-    chosen.optimality_gap_reason = "the currents are not certain, so that no one way is the best";
+    chosen.optimality_gap_reason = "the currents are uncertain, so no single route is the best";
   return std::move(chosen);
 }
 

@@ -1,10 +1,19 @@
 #include "engine/planning/problem/infeasible.hpp"
 
 namespace floeplan::planning {
+namespace {
+
+/// The rows of refusals begin with a small letter, which follows on from a colon.
+std::string as_sentence(std::string text) {
+  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
+  return text;
+}
+
+}  // namespace
 
 std::string Infeasible::explanation() const {
   std::string text = why.text;
-  for (const messages::Message& more : besides) text += "; " + more.text;
+  for (const messages::Message& more : besides) text += ". " + as_sentence(more.text);
   return text;
 }
 

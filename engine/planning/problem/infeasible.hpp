@@ -93,9 +93,9 @@ struct Infeasible {
   bool changes_cut_short{false};
   std::optional<Postponed> postponed{};
 
-  /// For a person: what stands in the way and what was found out besides, one sentence.
+  /// For a person: what closes the route, and what else was found, a sentence each.
   [[nodiscard]] std::string explanation() const;
-  /// What would help, by the last that was found out; one sentence.
+  /// What would help, by the last of `besides` that says so; one sentence.
   [[nodiscard]] std::string suggestion() const;
 };
 

@@ -265,7 +265,7 @@ void add_ice(EnvironmentDraft& draft) {
   const auto found = in_order(
       candidates(draft.stored, DatasetKind::ice, query.ice, query.area, draft.violations), mission_of(query));
   if (named && query.ice.ids.size() > 1) {
-    draft.refuse(DatasetKind::ice, "one dataset at a time; name the one to plan with");
+    draft.refuse(DatasetKind::ice, "name one dataset to plan with");
     return;
   }
 
@@ -275,8 +275,8 @@ void add_ice(EnvironmentDraft& draft) {
     report(draft, used);
     tell_of_unused_areas(draft, found, used);
   } else if (named && !periods_missed.empty()) {
-    draft.refuse(DatasetKind::ice, "says nothing of the ice at " + core::iso8601(query.depart) + ": " +
-                                       periods_missed + ", and ice is held for at most 3 days beyond");
+    draft.refuse(DatasetKind::ice, "has no data at " + core::iso8601(query.depart) + ": " + periods_missed +
+                                       ", and ice is held for at most 3 days beyond");
   } else if (named && !found.empty()) {
     draft.refuse(DatasetKind::ice, title(found.front()) + " has no node near the area");
   } else if (!periods_missed.empty()) {

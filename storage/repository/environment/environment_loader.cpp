@@ -161,7 +161,7 @@ void add_wind(EnvironmentDraft& draft) {
   const auto found = candidates(draft.stored, DatasetKind::wind, query.wind, query.area, draft.violations);
   const bool named = query.wind.how == DatasetChoice::How::named;
   if (named && query.wind.ids.size() > 1) {
-    draft.refuse(DatasetKind::wind, "one dataset at a time; name the one to plan with");
+    draft.refuse(DatasetKind::wind, "name one dataset to plan with");
     return;
   }
   const bool moves_something = query.iceberg_drift && !draft.environment.icebergs.empty();

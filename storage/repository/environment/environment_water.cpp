@@ -128,7 +128,7 @@ void refuse_other_waters(EnvironmentDraft& draft) {
       elsewhere.push_back(title(dataset) + " covers " + bounds_text(dataset.bounds));
   }
   if (elsewhere.empty()) return;
-  draft.refuse(DatasetKind::currents, "none of those stored reaches " + bounds_text(draft.query.area) + ": " +
+  draft.refuse(DatasetKind::currents, "no stored dataset reaches " + bounds_text(draft.query.area) + ": " +
                                           shortened_list(elsewhere) +
                                           ". Ingest some for this water, or plan without (--currents none)");
 }
@@ -193,7 +193,7 @@ void add_water(EnvironmentDraft& draft) {
   if (!query.wanted() || !query.mode || !draft.violations.empty()) return;
   if (!alone && !draft.environment.currents) {
     draft.refuse(DatasetKind::tides,
-                 "there are no currents to add tides to; say tides_mode only to plan with the tide alone");
+                 "no currents to add tides to; set tides_mode to only to plan with tidal currents alone");
     return;
   }
   const ocean::TidePeriod period = period_of_tides(draft);

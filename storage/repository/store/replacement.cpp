@@ -41,7 +41,7 @@ Replacement replace(const fs::path& store, const fs::path& from, const std::stri
   if (losses == Losses::refused && !replacement.lost.empty()) {
     fs::remove_all(beside);
     throw sql::Failure{in_words(replacement.lost.front()) + " of " + from.string() +
-                           " is damaged; nothing was changed; floeplan repair saves what is whole",
+                           " is damaged; nothing was changed; floeplan repair saves the undamaged part",
                        sql::Trouble::damaged};
   }
   {

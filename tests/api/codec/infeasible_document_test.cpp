@@ -33,8 +33,8 @@ TEST(InfeasibleDocument, TellsWhatStandsInTheWayAndWhatWasFoundOutBesides) {
   const nlohmann::json document = infeasible_document(why, {});
 
   EXPECT_EQ(document.at("explanation"),
-            "the way breaks the rule of a zone; without zones there would be a way; ways were looked for no "
-            "further than 104 km beside the straight line and beyond its ends");
+            "the route breaks the rule of a zone. A route exists without zones. Searched up to 104 km either "
+            "side of the direct line and beyond its ends");
   EXPECT_EQ(document.at("suggestion"), "change the zones or their times");
   EXPECT_EQ(document.at("why").at(0).at("code"), "way-in-zone");
   EXPECT_EQ(document.at("why").at(0).at("place").at("lat"), 69.0);

@@ -91,7 +91,7 @@ TEST(InputFields, NameTheWordsThatAreKnown) {
       reader.violations(),
       ElementsAre(core::Violation{"/tides_mode",
                                   "must be \"add\" (to currents without tides) or \"only\" (tidal currents "
-                                  "alone), not \"both\""},
+                                  "only), not \"both\""},
                   core::Violation{"/ice", "must be \"newest\", \"none\" or an id, not an array"},
                   core::Violation{"/zones", "must be \"all\", \"none\", an id or an array of ids, not 3"}));
 }

@@ -123,7 +123,7 @@ TEST_F(UploadsTest, AreAsManyAsTheQuotaOfEachTokenAllows) {
 
   EXPECT_EQ(refused.status, 403);
   EXPECT_EQ(support::json_of(refused).at("type"), "/problems/quota-uploads");
-  EXPECT_THAT(refused.body, HasSubstr("(2)"));
+  EXPECT_THAT(refused.body, HasSubstr("2 uploads waiting"));
   EXPECT_THAT(refused.body, HasSubstr("DELETE /uploads/{id}"));
   EXPECT_THAT(names_seen_by(ann), ElementsAre("a2", "a1"));
   EXPECT_EQ(send(bob, "b1").status, 201) << "who has a quota of his own";
@@ -152,7 +152,7 @@ TEST_F(UploadsTest, MayHaveAsManyBytesAsTheQuotaLeavesBesideTheDatasets) {
 
   EXPECT_EQ(refused.status, 403);
   EXPECT_EQ(support::json_of(refused).at("type"), "/problems/quota-stored-bytes");
-  EXPECT_THAT(refused.body, HasSubstr("2 MB stored of the 3 MB"));
+  EXPECT_THAT(refused.body, HasSubstr("stored 2 MB of the 3 MB"));
   EXPECT_THAT(names_seen_by(ann), ElementsAre("a1"));
   EXPECT_EQ(send(ann, "a2", std::string(1'000'000, ' ')).status, 201);
   const json quotas = support::json_of(ask_as(ann, "GET", "/uploads")).at("quotas");

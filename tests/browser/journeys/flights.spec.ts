@@ -38,7 +38,7 @@ test('a plan is flown many times, and a flight is played back by the clock', { t
   await flight.locator('.u-over').first().click({ position: { x: 120, y: 20 } });
   await expect.poll(async () => (await vehicles()).at(-1)).not.toBe(earlier.at(-1));
   await expect.poll(async () => (await vehicles()).slice(0, -2).join(' ')).not.toBe(earlier.slice(0, -2).join(' '));
-  await expect(flight.locator('.flight-now div', { hasText: 'Off the way' }).locator('dd')).toContainText(/left|right/);
+  await expect(flight.locator('.flight-now div', { hasText: 'Cross-track' }).locator('dd')).toContainText(/left|right/);
   await flight.getByText('What happened').click();
   await expect(flight.getByText(/^Surfaced|Waypoint reached/).first()).toBeVisible();
 

@@ -102,17 +102,17 @@ test('what a viewer may not do is said before it is tried', { tag: '@long' }, as
   await page.context().clearCookies();
 
   await signIn(page, guarded_server.viewer);
-  await expect(page.getByText('Planning takes a token of the role pilot; you are signed in as the-viewer, viewer.')).toBeVisible();
+  await expect(page.getByText('Planning needs the role pilot; you are signed in as the-viewer, viewer.')).toBeVisible();
   await expect(page.getByRole('button', { name: /^Plan / })).toBeDisabled();
   await expect(page.getByRole('button', { name: 'Edit copy' })).toBeDisabled();
   await expect(page.getByRole('button', { name: 'Delete this plan' })).toBeDisabled();
   await page.locator('#map').focus();
   await page.keyboard.press('d');
-  await expect(page.locator('.notice')).toContainText('Changing a plan takes a token of the role pilot');
+  await expect(page.locator('.notice')).toContainText('Changing a plan needs the role pilot');
   await page.getByRole('button', { name: 'Flights', exact: true }).click();
   await expect(page.getByRole('button', { name: 'Simulate this plan' })).toBeDisabled();
   await page.getByRole('button', { name: 'Data', exact: true }).click();
-  await expect(page.getByText(/^Adding data takes a token of the role pilot/)).toBeVisible();
+  await expect(page.getByText(/^Adding data needs the role pilot/)).toBeVisible();
   await expect(page.getByRole('button', { name: /^Remove disko/ }).first()).toBeDisabled();
   await expectAccessible(page);
   await page.getByRole('button', { name: 'Export mission' }).click();

@@ -118,7 +118,7 @@ test('an area is closed with Enter, and nothing is planned while it is drawn', a
   await expect(page.locator('#map')).toHaveAttribute('data-areas', '2');
 });
 
-test('an area and places to pass are typed with the keyboard alone', { tag: '@long' }, async ({ page, request }) => {
+test('an area and via points are typed with the keyboard alone', { tag: '@long' }, async ({ page, request }) => {
   const { start, goal } = await findPlaces(request);
   await open(page);
   await page.getByText('Places and areas', { exact: true }).focus();
@@ -134,10 +134,10 @@ test('an area and places to pass are typed with the keyboard alone', { tag: '@lo
   await page.keyboard.press('Enter');
   await expect(page.locator('#map')).toHaveAttribute('data-areas', '0');
 
-  await page.getByRole('button', { name: 'Add a place' }).focus();
+  await page.getByRole('button', { name: 'Add a via point' }).focus();
   await page.keyboard.press('Enter');
   const middle: LonLat = [(start[0] + goal[0]) / 2, (start[1] + goal[1]) / 2];
-  await typeInto(page, page.getByLabel('Place 1 to pass'), typed(middle));
+  await typeInto(page, page.getByLabel('Via point 1'), typed(middle));
   await typeInto(page, page.getByLabel('Start', { exact: true }), typed(start));
   await typeInto(page, page.getByLabel('Goal', { exact: true }), typed(goal));
   const before = Number(await page.locator('#map').getAttribute('data-plans'));
@@ -212,7 +212,7 @@ test('goals are taken from a mission file, and a file that is none is refused be
   await page.getByRole('button', { name: /^Plan / }).click();
   await expect(goals).toHaveAttribute('aria-invalid', 'true');
   await expect(goals).toBeFocused();
-  await page.getByRole('button', { name: 'Do without letter.txt' }).click();
+  await page.getByRole('button', { name: 'Remove letter.txt' }).click();
   await expect(page.getByLabel('Goal', { exact: true })).toBeVisible();
 });
 

@@ -280,12 +280,12 @@ TEST(GotoLists, EndWhereNothingIsKnownOfTheIceOnlyIfTheyMustAndSaySo) {
   ASSERT_TRUE(lists.has_value());
   EXPECT_THAT(ends_of(*lists), ElementsAre(3u, 11u, 13u));
   EXPECT_THAT(messages::sentences(lists->messages),
-              Contains(HasSubstr("goto_l11.ma ends at waypoint 11, where nothing is known")));
+              Contains(HasSubstr("goto_l11.ma ends at waypoint 11, where the ice is unknown")));
   EXPECT_THAT(messages::sentences(lists->messages), testing::Not(Contains(HasSubstr("goto_l10.ma ends"))));
 }
 
 TEST(GotoLists, SayHowLongTheFirstIsFlownBeforeAnyCurrentIsKnown) {
-  const auto says = Contains(HasSubstr("before the vehicle comes up for the first time"));
+  const auto says = Contains(HasSubstr("to the first surfacing"));
 
   EXPECT_THAT(messages::sentences(write_goto_lists(plan_below_ice(14, {4, 5, 6, 7, 8}), {})->messages), says);
   EXPECT_THAT(messages::sentences(write_goto_lists(plan_below_ice(14, {}), {})->messages),
@@ -333,8 +333,8 @@ TEST(GotoLists, WarnWhereTheVehicleMayBeOffSoFarThatItComesUpBelowTheIce) {
   ASSERT_TRUE(lists.has_value());
   EXPECT_THAT(lists->files.front().text, HasSubstr("list_when_wpt_dist(m) 299\n"));
   EXPECT_THAT(messages::sentences(lists->messages),
-              Contains(testing::AllOf(HasSubstr("it may come up below the ice"),
-                                      HasSubstr("more than 899 m from it"))));
+              Contains(testing::AllOf(HasSubstr("the vehicle may surface below the ice"),
+                                      HasSubstr("more than 899 m from the ice"))));
 }
 
 /// Ice beside a way that is free of it all along is not beyond its start.
@@ -357,12 +357,12 @@ TEST(GotoLists, SayHowFarOffTheVehicleMayComeUpWhereNoIceIsKnown) {
   planning::Plan plan = plan_below_ice(3, {});
   for (std::size_t i = 0; i < 3; ++i)
     plan.surfacing->waypoints[i].error_without_fix = core::Metres{4000.0 * static_cast<double>(i)};
-  const auto says = Contains(HasSubstr("may be off by 8 km: make sure"));
+  const auto says = Contains(HasSubstr("position error of 8 km: make sure"));
   EXPECT_THAT(messages::sentences(write_goto_lists(plan, {})->messages), says);
 
   plan.surfacing->waypoints[2].error_without_fix = core::Metres{4500.0};
   EXPECT_THAT(messages::sentences(write_goto_lists(plan, {})->messages),
-              testing::Not(Contains(HasSubstr("may be off by"))));
+              testing::Not(Contains(HasSubstr("with a position error of"))));
 }
 
 /// Legs of 5 km eastwards at 0.25 m/s through the water, each flown in so much time, with these currents eastwards.
@@ -387,13 +387,13 @@ TEST(GotoLists, SayHowMuchLongerTheVehicleIsUnderWayByItsOwnReckoning) {
 
   ASSERT_TRUE(lists.has_value());
   EXPECT_THAT(messages::sentences(lists->messages),
-              Contains(HasSubstr("goto_l11.ma may be flown for 5.6 h longer than planned")));
+              Contains(HasSubstr("goto_l11.ma may take 5.6 h longer than planned")));
   EXPECT_THAT(messages::sentences(lists->messages),
               testing::Not(Contains(HasSubstr("goto_l10.ma may be flown"))));
 }
 
 TEST(GotoLists, OfAPlanThatDoesNotTellItsCurrentsSaySo) {
-  const auto says = Contains(HasSubstr("does not tell the currents on its legs"));
+  const auto says = Contains(HasSubstr("without the currents on its legs"));
   planning::Plan plan = plan_out_of_the_ice();
   EXPECT_THAT(messages::sentences(write_goto_lists(plan, {})->messages), testing::Not(says))
       << "planned in still water";
@@ -416,9 +416,9 @@ TEST(GotoLists, CountWhatTheCurrentsOfThePlanCarryTheVehicle) {
   const auto each = write_goto_lists(plan, {.max_waypoints = 1, .may_end_below_ice = true});
 
   ASSERT_TRUE(once && each);
-  EXPECT_THAT(messages::sentences(once->messages), Contains(HasSubstr("may be off by 1600 m")))
+  EXPECT_THAT(messages::sentences(once->messages), Contains(HasSubstr("position error 1600 m")))
       << "600 m, and 20,000 s at 0.05 m/s";
-  EXPECT_THAT(messages::sentences(each->messages), testing::Not(Contains(HasSubstr("may be off by 1600 m"))))
+  EXPECT_THAT(messages::sentences(each->messages), testing::Not(Contains(HasSubstr("position error 1600 m"))))
       << "the second list begins where the current of the first one is known";
 }
 
@@ -430,7 +430,7 @@ TEST(GotoLists, CountThatTheVehicleGoesOnUntilItTakesItselfToBeThere) {
   const auto lists = write_goto_lists(plan, {});
 
   ASSERT_TRUE(lists.has_value());
-  EXPECT_THAT(messages::sentences(lists->messages), Contains(HasSubstr("may be off by 10600 m")))
+  EXPECT_THAT(messages::sentences(lists->messages), Contains(HasSubstr("position error 10600 m")))
       << "40,000 s at 0.25 m/s, and 600 m";
 }
 
@@ -454,7 +454,7 @@ TEST(GotoLists, EndInFrontOfIceOnlyWhereTheyMustAndSaySo) {
   EXPECT_THAT(
       messages::sentences(forced->messages),
       Contains(testing::AllOf(HasSubstr("ends at waypoint 3, 120 m from the nearest ice"),
-                              HasSubstr("may be off by 500 m"), HasSubstr("may come up below the ice"))));
+                              HasSubstr("position error 500 m"), HasSubstr("may surface below the ice"))));
 }
 
 TEST(GotoLists, GetASmallerRadiusWhereTheyEndNearIce) {
@@ -468,8 +468,7 @@ TEST(GotoLists, GetASmallerRadiusWhereTheyEndNearIce) {
   EXPECT_THAT(usual->files.front().text, HasSubstr("list_when_wpt_dist(m) 500\n"));
   EXPECT_THAT(near_ice->files.front().text, HasSubstr("list_when_wpt_dist(m) 199\n"));
   EXPECT_THAT(messages::sentences(near_ice->messages),
-              Contains(HasSubstr("800 m beyond the ice, and the vehicle comes up within 199 m of it, "
-                                 "where it may be off by 600 m")));
+              Contains(HasSubstr("800 m beyond the ice (waypoint radius 199 m, position error 600 m)")));
 }
 
 TEST(GotoLists, EndEarlierThanTheyMustWhereThatIsFartherFromTheIce) {
@@ -517,7 +516,7 @@ TEST(GotoLists, OfAPlanThatDoesNotTellHowFarFromIceItEndsSaySo) {
   const auto lists = write_goto_lists(plan, {});
 
   ASSERT_TRUE(lists.has_value());
-  EXPECT_THAT(messages::sentences(lists->messages), Contains(HasSubstr("plan it anew before it is flown")));
+  EXPECT_THAT(messages::sentences(lists->messages), Contains(HasSubstr("plan again before the flight")));
 }
 
 TEST(GotoLists, NameTheLegsOnTheThruster) {
@@ -529,7 +528,7 @@ TEST(GotoLists, NameTheLegsOnTheThruster) {
 
   ASSERT_TRUE(lists.has_value());
   EXPECT_THAT(messages::sentences(lists->messages),
-              Contains(HasSubstr("The legs to waypoints 1, 3 to 4 are planned on the thruster")));
+              Contains(HasSubstr("The legs to waypoints 1, 3 to 4 are planned with the thruster")));
 }
 
 TEST(GotoLists, OfAnyPlanEndWhereTheVehicleMaySurfaceOrAreRefused) {

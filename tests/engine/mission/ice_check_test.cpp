@@ -118,7 +118,7 @@ TEST(IceCheck, WarnsOfAListThatEndsWhereNothingIsKnownOfTheIce) {
 
   const auto files = checked({list({"-5130.0 6900.0"})}, sea);
 
-  EXPECT_THAT(files[0].messages, says("list_end_unknown", Severity::warning, 8, "nothing is known"));
+  EXPECT_THAT(files[0].messages, says("list_end_unknown", Severity::warning, 8, "where the ice is unknown"));
   EXPECT_EQ(files[0].verdict(), Verdict::warn);
 }
 
@@ -131,8 +131,8 @@ TEST(IceCheck, RejectsSurfacingsBelowIce) {
   const auto done = checked({list_through(), surfacing(3)}, sea_with_ice());
 
   EXPECT_THAT(hit[0].messages,
-              says("surfaces_below_ice", Severity::error, 9, "surfac10.ma comes up at this"));
-  EXPECT_THAT(every[1].messages, says("surfaces_below_ice", Severity::error, 3, "legs 2 to 3 of the way"));
+              says("surfaces_below_ice", Severity::error, 9, "surfac10.ma surfaces at this"));
+  EXPECT_THAT(every[1].messages, says("surfaces_below_ice", Severity::error, 3, "legs 2 to 3 of the route"));
   EXPECT_THAT(silent[1].messages,
               says("surfaces_below_ice", Severity::error, 3, "after 3.0 h without contact"));
   EXPECT_THAT(patient[1].messages, says_nothing_of("surfaces_below_ice"));

@@ -81,7 +81,7 @@ TEST(MissionSet, SaysThatItKeepsNoPlannedSurfacingsBelowIce) {
 
   ASSERT_TRUE(set.has_value());
   EXPECT_THAT(messages::sentences(set->messages),
-              Contains(HasSubstr("The 3 surfacings of the plan are not in the files")));
+              Contains(HasSubstr("3 planned surfacings are not in the files")));
 }
 
 TEST(MissionSet, HoldsEveryFileThatItsMissionAsksFor) {
@@ -110,7 +110,7 @@ planning::Plan on_drives(planning::Plan plan, const vehicle::GliderProfile& vehi
 
 constexpr vehicle::Drive thruster = vehicle::Drive::thruster;
 constexpr vehicle::Drive buoyancy = vehicle::Drive::buoyancy;
-const auto warns_of_thruster = Contains(HasSubstr("planned on the thruster"));
+const auto warns_of_thruster = Contains(HasSubstr("planned with the thruster"));
 
 TEST(MissionSet, RunsTheThrusterAtThePowerOfTheVehicleWhereAllLegsAreOnIt) {
   const MissionSetOptions options = options_for("slocum-g3-200-thruster");
@@ -221,7 +221,7 @@ TEST(MissionSet, UnderIceWaitsForContactLongerThanThePlanTakesAndTellsTheLongest
   ASSERT_TRUE(set.has_value());
   EXPECT_EQ(value_of(read_of(*set, "surfac10.ma"), "when_secs"), 50.0 * 3600.0);
   EXPECT_THAT(messages::sentences(set->messages),
-              Contains(HasSubstr("A list takes 20.0 h, below ice without contact")));
+              Contains(HasSubstr("A list takes 20.0 h below ice without contact")));
 }
 
 TEST(MissionSet, OfAPlanUnderAnIcebergTurnsBelowItsKeelAndNeedsTheRulesUnderIce) {
@@ -261,10 +261,9 @@ TEST(MissionSet, OfAPlanBelowIceBetweenItsWaypointsTurnsBelowTheKeelsAndNeedsThe
   ASSERT_TRUE(below.has_value());
   EXPECT_EQ(value_of(read_of(*below, "yo10.ma"), "c_target_depth"), 19.0);
   EXPECT_THAT(names_of(*below), Not(Contains("surfac13.ma"))) << "no surfacing at waypoints";
-  EXPECT_THAT(
-      messages::sentences(below->messages),
-      Contains(HasSubstr("below ice or icebergs on the way to waypoint 2: no surfacing may be asked for "
-                         "there, and the yo must turn no higher than 19 m")));
+  EXPECT_THAT(messages::sentences(below->messages),
+              Contains(HasSubstr("below ice or icebergs before waypoint 2: request no surfacing there, and "
+                                 "let the yo turn no higher than 19 m")));
 }
 
 TEST(MissionSet, NeverClimbsAboveTheDeepestTurnOfItsPlan) {
@@ -310,8 +309,8 @@ TEST(MissionSet, SaysWhereThereIsNowhereToSurface) {
 
   ASSERT_TRUE(set.has_value());
   EXPECT_THAT(messages::sentences(set->messages),
-              Contains("There is nowhere to surface on the way to waypoint 1."));
-  EXPECT_THAT(messages::sentences(set->messages), Contains(HasSubstr("on the way to waypoint 1 to 2")));
+              Contains("The vehicle has no place to surface before waypoint 1."));
+  EXPECT_THAT(messages::sentences(set->messages), Contains(HasSubstr("before waypoint 1 to 2")));
 }
 
 TEST(MissionSet, IsRefusedForAPlanThatEndsBelowIce) {
@@ -373,10 +372,10 @@ TEST(MissionSet, IsRefusedOverAShoalThatItsYoIsTooDeepFor) {
       over_a_bank.error(),
       ElementsAre(AllOf(Field(&core::Violation::field, "/waypoints"),
                         Field(&core::Violation::rule,
-                              HasSubstr("water of 30 m at -52.8000, 69.0000, on the way to waypoint 1, "
-                                        "yet the one yo of the mission turns no higher than 19 m")))));
+                              HasSubstr("water of 30 m at -52.8000, 69.0000, before waypoint 1, but the one "
+                                        "yo of the mission must turn no higher than 19 m")))));
   ASSERT_TRUE(over_enough.has_value());
-  EXPECT_THAT(messages::sentences(over_enough->messages), Not(Contains(HasSubstr("known of the sea bed"))));
+  EXPECT_THAT(messages::sentences(over_enough->messages), Not(Contains(HasSubstr("sea bed is unknown"))));
   ASSERT_FALSE(by_the_plan.has_value());
 }
 
@@ -384,12 +383,12 @@ TEST(MissionSet, SaysThatNothingIsKnownOfTheBedBelowIce) {
   const planning::Plan plan = below_ice_between_waypoints();
   MissionSetOptions options = under_ice();
   EXPECT_THAT(messages::sentences(write_mission_set(plan, options)->messages),
-              Contains(HasSubstr("known of the sea bed")));
+              Contains(HasSubstr("sea bed is unknown")));
 
   options.shoals = shoal_on_leg(plan, 1, 300.0);
   options.shoals[2].reset();
   EXPECT_THAT(messages::sentences(write_mission_set(plan, options)->messages),
-              Contains(HasSubstr("known of the sea bed")));
+              Contains(HasSubstr("sea bed is unknown")));
 }
 
 TEST(MissionSet, IsRefusedForDivesShoalerThanItsYoClimbs) {
@@ -475,7 +474,7 @@ TEST(MissionSet, SaysWhereAPlanWaits) {
   const auto set = write_mission_set(plan, options_for("slocum-g3-200"));
 
   ASSERT_TRUE(set.has_value());
-  EXPECT_THAT(messages::sentences(set->messages), Contains(HasSubstr("waits 1.5 h at waypoint 1")));
+  EXPECT_THAT(messages::sentences(set->messages), Contains(HasSubstr("holds for 1.5 h at waypoint 1")));
 }
 
 TEST(MissionSet, RefusesEveryBadOptionAtOnce) {

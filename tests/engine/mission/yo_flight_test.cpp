@@ -63,9 +63,9 @@ TEST(YoFlight, IsRefusedWhereTheCurrentAtItsDepthsStopsTheVehicle) {
   EXPECT_TRUE(flies_otherwise(plan, request.vehicle));
   EXPECT_THAT(flight_of(sheared_sea(), request, plan).violations,
               ElementsAre(Field(&core::Violation::rule,
-                                AllOf(HasSubstr("turns between 90 m and 196 m all the way"),
-                                      HasSubstr("on the way to waypoint 1: the current here is too strong"),
-                                      HasSubstr("plan anew with a climb_to_m of 90")))));
+                                AllOf(HasSubstr("turns between 90 m and 196 m on the whole route"),
+                                      HasSubstr("before waypoint 1: the current is too strong"),
+                                      HasSubstr("plan again with a climb_to_m of 90")))));
 }
 
 TEST(YoFlight, TellsTheTimesAndTheDrawThatAreNotThePlans) {

@@ -100,10 +100,10 @@ TEST(Isochrones, IsSearchedInMoreDirectionsInStrongCurrentsAndSaysWhatItMayLack)
     EXPECT_GT(found.areas.front().area_m2, in_fewer.areas.front().area_m2);
     for (const Isochrones& any : {found, in_fewer})
       EXPECT_THAT(messages::sentences(any.messages),
-                  testing::Contains(testing::HasSubstr("smaller than the truth")));
+                  testing::Contains(testing::HasSubstr("per cent too small")));
     EXPECT_EQ(std::ranges::any_of(messages::sentences(found.messages),
                                   [](const std::string& text) {
-                                    return text.find("opens again later") != std::string::npos;
+                                    return text.find("a closed route reopens") != std::string::npos;
                                   }),
               direction == Direction::to);
   }
@@ -277,7 +277,7 @@ TEST(Isochrones, WarnsWhereTheBatteryDoesNotLast) {
 
   EXPECT_EQ(found.areas.size(), 2U);
   EXPECT_THAT(messages::sentences(found.messages),
-              testing::Contains(testing::HasSubstr("0.09 MJ that the battery gives")));
+              testing::Contains(testing::HasSubstr("0.09 MJ above the battery's reserve")));
 }
 
 TEST(Isochrones, StopsWhenAsked) {

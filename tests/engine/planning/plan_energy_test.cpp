@@ -38,7 +38,7 @@ TEST(PlanEnergy, WarnsWhenTheBatteryDoesNotLast) {
 
   ASSERT_TRUE(found.has_value());
   EXPECT_THAT(messages::sentences(found->messages),
-              Contains(HasSubstr("more than the 0.18 MJ that the battery gives")));
+              Contains(HasSubstr("more than the 0.18 MJ above the battery's reserve")));
 }
 
 TEST(PlanEnergy, RefusesAPlanBeyondTheBatteryWhereItIsRequired) {

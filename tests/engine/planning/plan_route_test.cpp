@@ -329,7 +329,7 @@ TEST(PlanRoute, KeepsAGoodRouteAndSaysSoWhenRefinementRunsOutOfTime) {
   EXPECT_EQ(found->refinement->end, RefinementEnd::time);
   EXPECT_LE(found->refinement->after, found->refinement->before);
   ASSERT_EQ(found->messages.size(), 1U);
-  EXPECT_NE(messages::sentences(found->messages).front().find("ran out of its time"), std::string::npos);
+  EXPECT_NE(messages::sentences(found->messages).front().find("reached its time limit"), std::string::npos);
 }
 
 TEST(PlanRoute, SaysThatTheStartLiesOnLand) {

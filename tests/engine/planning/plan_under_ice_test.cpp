@@ -87,7 +87,7 @@ TEST(PlanUnderIce, WarnsOfDeeperIceWithinTheErrorOfPosition) {
   };
   PlanRequest request = support::eastward_request();
   request.method = Method::direct;
-  const auto warns = testing::Contains(testing::HasSubstr("within the error of its position"));
+  const auto warns = testing::Contains(testing::HasSubstr("reaches ice where dives must turn"));
 
   EXPECT_THAT(messages::sentences(planner::try_to_plan(sea_with(60.0), request, {}, {}, {}).value().messages),
               testing::Not(warns));
@@ -107,7 +107,7 @@ TEST(PlanUnderIce, WarnsOfOpeningsThatKeepTheBoundAndMayBeMissed) {
                                    {0.0}, 1.0)};
   PlanRequest request = support::eastward_request();
   request.method = Method::direct;
-  const auto warns = testing::Contains(testing::HasSubstr("that the vehicle may miss"));
+  const auto warns = testing::Contains(testing::HasSubstr("that the vehicle could miss"));
 
   EXPECT_THAT(messages::sentences(planned(sea, request).messages), testing::Not(warns))
       << "nothing counts on it";
@@ -122,7 +122,7 @@ TEST(PlanUnderIce, WarnsOfEscapesThatEndAtTheEdgeOfTheIce) {
   PlanRequest request = support::eastward_request();
   request.max_leg = core::Metres{4000.0};
   request.under_ice.escape_plan = true;
-  const auto warns = testing::Contains(testing::HasSubstr("escapes end nearer to ice"));
+  const auto warns = testing::Contains(testing::HasSubstr("end closer to ice than the position error"));
 
   EXPECT_THAT(messages::sentences(planned(band_of_ice(), request).messages), warns);
   request.under_ice.current_uncertainty = {0.0};
@@ -428,7 +428,7 @@ TEST(PlanUnderIce, SaysWhereTheVehicleWouldBeTooLongWithoutASurfacing) {
 
   ASSERT_FALSE(plan);
   EXPECT_EQ(plan.error().reason, Reason::no_surfacing);
-  EXPECT_THAT(plan.error().explanation(), HasSubstr("longer than 3 h"));
+  EXPECT_THAT(plan.error().explanation(), HasSubstr("for more than 3 h"));
 }
 
 TEST(PlanUnderIce, TheStraightWayIsHeldToTheSameBound) {
@@ -485,7 +485,7 @@ TEST(PlanUnderIce, TheErrorOfThePositionGrowsUntilTheVehicleMaySurfaceAgain) {
   EXPECT_NEAR(goal.position_error.value, (0.1 * 0.35 + 0.05) * goal.since_surfacing.count(), 1e-6);
   EXPECT_NEAR(goal.least_upper_turn.value, 18.0, 1e-4);
   EXPECT_EQ(plan.surfacing->waypoints.front().position_error.value, 0.0);
-  EXPECT_THAT(messages::sentences(plan.messages), Contains(HasSubstr("may not surface at the goal")));
+  EXPECT_THAT(messages::sentences(plan.messages), Contains(HasSubstr("the goal lies under ice")));
 }
 
 /// Straight on to a goal in ice, in which the current runs northwards at `in_ice_m_s`, and with `outside_m_s` in front
@@ -592,11 +592,11 @@ TEST(PlanUnderIce, TellsOfEachLegItsMeanCurrent) {
 TEST(PlanUnderIce, WarnsWhereTheVehicleMayNotSurfaceAtTheDeparture) {
   PlanRequest request = support::eastward_request();
   EXPECT_THAT(messages::sentences(planned(band_of_ice(), request).messages),
-              Not(Contains(HasSubstr("may not surface at the departure"))));
+              Not(Contains(HasSubstr("the start lies under ice"))));
   request.from = {-53.0, 69.0};  // in the ice
 
   EXPECT_THAT(messages::sentences(planned(band_of_ice(), request).messages),
-              Contains(HasSubstr("may not surface at the departure")));
+              Contains(HasSubstr("the start lies under ice")));
 }
 
 TEST(PlanUnderIce, TellsOfAStartAGoalAndViaPointsUnderIceAsDangers) {
@@ -628,7 +628,7 @@ TEST(PlanUnderIce, TellsOfALongTimeBelowIceAsADangerUnlessThePilotBoundsIt) {
   const Plan long_below = planned(ice, request);
   ASSERT_GT(long_below.surfacing->longest_without.count(), 12.0 * 3600.0);
   EXPECT_THAT(messages::dangers_among(long_below.messages),
-              testing::ElementsAre(HasSubstr("finds no place to surface below the ice")));
+              testing::ElementsAre(HasSubstr("without a place to surface")));
 
   request.under_ice.max_time_without_surfacing = core::Seconds{200.0 * 3600.0};
   EXPECT_THAT(messages::dangers_among(planned(ice, request).messages), testing::IsEmpty());
@@ -698,7 +698,7 @@ TEST(PlanUnderIce, SurfacesAtIntervalsInOpenWaterAndBeforeAndAfterTheIce) {
   const auto& planned_ones = icy.surfacing->surfacings;
   ASSERT_GE(planned_ones.size(), 3U);
   EXPECT_THAT(messages::sentences(icy.messages),
-              Not(Contains(HasSubstr("have ice nearer than the position may be off"))));
+              Not(Contains(HasSubstr("the position error exceeds the distance to ice"))));
   for (const PlannedSurfacing& surfacing : planned_ones)
     EXPECT_FALSE(surfacing.nearest_ice) << "within " << surfacing.position_error.value << " m";
   std::size_t gaps = 0;
@@ -737,7 +737,7 @@ TEST(PlanUnderIce, SurfacesWithMostRoomWhereItIsNowhereClearOfTheIce) {
   ASSERT_TRUE(in_the_lead->nearest_ice);
   EXPECT_LT(*in_the_lead->nearest_ice, in_the_lead->position_error);
   EXPECT_THAT(messages::sentences(plan.messages),
-              Contains(HasSubstr("have ice nearer than the position may be off")));
+              Contains(HasSubstr("the position error exceeds the distance to ice")));
 }
 
 /// What was held at the ice while waypoints moved is free afterwards, and the places to visit are not.
@@ -820,7 +820,7 @@ TEST(PlanUnderIce, TheWayToOpenWaterMustLieWithinWhatIsLeftOfTheBattery) {
   request.vehicle.energy.battery_reserve_share = 0.0;
   request.vehicle.energy.battery = drawn.total() + core::Joules{0.5 * from_goal.energy.value};
   EXPECT_THAT(messages::sentences(planned(band_of_ice(), request).messages),
-              Contains(HasSubstr("the way to open water from waypoint")));
+              Contains(HasSubstr("the escape route from waypoint")));
 
   request.energy.require_battery = true;
   const auto refused = plan_route(band_of_ice(), request, {}, quiet);

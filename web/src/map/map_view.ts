@@ -282,12 +282,12 @@ function use(map: Map, event: MapBrowserEvent, place: Position, probe: (place: P
     case 'via': {
       const { via } = draft.value;
       edit({ via: [...via.split('\n').filter((line) => line.trim() !== ''), editablePosition(place)].join('\n') });
-      announce(`A place to pass at ${editablePosition(place)}.`);
+      announce(`Via point at ${editablePosition(place)}.`);
       return;
     }
     case 'berg':
       changeBerg({ place: editablePosition(place) });
-      announce(`Berg put at ${editablePosition(place)}.`);
+      announce(`Iceberg at ${editablePosition(place)}.`);
       tool.value = 'pan';
       return;
     case 'area':

@@ -58,7 +58,7 @@ export function momentOf(flight: Flight, at_ms: number): Moment | undefined {
 
 const radians = Math.PI / 180;
 
-/** How far a place lies from the planned way, positive to the right of it. */
+/** How far a place lies from the planned route, positive to the right of it. */
 export function crossTrackOf(route: Position[]): (place: Position) => number {
   const legs = route.slice(1).flatMap((to, i) => {
     const from = route[i];

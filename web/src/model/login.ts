@@ -50,7 +50,7 @@ export function may(role: Role): boolean {
 export function whyNot(role: Role, what: string): string | undefined {
   const who = caller.value;
   if (!who || may(role)) return undefined;
-  return `${what} takes a token of the role ${role}; you are signed in as ${who.name}, ${who.role}.`;
+  return `${what} needs the role ${role}; you are signed in as ${who.name}, ${who.role}.`;
 }
 
 /** Whether an action is refused here, and then says so: for what keys and gestures begin. */

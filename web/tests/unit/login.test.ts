@@ -21,9 +21,9 @@ describe('login', () => {
     expect(may('viewer')).toBe(true);
     expect(may('pilot')).toBe(false);
     expect(whyNot('viewer', 'Looking')).toBeUndefined();
-    expect(whyNot('pilot', 'Planning')).toBe('Planning takes a token of the role pilot; you are signed in as vera, viewer.');
+    expect(whyNot('pilot', 'Planning')).toBe('Planning needs the role pilot; you are signed in as vera, viewer.');
     expect(forbids('admin', 'Removing')).toBe(true);
-    expect(notice.value).toContain('Removing takes a token of the role admin');
+    expect(notice.value).toContain('Removing needs the role admin');
     unlock({ name: 'otto', role: 'pilot' });
     expect(forbids('pilot', 'Planning')).toBe(false);
     expect(may('admin')).toBe(false);

@@ -1,8 +1,9 @@
 import { expect, it } from 'vitest';
+import { readFileSync } from 'node:fs';
 import { asSentence, inPageWords } from '../../src/model/page_words';
 
 it('flags of the command line become the fields of the page, whole ones only', () => {
-  expect(inPageWords('let the vehicle wait (--max-loiter), or depart later')).toBe('let the vehicle wait (“Longest wait”), or depart later');
+  expect(inPageWords('Allow a hold (--max-loiter), or depart later')).toBe('Allow a hold (“Longest hold”), or depart later');
   expect(inPageWords('save energy (--objective energy)')).toBe('save energy (“Optimise” energy)');
   expect(inPageWords('--depart-until 12Z')).toBe('“Latest departure” 12Z');
   expect(inPageWords('move it into the water; longitude comes first')).toBe('move it into the water');
@@ -10,8 +11,13 @@ it('flags of the command line become the fields of the page, whole ones only', (
   expect(inPageWords('a well-known --thing -- and more')).toBe('a well-known --thing -- and more');
 });
 
+it('turns every flag of the catalogue of messages into a field', () => {
+  const catalogue = readFileSync(new URL('../../../tests/golden/messages.txt', import.meta.url), 'utf8');
+  expect(inPageWords(catalogue)).not.toMatch(/--[a-z]/);
+});
+
 it('makes what stands alone a sentence', () => {
-  expect(asSentence('the way comes too close at 2026-11-22T23:51:00Z')).toMatch(/^The way comes too close at 22 Nov.*\.$/);
+  expect(asSentence('the route comes too close at 2026-11-22T23:51:00Z')).toMatch(/^The route comes too close at 22 Nov.*\.$/);
   expect(asSentence('Depart later.')).toBe('Depart later.');
   expect(asSentence('')).toBe('');
 });

@@ -162,7 +162,7 @@ TEST(Optimality, IsNotGivenWhereTheTimeUnderIceShapesTheRoute) {
 
   ASSERT_TRUE(plan.has_value());
   EXPECT_FALSE(plan->optimality_gap.has_value());
-  EXPECT_NE(plan->optimality_gap_reason.find("may not surface"), std::string::npos)
+  EXPECT_NE(plan->optimality_gap_reason.find("without surfacing"), std::string::npos)
       << plan->optimality_gap_reason;
 }
 

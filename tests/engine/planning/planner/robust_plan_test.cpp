@@ -164,7 +164,7 @@ TEST(RobustPlan, SaysThatAShareCannotBeMetAndTakesTheBestInTheMeanOfTheOthers) {
   EXPECT_EQ(found->uncertainty->spread.quantile(0.9), std::nullopt);
   EXPECT_THAT(messages::sentences(found->messages),
               testing::Contains(testing::AllOf(testing::HasSubstr("in 1 of 4 members"),
-                                               testing::HasSubstr("fewer members arrive than the 90 %"))));
+                                               testing::HasSubstr("Fewer members arrive than the 90 %"))));
   EXPECT_EQ(*found->uncertainty->spread.mean(), *by_mean->uncertainty->spread.mean());
 }
 
@@ -210,7 +210,7 @@ TEST(RobustPlan, SaysHowThePlanFaresWhateverItsObjective) {
       EXPECT_NEAR(found->uncertainty->spread.travel_times()[0]->count(), found->travel_time().count(), 1.0)
           << "the first member has the currents that the plan is timed in";
       EXPECT_FALSE(found->optimality_gap.has_value());
-      EXPECT_EQ(found->optimality_gap_reason, "the currents are not certain, so that no one way is the best");
+      EXPECT_EQ(found->optimality_gap_reason, "the currents are uncertain, so no single route is the best");
     }
   }
 }

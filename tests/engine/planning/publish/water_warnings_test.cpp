@@ -43,7 +43,7 @@ std::shared_ptr<const ocean::CurrentGrid> still_water_on(std::size_t wet) {
 }
 
 TEST(WaterWarnings, TellWhereACurrentLeavesHardlyAnySpeed) {
-  const auto hardly = Contains(HasSubstr("carried away"));
+  const auto hardly = Contains(HasSubstr("drifts off the route"));
 
   EXPECT_THAT(warnings_in({{0.0}, {0.345}}), hardly);   // 0.35 m/s through the water, across
   EXPECT_THAT(warnings_in({{-0.338}, {0.0}}), hardly);  // ahead
@@ -52,11 +52,11 @@ TEST(WaterWarnings, TellWhereACurrentLeavesHardlyAnySpeed) {
 }
 
 TEST(WaterWarnings, TellWhereDivesGoMuchDeeperThanTheCurrentsAreKnown) {
-  const auto unknown = Contains(HasSubstr("at worst to 200 m where its currents are known to 100 m"));
+  const auto unknown = Contains(HasSubstr("at worst to 200 m where its currents end at 100 m"));
 
   EXPECT_THAT(warnings_in(still_water_on(3)), unknown);
-  EXPECT_THAT(warnings_in(still_water_on(4)), Not(Contains(HasSubstr("deeper than the model's water"))));
-  EXPECT_THAT(warnings_in(still_water_on(5)), Not(Contains(HasSubstr("deeper than the model's water"))));
+  EXPECT_THAT(warnings_in(still_water_on(4)), Not(Contains(HasSubstr("go below the current model"))));
+  EXPECT_THAT(warnings_in(still_water_on(5)), Not(Contains(HasSubstr("go below the current model"))));
 }
 
 }  // namespace

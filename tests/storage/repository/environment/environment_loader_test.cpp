@@ -312,7 +312,7 @@ TEST_F(EnvironmentLoaderTest, WarnsOfCurrentsThatSayLittleOfDepth) {
 
   add_currents("currents-shallow", sample_time, 2, ocean::Axis{{0.0, 50.0}});
   EXPECT_THAT(messages::sentences(load().messages),
-              Contains(AllOf(HasSubstr("50 m only"), HasSubstr("dives to 200 m"))));
+              Contains(AllOf(HasSubstr("end at 50 m"), HasSubstr("dives go to 200 m"))));
 }
 
 TEST_F(EnvironmentLoaderTest, TellsOfIcebergsOnLand) {
@@ -325,7 +325,7 @@ TEST_F(EnvironmentLoaderTest, TellsOfIcebergsOnLand) {
 
   EXPECT_EQ(environment.icebergs.size(), 2U) << "it is avoided all the same";
   EXPECT_THAT(messages::sentences(environment.messages),
-              Contains(AllOf(HasSubstr("1 of the icebergs lie on land"), HasSubstr("ashore"))));
+              Contains(AllOf(HasSubstr("1 iceberg lies on land"), HasSubstr("ashore"))));
 }
 
 TEST_F(EnvironmentLoaderTest, PrefersTheFinestBathymetryThatCoversTheArea) {
@@ -349,7 +349,7 @@ TEST_F(EnvironmentLoaderTest, PutsBathymetryTogetherInTheOrderOfTheNames) {
   EXPECT_THAT(cited(environment), ElementsAre("survey", "fine"));
   EXPECT_EQ(environment.bathymetry->depth({-52.2, 69.0})->value, 20.0);
   EXPECT_EQ(environment.bathymetry->depth({-51.5, 69.0})->value, 300.0);
-  EXPECT_THAT(messages::sentences(environment.messages), Contains(HasSubstr("put together")));
+  EXPECT_THAT(messages::sentences(environment.messages), Contains(HasSubstr("bathymetry is joined")));
 }
 
 TEST_F(EnvironmentLoaderTest, WarnsOfCoarseBathymetry) {
@@ -517,13 +517,12 @@ TEST_F(EnvironmentLoaderTest, ReadsCurrentsFromTheSightingOnThatTellsOfADrift) {
                          sample_berg("a", {-52.02, 69.01}, sample_time - 2 * hour)});
   EXPECT_EQ(core::from_unix_seconds(load().currents->samples().times_s.front()), sample_time - 14 * hour);
   EXPECT_THAT(messages::sentences(load().messages),
-              Not(Contains(HasSubstr("the first time before the currents begin"))));
+              Not(Contains(HasSubstr("first seen before the currents begin"))));
 
   DatasetRepository{db_}.remove({"flow"});
   add_currents("late", sample_time - 10 * hour, 30, levels_);
-  EXPECT_THAT(
-      messages::sentences(load().messages),
-      Contains(HasSubstr("1 of 1 icebergs were seen twice, the first time before the currents begin")));
+  EXPECT_THAT(messages::sentences(load().messages),
+              Contains(HasSubstr("1 of 1 iceberg was first seen before the currents begin")));
 }
 
 TEST_F(EnvironmentLoaderTest, TakesDriftingBergsFromBeyondTheArea) {
@@ -623,7 +622,7 @@ TEST_F(EnvironmentLoaderTest, NamesTheIcebergsWhoseCurrentIsNotKnown) {
   const auto warnings = messages::sentences(load().messages);
   EXPECT_THAT(warnings, Contains(AllOf(HasSubstr("1 of 3 icebergs drift beyond the current data"),
                                        HasSubstr("beyond"), Not(HasSubstr("carried")))));
-  EXPECT_THAT(warnings, Contains(HasSubstr("1 of 3 icebergs were seen before the currents begin")));
+  EXPECT_THAT(warnings, Contains(HasSubstr("1 of 3 icebergs was last seen before the currents begin")));
 }
 
 TEST_F(EnvironmentLoaderTest, CountsTheAgeOfSightingsBeforeTheEarliestDeparture) {
@@ -792,7 +791,7 @@ TEST_F(EnvironmentLoaderTest, TakesIceOfOtherDatasetsWhereOrWhenTheNewestTellsNo
   EXPECT_EQ(environment.further_ice.size(), 1U);
   EXPECT_THAT(cited(environment), testing::IsSupersetOf({"later", "full"}));
   EXPECT_THAT(messages::sentences(environment.messages),
-              Contains(HasSubstr("ice is taken from several datasets")));
+              Contains(HasSubstr("ice is joined from several datasets")));
   EXPECT_THAT(messages::sentences(environment.messages), Not(Contains(HasSubstr("is held as at"))));
 
   add_ice("newest", sample_time - 2.0 * day, 40);
@@ -820,11 +819,11 @@ TEST_F(EnvironmentLoaderTest, TakesIceThatBeginsWhileTheMissionMayLast) {
 
   EXPECT_NE(load().ice, nullptr);
   EXPECT_THAT(messages::sentences(load().messages),
-              Contains(AllOf(HasSubstr("no ice is stored before 2027-01-24T"),
-                             HasSubstr("open water is assumed until 2027-01-21T"))));
+              Contains(AllOf(HasSubstr("the stored ice begins at 2027-01-24T"),
+                             HasSubstr("Open water is assumed until 2027-01-21T"))));
 
   query_.ice = named({"later"});
-  EXPECT_THAT(violations(), ElementsAre(HasSubstr("/ice says nothing of the ice at")));
+  EXPECT_THAT(violations(), ElementsAre(HasSubstr("/ice has no data at")));
 }
 
 TEST_F(EnvironmentLoaderTest, TakesTheIceOfTheLatestDepartureToo) {
@@ -861,7 +860,7 @@ TEST_F(EnvironmentLoaderTest, TakesOlderIceInALongGapOfTheNewest) {
   EXPECT_EQ(load().further_ice.size(), 1U);
   query_.ice = named({"gap"});
   EXPECT_THAT(messages::sentences(load().messages),
-              Contains(HasSubstr("nothing is known of the ice at the departure")));
+              Contains(HasSubstr("the ice at the departure is unknown")));
 }
 
 TEST_F(EnvironmentLoaderTest, TakesOlderIceForItsThicknessWhereTheNewestHasNone) {
@@ -872,7 +871,7 @@ TEST_F(EnvironmentLoaderTest, TakesOlderIceForItsThicknessWhereTheNewestHasNone)
   EXPECT_THAT(cited(load()), testing::IsSupersetOf({"satellite", "model"}));
   EXPECT_THAT(cited(load()), Not(Contains("older")));
   EXPECT_THAT(messages::sentences(load().messages),
-              Contains(HasSubstr("has no thickness: that of others is taken")));
+              Contains(HasSubstr("has no thickness: where other datasets")));
 }
 
 TEST_F(EnvironmentLoaderTest, TakesAreasOfFastIceOnlyWhereThereIsNoOtherIce) {
@@ -903,8 +902,8 @@ TEST_F(EnvironmentLoaderTest, TakesIceThatEndedBeforeTheDepartureForTheKeelsThat
   ASSERT_NE(environment.ice, nullptr);
   EXPECT_EQ(environment.ice->samples().times_s.size(), 1U);
   EXPECT_THAT(messages::sentences(environment.messages),
-              Contains(AllOf(HasSubstr("nothing is known of the ice at the departure"),
-                             HasSubstr("2027-01-07T"), HasSubstr("keels that were known last"))));
+              Contains(AllOf(HasSubstr("the ice at the departure is unknown"), HasSubstr("2027-01-07T"),
+                             HasSubstr("last known keels"))));
 
   add_ice("newer", sample_time - day, 5);
   EXPECT_THAT(load().further_ice, IsEmpty()) << "newer keels are known";
@@ -919,8 +918,8 @@ TEST_F(EnvironmentLoaderTest, TakesNoIceOfAnotherTime) {
   EXPECT_THAT(messages::sentences(environment.messages),
               Contains(AllOf(HasSubstr("no stored ice for the time of departure"), HasSubstr("open water"))));
   query_.ice = named({"ice"});
-  EXPECT_THAT(violations(), ElementsAre(AllOf(HasSubstr("/ice says nothing of the ice at"),
-                                              HasSubstr("at most 3 days beyond"))));
+  EXPECT_THAT(violations(),
+              ElementsAre(AllOf(HasSubstr("/ice has no data at"), HasSubstr("at most 3 days beyond"))));
 }
 
 ocean::Zone zone_of(const std::string& name, const geo::BoundingBox& box) {

@@ -112,7 +112,7 @@ TEST_F(TideEnvironment, AddsTheTideToTheCurrentsAndWarnsThatTheyMayHoldItAlready
   }
   EXPECT_FALSE(environment.steady_currents);
   EXPECT_THAT(messages::sentences(environment.messages),
-              Contains(HasSubstr("does not say that they are without tides")));
+              Contains(HasSubstr("If these currents include the tide already")));
   EXPECT_EQ(environment.datasets.front().id, "currents-a");
   EXPECT_EQ(environment.datasets[1].id, "tides-m2");
 }

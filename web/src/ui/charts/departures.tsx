@@ -10,7 +10,7 @@ import { palette } from '../../theme/palette';
 import { Icon } from '../common/icon';
 import { Chart, type Line } from './chart';
 
-/** How long the way takes for each departure of the window; one is chosen by a click or in the table, and planned. */
+/** The travel time for each departure of the window; one is chosen by a click or in the table, and planned. */
 export function Departures({ plan, departures }: { plan: Plan; departures: Departure[] }): VNode {
   const planned = nearest(departures, Date.parse(plan.departure));
   const [chosen, choose] = useState<Departure | undefined>(undefined);
@@ -24,8 +24,8 @@ export function Departures({ plan, departures }: { plan: Plan; departures: Depar
     const closed = departures.some(({ status }) => status !== 'ok');
     return [
       { label: '', values: hours, colour: colours.plans[0] },
-      { label: closed ? 'way found' : '', values: hours, colour: colours.plans[0], dots: 8 },
-      ...(closed ? [{ label: 'no way', values: departures.map(({ status }) => (status === 'ok' ? null : low)), colour: colours.danger, dots: 8, hollow: true }] : []),
+      { label: closed ? 'route found' : '', values: hours, colour: colours.plans[0], dots: 8 },
+      ...(closed ? [{ label: 'no route', values: departures.map(({ status }) => (status === 'ok' ? null : low)), colour: colours.danger, dots: 8, hollow: true }] : []),
     ];
   }, [departures, colours]);
 
@@ -46,7 +46,7 @@ export function Departures({ plan, departures }: { plan: Plan; departures: Depar
               {departures.map((one) => (
                 <tr key={one.departure} class={one === shown ? 'selected' : ''}>
                   <td>{shortTime(Date.parse(one.departure))}</td>
-                  <td>{one.travel_time_s === null ? 'no way' : duration(one.travel_time_s)}</td>
+                  <td>{one.travel_time_s === null ? 'no route' : duration(one.travel_time_s)}</td>
                   <td>{one.arrival === null ? '–' : shortTime(Date.parse(one.arrival))}</td>
                   <td><button type="button" class="link" aria-pressed={one === shown} onClick={() => choose(one)}>Choose</button></td>
                 </tr>
@@ -88,6 +88,6 @@ function nearest(departures: Departure[], at_ms: number): Departure | undefined 
 function describe(departures: Departure[]): string {
   const open = departures.filter(({ travel_time_s }) => travel_time_s !== null);
   const best = [...open].sort((a, b) => (a.travel_time_s ?? 0) - (b.travel_time_s ?? 0))[0];
-  if (!best) return `Chart of ${departures.length} departures, none with a way.`;
+  if (!best) return `Chart of ${departures.length} departures, none with a route.`;
   return `Chart of the travel time of ${departures.length} departures; the shortest, ${duration(best.travel_time_s ?? 0)}, leaves ${shortTime(Date.parse(best.departure))}.`;
 }

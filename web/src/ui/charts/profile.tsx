@@ -31,7 +31,7 @@ export function Profile({ plan }: { plan: Plan }): VNode {
     };
   }, [plan.plan_id]);
   if (fault) return <p class="fault" role="alert">{fault}</p>;
-  if (!points) return <p class="quiet" role="status">Reading the sea along the way …</p>;
+  if (!points) return <p class="quiet" role="status">Reading the sea along the route …</p>;
   return <Charts plan={plan} points={points} />;
 }
 
@@ -68,8 +68,8 @@ function Charts({ plan, points }: { plan: Plan; points: ProfilePoint[] }): VNode
   const hasIce = ice[0]?.values.some((value) => value !== null) ?? false;
   return (
     <div class="profile">
-      <Chart {...common} title="Depth" unit="m" lines={depths} height_px={120} downward fromZero description={`Depth of the sea bed along the way${dive_m === undefined ? '' : `; dives to ${dive_m} m`}.`} />
-      {isBelowIce && <Chart {...common} title="Below the ice" unit="m" lines={above} height_px={96} downward fromZero description="Draft of the sea ice above the way, its deepest keels, and how deep the dives of each leg turn, below icebergs too." />}
+      <Chart {...common} title="Depth" unit="m" lines={depths} height_px={120} downward fromZero description={`Depth of the sea bed along the route${dive_m === undefined ? '' : `; dives to ${dive_m} m`}.`} />
+      {isBelowIce && <Chart {...common} title="Below the ice" unit="m" lines={above} height_px={96} downward fromZero description="Draft of the sea ice above the route, its deepest keels, and how deep the dives of each leg turn, below icebergs too." />}
       <Chart {...common} title="Speed" unit={speedUnit()} lines={speeds} height_px={100} fromZero description="Speed over ground and the current along the course, positive when it pushes." />
       {hasIce && <Chart {...common} title="To the nearest iceberg as sighted" unit={distanceUnit()} lines={ice} height_px={86} fromZero description="Distance to the nearest iceberg where it was last sighted." />}
       <details>

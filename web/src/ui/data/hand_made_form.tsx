@@ -27,7 +27,7 @@ export function HandMadeForm({ form }: { form: OpenForm }): VNode {
       <Trouble form={form} />
       <div class="field-row">
         <button type="submit" class="primary" disabled={state === 'saving' || state === 'conflict'}>
-          <Icon name="save" /> {state === 'saving' ? 'Storing …' : state === 'removed' ? 'Store it anew' : 'Store'}
+          <Icon name="save" /> {state === 'saving' ? 'Storing …' : state === 'removed' ? 'Store again' : 'Store'}
         </button>
         <button type="button" onClick={closeForm}>Cancel</button>
       </div>
@@ -114,7 +114,7 @@ function ZoneFields({ zone }: { zone: Area }): VNode {
           drawer.value = undefined;
         }}
       >
-        <Icon name="polygon" /> Draw its corners anew
+        <Icon name="polygon" /> Draw the corners again
       </button>
     </>
   );

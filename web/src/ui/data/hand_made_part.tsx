@@ -57,7 +57,7 @@ function Beginnings(): VNode {
         <button type="button" aria-pressed={drawing} class={drawing ? 'primary' : ''} onClick={() => begin(undefined, drawing ? 'pan' : 'zone')}><Icon name="polygon" /> Draw a zone</button>
         <button type="button" onClick={() => begin(newZone(squareInView()), 'pan')}><Icon name="plus" /> Type a zone</button>
       </div>
-      <p class="hint">Plans keep clear of these beside what files say. A berg of a file is not changed: report it anew under its name.</p>
+      <p class="hint">Plans avoid these as well as those of imported files. To update an imported berg, report it again under the same name.</p>
     </>
   );
 }

@@ -45,7 +45,7 @@ function Now({ plan, flight }: { plan: Plan; flight: Flight }): VNode {
   const now = momentOf(flight, time_ms.value);
   const echo = sonarAt(flight, time_ms.value, sonarShown_s);
   const figures = [
-    ['Off the way', now ? signed(crossTrack(now.place)) : none],
+    ['Cross-track', now ? signed(crossTrack(now.place)) : none],
     ['Depth', now ? (now.atSurface ? 'surface' : depth(now.depth_m)) : none],
     ['Believed within', now ? distance(now.sigma_m) : none],
     ['Sonar, nearest', echo ? `${distance(echo.nearest_m)}${isEcho(echo.returns) ? '' : ', lone'}` : none],
@@ -65,7 +65,7 @@ function Charts({ plan, flight }: { plan: Plan; flight: Flight }): VNode {
   const times_s = useMemo(() => track.time_s.map((time_s) => start_s + time_s), [flight]);
   const sonar_s = useMemo(() => sensors.sonar.time_s.map((time_s) => start_s + time_s), [flight]);
   const errors = useMemo((): Line[] => [
-    { label: 'off the way', values: crossTrackErrors_m(flight, plan).map(Math.round), colour: colours.plans[0] },
+    { label: 'cross-track', values: crossTrackErrors_m(flight, plan).map(Math.round), colour: colours.plans[0] },
     { label: 'believed within', values: track.sigma_m, colour: colours.label, dash: [4, 4] },
   ], [flight, plan, colours]);
   const depths = useMemo((): Line[] => [{ label: 'depth', values: track.depth_m, colour: colours.currents[1], width: 1.2 }], [flight, colours]);
@@ -76,7 +76,7 @@ function Charts({ plan, flight }: { plan: Plan; flight: Flight }): VNode {
   const common = { mark_ms: time_ms.value, onPick: (time_s: number) => setTime(1000 * time_s) };
   return (
     <>
-      <Chart {...common} times_s={times_s} title="Cross-track error" unit="m" lines={errors} height_px={104} fromZero description="How far the vehicle is from the planned way, positive to its right, and one sigma of where it believes to be." />
+      <Chart {...common} times_s={times_s} title="Cross-track error" unit="m" lines={errors} height_px={104} fromZero description="How far the vehicle is from the planned route, positive to its right, and one sigma of where it believes to be." />
       <Chart {...common} times_s={times_s} title="Depth" unit="m" lines={depths} height_px={90} downward fromZero description="Depth of the vehicle." />
       {sonar_s.length > 0 && <Chart {...common} times_s={sonar_s} title="Sonar, nearest return" unit="m" lines={pings} height_px={90} fromZero description="Distance of the nearest return of each ping that had one; a lone return may be a false alarm." />}
     </>

@@ -65,7 +65,7 @@ function Prompt(): VNode | null {
   const toClose = drawnCorners.value >= fewestCorners ? '; Enter, a double click or the first corner closes it' : '';
   const texts = {
     from: 'Click the map to set the start', to: 'Click the map to set the goal', probe: 'Click the map to probe a place',
-    via: 'Click the map for each place to pass', area: `Click the corners of the area${toClose}`, zone: `Click the corners of the zone${toClose}`, berg: 'Click where the iceberg is',
+    via: 'Click the map for each via point', area: `Click the corners of the area${toClose}`, zone: `Click the corners of the zone${toClose}`, berg: 'Click where the iceberg is',
   };
   if (tool.value === 'pan') return null;
   return (

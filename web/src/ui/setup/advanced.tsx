@@ -23,7 +23,7 @@ export function Advanced(): VNode {
   return (
     <div class="parts">
       <Part title="Places and areas">
-        {hasGoalsFile(draft.value) ? <p class="hint">The places to pass come from {draft.value.goals_file.name}.</p> : <PlacesField />}
+        {hasGoalsFile(draft.value) ? <p class="hint">The via points come from {draft.value.goals_file.name}.</p> : <PlacesField />}
         <AreasField />
       </Part>
       <Part title="Departure window">

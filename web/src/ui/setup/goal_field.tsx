@@ -31,7 +31,7 @@ function GoalsFromFile(): VNode {
             aria-describedby={fault ? 'fault-goals_file' : 'hint-goals_file'}
           />
           <Chooser />
-          <IconButton icon="x" label={`Do without ${name}`} onClick={() => edit({ goals_file: emptyDraft.goals_file, route_name: emptyDraft.route_name })} />
+          <IconButton icon="x" label={`Remove ${name}`} onClick={() => edit({ goals_file: emptyDraft.goals_file, route_name: emptyDraft.route_name })} />
         </div>
         {fault
           ? <p class="fault" id="fault-goals_file">{fault}</p>

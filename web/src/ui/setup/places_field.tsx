@@ -3,7 +3,7 @@ import { draft, edit, faults } from '../../model/draft';
 import { Icon, IconButton } from '../common/icon';
 import { PickButton } from './pick_button';
 
-/** The places to pass, each a line of its own: typed, picked on the map, moved up and down. */
+/** The via points, each on a line of its own: typed, picked on the map, moved up and down. */
 export function PlacesField(): VNode {
   const lines = draft.value.via === '' ? [] : draft.value.via.split('\n');
   const fault = faults.value.via;
@@ -15,30 +15,30 @@ export function PlacesField(): VNode {
   };
   return (
     <fieldset class={fault ? 'field places faulty' : 'field places'}>
-      <legend>Places to pass</legend>
+      <legend>Via points</legend>
       {lines.map((line, i) => (
         <div class="field-row" key={i}>
           <input
-            type="text" id={i === 0 ? 'field-via' : undefined} aria-label={`Place ${i + 1} to pass`} value={line} placeholder="69°05.0′N 52°00.0′W"
+            type="text" id={i === 0 ? 'field-via' : undefined} aria-label={`Via point ${i + 1}`} value={line} placeholder="69°05.0′N 52°00.0′W"
             autocomplete="off" spellcheck={false} aria-invalid={fault ? true : undefined} aria-describedby={fault ? 'fault-via' : undefined}
             onInput={(event) => set(lines.map((old, j) => (j === i ? event.currentTarget.value : old)))}
           />
-          <IconButton icon="up" label={`Move place ${i + 1} up`} disabled={i === 0} onClick={() => swap(i, i - 1)} />
-          <IconButton icon="x" label={`Remove place ${i + 1}`} onClick={() => set(lines.filter((_, j) => j !== i))} />
+          <IconButton icon="up" label={`Move via point ${i + 1} up`} disabled={i === 0} onClick={() => swap(i, i - 1)} />
+          <IconButton icon="x" label={`Remove via point ${i + 1}`} onClick={() => set(lines.filter((_, j) => j !== i))} />
         </div>
       ))}
       {fault && <p class="fault" id="fault-via">{fault}</p>}
       <div class="field-row">
-        <button type="button" onClick={() => set([...lines, ' '])}><Icon name="plus" /> Add a place</button>
-        <PickButton which="via" label="Pick places to pass on the map" />
+        <button type="button" onClick={() => set([...lines, ' '])}><Icon name="plus" /> Add a via point</button>
+        <PickButton which="via" label="Pick via points on the map" />
       </div>
       {lines.length > 1 && (
         <select
-          aria-label="Order of the places" value={draft.value.via_order}
+          aria-label="Order of the via points" value={draft.value.via_order}
           onChange={(event) => edit({ via_order: event.currentTarget.value === 'best' ? 'best' : 'given' })}
         >
-          <option value="given">Pass them in this order</option>
-          <option value="best">Pass them in the best order</option>
+          <option value="given">Visit them in this order</option>
+          <option value="best">Visit them in the best order</option>
         </select>
       )}
     </fieldset>

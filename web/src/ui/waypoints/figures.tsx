@@ -39,7 +39,7 @@ const figures: Figure[] = [
   {
     title: 'Sea ice unknown',
     text: ({ surfacing }) => (surfacing && surfacing.unknown_ice_m > 0 ? distance(surfacing.unknown_ice_m) : none),
-    why: () => 'Length of the route where no data tell of the sea ice',
+    why: () => 'Length of the route without data on sea ice',
     value: ({ surfacing }) => surfacing?.unknown_ice_m ?? null,
     difference: distance,
   },
@@ -52,12 +52,12 @@ const figures: Figure[] = [
   {
     title: 'Battery used',
     text: (plan) => (plan.energy && plan.energy_j !== null ? share(plan.energy_j / plan.energy.usable_j) : none),
-    why: () => 'Of what is usable above the reserve',
+    why: () => 'Share of the usable energy, above the reserve',
   },
   {
     title: 'Iceberg encounters',
     text: (plan) => (typeof plan.iceberg_encounters === 'number' ? plan.iceberg_encounters.toFixed(2) : none),
-    why: () => 'Expected number of icebergs met that nobody has reported',
+    why: () => 'Expected encounters with unreported icebergs',
   },
   {
     title: 'Arrival, p10–p90',
@@ -71,7 +71,7 @@ const figures: Figure[] = [
   {
     title: 'Chance to arrive in time',
     text: ({ uncertainty }) => (typeof uncertainty?.chance === 'number' ? `${Math.round(100 * uncertainty.chance)} %` : none),
-    why: ({ uncertainty }) => (uncertainty?.arrive_before ? `To be there by ${shortTime(Date.parse(uncertainty.arrive_before))}` : ''),
+    why: ({ uncertainty }) => (uncertainty?.arrive_before ? `Arrival by ${shortTime(Date.parse(uncertainty.arrive_before))}` : ''),
   },
 ];
 
