@@ -620,7 +620,7 @@ TEST_F(EnvironmentLoaderTest, NamesTheIcebergsWhoseCurrentIsNotKnown) {
                          sample_berg("before", {-52.2, 69.0}, sample_time - 9 * hour)});
 
   const auto warnings = messages::sentences(load().messages);
-  EXPECT_THAT(warnings, Contains(AllOf(HasSubstr("1 of 3 icebergs drift beyond the current data"),
+  EXPECT_THAT(warnings, Contains(AllOf(HasSubstr("1 of 3 icebergs drifts beyond the current data"),
                                        HasSubstr("beyond"), Not(HasSubstr("carried")))));
   EXPECT_THAT(warnings, Contains(HasSubstr("1 of 3 icebergs was last seen before the currents begin")));
 }
