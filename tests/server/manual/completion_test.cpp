@@ -42,19 +42,42 @@ TEST(BashCompletion, OffersCommandsAndThenTheirFlags) {
   EXPECT_EQ(offered("floeplan read"), "\n") << "hidden";
 }
 
-/// The shell itself reads the script, where it is installed.
-TEST(Completion, IsAScriptOfItsShell) {
+class Completion : public testing::TestWithParam<std::string> {};
+
+TEST_P(Completion, IsAScriptThatItsShellReads) {
+  const std::string script = completion(GetParam(), commands());
+  EXPECT_THAT(script, HasSubstr("margin"));
+  if (!is_there(GetParam())) GTEST_SKIP() << GetParam() << " is not installed";
   const support::TemporaryFolder folder;
-  for (const std::string& shell : shells()) {
-    EXPECT_THAT(completion(shell, commands()), HasSubstr("margin"));
-    if (!is_there(shell)) continue;
-    const std::filesystem::path script = folder.path() / shell;
-    std::ofstream{script} << completion(shell, commands());
-    EXPECT_EQ(std::system((shell + " -n " + script.string()).c_str()), 0) << shell;
-  }
+  const std::filesystem::path path = folder.path() / "script";
+  std::ofstream{path} << script;
+
+  EXPECT_EQ(std::system((GetParam() + " -n " + path.string()).c_str()), 0);
 }
 
-TEST(Completion, IsRefusedForAnotherShell) {
+INSTANTIATE_TEST_SUITE_P(Shells, Completion, testing::ValuesIn(shells()),
+                         [](const auto& shell) { return shell.param; });
+
+/// What fish offers at the end of the words, a line each, without descriptions.
+TEST(FishCompletion, OffersCommandsAndThenTheirFlags) {
+  if (!is_there("fish")) GTEST_SKIP() << "fish is not installed";
+  const support::TemporaryFolder folder;
+  std::ofstream{folder.path() / "script"} << completion("fish", commands());
+  const auto offered_by_fish = [&](const std::string& words) {
+    const std::string command = "HOME=" + folder.path().string() + " fish --no-config -c 'source " +
+                                (folder.path() / "script").string() + "; complete -C \"" + words + "\"' > " +
+                                (folder.path() / "out").string();
+    EXPECT_EQ(std::system(command.c_str()), 0) << words;
+    std::ifstream out{folder.path() / "out"};
+    return std::string{std::istreambuf_iterator<char>{out}, {}};
+  };
+
+  EXPECT_THAT(offered_by_fish("floeplan pl"), testing::StartsWith("plan"));
+  EXPECT_THAT(offered_by_fish("floeplan plan --mar"), testing::StartsWith("--margin"));
+  EXPECT_THAT(offered_by_fish("floeplan datasets pr"), testing::StartsWith("prune"));
+}
+
+TEST(Completions, AreRefusedForAnotherShell) {
   EXPECT_THROW((void)completion("csh", commands()), std::invalid_argument);
 }
 
