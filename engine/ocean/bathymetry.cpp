@@ -22,7 +22,11 @@ std::optional<core::Metres> Bathymetry::depth(geo::LonLat place) const {
 }
 
 std::optional<core::Metres> Bathymetry::shoalest(geo::LonLat place) const {
-  const auto position = grid_.locate(place);
+  return shoalest_at(geo::to_grid(grid_.frame(), place));
+}
+
+std::optional<core::Metres> Bathymetry::shoalest_at(geo::GridPoint point) const {
+  const auto position = grid_.locate_point(point);
   if (!position) return std::nullopt;
   const std::size_t nx = grid_.x().size();
   const auto depth_m = bilinear(depth_m_, nx, *position);

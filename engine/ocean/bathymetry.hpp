@@ -24,6 +24,8 @@ class Bathymetry {
   [[nodiscard]] std::optional<core::Metres> depth(geo::LonLat place) const;
   /// The least depth that is known around the place: of `depth` there and of the cells of the nodes around it.
   [[nodiscard]] std::optional<core::Metres> shoalest(geo::LonLat place) const;
+  /// `point`  in the frame of the grid
+  [[nodiscard]] std::optional<core::Metres> shoalest_at(geo::GridPoint point) const;
   [[nodiscard]] const HorizontalGrid& grid() const { return grid_; }
   [[nodiscard]] const std::vector<float>& depth_m() const { return depth_m_; }
   [[nodiscard]] bool knows_shoaler_cells() const { return !shoalest_m_.empty(); }

@@ -27,7 +27,10 @@ geo::LonLat HorizontalGrid::place(std::size_t ix, std::size_t iy) const {
 }
 
 std::optional<GridPosition> HorizontalGrid::locate(geo::LonLat place) const {
-  geo::GridPoint point = geo::to_grid(frame_, place);
+  return locate_point(geo::to_grid(frame_, place));
+}
+
+std::optional<GridPosition> HorizontalGrid::locate_point(geo::GridPoint point) const {
   if (std::holds_alternative<geo::GeographicFrame>(frame_)) {
     // Longitudes count eastwards from the first node; a hair west of it is that node, not a whole turn
     // further.

@@ -32,6 +32,8 @@ class HorizontalGrid {
   [[nodiscard]] geo::LonLat place(std::size_t ix, std::size_t iy) const;
   /// Outside  nullopt beyond the outermost nodes
   [[nodiscard]] std::optional<GridPosition> locate(geo::LonLat place) const;
+  /// `point`  in the grid's own frame
+  [[nodiscard]] std::optional<GridPosition> locate_point(geo::GridPoint point) const;
   /// Smallest box of longitudes and latitudes that holds every node.
   [[nodiscard]] geo::BoundingBox bounds() const;
   /// Typical distance on the ground between neighbouring nodes: the smaller of the two directions at the

@@ -53,7 +53,6 @@ FoundChanges find_changes(const ocean::Environment& environment, const PlanReque
     inputs.wait_for(*delay);
   }
   if (why.postponed && why.postponed->move) inputs.move_goal(*why.postponed->move);
-  const bool at_a_stop = !why.moves.empty();
   for (const Change& move : why.changes) inputs.take_move(move);
   switch (why.binding) {
     case Constraint::current:
@@ -71,7 +70,7 @@ FoundChanges find_changes(const ocean::Environment& environment, const PlanReque
       inputs.shrink_margin();
       inputs.allow_for_less_error();
       if (request.icebergs.pass_under) inputs.dive_deeper();
-      if (!at_a_stop) inputs.refine_the_grid();
+      if (!why.at_a_stop) inputs.refine_the_grid();
       if (!why.postponed) inputs.depart_later_or_wait();
       break;
     case Constraint::ice:
@@ -90,17 +89,17 @@ FoundChanges find_changes(const ocean::Environment& environment, const PlanReque
         inputs.raise_speed();
         inputs.raise_the_thrusters_speed();
       }
-      if (!at_a_stop) inputs.refine_the_grid();
+      if (!why.at_a_stop) inputs.refine_the_grid();
       break;
     case Constraint::depth:
       inputs.keep_less_above_the_bed();
       inputs.work_in_shallower_water();
       inputs.climb_higher();
       inputs.take_another_vehicle();
-      if (!at_a_stop) inputs.refine_the_grid();
+      if (!why.at_a_stop) inputs.refine_the_grid();
       break;
     case Constraint::land:
-      if (!at_a_stop) inputs.refine_the_grid();
+      if (!why.at_a_stop) inputs.refine_the_grid();
       break;
     case Constraint::battery:
       inputs.charge_the_battery();
@@ -108,7 +107,7 @@ FoundChanges find_changes(const ocean::Environment& environment, const PlanReque
       inputs.take_a_larger_battery();
       break;
     case Constraint::data_area:
-      if (!at_a_stop) inputs.depart_later();
+      if (!why.at_a_stop) inputs.depart_later();
       break;
     case Constraint::memory:
     case Constraint::caller: break;

@@ -29,7 +29,7 @@ std::optional<Change> move_that_helps(const ocean::Environment& environment, con
     stop_named(moved, move.input) = std::get<geo::LonLat>(move.to);
     const auto plan = planner::try_to_plan(environment, for_any_way(moved), stop, {});
     if (arrives(plan)) return move;
-    if (!plan && plan.error().moves.empty() && !nearest) nearest = plan.error().at;
+    if (!plan && !plan.error().at_a_stop && !nearest) nearest = plan.error().at;
   }
   if (!nearest || moves.front().input != "to") return std::nullopt;
   PlanRequest moved = request;
@@ -85,7 +85,7 @@ bool is_of_a_search(const Infeasible& why, const PlanRequest& request) {
     case Reason::outside_data:
     case Reason::current_too_strong:
     case Reason::under_ice:
-    case Reason::no_surfacing: return request.method != Method::direct && why.moves.empty();
+    case Reason::no_surfacing: return request.method != Method::direct && !why.at_a_stop;
     default: return false;
   }
 }
@@ -123,6 +123,11 @@ Infeasible with_what_would_help(const ocean::Environment& environment, const Pla
   if (has_moves) {
     auto move = move_that_helps(environment, request, why.moves, stop);
     if (move) why.changes = {std::move(*move)};
+  }
+  // Nothing but another place or more data helps where there are none.
+  if (why.at_a_stop && why.binding == Constraint::data_area) {
+    why.changes_cut_short = has_moves && why.changes.empty();
+    return why;
   }
   WayTrials trials{environment, stop};
   // A trial that finds a way for the request as it is tells nothing of what stands in its way.

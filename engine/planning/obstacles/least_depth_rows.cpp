@@ -125,9 +125,7 @@ float LeastDepthRows::least_in_box(double west, double south, double east, doubl
 }
 
 float LeastDepthRows::depth_at(double x, double y) const {
-  const geo::LonLat place =
-      geographic_ ? geo::LonLat{x, y} : geo::to_lon_lat(bathymetry_.grid().frame(), {x, y});
-  const auto depth = bathymetry_.shoalest(place);
+  const auto depth = bathymetry_.shoalest_at({x, y});
   return depth ? static_cast<float>(depth->value) : unknown;
 }
 

@@ -111,7 +111,7 @@ std::optional<Roomy> with_more_room(const ocean::Environment& environment, const
 
 bool more_room_may_help(const Infeasible& why, const ocean::Environment& environment,
                         const PlanRequest& request, const std::stop_token& stop) {
-  if (request.method == Method::direct || !why.moves.empty() || why.search_cut_short) return false;
+  if (request.method == Method::direct || why.at_a_stop || why.search_cut_short) return false;
   switch (why.reason) {
     case Reason::current_too_strong: return true;
     case Reason::goal_unreachable:

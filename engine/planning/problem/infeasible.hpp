@@ -84,6 +84,7 @@ struct Infeasible {
   messages::Message why{};                   // what stands in the way, and what would help
   std::vector<messages::Message> besides{};  // what more was found out, in that order
   Constraint binding{};
+  bool at_a_stop{false};          // the start, a via or the goal itself cannot be used
   std::vector<Change> changes{};  // found to make it possible, any one of them; the smallest first
   /// Of a stop that cannot be used, to where the vehicle may be: not tried yet, what is likelier to help first.
   std::vector<Change> moves{};

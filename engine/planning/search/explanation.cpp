@@ -132,7 +132,8 @@ Infeasible unusable_place(motion::EdgeClosed closed, Stop stop, geo::LonLat plac
                       .at = place,
                       .when = then,
                       .why = std::move(why).at(place),
-                      .binding = constraint_of(closed, false)};
+                      .binding = constraint_of(closed, false),
+                      .at_a_stop = true};
   };
   switch (closed) {
     case motion::EdgeClosed::on_land:

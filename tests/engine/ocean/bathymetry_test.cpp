@@ -93,5 +93,20 @@ TEST(Bathymetry, KnowsTheLeastDepthOfTheCellsAroundAPlace) {
   EXPECT_EQ(chart.shoalest({-54.0, 69.0})->value, 100.0);
 }
 
+TEST(Bathymetry, IsAsDeepAtAPointOfItsFrameAsAtThePlaceThere) {
+  const geo::GridFrame utm_22 =
+      geo::TransverseMercatorFrame{.lon_0_deg = -51.0, .false_easting_m = 500'000.0};
+  const Bathymetry chart{HorizontalGrid{utm_22, even_axis(500'000.0, 100.0, 3), even_axis(7.6e6, 100.0, 2)},
+                         {100.0F, 200.0F, 300.0F, 500.0F, 0.0F, -20.0F}};
+  support::for_each_seed(50, [&](std::mt19937_64& rng) {
+    const geo::GridPoint point{support::uniform(rng, 499'900.0, 500'300.0),
+                               support::uniform(rng, 7'599'900.0, 7'600'200.0)};
+    const auto at_point = chart.shoalest_at(point);
+    const auto at_place = chart.shoalest(geo::to_lon_lat(utm_22, point));
+    ASSERT_EQ(at_point.has_value(), at_place.has_value());
+    if (at_point) EXPECT_NEAR(at_point->value, at_place->value, 1e-4);
+  });
+}
+
 }  // namespace
 }  // namespace floeplan::ocean::bathymetry_test

@@ -823,5 +823,25 @@ TEST(Relaxation, NamesTheThrusterThatDrawsTooMuch) {
   EXPECT_EQ(std::get<std::string>(off->to), "off");
 }
 
+TEST(Relaxation, TriesNoOtherHourWhereThereAreNoDataAtTheStart) {
+  ocean::Environment environment = headwind_until(1000.0);
+  environment.bathymetry = bathymetry_from([](geo::LonLat) { return 500.0; });
+  PlanRequest request = eastward_request();
+  request.from = {-56.4, 69.0};
+
+  const auto found = plan(environment, request);
+
+  ASSERT_FALSE(found.has_value());
+  EXPECT_EQ(found.error().reason, Reason::outside_data);
+  EXPECT_TRUE(found.error().at_a_stop);
+  int trials = 0;
+  const Trial count = [&](const PlanRequest&) {
+    ++trials;
+    return TrialOutcome::impossible;
+  };
+  EXPECT_TRUE(find_changes(environment, request, found.error(), count, {}, {}).changes.empty());
+  EXPECT_EQ(trials, 0);
+}
+
 }  // namespace
 }  // namespace floeplan::planning::diagnosis::relaxation_test
