@@ -13,12 +13,13 @@ export interface Frame {
 }
 
 /**
- * A layer painted by a function. Its canvas lies in a div: OpenLayers would take a bare canvas for the render target of
- * the layers above it.
+ * A layer painted by a function, anew only where the view has moved or `changed()` was called since. Its canvas lies in a div:
+ * OpenLayers would take a bare canvas for the render target of the layers above it.
  */
 export class CanvasLayer extends Layer {
   private readonly frame = document.createElement('div');
   private readonly canvas = document.createElement('canvas');
+  private painted = '';
 
   constructor(private readonly paint: (frame: Frame) => void, zIndex: number) {
     super({ source: new Source({}), zIndex });
@@ -31,12 +32,16 @@ export class CanvasLayer extends Layer {
     if (!state || !context) return this.frame;
     const [width = 0, height = 0] = state.size;
     const ratio = state.pixelRatio;
+    const { center, resolution, rotation } = state.viewState;
+    const wanted = [width, height, ratio, ...center, resolution, rotation, this.getRevision()].join();
+    if (wanted === this.painted) return this.frame;
+    this.painted = wanted;
+
     const device = [Math.round(width * ratio), Math.round(height * ratio)] as const;
     if (this.canvas.width !== device[0] || this.canvas.height !== device[1]) [this.canvas.width, this.canvas.height] = device;
     context.setTransform(ratio, 0, 0, ratio, 0, 0);
     context.clearRect(0, 0, width, height);
 
-    const { center, resolution, rotation } = state.viewState;
     const [cx = 0, cy = 0] = center;
     const cos = Math.cos(rotation);
     const sin = Math.sin(rotation);

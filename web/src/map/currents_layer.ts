@@ -35,6 +35,7 @@ export function currentsLayer(): CanvasLayer {
 /** The lattice points in view; their places and directions are kept until they leave. */
 class Stands {
   private known = new Map<string, Stand>();
+  private shown: { window: string; stands: Stand[] } = { window: '', stands: [] };
 
   within(frame: Frame, code: ProjectionCode): Stand[] {
     const step = 2 ** (Math.ceil(2 * Math.log2(spacing_px * frame.resolution)) / 2);
@@ -47,6 +48,9 @@ class Stands {
     const [west, east] = bounds(0);
     const [south, north] = bounds(1);
 
+    const window = [code, step, west, east, south, north].join();
+    if (this.shown.window === window) return this.shown.stands;
+
     const kept = new Map<string, Stand>();
     for (let j = south; j <= north; ++j) {
       for (let i = west; i <= east; ++i) {
@@ -56,7 +60,8 @@ class Stands {
       }
     }
     this.known = kept;
-    return [...kept.values()];
+    this.shown = { window, stands: [...kept.values()] };
+    return this.shown.stands;
   }
 }
 

@@ -1,4 +1,4 @@
-import { effect } from '@preact/signals';
+import { computed, effect } from '@preact/signals';
 import Feature from 'ol/Feature.js';
 import Point from 'ol/geom/Point.js';
 import Polygon from 'ol/geom/Polygon.js';
@@ -62,9 +62,10 @@ export function icebergLayer(): VectorLayer<VectorSource> {
     source.clear(true);
     source.addFeatures([...features.values()]);
   });
+  const hour_ms = computed(() => Math.floor(time_ms.value / 3_600_000) * 3_600_000);
   effect(() => {
     const colours = palette.value;
-    const hour = Math.floor(time_ms.value / 3_600_000) * 3_600_000;
+    const hour = hour_ms.value;
     layer.setStyle((feature, resolution) => {
       const berg = feature.get('berg') as IcebergFeature;
       return symbol(berg, isStale(berg.properties, hour), resolution < 120, colours);

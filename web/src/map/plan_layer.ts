@@ -78,7 +78,8 @@ export function waypointLayer(): VectorLayer<VectorSource> {
       }
     }
   });
-  effect(() => layer.setVisible(visible.value.plans));
+  // One layer in view whose labels make way for each other has OpenLayers paint all layers in two goes.
+  effect(() => layer.setVisible(visible.value.plans && shownPlans.value.some(({ plan }) => plan.plan_id === selectedId.value)));
   return layer;
 }
 

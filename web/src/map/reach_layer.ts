@@ -41,7 +41,7 @@ export function reachLayer(): VectorLayer<VectorSource> {
       source.addFeature(name);
     });
   });
-  effect(() => layer.setVisible(visible.value.reach));
+  effect(() => layer.setVisible(visible.value.reach && reach.value?.state === 'ok'));
   return layer;
 }
 

@@ -1,4 +1,4 @@
-import { effect } from '@preact/signals';
+import { computed, effect } from '@preact/signals';
 import { addAreaAbove, addLineAt, addUnknown, type Lattice } from '../geo/contours';
 import { sample, type Grid, type TimedPair } from '../geo/grid';
 import { PlaceLattice } from '../geo/place_lattice';
@@ -29,11 +29,17 @@ const exactApart = 6;
  */
 export function seaIceLayer(): CanvasLayer {
   const stand = new Stand();
-  const layer = new CanvasLayer((frame) => paint(frame, stand.at(frame, projection.peek()), stand), 0.5);
+  let shown: TimedPair | undefined;
+  const staged = computed(() => {
+    const now = seaIce.value && { ...seaIce.value, share: Math.round(seaIce.value.share * stages) / stages };
+    if (!isSame(shown, now)) shown = now;
+    return shown;
+  });
+  const layer = new CanvasLayer((frame) => paint(frame, stand, staged.peek()), 0.5);
   effect(() => {
     layer.setVisible(visible.value.seaIce && chosenSeaIce.value !== undefined);
   });
-  for (const cause of [seaIce, palette, projection, surfacingLimit]) cause.subscribe(() => layer.changed());
+  for (const cause of [staged, palette, projection, surfacingLimit]) cause.subscribe(() => layer.changed());
   return layer;
 }
 
@@ -75,7 +81,6 @@ class Stand {
   private grids: [Grid, Grid] | undefined;
   private before: Float32Array = new Float32Array(0);
   private after: Float32Array = new Float32Array(0);
-  private screen: { shapes: Shapes; key: string; drawn: Drawn } | undefined;
   private drawn: { pair: TimedPair | undefined; limit: number; shapes: Shapes } | undefined;
 
   at(frame: Frame, code: ProjectionCode): Nodes {
@@ -98,28 +103,10 @@ class Stand {
 
   shapesOf(nodes: Nodes, now: TimedPair | undefined, limit: number): Shapes {
     const { drawn } = this;
-    const pair = now && { ...now, share: Math.round(now.share * stages) / stages };
-    if (drawn && drawn.limit === limit && isSame(drawn.pair, pair)) return drawn.shapes;
-    const shapes = this.shaped(nodes, pair, limit);
-    this.drawn = { pair, limit, shapes };
+    if (drawn && drawn.limit === limit && drawn.pair === now) return drawn.shapes;
+    const shapes = this.shaped(nodes, now, limit);
+    this.drawn = { pair: now, limit, shapes };
     return shapes;
-  }
-
-  /** The shapes in pixels; while the map rests and the ice stays as it is, those of the frame before. */
-  onScreen(shapes: Shapes, matrix: DOMMatrix): Drawn {
-    const { a, b, c, d, e, f } = matrix;
-    const key = [a, b, c, d, e, f].join();
-    if (this.screen?.shapes === shapes && this.screen.key === key) return this.screen.drawn;
-    const moved = (path: Path2D): Path2D => {
-      const copy = new Path2D();
-      copy.addPath(path, matrix);
-      return copy;
-    };
-    const drawn = {
-      areas: shapes.areas.map(({ path, hatch }) => ({ path: moved(path), hatch })), unknown: moved(shapes.unknown), edge: moved(shapes.edge), limit: moved(shapes.limit),
-    };
-    this.screen = { shapes, key, drawn };
-    return drawn;
   }
 
   private settle({ code, step, left, top, nx, ny }: Nodes): void {
@@ -186,15 +173,16 @@ class Stand {
 
 const isSame = (a: TimedPair | undefined, b: TimedPair | undefined): boolean => a?.before === b?.before && a?.after === b?.after && a?.share === b?.share;
 
-function paint(frame: Frame, nodes: Nodes, stand: Stand): void {
+function paint(frame: Frame, stand: Stand, now: TimedPair | undefined): void {
   const { context } = frame;
+  const nodes = stand.at(frame, projection.peek());
   const { seaIce: colours, ink, casing, halo } = palette.peek();
-  const shapes = stand.shapesOf(nodes, seaIce.peek(), surfacingLimit.peek());
+  const shapes = stand.shapesOf(nodes, now, surfacingLimit.peek());
   const { step, left, top } = nodes;
   const place = (x: number, y: number): [number, number] => frame.toPixel([(left + x) * step, -(top + y) * step]);
   const [origin, right, below] = [place(0, 0), place(1, 0), place(0, 1)];
   const toScreen = new DOMMatrix([right[0] - origin[0], right[1] - origin[1], below[0] - origin[0], below[1] - origin[1], ...origin]);
-  const drawn = stand.onScreen(shapes, toScreen);
+  const drawn = moved(shapes, toScreen);
   const anchor = frame.toPixel([0, 0]); // hatching moves with the map
 
   context.fillStyle = hatching(context, unknownHatch, colours.unknown, anchor);
@@ -221,6 +209,16 @@ function paint(frame: Frame, nodes: Nodes, stand: Stand): void {
     context.strokeText(text, px, py);
     context.fillText(text, px, py);
   }
+}
+
+/** The shapes in pixels. */
+function moved({ areas, unknown, edge, limit }: Shapes, matrix: DOMMatrix): Drawn {
+  const copyOf = (path: Path2D): Path2D => {
+    const copy = new Path2D();
+    copy.addPath(path, matrix);
+    return copy;
+  };
+  return { areas: areas.map(({ path, hatch }) => ({ path: copyOf(path), hatch })), unknown: copyOf(unknown), edge: copyOf(edge), limit: copyOf(limit) };
 }
 
 function stroke(context: CanvasRenderingContext2D, path: Path2D, colour: string, width: number, dash: readonly number[]): void {
