@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "api/codec/credential.hpp"
+#include "api/codec/bytes/credential.hpp"
 #include "api/routes/audit.hpp"
 #include "api/routes/client_address.hpp"
 #include "api/routes/quotas.hpp"

@@ -5,7 +5,7 @@
 #include <tl/expected.hpp>
 #include <vector>
 
-#include "api/codec/coverage.hpp"
+#include "api/codec/documents/coverage.hpp"
 #include "api/routes/context.hpp"
 #include "api/routes/edr_request.hpp"
 

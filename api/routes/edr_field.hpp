@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "api/codec/coverage.hpp"
+#include "api/codec/documents/coverage.hpp"
 #include "api/routes/parameters.hpp"
 #include "engine/geo/bounding_box.hpp"
 #include "engine/ocean/horizontal_grid.hpp"

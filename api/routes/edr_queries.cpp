@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "api/codec/wkt.hpp"
+#include "api/codec/bytes/wkt.hpp"
 #include "api/routes/edr_answer.hpp"
 #include "api/routes/edr_grid.hpp"
 #include "api/routes/reply.hpp"

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "api/codec/wkt.hpp"
+#include "api/codec/bytes/wkt.hpp"
 #include "api/routes/edr_field.hpp"
 #include "api/routes/parameters.hpp"
 

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "api/codec/job_document.hpp"
+#include "api/codec/documents/job_document.hpp"
 #include "api/routes/execution_request.hpp"
 #include "api/routes/idempotency.hpp"
 #include "api/routes/job_reply.hpp"

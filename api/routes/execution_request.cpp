@@ -5,7 +5,7 @@
 #include <string_view>
 #include <utility>
 
-#include "api/codec/json_text.hpp"
+#include "api/codec/bytes/json_text.hpp"
 #include "api/routes/reply.hpp"
 #include "engine/core/violation_list.hpp"
 

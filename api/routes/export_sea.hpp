@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "api/codec/plan_inputs.hpp"
+#include "api/codec/inputs/plan_inputs.hpp"
 #include "engine/mission/safe_places.hpp"
 #include "engine/mission/shoals.hpp"
 #include "engine/planning/problem/plan.hpp"

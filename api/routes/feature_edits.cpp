@@ -1,7 +1,7 @@
 #include "api/routes/feature_edits.hpp"
 
-#include "api/codec/json_text.hpp"
-#include "api/codec/sha256.hpp"
+#include "api/codec/bytes/json_text.hpp"
+#include "api/codec/bytes/sha256.hpp"
 #include "api/routes/feature_crs.hpp"
 #include "api/routes/reply.hpp"
 #include "storage/json/json.hpp"

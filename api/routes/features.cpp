@@ -1,4 +1,4 @@
-#include "api/codec/sha256.hpp"
+#include "api/codec/bytes/sha256.hpp"
 #include "api/routes/feature_collection.hpp"
 #include "api/routes/feature_crs.hpp"
 #include "api/routes/feature_edits.hpp"

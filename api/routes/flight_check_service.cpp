@@ -1,6 +1,6 @@
 #include "api/routes/flight_check_service.hpp"
 
-#include "api/codec/plan_inputs.hpp"
+#include "api/codec/inputs/plan_inputs.hpp"
 #include "engine/mission/flight_check.hpp"
 #include "storage/json/json.hpp"
 #include "storage/repository/environment/environment_loader.hpp"

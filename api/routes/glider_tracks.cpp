@@ -1,4 +1,4 @@
-#include "api/codec/glider_track_feature.hpp"
+#include "api/codec/features/glider_track_feature.hpp"
 #include "api/routes/feature_collection.hpp"
 #include "api/routes/hand_made.hpp"
 #include "storage/repository/features/glider_track_repository.hpp"

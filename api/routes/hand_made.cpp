@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "api/codec/iceberg_feature.hpp"
-#include "api/codec/sha256.hpp"
-#include "api/codec/zone_feature.hpp"
+#include "api/codec/bytes/sha256.hpp"
+#include "api/codec/features/iceberg_feature.hpp"
+#include "api/codec/features/zone_feature.hpp"
 #include "engine/core/version.hpp"
 #include "engine/geo/united_boxes.hpp"
 #include "storage/repository/datasets/dataset.hpp"

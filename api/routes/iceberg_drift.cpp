@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "api/codec/dataset_document.hpp"
+#include "api/codec/documents/dataset_document.hpp"
 #include "api/routes/parameters.hpp"
 #include "api/routes/reply.hpp"
 #include "api/routes/resources.hpp"

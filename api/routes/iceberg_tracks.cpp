@@ -1,4 +1,4 @@
-#include "api/codec/iceberg_feature.hpp"
+#include "api/codec/features/iceberg_feature.hpp"
 #include "api/routes/feature_collection.hpp"
 #include "api/routes/hand_made.hpp"
 #include "storage/repository/features/iceberg_track_repository.hpp"

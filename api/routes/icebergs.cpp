@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "api/codec/iceberg_feature.hpp"
+#include "api/codec/features/iceberg_feature.hpp"
 #include "api/problems/problem_catalogue.hpp"
 #include "api/routes/feature_collection.hpp"
 #include "api/routes/hand_made.hpp"

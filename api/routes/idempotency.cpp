@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "api/codec/sha256.hpp"
+#include "api/codec/bytes/sha256.hpp"
 #include "api/routes/owner.hpp"
 #include "api/routes/reply.hpp"
 #include "storage/json/json.hpp"

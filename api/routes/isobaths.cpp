@@ -1,7 +1,7 @@
 #include <array>
 #include <charconv>
 
-#include "api/codec/line_geometry.hpp"
+#include "api/codec/features/line_geometry.hpp"
 #include "api/problems/problem_catalogue.hpp"
 #include "api/routes/feature_collection.hpp"
 #include "api/routes/hand_made.hpp"

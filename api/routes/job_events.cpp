@@ -1,4 +1,4 @@
-#include "api/codec/job_document.hpp"
+#include "api/codec/documents/job_document.hpp"
 #include "api/routes/reply.hpp"
 #include "api/routes/resources.hpp"
 #include "api/routes/text_values.hpp"

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <string_view>
 
-#include "api/codec/job_document.hpp"
+#include "api/codec/documents/job_document.hpp"
 #include "api/routes/job_reply.hpp"
 #include "api/routes/paging.hpp"
 #include "api/routes/parameters.hpp"

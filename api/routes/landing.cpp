@@ -2,7 +2,7 @@
 #include <mutex>
 #include <optional>
 
-#include "api/codec/sha256.hpp"
+#include "api/codec/bytes/sha256.hpp"
 #include "api/openapi/openapi.hpp"
 #include "api/routes/assets.hpp"
 #include "api/routes/door_description.hpp"

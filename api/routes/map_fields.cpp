@@ -2,7 +2,7 @@
 #include <optional>
 #include <tl/expected.hpp>
 
-#include "api/codec/map_grid.hpp"
+#include "api/codec/exports/map_grid.hpp"
 #include "api/routes/parameters.hpp"
 #include "api/routes/reply.hpp"
 #include "api/routes/resources.hpp"

@@ -1,8 +1,8 @@
 #include <algorithm>
 
-#include "api/codec/input_reader.hpp"
-#include "api/codec/json_text.hpp"
-#include "api/codec/mission_document.hpp"
+#include "api/codec/bytes/json_text.hpp"
+#include "api/codec/documents/mission_document.hpp"
+#include "api/codec/reading/input_reader.hpp"
 #include "api/routes/flight_check_service.hpp"
 #include "api/routes/mission_uploads.hpp"
 #include "api/routes/parameters.hpp"

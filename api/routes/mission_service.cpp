@@ -4,7 +4,7 @@
 #include <iterator>
 #include <stdexcept>
 
-#include "api/codec/plan_document.hpp"
+#include "api/codec/documents/plan_document.hpp"
 #include "api/routes/export_sea.hpp"
 #include "api/routes/text_values.hpp"
 #include "engine/core/version.hpp"

@@ -4,7 +4,7 @@
 #include <string>
 #include <tl/expected.hpp>
 
-#include "api/codec/plan_inputs.hpp"
+#include "api/codec/inputs/plan_inputs.hpp"
 #include "engine/core/units.hpp"
 #include "engine/core/violation.hpp"
 #include "engine/mission/mission_set.hpp"

@@ -1,8 +1,8 @@
 #include "api/routes/mission_uploads.hpp"
 
-#include "api/codec/input_reader.hpp"
-#include "api/codec/json_text.hpp"
-#include "api/codec/multipart.hpp"
+#include "api/codec/bytes/json_text.hpp"
+#include "api/codec/bytes/multipart.hpp"
+#include "api/codec/reading/input_reader.hpp"
 #include "engine/core/letter_case.hpp"
 
 namespace floeplan::routes {

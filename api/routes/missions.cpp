@@ -1,5 +1,5 @@
-#include "api/codec/document_values.hpp"
-#include "api/codec/zip_archive.hpp"
+#include "api/codec/bytes/document_values.hpp"
+#include "api/codec/bytes/zip_archive.hpp"
 #include "api/routes/mission_service.hpp"
 #include "api/routes/parameters.hpp"
 #include "api/routes/plan_check.hpp"

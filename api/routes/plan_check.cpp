@@ -4,8 +4,8 @@
 #include <iterator>
 #include <stdexcept>
 
-#include "api/codec/document_values.hpp"
-#include "api/codec/plan_document.hpp"
+#include "api/codec/bytes/document_values.hpp"
+#include "api/codec/documents/plan_document.hpp"
 #include "api/routes/export_sea.hpp"
 #include "api/routes/mission_service.hpp"
 #include "engine/messages/export_messages.hpp"

@@ -7,14 +7,14 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "api/codec/plan_brief.hpp"
-#include "api/codec/plan_brief_pdf.hpp"
-#include "api/codec/plan_csv.hpp"
-#include "api/codec/plan_document.hpp"
-#include "api/codec/plan_geojson.hpp"
-#include "api/codec/plan_gpx.hpp"
-#include "api/codec/plan_imc.hpp"
-#include "api/codec/plan_kml.hpp"
+#include "api/codec/documents/plan_document.hpp"
+#include "api/codec/exports/plan_brief.hpp"
+#include "api/codec/exports/plan_brief_pdf.hpp"
+#include "api/codec/exports/plan_csv.hpp"
+#include "api/codec/exports/plan_geojson.hpp"
+#include "api/codec/exports/plan_gpx.hpp"
+#include "api/codec/exports/plan_imc.hpp"
+#include "api/codec/exports/plan_kml.hpp"
 #include "api/routes/export_sea.hpp"
 #include "api/routes/mission_service.hpp"
 #include "engine/core/utc_text.hpp"

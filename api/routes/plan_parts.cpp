@@ -1,4 +1,4 @@
-#include "api/codec/plan_feature.hpp"
+#include "api/codec/features/plan_feature.hpp"
 #include "api/routes/feature_collection.hpp"
 #include "storage/repository/work/plan_repository.hpp"
 

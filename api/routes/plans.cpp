@@ -1,5 +1,5 @@
-#include "api/codec/plan_comparison.hpp"
-#include "api/codec/plan_feature.hpp"
+#include "api/codec/documents/plan_comparison.hpp"
+#include "api/codec/features/plan_feature.hpp"
 #include "api/routes/feature_collection.hpp"
 #include "api/routes/plan_check.hpp"
 #include "api/routes/reply.hpp"

@@ -1,4 +1,4 @@
-#include "api/codec/probe_document.hpp"
+#include "api/codec/documents/probe_document.hpp"
 #include "api/routes/parameters.hpp"
 #include "api/routes/probe_service.hpp"
 #include "api/routes/reply.hpp"

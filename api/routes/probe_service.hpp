@@ -4,7 +4,7 @@
 #include <string>
 #include <tl/expected.hpp>
 
-#include "api/codec/probe_document.hpp"
+#include "api/codec/documents/probe_document.hpp"
 #include "engine/core/units.hpp"
 #include "engine/core/violation.hpp"
 #include "engine/geo/lon_lat.hpp"

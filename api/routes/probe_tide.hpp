@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "api/codec/probe_document.hpp"
+#include "api/codec/documents/probe_document.hpp"
 #include "engine/core/units.hpp"
 #include "engine/geo/lon_lat.hpp"
 #include "storage/repository/datasets/dataset.hpp"

@@ -3,14 +3,14 @@
 #include <set>
 #include <stdexcept>
 
-#include "api/codec/echo_inputs.hpp"
-#include "api/codec/flight_comparison.hpp"
-#include "api/codec/ingest_inputs.hpp"
-#include "api/codec/plan_inputs.hpp"
-#include "api/codec/reach_inputs.hpp"
-#include "api/codec/scenario_inputs.hpp"
-#include "api/codec/sha256.hpp"
-#include "api/codec/simulate_inputs.hpp"
+#include "api/codec/bytes/sha256.hpp"
+#include "api/codec/documents/flight_comparison.hpp"
+#include "api/codec/inputs/echo_inputs.hpp"
+#include "api/codec/inputs/ingest_inputs.hpp"
+#include "api/codec/inputs/plan_inputs.hpp"
+#include "api/codec/inputs/reach_inputs.hpp"
+#include "api/codec/inputs/scenario_inputs.hpp"
+#include "api/codec/inputs/simulate_inputs.hpp"
 #include "api/routes/owner.hpp"
 #include "engine/core/version.hpp"
 #include "engine/core/violation_list.hpp"

@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-#include "api/codec/sha256.hpp"
+#include "api/codec/bytes/sha256.hpp"
 
 namespace floeplan::routes {
 namespace {

@@ -1,6 +1,6 @@
 #include "api/routes/reply.hpp"
 
-#include "api/codec/problem.hpp"
+#include "api/codec/documents/problem.hpp"
 
 namespace floeplan::routes {
 

@@ -1,4 +1,4 @@
-#include "api/codec/credential.hpp"
+#include "api/codec/bytes/credential.hpp"
 #include "api/routes/reply.hpp"
 #include "api/routes/resources.hpp"
 #include "api/routes/shown_credential.hpp"

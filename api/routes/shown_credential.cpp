@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-#include "api/codec/json_text.hpp"
+#include "api/codec/bytes/json_text.hpp"
 #include "api/routes/text_values.hpp"
 #include "storage/json/json.hpp"
 

@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "api/codec/simulation_exports.hpp"
+#include "api/codec/exports/simulation_exports.hpp"
 #include "storage/json/json.hpp"
 
 namespace floeplan::routes {

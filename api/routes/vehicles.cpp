@@ -1,5 +1,5 @@
 
-#include "api/codec/vehicle_inputs.hpp"
+#include "api/codec/inputs/vehicle_inputs.hpp"
 #include "api/routes/reply.hpp"
 #include "api/routes/resources.hpp"
 #include "engine/vehicle/glider_profile.hpp"

@@ -1,4 +1,4 @@
-#include "api/codec/zone_feature.hpp"
+#include "api/codec/features/zone_feature.hpp"
 #include "api/routes/feature_collection.hpp"
 #include "api/routes/hand_made.hpp"
 #include "storage/repository/features/zone_repository.hpp"

@@ -3,7 +3,7 @@
 #include <iostream>
 #include <memory>
 
-#include "api/codec/mission_document.hpp"
+#include "api/codec/documents/mission_document.hpp"
 #include "api/fields/process_fields.hpp"
 #include "api/routes/flight_check_service.hpp"
 #include "engine/mission/file_text.hpp"

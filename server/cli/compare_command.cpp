@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "api/codec/plan_comparison.hpp"
+#include "api/codec/documents/plan_comparison.hpp"
 #include "server/cli/plan_commands.hpp"
 #include "storage/json/json.hpp"
 #include "storage/repository/work/plan_repository.hpp"

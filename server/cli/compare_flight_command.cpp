@@ -5,7 +5,7 @@
 #include <sstream>
 #include <utility>
 
-#include "api/codec/flight_comparison.hpp"
+#include "api/codec/documents/flight_comparison.hpp"
 #include "engine/core/utc_text.hpp"
 #include "server/cli/command.hpp"
 #include "server/jobs/comparison_service.hpp"

@@ -3,8 +3,8 @@
 #include <memory>
 #include <optional>
 
-#include "api/codec/dataset_document.hpp"
-#include "api/codec/retention_inputs.hpp"
+#include "api/codec/documents/dataset_document.hpp"
+#include "api/codec/inputs/retention_inputs.hpp"
 #include "engine/core/utc_text.hpp"
 #include "server/cli/command.hpp"
 #include "storage/json/json.hpp"

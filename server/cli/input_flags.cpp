@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "api/codec/json_text.hpp"
+#include "api/codec/bytes/json_text.hpp"
 #include "server/cli/command.hpp"
 #include "server/cli/flag_values.hpp"
 

@@ -1,6 +1,6 @@
 #include <memory>
 
-#include "api/codec/plan_inputs.hpp"
+#include "api/codec/inputs/plan_inputs.hpp"
 #include "api/fields/process_fields.hpp"
 #include "server/cli/command.hpp"
 #include "server/cli/input_flags.hpp"

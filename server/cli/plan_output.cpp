@@ -7,7 +7,7 @@
 #include <iostream>
 #include <vector>
 
-#include "api/codec/document_values.hpp"
+#include "api/codec/bytes/document_values.hpp"
 #include "engine/core/violation_list.hpp"
 #include "engine/messages/sentence.hpp"
 #include "server/cli/command.hpp"

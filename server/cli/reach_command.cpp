@@ -2,7 +2,7 @@
 #include <iostream>
 #include <memory>
 
-#include "api/codec/reach_inputs.hpp"
+#include "api/codec/inputs/reach_inputs.hpp"
 #include "api/fields/process_fields.hpp"
 #include "server/cli/command.hpp"
 #include "server/cli/input_flags.hpp"

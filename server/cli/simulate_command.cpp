@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <thread>
 
-#include "api/codec/simulate_inputs.hpp"
+#include "api/codec/inputs/simulate_inputs.hpp"
 #include "api/routes/simulation_exports.hpp"
 #include "server/cli/command.hpp"
 #include "server/cli/file_set.hpp"

@@ -2,7 +2,7 @@
 #include <iostream>
 #include <memory>
 
-#include "api/codec/credential.hpp"
+#include "api/codec/bytes/credential.hpp"
 #include "api/routes/message.hpp"
 #include "engine/core/utc_text.hpp"
 #include "server/cli/operator_commands.hpp"

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "api/codec/sha256.hpp"
+#include "api/codec/bytes/sha256.hpp"
 #include "api/routes/message.hpp"
 
 namespace floeplan::http {

@@ -4,7 +4,7 @@
 #include <stop_token>
 #include <vector>
 
-#include "api/codec/flight_comparison.hpp"
+#include "api/codec/documents/flight_comparison.hpp"
 #include "engine/core/progress.hpp"
 #include "engine/core/violation.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <stop_token>
 
-#include "api/codec/echo_inputs.hpp"
+#include "api/codec/inputs/echo_inputs.hpp"
 #include "engine/core/progress.hpp"
 #include "storage/json/json.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include "api/codec/dataset_document.hpp"
+#include "api/codec/documents/dataset_document.hpp"
 #include "storage/ingest/files/file_digest.hpp"
 #include "storage/ingest/process/staging_folder.hpp"
 #include "storage/json/json.hpp"

@@ -6,7 +6,7 @@
 #include <tl/expected.hpp>
 #include <vector>
 
-#include "api/codec/ingest_inputs.hpp"
+#include "api/codec/inputs/ingest_inputs.hpp"
 #include "engine/core/progress.hpp"
 #include "storage/ingest/process/guarded_ingest.hpp"
 

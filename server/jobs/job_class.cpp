@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include "api/codec/plan_inputs.hpp"
+#include "api/codec/inputs/plan_inputs.hpp"
 #include "api/log/log.hpp"
 #include "storage/json/json.hpp"
 

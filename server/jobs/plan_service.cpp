@@ -4,8 +4,8 @@
 #include <ctime>
 #include <optional>
 
-#include "api/codec/departure_document.hpp"
-#include "api/codec/plan_document.hpp"
+#include "api/codec/documents/departure_document.hpp"
+#include "api/codec/documents/plan_document.hpp"
 #include "engine/core/utc_text.hpp"
 #include "engine/messages/plan_messages.hpp"
 #include "engine/planning/evaluate_route.hpp"

@@ -4,7 +4,7 @@
 #include <stop_token>
 #include <tl/expected.hpp>
 
-#include "api/codec/plan_inputs.hpp"
+#include "api/codec/inputs/plan_inputs.hpp"
 #include "engine/core/progress.hpp"
 #include "engine/core/units.hpp"
 #include "engine/core/violation.hpp"

@@ -2,8 +2,8 @@
 
 #include <chrono>
 
-#include "api/codec/plan_document.hpp"
-#include "api/codec/reach_document.hpp"
+#include "api/codec/documents/plan_document.hpp"
+#include "api/codec/documents/reach_document.hpp"
 #include "engine/messages/plan_messages.hpp"
 #include "engine/planning/find_isochrones.hpp"
 #include "storage/json/json.hpp"

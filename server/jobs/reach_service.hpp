@@ -4,7 +4,7 @@
 #include <stop_token>
 #include <tl/expected.hpp>
 
-#include "api/codec/reach_inputs.hpp"
+#include "api/codec/inputs/reach_inputs.hpp"
 #include "engine/core/progress.hpp"
 #include "engine/core/violation.hpp"
 #include "server/jobs/kept_work.hpp"

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "api/codec/flight_document.hpp"
+#include "api/codec/documents/flight_document.hpp"
 #include "engine/core/random.hpp"
 #include "engine/simulation/equipped_vehicle.hpp"
 #include "engine/simulation/hindsight.hpp"

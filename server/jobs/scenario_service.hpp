@@ -4,7 +4,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <stop_token>
 
-#include "api/codec/scenario_inputs.hpp"
+#include "api/codec/inputs/scenario_inputs.hpp"
 #include "engine/core/progress.hpp"
 
 namespace floeplan::jobs {

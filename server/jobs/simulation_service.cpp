@@ -8,11 +8,11 @@
 #include <utility>
 #include <vector>
 
-#include "api/codec/document_values.hpp"
-#include "api/codec/flight_document.hpp"
-#include "api/codec/plan_document.hpp"
-#include "api/codec/plan_inputs.hpp"
-#include "api/codec/sha256.hpp"
+#include "api/codec/bytes/document_values.hpp"
+#include "api/codec/bytes/sha256.hpp"
+#include "api/codec/documents/flight_document.hpp"
+#include "api/codec/documents/plan_document.hpp"
+#include "api/codec/inputs/plan_inputs.hpp"
 #include "engine/core/random.hpp"
 #include "engine/core/utc_text.hpp"
 #include "engine/core/version.hpp"

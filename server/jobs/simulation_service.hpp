@@ -5,7 +5,7 @@
 #include <stop_token>
 #include <tl/expected.hpp>
 
-#include "api/codec/simulate_inputs.hpp"
+#include "api/codec/inputs/simulate_inputs.hpp"
 #include "engine/core/progress.hpp"
 #include "engine/core/units.hpp"
 #include "engine/core/violation.hpp"

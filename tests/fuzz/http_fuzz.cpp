@@ -4,8 +4,8 @@
 #include <string>
 #include <string_view>
 
-#include "api/codec/credential.hpp"
-#include "api/codec/multipart.hpp"
+#include "api/codec/bytes/credential.hpp"
+#include "api/codec/bytes/multipart.hpp"
 #include "api/routes/message.hpp"
 #include "api/routes/preferences.hpp"
 #include "api/routes/shown_credential.hpp"

@@ -4,11 +4,11 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
-#include "api/codec/ingest_inputs.hpp"
-#include "api/codec/json_text.hpp"
-#include "api/codec/plan_inputs.hpp"
-#include "api/codec/reach_inputs.hpp"
-#include "api/codec/simulate_inputs.hpp"
+#include "api/codec/bytes/json_text.hpp"
+#include "api/codec/inputs/ingest_inputs.hpp"
+#include "api/codec/inputs/plan_inputs.hpp"
+#include "api/codec/inputs/reach_inputs.hpp"
+#include "api/codec/inputs/simulate_inputs.hpp"
 
 namespace {
 

@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "api/codec/route_file.hpp"
+#include "api/codec/route_files/route_file.hpp"
 
 namespace {
 

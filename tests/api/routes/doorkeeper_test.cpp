@@ -1,6 +1,6 @@
 #include "api/routes/doorkeeper.hpp"
 
-#include "api/codec/credential.hpp"
+#include "api/codec/bytes/credential.hpp"
 #include "storage/repository/access/audit_repository.hpp"
 #include "tests/api/routes/api_fixture.hpp"
 

@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "api/codec/wkt.hpp"
+#include "api/codec/bytes/wkt.hpp"
 #include "storage/repository/datasets/dataset_repository.hpp"
 #include "storage/repository/fields/field_repository.hpp"
 #include "tests/api/routes/api_fixture.hpp"

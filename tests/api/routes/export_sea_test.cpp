@@ -1,6 +1,6 @@
 #include "api/routes/export_sea.hpp"
 
-#include "api/codec/plan_document.hpp"
+#include "api/codec/documents/plan_document.hpp"
 #include "storage/repository/datasets/dataset_repository.hpp"
 #include "storage/repository/fields/field_repository.hpp"
 #include "tests/api/routes/api_fixture.hpp"

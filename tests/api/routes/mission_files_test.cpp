@@ -1,4 +1,4 @@
-#include "api/codec/plan_document.hpp"
+#include "api/codec/documents/plan_document.hpp"
 #include "api/routes/plan_exports.hpp"
 #include "engine/core/utc_text.hpp"
 #include "storage/repository/work/plan_repository.hpp"

@@ -9,7 +9,7 @@
 #include <iterator>
 #include <thread>
 
-#include "api/codec/sha256.hpp"
+#include "api/codec/bytes/sha256.hpp"
 #include "server/http/server.hpp"
 #include "tests/support/temporary_folder.hpp"
 

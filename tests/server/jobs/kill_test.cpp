@@ -7,7 +7,7 @@
 #include <csignal>
 #include <fstream>
 
-#include "api/codec/sha256.hpp"
+#include "api/codec/bytes/sha256.hpp"
 #include "server/jobs/job_board.hpp"
 #include "storage/repository/datasets/dataset_repository.hpp"
 #include "storage/repository/store/migrations.hpp"

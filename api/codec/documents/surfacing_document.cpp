@@ -1,0 +1,127 @@
+#include "api/codec/documents/surfacing_document.hpp"
+
+#include <stdexcept>
+
+#include "api/codec/bytes/document_values.hpp"
+#include "engine/core/utc_text.hpp"
+#include "engine/planning/problem/objective.hpp"
+#include "storage/json/json.hpp"
+
+namespace floeplan::codec {
+namespace {
+
+using nlohmann::json;
+
+json position(geo::LonLat place) {
+  return json::array({document_degrees(place.lon_deg), document_degrees(place.lat_deg)});
+}
+
+json escape_json(const planning::EscapeWay& escape, std::size_t waypoint) {
+  json way = json::array();
+  for (const geo::LonLat place : escape.way) way.push_back(position(place));
+  json propulsion = json::array();
+  for (const vehicle::Drive drive : escape.drives) propulsion.push_back(planning::drive_name(drive));
+  return {{"waypoint", waypoint},
+          {"to", position(escape.way.back())},
+          {"course_deg", escape.course_deg ? json(*escape.course_deg) : json()},
+          {"distance_m", escape.distance.value},
+          {"time_s", escape.time.count()},
+          {"energy_j", escape.energy.value},
+          {"way", std::move(way)},
+          {"propulsion", std::move(propulsion)}};
+}
+
+planning::EscapeWay parse_escape(const json& object) {
+  planning::EscapeWay escape;
+  for (const json& place : object.at("way"))
+    escape.way.push_back({place.at(0).get<double>(), place.at(1).get<double>()});
+  for (const json& name : object.value("propulsion", json::array())) {
+    const auto drive = planning::parse_drive(name.get<std::string>());
+    if (!drive) throw std::runtime_error{"a stored escape has a leg with an unknown propulsion"};
+    escape.drives.push_back(*drive);
+  }
+  if (!object.at("course_deg").is_null()) escape.course_deg = object.at("course_deg").get<double>();
+  escape.distance = {object.at("distance_m").get<double>()};
+  escape.time = core::Seconds{object.at("time_s").get<double>()};
+  escape.energy = {object.value("energy_j", 0.0)};  // plans of before it was counted have none
+  return escape;
+}
+
+/// What plans stored by older versions do not have.
+std::optional<core::Metres> later_metres(const json& waypoint, const char* key) {
+  const json metres = waypoint.value(key, json());
+  return metres.is_null() ? std::nullopt : std::optional{core::Metres{metres.get<double>()}};
+}
+
+planning::PlannedSurfacing parse_planned(const json& object) {
+  return {.place = {object.at("lon").get<double>(), object.at("lat").get<double>()},
+          .time = stored_time(object, "time"),
+          .position_error = {object.at("position_error_m").get<double>()},
+          .nearest_ice = later_metres(object, "nearest_ice_m")};
+}
+
+json metres_or_null(const std::optional<core::Metres>& metres) {
+  return metres ? json(metres->value) : json();
+}
+
+planning::SurfacingState parse_state(const json& waypoint) {
+  return {.may_surface = waypoint.at("may_surface").get<bool>(),
+          .since_surfacing = core::Seconds{waypoint.at("since_last_surfacing_s").get<double>()},
+          .position_error = {waypoint.at("position_error_m").get<double>()},
+          .least_upper_turn = {waypoint.at("least_upper_turn_m").get<double>()},
+          .leg_upper_turn = later_metres(waypoint, "leg_upper_turn_m"),
+          .ice_free_before = later_metres(waypoint, "ice_free_before_m"),
+          .error_without_fix = later_metres(waypoint, "error_without_fix_m"),
+          .nearest_ice = later_metres(waypoint, "nearest_ice_m")};
+}
+
+}  // namespace
+
+bool is_leg_below_ice(const std::optional<planning::SurfacingPlan>& plan, std::size_t waypoint) {
+  return plan && plan->waypoints.at(waypoint).leg_upper_turn.value_or(core::Metres{0.0}).value > 0.0;
+}
+
+void add_surfacing_state(const std::optional<planning::SurfacingPlan>& plan, std::size_t waypoint,
+                         json& object) {
+  const auto* state = plan ? &plan->waypoints.at(waypoint) : nullptr;
+  object["may_surface"] = state != nullptr ? json(state->may_surface) : json();
+  object["since_last_surfacing_s"] = state != nullptr ? json(state->since_surfacing.count()) : json();
+  object["position_error_m"] = state != nullptr ? json(state->position_error.value) : json();
+  object["least_upper_turn_m"] = state != nullptr ? json(state->least_upper_turn.value) : json();
+  object["leg_upper_turn_m"] = state != nullptr ? metres_or_null(state->leg_upper_turn) : json();
+  object["ice_free_before_m"] = state != nullptr ? metres_or_null(state->ice_free_before) : json();
+  object["nearest_ice_m"] = state != nullptr ? metres_or_null(state->nearest_ice) : json();
+  object["error_without_fix_m"] = state != nullptr ? metres_or_null(state->error_without_fix) : json();
+}
+
+json surfacing_json(const std::optional<planning::SurfacingPlan>& plan) {
+  if (!plan) return nullptr;
+  json surfacings = json::array();
+  for (const auto& surfacing : plan->surfacings) {
+    surfacings.push_back({{"lon", document_degrees(surfacing.place.lon_deg)},
+                          {"lat", document_degrees(surfacing.place.lat_deg)},
+                          {"time", core::iso8601(surfacing.time)},
+                          {"position_error_m", surfacing.position_error.value},
+                          {"nearest_ice_m", metres_or_null(surfacing.nearest_ice)}});
+  }
+  json escapes = json::array();
+  for (const auto& escape : plan->escapes) escapes.push_back(escape_json(escape, escapes.size()));
+  return {{"longest_without_surfacing_s", plan->longest_without.count()},
+          {"unknown_ice_m", plan->unknown_ice.value},
+          {"planned", std::move(surfacings)},
+          {"escapes", std::move(escapes)}};
+}
+
+std::optional<planning::SurfacingPlan> parse_surfacing(const json& document) {
+  const auto found = document.find("surfacing");
+  if (found == document.end() || found->is_null()) return std::nullopt;
+  planning::SurfacingPlan plan;
+  plan.longest_without = core::Seconds{found->at("longest_without_surfacing_s").get<double>()};
+  plan.unknown_ice = {found->at("unknown_ice_m").get<double>()};
+  for (const json& waypoint : document.at("waypoints")) plan.waypoints.push_back(parse_state(waypoint));
+  for (const json& surfacing : found->at("planned")) plan.surfacings.push_back(parse_planned(surfacing));
+  for (const json& escape : found->at("escapes")) plan.escapes.push_back(parse_escape(escape));
+  return plan;
+}
+
+}  // namespace floeplan::codec

@@ -1,0 +1,163 @@
+#include "api/codec/exports/plan_brief.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <iterator>
+#include <utility>
+
+#include "api/codec/bytes/bare_value.hpp"
+#include "api/codec/bytes/document_values.hpp"
+#include "api/codec/bytes/xml_text.hpp"
+#include "api/codec/documents/surfacing_document.hpp"
+#include "engine/core/utc_text.hpp"
+#include "engine/messages/sentence.hpp"
+
+namespace floeplan::codec {
+namespace {
+
+/// "69 10.245 N": whole degrees and decimal minutes, rounded once.
+std::string degrees_minutes(double degrees, char positive, char negative) {
+  const auto thousandths = static_cast<long>(std::llround(std::abs(degrees) * 60'000.0));
+  std::array<char, 40> text{};
+  std::snprintf(text.data(), text.size(), "%ld %06.3f %c", thousandths / 60'000,
+                static_cast<double>(thousandths % 60'000) / 1000.0, degrees < 0.0 ? negative : positive);
+  return text.data();
+}
+
+std::string number(std::optional<double> value, int decimals, double factor = 1.0) {
+  if (!value) return "-";
+  std::array<char, 64> text{};
+  std::snprintf(text.data(), text.size(), "%.*f", decimals, *value * factor);
+  return text.data();
+}
+
+constexpr const char* style =
+    "@page{size:A4;margin:12mm}body{font:10pt sans-serif;color:#111;max-width:190mm;margin:auto}"
+    "h1{font-size:16pt;margin:0 0 2mm}p,ul{margin:1mm 0}svg{width:100%;height:auto;border:1px solid #888}"
+    "table{border-collapse:collapse;width:100%;margin-top:2mm}th,td{border-bottom:1px solid "
+    "#ccc;padding:.4mm 1mm;"
+    "text-align:right;font-size:9pt}.sea{fill:#eef4f8}.land{fill:#d9d2c0;stroke:#8a8170;stroke-width:.6}"
+    ".grid{stroke:#b8c6d0;stroke-width:.5;fill:none}.ice{fill:#fff;stroke:#0a6ea8;stroke-width:1}"
+    ".route{fill:none;stroke:#c2410c;stroke-width:2}.below{fill:none;stroke:#fff;stroke-width:2;stroke-"
+    "dasharray:4 "
+    "4}.surfacing{fill:#fff;stroke:#117733;stroke-width:2}.scale{stroke:#111;stroke-width:2}.small{font:9px "
+    "sans-serif;"
+    "fill:#456}.number{font:bold 11px sans-serif;fill:#7c2d12}.warn{border:1px solid #c2410c;padding:1mm 2mm}"
+    ".caption{font-size:8pt;color:#456}.hash{font-family:monospace;font-size:8pt}";
+
+std::string table(const planning::Plan& plan) {
+  std::string text =
+      "<table><thead><tr><th>no.</th><th>latitude</th><th>longitude</th><th>ETA (UTC)</th><th>leg km</th>"
+      "<th>course</th><th>m/s</th><th>depth m</th><th>may surface</th><th>turn m</th></tr></thead><tbody>\n";
+  for (const auto& row : brief_rows(plan)) {
+    text += "<tr>";
+    for (const std::string& cell : row) text += "<td>" + xml_text(cell) + "</td>";
+    text += "</tr>\n";
+  }
+  return text + "</tbody></table>\n";
+}
+
+/// Of a waypoint; "-" where nothing is known of ice.
+std::string may_surface(const planning::Plan& plan, std::size_t waypoint) {
+  if (!plan.surfacing) return "-";
+  return plan.surfacing->waypoints.at(waypoint).may_surface ? "yes" : "no";
+}
+
+/// How deep the dives on the leg to a waypoint must turn, rounded down the water.
+std::string leg_turn(const planning::Plan& plan, std::size_t waypoint) {
+  const auto turn = plan.surfacing ? plan.surfacing->waypoints.at(waypoint).leg_upper_turn : std::nullopt;
+  return turn ? number(std::ceil(turn->value), 0) : "-";
+}
+
+/// What ice means to the plan; empty where nothing is known of ice.
+std::vector<std::string> ice_facts(const planning::Plan& plan) {
+  if (!plan.surfacing) return {};
+  double below_m = 0.0;
+  for (std::size_t i = 1; i < plan.waypoints.size(); ++i) {
+    if (is_leg_below_ice(plan.surfacing, i)) below_m += bare(plan.waypoints[i].leg_length).value_or(0.0);
+  }
+  return {"Legs below ice: " + number(below_m, 1, 1e-3) + " km. Longest time without a place to surface: " +
+          number(plan.surfacing->longest_without.count() / 3600.0, 1) +
+          " h. Sea ice unknown: " + number(plan.surfacing->unknown_ice.value, 1, 1e-3) +
+          " km. Planned surfacings: " + std::to_string(plan.surfacing->surfacings.size()) + "."};
+}
+
+std::string list(const std::string& title, const std::vector<std::string>& sentences,
+                 const char* style_class) {
+  if (sentences.empty()) return "";
+  std::string text = "<div class=\"" + std::string{style_class} + "\"><b>" + title + "</b><ul>\n";
+  for (const std::string& sentence : sentences) text += "<li>" + xml_text(sentence) + "</li>\n";
+  return text + "</ul></div>\n";
+}
+
+}  // namespace
+
+std::vector<std::vector<std::string>> brief_rows(const planning::Plan& plan) {
+  std::vector<std::vector<std::string>> rows;
+  rows.reserve(plan.waypoints.size());
+  for (const planning::Waypoint& waypoint : plan.waypoints) {
+    rows.push_back({waypoint_label(rows.size()), degrees_minutes(waypoint.place.lat_deg, 'N', 'S'),
+                    degrees_minutes(geo::wrap_longitude(waypoint.place.lon_deg), 'E', 'W'),
+                    core::iso8601(waypoint.eta), number(bare(waypoint.leg_length), 2, 1e-3),
+                    number(waypoint.course_deg, 1), number(bare(waypoint.speed_over_ground), 3),
+                    number(bare(waypoint.depth), 0), may_surface(plan, rows.size()),
+                    leg_turn(plan, rows.size())});
+  }
+  return rows;
+}
+
+std::vector<std::string> brief_facts(const planning::Plan& plan) {
+  std::vector<std::string> facts{
+      "Vehicle " + plan.vehicle + ". Departure " + core::iso8601(plan.departure) + ", arrival " +
+          core::iso8601(plan.arrival) + ": " + number(plan.travel_time().count() / 3600.0, 1) + " h, " +
+          number(plan.distance.value / 1000.0, 1) + " km.",
+      "Clear of icebergs by " + number(bare(plan.clearances.iceberg), 0) + " m, of land by " +
+          number(bare(plan.clearances.land), 0) + " m, of the bottom by " +
+          number(bare(plan.clearances.bottom), 0) + " m (- : not known)."};
+  std::ranges::move(ice_facts(plan), std::back_inserter(facts));
+  return facts;
+}
+
+std::string brief_origin(const BriefNotes& notes) {
+  const std::string plan = notes.name.empty() ? "" : "Plan " + notes.plan_id + ". ";  // else the title has it
+  return plan + "Printed " + core::iso8601(notes.generated) + " by Floeplan.";
+}
+
+std::string brief_caption(const MapPicture& picture) {
+  std::string caption = "The route and its waypoints by number; north is up.";
+  if (!picture.below_ice.empty()) caption += " Dashed: legs below ice.";
+  if (!picture.surfacings.empty()) caption += " Green rings: planned surfacings.";
+  if (picture.icebergs.empty()) return caption;
+  return caption +
+         " Circles: icebergs where they were last seen before the departure. They drift; the clearances are "
+         "from where they are expected when the vehicle passes.";
+}
+
+std::vector<std::string> brief_warnings(const planning::Plan& plan, const BriefNotes& notes) {
+  std::vector<messages::Message> told = notes.messages;
+  told.insert(told.end(), plan.messages.begin(), plan.messages.end());
+  std::vector<std::string> warnings;
+  for (std::string& warning : messages::sentences(messages::by_rank(std::move(told))))
+    if (std::ranges::find(warnings, warning) == warnings.end()) warnings.push_back(std::move(warning));
+  return warnings;
+}
+
+std::string plan_brief_html(const planning::Plan& plan, const MapPicture& picture, const BriefNotes& notes) {
+  const std::string title = xml_text(notes.name.empty() ? "Plan " + notes.plan_id : notes.name);
+  std::string text = "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>" + title +
+                     "</title><style>" + style + "</style></head><body>\n<h1>" + title + "</h1>\n<p>" +
+                     xml_text(brief_origin(notes)) + "</p>\n";
+  for (const std::string& fact : brief_facts(plan)) text += "<p>" + xml_text(fact) + "</p>\n";
+  text += svg(picture) + "<p class=\"caption\">" + xml_text(brief_caption(picture)) + "</p>\n" + table(plan);
+  text += list("Warnings", brief_warnings(plan, notes), "warn");
+  std::vector<std::string> data;
+  data.reserve(plan.datasets.size());
+  for (const auto& dataset : plan.datasets)
+    data.push_back(dataset.kind + ": " + dataset.name + " (" + dataset.id + "), sha256 " + dataset.sha256);
+  text += list("Data", data, "hash");
+  return text + "<p>No exported file has been tried on a vehicle. Check it before use.</p>\n</body></html>\n";
+}
+
+}  // namespace floeplan::codec

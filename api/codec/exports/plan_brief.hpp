@@ -1,0 +1,36 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "api/codec/exports/map_picture.hpp"
+#include "engine/messages/message.hpp"
+#include "engine/planning/problem/plan.hpp"
+
+namespace floeplan::codec {
+
+/// What a printed page says besides the plan.
+struct BriefNotes {
+  std::string plan_id;
+  std::string name;
+  core::UtcTime generated{};
+  std::vector<messages::Message> messages;  // of the export; the plan's own are added
+};
+
+/// A page for the pilot's desk: picture, times, waypoints in degrees and minutes, data with their hashes, warnings.
+/// One HTML file that needs nothing else, made to be printed. UTF-8; no script.
+[[nodiscard]] std::string plan_brief_html(const planning::Plan& plan, const MapPicture& picture,
+                                          const BriefNotes& notes);
+
+/// The rows of the brief's table, as text: number, latitude, longitude, ETA, leg, course, speed, depth.
+[[nodiscard]] std::vector<std::vector<std::string>> brief_rows(const planning::Plan& plan);
+/// Which plan the page is of, and when it was made.
+[[nodiscard]] std::string brief_origin(const BriefNotes& notes);
+/// What the map shows, as a line below it.
+[[nodiscard]] std::string brief_caption(const MapPicture& picture);
+/// The sentences above the table: vehicle, times, distance, clearances.
+[[nodiscard]] std::vector<std::string> brief_facts(const planning::Plan& plan);
+/// The messages of the export and of the plan as sentences, each once, the gravest first.
+[[nodiscard]] std::vector<std::string> brief_warnings(const planning::Plan& plan, const BriefNotes& notes);
+
+}  // namespace floeplan::codec

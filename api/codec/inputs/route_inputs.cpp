@@ -1,0 +1,149 @@
+#include "api/codec/inputs/route_inputs.hpp"
+
+#include "api/codec/route_files/route_choice.hpp"
+#include "api/codec/route_files/route_formats.hpp"
+#include "engine/geo/geodesic.hpp"
+
+namespace floeplan::codec {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::size_t most_named = 20;  // repeated places that a warning names
+constexpr double same_place_m = 1.0;    // shorter legs are none to the planner
+constexpr double longest_leg_m = 5e6;   // longer ones it does not take
+
+/// Where a route stands in its request, and how one place of it is named there.
+struct Origin {
+  std::string pointer;
+  bool is_json{true};  // else a file, whose places are counted
+
+  [[nodiscard]] std::string rule_pointer(std::size_t place) const {
+    return is_json ? pointer + "/" + std::to_string(place) : pointer;
+  }
+};
+
+std::string place_text(std::size_t place) { return "place " + std::to_string(place); }
+
+/// Takes each run of the same place once, and notes legs that are too long. Places count from 0 as they were given.
+void settle(InputReader& reader, const Origin& origin, GivenRoute& route) {
+  std::vector<geo::LonLat> kept;
+  std::string repeated;
+  std::size_t repeats = 0;
+  for (std::size_t i = 0; i < route.places.size(); ++i) {
+    const double leg_m =
+        kept.empty() ? longest_leg_m : geo::geodesic_between(kept.back(), route.places[i]).length.value;
+    if (leg_m < same_place_m) {
+      if (++repeats <= most_named) repeated += (repeated.empty() ? "" : ", ") + std::to_string(i);
+      continue;
+    }
+    if (leg_m > longest_leg_m)
+      reader.refuse(
+          origin.rule_pointer(i),
+          place_text(i) + " is more than 5000 km from the place before it; are the coordinates right?");
+    kept.push_back(route.places[i]);
+  }
+  if (kept.size() < 2) {
+    reader.refuse(origin.pointer, "must hold two different places at least");
+  } else if (repeats > 0) {
+    route.warnings.push_back((repeats == 1 ? "place " : "places ") + repeated +
+                             (repeats > most_named ? " and more" : "") +
+                             " of the route, counted from 0: within 1 m of the place before, taken once");
+  }
+  route.places = std::move(kept);
+}
+
+/// A file that came with a request as {"name": ..., "text": ...}; nothing where it cannot be read, and what is wrong is
+/// noted.
+std::optional<RouteFile> read_file_member(InputReader& reader, const std::string& key,
+                                          std::optional<geo::LonLat> from) {
+  const json* file = reader.member(key);
+  if (file == nullptr) return std::nullopt;
+  const auto text_at = [&](const char* name) {
+    return file->is_object() && file->contains(name) && (*file)[name].is_string();
+  };
+  if (!text_at("name") || !text_at("text") || file->size() != 2) {
+    reader.refuse("/" + key, "must be an object of a file's \"name\" and its \"text\"");
+    return std::nullopt;
+  }
+  const auto wanted = reader.text("route_name");
+  auto read = read_route_file((*file)["name"].get<std::string>(),
+                              (*file)["text"].get_ref<const std::string&>(), wanted, from);
+  if (read) return std::move(*read);
+  for (const core::Violation& violation : read.error()) {
+    reader.refuse("/" + key, violation.field + ": " + violation.rule);
+  }
+  return std::nullopt;
+}
+
+/// A file that we wrote begins at the start, a vehicle's own list does not: the start is there once.
+void begin_at(geo::LonLat start, std::vector<geo::LonLat>& places) {
+  const bool is_there =
+      !places.empty() && geo::geodesic_between(start, places.front()).length.value < same_place_m;
+  if (is_there) {
+    places.front() = start;
+  } else {
+    places.insert(places.begin(), start);
+  }
+}
+
+/// A bare array of positions.
+GivenRoute read_positions(InputReader& reader, const json& route) {
+  auto places = reader.places(route, "/route", 2, max_places);
+  if (!places) return {};
+  GivenRoute given{std::move(*places), {}, {}};
+  settle(reader, {"/route"}, given);
+  return given;
+}
+
+/// The route that a GeoJSON object holds.
+GivenRoute read_geojson_route(InputReader& reader, const json& route) {
+  const auto wanted = reader.text("route_name");
+  const std::size_t faults_before = reader.violations().size();
+  FileRoutes all = geojson_routes(reader, route, "/route");
+  if (reader.violations().size() != faults_before) return {};
+  auto chosen = choose_route(std::move(all), wanted);
+  if (!chosen) {
+    for (const core::Violation& violation : chosen.error()) reader.refuse("/route", violation.rule);
+    return {};
+  }
+  GivenRoute given{std::move(chosen->places), {}, std::move(chosen->warnings)};
+  settle(reader, {"/route", false}, given);
+  return given;
+}
+
+}  // namespace
+
+GivenRoute read_file_route(InputReader& reader, const std::string& key) {
+  const auto from = reader.place("from");
+  auto file = read_file_member(reader, key, from);
+  if (!file) return {};
+  if (from) begin_at(*from, file->places);
+  GivenRoute route{std::move(file->places), {}, std::move(file->warnings)};
+  if (route.places.size() < 2) {
+    std::string rule = "must hold two places at least, or one and \"from\"";
+    for (const std::string& warning : route.warnings) rule += "; " + warning;
+    reader.refuse("/" + key, std::move(rule));
+    return {};
+  }
+  settle(reader, {"/" + key, false}, route);
+  return route;
+}
+
+GivenRoute read_route(InputReader& reader) {
+  const json* route = reader.member("route");
+  GivenRoute given;
+  given.plan_id = reader.text("plan_id");
+  const bool from_file = reader.member("route_file") != nullptr;
+  if ((route != nullptr) + (reader.member("plan_id") != nullptr) + from_file != 1) {
+    reader.refuse("/route", "is required, or \"plan_id\" or \"route_file\" instead; give one of them");
+    return given;
+  }
+  if (from_file) return read_file_route(reader, "route_file");
+  if (route != nullptr && route->is_object()) return read_geojson_route(reader, *route);
+  if (reader.member("route_name") != nullptr)
+    reader.refuse("/route_name", "chooses among the routes of a file or of GeoJSON, which is not given");
+  return route == nullptr ? given : read_positions(reader, *route);
+}
+
+}  // namespace floeplan::codec

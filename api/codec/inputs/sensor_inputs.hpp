@@ -1,0 +1,23 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "api/codec/reading/input_reader.hpp"
+#include "engine/simulation/adcp_settings.hpp"
+#include "engine/simulation/altimeter.hpp"
+#include "engine/simulation/sonar_settings.hpp"
+
+namespace floeplan::codec {
+
+/// Settings of simulated sensors: the member `key` of the inputs is an object with those that differ from the defaults.
+/// Angles are in degrees, everything else in the units of its name.
+[[nodiscard]] simulation::SonarSettings read_sonar(InputReader& reader, const std::string& key);
+[[nodiscard]] simulation::AltimeterSettings read_altimeter(InputReader& reader, const std::string& key);
+[[nodiscard]] simulation::AdcpSettings read_adcp(InputReader& reader, const std::string& key);
+
+/// All of them, written out.
+[[nodiscard]] nlohmann::json sonar_json(const simulation::SonarSettings& settings);
+[[nodiscard]] nlohmann::json altimeter_json(const simulation::AltimeterSettings& settings);
+[[nodiscard]] nlohmann::json adcp_json(const simulation::AdcpSettings& settings);
+
+}  // namespace floeplan::codec

@@ -1,0 +1,91 @@
+#include "api/codec/inputs/uncertainty_inputs.hpp"
+
+#include "api/codec/reading/input_fields.hpp"
+#include "api/fields/request_fields.hpp"
+#include "engine/core/utc_text.hpp"
+#include "storage/json/json.hpp"
+
+namespace floeplan::codec {
+namespace {
+
+using nlohmann::json;
+using planning::RobustObjective;
+
+std::optional<std::string> objective_name(RobustObjective objective) {
+  switch (objective) {
+    case RobustObjective::none: return std::nullopt;
+    case RobustObjective::mean: return "mean";
+    case RobustObjective::quantile: return "quantile";
+  }
+  return std::nullopt;
+}
+
+json seconds_json(const std::optional<core::Seconds>& time) { return time ? json(time->count()) : json(); }
+
+void read_error_model(InputReader& members, planning::UncertaintyRules& rules) {
+  read_fields(members, fields::error_model_fields(), rules);
+  const bool tells_errors = members.member("current_error_m_s") != nullptr ||
+                            members.member("length_scale_m") != nullptr ||
+                            members.member("time_scale_s") != nullptr || members.member("seed") != nullptr;
+  if (tells_errors && members.member("members") == nullptr)
+    members.refuse("/uncertainty/members", "is required with an error model: how many to draw, 2 to 64");
+  if (members.member("members") != nullptr) {
+    members.require("current_error_m_s",
+                    "is required with \"members\": the standard deviation of each component's error, m/s");
+    members.require("length_scale_m",
+                    "is required with \"members\": the correlation length of the error, metres");
+    members.require("time_scale_s",
+                    "is required with \"members\": the correlation time of the error, seconds");
+  }
+}
+
+}  // namespace
+
+planning::UncertaintyRules read_uncertainty(InputReader& reader) {
+  planning::UncertaintyRules rules;
+  const json* value = reader.member("uncertainty");
+  if (value == nullptr) return rules;
+  InputReader members{*value, "/uncertainty"};
+  read_error_model(members, rules);
+  read_fields(members, fields::robustness_fields(), rules);
+  // What plans of older versions say of their inputs names it beside any objective, null included.
+  if (members.member("quantile") != nullptr && !value->contains("objective") &&
+      !members.refused("/uncertainty/quantile"))
+    members.refuse_member("quantile", "counts with the objective \"quantile\" only: ask for that, too");
+  members.refuse_unknown();
+  reader.refuse_all("", members.violations());
+  return rules;
+}
+
+json uncertainty_json(const planning::UncertaintyRules& rules) {
+  const bool drawn = rules.drawn_members > 0;
+  if (!drawn && rules.objective == RobustObjective::none && !rules.arrive_before) return nullptr;
+  json result;
+  write_fields(fields::robustness_fields(), rules, result);
+  if (rules.objective != RobustObjective::quantile) result["quantile"] = nullptr;
+  if (drawn) write_fields(fields::error_model_fields(), rules, result);
+  return result;
+}
+
+json uncertainty_document(const planning::UncertaintyReport& report) {
+  const planning::ArrivalSpread& spread = report.spread;
+  json members = json::array();
+  for (const auto& time : spread.travel_times()) members.push_back(seconds_json(time));
+  const auto objective = objective_name(report.objective);
+  return {{"members", spread.travel_times().size()},
+          {"arrived", spread.arrived()},
+          {"mean_s", seconds_json(spread.mean())},
+          {"standard_deviation_s", seconds_json(spread.standard_deviation())},
+          {"quantiles_s",
+           {{"p10", seconds_json(spread.quantile(0.1))},
+            {"p50", seconds_json(spread.quantile(0.5))},
+            {"p90", seconds_json(spread.quantile(0.9))}}},
+          {"objective", objective ? json(*objective) : json()},
+          {"quantile", report.objective == RobustObjective::quantile ? json(report.quantile) : json()},
+          {"candidates", report.candidates},
+          {"arrive_before", report.arrive_before ? json(core::iso8601(*report.arrive_before)) : json()},
+          {"chance", report.chance ? json(*report.chance) : json()},
+          {"travel_times_s", std::move(members)}};
+}
+
+}  // namespace floeplan::codec

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "api/codec/reading/input_reader.hpp"
+#include "engine/planning/problem/uncertainty_report.hpp"
+#include "engine/planning/problem/uncertainty_rules.hpp"
+
+namespace floeplan::codec {
+
+/// The member `uncertainty`: an error model of the currents (members, current_error_m_s, length_scale_m, time_scale_s,
+/// seed), what to make the best of (objective "mean" or "quantile", quantile), and arrive_before. With several
+/// currents given, these are the members and no error is drawn.
+[[nodiscard]] planning::UncertaintyRules read_uncertainty(InputReader& reader);
+/// Null when nothing was asked for.
+[[nodiscard]] nlohmann::json uncertainty_json(const planning::UncertaintyRules& rules);
+/// The result's member `uncertainty`.
+[[nodiscard]] nlohmann::json uncertainty_document(const planning::UncertaintyReport& report);
+
+}  // namespace floeplan::codec

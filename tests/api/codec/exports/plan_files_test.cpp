@@ -1,0 +1,428 @@
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+
+#include "api/codec/documents/plan_document.hpp"
+#include "api/codec/exports/plan_brief.hpp"
+#include "api/codec/exports/plan_brief_pdf.hpp"
+#include "api/codec/exports/plan_csv.hpp"
+#include "api/codec/exports/plan_geojson.hpp"
+#include "api/codec/exports/plan_gpx.hpp"
+#include "api/codec/exports/plan_kml.hpp"
+#include "api/codec/route_files/route_file.hpp"
+#include "engine/core/utc_text.hpp"
+#include "engine/messages/data_messages.hpp"
+#include "engine/messages/plan_messages.hpp"
+#include "engine/mission/nmea_route.hpp"
+#include "tests/support/property.hpp"
+
+namespace floeplan::codec::plan_files_test {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+using testing::Not;
+
+planning::Plan two_legs() {
+  planning::Plan plan;
+  plan.vehicle = "slocum-g3-200";
+  plan.departure = core::parse_iso8601("2026-11-20T06:00:00Z").value();
+  plan.arrival = plan.departure + core::Seconds{7200.0};
+  plan.waypoints.resize(2);
+  plan.waypoints[0].place = {-53.25, 69.2};
+  plan.waypoints[0].eta = plan.departure;
+  plan.waypoints[1] = {.place = {-53.0, 69.125},
+                       .eta = plan.arrival,
+                       .leg_length = core::Metres{12932.04},
+                       .course_deg = 130.126,
+                       .speed_over_ground = core::MetresPerSecond{0.35},
+                       .depth = core::Metres{231.5},
+                       .iceberg_encounters = std::nullopt};
+  return plan;
+}
+
+TEST(PlanDocument, KeepsWhatTheSearchSawOpenTooLate) {
+  planning::Plan plan = two_legs();
+  plan.search.fifo_violations = 3;
+  plan.search.worst_fifo_violation = planning::LateOpening{.place = {-53.1, 69.15},
+                                                           .refused = plan.departure,
+                                                           .opens = plan.arrival,
+                                                           .gain = core::Seconds{5400.0}};
+
+  const json document = plan_document(plan, "p-01", "");
+  const planning::Plan read = parse_plan_document(document);
+
+  EXPECT_EQ(document.at("search").at("worst_fifo_violation").at("opens"), "2026-11-20T08:00:00Z");
+  EXPECT_EQ(read.search.fifo_violations, 3);
+  EXPECT_EQ(plan_document(read, "p-01", ""), document);
+}
+
+TEST(PlanDocument, KeepsItsMessagesAndTellsTheGravestFirst) {
+  planning::Plan plan = two_legs();
+  plan.messages = {messages::plan_message<"search-cut-short">(),
+                   messages::plan_message<"surfacings-near-ice">(2, 4, plan.departure, 1.25, 2.5),
+                   messages::plan_message<"goal-under-ice">().at({-53.0, 69.125})};
+
+  const json document = plan_document(plan, "p-01", "");
+
+  const json& danger = document.at("messages").at(0);
+  EXPECT_EQ(danger.at("code"), "goal-under-ice");
+  EXPECT_EQ(danger.at("rank"), "danger");
+  EXPECT_EQ(danger.at("place"), (json{{"lon", -53.0}, {"lat", 69.125}}));
+  const json& caution = document.at("messages").at(1);
+  EXPECT_EQ(caution.at("values"), (json{{"near", 2},
+                                        {"surfacings", 4},
+                                        {"first", "2026-11-20T06:00:00Z"},
+                                        {"ice_km", 1.25},
+                                        {"error_km", 2.5}}));
+  EXPECT_TRUE(caution.at("place").is_null());
+  EXPECT_EQ(document.at("messages").at(2).at("rank"), "note");
+  for (std::size_t i = 1; i < 3; ++i)
+    EXPECT_EQ(document.at("warnings").at(i), document.at("messages").at(i).at("text"));
+  EXPECT_EQ(document.at("dangers"), json::array({document.at("warnings").at(0)}));
+  EXPECT_EQ(plan_document(parse_plan_document(document), "p-01", ""), document);
+}
+
+TEST(PlanDocument, OfAnEarlierVersionHasItsWarningsByTheirRank) {
+  json document = plan_document(two_legs(), "p-01", "");
+  document.erase("messages");
+  document["warnings"] = {"Danger: the goal lies under ice", "ice is held"};
+
+  const planning::Plan plan = parse_plan_document(document);
+
+  ASSERT_EQ(plan.messages.size(), 2U);
+  EXPECT_EQ(plan.messages[0].rank, messages::Rank::danger);
+  EXPECT_EQ(plan.messages[0].text, "the goal lies under ice");
+  EXPECT_EQ(plan.messages[1].rank, messages::Rank::caution);
+  EXPECT_EQ(plan_document(plan, "p-01", "").at("warnings"), document.at("warnings"));
+}
+
+TEST(PlanIdentity, IsThatOfTheInputsAndThePlanNotOfItsWords) {
+  const json inputs{{"from", {-53.25, 69.2}}};
+  planning::Plan plan = two_legs();
+  plan.messages = {messages::plan_message<"goal-under-ice">()};
+  const std::string id = plan_identity(inputs, plan);
+
+  planning::Plan in_other_words = plan;
+  in_other_words.messages[0].text = "no open water at the goal";
+  in_other_words.optimality_gap_reason = "nobody asked";
+  in_other_words.search.duration = core::Seconds{12.0};
+  EXPECT_EQ(plan_identity(inputs, in_other_words), id);
+
+  planning::Plan with_another_danger = plan;
+  with_another_danger.messages.push_back(messages::plan_message<"start-under-ice">());
+  planning::Plan later = plan;
+  later.arrival += core::Seconds{1.0};
+  planning::Plan on_other_data = plan;
+  on_other_data.datasets = {{.id = "ice-1", .kind = "ice", .name = "chart", .sha256 = "abc"}};
+  for (const planning::Plan& other : {with_another_danger, later, on_other_data})
+    EXPECT_NE(plan_identity(inputs, other), id);
+  EXPECT_NE(plan_identity({{"from", {-53.0, 69.2}}}, plan), id);
+}
+
+/// A berg that was not named before is news, though the kind of message is the same; of notes only the kind counts.
+TEST(PlanIdentity, CountsTheValuesOfDangersAndCautions) {
+  const auto id_with = [](messages::Message message) {
+    planning::Plan plan = two_legs();
+    plan.messages = {std::move(message)};
+    return plan_identity(json::object(), plan);
+  };
+  const auto on_land = [](const char* names) { return messages::data_message<"icebergs-on-land">(1, names); };
+  EXPECT_NE(id_with(on_land("B-17")), id_with(on_land("C-9")));
+  const auto gain = [](double minutes) {
+    return messages::plan_message<"search-cut-short-near-the-best">(minutes, 1.0);
+  };
+  EXPECT_EQ(id_with(gain(3.0)), id_with(gain(4.0)));
+}
+
+TEST(PlanDocument, KeepsTheDrivesOfTheLegsAndWhatTheyDraw) {
+  planning::Plan plan = two_legs();
+  plan.waypoints.push_back(plan.waypoints[1]);
+  plan.waypoints[0].energy = core::Joules{0.0};
+  plan.waypoints[1].drive = vehicle::Drive::thruster;
+  plan.waypoints[1].speed_through_water = core::MetresPerSecond{0.5144444444444445};
+  plan.waypoints[1].energy = core::Joules{31299.20354153268};
+  plan.waypoints[2].drive = vehicle::Drive::buoyancy;
+  plan.waypoints[2].speed_through_water = core::MetresPerSecond{0.35};
+  plan.waypoints[2].energy = core::Joules{40000.5};
+
+  json document = plan_document(plan, "p-01", "");
+  const planning::Plan read = parse_plan_document(document);
+
+  for (std::size_t i = 0; i < plan.waypoints.size(); ++i) {
+    EXPECT_EQ(read.waypoints[i].drive, plan.waypoints[i].drive);
+    EXPECT_EQ(read.waypoints[i].speed_through_water, plan.waypoints[i].speed_through_water);
+    EXPECT_EQ(read.waypoints[i].energy, plan.waypoints[i].energy);
+  }
+  EXPECT_EQ(plan_document(read, "p-01", ""), document);
+
+  for (json& waypoint : document.at("waypoints"))
+    for (const char* newer : {"propulsion", "speed_through_water_m_s", "energy_j"}) waypoint.erase(newer);
+  EXPECT_FALSE(parse_plan_document(document).waypoints[1].drive.has_value()) << "of an older version";
+  document.at("waypoints")[1]["propulsion"] = "sail";
+  EXPECT_THROW(parse_plan_document(document), std::runtime_error);
+}
+
+TEST(PlanDocument, TellsWhetherTheSearchWasCutShort) {
+  planning::Plan plan = two_legs();
+  EXPECT_EQ(plan_document(plan, "p-01", "").at("search").at("cut_short"), false);
+  EXPECT_TRUE(plan_document(plan, "p-01", "").at("search").at("possible_gain_s").is_null());
+  plan.search.cut_short = true;
+  plan.search.possible_gain = core::Seconds{90.0};
+
+  const json document = plan_document(plan, "p-01", "");
+
+  EXPECT_EQ(document.at("search").at("cut_short"), true);
+  EXPECT_EQ(document.at("search").at("possible_gain_s"), 90.0);
+  EXPECT_TRUE(parse_plan_document(document).search.cut_short);
+  EXPECT_EQ(parse_plan_document(document).search.possible_gain, core::Seconds{90.0});
+}
+
+TEST(PlanDocument, KeepsWaitsAndWhatIsPassedUnderAndTraded) {
+  planning::Plan plan = two_legs();
+  plan.waypoints[0].wait = core::Seconds{5400.0};
+  plan.iceberg_encounters = 0.02;
+  plan.passed_under = {{.iceberg = "B-17",
+                        .keel = {{40.0}, true, {50.0}, {70.0}},
+                        .from = plan.departure + core::Seconds{600.0},
+                        .until = plan.arrival}};
+  plan.encounter_trade = planning::EncounterTrade{
+      .weight = core::Seconds{3600.0}, .time_before = core::Seconds{7000.0}, .encounters_before = 0.1};
+
+  const json document = plan_document(plan, "p-01", "");
+  const planning::Plan read = parse_plan_document(document);
+
+  EXPECT_EQ(document.at("waypoints").at(0).at("wait_s"), 5400.0);
+  EXPECT_EQ(document.at("passed_under").at(0).at("clearance_m"), 20.0);
+  EXPECT_EQ(document.at("passed_under").at(0).at("draft_from"), "sighting");
+  EXPECT_EQ(document.at("encounter_trade").at("after").at("iceberg_encounters"), 0.02);
+  EXPECT_EQ(plan_document(read, "p-01", ""), document);
+}
+
+TEST(PlanDocument, IsReadBackFromAnOlderVersionWithoutWaitsAndPassages) {
+  json document = plan_document(two_legs(), "p-01", "");
+  document.erase("passed_under");
+  document.erase("encounter_trade");
+  for (json& waypoint : document.at("waypoints")) waypoint.erase("wait_s");
+
+  const planning::Plan read = parse_plan_document(document);
+
+  EXPECT_EQ(read.waypoints[0].wait.count(), 0.0);
+  EXPECT_TRUE(read.passed_under.empty());
+  EXPECT_FALSE(read.encounter_trade);
+}
+
+TEST(PlanDocument, IsReadBackFromAnOlderVersionThatDidNotLookForThem) {
+  json document = plan_document(two_legs(), "p-01", "");
+  document.at("search").erase("fifo_violations");
+  document.at("search").erase("worst_fifo_violation");
+  document.at("search").erase("cut_short");
+  document.at("search").erase("possible_gain_s");
+
+  EXPECT_EQ(parse_plan_document(document).search.fifo_violations, 0);
+}
+
+TEST(PlanCsv, HasARowForEachWaypointAndEmptyCellsForTheUnknown) {
+  EXPECT_EQ(plan_csv(two_legs()),
+            "index,lon_deg,lat_deg,eta_utc,leg_m,course_deg,speed_over_ground_m_s,depth_m,wait_s\n"
+            "0,-53.2500000,69.2000000,2026-11-20T06:00:00Z,,,,,0\n"
+            "1,-53.0000000,69.1250000,2026-11-20T08:00:00Z,12932.0,130.13,0.3500,231.5,0\n");
+}
+
+TEST(PlanGpx, IsARouteOfVersionOneOne) {
+  EXPECT_EQ(plan_gpx(two_legs(), "p-01", "to the mouth"),
+            "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+            "<gpx version=\"1.1\" creator=\"floeplan\" xmlns=\"http://www.topografix.com/GPX/1/1\">\n"
+            "  <rte>\n"
+            "    <name>to the mouth</name>\n"
+            "    <desc>Plan p-01, departure 2026-11-20T06:00:00Z, arrival 2026-11-20T08:00:00Z</desc>\n"
+            "    <rtept lat=\"69.2000000\" lon=\"-53.2500000\"><time>2026-11-20T06:00:00Z</time>"
+            "<name>S</name></rtept>\n"
+            "    <rtept lat=\"69.1250000\" lon=\"-53.0000000\"><time>2026-11-20T08:00:00Z</time>"
+            "<name>1</name></rtept>\n"
+            "  </rte>\n"
+            "</gpx>\n");
+}
+
+TEST(PlanGpx, EscapesTheNameAndDropsWhatXmlCannotHold) {
+  const std::string gpx = plan_gpx(two_legs(), "p-01", "a</name>&\"'\x01\nDiskobugt \xc3\xa6");
+
+  EXPECT_THAT(gpx, HasSubstr("<name>a&lt;/name&gt;&amp;&quot;&apos;Diskobugt \xc3\xa6</name>"));
+}
+
+TEST(PlanGpx, IsNamedByItsIdWithoutAName) {
+  EXPECT_THAT(plan_gpx(two_legs(), "p-01", ""), HasSubstr("<name>p-01</name>"));
+}
+
+TEST(PlanGpx, KeepsLongitudesBelow180) {
+  planning::Plan plan = two_legs();
+  plan.waypoints[1].place.lon_deg = 181.5;
+
+  EXPECT_THAT(plan_gpx(plan, "p-01", ""), HasSubstr("lon=\"-178.5000000\""));
+  EXPECT_THAT(plan_gpx(plan, "p-01", ""), Not(HasSubstr("181.5")));
+}
+
+TEST(PlanGeojson, HoldsTheRouteAndThenItsWaypoints) {
+  repository::PlanRecord record;
+  record.id = {"p-01"};
+  record.name = "to the mouth";
+  record.document_json = plan_document(two_legs(), "p-01", "to the mouth").dump();
+
+  const json collection = plan_geojson(record);
+
+  EXPECT_EQ(collection.at("type"), "FeatureCollection");
+  const json& features = collection.at("features");
+  ASSERT_EQ(features.size(), 3u);
+  EXPECT_EQ(features[0].at("geometry").at("type"), "LineString");
+  EXPECT_EQ(features[0].at("properties").at("name"), "to the mouth");
+  EXPECT_EQ(features[2].at("geometry"), json::parse(R"({"type":"Point","coordinates":[-53.0,69.125]})"));
+  EXPECT_EQ(features[2].at("properties").at("index"), 1);
+  EXPECT_EQ(features[2].at("properties").at("eta"), "2026-11-20T08:00:00Z");
+}
+
+TEST(PlanKml, IsALineAndAPlacemarkForEachWaypoint) {
+  const std::string kml = plan_kml(two_legs(), "p-01", "to <the> mouth");
+
+  EXPECT_THAT(kml, HasSubstr("<name>to &lt;the&gt; mouth</name>"));
+  EXPECT_THAT(kml, HasSubstr("<coordinates>-53.2500000,69.2000000 -53.0000000,69.1250000</coordinates>"));
+  EXPECT_THAT(kml, HasSubstr("<name>1</name><TimeStamp><when>2026-11-20T08:00:00Z</when></TimeStamp>"));
+}
+
+TEST(PlanKml, RunsOnPastTheAntimeridian) {
+  planning::Plan plan = two_legs();
+  plan.waypoints[0].place.lon_deg = 179.5;
+  plan.waypoints[1].place.lon_deg = -179.5;
+
+  EXPECT_THAT(plan_kml(plan, "p-01", ""), HasSubstr("<coordinates>179.5000000,69.2000000 180.5000000,"));
+}
+
+TEST(PlanFiles, ReadBackToTheSameRoute) {
+  const planning::Plan plan = two_legs();
+  for (const auto& [name, text] : std::vector<std::pair<std::string, std::string>>{
+           {"a.gpx", plan_gpx(plan, "p-01", "")},
+           {"a.kml", plan_kml(plan, "p-01", "")},
+           {"a.csv", plan_csv(plan)},
+           {"a.nmea", mission::write_nmea_route(plan, "p-01").text}}) {
+    const auto read = read_route_file(name, text);
+    ASSERT_TRUE(read.has_value()) << name;
+    ASSERT_EQ(read->places.size(), 2U) << name;
+    EXPECT_NEAR(read->places[1].lon_deg, -53.0, 1e-7) << name;
+    EXPECT_NEAR(read->places[1].lat_deg, 69.125, 1e-7) << name;
+  }
+}
+
+TEST(PlanBrief, IsOnePageThatNeedsNothingElse) {
+  planning::Plan plan = two_legs();
+  plan.datasets = {{.id = "icebergs-1", .kind = "icebergs", .name = "<bergs>", .sha256 = "abc"}};
+  plan.messages = {messages::plan_message<"remark">("mind the <ice>")};
+  const geo::Polygon island{.outer = {{-53.2, 69.15}, {-53.1, 69.15}, {-53.1, 69.17}}, .holes = {}};
+  ocean::Iceberg berg;
+  berg.place = {-53.1, 69.18};
+  const MapPicture picture = draw_map(plan, {island}, {berg}, 720.0, 420.0);
+
+  const std::string html = plan_brief_html(
+      plan, picture, {"p-01", "<script>", plan.departure, {messages::plan_message<"remark">("changed")}});
+
+  EXPECT_EQ(picture.land.size(), 1U);
+  EXPECT_EQ(picture.icebergs.size(), 1U);
+  EXPECT_THAT(html, HasSubstr("<td>69 12.000 N</td><td>53 15.000 W</td><td>2026-11-20T06:00:00Z</td>"));
+  EXPECT_THAT(html, HasSubstr("mind the &lt;ice&gt;"));
+  EXPECT_THAT(html, HasSubstr("&lt;bergs&gt; (icebergs-1), sha256 abc"));
+  EXPECT_THAT(html, HasSubstr("<li>changed</li>"));
+  for (const char* foreign : {"<script", "src=", "href=", "@import", "url("})
+    EXPECT_THAT(html, Not(HasSubstr(foreign)));
+}
+
+TEST(PlanBrief, TellsWhereThePlanIsBelowIceAndMaySurface) {
+  planning::Plan plan = two_legs();
+  plan.surfacing =
+      planning::SurfacingPlan{.longest_without = core::Seconds{5400.0},
+                              .waypoints = {{.may_surface = true, .leg_upper_turn = {}},
+                                            {.may_surface = false, .leg_upper_turn = core::Metres{16.2}}},
+                              .reckoned = {},
+                              .surfacings = {{.place = {-53.1, 69.15}, .time = plan.departure}},
+                              .escapes = {}};
+
+  const MapPicture picture = draw_map(plan, {}, {}, 720.0, 420.0);
+  const std::string html = plan_brief_html(plan, picture, {"p-01", "", plan.departure, {}});
+
+  EXPECT_EQ(picture.below_ice.size(), 1U);
+  EXPECT_EQ(picture.surfacings.size(), 1U);
+  EXPECT_THAT(html, HasSubstr("Legs below ice: 12.9 km. Longest time without a place to surface: 1.5 h."));
+  EXPECT_THAT(html, HasSubstr("<td>yes</td><td>-</td></tr>"));
+  EXPECT_THAT(html, HasSubstr("<td>no</td><td>17</td></tr>"));
+  EXPECT_THAT(html, HasSubstr("Dashed: legs below ice. Green rings: planned surfacings."));
+
+  plan.surfacing.reset();
+  const std::string unknown =
+      plan_brief_html(plan, draw_map(plan, {}, {}, 720.0, 420.0), {"p-01", "", plan.departure, {}});
+  EXPECT_THAT(unknown, HasSubstr("<td>-</td><td>-</td></tr>"));
+  EXPECT_THAT(unknown, Not(HasSubstr("below ice")));
+}
+
+/// What stands between two texts, wherever the first of them is found.
+std::vector<std::string> all_between(const std::string& text, const std::string& before,
+                                     const std::string& after) {
+  std::vector<std::string> found;
+  for (std::size_t at = text.find(before); at != std::string::npos; at = text.find(before, at)) {
+    at += before.size();
+    found.push_back(text.substr(at, text.find(after, at) - at));
+  }
+  return found;
+}
+
+TEST(PlanFiles, CallWaypointsTheSameAsTheMapAndTheBrief) {
+  planning::Plan plan = two_legs();
+  plan.waypoints.insert(plan.waypoints.end(), 10, plan.waypoints[1]);
+  std::vector<std::string> names{"S"};
+  for (std::size_t i = 1; i < plan.waypoints.size(); ++i) names.push_back(std::to_string(i));
+
+  std::vector<std::string> in_brief;
+  for (const auto& row : brief_rows(plan)) in_brief.push_back(row.front());
+  std::vector<std::string> on_map;
+  for (const auto& waypoint : draw_map(plan, {}, {}, 720.0, 420.0).waypoints) on_map.push_back(waypoint.text);
+  const json document = plan_document(plan, "p-01", "");
+
+  EXPECT_EQ(all_between(plan_gpx(plan, "p-01", ""), "</time><name>", "</name>"), names);
+  std::vector<std::string> in_kml = all_between(plan_kml(plan, "p-01", ""), "<Placemark><name>", "</name>");
+  in_kml.erase(in_kml.begin());  // the line of the whole route
+  EXPECT_EQ(in_kml, names);
+  EXPECT_EQ(in_brief, names);
+  EXPECT_EQ(on_map, names);
+  for (std::size_t i = 1; i < names.size(); ++i)
+    EXPECT_EQ(std::to_string(document.at("waypoints").at(i).at("index").get<int>()), names[i]);
+}
+
+TEST(PlanBrief, IsAPdfOfAnyNameAndLength) {
+  planning::Plan plan = two_legs();
+  for (int i = 0; i < 200; ++i) plan.waypoints.push_back(plan.waypoints[1]);
+  const MapPicture picture = draw_map(plan, {}, {}, 720.0, 420.0);
+
+  const std::string pdf =
+      plan_brief_pdf(plan, picture, {"p-01", "Diskobugt \xc3\xa6 \xff\xe2\x82 \x01", plan.departure, {}});
+
+  EXPECT_EQ(pdf.substr(0, 5), "%PDF-");
+  EXPECT_THAT(pdf.substr(pdf.size() - 8), HasSubstr("%%EOF"));
+  EXPECT_EQ(pdf, plan_brief_pdf(plan, picture,
+                                {"p-01", "Diskobugt \xc3\xa6 \xff\xe2\x82 \x01", plan.departure, {}}));
+}
+
+TEST(MapPicture, HoldsTheWholeRouteInsideItsFrame) {
+  support::for_each_seed(200, [](std::mt19937_64& rng) {
+    planning::Plan plan;
+    const double lon_deg = support::uniform(rng, -180.0, 180.0);
+    const double lat_deg = support::uniform(rng, -85.0, 85.0);
+    for (int i = support::uniform_int(rng, 1, 12); i > 0; --i) {
+      planning::Waypoint waypoint;
+      waypoint.place = {geo::wrap_longitude(lon_deg + support::uniform(rng, -5.0, 5.0)),
+                        lat_deg + support::uniform(rng, -3.0, 3.0)};
+      plan.waypoints.push_back(waypoint);
+    }
+    for (const auto& point : draw_map(plan, {}, {}, 720.0, 420.0).route) {
+      EXPECT_TRUE(point.x >= 0.0 && point.x <= 720.0 && point.y >= 0.0 && point.y <= 420.0);
+    }
+  });
+}
+
+}  // namespace
+}  // namespace floeplan::codec::plan_files_test
