@@ -7,7 +7,7 @@
 
 #include "api/codec/documents/flight_comparison.hpp"
 #include "engine/core/utc_text.hpp"
-#include "server/cli/command.hpp"
+#include "server/cli/program/command.hpp"
 #include "server/jobs/comparison_service.hpp"
 #include "storage/json/json.hpp"
 

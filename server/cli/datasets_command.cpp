@@ -6,7 +6,7 @@
 #include "api/codec/documents/dataset_document.hpp"
 #include "api/codec/inputs/retention_inputs.hpp"
 #include "engine/core/utc_text.hpp"
-#include "server/cli/command.hpp"
+#include "server/cli/program/command.hpp"
 #include "storage/json/json.hpp"
 #include "storage/repository/datasets/dataset_repository.hpp"
 #include "storage/repository/datasets/retention.hpp"

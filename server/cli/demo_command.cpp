@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "engine/core/utc_text.hpp"
-#include "server/cli/command.hpp"
+#include "server/cli/program/command.hpp"
 #include "storage/demo/write_demo.hpp"
 #include "storage/json/json.hpp"
 

@@ -3,9 +3,9 @@
 
 #include "api/codec/inputs/plan_inputs.hpp"
 #include "api/fields/process_fields.hpp"
-#include "server/cli/command.hpp"
-#include "server/cli/input_flags.hpp"
-#include "server/cli/plan_output.hpp"
+#include "server/cli/output/plan_output.hpp"
+#include "server/cli/program/command.hpp"
+#include "server/cli/program/input_flags.hpp"
 #include "server/jobs/plan_service.hpp"
 #include "storage/json/json.hpp"
 #include "storage/repository/work/plan_repository.hpp"

@@ -2,7 +2,7 @@
 #include <iostream>
 #include <memory>
 
-#include "server/cli/command.hpp"
+#include "server/cli/program/command.hpp"
 #include "storage/ingest/data_formats.hpp"
 #include "storage/json/json.hpp"
 

@@ -2,8 +2,8 @@
 #include <memory>
 
 #include "engine/core/utc_text.hpp"
-#include "server/cli/command.hpp"
-#include "server/cli/flag_values.hpp"
+#include "server/cli/program/command.hpp"
+#include "server/cli/program/flag_values.hpp"
 #include "server/jobs/ingest_service.hpp"
 #include "storage/ingest/process/guarded_ingest.hpp"
 #include "storage/json/json.hpp"

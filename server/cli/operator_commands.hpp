@@ -1,6 +1,6 @@
 #pragma once
 
-#include "server/cli/command.hpp"
+#include "server/cli/program/command.hpp"
 
 namespace floeplan::cli {
 

@@ -4,8 +4,8 @@
 
 #include "api/routes/probe_service.hpp"
 #include "engine/core/utc_text.hpp"
-#include "server/cli/command.hpp"
-#include "server/cli/flag_values.hpp"
+#include "server/cli/program/command.hpp"
+#include "server/cli/program/flag_values.hpp"
 #include "storage/json/json.hpp"
 
 namespace floeplan::cli {

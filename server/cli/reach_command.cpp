@@ -4,9 +4,9 @@
 
 #include "api/codec/inputs/reach_inputs.hpp"
 #include "api/fields/process_fields.hpp"
-#include "server/cli/command.hpp"
-#include "server/cli/input_flags.hpp"
-#include "server/cli/plan_output.hpp"
+#include "server/cli/output/plan_output.hpp"
+#include "server/cli/program/command.hpp"
+#include "server/cli/program/input_flags.hpp"
 #include "server/jobs/reach_service.hpp"
 #include "storage/json/json.hpp"
 

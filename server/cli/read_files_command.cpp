@@ -1,6 +1,6 @@
 #include <memory>
 
-#include "server/cli/command.hpp"
+#include "server/cli/program/command.hpp"
 #include "storage/ingest/process/reader_main.hpp"
 
 namespace floeplan::cli {

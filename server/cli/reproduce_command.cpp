@@ -8,9 +8,9 @@
 #include "engine/reproduction/figure_svg.hpp"
 #include "engine/reproduction/figures.hpp"
 #include "engine/reproduction/tables.hpp"
-#include "server/cli/command.hpp"
-#include "server/cli/figure_geojson.hpp"
-#include "server/cli/whole_file.hpp"
+#include "server/cli/output/figure_geojson.hpp"
+#include "server/cli/output/whole_file.hpp"
+#include "server/cli/program/command.hpp"
 #include "storage/json/json.hpp"
 
 namespace floeplan::cli {

@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <exception>
 
-#include "server/cli/command.hpp"
-#include "server/cli/flag_values.hpp"
-#include "server/cli/instructions_flag.hpp"
 #include "server/cli/operator_commands.hpp"
 #include "server/cli/plan_commands.hpp"
-#include "server/cli/serve.hpp"
+#include "server/cli/program/command.hpp"
+#include "server/cli/program/flag_values.hpp"
+#include "server/cli/program/instructions_flag.hpp"
+#include "server/cli/serving/serve.hpp"
 #include "server/manual/help_format.hpp"
 #include "server/manual/manual_commands.hpp"
 #include "server/manual/near_words.hpp"

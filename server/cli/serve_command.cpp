@@ -1,8 +1,8 @@
 #include <memory>
 #include <string>
 
-#include "server/cli/command.hpp"
-#include "server/cli/serve.hpp"
+#include "server/cli/program/command.hpp"
+#include "server/cli/serving/serve.hpp"
 
 namespace floeplan::cli {
 namespace {

@@ -123,9 +123,10 @@ const std::map<std::string, Folder>& folders() {
        {{"engine/core", "api/log", "api/problems"},
         {"api/codec/bytes/sha256.hpp", "api/routes/message.hpp", "api/routes/reply.hpp"}}},
       {"server/manual", {{}}},
-      {"server/cli",
-       {{"api/routes", "server/jobs", "server/http", "server/manual", "storage/demo",
-         "engine/reproduction"}}},
+      {"server/cli/program", {{"api/codec"}}},
+      {"server/cli/output", {{"server/cli/program", "engine/reproduction"}}},
+      {"server/cli/serving", {{"server/cli/program", "api/routes", "server/http", "server/jobs"}}},
+      {"server/cli", {{"server/cli/output", "server/cli/serving", "server/manual", "storage/demo"}}},
       {"server", {{"server/cli"}}},
   };
   return all;

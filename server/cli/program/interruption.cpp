@@ -1,4 +1,4 @@
-#include "server/cli/interruption.hpp"
+#include "server/cli/program/interruption.hpp"
 
 #include <cstdlib>
 #include <ctime>

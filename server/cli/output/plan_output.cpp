@@ -1,4 +1,4 @@
-#include "server/cli/plan_output.hpp"
+#include "server/cli/output/plan_output.hpp"
 
 #include <algorithm>
 #include <array>
@@ -10,7 +10,7 @@
 #include "api/codec/bytes/document_values.hpp"
 #include "engine/core/violation_list.hpp"
 #include "engine/messages/sentence.hpp"
-#include "server/cli/command.hpp"
+#include "server/cli/program/command.hpp"
 #include "storage/json/json.hpp"
 
 namespace floeplan::cli {

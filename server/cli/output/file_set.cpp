@@ -1,4 +1,4 @@
-#include "server/cli/file_set.hpp"
+#include "server/cli/output/file_set.hpp"
 
 #include <fstream>
 #include <stdexcept>

@@ -1,4 +1,4 @@
-#include "server/cli/input_flags.hpp"
+#include "server/cli/program/input_flags.hpp"
 
 #include <cctype>
 #include <charconv>
@@ -11,8 +11,8 @@
 #include <utility>
 
 #include "api/codec/bytes/json_text.hpp"
-#include "server/cli/command.hpp"
-#include "server/cli/flag_values.hpp"
+#include "server/cli/program/command.hpp"
+#include "server/cli/program/flag_values.hpp"
 
 namespace floeplan::cli {
 namespace {

@@ -1,4 +1,4 @@
-#include "server/cli/whole_file.hpp"
+#include "server/cli/output/whole_file.hpp"
 
 #include <fstream>
 #include <stdexcept>

@@ -1,4 +1,4 @@
-#include "server/cli/figure_geojson.hpp"
+#include "server/cli/output/figure_geojson.hpp"
 
 #include "storage/json/json.hpp"
 

@@ -1,4 +1,4 @@
-#include "server/cli/instructions_flag.hpp"
+#include "server/cli/program/instructions_flag.hpp"
 
 #include <map>
 #include <string>

@@ -1,4 +1,4 @@
-#include "server/cli/store_watch.hpp"
+#include "server/cli/serving/store_watch.hpp"
 
 #include <sys/stat.h>
 

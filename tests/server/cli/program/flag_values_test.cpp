@@ -1,4 +1,4 @@
-#include "server/cli/flag_values.hpp"
+#include "server/cli/program/flag_values.hpp"
 
 #include <gtest/gtest.h>
 

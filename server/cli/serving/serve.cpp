@@ -1,4 +1,4 @@
-#include "server/cli/serve.hpp"
+#include "server/cli/serving/serve.hpp"
 
 #include <sys/resource.h>
 #include <unistd.h>
@@ -12,9 +12,9 @@
 #include "api/log/log.hpp"
 #include "api/routes/router.hpp"
 #include "api/routes/site.hpp"
-#include "server/cli/api_handler.hpp"
-#include "server/cli/command.hpp"
-#include "server/cli/store_watch.hpp"
+#include "server/cli/program/command.hpp"
+#include "server/cli/serving/api_handler.hpp"
+#include "server/cli/serving/store_watch.hpp"
 #include "server/http/server.hpp"
 #include "server/jobs/watched_folder.hpp"
 #include "server/jobs/worker_pool.hpp"

@@ -1,4 +1,4 @@
-#include "server/cli/api_handler.hpp"
+#include "server/cli/serving/api_handler.hpp"
 
 #include <gtest/gtest.h>
 

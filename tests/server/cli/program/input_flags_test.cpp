@@ -1,4 +1,4 @@
-#include "server/cli/input_flags.hpp"
+#include "server/cli/program/input_flags.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

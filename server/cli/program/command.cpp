@@ -1,4 +1,4 @@
-#include "server/cli/command.hpp"
+#include "server/cli/program/command.hpp"
 
 #include <unistd.h>
 
