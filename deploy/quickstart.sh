@@ -6,7 +6,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 readonly floeplan=$root/build/release/floeplan
 readonly work=$root/build/quickstart
-readonly from=-53.20,69.20 to=-51.35,69.18 # open bay to the mouth of Ilulissat Icefjord
+readonly from=-53.20,69.20 to=-51.80,69.15 # across Disko Bay to the icebergs before Ilulissat Icefjord
 listen=127.0.0.1:8080
 serve=yes
 

@@ -54,6 +54,8 @@ int run_demo(const DemoFlags& flags) {
   std::cerr << "These data are synthetic and not for navigation; README.txt beside them says what is real.\n"
                "Once they are ingested, try: "
             << command_line(example) << '\n';
+  if (scenario == demo::Scenario::disko)
+    std::cerr << "For a plan under ice: floeplan demo ice/ --scenario pack-ice\n";
   return done;
 }
 

@@ -15,7 +15,7 @@ std::vector<CommandHelp> all_helps() {
   return {
       {"plan",
        planning,
-       "--data store plan --from=-53.20,69.20 --to=-51.35,69.18 --depart 2026-11-22T06:00:00Z",
+       "--data store plan --from=-53.20,69.20 --to=-51.80,69.15 --depart 2026-11-22T06:00:00Z",
        {"--from", "--to", "--depart", "--arrive-by", "--vehicle", "--objective"}},
       {"evaluate",
        planning,
