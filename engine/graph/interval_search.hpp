@@ -148,7 +148,8 @@ class IntervalSearcher {
     Edge edge;
     std::uint32_t interval;
     double depart_s;
-    double arrive_s;  // no earlier
+    double arrive_s;      // no earlier
+    double earliest_s{};  // at the head, for what is known beforehand
   };
   /// Arrivals to be expanded, or a traveller. Of equal keys the one goes first that would be nearer to the goal if
   /// nothing were closed.
@@ -273,23 +274,33 @@ class IntervalSearcher {
     if (traveller.depart_s > stand.until_s) return;
     const Place& head = place(traveller.edge.head);
     const double least_s = model_.least_time_s(traveller.edge);
-    const double earliest_s = std::max(traveller.depart_s + least_s, traveller.arrive_s);
+    traveller.earliest_s = std::max(traveller.depart_s + least_s, traveller.arrive_s);
     for (; traveller.interval < head.intervals.size(); ++traveller.interval) {
       const SafeInterval& safe = head.intervals[traveller.interval];
-      if (safe.until_s < earliest_s) continue;
-      const State& state = head.states[traveller.interval];
-      const double there_s = std::max(earliest_s, safe.from_s);
-      const bool is_known = safe.may_stay && !state.arrivals.empty();
-      if (is_known && arrivals_[state.arrivals.front()].from_s <= there_s) continue;
+      if (safe.until_s < traveller.earliest_s || is_known(traveller)) continue;
+      const double there_s = std::max(traveller.earliest_s, safe.from_s);
       const double remaining_s = model_.remaining_s(traveller.edge.head);
       push(goal_opens_s(there_s + remaining_s), stand.from_s + least_s + remaining_s, none, traveller);
       return;
     }
   }
 
+  /// Whether some vehicle is in the interval by when this one may be there, and may stay.
+  bool is_known(const Traveller& traveller) {
+    const Place& head = place(traveller.edge.head);
+    const SafeInterval& safe = head.intervals[traveller.interval];
+    const State& state = head.states[traveller.interval];
+    return safe.may_stay && !state.arrivals.empty() &&
+           arrivals_[state.arrivals.front()].from_s <= std::max(traveller.earliest_s, safe.from_s);
+  }
+
   void look_on(Traveller traveller) {
     const Stand stand = stands_[traveller.stand];
     const SafeInterval safe = place(traveller.edge.head).intervals[traveller.interval];
+    if (is_known(traveller)) {  // by now
+      queue_again(traveller);
+      return;
+    }
     ++search_.counters.edge_evaluations;
     const DepartureLook look = model_.first_open(traveller.edge, traveller.depart_s, stand.until_s,
                                                  std::max(safe.from_s, traveller.arrive_s));

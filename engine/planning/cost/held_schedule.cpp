@@ -79,7 +79,7 @@ std::optional<Schedule> held_schedule(const Sea& sea, const std::vector<geo::Pla
   if (route.size() < 2) return std::nullopt;
   const Chain chain{sea, route};
   const core::Seconds end = end_of_looks(sea, depart, length_of(route));
-  SeaIntervals model{sea, chain, chain, {depart, end}};
+  SeaIntervals model{sea, chain, chain, 0, {depart, end}};
   const graph::Query query{0, static_cast<graph::Vertex>(route.size() - 1), depart, end};
   const graph::IntervalSearch search = graph::find_earliest_among_intervals(chain, query, model, {}, {});
   if (search.way.empty()) return std::nullopt;

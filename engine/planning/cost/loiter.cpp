@@ -19,8 +19,19 @@ bool opens_again(motion::EdgeClosed closed) {
   return closed == motion::EdgeClosed::obstacle || closed == motion::EdgeClosed::in_zone;
 }
 
+/// Whether there may ever be ice at a place that the vehicle would have to hold below.
+bool may_hold_below_ice(const Sea& sea, geo::PlanePoint place) {
+  return sea.ice() && sea.ice()->may_be_dense_along(place, place);
+}
+
+/// Whether the vehicle can keep its place then, against the current and below the ice.
+bool can_hold(const Sea& sea, geo::PlanePoint place, core::Seconds now, bool below_ice) {
+  return sea.holds_against_current(place, now) && (!below_ice || sea.ice()->may_transit(place, now));
+}
+
 /// Last look until which the vehicle keeps its place against the current and below the ice; before `from`: not at all.
 core::Seconds held_until(const Sea& sea, geo::PlanePoint place, core::Seconds from, core::Seconds until) {
+  const bool below_ice = may_hold_below_ice(sea, place);
   // Between two steps of the data a current changes evenly, and is never stronger than at the stronger of both.
   const auto next_look = [&](core::Seconds now) {
     const core::Seconds step = sea.currents() ? sea.currents()->next_step(now) : until;
@@ -28,23 +39,17 @@ core::Seconds held_until(const Sea& sea, geo::PlanePoint place, core::Seconds fr
   };
   core::Seconds held = from - between_looks;
   for (core::Seconds now = from;; now = next_look(now)) {
-    if (!sea.holds_against_current(place, now)) return held;
-    if (sea.ice() && !sea.ice()->may_transit(place, now)) return held;
+    if (!can_hold(sea, place, now, below_ice)) return held;
     held = now;
     if (now >= until) return held;
   }
 }
 
-/// Whether the vehicle can keep its place then, against the current and below the ice.
-bool can_hold(const Sea& sea, geo::PlanePoint place, core::Seconds now) {
-  return sea.holds_against_current(place, now) && (!sea.ice() || sea.ice()->may_transit(place, now));
-}
-
 /// When it can, within a span.
 std::vector<TimeSpan> times_to_hold(const Sea& sea, geo::PlanePoint place, TimeSpan within) {
   constexpr core::Seconds to_a_second{1.0};
+  const bool below_ice = may_hold_below_ice(sea, place);
   // Between two steps of the data a current changes evenly, and is never stronger than at the stronger of both.
-  const bool below_ice = sea.ice() && sea.ice()->has_dense_ice();
   const auto next_look = [&](core::Seconds now) {
     const core::Seconds step = sea.currents() ? sea.currents()->next_step(now) : within.until;
     return std::min({step, within.until, below_ice ? now + between_looks : within.until});
@@ -52,16 +57,16 @@ std::vector<TimeSpan> times_to_hold(const Sea& sea, geo::PlanePoint place, TimeS
   std::vector<TimeSpan> result;
   core::Seconds now = within.from;
   core::Seconds begins = now;
-  bool holds = can_hold(sea, place, now);
+  bool holds = can_hold(sea, place, now, below_ice);
   while (now < within.until) {
     const core::Seconds next = next_look(now);
-    const bool holds_then = can_hold(sea, place, next);
+    const bool holds_then = can_hold(sea, place, next, below_ice);
     if (holds_then != holds) {
       core::Seconds held = holds ? now : next;
       core::Seconds not_held = holds ? next : now;
       while (std::abs((held - not_held).count()) > to_a_second.count()) {
         const core::Seconds middle = 0.5 * (held + not_held);
-        (can_hold(sea, place, middle) ? held : not_held) = middle;
+        (can_hold(sea, place, middle, below_ice) ? held : not_held) = middle;
       }
       if (holds) {
         result.push_back({begins, held});

@@ -14,12 +14,17 @@ namespace floeplan::planning::cost {
 template <class Places, class Bound>
 class SeaIntervals {
  public:
-  /// `within`: nothing is looked at outside it. Everything else is borrowed.
-  SeaIntervals(const Sea& sea, const Places& places, const Bound& bound, TimeSpan within)
-      : sea_{sea}, places_{places}, bound_{bound}, within_{within} {}
+  /// `source`: where the vehicle is at the beginning of `within`, outside which nothing is looked at. Everything else is
+  /// borrowed.
+  SeaIntervals(const Sea& sea, const Places& places, const Bound& bound, graph::Vertex source,
+               TimeSpan within)
+      : sea_{sea}, places_{places}, bound_{bound}, source_{places.point(source)}, within_{within} {}
 
   [[nodiscard]] std::vector<graph::SafeInterval> safe_intervals(graph::Vertex v) const {
-    return cost::safe_intervals(sea_, places_.point(v), within_);
+    const geo::PlanePoint place = places_.point(v);
+    const core::Seconds earliest = within_.from + sea_.least_time(source_, place);
+    if (earliest > within_.until) return {};
+    return cost::safe_intervals(sea_, place, {earliest, within_.until});
   }
   [[nodiscard]] graph::DepartureLook first_open(const graph::Edge& edge, double from_s, double until_s,
                                                 double arrive_from_s) const {
@@ -50,6 +55,7 @@ class SeaIntervals {
   const Sea& sea_;
   const Places& places_;
   const Bound& bound_;
+  geo::PlanePoint source_;
   TimeSpan within_;
 };
 

@@ -25,7 +25,7 @@ HeldWay search_held_way(const cost::Sea& sea, const OpenGrid& open, core::Second
       geo::distance_m(open.grid.point(open.grid.start), open.grid.point(open.grid.goal))};
   const core::Seconds last = std::min(latest, cost::end_of_looks(sea, depart, straight));
   const FavourableBound bound{sea, open, stop};
-  cost::SeaIntervals model{sea, open.grid, bound, {depart, last}};
+  cost::SeaIntervals model{sea, open.grid, bound, open.grid.start, {depart, last}};
   const graph::Query query{open.grid.start, open.grid.goal, depart, last};
   limits.slack_s = std::min(most_left_s, least_gain_by_holds * (straight / sea.through_water()).count());
   const graph::IntervalSearch search =
