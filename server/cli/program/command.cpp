@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <iostream>
@@ -12,6 +13,11 @@
 #include "storage/repository/store/migrations.hpp"
 
 namespace floeplan::cli {
+namespace {
+
+constexpr core::Seconds quiet{1.0};  // progress of shorter work is not shown
+
+}  // namespace
 
 std::filesystem::path default_store() {
   if (const char* data_home = std::getenv("XDG_DATA_HOME"); data_home != nullptr && *data_home != '\0') {
@@ -33,6 +39,8 @@ sql::Connection open_existing_store(const Program& program) {
 
 core::UtcTime now() { return std::chrono::time_point_cast<core::Seconds>(std::chrono::system_clock::now()); }
 
+core::Seconds steady_now() { return std::chrono::steady_clock::now().time_since_epoch(); }
+
 std::filesystem::path own_program() { return "/proc/self/exe"; }
 
 int complain(ExitCode code, const std::string& sentence) {
@@ -50,19 +58,23 @@ int complain_of_no_plan(const std::string& id) {
   return complain(could_not, "no plan has the id " + id + "; floeplan plan prints the id");
 }
 
-core::ProgressCallback terminal_progress() {
+core::ProgressCallback terminal_progress(const core::SteadyClock& clock) {
   if (isatty(STDERR_FILENO) == 0) return [](std::string_view, double) {};
-  struct State {
-    std::chrono::steady_clock::time_point begin{std::chrono::steady_clock::now()};
-    bool shown{false};
-    ~State() {
-      if (shown) std::cerr << "\r\033[K";
+  struct Line {
+    core::Seconds begin;
+    int percent{0};  // the most that was told
+    std::string text{};
+    ~Line() {
+      if (!text.empty()) std::cerr << "\r\033[K" << std::flush;
     }
   };
-  return [state = std::make_shared<State>()](std::string_view stage, double fraction) {
-    if (std::chrono::steady_clock::now() - state->begin < std::chrono::seconds{1}) return;
-    state->shown = true;
-    std::cerr << "\r\033[K" << stage << ' ' << static_cast<int>(100.0 * fraction) << " %" << std::flush;
+  return [clock, line = std::make_shared<Line>(clock())](std::string_view stage, double fraction) {
+    line->percent = std::clamp(static_cast<int>(100.0 * fraction), line->percent, 99);
+    if (clock() - line->begin < quiet) return;
+    std::string text = std::string{stage} + ' ' + std::to_string(line->percent) + " %";
+    if (text == line->text) return;
+    line->text = std::move(text);
+    std::cerr << "\r\033[K" << line->text << std::flush;
   };
 }
 

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "engine/core/clock.hpp"
 #include "engine/core/progress.hpp"
 #include "engine/core/units.hpp"
 #include "engine/core/violation.hpp"
@@ -42,6 +43,8 @@ class BadDataError : public std::runtime_error {
 [[nodiscard]] sql::Connection open_existing_store(const Program& program);
 
 [[nodiscard]] core::UtcTime now();
+/// Since some moment, by a clock that nobody sets.
+[[nodiscard]] core::Seconds steady_now();
 
 /// This program's own file, however it was called.
 [[nodiscard]] std::filesystem::path own_program();
@@ -54,9 +57,11 @@ int complain(ExitCode code, const core::Violations& violations);
 /// Says that no plan is stored under this id.
 int complain_of_no_plan(const std::string& id);
 
-/// Shows stage and percent on stderr while it is a terminal and the work takes longer than a second; says
-/// nothing otherwise.
-[[nodiscard]] core::ProgressCallback terminal_progress();
+/// One line on stderr with stage and percent, rewritten from the second second of the work on and wiped at its end;
+/// nothing where stderr is no terminal. Work that plans several times begins each plan at 0: the percent stays where
+/// it was until it is passed, and 100 is never shown.
+/// Lines    go to stderr; `clock` tells the time since any moment
+[[nodiscard]] core::ProgressCallback terminal_progress(const core::SteadyClock& clock = steady_now);
 
 void add_ingest(CLI::App& app, Program& program);
 void add_read_files(CLI::App& app, Program& program);
