@@ -1,6 +1,6 @@
 #include <iterator>
 
-#include "api/routes/resources.hpp"
+#include "api/routes/request/resources.hpp"
 
 namespace floeplan::routes {
 

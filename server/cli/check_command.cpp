@@ -5,7 +5,7 @@
 
 #include "api/codec/documents/mission_document.hpp"
 #include "api/fields/process_fields.hpp"
-#include "api/routes/flight_check_service.hpp"
+#include "api/routes/plans/flight_check_service.hpp"
 #include "engine/mission/file_text.hpp"
 #include "engine/mission/read_document.hpp"
 #include "server/cli/output/plan_output.hpp"

@@ -5,9 +5,9 @@
 
 #include "api/codec/bytes/document_values.hpp"
 #include "api/codec/bytes/zip_archive.hpp"
-#include "api/routes/mission_service.hpp"
-#include "api/routes/plan_check.hpp"
-#include "api/routes/plan_exports.hpp"
+#include "api/routes/plans/mission_service.hpp"
+#include "api/routes/plans/plan_check.hpp"
+#include "api/routes/plans/plan_exports.hpp"
 #include "engine/messages/sentence.hpp"
 #include "server/cli/output/file_set.hpp"
 #include "server/cli/output/plan_output.hpp"

@@ -2,7 +2,7 @@
 #include <iostream>
 #include <memory>
 
-#include "api/routes/probe_service.hpp"
+#include "api/routes/data/probe_service.hpp"
 #include "engine/core/utc_text.hpp"
 #include "server/cli/program/command.hpp"
 #include "server/cli/program/flag_values.hpp"

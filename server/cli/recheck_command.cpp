@@ -1,7 +1,7 @@
 #include <iostream>
 #include <memory>
 
-#include "api/routes/plan_check.hpp"
+#include "api/routes/plans/plan_check.hpp"
 #include "server/cli/plan_commands.hpp"
 #include "storage/json/json.hpp"
 

@@ -10,7 +10,7 @@
 #include <thread>
 
 #include "api/codec/inputs/simulate_inputs.hpp"
-#include "api/routes/simulation_exports.hpp"
+#include "api/routes/plans/simulation_exports.hpp"
 #include "server/cli/output/file_set.hpp"
 #include "server/cli/output/plan_output.hpp"
 #include "server/cli/program/command.hpp"

@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "api/codec/bytes/credential.hpp"
-#include "api/routes/message.hpp"
+#include "api/routes/request/message.hpp"
 #include "engine/core/utc_text.hpp"
 #include "server/cli/operator_commands.hpp"
 #include "storage/json/json.hpp"

@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "api/codec/bytes/sha256.hpp"
-#include "api/routes/message.hpp"
+#include "api/routes/request/message.hpp"
 
 namespace floeplan::http {
 

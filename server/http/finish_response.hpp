@@ -1,6 +1,6 @@
 #pragma once
 
-#include "api/routes/message.hpp"
+#include "api/routes/request/message.hpp"
 
 namespace floeplan::http {
 

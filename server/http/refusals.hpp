@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "api/problems/problem_catalogue.hpp"
-#include "api/routes/message.hpp"
+#include "api/routes/request/message.hpp"
 
 namespace floeplan::http {
 

@@ -3,7 +3,7 @@
 #include <boost/beast/http/message.hpp>
 #include <optional>
 
-#include "api/routes/message.hpp"
+#include "api/routes/request/message.hpp"
 
 namespace floeplan::http {
 

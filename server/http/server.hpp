@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <memory>
 
-#include "api/routes/message.hpp"
+#include "api/routes/request/message.hpp"
 #include "server/http/listen_address.hpp"
 #include "server/http/server_settings.hpp"
 

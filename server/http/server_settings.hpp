@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "api/routes/message.hpp"
+#include "api/routes/request/message.hpp"
 #include "server/http/body_sink.hpp"
 #include "server/http/tls_files.hpp"
 

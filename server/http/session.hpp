@@ -13,7 +13,7 @@
 #include <optional>
 #include <string_view>
 
-#include "api/routes/message.hpp"
+#include "api/routes/request/message.hpp"
 #include "server/http/client_counts.hpp"
 #include "server/http/fair_line.hpp"
 #include "server/http/memory_budget.hpp"

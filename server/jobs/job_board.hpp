@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "api/routes/job_gateway.hpp"
+#include "api/routes/request/job_gateway.hpp"
 
 namespace floeplan::jobs {
 

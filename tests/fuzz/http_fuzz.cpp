@@ -6,10 +6,10 @@
 
 #include "api/codec/bytes/credential.hpp"
 #include "api/codec/bytes/multipart.hpp"
-#include "api/routes/message.hpp"
-#include "api/routes/preferences.hpp"
-#include "api/routes/shown_credential.hpp"
-#include "api/routes/site.hpp"
+#include "api/routes/access/shown_credential.hpp"
+#include "api/routes/request/message.hpp"
+#include "api/routes/request/preferences.hpp"
+#include "api/routes/request/site.hpp"
 #include "server/http/strict_head.hpp"
 
 namespace {

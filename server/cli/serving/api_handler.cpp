@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "api/log/log.hpp"
-#include "api/routes/known_clients.hpp"
-#include "api/routes/remembered.hpp"
-#include "api/routes/store_trouble.hpp"
+#include "api/routes/access/known_clients.hpp"
+#include "api/routes/request/remembered.hpp"
+#include "api/routes/request/store_trouble.hpp"
 #include "engine/core/shown_text.hpp"
 
 namespace floeplan::cli {

@@ -3,10 +3,10 @@
 #include <functional>
 #include <optional>
 
-#include "api/routes/context.hpp"
-#include "api/routes/doorkeeper.hpp"
-#include "api/routes/job_gateway.hpp"
-#include "api/routes/message.hpp"
+#include "api/routes/access/doorkeeper.hpp"
+#include "api/routes/request/context.hpp"
+#include "api/routes/request/job_gateway.hpp"
+#include "api/routes/request/message.hpp"
 #include "storage/sql/connection.hpp"
 
 namespace floeplan::cli {

@@ -10,8 +10,8 @@
 #include <memory>
 
 #include "api/log/log.hpp"
-#include "api/routes/router.hpp"
-#include "api/routes/site.hpp"
+#include "api/routes/request/router.hpp"
+#include "api/routes/request/site.hpp"
 #include "server/cli/program/command.hpp"
 #include "server/cli/serving/api_handler.hpp"
 #include "server/cli/serving/store_watch.hpp"

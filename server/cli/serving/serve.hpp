@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "api/routes/context.hpp"
+#include "api/routes/request/context.hpp"
 #include "server/jobs/job_class.hpp"
 
 namespace floeplan::cli {

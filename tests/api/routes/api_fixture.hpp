@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "api/routes/router.hpp"
+#include "api/routes/request/router.hpp"
 #include "storage/repository/store/migrations.hpp"
 
 namespace floeplan::support {

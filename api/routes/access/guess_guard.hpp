@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <mutex>
+#include <set>
+#include <string>
+
+#include "api/routes/access/rate_limit.hpp"
+#include "engine/core/units.hpp"
+
+namespace floeplan::routes {
+
+/// Slows down whoever guesses credentials, and whoever logs in again and again.
+/// An address may be wrong `burst` times, and a token may be guessed at as often from all addresses together; then nothing
+/// is looked at until there has been quiet for a while, one more try for every `interval`. What was right from an address
+/// before is looked at all the same: nobody is locked out by a neighbour behind the same address, or by one who knows the
+/// public part of a token.
+/// Memory   bounded; whoever did nothing for longest is forgotten first
+/// Threads  any number at once
+class GuessGuard {
+ public:
+  static constexpr double burst = 10.0;
+  static constexpr core::Seconds interval{6.0};
+  /// Logins that succeed: a crew of sixty may come at once from behind one address, each of them with three browsers.
+  static constexpr double logins_of_address = 60.0;
+  static constexpr double logins_of_token = 20.0;
+  static constexpr core::Seconds login_interval{3.0};
+
+  /// Who shows what: `key` names the token and is empty for what is no credential, as `digest` is.
+  struct Shown {
+    std::string address;
+    std::string key;
+    std::string digest;
+  };
+
+  /// How long to wait before what is shown is looked at; zero: not at all.
+  [[nodiscard]] core::Seconds wait(const Shown& shown, core::UtcTime now);
+  void note_wrong(const Shown& shown, core::UtcTime now);
+  void note_right(const Shown& shown, core::UtcTime now);
+
+  /// How long to wait before another login is opened; zero: not at all, and this one is counted.
+  [[nodiscard]] core::Seconds wait_to_log_in(const Shown& shown, core::UtcTime now);
+
+ private:
+  static constexpr std::size_t most_addresses = 10'000;
+  static constexpr std::size_t most_proven = 64;  // of one address
+
+  std::mutex mutex_;
+  RateLimit wrong_from_{burst, interval};
+  RateLimit wrong_of_{burst, interval};
+  RateLimit logins_from_{logins_of_address, login_interval};
+  RateLimit logins_of_{logins_of_token, login_interval};
+  std::map<std::string, std::set<std::string>> proven_;  // digests by address
+};
+
+}  // namespace floeplan::routes

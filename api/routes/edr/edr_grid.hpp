@@ -1,0 +1,15 @@
+#pragma once
+
+#include "api/routes/edr/edr_area.hpp"
+#include "api/routes/edr/edr_request.hpp"
+#include "api/routes/request/context.hpp"
+
+namespace floeplan::routes {
+
+/// The data in a shape; where no node of them lies in it, at its middle. An answer that would be too large is refused
+/// with its size.
+[[nodiscard]] Response grid_reply(const EdrCollection& collection, const Context& context,
+                                  const Request& request, EdrRequest& query, const Wanted& wanted,
+                                  const EdrArea& area);
+
+}  // namespace floeplan::routes

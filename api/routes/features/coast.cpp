@@ -1,0 +1,80 @@
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "api/routes/request/parameters.hpp"
+#include "api/routes/request/reply.hpp"
+#include "api/routes/request/resources.hpp"
+#include "storage/repository/datasets/dataset_repository.hpp"
+#include "storage/repository/features/coastline_repository.hpp"
+
+namespace floeplan::routes {
+namespace {
+
+using nlohmann::json;
+
+/// More than this and the map asks for less than it shows; the largest islands are kept.
+constexpr std::size_t max_vertices = 400'000;
+
+double rounded_degrees(double degrees) { return std::round(degrees * 1e4) / 1e4; }
+
+/// The ring as GeoJSON: closed, and running on past 180 degrees where it crosses the antimeridian.
+json ring_json(const geo::Ring& ring) {
+  json result = json::array();
+  double lon_deg = ring.front().lon_deg;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    if (i > 0) lon_deg += geo::longitude_difference(ring[i - 1].lon_deg, ring[i].lon_deg);
+    json position = json::array({rounded_degrees(lon_deg), rounded_degrees(ring[i].lat_deg)});
+    if (result.empty() || result.back() != position) result.push_back(std::move(position));
+  }
+  result.push_back(result.front());
+  return result;
+}
+
+json polygon_json(const geo::Polygon& polygon) {
+  json rings = json::array({ring_json(polygon.outer)});
+  for (const auto& hole : polygon.holes) rings.push_back(ring_json(hole));
+  return {{"type", "Feature"},
+          {"properties", json::object()},
+          {"geometry", {{"type", "Polygon"}, {"coordinates", std::move(rings)}}}};
+}
+
+std::vector<geo::Polygon> load(sql::Connection& db, const geo::BoundingBox& area) {
+  std::vector<geo::Polygon> land;
+  for (const auto& dataset : repository::DatasetRepository{db}.list()) {
+    if (dataset.kind != repository::DatasetKind::coastline) continue;
+    auto polygons = repository::CoastlineRepository{db}.load(dataset.id, area);
+    std::move(polygons.begin(), polygons.end(), std::back_inserter(land));
+  }
+  std::erase_if(land, [](const geo::Polygon& polygon) { return polygon.outer.empty(); });
+  std::stable_sort(land.begin(), land.end(),
+                   [](const auto& a, const auto& b) { return a.outer.size() > b.outer.size(); });
+  return land;
+}
+
+Response show_coast(const Context& context, const Request& request, const PathParameters&) {
+  ParameterReader reader{request};
+  reader.require("bbox", "west,south,east,north in degrees");
+  const auto area = reader.bbox();
+  if (!reader.violations().empty()) return invalid(request, reader.violations());
+
+  json features = json::array();
+  std::size_t vertices = 0;
+  bool complete = true;
+  for (const auto& polygon : load(context.db, *area)) {
+    vertices += polygon.outer.size();
+    complete = features.empty() || vertices <= max_vertices;
+    if (!complete) break;
+    features.push_back(polygon_json(polygon));
+  }
+  Response response = geojson_reply(
+      {{"type", "FeatureCollection"}, {"complete", complete}, {"features", std::move(features)}});
+  response.headers.emplace_back("Cache-Control", "no-cache");
+  return response;
+}
+
+}  // namespace
+
+std::vector<Route> coast_routes() { return {{"GET", "/map/coast", {"bbox"}, show_coast}}; }
+
+}  // namespace floeplan::routes

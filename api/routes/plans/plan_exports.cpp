@@ -1,0 +1,166 @@
+#include "api/routes/plans/plan_exports.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <stdexcept>
+#include <string_view>
+
+#include "api/codec/documents/plan_document.hpp"
+#include "api/codec/exports/plan_brief.hpp"
+#include "api/codec/exports/plan_brief_pdf.hpp"
+#include "api/codec/exports/plan_csv.hpp"
+#include "api/codec/exports/plan_geojson.hpp"
+#include "api/codec/exports/plan_gpx.hpp"
+#include "api/codec/exports/plan_imc.hpp"
+#include "api/codec/exports/plan_kml.hpp"
+#include "api/routes/plans/export_sea.hpp"
+#include "api/routes/plans/mission_service.hpp"
+#include "engine/core/utc_text.hpp"
+#include "engine/core/version.hpp"
+#include "engine/messages/export_messages.hpp"
+#include "engine/mission/below_ice.hpp"
+#include "engine/mission/goto_lists.hpp"
+#include "engine/mission/nmea_route.hpp"
+#include "engine/mission/seaglider_files.hpp"
+#include "storage/json/json.hpp"
+#include "storage/repository/datasets/dataset_repository.hpp"
+#include "storage/repository/environment/environment_loader.hpp"
+#include "storage/repository/features/coastline_repository.hpp"
+#include "storage/repository/features/known_icebergs.hpp"
+
+namespace floeplan::routes {
+namespace {
+
+using repository::PlanRecord;
+
+constexpr core::Metres around_route{30'000.0};  // of land and icebergs on the printed map
+constexpr double map_width = 720.0;
+constexpr double map_height = 420.0;
+
+/// Of the datasets that the plan was made with, by the rule of its request.
+std::vector<repository::StoredSighting> obeyed_sightings(sql::Connection& db, const PlanRecord& record,
+                                                         const planning::Plan& plan,
+                                                         const repository::DatasetChoice& of_icebergs) {
+  if (of_icebergs.ids.empty()) return {};
+  constexpr geo::BoundingBox whole_world{-180.0, -90.0, 180.0, 90.0};
+  repository::SightingQuery query{
+      .choice = of_icebergs, .area = whole_world, .as_of = plan.departure, .depart = plan.departure};
+  if (const auto inputs = inputs_of(record)) {
+    query.as_of = repository::sightings_as_of(inputs->data);
+    query.max_age = inputs->data.max_sighting_age;
+  }
+  core::Violations none;  // its datasets have been found, and all meet the whole world
+  return repository::known_icebergs(db, repository::DatasetRepository{db}.list(), query, none).sightings;
+}
+
+/// Land and icebergs of the data that the plan was made with, as far as they are still stored.
+codec::MapPicture picture_of(sql::Connection& db, const PlanRecord& record, const planning::Plan& plan) {
+  const geo::BoundingBox area = geo::grown(record.bounds, around_route);
+  std::vector<geo::Polygon> land;
+  std::vector<ocean::Iceberg> icebergs;
+  repository::DatasetChoice of_icebergs{repository::DatasetChoice::How::named, {}};
+  for (const auto& used : plan.datasets) {
+    const auto dataset = repository::DatasetRepository{db}.find({used.id});
+    if (!dataset) continue;
+    if (used.kind == "coastline")
+      std::ranges::move(repository::CoastlineRepository{db}.load(dataset->id, area),
+                        std::back_inserter(land));
+    if (used.kind == "icebergs") of_icebergs.ids.push_back(dataset->id);
+  }
+  for (const auto& sighting : obeyed_sightings(db, record, plan, of_icebergs))
+    if (geo::contains(area, sighting.iceberg.place)) icebergs.push_back(sighting.iceberg);
+  return codec::draw_map(plan, land, icebergs, map_width, map_height);
+}
+
+/// The plan in the format, which can hold it.
+std::string bytes_of(sql::Connection& db, const PlanRecord& record, const planning::Plan& plan,
+                     const ExportFormat& format, const std::vector<messages::Message>& told,
+                     core::UtcTime now) {
+  const std::string& id = record.id.value;
+  if (format.name == "gpx") return codec::plan_gpx(plan, id, record.name);
+  if (format.name == "kml") return codec::plan_kml(plan, id, record.name);
+  if (format.name == "geojson") return codec::plan_geojson(record).dump(2) + "\n";
+  if (format.name == "csv") return codec::plan_csv(plan);
+  if (format.name == "nmea") return mission::write_nmea_route(plan, id).text;
+  const mission::FileOrigin origin{id, record.name, now, std::string{core::program_version()}};
+  if (format.name == "targets")
+    return mission::write_targets(plan, mission::default_waypoint_radius(plan), origin).text;
+  if (format.name == "imc")
+    return codec::plan_imc(plan, vehicle_of(record, plan), shoals_of(db, record, plan), id, record.name, now);
+  const codec::BriefNotes notes{id, record.name, now, told};
+  if (format.name == "html") return codec::plan_brief_html(plan, picture_of(db, record, plan), notes);
+  if (format.name == "pdf") return codec::plan_brief_pdf(plan, picture_of(db, record, plan), notes);
+  throw std::invalid_argument{"export_plan: no format " + format.name};
+}
+
+/// Files that somebody flies a vehicle by, and that hold no depths of turns. The GeoJSON has them with each waypoint,
+/// the printed page says them.
+bool lacks_upper_turns(const ExportFormat& format) {
+  constexpr std::array<std::string_view, 5> lacking{"gpx", "kml", "csv", "nmea", "imc"};
+  return std::ranges::find(lacking, format.name) != lacking.end();
+}
+
+std::vector<messages::Message> messages_of(const planning::Plan& plan, const ExportFormat& format) {
+  if (!lacks_upper_turns(format)) return {};
+  const double turn_m = std::ceil(mission::least_upper_turn(plan).value);
+  if (turn_m <= 0.0 && mission::tells_upper_turns(plan)) return {};
+  const std::string turn = mission::tells_upper_turns(plan) ? std::to_string(std::lround(turn_m)) + " m"
+                                                            : std::string{"their keels"};
+  return {messages::export_message<"format-without-turns">(format.name, turn)};
+}
+
+core::Violations violations_of(const planning::Plan& plan, const ExportFormat& format) {
+  if (format.name == "nmea" && plan.waypoints.size() > mission::most_nmea_waypoints)
+    return {{"/waypoints", "must be 999 at most for NMEA"}};
+  if (format.name == "targets")
+    if (const auto closed = mission::closed_to_seagliders(plan)) return {*closed};
+  return {};
+}
+
+}  // namespace
+
+std::span<const ExportFormat> export_formats() {
+  static const std::vector<ExportFormat> formats{{"gpx", "application/gpx+xml", ""},
+                                                 {"kml", "application/vnd.google-earth.kml+xml", ""},
+                                                 {"geojson", "application/geo+json", ""},
+                                                 {"csv", "text/csv; charset=utf-8", ""},
+                                                 {"nmea", "text/plain; charset=us-ascii", ""},
+                                                 {"targets", "text/plain; charset=us-ascii", "targets"},
+                                                 {"imc", "application/json", ""},
+                                                 {"html", "text/html; charset=utf-8", ""},
+                                                 {"pdf", "application/pdf", ""}};
+  return formats;
+}
+
+std::string export_file_name(const ExportFormat& format, const std::string& stem) {
+  if (!format.file_name.empty()) return format.file_name;
+  return stem + "." + format.name + (format.name == "imc" ? ".json" : "");
+}
+
+std::string download_stem(const PlanRecord& record) {
+  constexpr std::size_t longest_name = 40;
+  std::string name;
+  for (const char c : record.name.substr(0, longest_name)) {
+    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+    if (plain) name += c;
+    if (!plain && !name.empty() && name.back() != '_') name += '_';
+  }
+  if (name.ends_with('_')) name.pop_back();
+  std::string minute = core::iso8601(record.departure).substr(0, std::size("2026-11-20T06:00") - 1);
+  std::erase_if(minute, [](char c) { return c == '-' || c == ':'; });
+  return (name.empty() ? "plan" : name) + "-" + minute + "Z-" + record.id.value;
+}
+
+tl::expected<ExportedPlan, core::Violations> export_plan(sql::Connection& db, const PlanRecord& record,
+                                                         const ExportFormat& format,
+                                                         const std::vector<messages::Message>& told,
+                                                         core::UtcTime now) {
+  const planning::Plan plan = codec::parse_plan_document(nlohmann::json::parse(record.document_json));
+  if (core::Violations found = violations_of(plan, format); !found.empty())
+    return tl::unexpected(std::move(found));
+  return ExportedPlan{bytes_of(db, record, plan, format, told, now), messages_of(plan, format)};
+}
+
+}  // namespace floeplan::routes

@@ -1,0 +1,115 @@
+#include "api/routes/processes/execution_request.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <utility>
+
+#include "api/codec/bytes/json_text.hpp"
+#include "api/routes/request/reply.hpp"
+#include "engine/core/violation_list.hpp"
+
+namespace floeplan::routes {
+namespace {
+
+using nlohmann::json;
+
+constexpr const char* known_keys = "inputs, outputs, response, force";
+
+/// The names of the outputs that the client wants; none: all of them.
+json wanted_outputs(const json& body, const ProcessEntry& process, core::Violations& violations) {
+  json wanted = json::array();
+  if (!body.contains("outputs")) return wanted;
+  const json& outputs = body.at("outputs");
+  if (!outputs.is_object()) {
+    core::note(violations, {"/outputs", "must be an object with the outputs that are wanted as its keys"});
+    return wanted;
+  }
+  for (const auto& [name, ignored] : outputs.items()) {
+    if (std::ranges::find(process.outputs, name, &ProcessOutput::name) == process.outputs.end()) {
+      core::note(violations, {"/outputs/" + name, "is not an output of the process " + process.id});
+    }
+    wanted.push_back(name);
+  }
+  return wanted;
+}
+
+std::string read_response(const json& body, core::Violations& violations) {
+  const json response = body.value("response", json("document"));
+  if (response == "raw" || response == "document") return response.get<std::string>();
+  core::note(violations, {"/response", "must be raw or document"});
+  return {};
+}
+
+/// A value with its media type or schema beside it (qualifiedInputValue of OGC 18-062r2, 7.11.2.3).
+bool is_qualified(const json& input) {
+  constexpr auto known =
+      std::to_array<std::string_view>({"value", "mediaType", "encoding", "schema", "format"});
+  if (!input.is_object() || !input.contains("value")) return false;
+  for (const auto& [key, ignored] : input.items())
+    if (std::ranges::find(known, std::string_view{key}) == known.end()) return false;
+  return true;
+}
+
+/// The bare value of one input. What is not given as a value is refused: no other server is asked, and no text decoded.
+void unwrap(json& input, const std::string& pointer, core::Violations& violations) {
+  if (input.is_object() && input.contains("href") && !input.contains("type"))
+    return core::note(violations, {pointer, "must be given as a value; links (href) are not followed"});
+  if (!is_qualified(input)) return;
+  const json encoding = input.value("encoding", json());
+  if (!encoding.is_null() && encoding != "utf-8" && encoding != "UTF-8")
+    return core::note(violations, {pointer + "/encoding", "must be utf-8 or be left out"});
+  json value = std::move(input.at("value"));
+  input = std::move(value);
+}
+
+/// Unwraps every input, also those that come as an array of qualified values.
+void unwrap_inputs(json& inputs, core::Violations& violations) {
+  if (!inputs.is_object()) return;
+  for (auto& [name, input] : inputs.items()) {
+    const std::string pointer = "/inputs/" + name;
+    unwrap(input, pointer, violations);
+    if (!input.is_array() || input.empty() || !std::ranges::all_of(input, is_qualified)) continue;
+    for (std::size_t i = 0; i < input.size(); ++i)
+      unwrap(input[i], pointer + "/" + std::to_string(i), violations);
+  }
+}
+
+bool read_force(const json& body, core::Violations& violations) {
+  const json force = body.value("force", json(false));
+  if (force.is_boolean()) return force.get<bool>();
+  core::note(violations, {"/force", "must be true or false"});
+  return false;
+}
+
+}  // namespace
+
+tl::expected<ExecutionRequest, Response> read_execution(const Request& request, const ProcessEntry& process) {
+  const std::string type = request.header("content-type");
+  if (!type.empty() && type.find("json") == std::string::npos) {
+    return tl::unexpected(problem_reply<"no-json">(request));
+  }
+  auto body = codec::parse_json(request.body);
+  if (!body) return tl::unexpected(problem_reply<"invalid-json">(request, body.error()));
+  if (!body->is_object())
+    return tl::unexpected(invalid(request, {{"", "must be an object with \"inputs\""}}));
+
+  core::Violations violations;
+  for (const auto& [key, value] : body->items()) {
+    if (key != "inputs" && key != "outputs" && key != "response" && key != "force") {
+      core::note(violations, {"/" + key, std::string{"is not known; the known keys are "} + known_keys});
+    }
+  }
+  if (!body->contains("inputs")) core::note(violations, {"/inputs", "is required"});
+  ExecutionRequest result;
+  result.force = read_force(*body, violations);
+  const json reply{{"outputs", wanted_outputs(*body, process, violations)},
+                   {"response", read_response(*body, violations)}};
+  if (body->contains("inputs")) unwrap_inputs(body->at("inputs"), violations);
+  if (!violations.empty()) return tl::unexpected(invalid(request, std::move(violations)));
+  result.reply_json = reply.dump();
+  result.inputs = std::move(body->at("inputs"));
+  return result;
+}
+
+}  // namespace floeplan::routes

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+
+#include "api/routes/request/context.hpp"
+#include "api/routes/request/message.hpp"
+#include "storage/repository/work/job_repository.hpp"
+
+namespace floeplan::routes {
+
+/// The results document of a job, or a problem that says why there is none.
+[[nodiscard]] Response results_reply(const Request& request, const repository::JobRecord& job);
+
+/// Asks to be called again, with `token`, when the job changes or the time is up.
+[[nodiscard]] Response waiting_for(const Context& context, const repository::JobId& id,
+                                   const std::string& token, core::Seconds at_most);
+
+}  // namespace floeplan::routes

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+
+#include "api/routes/request/message.hpp"
+
+namespace floeplan::routes {
+
+/// Whose jobs and keys those of the request are; empty: a server that knows nobody by name.
+[[nodiscard]] inline std::string owner_of(const Request& request) {
+  const bool is_known = request.caller && request.caller->name != local_caller.name;
+  return is_known ? request.caller->name : std::string{};
+}
+
+/// Whether the caller may see what belongs to `owner` alone: the owner may, and an admin. To everybody else it does not
+/// exist.
+[[nodiscard]] inline bool may_see_of(const Request& request, const std::string& owner) {
+  const bool sees_all = request.caller && request.caller->role == repository::Role::admin;
+  return sees_all || owner == owner_of(request);
+}
+
+}  // namespace floeplan::routes
