@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "engine/core/violation_list.hpp"
-#include "engine/simulation/glider_motion.hpp"
+#include "engine/simulation/vehicle/glider_motion.hpp"
 
 namespace floeplan::jobs {
 

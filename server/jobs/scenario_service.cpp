@@ -9,9 +9,9 @@
 
 #include "api/codec/documents/flight_document.hpp"
 #include "engine/core/random.hpp"
-#include "engine/simulation/equipped_vehicle.hpp"
-#include "engine/simulation/hindsight.hpp"
-#include "engine/simulation/random_icebergs.hpp"
+#include "engine/simulation/flight/equipped_vehicle.hpp"
+#include "engine/simulation/flight/hindsight.hpp"
+#include "engine/simulation/flight/random_icebergs.hpp"
 #include "server/jobs/parallel_runs.hpp"
 #include "storage/json/json.hpp"
 

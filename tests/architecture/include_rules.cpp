@@ -19,6 +19,7 @@ struct Folder {
   Names headers{};
 };
 
+/// One with nothing but rooms in it stands for all of them.
 const std::map<std::string, Folder>& folders() {
   static const std::map<std::string, Folder> all{
       {"engine/elementary", {{}}},
@@ -53,9 +54,18 @@ const std::map<std::string, Folder>& folders() {
       {"engine/planning", {{"engine/planning/diagnosis"}}},
       // Outside the planner its five verbs are known, what they take and give, and little else.
       {"engine/reproduction", {{"engine/planning/optimal_control", "engine/planning/refinement"}}},
-      {"engine/mission", {{"engine/planning/problem"}, {"engine/planning"}}},
+      {"engine/mission/document", {{"engine/planning/problem"}}},
+      {"engine/mission/reading", {{"engine/mission/document"}}},
+      {"engine/mission/writing", {{"engine/mission/reading"}}},
+      {"engine/mission/checking", {{"engine/mission/writing"}, {"engine/planning"}}},
+      {"engine/mission", {{"engine/mission/checking"}}},
       {"engine/avoidance", {{"engine/graph", "engine/motion", "engine/vehicle"}}},
-      {"engine/simulation", {{"engine/mission", "engine/avoidance", "engine/planning/ice"}}},
+      {"engine/simulation/world", {{"engine/planning/ice"}}},
+      {"engine/simulation/vehicle", {{"engine/simulation/world", "engine/mission/writing"}}},
+      {"engine/simulation/sensors", {{"engine/simulation/vehicle", "engine/avoidance"}}},
+      {"engine/simulation/flight", {{"engine/simulation/sensors"}}},
+      {"engine/simulation/logs", {{"engine/simulation/flight"}}},
+      {"engine/simulation", {{"engine/simulation/logs"}}},
       {"storage/sql/driver", {{}}},
       {"storage/sql/sqlite", {{"storage/sql/driver"}}},
       {"storage/sql", {{"storage/sql/sqlite", "engine/core"}}},
@@ -110,7 +120,6 @@ const std::map<std::string, Folder>& folders() {
       {"api/codec/documents", {{"api/codec/inputs", "api/problems"}, {"engine/planning"}}},
       {"api/codec/features", {{"api/codec/documents"}}},
       {"api/codec/exports", {{"api/codec/features"}}},
-      // No code of its own: all the rooms.
       {"api/codec", {{"api/codec/exports"}}},
       {"api/openapi", {{}}},
       {"api/log", {{"engine/core"}}},

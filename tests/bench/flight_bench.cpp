@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "engine/planning/plane/plane_box.hpp"
-#include "engine/simulation/equipped_vehicle.hpp"
-#include "engine/simulation/random_icebergs.hpp"
+#include "engine/simulation/flight/equipped_vehicle.hpp"
+#include "engine/simulation/flight/random_icebergs.hpp"
 #include "server/jobs/parallel_runs.hpp"
 #include "tests/bench/benchmarks.hpp"
 

@@ -3,8 +3,8 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "engine/mission/document_text.hpp"
-#include "engine/mission/read_document.hpp"
+#include "engine/mission/document/document_text.hpp"
+#include "engine/mission/reading/read_document.hpp"
 
 namespace {
 

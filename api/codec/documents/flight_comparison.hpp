@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "engine/core/violation.hpp"
-#include "engine/simulation/segment_comparison.hpp"
+#include "engine/simulation/logs/segment_comparison.hpp"
 #include "storage/json/json.hpp"
 
 namespace floeplan::codec {

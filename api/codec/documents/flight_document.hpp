@@ -3,8 +3,8 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "engine/geo/local_projection.hpp"
-#include "engine/simulation/batch_statistics.hpp"
-#include "engine/simulation/flight_record.hpp"
+#include "engine/simulation/flight/batch_statistics.hpp"
+#include "engine/simulation/flight/flight_record.hpp"
 
 namespace floeplan::codec {
 

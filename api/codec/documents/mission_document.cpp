@@ -4,7 +4,7 @@
 #include <map>
 #include <stdexcept>
 
-#include "engine/mission/document_text.hpp"
+#include "engine/mission/document/document_text.hpp"
 #include "storage/json/json.hpp"
 
 namespace floeplan::codec {

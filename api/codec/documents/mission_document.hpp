@@ -3,7 +3,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "engine/mission/document.hpp"
+#include "engine/mission/document/document.hpp"
 
 namespace floeplan::codec {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "engine/geo/geodesic.hpp"
-#include "engine/mission/comment_text.hpp"
+#include "engine/mission/document/comment_text.hpp"
 #include "storage/json/json.hpp"
 
 namespace floeplan::codec {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "engine/core/units.hpp"
-#include "engine/mission/shoals.hpp"
+#include "engine/mission/writing/shoals.hpp"
 #include "engine/planning/problem/plan.hpp"
 #include "engine/vehicle/glider_profile.hpp"
 

@@ -3,9 +3,9 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "api/codec/reading/input_reader.hpp"
-#include "engine/simulation/adcp_settings.hpp"
-#include "engine/simulation/altimeter.hpp"
-#include "engine/simulation/sonar_settings.hpp"
+#include "engine/simulation/sensors/adcp_settings.hpp"
+#include "engine/simulation/sensors/altimeter.hpp"
+#include "engine/simulation/sensors/sonar_settings.hpp"
 
 namespace floeplan::codec {
 

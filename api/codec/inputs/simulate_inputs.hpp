@@ -7,11 +7,11 @@
 #include <vector>
 
 #include "engine/core/violation.hpp"
-#include "engine/simulation/adcp_settings.hpp"
-#include "engine/simulation/altimeter.hpp"
-#include "engine/simulation/current_error_field.hpp"
-#include "engine/simulation/flight.hpp"
-#include "engine/simulation/sonar_settings.hpp"
+#include "engine/simulation/flight/flight.hpp"
+#include "engine/simulation/sensors/adcp_settings.hpp"
+#include "engine/simulation/sensors/altimeter.hpp"
+#include "engine/simulation/sensors/sonar_settings.hpp"
+#include "engine/simulation/world/current_error_field.hpp"
 #include "storage/json/json.hpp"
 
 namespace floeplan::codec {

@@ -2,7 +2,7 @@
 
 #include "api/codec/route_files/route_formats.hpp"
 #include "engine/core/letter_case.hpp"
-#include "engine/mission/line_words.hpp"
+#include "engine/mission/document/line_words.hpp"
 
 namespace floeplan::codec {
 namespace {

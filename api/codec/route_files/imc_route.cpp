@@ -7,7 +7,7 @@
 #include "api/codec/bytes/json_text.hpp"
 #include "api/codec/route_files/route_formats.hpp"
 #include "engine/geo/geodesic.hpp"
-#include "engine/mission/line_words.hpp"
+#include "engine/mission/document/line_words.hpp"
 
 namespace floeplan::codec {
 namespace {

@@ -4,7 +4,7 @@
 #include <map>
 
 #include "api/codec/route_files/route_formats.hpp"
-#include "engine/mission/line_words.hpp"
+#include "engine/mission/document/line_words.hpp"
 
 namespace floeplan::codec {
 namespace {

@@ -4,8 +4,8 @@
 #include "engine/core/letter_case.hpp"
 #include "engine/core/utf8_text.hpp"
 #include "engine/core/violation_list.hpp"
-#include "engine/mission/flight_route.hpp"
-#include "engine/mission/read_document.hpp"
+#include "engine/mission/checking/flight_route.hpp"
+#include "engine/mission/reading/read_document.hpp"
 #include "storage/xml/xml_document.hpp"
 
 namespace floeplan::codec {

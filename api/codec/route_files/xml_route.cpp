@@ -3,7 +3,7 @@
 #include "api/codec/reading/input_reader.hpp"
 #include "api/codec/route_files/route_formats.hpp"
 #include "engine/core/violation_list.hpp"
-#include "engine/mission/line_words.hpp"
+#include "engine/mission/document/line_words.hpp"
 #include "storage/xml/xml_document.hpp"
 
 namespace floeplan::codec {

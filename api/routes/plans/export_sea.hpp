@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "api/codec/inputs/plan_inputs.hpp"
-#include "engine/mission/safe_places.hpp"
-#include "engine/mission/shoals.hpp"
+#include "engine/mission/writing/safe_places.hpp"
+#include "engine/mission/writing/shoals.hpp"
 #include "engine/planning/problem/plan.hpp"
 #include "engine/vehicle/glider_profile.hpp"
 #include "storage/repository/work/plan_repository.hpp"

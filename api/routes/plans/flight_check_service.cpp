@@ -1,7 +1,7 @@
 #include "api/routes/plans/flight_check_service.hpp"
 
 #include "api/codec/inputs/plan_inputs.hpp"
-#include "engine/mission/flight_check.hpp"
+#include "engine/mission/checking/flight_check.hpp"
 #include "storage/json/json.hpp"
 #include "storage/repository/environment/environment_loader.hpp"
 

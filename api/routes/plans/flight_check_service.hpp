@@ -6,7 +6,7 @@
 
 #include "engine/core/violation.hpp"
 #include "engine/geo/lon_lat.hpp"
-#include "engine/mission/document.hpp"
+#include "engine/mission/document/document.hpp"
 #include "storage/sql/connection.hpp"
 
 namespace floeplan::routes {

@@ -8,7 +8,7 @@
 #include "api/routes/request/parameters.hpp"
 #include "api/routes/request/reply.hpp"
 #include "api/routes/request/resources.hpp"
-#include "engine/mission/read_document.hpp"
+#include "engine/mission/reading/read_document.hpp"
 #include "storage/json/json.hpp"
 
 namespace floeplan::routes {

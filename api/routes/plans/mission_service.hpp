@@ -7,8 +7,8 @@
 #include "api/codec/inputs/plan_inputs.hpp"
 #include "engine/core/units.hpp"
 #include "engine/core/violation.hpp"
-#include "engine/mission/mission_set.hpp"
-#include "engine/mission/seaglider_files.hpp"
+#include "engine/mission/writing/mission_set.hpp"
+#include "engine/mission/writing/seaglider_files.hpp"
 #include "storage/repository/work/plan_repository.hpp"
 #include "storage/sql/connection.hpp"
 

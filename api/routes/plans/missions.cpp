@@ -8,7 +8,7 @@
 #include "api/routes/request/resources.hpp"
 #include "engine/core/violation_list.hpp"
 #include "engine/messages/sentence.hpp"
-#include "engine/mission/comment_text.hpp"
+#include "engine/mission/document/comment_text.hpp"
 #include "storage/json/json.hpp"
 #include "storage/repository/work/plan_repository.hpp"
 

@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 
-#include "engine/mission/document_text.hpp"
-#include "engine/mission/read_document.hpp"
+#include "engine/mission/document/document_text.hpp"
+#include "engine/mission/reading/read_document.hpp"
 
 namespace floeplan::mission::dialects_test {
 namespace {

@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <sstream>
 
-#include "engine/mission/nmea_route.hpp"
-#include "engine/mission/read_document.hpp"
-#include "engine/mission/seaglider_files.hpp"
+#include "engine/mission/reading/read_document.hpp"
+#include "engine/mission/writing/nmea_route.hpp"
+#include "engine/mission/writing/seaglider_files.hpp"
 #include "tests/engine/mission/random_plan.hpp"
 
 namespace floeplan::mission::other_formats_test {

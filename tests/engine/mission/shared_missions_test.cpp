@@ -4,8 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "engine/mission/document_text.hpp"
-#include "engine/mission/read_document.hpp"
+#include "engine/mission/document/document_text.hpp"
+#include "engine/mission/reading/read_document.hpp"
 
 namespace floeplan::mission::shared_missions_test {
 namespace {

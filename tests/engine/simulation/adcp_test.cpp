@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "engine/core/random.hpp"
-#include "engine/simulation/adcp_beams.hpp"
-#include "engine/simulation/adcp_error_model.hpp"
+#include "engine/simulation/sensors/adcp_beams.hpp"
+#include "engine/simulation/sensors/adcp_error_model.hpp"
 
 namespace floeplan::simulation::adcp_test {
 namespace {

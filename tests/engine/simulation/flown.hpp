@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/simulation/flight.hpp"
+#include "engine/simulation/flight/flight.hpp"
 
 /// Worlds and missions for flights with known answers, around 47.5 N 52 W.
 namespace floeplan::support {

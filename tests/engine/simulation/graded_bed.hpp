@@ -6,7 +6,7 @@
 
 #include "engine/ocean/bathymetry.hpp"
 #include "engine/planning/plane/plane_box.hpp"
-#include "engine/simulation/sea_bed.hpp"
+#include "engine/simulation/world/sea_bed.hpp"
 #include "tests/engine/simulation/flown.hpp"
 
 namespace floeplan::support {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/simulation/equipped_vehicle.hpp"
+#include "engine/simulation/flight/equipped_vehicle.hpp"
 #include "tests/engine/simulation/flown.hpp"
 
 namespace floeplan::support {

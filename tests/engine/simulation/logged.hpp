@@ -4,8 +4,8 @@
 #include <cstdio>
 #include <string>
 
-#include "engine/simulation/flight_record.hpp"
-#include "engine/simulation/world.hpp"
+#include "engine/simulation/flight/flight_record.hpp"
+#include "engine/simulation/world/world.hpp"
 
 namespace floeplan::support {
 

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/simulation/logged_positions.hpp"
+#include "engine/simulation/logs/logged_positions.hpp"
 #include "storage/ingest/common/fault_report.hpp"
 #include "storage/ingest/files/first_bytes.hpp"
 #include "storage/ingest/formats/slocum/slocum_bytes.hpp"

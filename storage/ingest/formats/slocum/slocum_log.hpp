@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/simulation/log_table.hpp"
+#include "engine/simulation/logs/log_table.hpp"
 #include "storage/ingest/common/refusal.hpp"
 
 namespace floeplan::ingest {

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "engine/geo/geodesic.hpp"
-#include "engine/mission/packed_degrees.hpp"
+#include "engine/mission/document/packed_degrees.hpp"
 
 namespace floeplan::ingest {
 namespace {

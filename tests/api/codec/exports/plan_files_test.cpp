@@ -13,7 +13,7 @@
 #include "engine/core/utc_text.hpp"
 #include "engine/messages/data_messages.hpp"
 #include "engine/messages/plan_messages.hpp"
-#include "engine/mission/nmea_route.hpp"
+#include "engine/mission/writing/nmea_route.hpp"
 #include "tests/support/property.hpp"
 
 namespace floeplan::codec::plan_files_test {

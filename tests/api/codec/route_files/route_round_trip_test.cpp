@@ -12,8 +12,8 @@
 #include "api/codec/features/plan_feature.hpp"
 #include "api/codec/inputs/plan_inputs.hpp"
 #include "api/codec/route_files/route_file.hpp"
-#include "engine/mission/goto_lists.hpp"
-#include "engine/mission/nmea_route.hpp"
+#include "engine/mission/writing/goto_lists.hpp"
+#include "engine/mission/writing/nmea_route.hpp"
 #include "tests/engine/mission/random_plan.hpp"
 
 namespace floeplan::codec::route_round_trip_test {

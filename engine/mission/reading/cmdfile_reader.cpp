@@ -1,0 +1,125 @@
+#include "engine/mission/reading/cmdfile_reader.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "engine/mission/document/line_words.hpp"
+#include "engine/mission/reading/seaglider_lines.hpp"
+
+namespace floeplan::mission {
+namespace {
+
+/// What a vehicle takes for a parameter.
+struct ParameterRule {
+  std::string_view name;
+  double least;
+  double most;
+  bool whole{false};
+  bool advice{false};  // values outside are taken, against advice
+};
+
+/// Those that pilots set to fly a route. Source: basestation3 parmdata.py.
+constexpr std::array parameters{
+    ParameterRule{"D_ABORT", 0, 1100},
+    ParameterRule{"D_CALL", 0, 5},
+    ParameterRule{"D_FINISH", 0, 6000},
+    ParameterRule{"D_FLARE", 0, 50},
+    ParameterRule{"D_NO_BLEED", 10, 1100, false, true},
+    ParameterRule{"D_OFFGRID", 10, 1100},
+    ParameterRule{"D_SAFE", 0, 1100},
+    ParameterRule{"D_SURF", 0.5, 10},
+    ParameterRule{"D_TGT", 0, 1100},
+    ParameterRule{"ESCAPE_HEADING", 0, 360},
+    ParameterRule{"FERRY_MAX", 0, 90, false, true},
+    ParameterRule{"GLIDE_SLOPE", -90, 90},
+    ParameterRule{"HEADING", -1, 360},
+    ParameterRule{"ICE_FREEZE_MARGIN", -2, 2},
+    ParameterRule{"KALMAN_USE", 0, 2, true},
+    ParameterRule{"MAX_BUOY", -600, 600, false, true},
+    ParameterRule{"NAV_MODE", 0, 3, true},
+    ParameterRule{"N_DIVES", 0, 999999, true},
+    ParameterRule{"N_NOCOMM", 0, 10, true},
+    ParameterRule{"N_NOSURFACE", -20, 20, true},
+    ParameterRule{"SM_CC", 150, 800},
+    ParameterRule{"T_ABORT", 720, 44600, true},
+    ParameterRule{"T_DIVE", 5, 2880, true},
+    ParameterRule{"T_LOITER", 0, 1728000, true},
+    ParameterRule{"T_MISSION", 10, 43200, true},
+    ParameterRule{"USE_BATHY", -50, 50, true},
+    ParameterRule{"USE_ICE", -50, 50, true},
+};
+
+bool is_directive(std::string_view line) {
+  static constexpr std::array directives{"$GO", "$RESUME", "$QUIT", "$EXIT_TO_MENU"};
+  return std::ranges::find(directives, line) != directives.end();
+}
+
+void check_range(const Argument& parameter, Document& document) {
+  const auto rule = std::ranges::find(parameters, std::string_view{parameter.name}, &ParameterRule::name);
+  if (rule == parameters.end())
+    return report(document, parameter.line, Severity::note, "unknown_parameter",
+                  "$" + parameter.name + " is not among the parameters that are known here");
+  if (rule->whole && parameter.value != std::floor(parameter.value))
+    report(document, parameter.line, Severity::error, "not_whole",
+           "$" + parameter.name + " must be a whole number");
+  if (parameter.value < rule->least || parameter.value > rule->most)
+    report(document, parameter.line, rule->advice ? Severity::warning : Severity::error, "out_of_range",
+           "$" + parameter.name + " lies outside of what the vehicle takes");
+}
+
+void read_parameter(std::string_view word, int line, Document& document) {
+  const std::size_t comma = word.find(',');
+  const std::string_view name = word.substr(1, comma == std::string_view::npos ? comma : comma - 1);
+  if (comma == std::string_view::npos || !is_name(name))
+    return report(document, line, Severity::error, "unknown_line", "neither $NAME,number nor a directive");
+  const std::string_view raw = word.substr(comma + 1);
+  const auto value = parse_number(raw);
+  if (!value)
+    return report(document, line, Severity::error, "value_not_a_number",
+                  "the value of $" + std::string{name} + " is not a number");
+  Argument parameter{std::string{name}, std::string{name}, "", std::string{raw}, *value, line};
+  const auto before = std::ranges::find(document.sensors, parameter.name, &Argument::name);
+  if (before != document.sensors.end())
+    report(document, line, before->value == *value ? Severity::warning : Severity::error, "parameter_twice",
+           "$" + parameter.name + " is given again, first in line " + std::to_string(before->line));
+  check_range(parameter, document);
+  document.sensors.push_back(std::move(parameter));
+}
+
+/// A dive must be over before it is given up, and turn before it is given up.
+void check_limits(Document& document) {
+  const auto require_less = [&](const char* less, const char* more) {
+    const auto low = std::ranges::find(document.sensors, less, &Argument::name);
+    const auto high = std::ranges::find(document.sensors, more, &Argument::name);
+    if (low == document.sensors.end() || high == document.sensors.end() || low->value < high->value) return;
+    report(document, low->line, Severity::error, "beyond_limit",
+           std::string{"$"} + less + " must be less than $" + more + ", at which the dive is aborted");
+  };
+  require_less("D_TGT", "D_ABORT");
+  require_less("T_DIVE", "T_MISSION");
+  require_less("T_MISSION", "T_ABORT");
+}
+
+}  // namespace
+
+void read_cmdfile(const FileText& text, Document& document) {
+  int directive_line = 0;
+  for (const SeagliderLine& line : seaglider_lines(text, document)) {
+    if (directive_line != 0)
+      report(document, line.number, Severity::warning, "after_directive",
+             "a line after the directive of line " + std::to_string(directive_line) + ", which comes last");
+    if (line.words.size() > 1 || !line.words.front().starts_with('$')) {
+      report(document, line.number, Severity::error, "unknown_line", "neither $NAME,number nor a directive");
+    } else if (is_directive(line.words.front())) {
+      directive_line = line.number;
+    } else {
+      read_parameter(line.words.front(), line.number, document);
+    }
+  }
+  if (directive_line == 0)
+    report(document, 0, Severity::error, "no_directive", "$GO, $RESUME, $QUIT or $EXIT_TO_MENU is missing");
+  check_limits(document);
+}
+
+}  // namespace floeplan::mission

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/mission/writing/mission_file.hpp"
+#include "engine/mission/writing/mission_set_options.hpp"
+
+namespace floeplan::mission {
+
+/// A surfacing of the mission: what causes it, and its own argument file.
+struct Surfacing {
+  int number{};  // NN of surfacNN.ma
+  std::string why;
+};
+
+/// The surfacings of a mission, in order of priority.
+[[nodiscard]] std::vector<Surfacing> surfacings_of(const MissionSetOptions& options);
+
+/// The depth that a yo turns at.
+[[nodiscard]] core::Metres target_depth(const vehicle::GliderProfile& vehicle);
+
+/// The depth that a yo climbs to: below everything that the plan passes under, all the way, for a yo knows no places.
+[[nodiscard]] core::Metres climb_target(const planning::Plan& plan, const vehicle::GliderProfile& vehicle);
+
+/// How long the vehicle goes without contact before it comes up to seek it.
+[[nodiscard]] core::Seconds longest_silence(const planning::Plan& plan, const MissionSetOptions& options);
+
+/// The argument files of yo, surface, sample and prepare_to_dive.
+[[nodiscard]] std::vector<MissionFile> flight_files(const planning::Plan& plan,
+                                                    const MissionSetOptions& options);
+
+}  // namespace floeplan::mission

@@ -1,0 +1,282 @@
+#include "engine/mission/writing/goto_lists.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <optional>
+#include <utility>
+
+#include "engine/geo/geodesic.hpp"
+#include "engine/messages/export_messages.hpp"
+#include "engine/mission/document/printed_text.hpp"
+#include "engine/mission/writing/argument_lines.hpp"
+#include "engine/mission/writing/below_ice.hpp"
+#include "engine/mission/writing/list_parts.hpp"
+#include "engine/mission/writing/waypoint_ranges.hpp"
+
+namespace floeplan::mission {
+namespace {
+
+constexpr int documented_max_waypoints = 8;
+constexpr double max_latitude_deg = 89.0;   // closer to a pole the vehicle's UTM-based metres mean nothing
+constexpr double utm_north_end_deg = 84.0;  // UTM is defined between these parallels
+constexpr double utm_south_end_deg = -80.0;
+constexpr double smallest_radius_m = 10.0;  // minimum of list_when_wpt_dist in the vehicle's data dictionary
+constexpr double largest_default_radius_m = 500.0;
+constexpr double long_leg_m = 100'000.0;
+// Judgements: beyond what pilots expect of dead reckoning, and may still find by what a plan knows of the ice around it.
+constexpr core::Metres far_off{5000.0};
+constexpr core::Seconds far_later{2.0 * 3600.0};
+
+std::vector<core::Metres> leg_lengths(const planning::Plan& plan) {
+  std::vector<core::Metres> lengths;
+  for (std::size_t i = 1; i < plan.waypoints.size(); ++i) {
+    lengths.push_back(geo::geodesic_between(plan.waypoints[i - 1].place, plan.waypoints[i].place).length);
+  }
+  return lengths;
+}
+
+/// A list that ends near ice gets a smaller radius than the usual one, if none is asked for.
+ListRules rules_of(const GotoListOptions& options) {
+  return {static_cast<std::size_t>(options.max_waypoints),
+          options.radius.value_or(core::Metres{smallest_radius_m})};
+}
+
+core::Metres radius_of(const planning::Plan& plan, const ListPart& part, const GotoListOptions& options) {
+  if (options.radius) return {std::floor(options.radius->value)};
+  const core::Metres usual = default_waypoint_radius(plan);
+  const auto end = end_of(plan, part);
+  if (!end) return usual;
+  const bool is_sure = end->sure_room().value > smallest_radius_m;
+  core::Metres room = is_sure ? end->sure_room() : end->room();
+  if (end->from_ice) room = std::min(room, *end->from_ice);
+  return {std::clamp(std::ceil(room.value) - 1.0, smallest_radius_m, usual.value)};
+}
+
+core::Violations violations_of_options(const planning::Plan& plan, const GotoListOptions& options) {
+  core::Violations found;
+  if (plan.waypoints.size() < 2)
+    found.push_back({"/waypoints", "a plan to export has at least a start and a goal"});
+  for (std::size_t i = 0; i < plan.waypoints.size(); ++i) {
+    const geo::LonLat place = plan.waypoints[i].place;
+    if (!geo::is_valid(place) || std::abs(place.lat_deg) > max_latitude_deg) {
+      found.push_back(
+          {"/waypoints/" + std::to_string(i),
+           "must be a place between 89 degrees south and 89 degrees north; nearer to a pole the vehicle "
+           "cannot navigate by longitude and latitude"});
+    }
+  }
+  if (options.max_waypoints < 1) found.push_back({"/max_waypoints", "must be at least 1"});
+  if (options.radius && !(options.radius->value >= smallest_radius_m && options.radius->value <= 100'000.0)) {
+    found.push_back({"/radius_m", "must be between 10 m, the vehicle's minimum, and 100 km"});
+  }
+  if (!found.empty()) return found;
+
+  const ListRules rules = rules_of(options);
+  if (!options.may_end_below_ice) found = list_end_violations(plan, rules);
+  if (!found.empty()) return found;
+
+  const std::vector<ListPart> parts = part_into_lists(plan, rules);
+  const auto lists = static_cast<int>(parts.size());
+  const auto rows_of_first = static_cast<int>(parts.front().last);
+  if (options.first_number < 0 || options.first_number + lists - 1 > last_free_number) {
+    found.push_back(
+        {"/number", "the plan takes " + std::to_string(lists) +
+                        " list(s), numbered from the given number on; all numbers must lie between 0 and 97 "
+                        "(98 and 99 belong to the firmware)"});
+  }
+  if (options.initial_waypoint < -2 || options.initial_waypoint >= rows_of_first) {
+    found.push_back({"/initial_waypoint", "must be -2, -1 or a row of the first list, counted from 0"});
+  }
+  return found;
+}
+
+/// A file of the set: some of the plan's waypoints, and the radius in which one is reached.
+struct List {
+  std::string file_name;
+  ListPart part;
+  core::Metres radius;
+};
+
+std::vector<List> lists_of_plan(const planning::Plan& plan, const GotoListOptions& options) {
+  std::vector<List> lists;
+  for (const ListPart& part : part_into_lists(plan, rules_of(options))) {
+    const int number = options.first_number + static_cast<int>(lists.size());
+    lists.push_back({argument_file_name("goto_list", number), part, radius_of(plan, part, options)});
+  }
+  return lists;
+}
+
+/// Whether the plan passes below ice or icebergs, or knows of ice near one of its waypoints.
+bool is_beside_ice(const planning::Plan& plan) {
+  const auto is_near = [](const planning::SurfacingState& state) { return state.nearest_ice.has_value(); };
+  return passes_below(plan, {1, plan.waypoints.size() - 1}) ||
+         (plan.surfacing && std::ranges::any_of(plan.surfacing->waypoints, is_near));
+}
+
+/// Why the vehicle may not be able to surface where the list is flown; empty: it can.
+std::optional<messages::Message> message_of_end(const planning::Plan& plan, const List& list) {
+  const std::size_t last = list.part.last;
+  const auto told = [&]() -> std::optional<messages::Message> {
+    if (overhead(plan, last) == Overhead::unknown)
+      return messages::export_message<"list-ends-in-unknown-ice">(list.file_name, last);
+    const auto end = end_of(plan, list.part);
+    if (!end && !passes_below(plan, list.part)) {
+      const core::Metres error = error_of(plan, list.part);
+      if (error <= far_off) return std::nullopt;
+      return messages::export_message<"list-ends-far-off">(list.file_name, last,
+                                                           std::ceil(error.value / 1000.0));
+    }
+    if (!end) return messages::export_message<"list-ends-after-ice-of-earlier-version">(list.file_name, last);
+    const std::string room = text_of(*end, list.radius);
+    if (end->sure_room() <= list.radius) {
+      return messages::export_message<"list-may-end-below-ice">(list.file_name, last, room,
+                                                                std::ceil((list.radius + end->error).value));
+    }
+    if (!passes_below(plan, list.part)) return std::nullopt;
+    return messages::export_message<"list-ends-beside-ice">(list.file_name, last, room);
+  };
+  auto message = told();
+  if (message) message->place = plan.waypoints[last].place;
+  return message;
+}
+
+/// Of a list that is flown for longer than planned, where there may be ice by then; empty: it is not.
+std::optional<messages::Message> message_of_delay(const planning::Plan& plan, const List& list) {
+  const core::Seconds late = late_by(plan, list.part);
+  if (!plan.surfacing || late <= far_later) return std::nullopt;
+  return messages::export_message<"list-flown-longer">(list.file_name, late.count() / 3600.0)
+      .at(plan.waypoints[list.part.last].place);
+}
+
+/// Of legs that are planned on the thruster, where no file turns it on; empty: there are none.
+std::optional<messages::Message> message_of_thruster(const planning::Plan& plan,
+                                                     const GotoListOptions& options) {
+  if (options.thruster_in_yo) return std::nullopt;
+  const std::string on_thruster = waypoint_ranges(plan.waypoints.size(), [&](std::size_t i) {
+    return plan.waypoints[i].drive == vehicle::Drive::thruster;
+  });
+  if (on_thruster.empty()) return std::nullopt;
+  return messages::export_message<"thruster-not-in-files">(on_thruster);
+}
+
+/// Of plans stored before they told the currents of their legs, where that matters; empty: it does not.
+std::optional<messages::Message> message_of_unknown_currents(const planning::Plan& plan) {
+  const auto is_water = [](const ocean::DatasetRef& dataset) {
+    return dataset.kind == "currents" || dataset.kind == "tides";
+  };
+  const bool is_told = std::ranges::any_of(
+      plan.waypoints, [](const planning::Waypoint& waypoint) { return waypoint.current.has_value(); });
+  if (is_told || !is_beside_ice(plan) || std::ranges::none_of(plan.datasets, is_water)) return std::nullopt;
+  return messages::export_message<"currents-of-legs-not-told">();
+}
+
+/// Before it has come up once a vehicle knows nothing of the current; empty where it passes below no ice.
+std::optional<messages::Message> message_of_first_dives(const planning::Plan& plan, const List& first) {
+  if (!passes_below(plan, {1, plan.waypoints.size() - 1})) return std::nullopt;
+  const core::Seconds time = plan.waypoints[first.part.last].eta - plan.departure;
+  return messages::export_message<"long-before-first-surfacing">(first.file_name, time.count() / 3600.0,
+                                                                 0.1 * time.count() / 1000.0);
+}
+
+std::vector<messages::Message> messages_for(const planning::Plan& plan, const GotoListOptions& options,
+                                            const std::vector<core::Metres>& legs,
+                                            const std::vector<List>& lists) {
+  std::vector<messages::Message> told;
+  const auto tell = [&](std::optional<messages::Message> message) {
+    if (message) told.push_back(std::move(*message));
+  };
+  if (lists.size() > 1) {
+    tell(messages::export_message<"several-lists">(options.max_waypoints, lists.size(),
+                                                   lists.front().file_name, lists.back().file_name));
+  }
+  tell(message_of_thruster(plan, options));
+  tell(message_of_unknown_currents(plan));
+  tell(message_of_first_dives(plan, lists.front()));
+  for (const List& list : lists) {
+    tell(message_of_end(plan, list));
+    tell(message_of_delay(plan, list));
+  }
+  if (options.max_waypoints > documented_max_waypoints)
+    tell(messages::export_message<"lists-longer-than-documented">(options.max_waypoints));
+  const double radius_m = std::ranges::max(lists, {}, &List::radius).radius.value;
+  const core::Metres shortest = *std::min_element(legs.begin(), legs.end());
+  if (radius_m >= shortest.value / 2.0)
+    tell(messages::export_message<"waypoint-radius-too-large">(radius_m, shortest.value));
+  const auto tell_of_short_cut = [&](const std::optional<core::Metres>& clearance, const char* what) {
+    if (!clearance || clearance->value >= radius_m) return;
+    tell(messages::export_message<"corners-may-be-cut">(radius_m, what, clearance->value));
+  };
+  tell_of_short_cut(plan.clearances.iceberg, "an iceberg");
+  tell_of_short_cut(plan.clearances.land, "land");
+  for (std::size_t i = 0; i < legs.size(); ++i) {
+    if (legs[i].value <= long_leg_m) continue;
+    tell(messages::export_message<"long-leg">(i + 1, legs[i].value / 1000.0).at(plan.waypoints[i + 1].place));
+  }
+  for (const planning::PassedUnder& under : plan.passed_under) {
+    tell(messages::export_message<"files-pass-under-iceberg">(under.iceberg, under.from, under.until,
+                                                              std::ceil(under.keel.upper_turn.value)));
+  }
+  std::ranges::move(warnings_below_ice(plan), std::back_inserter(told));
+  for (std::size_t i = 0; i < plan.waypoints.size(); ++i) {
+    const planning::Waypoint& waypoint = plan.waypoints[i];
+    if (waypoint.wait.count() <= 0.0) continue;
+    tell(messages::export_message<"wait-not-in-list">(waypoint.wait.count() / 3600.0, i).at(waypoint.place));
+  }
+  const auto beyond_utm = std::ranges::find_if(plan.waypoints, [](const planning::Waypoint& w) {
+    return w.place.lat_deg > utm_north_end_deg || w.place.lat_deg < utm_south_end_deg;
+  });
+  if (beyond_utm != plan.waypoints.end())
+    tell(messages::export_message<"beyond-utm">().at(beyond_utm->place));
+  return told;
+}
+
+}  // namespace
+
+core::Metres default_waypoint_radius(const planning::Plan& plan) {
+  const std::vector<core::Metres> legs = leg_lengths(plan);
+  const double shortest_m = std::min_element(legs.begin(), legs.end())->value;
+  return {std::clamp(std::ceil(shortest_m / 2.0) - 1.0, smallest_radius_m, largest_default_radius_m)};
+}
+
+core::Seconds longest_list_time(const planning::Plan& plan, const GotoListOptions& options) {
+  core::Seconds longest{0.0};
+  for (const ListPart& part : part_into_lists(plan, rules_of(options)))
+    longest = std::max(longest, plan.waypoints[part.last].eta - plan.waypoints[part.first - 1].eta);
+  return longest;
+}
+
+tl::expected<MissionFiles, core::Violations> write_goto_lists(const planning::Plan& plan,
+                                                              const GotoListOptions& options) {
+  if (core::Violations found = violations_of_options(plan, options); !found.empty())
+    return tl::unexpected(std::move(found));
+
+  const std::vector<core::Metres> legs = leg_lengths(plan);
+  const std::vector<List> lists = lists_of_plan(plan, options);
+
+  MissionFiles written;
+  for (std::size_t i = 0; i < lists.size(); ++i) {
+    const auto& [name, part, radius] = lists[i];
+    const std::string comments =
+        print("# %s, list %zu of %zu: waypoints %zu to %zu of %zu\n", name.c_str(), i + 1, lists.size(),
+              part.first, part.last, plan.waypoints.size() - 1) +
+        origin_comments(plan, options.origin) +
+        "# The start of the plan is left out: the vehicle is there and heads for the first row.\n";
+    std::vector<geo::LonLat> places;
+    for (std::size_t row = part.first; row <= part.last; ++row) places.push_back(plan.waypoints[row].place);
+    const int initial = i == 0 ? options.initial_waypoint : 0;
+    written.files.push_back(
+        {name, argument_file("goto_list", comments,
+                             {{"num_legs_to_run", "-2"},
+                              {"start_when", "0"},
+                              {"list_stop_when", "7"},
+                              {"list_when_wpt_dist", whole(radius.value)},
+                              {"initial_wpt", whole(initial)},
+                              {"num_waypoints", whole(static_cast<double>(places.size()))}}) +
+                   waypoint_section(places)});
+  }
+  written.messages = messages_for(plan, options, legs, lists);
+  return written;
+}
+
+}  // namespace floeplan::mission

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <optional>
+#include <tl/expected.hpp>
+
+#include "engine/core/units.hpp"
+#include "engine/core/violation.hpp"
+#include "engine/mission/writing/file_origin.hpp"
+#include "engine/mission/writing/mission_file.hpp"
+#include "engine/planning/problem/plan.hpp"
+
+namespace floeplan::mission {
+
+/// The firmware writes goto_l99, and its recovery under ice uses goto_l98.
+inline constexpr int last_free_number = 97;
+
+/// How a plan becomes lists. What is named here and not in the plan goes into the comments of each file.
+struct GotoListOptions {
+  int first_number{10};                  // NN of the first goto_lNN.ma, 0 to 97
+  int max_waypoints{8};                  // of one list: GliderProfile::max_waypoints_per_list
+  std::optional<core::Metres> radius{};  // in which a waypoint is reached; default: see write_goto_lists
+  int initial_waypoint{0};  // of the first list: its row from 0, -1 after the last achieved, -2 the closest
+  bool may_end_below_ice{false};  // of lists that no vehicle flies
+  bool thruster_in_yo{false};     // the yo that they are flown with turns it on for every leg
+  FileOrigin origin{};
+};
+
+/// Within which a waypoint counts as reached unless told otherwise: the largest whole number of metres below half
+/// of the shortest leg, in 10 to 500 m, so that no waypoint is skipped.
+/// Precondition  two waypoints or more
+[[nodiscard]] core::Metres default_waypoint_radius(const planning::Plan& plan);
+
+/// The longest time that one of the lists of write_goto_lists takes: below ice there is no contact before it ends.
+/// Precondition  the options are free of violations
+[[nodiscard]] core::Seconds longest_list_time(const planning::Plan& plan, const GotoListOptions& options);
+
+/// Writes the plan as GliderDOS goto lists (`goto_lNN.ma`), each to be flown once, from first row to last.
+/// Start    left out: the vehicle is there already, and a list holds the places to go to. Were it the first
+///          row, a vehicle that has drifted on since the plan was made would turn back for it.
+/// Length   never more than `max_waypoints` rows; longer plans continue in lists with consecutive numbers,
+///          and a warning says that the pilot has to send them one after the other. The firmware owns the
+///          numbers 98 and 99.
+/// Ends     a mission brings the vehicle up where its list is flown: a list ends where the plan lets it surface, or
+///          where nothing is known of the ice, with a warning; never below ice or an iceberg, nor within the radius
+///          of them, unless `may_end_below_ice`. A list that ends near them gets a smaller radius than the usual one,
+///          and a warning where its error of position may still bring it up below ice
+/// Errors   every violation at once: a place beyond 89 degrees of latitude, fewer than two waypoints, more
+///          waypoints in a row below ice or icebergs than a list holds beside its end, a plan or a list that ends
+///          below them or too near to them, options out of range
+/// Threads  may be called from several threads at once
+[[nodiscard]] tl::expected<MissionFiles, core::Violations> write_goto_lists(const planning::Plan& plan,
+                                                                            const GotoListOptions& options);
+
+}  // namespace floeplan::mission

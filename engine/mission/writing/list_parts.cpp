@@ -1,0 +1,243 @@
+#include "engine/mission/writing/list_parts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "engine/mission/writing/below_ice.hpp"
+#include "engine/motion/speed_over_ground.hpp"
+
+namespace floeplan::mission {
+namespace {
+
+std::string waypoints_text(std::size_t first, std::size_t last) {
+  return first == last ? "waypoint " + std::to_string(first)
+                       : "waypoints " + std::to_string(first) + " to " + std::to_string(last);
+}
+
+core::Metres length_of(const planning::Plan& plan, const ListPart& part) {
+  core::Metres length{0.0};
+  for (std::size_t i = part.first; i <= part.last; ++i)
+    length = length + plan.waypoints[i].leg_length.value_or(core::Metres{0.0});
+  return length;
+}
+
+/// From the last iceberg that the list's way passes under to its end, along it; empty: it passes under none.
+std::optional<core::Metres> beyond_iceberg(const planning::Plan& plan, const ListPart& part) {
+  std::optional<core::Metres> least;
+  const core::UtcTime begins = plan.waypoints[part.first - 1].eta;
+  for (const planning::PassedUnder& under : plan.passed_under) {
+    core::Metres beyond{0.0};
+    std::size_t leg = part.last;
+    for (; leg >= part.first && under.until < plan.waypoints[leg - 1].eta; --leg)
+      beyond = beyond + plan.waypoints[leg].leg_length.value_or(core::Metres{0.0});
+    if (leg < part.first || under.until < begins || under.from > plan.waypoints[part.last].eta) continue;
+    const core::Seconds after = plan.waypoints[leg].eta - under.until;
+    const core::MetresPerSecond speed =
+        plan.waypoints[leg].speed_over_ground.value_or(core::MetresPerSecond{});
+    beyond = beyond + core::Metres{speed.value * std::max(0.0, after.count())};
+    least = least ? std::min(*least, beyond) : beyond;
+  }
+  return least;
+}
+
+core::Seconds planned_time(const planning::Plan& plan, std::size_t leg) {
+  return plan.waypoints[leg].eta - plan.waypoints[leg - 1].eta;
+}
+
+/// How long the vehicle is under way on a leg, at least as the plan has it, by its own reckoning if that is longer.
+core::Seconds time_under_way(const planning::Plan& plan, std::size_t number, geo::VelocityEn reckoned) {
+  const core::Seconds planned = planned_time(plan, number);
+  const planning::Waypoint& leg = plan.waypoints[number];
+  if (!leg.course_deg || !leg.leg_length || !leg.speed_through_water) return planned;
+  const auto speed =
+      motion::speed_over_ground(*leg.speed_through_water, reckoned, geo::Bearing::degrees(*leg.course_deg));
+  return speed ? std::max(planned, *leg.leg_length / *speed) : planned;
+}
+
+/// Mean over the legs from one waypoint to another; none where the plan tells none.
+geo::VelocityEn mean_current(const planning::Plan& plan, std::size_t from, std::size_t to) {
+  double east_m = 0.0;
+  double north_m = 0.0;
+  for (std::size_t i = from + 1; i <= to; ++i) {
+    const geo::VelocityEn current = plan.waypoints[i].current.value_or(geo::VelocityEn{});
+    const double time_s = planned_time(plan, i).count();
+    east_m += current.east.value * time_s;
+    north_m += current.north.value * time_s;
+  }
+  const double all_s = (plan.waypoints[to].eta - plan.waypoints[from].eta).count();
+  if (all_s <= 0.0) return {};
+  return {{east_m / all_s}, {north_m / all_s}};
+}
+
+/// That the vehicle reckons with on the list.
+geo::VelocityEn reckoned_with(const planning::Plan& plan, const ListPart& part) {
+  return part.before > 0 ? mean_current(plan, part.before - 1, part.first - 1) : geo::VelocityEn{};
+}
+
+/// How far the currents on the list's way carry the vehicle against what it reckons with.
+core::Metres carried_off(const planning::Plan& plan, const ListPart& part) {
+  const geo::VelocityEn reckoned = reckoned_with(plan, part);
+  double east_m = 0.0;
+  double north_m = 0.0;
+  for (std::size_t i = part.first; i <= part.last; ++i) {
+    const planning::Waypoint& leg = plan.waypoints[i];
+    if (!leg.current) continue;
+    const double time_s = time_under_way(plan, i, reckoned).count();
+    east_m += (leg.current->east - reckoned.east).value * time_s;
+    north_m += (leg.current->north - reckoned.north).value * time_s;
+  }
+  return {std::hypot(east_m, north_m)};
+}
+
+/// Whether the list may end there with room for more than so much.
+bool has_room(const planning::Plan& plan, const ListPart& part, core::Metres (ListEnd::*room)() const,
+              core::Metres radius) {
+  if (overhead(plan, part.last) != Overhead::open) return false;
+  const auto end = end_of(plan, part);
+  return !end || ((*end).*room)() > radius;
+}
+
+/// Of the list that begins with this waypoint.
+std::size_t last_of_list(const planning::Plan& plan, std::size_t first, std::size_t before,
+                         const ListRules& rules) {
+  const std::size_t farthest = std::min(first + rules.max_waypoints, plan.waypoints.size()) - 1;
+  const auto farthest_where = [&](const auto& suits) -> std::optional<std::size_t> {
+    for (std::size_t last = farthest; last >= first; --last)
+      if (suits(last)) return last;
+    return std::nullopt;
+  };
+  for (const auto room : {&ListEnd::sure_room, &ListEnd::room}) {
+    if (const auto last = farthest_where(
+            [&](std::size_t i) { return has_room(plan, {first, i, before}, room, rules.radius); }))
+      return *last;
+  }
+  for (const Overhead wanted : {Overhead::unknown, Overhead::open}) {
+    if (const auto last = farthest_where([&](std::size_t i) { return overhead(plan, i) == wanted; }))
+      return *last;
+  }
+  return farthest;
+}
+
+/// `is_end`  of the plan
+std::string end_too_near(const ListEnd& end, core::Metres radius, bool is_end) {
+  return (is_end ? "is the end of the plan, " : "is where a list has to end, ") + text_of(end, radius) +
+         ": extend the plan until it is more than " + std::to_string(std::lround(std::ceil(radius.value))) +
+         " m beyond them" + (is_end ? "" : ", or use fewer waypoints before it");
+}
+
+}  // namespace
+
+bool passes_below(const planning::Plan& plan, const ListPart& part) {
+  if (!plan.surfacing) return false;
+  for (std::size_t i = part.first; i <= part.last; ++i) {
+    const planning::SurfacingState& state = plan.surfacing->waypoints[i];
+    if (state.leg_upper_turn.value_or(state.least_upper_turn).value > 0.0) return true;
+  }
+  return false;
+}
+
+core::Metres error_of(const planning::Plan& plan, const ListPart& part) {
+  if (!plan.surfacing) return {};
+  const auto& before = plan.surfacing->waypoints[part.first - 1].error_without_fix;
+  const auto& after = plan.surfacing->waypoints[part.last].error_without_fix;
+  if (!before || !after) return {};
+  return *after - *before + carried_off(plan, part);
+}
+
+core::Seconds late_by(const planning::Plan& plan, const ListPart& part) {
+  const geo::VelocityEn reckoned = reckoned_with(plan, part);
+  core::Seconds late{0.0};
+  for (std::size_t i = part.first; i <= part.last; ++i) {
+    if (plan.waypoints[i].current) late += time_under_way(plan, i, reckoned) - planned_time(plan, i);
+  }
+  return late;
+}
+
+core::Metres ListEnd::room() const {
+  core::Metres least{std::numeric_limits<double>::infinity()};
+  if (beyond_ice) least = *beyond_ice;
+  if (beyond_iceberg) least = std::min(least, *beyond_iceberg);
+  return least;
+}
+
+core::Metres ListEnd::sure_room() const {
+  core::Metres least = room();
+  for (const auto& ice : {beyond_ice, from_ice})
+    if (ice) least = std::min(least, *ice - error);
+  return least;
+}
+
+std::optional<ListEnd> end_of(const planning::Plan& plan, const ListPart& part) {
+  const bool is_near = plan.surfacing && plan.surfacing->waypoints[part.last].nearest_ice;
+  if (!is_near && !passes_below(plan, part)) return std::nullopt;
+  const planning::SurfacingState& before = plan.surfacing->waypoints[part.first - 1];
+  const planning::SurfacingState& last = plan.surfacing->waypoints[part.last];
+  if (!last.ice_free_before || !last.error_without_fix || !before.error_without_fix) return std::nullopt;
+  ListEnd end{.beyond_iceberg = beyond_iceberg(plan, part),
+              .from_ice = last.nearest_ice,
+              .error = error_of(plan, part)};
+  // What is free of ice as far back as the list goes was summed up in the plane, its legs on the ellipsoid.
+  constexpr double as_long = 1.001;
+  if (as_long * *last.ice_free_before < length_of(plan, part)) end.beyond_ice = *last.ice_free_before;
+  return end;
+}
+
+std::string text_of(const ListEnd& end, core::Metres radius) {
+  std::string text;
+  const auto add = [&](const std::optional<core::Metres>& beyond, const char* what) {
+    if (beyond)
+      text += (text.empty() ? "" : " and ") + std::to_string(std::lround(beyond->value)) + " m beyond the " +
+              what;
+  };
+  add(end.beyond_ice, "ice");
+  add(end.beyond_iceberg, "iceberg");
+  if (end.from_ice)
+    text += (text.empty() ? "" : " and ") + std::to_string(std::lround(end.from_ice->value)) +
+            " m from the nearest ice";
+  text += " (waypoint radius " + std::to_string(std::lround(radius.value)) + " m";
+  if (end.beyond_ice || end.from_ice)
+    text += ", position error " + std::to_string(std::lround(end.error.value)) + " m";
+  return text + ")";
+}
+
+std::vector<ListPart> part_into_lists(const planning::Plan& plan, const ListRules& rules) {
+  std::vector<ListPart> parts;
+  std::size_t before = 0;
+  for (std::size_t first = 1; first < plan.waypoints.size();) {
+    parts.push_back({first, last_of_list(plan, first, before, rules), before});
+    before = first;
+    first = parts.back().last + 1;
+  }
+  return parts;
+}
+
+core::Violations list_end_violations(const planning::Plan& plan, const ListRules& rules) {
+  core::Violations found;
+  const std::size_t count = plan.waypoints.size();
+  std::size_t told = 0;  // the last waypoint below ice that a rule names
+  for (const ListPart& part : part_into_lists(plan, rules)) {
+    const bool is_end = part.last + 1 == count;
+    const Overhead above = overhead(plan, part.last);
+    const std::string place = "/waypoints/" + std::to_string(part.last);
+    if (above == Overhead::open && !has_room(plan, part, &ListEnd::room, rules.radius))
+      found.push_back({place, end_too_near(*end_of(plan, part), rules.radius, is_end)});
+    if (above != Overhead::closed) continue;
+    if (is_end)
+      found.push_back({place,
+                       "is the end of the plan and lies below ice or icebergs, but the vehicle surfaces at "
+                       "the end of its list: extend the plan to open water"});
+    if (is_end || part.last <= told) continue;
+    told = part.last;
+    while (told + 1 < count && overhead(plan, told + 1) == Overhead::closed) ++told;
+    found.push_back(
+        {"/waypoints", "are too many below ice or icebergs in a row: " + waypoints_text(part.first, told) +
+                           " lie there, a list holds " + std::to_string(rules.max_waypoints) +
+                           ", and the vehicle surfaces at the end of each list; plan again with fewer "
+                           "waypoints (--max-waypoints) or longer legs (--max-leg)"});
+  }
+  return found;
+}
+
+}  // namespace floeplan::mission

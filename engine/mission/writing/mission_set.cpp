@@ -1,0 +1,196 @@
+#include "engine/mission/writing/mission_set.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "engine/core/letter_case.hpp"
+#include "engine/messages/export_messages.hpp"
+#include "engine/mission/document/line_words.hpp"
+#include "engine/mission/document/thruster_yo.hpp"
+#include "engine/mission/writing/argument_lines.hpp"
+#include "engine/mission/writing/below_ice.hpp"
+#include "engine/mission/writing/flight_files.hpp"
+#include "engine/mission/writing/ice_files.hpp"
+#include "engine/mission/writing/list_parts.hpp"
+
+namespace floeplan::mission {
+namespace {
+
+constexpr Firmware oldest{7, 0};  // older documents describe other behaviors
+constexpr Firmware newest{11, 99};
+constexpr double room_for_detours = 1.5;  // of max_wpt_distance over the longest leg
+
+/// Names that come with every vehicle, and must not be replaced by a plan.
+/// Source   the vendor's release 10.5, missions of the 200 m and 1000 m vehicles
+bool is_stock_mission(const std::string& name) {
+  static constexpr const char* stock[] = {
+      "astock",  "autoexec", "bathtub",  "breadcr",  "clrabort", "freewig",  "hold",    "ice",
+      "ini0",    "ini_ice",  "initial",  "lastgasp", "loadsim",  "nocop",    "nofly",   "recov",
+      "sci_off", "sci_on",   "setpitch", "status",   "stock",    "thrstock", "waterclr"};
+  return std::ranges::find(stock, name) != std::end(stock);
+}
+
+core::Violations violations_of(const planning::Plan& plan, const MissionSetOptions& options) {
+  core::Violations found = ice_violations(plan, options);
+  const std::string& name = options.name;
+  if (!is_name(name) || name.size() > 8 || name != core::lower_case(name))
+    found.push_back({"/mission", "must have one to eight small letters, digits or underscores"});
+  if (is_stock_mission(name))
+    found.push_back({"/mission", "must not be " + name + ", a mission that every vehicle has on board"});
+  if (options.firmware < oldest || newest < options.firmware)
+    found.push_back({"/firmware", "must be a version from 7.0 to 11.99"});
+  const int last = surfacings_of(options).back().number;
+  if (options.lists.first_number < 0 || last > last_free_number) {
+    found.push_back({"/number", "the files take the numbers from the given one on to " +
+                                    std::to_string(last) +
+                                    "; all must lie between 0 and 97 (98 and 99 belong to the firmware)"});
+  }
+  return found;
+}
+
+/// The most that the position may be off at a fix that ends a list.
+core::Metres largest_error(const planning::Plan& plan, const GotoListOptions& options) {
+  core::Metres largest{0.0};
+  for (const ListPart& part : part_into_lists(plan, {static_cast<std::size_t>(options.max_waypoints)}))
+    largest = std::max(largest, error_of(plan, part));
+  return largest;
+}
+
+/// Farthest that a waypoint may lie from where the vehicle is when it turns to it, before it aborts. After a fix it is
+/// farther away by what the position was off, here twice as much as is expected.
+double max_waypoint_distance_m(const planning::Plan& plan, const GotoListOptions& options) {
+  double longest_m = 0.0;
+  for (const planning::Waypoint& waypoint : plan.waypoints) {
+    if (waypoint.leg_length) longest_m = std::max(longest_m, waypoint.leg_length->value);
+  }
+  const double error_m = 2.0 * largest_error(plan, options).value;
+  return 1000.0 * std::ceil((room_for_detours * longest_m + error_m) / 1000.0);
+}
+
+std::string behavior_from_file(const char* behavior, int number) {
+  return std::string{"\nbehavior: "} + behavior + "\n" +
+         argument_lines(behavior, {{"args_from_file", whole(number)}});
+}
+
+std::string mission_text(const planning::Plan& plan, const MissionSetOptions& options) {
+  const int number = options.lists.first_number;
+  std::string text = "# " + options.name + ".mi for firmware " + std::to_string(options.firmware.major) +
+                     "." + std::to_string(options.firmware.minor) + "\n" +
+                     origin_comments(plan, options.lists.origin) +
+                     "\nsensor: u_use_current_correction(nodim) 1\n"
+                     "sensor: c_science_all_on_enabled(bool) 1\n";
+  if (options.under_ice) text += ice_settings(plan, options);
+  text +=
+      "\nbehavior: abend\n" +
+      argument_lines("abend", {{"overdepth", whole(options.vehicle.depth_rating.value)},
+                               {"overtime", "-1"},
+                               {"samedepth_for", "1800"},
+                               {"stalled_for", "1800"},
+                               {"no_cop_tickle_for", "48600"},
+                               {"max_wpt_distance", whole(max_waypoint_distance_m(plan, options.lists))}});
+  for (const Surfacing& surfacing : surfacings_of(options)) {
+    text += "\n# Comes up when " + surfacing.why + ".";
+    text += behavior_from_file("surface", surfacing.number);
+  }
+  text += behavior_from_file("goto_list", number);
+  text += behavior_from_file("yo", number);
+  text += behavior_from_file("sample", number);
+  text += behavior_from_file("prepare_to_dive", number);
+  return text + "\nbehavior: sensors_in\n";
+}
+
+/// What keeps a mission from being flown below ice safely.
+core::Violations violations_below_ice(const planning::Plan& plan, const MissionSetOptions& options) {
+  core::Violations found;
+  if (!tells_upper_turns(plan)) {
+    found.push_back({"/plan_id",
+                     "is a plan of an older version that passes where the vehicle must not surface, without "
+                     "the depth where its dives turn there: plan again"});
+  }
+  if (least_upper_turn(plan).value > 0.0 && !options.under_ice) {
+    found.push_back({"/under_ice",
+                     "is required, with safe places in open water: the plan passes below ice or icebergs, "
+                     "where the vehicle must not surface"});
+  }
+  return found;
+}
+
+/// Whether the yo turns where it does because of what the plan passes below.
+bool is_below_ice(const planning::Plan& plan, const vehicle::GliderProfile& vehicle) {
+  return climb_target(plan, vehicle).value <= std::ceil(least_upper_turn(plan).value);
+}
+
+std::string climb_text(const planning::Plan& plan, const vehicle::GliderProfile& vehicle) {
+  return whole(climb_target(plan, vehicle).value) +
+         (is_below_ice(plan, vehicle) ? " m, below ice or icebergs" : " m");
+}
+
+/// The yo turns at both its depths everywhere on the way.
+core::Violations violations_of_yo(const planning::Plan& plan, const MissionSetOptions& options) {
+  core::Violations found;
+  const vehicle::GliderProfile& vehicle = options.vehicle;
+  const core::Metres least_dive = climb_target(plan, vehicle) + vehicle::lowest_tooth;
+  if (least_dive > target_depth(vehicle)) {
+    found.push_back({"/dive_depth_m", "leaves a yo that turns at " + whole(target_depth(vehicle).value) +
+                                          " m no room, for it must turn no higher than " +
+                                          climb_text(plan, vehicle)});
+  }
+  const core::Metres needed = least_dive + core::Metres{std::ceil(vehicle.altimeter_margin.value)};
+  const auto shoal = shoalest_of(plan, options.shoals);
+  if (!shoal || shoal->bed >= needed) return found;
+  std::string rule = "lead over water of " + whole(std::floor(shoal->bed.value)) + " m at " +
+                     place_text(shoal->place) + ", before waypoint " + std::to_string(shoal->waypoint) +
+                     ", but the one yo of the mission must turn no higher than " + climb_text(plan, vehicle) +
+                     ", and needs " + whole(needed.value) +
+                     " m: plan again with via points that lead round it, or with a minimum working depth "
+                     "(minimum_working_depth_m) of " +
+                     whole(needed.value) + " for the vehicle, which below ice counts from the turn under it";
+  if (is_below_ice(plan, vehicle))
+    rule += ", or fly two plans, one over this water and one below the ice, each with a yo of its own";
+  found.push_back({"/waypoints", std::move(rule)});
+  return found;
+}
+
+/// Of each leg somewhere at least.
+bool knows_bed(const planning::Plan& plan, const MissionSetOptions& options) {
+  return options.shoals.size() == plan.waypoints.size() &&
+         std::all_of(options.shoals.begin() + 1, options.shoals.end(),
+                     [](const std::optional<Shoal>& shoal) { return shoal.has_value(); });
+}
+
+}  // namespace
+
+tl::expected<MissionFiles, core::Violations> write_mission_set(const planning::Plan& plan,
+                                                               const MissionSetOptions& options) {
+  core::Violations found = violations_of(plan, options);
+  std::ranges::move(violations_below_ice(plan, options), std::back_inserter(found));
+  std::ranges::move(violations_of_yo(plan, options), std::back_inserter(found));
+  GotoListOptions of_lists = options.lists;
+  of_lists.thruster_in_yo = thruster_of_yo(plan, options.vehicle).has_value();
+  auto lists = write_goto_lists(plan, of_lists);
+  if (!lists) std::ranges::copy(lists.error(), std::back_inserter(found));
+  if (!found.empty()) return tl::unexpected(std::move(found));
+
+  MissionFiles set;
+  set.files.push_back({options.name + ".mi", mission_text(plan, options)});
+  std::ranges::move(lists->files, std::back_inserter(set.files));
+  std::ranges::move(flight_files(plan, options), std::back_inserter(set.files));
+  set.messages = std::move(lists->messages);
+  const vehicle::GliderProfile& vehicle = options.vehicle;
+  if (target_depth(vehicle) < core::Metres{std::floor(vehicle.dive_depth.value)}) {
+    set.messages.push_back(messages::export_message<"yo-above-plan">(
+        target_depth(vehicle).value, vehicle.dive_depth.value, vehicle.depth_rating.value));
+  }
+  set.messages.push_back(of_lists.thruster_in_yo ? messages::export_message<"pump-and-thruster-of-profile">()
+                                                 : messages::export_message<"pump-of-profile">());
+  if (options.under_ice) {
+    std::ranges::move(ice_files(plan, options), std::back_inserter(set.files));
+    std::ranges::move(ice_warnings(plan, options), std::back_inserter(set.messages));
+    if (!knows_bed(plan, options))
+      set.messages.push_back(messages::export_message<"bed-unknown-below-ice">());
+  }
+  return set;
+}
+
+}  // namespace floeplan::mission

@@ -1,0 +1,168 @@
+#include "engine/mission/writing/safe_places.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <stdexcept>
+
+#include "engine/geo/geodesic.hpp"
+#include "engine/messages/export_messages.hpp"
+#include "engine/mission/writing/argument_lines.hpp"
+#include "engine/mission/writing/shoals.hpp"
+
+namespace floeplan::mission {
+namespace {
+
+bool is_on_land(const SafePlace& safe, const std::optional<core::Metres>& bed) {
+  if (bed && bed->value <= 0.0) return true;
+  return std::ranges::any_of(safe.sea.land,
+                             [&](const geo::Polygon& land) { return geo::contains(land, safe.place); });
+}
+
+struct IceThere {
+  double densest{};   // during the plan, as far as it is known
+  bool known{false};  // all the time
+};
+
+/// As the steps around the time, or the one that is held for it, have it.
+std::optional<double> concentration_then(const ocean::IceField& product, geo::LonLat place, double time_s) {
+  const ocean::Axis& steps_s = product.samples().times_s;
+  const ocean::IceMoment when = ocean::ice_moment(steps_s.nodes(), time_s);
+  if (!when.is_known()) return std::nullopt;
+  const auto first = product.at(place, core::from_unix_seconds(steps_s[when.first]));
+  const auto second = product.at(place, core::from_unix_seconds(steps_s[when.second]));
+  if (!first || (!second && when.share > 0.0)) return std::nullopt;
+  if (when.share == 0.0) return first->concentration;
+  return first->concentration + when.share * (second->concentration - first->concentration);
+}
+
+/// Whether two steps are so far apart that nothing is known of some time between these two.
+bool has_wide_gap(const std::vector<double>& steps_s, double from_s, double until_s) {
+  const double hold_s = ocean::longest_ice_hold.count();
+  const auto gap = std::ranges::adjacent_find(steps_s, [&](double before_s, double after_s) {
+    return after_s - before_s > ocean::longest_ice_gap.count() && before_s + hold_s < until_s &&
+           after_s - hold_s > from_s;
+  });
+  return gap != steps_s.end();
+}
+
+IceThere ice_of(const ocean::IceField& product, const planning::Plan& plan, geo::LonLat place) {
+  const std::vector<double>& steps_s = product.samples().times_s.nodes();
+  const double from_s = core::unix_seconds(plan.departure);
+  const double until_s = core::unix_seconds(plan.arrival);
+  std::vector<double> times_s{from_s, until_s};  // the ice is linear between its steps, or held
+  for (const double step_s : steps_s)
+    if (step_s > from_s && step_s < until_s) times_s.push_back(step_s);
+
+  IceThere found{.known = !has_wide_gap(steps_s, from_s, until_s)};
+  for (const double time_s : times_s) {
+    const auto ice = concentration_then(product, place, time_s);
+    found.known = found.known && ice.has_value();
+    if (ice) found.densest = std::max(found.densest, *ice);
+  }
+  return found;
+}
+
+/// The densest that any product tells of.
+IceThere ice_at(const planning::Plan& plan, const SafePlace& safe) {
+  if (!safe.sea.ice) return {};
+  IceThere found = ice_of(*safe.sea.ice, plan, safe.place);
+  for (const auto& product : safe.sea.further_ice) {
+    const IceThere there = ice_of(*product, plan, safe.place);
+    found = {.densest = std::max(found.densest, there.densest), .known = found.known || there.known};
+  }
+  return found;
+}
+
+/// Whether the battery carries the vehicle there from some waypoint; true where the plan does not tell.
+bool is_within_battery(const planning::Plan& plan, const vehicle::GliderProfile& vehicle, geo::LonLat place) {
+  const double power_w = plan.energy ? plan.energy->use.total().value / plan.travel_time().count() : 0.0;
+  if (!(power_w > 0.0)) return true;  // not known
+  return std::ranges::any_of(plan.waypoints, [&](const planning::Waypoint& waypoint) {
+    const double left_j = plan.energy->usable.value - waypoint.energy.value_or(core::Joules{0.0}).value;
+    const double range_m = vehicle.speed_through_water.value * left_j / power_w;
+    return geo::geodesic_between(waypoint.place, place).length.value <= range_m;
+  });
+}
+
+double distance_km(const planning::Plan& plan, geo::LonLat place) {
+  double least_m = std::numeric_limits<double>::infinity();
+  for (const planning::Waypoint& waypoint : plan.waypoints)
+    least_m = std::min(least_m, geo::geodesic_between(waypoint.place, place).length.value);
+  return least_m / 1000.0;
+}
+
+/// The no-go area round the place that is in force at some time after the departure; null: none.
+const ocean::Zone* zone_round(const planning::Plan& plan, const SafePlace& safe) {
+  const auto found = std::ranges::find_if(safe.sea.zones, [&](const ocean::Zone& zone) {
+    const bool is_over = zone.until && *zone.until < plan.departure;
+    return zone.kind == ocean::ZoneKind::no_go && !is_over && geo::contains(zone.area, safe.place);
+  });
+  return found == safe.sea.zones.end() ? nullptr : &*found;
+}
+
+core::Metres away(const ocean::Iceberg& berg, geo::LonLat place) {
+  return geo::geodesic_between(berg.place, place).length;
+}
+
+bool covers(const ocean::Iceberg& berg, geo::LonLat place) {
+  return away(berg, place).value <= 0.5 * ocean::safe_length(berg).value;
+}
+
+/// What refuses the place; empty: nothing.
+std::string fault_of(const planning::Plan& plan, const vehicle::GliderProfile& vehicle,
+                     double max_concentration, const SafePlace& safe, const std::optional<core::Metres>& bed,
+                     const IceThere& ice) {
+  const std::string must = "must be open water that the vehicle can recover to: " + place_text(safe.place);
+  if (is_on_land(safe, bed)) return must + " is on land";
+  if (bed && *bed < vehicle.least_water())
+    return must + " has " + whole(std::floor(bed->value)) + " m of water, and the vehicle needs " +
+           whole(std::ceil(vehicle.least_water().value)) + " m";
+  if (ice.densest > max_concentration)
+    return must + " has " + whole(std::round(100.0 * ice.densest)) +
+           " % of ice while the plan lasts, and the vehicle surfaces in " +
+           whole(std::round(100.0 * max_concentration)) + " % at most";
+  if (const ocean::Zone* zone = zone_round(plan, safe)) return must + " lies in the no-go area " + zone->name;
+  for (const ocean::Iceberg& berg : safe.sea.icebergs)
+    if (covers(berg, safe.place)) return must + " is where iceberg " + berg.id + " was seen last";
+  if (!is_within_battery(plan, vehicle, safe.place))
+    return must + " is " + whole(distance_km(plan, safe.place)) +
+           " km away from the plan, farther than the rest of the battery carries the vehicle";
+  return "";
+}
+
+}  // namespace
+
+SafePlaceFindings check_safe_places(const planning::Plan& plan, const vehicle::GliderProfile& vehicle,
+                                    double max_concentration_to_surface,
+                                    const std::vector<SafePlace>& places) {
+  SafePlaceFindings found;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const SafePlace& safe = places[i];
+    if (!geo::is_valid(safe.place)) throw std::invalid_argument{"check_safe_places: a place off the Earth"};
+    std::optional<core::Metres> bed;
+    if (safe.sea.bathymetry) bed = safe.sea.bathymetry->shoalest(safe.place);
+    const IceThere ice = ice_at(plan, safe);
+    std::string fault = fault_of(plan, vehicle, max_concentration_to_surface, safe, bed, ice);
+    if (!fault.empty()) {
+      found.violations.push_back({"/safe/" + std::to_string(i), std::move(fault)});
+      continue;
+    }
+    for (const ocean::Iceberg& berg : safe.sea.icebergs) {
+      found.messages.push_back(
+          messages::export_message<"iceberg-near-safe-place">(
+              berg.id, std::ceil(away(berg, safe.place).value / 1000.0), place_text(safe.place))
+              .at(safe.place));
+    }
+    if (bed && ice.known) continue;
+    const std::string unknown = !bed && !ice.known ? "the sea bed and the ice"
+                                : !bed             ? "the sea bed"
+                                                   : "the ice";
+    found.messages.push_back(
+        messages::export_message<"safe-place-unknown">(unknown, place_text(safe.place)).at(safe.place));
+  }
+  return found;
+}
+
+}  // namespace floeplan::mission

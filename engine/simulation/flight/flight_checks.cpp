@@ -1,0 +1,83 @@
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <string>
+
+#include "engine/core/violation_list.hpp"
+#include "engine/simulation/flight/flight.hpp"
+#include "engine/simulation/flight/flight_path.hpp"
+
+/// What can be told of a flight before it begins.
+namespace floeplan::simulation {
+namespace {
+
+/// Nothing carries a glider over its whole way faster than this many times its own speed.
+constexpr double fastest_over_own = 2.0;
+
+/// Whether the data end before the vehicle can be at its last waypoint, however the water helps it.
+bool data_end_too_early(const FlightRequest& request) {
+  Vector place = request.world.to_frame(request.start);
+  double way_m = 0.0;
+  for (const RouteStop& stop : flight_path(request.world, request.orders, request.start).stops) {
+    way_m += std::hypot(stop.place.east - place.east, stop.place.north - place.north);
+    place = stop.place;
+  }
+  const core::Seconds least{way_m / (fastest_over_own * request.vehicle.speed_through_water.value)};
+  return !request.world.covers(place, request.departure + least);
+}
+
+}  // namespace
+
+core::Violations FlightSettings::violations() const {
+  core::Violations found = hull.violations();
+  std::ranges::move(navigation.violations(), std::back_inserter(found));
+  const auto within = [&](double value, double low, double high, const char* field, const char* rule) {
+    if (!(value >= low && value <= high)) found.push_back({field, rule});
+  };
+  within(first_fix.count(), 0.0, 3600.0, "/first_fix_s", "must be between 0 and 3600 s");
+  within(longest.count(), 1.0, 366.0 * 86400.0, "/longest_s", "must be between 1 s and 366 days");
+  within(record_every.count(), 1.0, 86400.0, "/record_every_s", "must be between 1 s and a day");
+  within(reach.value, 1.0, 1e5, "/reach_m", "must be between 1 m and 100 km");
+  within(hull_reach.value, 0.0, 100.0, "/hull_reach_m", "must be between 0 and 100 m");
+  within(geo::strength(known_current).value, 0.0, 5.0, "/known_current_m_s", "must be between 0 and 5 m/s");
+  return found;
+}
+
+core::Violations violations(const FlightRequest& request) {
+  core::Violations found = request.vehicle.violations();
+  std::ranges::move(request.settings.violations(), std::back_inserter(found));
+  if (!std::isfinite(core::unix_seconds(request.departure)))
+    found.push_back({"/departure", "must be a time"});
+  if (request.orders.lists.empty()) found.push_back({"/files", "must hold a goto list with a waypoint"});
+  if (!geo::is_valid(request.start)) {
+    found.push_back({"/start", "must be a longitude and a latitude"});
+    return found;
+  }
+  const World& world = request.world;
+  const Vector start = world.to_frame(request.start);
+  if (!world.covers(start, request.departure))
+    found.push_back({"/start", "lies outside the data of sea bed and currents at the departure"});
+  if (const auto bed_m = world.bed_depth_m(start.east, start.north); bed_m && *bed_m <= 0.0)
+    found.push_back({"/start", "lies on land"});
+  if (world.ice_draft_m(start.east, start.north, request.departure) > 0.0)
+    found.push_back({"/start",
+                     "lies under ice at the departure, but the simulator launches a vehicle at the surface: "
+                     "plan again from a start in open water"});
+  for (std::size_t i = 0; i < request.orders.lists.size(); ++i) {
+    const auto& waypoints = request.orders.lists[i].waypoints;
+    for (std::size_t row = 0; row < waypoints.size() && !core::is_full(found); ++row) {
+      if (!world.covers(world.to_frame(waypoints[row]), request.departure)) {
+        core::note(found, {"/files/list " + std::to_string(i + 1) + "/row " + std::to_string(row + 1),
+                           "lies outside the data of sea bed and currents"});
+      }
+    }
+  }
+  if (found.empty() && data_end_too_early(request)) {
+    found.push_back({"/departure",
+                     "is too late: the currents end before the vehicle can be at its last "
+                     "waypoint, even at twice its speed; use data that reach further"});
+  }
+  return found;
+}
+
+}  // namespace floeplan::simulation

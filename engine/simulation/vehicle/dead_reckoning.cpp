@@ -1,0 +1,95 @@
+#include "engine/simulation/vehicle/dead_reckoning.hpp"
+
+#include <cmath>
+
+#include "engine/core/random.hpp"
+
+namespace floeplan::simulation {
+namespace {
+
+/// Until a dive is under way its mean speed is that of starting.
+constexpr core::Seconds under_way{60.0};
+/// Shorter times between fixes tell more of their errors than of the drift.
+constexpr core::Seconds shortest_drift{30.0};
+/// Nor do shorter dives tell of the current.
+constexpr core::Seconds shortest_dive{120.0};
+
+}  // namespace
+
+core::Violations NavigationErrors::violations() const {
+  core::Violations found;
+  const auto within = [&](double value, double high, const char* field, const char* rule) {
+    if (!(value >= 0.0 && value <= high)) found.push_back({field, rule});
+  };
+  within(compass.value, 0.5, "/navigation/compass_deg", "must be between 0 and 28.6 degrees");
+  within(speed_share, 0.5, "/navigation/speed_share", "must be between 0 and 0.5");
+  within(fix.value, 1000.0, "/navigation/fix_m", "must be between 0 and 1000 m");
+  within(current.value, 2.0, "/navigation/current_m_s", "must be between 0 and 2 m/s");
+  return found;
+}
+
+DeadReckoning::DeadReckoning(const NavigationErrors& errors, Vector fix, Vector assumed_current,
+                             bool corrects, std::uint64_t seed)
+    : errors_{errors},
+      corrects_{corrects},
+      rng_{core::random_stream(seed, "navigation")},
+      place_{fix},
+      current_{assumed_current} {
+  compass_rad_ = errors.compass.value * core::normal(rng_);
+  speed_factor_ = 1.0 + errors.speed_share * core::normal(rng_);
+}
+
+void DeadReckoning::dive(core::UtcTime time) {
+  dived_ = time;
+  has_dived_ = true;
+  has_first_fix_ = false;
+  through_water_m_ = 0.0;
+  under_water_ = core::Seconds{0.0};
+  reckoned_with_ = assumed_current();
+}
+
+void DeadReckoning::advance(double heading_rad, double speed_m_s, core::Seconds step) {
+  const double heading = measured_heading_rad(heading_rad);
+  const double way_m = speed_m_s * speed_factor_ * step.count();
+  through_water_m_ += way_m;
+  under_water_ += step;
+  place_ = place_ + Vector{way_m * std::sin(heading), way_m * std::cos(heading), 0.0} +
+           step.count() * reckoned_with_;
+}
+
+void DeadReckoning::surface(core::UtcTime time) {
+  surfaced_ = time;
+  came_up_at_ = place_;
+}
+
+void DeadReckoning::fix(Vector true_place, core::UtcTime time) {
+  const Vector fixed{true_place.east + errors_.fix.value * core::normal(rng_),
+                     true_place.north + errors_.fix.value * core::normal(rng_), 0.0};
+  place_ = fixed;
+  if (!has_dived_ || surfaced_ < dived_ || surfaced_ - dived_ < shortest_dive) return;
+
+  Vector drift{};
+  if (!has_first_fix_) {
+    has_first_fix_ = true;
+    first_fix_ = fixed;
+    first_fix_time_ = time;
+  } else if (time - first_fix_time_ >= shortest_drift) {
+    drift = (1.0 / (time - first_fix_time_).count()) * (fixed - first_fix_);
+  }
+  const Vector came_up = first_fix_ - (first_fix_time_ - surfaced_).count() * drift;
+  current_ = reckoned_with_ + (1.0 / (surfaced_ - dived_).count()) * (came_up - came_up_at_);
+}
+
+double DeadReckoning::sigma_m(core::UtcTime time) const {
+  if (!has_dived_ || has_first_fix_) return errors_.fix.value;
+  const double turned = std::hypot(errors_.compass.value, errors_.speed_share);
+  const double adrift_s = (time - dived_).count();
+  return std::hypot(errors_.fix.value, turned * through_water_m_, errors_.current.value * adrift_s);
+}
+
+std::optional<double> DeadReckoning::mean_speed_m_s() const {
+  if (under_water_ < under_way) return std::nullopt;
+  return through_water_m_ / under_water_.count();
+}
+
+}  // namespace floeplan::simulation

@@ -1,0 +1,119 @@
+#include "engine/mission/checking/yo_flight.hpp"
+
+#include <gmock/gmock.h>
+
+#include "engine/messages/sentence.hpp"
+#include "engine/planning/plan_route.hpp"
+#include "tests/support/small_sea.hpp"
+
+namespace floeplan::mission::yo_flight_test {
+namespace {
+
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::Field;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+/// With the vehicle near the surface, against it far below.
+ocean::Environment sheared_sea() { return {.currents = support::sheared_currents(200)}; }
+
+planning::PlanRequest request_of(const char* vehicle) {
+  planning::PlanRequest request = support::eastward_request();
+  request.vehicle = *vehicle::find_profile(vehicle);
+  request.method = planning::Method::direct;
+  return request;
+}
+
+planning::Plan planned(const ocean::Environment& sea, const planning::PlanRequest& request) {
+  return planning::plan_route(sea, request, {}, {}).value();
+}
+
+/// As if ice let dives on the first leg turn no higher than this.
+planning::Plan below_ice(planning::Plan plan, double upper_turn_m) {
+  plan.surfacing.emplace();
+  plan.surfacing->waypoints.resize(plan.waypoints.size());
+  plan.surfacing->waypoints[1].leg_upper_turn = core::Metres{upper_turn_m};
+  return plan;
+}
+
+YoFlight flight_of(const ocean::Environment& sea, const planning::PlanRequest& request,
+                   const planning::Plan& plan) {
+  std::vector<geo::LonLat> route;
+  for (const planning::Waypoint& waypoint : plan.waypoints) route.push_back(waypoint.place);
+  return fly_by_yo(sea, route, request, plan);
+}
+
+TEST(YoFlight, IsThatOfThePlanInOpenWater) {
+  planning::PlanRequest request = request_of("slocum-g3-200");
+  request.vehicle.dive_depth = core::Metres{180.0};
+  const planning::Plan plan = planned(sheared_sea(), request);
+
+  EXPECT_FALSE(flies_otherwise(plan, request.vehicle));
+  const YoFlight flight = flight_of(sheared_sea(), request, plan);
+  EXPECT_THAT(flight.violations, IsEmpty());
+  EXPECT_THAT(flight.messages, IsEmpty());
+}
+
+TEST(YoFlight, IsRefusedWhereTheCurrentAtItsDepthsStopsTheVehicle) {
+  planning::PlanRequest request = request_of("slocum-g3-200");
+  request.vehicle.speed_through_water = {0.15};
+  const planning::Plan plan = below_ice(planned(sheared_sea(), request), 90.0);
+
+  EXPECT_TRUE(flies_otherwise(plan, request.vehicle));
+  EXPECT_THAT(flight_of(sheared_sea(), request, plan).violations,
+              ElementsAre(Field(&core::Violation::rule,
+                                AllOf(HasSubstr("turns between 90 m and 196 m on the whole route"),
+                                      HasSubstr("before waypoint 1: the current is too strong"),
+                                      HasSubstr("plan again with a climb_to_m of 90")))));
+}
+
+TEST(YoFlight, TellsTheTimesAndTheDrawThatAreNotThePlans) {
+  const planning::PlanRequest request = request_of("slocum-g3-200");
+  const planning::Plan plan = below_ice(planned(sheared_sea(), request), 90.0);
+  planning::PlanRequest deep = request;
+  deep.vehicle.climb_to = core::Metres{90.0};
+  deep.vehicle.dive_depth = core::Metres{196.0};
+
+  const YoFlight flight = flight_of(sheared_sea(), request, plan);
+
+  const planning::Plan flown = planned(sheared_sea(), deep);
+  EXPECT_GT(flown.travel_time(), 1.3 * plan.travel_time()) << "a sea in which it matters";
+  EXPECT_THAT(flight.violations, IsEmpty());
+  EXPECT_THAT(messages::sentences(flight.messages),
+              ElementsAre(AllOf(HasSubstr("h later than planned"), HasSubstr("climb_to_m of 90"))));
+}
+
+TEST(YoFlight, IsRefusedWhereItEmptiesTheBatteryThatCarriesThePlan) {
+  planning::PlanRequest request = request_of("slocum-g3-200");
+  const planning::Plan alone = planned(sheared_sea(), request);
+  request.vehicle.energy.battery = 1.2 * alone.energy->use.total();
+  request.vehicle.energy.battery_start_share = 1.0;
+  request.vehicle.energy.battery_reserve_share = 0.0;
+  const planning::Plan plan = below_ice(planned(sheared_sea(), request), 150.0);
+
+  EXPECT_THAT(flight_of(sheared_sea(), request, plan).violations,
+              ElementsAre(Field(&core::Violation::rule, HasSubstr("more than the"))));
+}
+
+TEST(YoFlight, LeavesTheThrusterOffWherePlansRunItOnSomeLegs) {
+  planning::PlanRequest request = request_of("slocum-g3-200-thruster");
+  request.energy.thruster = planning::ThrusterUse::on;
+  const ocean::Environment sea{.currents = support::currents_from(
+                                   [](geo::LonLat, double) { return geo::VelocityEn{{-0.4}, {0.0}}; }, 400)};
+  request.max_leg = core::Metres{25'000.0};
+  planning::Plan plan = planned(sea, request);
+  ASSERT_EQ(plan.waypoints.size(), 3U);
+  plan.waypoints[1].drive = vehicle::Drive::buoyancy;
+
+  EXPECT_TRUE(flies_otherwise(plan, request.vehicle));
+  const YoFlight flight = flight_of(sea, request, plan);
+
+  ASSERT_FALSE(flight.violations.empty());
+  EXPECT_THAT(flight.violations.front().rule,
+              AllOf(HasSubstr("leaves the thruster off"), HasSubstr("too strong"),
+                    HasSubstr("--thruster on, --thruster off")));
+}
+
+}  // namespace
+}  // namespace floeplan::mission::yo_flight_test
