@@ -5,11 +5,11 @@
 
 #include "engine/geo/polygon.hpp"
 #include "engine/messages/message.hpp"
-#include "engine/ocean/bathymetry.hpp"
-#include "engine/ocean/current_grid.hpp"
+#include "engine/ocean/bed/bathymetry.hpp"
+#include "engine/ocean/currents/current_grid.hpp"
 #include "engine/ocean/dataset_ref.hpp"
-#include "engine/ocean/ice_field.hpp"
-#include "engine/ocean/iceberg.hpp"
+#include "engine/ocean/ice/ice_field.hpp"
+#include "engine/ocean/ice/iceberg.hpp"
 #include "engine/ocean/zone.hpp"
 
 namespace floeplan::ocean {

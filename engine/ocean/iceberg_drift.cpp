@@ -6,8 +6,8 @@
 #include <ranges>
 
 #include "engine/geo/geodesic.hpp"
-#include "engine/ocean/iceberg_draft.hpp"
-#include "engine/ocean/iceberg_wind.hpp"
+#include "engine/ocean/ice/iceberg_draft.hpp"
+#include "engine/ocean/ice/iceberg_wind.hpp"
 
 namespace floeplan::ocean {
 namespace {

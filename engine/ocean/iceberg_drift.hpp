@@ -5,7 +5,7 @@
 
 #include "engine/core/units.hpp"
 #include "engine/ocean/environment.hpp"
-#include "engine/ocean/iceberg.hpp"
+#include "engine/ocean/ice/iceberg.hpp"
 
 namespace floeplan::ocean {
 

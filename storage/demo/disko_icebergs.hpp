@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "engine/core/units.hpp"
-#include "engine/ocean/iceberg.hpp"
+#include "engine/ocean/ice/iceberg.hpp"
 #include "storage/demo/disko_bathymetry.hpp"
 
 namespace floeplan::demo {

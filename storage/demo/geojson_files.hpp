@@ -6,7 +6,7 @@
 
 #include "engine/geo/bounding_box.hpp"
 #include "engine/geo/polygon.hpp"
-#include "engine/ocean/iceberg.hpp"
+#include "engine/ocean/ice/iceberg.hpp"
 
 namespace floeplan::demo {
 

@@ -15,13 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 using testing::ElementsAre;
 
-/// Folders with more code files than a reader takes in at a glance, and how many they may have. Most hold lists of
-/// independent things. This list, and its numbers, only shrink.
-const std::map<std::string, int> large_folders{
-    {"engine/ocean", 52},
-};
-
-constexpr int most_code_files = 40;
+constexpr int most_code_files = 40;  // that a reader takes in at a glance
 
 TEST(Components, IncludeEachOtherInNoRing) {
   EXPECT_THAT(include_rings(source_folder()), testing::IsEmpty());
@@ -54,21 +48,9 @@ TEST(Folders, SayInTenLinesWhatTheyAreFor) {
   }
 }
 
-TEST(Folders, HoldAtMostFortyCodeFilesButTheKnownOnes) {
-  for (const auto& [folder, count] : code_files_by_folder(source_folder())) {
-    const auto known = large_folders.find(folder);
-    const int most = known == large_folders.end() ? most_code_files : known->second;
-    EXPECT_LE(count, most) << folder << ": divide it into rooms";
-  }
-}
-
-TEST(Folders, AreTakenFromTheListOnceTheyAreSmall) {
-  const std::map<std::string, int> counts = code_files_by_folder(source_folder());
-  for (const auto& [folder, most] : large_folders) {
-    ASSERT_TRUE(counts.contains(folder)) << folder << " is gone: take it from the list";
-    EXPECT_EQ(counts.at(folder), most) << folder << ": give the list the number that it has now";
-    EXPECT_GT(most, most_code_files) << folder << ": take it from the list";
-  }
+TEST(Folders, HoldAtMostFortyCodeFiles) {
+  for (const auto& [folder, count] : code_files_by_folder(source_folder()))
+    EXPECT_LE(count, most_code_files) << folder << ": divide it into rooms";
 }
 
 }  // namespace

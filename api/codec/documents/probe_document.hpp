@@ -8,8 +8,8 @@
 #include "engine/core/units.hpp"
 #include "engine/geo/lon_lat.hpp"
 #include "engine/geo/velocity.hpp"
-#include "engine/ocean/ice_field.hpp"
-#include "engine/ocean/iceberg.hpp"
+#include "engine/ocean/ice/ice_field.hpp"
+#include "engine/ocean/ice/iceberg.hpp"
 #include "engine/ocean/zone.hpp"
 
 namespace floeplan::codec {

@@ -2,7 +2,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "engine/ocean/vehicle_axes.hpp"
+#include "engine/ocean/currents/vehicle_axes.hpp"
 
 namespace floeplan::codec {
 

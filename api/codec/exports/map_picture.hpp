@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "engine/geo/polygon.hpp"
-#include "engine/ocean/iceberg.hpp"
+#include "engine/ocean/ice/iceberg.hpp"
 #include "engine/planning/problem/plan.hpp"
 
 namespace floeplan::codec {

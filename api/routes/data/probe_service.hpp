@@ -8,7 +8,7 @@
 #include "engine/core/units.hpp"
 #include "engine/core/violation.hpp"
 #include "engine/geo/lon_lat.hpp"
-#include "engine/ocean/sighting_age.hpp"
+#include "engine/ocean/ice/sighting_age.hpp"
 #include "storage/sql/connection.hpp"
 
 namespace floeplan::routes {

@@ -9,7 +9,7 @@
 #include "api/codec/documents/coverage.hpp"
 #include "api/routes/request/parameters.hpp"
 #include "engine/geo/bounding_box.hpp"
-#include "engine/ocean/horizontal_grid.hpp"
+#include "engine/ocean/grids/horizontal_grid.hpp"
 #include "storage/repository/datasets/dataset.hpp"
 #include "storage/repository/fields/current_blocks.hpp"
 #include "storage/sql/connection.hpp"

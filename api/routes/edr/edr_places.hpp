@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "api/routes/edr/edr_area.hpp"
-#include "engine/ocean/horizontal_grid.hpp"
+#include "engine/ocean/grids/horizontal_grid.hpp"
 
 namespace floeplan::routes {
 

@@ -5,7 +5,7 @@
 #include "api/problems/problem_catalogue.hpp"
 #include "api/routes/features/feature_collection.hpp"
 #include "api/routes/features/hand_made.hpp"
-#include "engine/ocean/isobath.hpp"
+#include "engine/ocean/bed/isobath.hpp"
 #include "storage/repository/fields/joined_bathymetry.hpp"
 
 namespace floeplan::routes {

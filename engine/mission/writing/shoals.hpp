@@ -7,7 +7,7 @@
 
 #include "engine/core/units.hpp"
 #include "engine/geo/lon_lat.hpp"
-#include "engine/ocean/bathymetry.hpp"
+#include "engine/ocean/bed/bathymetry.hpp"
 #include "engine/planning/problem/plan.hpp"
 
 namespace floeplan::mission {

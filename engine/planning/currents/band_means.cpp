@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/ocean/band_weights.hpp"
+#include "engine/ocean/grids/band_weights.hpp"
 
 namespace floeplan::planning::currents {
 

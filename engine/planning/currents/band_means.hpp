@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "engine/motion/plane_current.hpp"
-#include "engine/ocean/axis.hpp"
-#include "engine/ocean/current_rows.hpp"
+#include "engine/ocean/currents/current_rows.hpp"
+#include "engine/ocean/grids/axis.hpp"
 #include "engine/planning/plane/fast_axis.hpp"
 #include "engine/planning/plane/node_window.hpp"
 #include "engine/vehicle/dive_band.hpp"

@@ -4,7 +4,7 @@
 #include <stop_token>
 #include <vector>
 
-#include "engine/ocean/current_grid.hpp"
+#include "engine/ocean/currents/current_grid.hpp"
 #include "engine/planning/currents/band_means.hpp"
 #include "engine/planning/currents/flown_depths.hpp"
 #include "engine/planning/plane/fast_axis.hpp"

@@ -6,7 +6,7 @@
 #include "engine/geo/local_projection.hpp"
 #include "engine/motion/plane_edge.hpp"
 #include "engine/motion/quadratic_stretch.hpp"
-#include "engine/ocean/horizontal_grid.hpp"
+#include "engine/ocean/grids/horizontal_grid.hpp"
 #include "engine/planning/currents/plane_currents.hpp"
 #include "engine/planning/plane/fast_axis.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "engine/ocean/bathymetry.hpp"
+#include "engine/ocean/bed/bathymetry.hpp"
 #include "engine/vehicle/dive_band.hpp"
 
 namespace floeplan::planning::currents {

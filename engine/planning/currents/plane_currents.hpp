@@ -7,7 +7,7 @@
 
 #include "engine/motion/plane_current.hpp"
 #include "engine/motion/plane_edge.hpp"
-#include "engine/ocean/current_grid.hpp"
+#include "engine/ocean/currents/current_grid.hpp"
 #include "engine/planning/currents/flown_depths.hpp"
 #include "engine/planning/plane/fast_axis.hpp"
 #include "engine/planning/plane/grid_lookup.hpp"

@@ -5,7 +5,7 @@
 #include <stop_token>
 #include <vector>
 
-#include "engine/ocean/ice_field.hpp"
+#include "engine/ocean/ice/ice_field.hpp"
 #include "engine/planning/obstacles/cell_distances.hpp"
 #include "engine/planning/plane/plane_grid.hpp"
 #include "engine/planning/problem/under_ice_rules.hpp"

@@ -5,7 +5,7 @@
 #include <stop_token>
 #include <vector>
 
-#include "engine/ocean/bathymetry.hpp"
+#include "engine/ocean/bed/bathymetry.hpp"
 #include "engine/planning/obstacles/plane_bed.hpp"
 #include "engine/planning/plane/plane_raster.hpp"
 #include "engine/vehicle/glider_profile.hpp"

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "engine/motion/edge_closed.hpp"
-#include "engine/ocean/bathymetry.hpp"
+#include "engine/ocean/bed/bathymetry.hpp"
 #include "engine/planning/obstacles/cell_state.hpp"
 #include "engine/planning/plane/plane_raster.hpp"
 

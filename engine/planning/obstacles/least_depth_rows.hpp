@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "engine/core/units.hpp"
-#include "engine/ocean/bathymetry.hpp"
+#include "engine/ocean/bed/bathymetry.hpp"
 #include "engine/planning/plane/fast_axis.hpp"
 #include "engine/planning/plane/grid_lookup.hpp"
 #include "engine/planning/plane/plane_raster.hpp"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "engine/ocean/iceberg_draft.hpp"
+#include "engine/ocean/ice/iceberg_draft.hpp"
 
 namespace floeplan::planning::obstacles {
 namespace {

@@ -3,7 +3,7 @@
 #include <memory>
 #include <optional>
 
-#include "engine/ocean/iceberg.hpp"
+#include "engine/ocean/ice/iceberg.hpp"
 #include "engine/planning/obstacles/bed_cells.hpp"
 #include "engine/planning/problem/keel.hpp"
 #include "engine/planning/problem/plan_request.hpp"

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "engine/geo/local_projection.hpp"
-#include "engine/ocean/horizontal_grid.hpp"
+#include "engine/ocean/grids/horizontal_grid.hpp"
 #include "engine/planning/plane/plane_box.hpp"
 
 namespace floeplan::planning::plane {

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "engine/ocean/horizontal_grid.hpp"
+#include "engine/ocean/grids/horizontal_grid.hpp"
 #include "engine/planning/plane/grid_lookup.hpp"
 #include "engine/planning/plane/plane_box.hpp"
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "engine/geo/local_projection.hpp"
-#include "engine/ocean/horizontal_grid.hpp"
+#include "engine/ocean/grids/horizontal_grid.hpp"
 #include "engine/planning/plane/fast_axis.hpp"
 #include "engine/planning/plane/grid_lookup.hpp"
 #include "engine/planning/plane/plane_box.hpp"

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "engine/messages/plan_messages.hpp"
-#include "engine/ocean/ensemble_mean.hpp"
+#include "engine/ocean/currents/ensemble_mean.hpp"
 #include "engine/planning/cost/driven_route.hpp"
 #include "engine/planning/cost/route.hpp"
 #include "engine/planning/cost/sea_members.hpp"

@@ -5,7 +5,7 @@
 
 #include "engine/core/units.hpp"
 #include "engine/core/violation.hpp"
-#include "engine/ocean/current_error.hpp"
+#include "engine/ocean/currents/current_error.hpp"
 
 namespace floeplan::planning {
 

@@ -11,7 +11,7 @@
 #include "engine/core/violation.hpp"
 #include "engine/geo/lon_lat.hpp"
 #include "engine/geo/velocity.hpp"
-#include "engine/ocean/vehicle_axes.hpp"
+#include "engine/ocean/currents/vehicle_axes.hpp"
 
 namespace floeplan::simulation {
 

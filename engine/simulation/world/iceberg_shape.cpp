@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "engine/core/random.hpp"
-#include "engine/ocean/iceberg_draft.hpp"
+#include "engine/ocean/ice/iceberg_draft.hpp"
 
 namespace floeplan::simulation {
 namespace {

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "engine/geo/local_projection.hpp"
-#include "engine/ocean/bathymetry.hpp"
+#include "engine/ocean/bed/bathymetry.hpp"
 #include "engine/planning/obstacles/plane_bed.hpp"
 #include "engine/planning/plane/plane_box.hpp"
 

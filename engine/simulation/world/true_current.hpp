@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "engine/geo/local_projection.hpp"
-#include "engine/ocean/current_grid.hpp"
+#include "engine/ocean/currents/current_grid.hpp"
 #include "engine/simulation/world/current_error_field.hpp"
 #include "engine/simulation/world/space.hpp"
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/ocean/horizontal_grid.hpp"
+#include "engine/ocean/grids/horizontal_grid.hpp"
 #include "storage/ingest/common/refusal.hpp"
 #include "storage/ingest/formats/netcdf/netcdf_file.hpp"
 #include "storage/ingest/formats/netcdf/netcdf_layout.hpp"

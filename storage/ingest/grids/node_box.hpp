@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-#include "engine/ocean/horizontal_grid.hpp"
+#include "engine/ocean/grids/horizontal_grid.hpp"
 #include "storage/ingest/grids/source_mesh.hpp"
 
 namespace floeplan::ingest {

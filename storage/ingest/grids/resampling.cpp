@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/ocean/bilinear.hpp"
+#include "engine/ocean/grids/bilinear.hpp"
 #include "storage/ingest/common/missing_value.hpp"
 #include "storage/ingest/grids/cell_weights.hpp"
 #include "storage/ingest/grids/tangent_plane.hpp"

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "engine/ocean/horizontal_grid.hpp"
+#include "engine/ocean/grids/horizontal_grid.hpp"
 #include "storage/ingest/grids/node_box.hpp"
 #include "storage/ingest/grids/source_mesh.hpp"
 #include "storage/ingest/grids/velocity_source.hpp"

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "engine/ocean/horizontal_grid.hpp"
+#include "engine/ocean/grids/horizontal_grid.hpp"
 #include "storage/ingest/common/refusal.hpp"
 #include "storage/ingest/grids/source_mesh.hpp"
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "engine/messages/data_messages.hpp"
-#include "engine/ocean/iceberg_draft.hpp"
+#include "engine/ocean/ice/iceberg_draft.hpp"
 #include "engine/ocean/iceberg_drift.hpp"
 #include "storage/repository/environment/environment_draft.hpp"
 #include "storage/repository/fields/field_repository.hpp"

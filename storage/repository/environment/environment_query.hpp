@@ -6,7 +6,7 @@
 
 #include "engine/core/units.hpp"
 #include "engine/geo/bounding_box.hpp"
-#include "engine/ocean/sighting_age.hpp"
+#include "engine/ocean/ice/sighting_age.hpp"
 #include "storage/repository/datasets/dataset_choice.hpp"
 #include "storage/repository/environment/tide_environment.hpp"
 #include "storage/repository/fields/current_grid_cache.hpp"

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "engine/core/violation.hpp"
+#include "engine/ocean/currents/tide_overlay.hpp"
 #include "engine/ocean/environment.hpp"
-#include "engine/ocean/tide_overlay.hpp"
 #include "storage/repository/datasets/dataset_choice.hpp"
 #include "storage/sql/connection.hpp"
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "engine/geo/bounding_box.hpp"
-#include "engine/ocean/glider_track.hpp"
+#include "engine/ocean/currents/glider_track.hpp"
 #include "storage/repository/datasets/dataset.hpp"
 #include "storage/sql/connection.hpp"
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "engine/geo/bounding_box.hpp"
-#include "engine/ocean/iceberg.hpp"
+#include "engine/ocean/ice/iceberg.hpp"
 #include "storage/repository/datasets/dataset.hpp"
 #include "storage/sql/connection.hpp"
 

@@ -4,7 +4,7 @@
 
 #include "engine/core/units.hpp"
 #include "engine/core/violation.hpp"
-#include "engine/ocean/sighting_age.hpp"
+#include "engine/ocean/ice/sighting_age.hpp"
 #include "storage/repository/datasets/dataset_choice.hpp"
 #include "storage/repository/features/iceberg_repository.hpp"
 #include "storage/sql/connection.hpp"

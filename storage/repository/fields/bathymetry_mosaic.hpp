@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "engine/geo/bounding_box.hpp"
-#include "engine/ocean/bathymetry.hpp"
+#include "engine/ocean/bed/bathymetry.hpp"
 
 namespace floeplan::repository {
 

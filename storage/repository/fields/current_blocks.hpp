@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "engine/ocean/current_grid.hpp"
+#include "engine/ocean/currents/current_grid.hpp"
 #include "storage/repository/fields/grid_window.hpp"
 #include "storage/repository/fields/recently_used.hpp"
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "engine/geo/bounding_box.hpp"
-#include "engine/ocean/current_grid.hpp"
+#include "engine/ocean/currents/current_grid.hpp"
 #include "storage/repository/fields/recently_used.hpp"
 
 namespace floeplan::repository {

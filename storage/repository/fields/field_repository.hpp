@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "engine/geo/bounding_box.hpp"
-#include "engine/ocean/bathymetry.hpp"
-#include "engine/ocean/current_grid.hpp"
-#include "engine/ocean/horizontal_grid.hpp"
-#include "engine/ocean/ice_field.hpp"
+#include "engine/ocean/bed/bathymetry.hpp"
+#include "engine/ocean/currents/current_grid.hpp"
+#include "engine/ocean/grids/horizontal_grid.hpp"
+#include "engine/ocean/ice/ice_field.hpp"
 #include "storage/repository/datasets/dataset.hpp"
 #include "storage/repository/encoding/sample_steps.hpp"
 #include "storage/repository/fields/current_blocks.hpp"

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "engine/ocean/current_grid.hpp"
+#include "engine/ocean/currents/current_grid.hpp"
 #include "storage/repository/datasets/dataset.hpp"
 #include "storage/repository/fields/field_repository.hpp"
 #include "storage/sql/connection.hpp"

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "engine/geo/bounding_box.hpp"
-#include "engine/ocean/axis.hpp"
-#include "engine/ocean/horizontal_grid.hpp"
+#include "engine/ocean/grids/axis.hpp"
+#include "engine/ocean/grids/horizontal_grid.hpp"
 
 namespace floeplan::repository {
 

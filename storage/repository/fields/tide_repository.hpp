@@ -8,7 +8,7 @@
 
 #include "engine/core/units.hpp"
 #include "engine/geo/bounding_box.hpp"
-#include "engine/ocean/tide_grid.hpp"
+#include "engine/ocean/currents/tide_grid.hpp"
 #include "storage/repository/datasets/dataset.hpp"
 #include "storage/sql/connection.hpp"
 

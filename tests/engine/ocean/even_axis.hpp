@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "engine/ocean/axis.hpp"
+#include "engine/ocean/grids/axis.hpp"
 
 namespace floeplan::ocean {
 

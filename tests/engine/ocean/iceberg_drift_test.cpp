@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "engine/geo/geodesic.hpp"
-#include "engine/ocean/iceberg_wind.hpp"
+#include "engine/ocean/ice/iceberg_wind.hpp"
 #include "tests/engine/ocean/sample_currents.hpp"
 
 namespace floeplan::ocean::iceberg_drift_test {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <utility>
 
-#include "engine/ocean/current_grid.hpp"
+#include "engine/ocean/currents/current_grid.hpp"
 #include "tests/engine/ocean/even_axis.hpp"
 
 namespace floeplan::ocean {

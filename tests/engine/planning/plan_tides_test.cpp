@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <memory>
 
-#include "engine/ocean/tide_overlay.hpp"
+#include "engine/ocean/currents/tide_overlay.hpp"
 #include "engine/planning/plan_route.hpp"
 #include "tests/support/small_sea.hpp"
 

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "engine/ocean/bathymetry.hpp"
+#include "engine/ocean/bed/bathymetry.hpp"
 #include "engine/planning/plane/plane_box.hpp"
 #include "engine/simulation/world/sea_bed.hpp"
 #include "tests/engine/simulation/flown.hpp"

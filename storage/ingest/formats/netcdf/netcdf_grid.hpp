@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "engine/ocean/horizontal_grid.hpp"
+#include "engine/ocean/grids/horizontal_grid.hpp"
 #include "storage/ingest/formats/netcdf/netcdf_layout.hpp"
 
 namespace floeplan::ingest {

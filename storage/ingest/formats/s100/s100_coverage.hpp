@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/ocean/horizontal_grid.hpp"
+#include "engine/ocean/grids/horizontal_grid.hpp"
 #include "storage/ingest/common/refusal.hpp"
 #include "storage/ingest/formats/hdf5/hdf5_group.hpp"
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/ocean/horizontal_grid.hpp"
+#include "engine/ocean/grids/horizontal_grid.hpp"
 #include "storage/ingest/common/prepared_dataset.hpp"
 #include "storage/ingest/grids/raw_rows.hpp"
 #include "storage/ingest/readers/bathymetry/vertical_sense.hpp"

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "engine/core/progress.hpp"
-#include "engine/ocean/horizontal_grid.hpp"
+#include "engine/ocean/grids/horizontal_grid.hpp"
 #include "storage/ingest/common/prepared_dataset.hpp"
 #include "storage/ingest/grids/source_mesh.hpp"
 #include "storage/ingest/grids/velocity_source.hpp"

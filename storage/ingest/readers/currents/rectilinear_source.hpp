@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/ocean/horizontal_grid.hpp"
+#include "engine/ocean/grids/horizontal_grid.hpp"
 #include "storage/ingest/formats/netcdf/netcdf_layout.hpp"
 #include "storage/ingest/grids/velocity_source.hpp"
 #include "storage/ingest/readers/velocity/velocity_pair.hpp"

@@ -3,7 +3,7 @@
 #include <memory>
 #include <vector>
 
-#include "engine/ocean/horizontal_grid.hpp"
+#include "engine/ocean/grids/horizontal_grid.hpp"
 #include "storage/ingest/common/refusal.hpp"
 #include "storage/ingest/formats/vector/sigrid3.hpp"
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/ocean/iceberg.hpp"
+#include "engine/ocean/ice/iceberg.hpp"
 #include "storage/ingest/common/prepared_dataset.hpp"
 
 namespace floeplan::ingest {

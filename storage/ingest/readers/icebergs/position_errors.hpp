@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "engine/core/units.hpp"
-#include "engine/ocean/iceberg.hpp"
+#include "engine/ocean/ice/iceberg.hpp"
 #include "storage/ingest/common/prepared_dataset.hpp"
 
 namespace floeplan::ingest {

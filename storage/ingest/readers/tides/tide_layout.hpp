@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/ocean/horizontal_grid.hpp"
+#include "engine/ocean/grids/horizontal_grid.hpp"
 #include "storage/ingest/formats/netcdf/netcdf_axis.hpp"
 #include "storage/ingest/formats/netcdf/netcdf_file.hpp"
 #include "storage/ingest/readers/tides/tide_variables.hpp"

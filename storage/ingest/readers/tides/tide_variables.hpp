@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/ocean/tide_grid.hpp"
+#include "engine/ocean/currents/tide_grid.hpp"
 #include "storage/ingest/common/refusal.hpp"
 #include "storage/ingest/formats/netcdf/netcdf_file.hpp"
 

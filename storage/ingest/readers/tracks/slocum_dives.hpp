@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "engine/geo/local_mission_axes.hpp"
-#include "engine/ocean/vehicle_axes.hpp"
+#include "engine/ocean/currents/vehicle_axes.hpp"
 #include "storage/ingest/formats/slocum/slocum_log.hpp"
 #include "storage/ingest/readers/tracks/track_builder.hpp"
 

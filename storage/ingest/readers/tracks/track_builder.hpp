@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/ocean/glider_track.hpp"
+#include "engine/ocean/currents/glider_track.hpp"
 #include "storage/ingest/common/prepared_dataset.hpp"
 #include "storage/ingest/common/refusal.hpp"
 

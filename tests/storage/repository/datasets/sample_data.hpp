@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "engine/ocean/iceberg.hpp"
+#include "engine/ocean/ice/iceberg.hpp"
 #include "storage/repository/datasets/dataset.hpp"
 
 namespace floeplan::repository {

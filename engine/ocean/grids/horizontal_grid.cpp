@@ -1,0 +1,87 @@
+#include "engine/ocean/grids/horizontal_grid.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "engine/geo/geodesic.hpp"
+
+namespace floeplan::ocean {
+namespace {
+
+/// Whether geographic longitudes leave a gap of no more than a step (and a little for rounding) round the
+/// globe.
+bool goes_all_the_way_round(const geo::GridFrame& frame, const Axis& x) {
+  if (!std::holds_alternative<geo::GeographicFrame>(frame) || x.size() < 3) return false;
+  const double gap = 360.0 - (x.back() - x.front());
+  return gap > 0.0 && gap <= 1.01 * x.mean_step();
+}
+
+}  // namespace
+
+HorizontalGrid::HorizontalGrid(geo::GridFrame frame, Axis x, Axis y)
+    : frame_{frame}, x_{std::move(x)}, y_{std::move(y)}, wraps_{goes_all_the_way_round(frame_, x_)} {}
+
+geo::LonLat HorizontalGrid::place(std::size_t ix, std::size_t iy) const {
+  return geo::to_lon_lat(frame_, {x_[ix], y_[iy]});
+}
+
+std::optional<GridPosition> HorizontalGrid::locate(geo::LonLat place) const {
+  return locate_point(geo::to_grid(frame_, place));
+}
+
+std::optional<GridPosition> HorizontalGrid::locate_point(geo::GridPoint point) const {
+  if (std::holds_alternative<geo::GeographicFrame>(frame_)) {
+    // Longitudes count eastwards from the first node; a hair west of it is that node, not a whole turn
+    // further.
+    const double turns = std::floor((point.x - x_.front()) / 360.0 + 1e-9);
+    point.x = std::max(point.x - 360.0 * turns, x_.front());
+  }
+
+  const auto y = y_.locate(point.y);
+  if (!y) return std::nullopt;
+  if (const auto x = x_.locate(point.x)) return GridPosition{*x, *y};
+  if (!wraps_) return std::nullopt;
+
+  const double gap = x_.front() + 360.0 - x_.back();
+  return GridPosition{{x_.size() - 1, 0, std::clamp((point.x - x_.back()) / gap, 0.0, 1.0)}, *y};
+}
+
+geo::BoundingBox HorizontalGrid::bounds() const {
+  if (std::holds_alternative<geo::GeographicFrame>(frame_)) {
+    if (wraps_ || x_.back() - x_.front() >= 360.0) return {-180.0, y_.front(), 180.0, y_.back()};
+    return {geo::wrap_longitude(x_.front()), y_.front(), geo::wrap_longitude(x_.back()), y_.back()};
+  }
+
+  std::vector<geo::LonLat> rim;
+  for (std::size_t ix = 0; ix < x_.size(); ++ix) {
+    rim.push_back(place(ix, 0));
+    rim.push_back(place(ix, y_.size() - 1));
+  }
+  for (std::size_t iy = 0; iy < y_.size(); ++iy) {
+    rim.push_back(place(0, iy));
+    rim.push_back(place(x_.size() - 1, iy));
+  }
+  geo::BoundingBox box = geo::bounding_box(std::span<const geo::LonLat>{rim});
+  if (const auto* polar = std::get_if<geo::PolarStereographicFrame>(&frame_)) {
+    const double pole_deg = polar->north ? 90.0 : -90.0;
+    if (locate({0.0, pole_deg})) {
+      (polar->north ? box.north_deg : box.south_deg) = pole_deg;
+      box.west_deg = -180.0;
+      box.east_deg = 180.0;
+    }
+  }
+  return box;
+}
+
+core::Metres HorizontalGrid::spacing() const {
+  const std::size_t ix = (x_.size() - 1) / 2;
+  const std::size_t iy = (y_.size() - 1) / 2;
+  const geo::LonLat centre = place(ix, iy);
+  core::Metres least{INFINITY};
+  if (ix + 1 < x_.size()) least = std::min(least, geo::geodesic_between(centre, place(ix + 1, iy)).length);
+  if (iy + 1 < y_.size()) least = std::min(least, geo::geodesic_between(centre, place(ix, iy + 1)).length);
+  return std::isfinite(least.value) ? least : core::Metres{0.0};
+}
+
+}  // namespace floeplan::ocean

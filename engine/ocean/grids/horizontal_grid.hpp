@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include "engine/core/units.hpp"
+#include "engine/geo/bounding_box.hpp"
+#include "engine/geo/grid_frame.hpp"
+#include "engine/ocean/grids/axis.hpp"
+
+namespace floeplan::ocean {
+
+/// Position of a place in a grid, for bilinear interpolation.
+struct GridPosition {
+  AxisPosition x;
+  AxisPosition y;
+};
+
+/// Nodes x[i], y[j] in a frame; arrays over it have the shape [y][x], last index fastest, y ascending.
+/// Edges    a geographic grid whose longitudes go all the way round also interpolates across its seam
+/// Threads  const members may be called from several threads at once
+class HorizontalGrid {
+ public:
+  HorizontalGrid(geo::GridFrame frame, Axis x, Axis y);
+
+  [[nodiscard]] const geo::GridFrame& frame() const { return frame_; }
+  [[nodiscard]] const Axis& x() const { return x_; }
+  [[nodiscard]] const Axis& y() const { return y_; }
+  [[nodiscard]] std::size_t size() const { return x_.size() * y_.size(); }
+  [[nodiscard]] bool wraps() const { return wraps_; }
+
+  [[nodiscard]] geo::LonLat place(std::size_t ix, std::size_t iy) const;
+  /// Outside  nullopt beyond the outermost nodes
+  [[nodiscard]] std::optional<GridPosition> locate(geo::LonLat place) const;
+  /// `point`  in the grid's own frame
+  [[nodiscard]] std::optional<GridPosition> locate_point(geo::GridPoint point) const;
+  /// Smallest box of longitudes and latitudes that holds every node.
+  [[nodiscard]] geo::BoundingBox bounds() const;
+  /// Typical distance on the ground between neighbouring nodes: the smaller of the two directions at the
+  /// centre.
+  [[nodiscard]] core::Metres spacing() const;
+
+ private:
+  geo::GridFrame frame_;
+  Axis x_;
+  Axis y_;
+  bool wraps_{false};
+};
+
+}  // namespace floeplan::ocean
