@@ -94,7 +94,7 @@ test('a file that arrives damaged, and a server that is gone, are said so beside
   await page.unroute('**/uploads?**');
   await page.route('**/uploads?**', (route) => route.continue({ url: route.request().url().replace(/sha256=\w{8}/, 'sha256=00000000') }));
   await choose(page).setInputFiles([{ ...signlessDepths(), name: 'other.asc' }]);
-  await expect(card(page, 'other.asc').getByRole('alert').first()).toContainText('damaged on its way');
+  await expect(card(page, 'other.asc').getByRole('alert').first()).toContainText('damaged in transfer');
 });
 
 test('sending is cancelled', async ({ page }) => {

@@ -84,7 +84,7 @@ test('a plan below ice says where it may not surface, and its messages lead to t
   await expect(result.locator('div', { hasText: /^Longest without a place to surface\d+ [dh]/ })).toBeVisible();
   await expect(page.getByRole('region', { name: 'Waypoints' }).getByRole('cell', { name: /^no/ }).first()).toBeVisible();
   await expect(row.locator('.badge.bad')).toContainText('1 danger');
-  await expect(page.getByRole('region', { name: 'Dangers' })).toContainText(/no place to surface/);
+  await expect(page.getByRole('region', { name: 'Dangers' })).toContainText(/without a place to surface/);
 
   await mapAtRest(page);
   const map = page.locator('#map');
