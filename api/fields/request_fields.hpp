@@ -14,8 +14,8 @@
 #include "engine/vehicle/glider_profile.hpp"
 #include "storage/repository/environment/environment_loader.hpp"
 
-/// The table of request fields, part by part. JSON is read and written by it (api/codec/input_fields), the options of
-/// the command line follow from it (server/cli/input_flags), and so do the schemas of the OpenAPI document and the forms of the
+/// The table of request fields, part by part. JSON is read and written by it (api/codec/reading/input_fields), the options of
+/// the command line follow from it (server/cli/program/input_flags), and so do the schemas of the OpenAPI document and the forms of the
 /// client (tests/api/fields/contract_test). Names of fields and flags never change.
 /// Threads  every table is made once and only read
 namespace floeplan::fields {

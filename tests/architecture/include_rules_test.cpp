@@ -47,14 +47,14 @@ TEST(IncludeRules, HoldInThisTree) { EXPECT_THAT(broken_include_rules(support::s
 
 TEST_F(SpoiltTree, ShowsAnArrowThatPointsBack) {
   append("engine/core/units.hpp", "#include \"engine/geo/lon_lat.hpp\"");
-  append("engine/graph/grid_graph.hpp", "#include \"engine/ocean/iceberg.hpp\"");
+  append("engine/graph/grid_graph.hpp", "#include \"engine/ocean/ice/iceberg.hpp\"");
 
   EXPECT_THAT(new_faults(), ElementsAre(HasSubstr("engine/core must not use \"engine/geo/lon_lat.hpp\""),
-                                        HasSubstr("engine/graph must not use \"engine/ocean/iceberg.hpp\"")));
+                                        HasSubstr("engine/graph must not use \"engine/ocean/ice/iceberg.hpp\"")));
 }
 
 TEST_F(SpoiltTree, ShowsStorageInTheEngineAndAvoidanceThatSeesTheOcean) {
-  append("engine/avoidance/spoilt.cpp", "#include \"engine/ocean/current_field.hpp\"");
+  append("engine/avoidance/spoilt.cpp", "#include \"engine/ocean/currents/current_field.hpp\"");
   append("engine/planning/problem/plan.hpp", "#include \"storage/repository/datasets/dataset.hpp\"");
 
   EXPECT_THAT(new_faults(), ElementsAre(HasSubstr("engine/avoidance/spoilt.cpp:1: "),

@@ -74,10 +74,10 @@ TEST_F(ResourcesTest, ProblemsComeAsPlainJsonToWhoeverTakesNothingElse) {
 }
 
 TEST_F(ResourcesTest, AssetNamesCannotLeaveTheirFolder) {
-  service_.web = support::source_folder() + "/api/routes";
+  service_.web = support::source_folder() + "/api/routes/request";
   EXPECT_EQ(ask("GET", "/app/router.cpp").status, 200);
-  EXPECT_EQ(ask("GET", "/app/../openapi/openapi.json").status, 404);
-  EXPECT_EQ(ask("GET", "/app/%2e%2e/openapi/openapi.json").status, 404);
+  EXPECT_EQ(ask("GET", "/app/../all_routes.cpp").status, 404);
+  EXPECT_EQ(ask("GET", "/app/%2e%2e/all_routes.cpp").status, 404);
 }
 
 class GuideTest : public ResourcesTest {
