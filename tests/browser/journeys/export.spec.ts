@@ -1,6 +1,11 @@
 import { readFile } from 'node:fs/promises';
-import { expect, open, planByTyping, test } from '../support/page';
+import { expectAccessible } from '../support/accessible';
+import { expect, mapAtRest, open, pixelOf, planByTyping, test, type LonLat } from '../support/page';
 import { findPlaces } from '../support/places';
+
+/** In open water of the demonstration data, north of its drift ice. */
+const west: LonLat = [-52.6, 69.15];
+const east: LonLat = [-52.2, 69.13];
 
 test('a plan is previewed as the glider will read it, and downloaded', async ({ page, request }) => {
   const { start, goal } = await findPlaces(request);
@@ -70,4 +75,51 @@ test('a refused export lists every fault that the server names', async ({ page, 
   await expect(refused).toContainText('No mission files are written');
   await expect(refused.getByRole('listitem')).toHaveText(refusal.errors.map(({ detail }) => `Waypoints ${detail}.`));
   await expect(page.getByRole('dialog').locator('pre')).toBeHidden();
+});
+
+test('the browser asks for all files that the command line writes', async ({ page, request }) => {
+  const { datasets } = (await (await request.get('/datasets')).json()) as { datasets: { kind: string; time_start: string }[] };
+  const depart = datasets.find(({ kind }) => kind === 'currents')?.time_start;
+  const inputs = { from: west, to: east, depart, name: 'All files', spacing_m: 3000, refine: false, icebergs: 'none' };
+  const answer = await request.post('/processes/plan-route/execution', { data: { inputs }, headers: { Prefer: 'respond-sync' } });
+  expect(answer.status(), await answer.text()).toBe(200);
+  const { plan_id } = ((await answer.json()) as { plan: { plan_id: string } }).plan;
+  await open(page);
+  await page.getByRole('button', { name: /^Plans/ }).click();
+  await page.locator('.plan-choose', { hasText: 'All files' }).click();
+  await page.getByRole('button', { name: 'Export mission' }).click();
+  const dialog = page.getByRole('dialog');
+  const downloaded = async (name: string): Promise<string> => {
+    const waiting = page.waitForEvent('download');
+    await dialog.getByRole('link', { name, exact: true }).click();
+    return (await readFile(await (await waiting).path())).toString('latin1');
+  };
+  const files = dialog.getByRole('group', { name: 'Files', exact: true });
+
+  await dialog.getByLabel('Files for the vehicle').selectOption('full');
+  await dialog.getByLabel(/^Mission name/).fill('disko');
+  await dialog.getByLabel(/^Glider/).fill('amadeus');
+  await expect(files.getByRole('button', { name: 'disko.mi' })).toBeVisible();
+  await expect(files.getByRole('button', { name: 'yo10.ma' })).toBeVisible();
+  await expectAccessible(page);
+  expect(await downloaded('Mission files (.zip)')).toContain('gliders/amadeus/to-glider/disko.mi');
+
+  await dialog.getByLabel(/^Safe places/).fill('nowhere');
+  await expect(dialog.getByLabel(/^Safe places/)).toHaveAccessibleDescription(/^Line 1/);
+  await expect(dialog.getByRole('button', { name: 'Mission files (.zip)' })).toBeDisabled();
+  await dialog.getByLabel(/^Safe places/).fill('');
+  await dialog.getByRole('button', { name: 'Pick a safe place on the map' }).click();
+  await expect(dialog).toBeHidden();
+  await mapAtRest(page);
+  const { x, y } = await pixelOf(page, west);
+  await page.mouse.click(x, y);
+  await expect(dialog.getByLabel(/^Mission name/)).toHaveValue('disko');
+  await expect(files.getByRole('button', { name: 'goto_l98.ma' })).toBeVisible();
+
+  await dialog.getByLabel('Files for the vehicle').selectOption('seaglider');
+  await dialog.getByLabel(/^Science bands/).fill('20:5:1110:60');
+  await expect(files.getByRole('button', { name: 'science' })).toBeVisible();
+  expect(await downloaded('NMEA')).toContain('WPL,');
+  expect(JSON.parse(await downloaded('IMC'))).toBeTruthy();
+  await request.delete(`/collections/plans/items/${plan_id}`);
 });

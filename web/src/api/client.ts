@@ -4,6 +4,7 @@ import type { Flight, SimulateInputs, Simulation, SimulationSummary } from './si
 import { decodeGrid, type Grid } from '../geo/grid';
 import type { IcebergChoice } from '../model/iceberg_choice';
 import type { Caller } from '../model/login';
+import type { ExportQuery } from '../model/export_options';
 import { address, ApiError, dangersIn, faultsOf, json, noteRefusal, request, silence, wordsOf } from './http';
 
 export { ApiError, dangersIn, faultsOf, wordsOf };
@@ -116,16 +117,16 @@ export const deletePlan = async (planId: string): Promise<void> => {
 };
 
 /** `accept`: the pilot has confirmed the dangers of the plan, without which the server hands out no files of it. */
-export const mission = (planId: string, number: number, accept: boolean): Promise<MissionPreview> =>
-  json(address(`/collections/plans/items/${encodeURIComponent(planId)}/mission`, { number, ...accepted(accept) }));
+export const mission = (planId: string, query: ExportQuery, accept: boolean): Promise<MissionPreview> =>
+  json(address(`/collections/plans/items/${encodeURIComponent(planId)}/mission`, { ...query, ...accepted(accept) }));
 
 const accepted = (accept: boolean): { accept_dangers?: boolean } => (accept ? { accept_dangers: true } : {});
 
-export type ExportFormat = 'zip' | 'gpx' | 'kml' | 'geojson' | 'csv' | 'pdf';
+export type ExportFormat = 'zip' | 'gpx' | 'kml' | 'geojson' | 'csv' | 'nmea' | 'imc' | 'targets' | 'html' | 'pdf';
 
-/** Where the browser downloads a plan from; only mission files have a list number. */
-export const downloadAddress = (planId: string, format: ExportFormat, number: number, accept: boolean): string =>
-  address(`/collections/plans/items/${encodeURIComponent(planId)}/mission.${format}`, { ...(format === 'zip' ? { number } : {}), ...accepted(accept) });
+/** Where the browser downloads a plan from; `query` is of the archive of mission files alone. */
+export const downloadAddress = (planId: string, format: ExportFormat, query: ExportQuery, accept: boolean): string =>
+  address(`/collections/plans/items/${encodeURIComponent(planId)}/mission.${format}`, { ...(format === 'zip' ? query : {}), ...accepted(accept) });
 
 /** `age`: how the ages of sightings are counted, where that is not at `time` and up to the server's own. */
 export const probe = (

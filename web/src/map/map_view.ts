@@ -18,13 +18,14 @@ import { coveredDatasets } from '../model/coverage';
 import { datasets, homeBox } from '../model/datasets';
 import { draft, edit } from '../model/draft';
 import { drifts } from '../model/drift';
+import { addSafePlace } from '../model/export_options';
 import { coast, currents, icebergs, isLoading, seaIce } from '../model/field';
 import { changeBerg, zones } from '../model/hand_made';
 import { select, selectedWaypoint, shownPlans } from '../model/plans';
 import { reach } from '../model/reach';
 import { openEdit } from '../model/route_edit';
 import { change, projection } from '../model/settings';
-import { announce } from '../model/screen';
+import { announce, dialog } from '../model/screen';
 import { opening } from '../model/shared_view';
 import { shownFlight } from '../model/simulations';
 import { visible } from '../model/layers';
@@ -289,6 +290,11 @@ function use(map: Map, event: MapBrowserEvent, place: Position, probe: (place: P
       changeBerg({ place: editablePosition(place) });
       announce(`Iceberg at ${editablePosition(place)}.`);
       tool.value = 'pan';
+      return;
+    case 'safe':
+      addSafePlace(editablePosition(place));
+      tool.value = 'pan';
+      dialog.value = 'export';
       return;
     case 'area':
     case 'zone':

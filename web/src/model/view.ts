@@ -17,7 +17,7 @@ export const pointer = signal<Position | undefined>(undefined);
 /** The berg under the pointer. */
 export const hoveredBerg = signal<IcebergFeature | undefined>(undefined);
 
-export type Tool = 'pan' | 'from' | 'to' | 'via' | 'area' | 'berg' | 'zone' | 'probe';
+export type Tool = 'pan' | 'from' | 'to' | 'via' | 'area' | 'berg' | 'zone' | 'probe' | 'safe';
 export const tool = signal<Tool>('pan');
 
 /** A wish to the map; each new object is carried out once. */

@@ -2,21 +2,22 @@ import { useEffect, useState } from 'preact/hooks';
 import type { VNode } from 'preact';
 import { dangersIn, downloadAddress, faultsOf, mission, type ExportFormat } from '../../api/client';
 import type { Message, MissionPreview, Plan } from '../../api/types';
+import { exportOptions, exportOptionsOf, exportWish, lastList, type ExportOptions, type ExportQuery, type ExportWish } from '../../model/export_options';
 import { listRows } from '../../model/list_rows';
 import { bareMessage, countOf, messagesOf } from '../../model/messages';
 import { asSentence } from '../../model/page_words';
 import { selectedPlan, titleOf } from '../../model/plans';
+import { dialog } from '../../model/screen';
 import { none } from '../../model/units';
+import { tool } from '../../model/view';
 import { Icon } from '../common/icon';
 import { MessageList, Messages } from '../common/messages';
 import { Modal } from '../common/modal';
 
 const others: [ExportFormat, string][] = [
-  ['gpx', 'GPX'], ['kml', 'KML'], ['geojson', 'GeoJSON'], ['csv', 'CSV'], ['pdf', 'Brief (PDF)'],
+  ['gpx', 'GPX'], ['kml', 'KML'], ['geojson', 'GeoJSON'], ['csv', 'CSV'], ['nmea', 'NMEA'], ['imc', 'IMC'],
+  ['targets', 'Seaglider targets'], ['html', 'Brief (HTML)'], ['pdf', 'Brief (PDF)'],
 ];
-
-/** The numbers above it belong to the vehicle's firmware. */
-const last_list = 97;
 
 /** The mission files as the server would write them, and the downloads. */
 export function ExportDialog(): VNode | null {
@@ -25,9 +26,10 @@ export function ExportDialog(): VNode | null {
 }
 
 function Export({ plan }: { plan: Plan }): VNode {
-  const [numberText, setNumberText] = useState('10');
-  const number = Number(numberText);
-  const valid = Number.isInteger(number) && number >= 0 && number <= last_list;
+  const options = exportOptionsOf(plan.plan_id);
+  const wish = exportWish(options);
+  const valid = Object.keys(wish.faults).length === 0;
+  const asked = JSON.stringify(wish.query);
   const [preview, setPreview] = useState<MissionPreview | undefined>(undefined);
   const [faults, setFaults] = useState<string[]>([]);
   const [dangers, setDangers] = useState<string[]>([]);
@@ -37,7 +39,7 @@ function Export({ plan }: { plan: Plan }): VNode {
   useEffect(() => {
     if (!valid) return;
     let wanted = true;
-    mission(plan.plan_id, number, accepted)
+    mission(plan.plan_id, wish.query, accepted)
       .then((answer) => {
         if (!wanted) return;
         setPreview(answer);
@@ -54,7 +56,7 @@ function Export({ plan }: { plan: Plan }): VNode {
     return () => {
       wanted = false;
     };
-  }, [plan.plan_id, number, valid, accepted]);
+  }, [plan.plan_id, asked, valid, accepted]);
 
   const shown = preview?.files[file];
   const closed = dangers.length > 0 && !accepted;
@@ -62,16 +64,10 @@ function Export({ plan }: { plan: Plan }): VNode {
   return (
     <Modal title={`Export ${titleOf(plan)}`} guide="export" wide>
       <div class="export-controls">
-        <div class={valid ? 'field' : 'field faulty'}>
-          <label for="list-number">Number of the waypoint list <span class="unit">0–{last_list}</span></label>
-          <input
-            id="list-number" type="text" inputMode="numeric" value={numberText} aria-invalid={valid ? undefined : true}
-            onInput={(event) => setNumberText(event.currentTarget.value)}
-          />
-        </div>
+        <Options options={options} faults={wish.faults} change={(part) => { exportOptions.value = { plan_id: plan.plan_id, options: { ...options, ...part } }; }} />
         <div class="downloads" role="group" aria-label="Downloads">
-          <Download plan={plan} format="zip" number={valid ? number : 10} title="Mission files (.zip)" accepted={accepted} closed={closed} primary />
-          {others.map(([format, title]) => <Download key={format} plan={plan} format={format} number={number} title={title} accepted={accepted} closed={closed} />)}
+          <Download plan={plan} format="zip" query={{ ...wish.query, ...wish.folder }} title="Mission files (.zip)" accepted={accepted} closed={closed || !valid} primary />
+          {others.map(([format, title]) => <Download key={format} plan={plan} format={format} query={{}} title={title} accepted={accepted} closed={closed} />)}
         </div>
       </div>
       <Dangers dangers={dangers.map((text) => told.find((message) => message.text === text) ?? bareMessage('danger', text))} accepted={accepted} accept={setAccepted} />
@@ -95,6 +91,68 @@ function Export({ plan }: { plan: Plan }): VNode {
       {preview && <Rows preview={preview} />}
       <p class="hint">Not for navigation as it is: check the files before they fly.</p>
     </Modal>
+  );
+}
+
+interface OptionsProps {
+  options: ExportOptions;
+  faults: ExportWish['faults'];
+  change: (part: Partial<ExportOptions>) => void;
+}
+
+/** Which files are written, and what is asked of them. */
+function Options({ options, faults, change }: OptionsProps): VNode {
+  const text = (name: Exclude<keyof ExportOptions, 'set' | 'safe'>, label: string, unit: string, placeholder = ''): VNode => {
+    const fault = faults[name];
+    return (
+      <div class={fault ? 'field faulty' : 'field'}>
+        <label for={`export-${name}`}>{label} <span class="unit">{unit}</span></label>
+        <input
+          id={`export-${name}`} type="text" value={options[name]} placeholder={placeholder} autocomplete="off" spellcheck={false}
+          aria-invalid={fault ? true : undefined} aria-describedby={fault ? `export-fault-${name}` : undefined}
+          onInput={(event) => change({ [name]: event.currentTarget.value })}
+        />
+        {fault && <p class="fault" id={`export-fault-${name}`}>{asSentence(fault)}</p>}
+      </div>
+    );
+  };
+  return (
+    <div class="export-options">
+      <div class="field">
+        <label for="export-set">Files for the vehicle</label>
+        <select id="export-set" value={options.set} onChange={(event) => change({ set: event.currentTarget.value as ExportOptions['set'] })}>
+          <option value="lists">Slocum: waypoint lists alone</option>
+          <option value="full">Slocum: full mission with yo and surfacings</option>
+          <option value="seaglider">Seaglider: targets, cmdfile, science</option>
+        </select>
+      </div>
+      {options.set !== 'seaglider' && text('number', 'Number of the waypoint list', `0–${lastList}`)}
+      {options.set === 'full' && text('mission', 'Mission name', '1–8 letters or digits', 'plan')}
+      {options.set === 'full' && text('firmware', 'Firmware', '', '10.5')}
+      {options.set === 'seaglider' && text('science', 'Science bands', 'depth:seconds:sensors:gc; …', '20:5:1110:60')}
+      {text('glider', 'Glider', 'folder in the archive')}
+      {options.set === 'full' && (
+        <div class={faults.safe ? 'field faulty' : 'field'}>
+          <label for="export-safe">Safe places under ice <span class="unit">one a line</span></label>
+          <textarea
+            id="export-safe" rows={2} value={options.safe} placeholder="69°12.0′N 53°12.0′W" spellcheck={false}
+            aria-invalid={faults.safe ? true : undefined} aria-describedby={faults.safe ? 'export-fault-safe' : undefined}
+            onInput={(event) => change({ safe: event.currentTarget.value })}
+          />
+          {faults.safe && <p class="fault" id="export-fault-safe">{faults.safe}</p>}
+          <button
+            type="button"
+            onClick={() => {
+              dialog.value = undefined;
+              tool.value = 'safe';
+            }}
+          >
+            <Icon name="crosshair" /> Pick a safe place on the map
+          </button>
+        </div>
+      )}
+      {options.set === 'full' && text('iceberg_depth_m', 'Deepest iceberg', 'm')}
+    </div>
   );
 }
 
@@ -147,17 +205,17 @@ function Refusal({ faults }: { faults: string[] }): VNode | null {
 interface DownloadProps {
   plan: Plan;
   format: ExportFormat;
-  number: number;
+  query: ExportQuery;
   title: string;
   accepted: boolean;
-  closed: boolean; // dangers are not confirmed yet
+  closed: boolean; // dangers are not confirmed yet, or an option is at fault
   primary?: boolean;
 }
 
-function Download({ plan, format, number, title, accepted, closed, primary }: DownloadProps): VNode {
+function Download({ plan, format, query, title, accepted, closed, primary }: DownloadProps): VNode {
   if (closed) return <button type="button" class={primary ? 'primary' : undefined} disabled><Icon name="download" /> {title}</button>;
   return (
-    <a class={primary ? 'button primary' : 'button'} href={downloadAddress(plan.plan_id, format, number, accepted)} download="">
+    <a class={primary ? 'button primary' : 'button'} href={downloadAddress(plan.plan_id, format, query, accepted)} download="">
       <Icon name="download" /> {title}
     </a>
   );

@@ -66,6 +66,7 @@ function Prompt(): VNode | null {
   const texts = {
     from: 'Click the map to set the start', to: 'Click the map to set the goal', probe: 'Click the map to probe a place',
     via: 'Click the map for each via point', area: `Click the corners of the area${toClose}`, zone: `Click the corners of the zone${toClose}`, berg: 'Click where the iceberg is',
+    safe: 'Click open water that the glider can recover to',
   };
   if (tool.value === 'pan') return null;
   return (

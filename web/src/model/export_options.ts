@@ -1,0 +1,62 @@
+import { signal } from '@preact/signals';
+import { placesIn } from './draft';
+
+/** Which files of a plan a vehicle shall get. */
+export type FileSet = 'lists' | 'full' | 'seaglider';
+
+/** What is asked for the mission files, as a person types it; empty takes the server's default. */
+export interface ExportOptions {
+  set: FileSet;
+  number: string;
+  mission: string;
+  firmware: string;
+  glider: string;
+  safe: string; // one place a line
+  iceberg_depth_m: string;
+  science: string; // bands between semicolons
+}
+
+export const usualExport: ExportOptions = { set: 'lists', number: '10', mission: '', firmware: '', glider: '', safe: '', iceberg_depth_m: '', science: '' };
+
+/** Of the plan whose export was opened last: a place is picked on the map, which the dialog covers. */
+export const exportOptions = signal<{ plan_id: string; options: ExportOptions }>({ plan_id: '', options: usualExport });
+
+export const exportOptionsOf = (plan_id: string): ExportOptions => (exportOptions.value.plan_id === plan_id ? exportOptions.value.options : usualExport);
+
+/** Adds a safe place to those of the export under way. */
+export function addSafePlace(place: string): void {
+  const { plan_id, options } = exportOptions.peek();
+  exportOptions.value = { plan_id, options: { ...options, safe: [...options.safe.split('\n').filter((line) => line.trim() !== ''), place].join('\n') } };
+}
+
+/** The numbers above it belong to the vehicle's firmware. */
+export const lastList = 97;
+
+export type ExportQuery = Record<string, string | number | boolean | undefined>;
+
+export interface ExportWish {
+  query: ExportQuery; // of the files' text
+  folder: ExportQuery; // of the archive besides
+  faults: Partial<Record<keyof ExportOptions, string>>;
+}
+
+const stated = (text: string): string | undefined => (text.trim() === '' ? undefined : text.trim());
+
+/** The parameters of the request, as far as the chosen files have them. What is wrong with a value, the server says of the rest. */
+export function exportWish({ set, number, mission, firmware, glider, safe, iceberg_depth_m, science }: ExportOptions): ExportWish {
+  const faults: ExportWish['faults'] = {};
+  const folder = { glider: stated(glider) };
+  if (set === 'seaglider') return { query: { format: 'seaglider', science: stated(science) }, folder, faults };
+
+  const first = Number(number);
+  if (number.trim() === '' || !Number.isInteger(first) || first < 0 || first > lastList) faults.number = `must be a whole number from 0 to ${lastList}`;
+  if (set === 'lists') return { query: { number: first }, folder, faults };
+
+  const { places, fault } = placesIn(safe);
+  if (fault !== undefined) faults.safe = fault;
+  const depth_m = stated(iceberg_depth_m);
+  if (depth_m !== undefined && !(Number(depth_m) > 0)) faults.iceberg_depth_m = 'must be a depth in metres';
+  if (depth_m !== undefined && places.length === 0) faults.iceberg_depth_m = 'is for work under ice, which needs safe places too';
+  const safePlaces = places.length > 0 ? places.map(([lon, lat]) => `${lon.toFixed(6)},${lat.toFixed(6)}`).join(';') : undefined;
+  return { query: { number: first, full: true, mission: stated(mission), firmware: stated(firmware), safe: safePlaces, iceberg_depth_m: depth_m }, folder, faults };
+}
