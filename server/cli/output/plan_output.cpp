@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <iostream>
+#include <utility>
 #include <vector>
 
 #include "api/codec/bytes/document_values.hpp"
@@ -137,8 +138,9 @@ std::string optimality_line(const json& plan) {
 std::vector<std::string> ice_lines(const json& plan) {
   const json& surfacing = plan.at("surfacing");
   if (surfacing.is_null()) return {};
-  std::vector<std::string> lines{"longest time between places to surface " +
-                                 cell(surfacing.at("longest_without_surfacing_s"), "%.2f h", 1.0 / 3600.0)};
+  std::vector<std::string> lines;
+  if (const json& longest_s = surfacing.at("longest_without_surfacing_s"); longest_s > 0.0)
+    lines.push_back("longest time between places to surface " + cell(longest_s, "%.2f h", 1.0 / 3600.0));
   double deepest_m = 0.0;
   for (const json& waypoint : plan.at("waypoints")) {
     if (const json turn = waypoint.value("leg_upper_turn_m", json()); turn.is_number())
@@ -206,10 +208,16 @@ std::vector<std::string> uncertainty_lines(const json& plan) {
 }
 
 std::vector<std::string> clearance_lines(const json& plan) {
-  const json& clear = plan.at("clearances");
-  std::vector<std::string> lines{"clear of icebergs by " + cell(clear.at("iceberg_m"), "%.0f m") +
-                                 ", of land by " + cell(clear.at("land_m"), "%.0f m") +
-                                 ", of the bottom by " + cell(clear.at("bottom_m"), "%.0f m")};
+  const json& clearances = plan.at("clearances");
+  std::string known;
+  for (const auto& [name, from] :
+       {std::pair{"iceberg_m", "icebergs"}, {"land_m", "land"}, {"bottom_m", "the bottom"}}) {
+    const json& clearance = clearances.at(name);
+    if (clearance.is_null()) continue;
+    known += (known.empty() ? "clear of " : ", of ") + std::string{from} + " by " + cell(clearance, "%.0f m");
+  }
+  std::vector<std::string> lines;
+  if (!known.empty()) lines.push_back(std::move(known));
   if (const json expected = plan.value("iceberg_encounters", json()); expected.is_number())
     lines.push_back("expected encounters with icebergs, within the margin: " + cell(expected, "%.2g"));
   return lines;

@@ -128,6 +128,9 @@ TEST(PlanOutput, IsASummaryWithDangersFirstUnlessAllIsAskedFor) {
   EXPECT_LE(beside_waypoints, 25) << summary.out;
   EXPECT_THAT(summary.out, Not(HasSubstr("note: ")));
   EXPECT_THAT(summary.out, HasSubstr("\nenergy "));
+  EXPECT_THAT(summary.out, HasSubstr("\nclear of land by "));
+  EXPECT_THAT(summary.out, Not(HasSubstr(" by -"))) << "what is not known";
+  EXPECT_THAT(summary.out, Not(HasSubstr("places to surface"))) << "there is no ice on the route";
   EXPECT_LT(summary.out.find("caution: "), summary.out.find("no. "));
   EXPECT_THAT(everything.out, HasSubstr("data: "));
   EXPECT_THAT(everything.out, HasSubstr("refined from "));
