@@ -215,7 +215,7 @@ def read_only(program, folder):
         path.chmod(0o555 if path.is_dir() else 0o444)
     user = NOBODY if os.getuid() == 0 else None
     server = Served(program, store, user=user)
-    code = server.process.poll() if server.address is None else None
+    code = server.process.wait(30) if server.address is None else None
     expect(code == 1, f"a store that cannot be written is served: {code}")
     print(f"read-only store: exit {code}: {server.said().strip()[:200]}", flush=True)
 

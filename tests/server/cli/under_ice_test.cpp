@@ -101,7 +101,7 @@ TEST_F(UnderIceCli, SimulatesWhatAGliderCouldNotBeSent) {
   const Outcome simulated = program_.run({"simulate", id, "--no-avoidance", "--json"});
 
   EXPECT_EQ(exported.exit_code, 3);
-  EXPECT_THAT(exported.err, HasSubstr("must not be so many below ice"));
+  EXPECT_THAT(exported.err, HasSubstr("too many below ice"));
   ASSERT_EQ(simulated.exit_code, 0) << simulated.err;
   EXPECT_EQ(simulated.json()["arrived"], 1) << simulated.json()["flights"].dump(2);
 }
