@@ -2,7 +2,8 @@
 import { readFileSync, readdirSync } from 'node:fs';
 import { gzipSync } from 'node:zlib';
 
-const budget_kb = { js: 200, css: 12, total: 230, charts: 30, panels: 20, guide: 15 };
+// What is loaded first may take 230 kB together; scripts and styles are bounded besides, so that neither eats the other's room.
+const budget_kb = { js: 215, css: 12, total: 230, charts: 30, panels: 50, guide: 15 };
 const dist = new URL('../dist/', import.meta.url);
 const page = readFileSync(new URL('index.html', dist), 'utf8');
 const guide = readFileSync(new URL('guide/index.html', dist), 'utf8');

@@ -92,7 +92,7 @@ planning::PlanRequest flown_with(planning::PlanRequest request, const YoDives& y
 }
 
 bool flies_otherwise(const planning::Plan& plan, const vehicle::GliderProfile& vehicle) {
-  constexpr double nearly = 0.95;  // of the depth: a fiftieth less is kept from every rating
+  constexpr double nearly = 0.9;  // of the depth: a tenth less is kept from a shallow rating
   const YoDives yo = yo_of(plan, vehicle);
   return least_upper_turn(plan) > vehicle.climb_to || yo.dive_depth < nearly * vehicle.dive_depth ||
          leaves_thruster_off(plan, yo);

@@ -15,16 +15,24 @@ namespace {
 constexpr std::string_view start_when_pitch_idle = "2";
 constexpr std::string_view start_when_heading_idle = "3";
 constexpr std::string_view start_when_waypoint_hit = "8";
+constexpr std::string_view start_when_every = "9";
 constexpr std::string_view start_when_silent = "12";
 
-constexpr double share_of_rating = 0.98;  // 980 m for a 1000 m vehicle, as operators write it
-/// Of a 30 m vehicle a tenth, as operators keep their dives from the overdepth; a turn takes metres at every depth.
-constexpr double least_above_rating_m = 3.0;
+// A glider overshoots its target and aborts at its overdepth. Operators of shallow vehicles set that 10 to 15 % below the
+// target, those of 1000 m vehicles dive to 980 m (missions of the Southwest Fisheries Science Center).
+constexpr double overshoot_of_shallow = 1.10;
+constexpr double deep_share_of_rating = 0.98;
+constexpr double usual_overdepth = 1.15;
+/// A turn takes metres at every depth; the slow oil pump of a deep vehicle as many as its altitude allows for.
+constexpr double least_overshoot_shallow_m = 3.0;
+constexpr double least_overshoot_deep_m = 20.0;
 constexpr double shallow_vehicle_m = 350.0;
 constexpr double silence_shallow_s =
     10'800.0;                                // between the stock mission's 20 minutes and operators' 8 hours
 constexpr double silence_deep_s = 28'800.0;  // of operators' 1000 m missions
-constexpr double least_climb_m = 3.0;        // minimum of c_target_depth in the same dictionary
+constexpr double regular_shallow_s = 10'800.0;  // of the stock missions
+constexpr double regular_deep_s = 21'600.0;     // the longest of operators' 1000 m missions
+constexpr double least_climb_m = 3.0;           // minimum of c_target_depth in the same dictionary
 constexpr double silence_under_ice_share = 1.25;
 
 struct SurfacingKind {
@@ -37,10 +45,15 @@ constexpr SurfacingKind silent{"no contact for too long", start_when_silent, "1"
 constexpr SurfacingKind list_done{"the list is flown", start_when_heading_idle, "0"};
 constexpr SurfacingKind yo_done{"the yo has ended", start_when_pitch_idle, "1"};
 constexpr SurfacingKind waypoint_hit{"a waypoint is reached", start_when_waypoint_hit, "1"};
+constexpr SurfacingKind regular{"the time between surfacings has passed", start_when_every, "1"};
+
+bool is_shallow(const vehicle::GliderProfile& vehicle) {
+  return vehicle.depth_rating.value <= shallow_vehicle_m;
+}
 
 std::vector<SurfacingKind> kinds_of(const MissionSetOptions& options) {
   std::vector<SurfacingKind> kinds{silent, list_done, yo_done};
-  if (!options.under_ice) kinds.push_back(waypoint_hit);
+  if (!options.under_ice) kinds.insert(kinds.end(), {waypoint_hit, regular});
   return kinds;
 }
 
@@ -55,6 +68,8 @@ MissionFile surfacing_file(const planning::Plan& plan, const MissionSetOptions& 
   std::vector<ArgumentValue> values{{"start_when", std::string{kind.start_when}}};
   if (kind.start_when == start_when_silent)
     values.push_back({"when_secs", whole(longest_silence(plan, options).count())});
+  if (kind.start_when == start_when_every)
+    values.push_back({"when_secs", whole(time_between_surfacings(options).count())});
   values.push_back({"end_action", std::string{kind.end_action}});
   values.push_back({"gps_wait_time", "300"});
   values.push_back({"keystroke_wait_time", "300"});
@@ -94,8 +109,17 @@ MissionFile yo_file(const planning::Plan& plan, const MissionSetOptions& options
 
 core::Metres target_depth(const vehicle::GliderProfile& vehicle) {
   const double rating_m = vehicle.depth_rating.value;
-  const double lowest_m = std::min(share_of_rating * rating_m, rating_m - least_above_rating_m);
+  const double lowest_m =
+      is_shallow(vehicle) ? std::min(rating_m / overshoot_of_shallow, rating_m - least_overshoot_shallow_m)
+                          : std::min(deep_share_of_rating * rating_m, rating_m - least_overshoot_deep_m);
   return {std::floor(std::min(vehicle.dive_depth.value, lowest_m))};
+}
+
+core::Metres overdepth(const vehicle::GliderProfile& vehicle) {
+  const double target_m = target_depth(vehicle).value;
+  const double least_m = is_shallow(vehicle) ? least_overshoot_shallow_m : least_overshoot_deep_m;
+  return {std::min(vehicle.depth_rating.value,
+                   std::ceil(std::max(usual_overdepth * target_m, target_m + least_m)))};
 }
 
 core::Metres climb_target(const planning::Plan& plan, const vehicle::GliderProfile& vehicle) {
@@ -103,8 +127,7 @@ core::Metres climb_target(const planning::Plan& plan, const vehicle::GliderProfi
 }
 
 core::Seconds longest_silence(const planning::Plan& plan, const MissionSetOptions& options) {
-  const bool shallow = options.vehicle.depth_rating.value <= shallow_vehicle_m;
-  const double in_the_open_s = shallow ? silence_shallow_s : silence_deep_s;
+  const double in_the_open_s = is_shallow(options.vehicle) ? silence_shallow_s : silence_deep_s;
   if (!options.under_ice) {
     const core::Seconds usual{in_the_open_s};
     return std::min(usual, options.surfacing_interval.value_or(usual));
@@ -113,6 +136,11 @@ core::Seconds longest_silence(const planning::Plan& plan, const MissionSetOption
   // the time that the plan takes.
   const double planned_s = silence_under_ice_share * plan.travel_time().count();
   return core::Seconds{std::max(in_the_open_s, 3600.0 * std::ceil(planned_s / 3600.0))};
+}
+
+core::Seconds time_between_surfacings(const MissionSetOptions& options) {
+  return options.surfacing_interval.value_or(
+      core::Seconds{is_shallow(options.vehicle) ? regular_shallow_s : regular_deep_s});
 }
 
 std::vector<Surfacing> surfacings_of(const MissionSetOptions& options) {

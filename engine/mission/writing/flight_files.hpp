@@ -17,14 +17,20 @@ struct Surfacing {
 /// The surfacings of a mission, in order of priority.
 [[nodiscard]] std::vector<Surfacing> surfacings_of(const MissionSetOptions& options);
 
-/// The depth that a yo turns at.
+/// The depth that a yo turns at, so far above the rating that an overshoot does not reach it.
 [[nodiscard]] core::Metres target_depth(const vehicle::GliderProfile& vehicle);
+
+/// The depth at which the vehicle aborts: below the target by what a turn may overshoot, and no deeper than its rating.
+[[nodiscard]] core::Metres overdepth(const vehicle::GliderProfile& vehicle);
 
 /// The depth that a yo climbs to: below everything that the plan passes under, all the way, for a yo knows no places.
 [[nodiscard]] core::Metres climb_target(const planning::Plan& plan, const vehicle::GliderProfile& vehicle);
 
 /// How long the vehicle goes without contact before it comes up to seek it.
 [[nodiscard]] core::Seconds longest_silence(const planning::Plan& plan, const MissionSetOptions& options);
+
+/// How often the vehicle comes up in open water, whatever else happens.
+[[nodiscard]] core::Seconds time_between_surfacings(const MissionSetOptions& options);
 
 /// The argument files of yo, surface, sample and prepare_to_dive.
 [[nodiscard]] std::vector<MissionFile> flight_files(const planning::Plan& plan,

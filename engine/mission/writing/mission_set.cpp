@@ -83,7 +83,7 @@ std::string mission_text(const planning::Plan& plan, const MissionSetOptions& op
   if (options.under_ice) text += ice_settings(plan, options);
   text +=
       "\nbehavior: abend\n" +
-      argument_lines("abend", {{"overdepth", whole(options.vehicle.depth_rating.value)},
+      argument_lines("abend", {{"overdepth", whole(overdepth(options.vehicle).value)},
                                {"overtime", "-1"},
                                {"samedepth_for", "1800"},
                                {"stalled_for", "1800"},

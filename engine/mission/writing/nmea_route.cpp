@@ -33,11 +33,8 @@ std::string angle(double degrees, int degree_digits, char positive, char negativ
   return text.data();
 }
 
-std::string name_of(std::size_t index) {
-  std::array<char, 8> text{};
-  std::snprintf(text.data(), text.size(), "WP%03u", static_cast<unsigned>(index));
-  return text.data();
-}
+/// As on the map and in every other format: S, then 1, 2, ...
+std::string name_of(std::size_t index) { return index == 0 ? "S" : std::to_string(index); }
 
 /// Letters and digits alone: anything else could end a field.
 std::string route_name(const std::string& plan_id) {
@@ -62,7 +59,8 @@ MissionFile write_nmea_route(const planning::Plan& plan, const std::string& plan
   }
   const std::string route = route_name(plan_id);
   constexpr std::size_t longest_head = 16 + 13;  // "GPRTE,nnn,nnn,c," and the name
-  constexpr std::size_t per_sentence = (longest_sentence - around_body - longest_head) / 6;
+  constexpr std::size_t longest_name = 1 + 3;    // a comma and three digits
+  constexpr std::size_t per_sentence = (longest_sentence - around_body - longest_head) / longest_name;
   const std::size_t total = (plan.waypoints.size() + per_sentence - 1) / per_sentence;
   for (std::size_t part = 0; part < total; ++part) {
     std::string body = "GPRTE," + std::to_string(total) + "," + std::to_string(part + 1) + ",c," + route;

@@ -111,10 +111,29 @@ test('the browser asks for all files that the command line writes', async ({ pag
   await dialog.getByRole('button', { name: 'Pick a safe place on the map' }).click();
   await expect(dialog).toBeHidden();
   await mapAtRest(page);
+  await page.keyboard.press('Escape');
+  await expect(dialog.getByLabel(/^Mission name/)).toHaveValue('disko');
+  await dialog.getByRole('button', { name: 'Pick a safe place on the map' }).click();
+  await expect(dialog).toBeHidden();
   const { x, y } = await pixelOf(page, west);
   await page.mouse.click(x, y);
   await expect(dialog.getByLabel(/^Mission name/)).toHaveValue('disko');
   await expect(files.getByRole('button', { name: 'goto_l98.ma' })).toBeVisible();
+
+  await expect(page.locator('#map')).toHaveAttribute('data-safe-places', '1');
+  await dialog.getByLabel(/^Deepest iceberg/).fill('900');
+  await expect(dialog.getByRole('alert')).toContainText('Deepest iceberg must be');
+  await dialog.getByLabel(/^Deepest iceberg/).fill('');
+
+  await dialog.getByText('Difference to another list').click();
+  await files.getByRole('button', { name: 'goto_l10.ma' }).click();
+  const there = '# on board\nbehavior_name=goto_list\n<start:waypoints>\n-5236.0000 6909.0000\n<end:waypoints>\n';
+  await dialog.getByLabel('File to compare with').setInputFiles({ name: 'goto_l10.ma', mimeType: 'text/plain', buffer: Buffer.from(there) });
+  const lines = dialog.getByLabel('Difference of goto_l10.ma to goto_l10.ma');
+  await expect(lines).toContainText('− -5236.0000 6909.0000');
+  await expect(lines).toContainText(/\+ -5212\.0000 6907\.8000/);
+  await expect(lines).not.toContainText('on board');
+  await expectAccessible(page);
 
   await dialog.getByLabel('Files for the vehicle').selectOption('seaglider');
   await dialog.getByLabel(/^Science bands/).fill('20:5:1110:60');

@@ -14,31 +14,36 @@ namespace {
 using support::plan_of;
 using testing::HasSubstr;
 
-TEST(NmeaRoute, HoldsEachWaypointAndTheirOrder) {
+TEST(NmeaRoute, HoldsEachWaypointByItsNameOnTheMapAndTheirOrder) {
   const MissionFile file = write_nmea_route(plan_of({{-53.5, 69.25}, {-0.25, -0.5}}), "p12ab-;\r\n$x");
 
   EXPECT_EQ(file.text,
-            "$GPWPL,6915.0000,N,05330.0000,W,WP000*60\r\n"
-            "$GPWPL,0030.0000,S,00015.0000,W,WP001*75\r\n"
-            "$GPRTE,1,1,c,p12abx,WP000,WP001*3E\r\n");
+            "$GPWPL,6915.0000,N,05330.0000,W,S*04\r\n"
+            "$GPWPL,0030.0000,S,00015.0000,W,1*72\r\n"
+            "$GPRTE,1,1,c,p12abx,S,1*5D\r\n");
 }
 
 TEST(NmeaRoute, HasSoundSentencesForAnyPlan) {
   support::for_each_seed(100, [](std::mt19937_64& rng) {
     const auto places = support::random_places(rng, 2, 200);
     std::istringstream lines{write_nmea_route(plan_of(places), "p0123456789ab").text};
-    std::size_t routed = 0;
+    std::vector<std::string> routed;
     for (std::string line; std::getline(lines, line);) {
       ASSERT_EQ(line.back(), '\r');
       ASSERT_LE(line.size() + 1, 82U);
       std::uint8_t sum = 0;
       for (std::size_t i = 1; i < line.find('*'); ++i) sum ^= static_cast<std::uint8_t>(line[i]);
       ASSERT_EQ(std::stoi(line.substr(line.find('*') + 1, 2), nullptr, 16), sum) << line;
-      if (line.starts_with("$GPRTE"))
-        for (std::size_t at = line.find(",WP"); at != std::string::npos; at = line.find(",WP", at + 1))
-          ++routed;
+      if (!line.starts_with("$GPRTE")) continue;
+      std::istringstream fields{line.substr(0, line.find('*'))};
+      constexpr int before_names = 5;  // GPRTE, how many, which, c, the route
+      int field = 0;
+      for (std::string name; std::getline(fields, name, ',');)
+        if (field++ >= before_names) routed.push_back(name);
     }
-    EXPECT_EQ(routed, places.size());
+    ASSERT_EQ(routed.size(), places.size());
+    EXPECT_EQ(routed.front(), "S");
+    EXPECT_EQ(routed.back(), std::to_string(places.size() - 1));
   });
 }
 

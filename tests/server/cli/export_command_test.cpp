@@ -44,7 +44,7 @@ TEST(Export, HandsAFullSetToAGliderAndNeverOverwritesIt) {
   const fs::path folder = out / "gliders" / "amadeus" / "to-glider";
   std::vector<std::string> check{"check"};
   for (const auto& file : fs::directory_iterator{folder}) check.push_back(file.path().string());
-  EXPECT_EQ(check.size(), 10U) << "nine files, none left half written";
+  EXPECT_EQ(check.size(), 11U) << "ten files, none left half written";
   EXPECT_EQ(program.run(check).exit_code, 0);
 
   std::ofstream{folder / "yo10.ma"} << "mine";

@@ -8,11 +8,13 @@ export class ApiError extends Error {
   }
 }
 
+/** What a JSON pointer names, without what all of them begin with. */
+const placeOf = (pointer: string): string => pointer.replace(/^[/?](inputs\/|properties\/)?/, '');
+
 /** What the server found wrong, each behind the name of its place; what went wrong where it lists nothing. */
-export function faultsOf(error: unknown): string[] {
+export function faultsOf(error: unknown, nameOf: (place: string) => string = (place) => place): string[] {
   if (!(error instanceof ApiError)) return [error instanceof Error ? error.message : String(error)];
-  const placeOf = (pointer: string): string => pointer.replace(/^\/(inputs\/|properties\/)?/, '');
-  const listed = (error.problem.errors ?? []).map(({ pointer, detail }) => `${placeOf(pointer)} ${detail}`.trim());
+  const listed = (error.problem.errors ?? []).map(({ pointer, detail }) => `${nameOf(placeOf(pointer))} ${detail}`.trim());
   return listed.length > 0 ? listed : [error.message];
 }
 

@@ -18,7 +18,7 @@ import { coveredDatasets } from '../model/coverage';
 import { datasets, homeBox } from '../model/datasets';
 import { draft, edit } from '../model/draft';
 import { drifts } from '../model/drift';
-import { addSafePlace } from '../model/export_options';
+import { addSafePlace, safePlaces } from '../model/export_options';
 import { coast, currents, icebergs, isLoading, seaIce } from '../model/field';
 import { changeBerg, zones } from '../model/hand_made';
 import { select, selectedWaypoint, shownPlans } from '../model/plans';
@@ -338,6 +338,7 @@ function publishState(map: Map, target: HTMLElement, vehicles: VectorLayer<Vecto
     target.dataset['reach'] = reach.value?.state ?? 'none';
     target.dataset['flight'] = shownFlight.value ? String(shownFlight.value.run) : 'none';
     target.dataset['coverage'] = String(coveredDatasets.value.length);
+    target.dataset['safePlaces'] = String(safePlaces.value.length);
     target.dataset['areas'] = String(draft.value.areas.length);
     target.dataset['zones'] = String(zones.value.length);
     target.dataset['tracks'] = String(visible.value.tracks ? gliderTracks.value.length : 0);

@@ -7,6 +7,7 @@ import { Circle, Fill, RegularShape, Stroke, Style, Text } from 'ol/style.js';
 import type { Position } from '../api/data_types';
 import { project } from '../geo/projections';
 import { draft, hasGoalsFile, placeIn, placesIn } from '../model/draft';
+import { safePlaces } from '../model/export_options';
 import { openForm } from '../model/hand_made';
 import { failure } from '../model/job';
 import { messagesOf, placeOf, shownMessage } from '../model/messages';
@@ -18,7 +19,7 @@ import { rechecks } from '../model/stale';
 import { palette, type Palette } from '../theme/palette';
 
 /**
- * Start, goal and places between of the set-up, the berg that is being reported, the place where planning failed, those that
+ * Start, goal and places between of the set-up, the safe places of an export (R for recovery), the berg that is being reported, the place where planning failed, those that
  * dangers and cautions of the selected plan speak of, and the place last probed.
  */
 export function markerLayer(): VectorLayer<VectorSource> {
@@ -38,6 +39,8 @@ export function markerLayer(): VectorLayer<VectorSource> {
     const isTyped = !hasGoalsFile(draft.value);
     for (const [i, place] of isTyped ? placesIn(draft.value.via).places.entries() : []) put(place, disc(`V${i + 1}`, colours.label, colours));
     if (isTyped) put(placeIn(draft.value.to), disc('G', colours.goal, colours));
+
+    for (const [i, place] of safePlaces.value.entries()) put(place, disc(`R${i + 1}`, colours.start, colours));
 
     const form = openForm.value;
     if (form?.berg) put(placeIn(form.berg.place), disc('B', colours.danger, colours));

@@ -1,5 +1,7 @@
-import { signal } from '@preact/signals';
+import { computed, signal } from '@preact/signals';
+import type { Position } from '../api/data_types';
 import { placesIn } from './draft';
+import { selectedId, waypointLabel } from './plans';
 
 /** Which files of a plan a vehicle shall get. */
 export type FileSet = 'lists' | 'full' | 'seaglider';
@@ -23,10 +25,37 @@ export const exportOptions = signal<{ plan_id: string; options: ExportOptions }>
 
 export const exportOptionsOf = (plan_id: string): ExportOptions => (exportOptions.value.plan_id === plan_id ? exportOptions.value.options : usualExport);
 
+/** The safe places that are typed or picked so far, for the map. */
+export const safePlaces = computed<Position[]>(() => {
+  const { plan_id, options } = exportOptions.value;
+  return options.set === 'full' && plan_id === selectedId.value ? placesIn(options.safe).places : [];
+});
+
 /** Adds a safe place to those of the export under way. */
 export function addSafePlace(place: string): void {
   const { plan_id, options } = exportOptions.peek();
   exportOptions.value = { plan_id, options: { ...options, safe: [...options.safe.split('\n').filter((line) => line.trim() !== ''), place].join('\n') } };
+}
+
+/** What the dialog calls its fields. */
+export const exportLabels = {
+  set: 'Files for the vehicle', number: 'Number of the waypoint list', mission: 'Mission name', firmware: 'Firmware', glider: 'Glider',
+  safe: 'Safe places under ice', iceberg_depth_m: 'Deepest iceberg', science: 'Science bands',
+} as const satisfies Record<keyof ExportOptions, string>;
+
+/** What a refusal of the server may speak of, by its name there. */
+const labels: Partial<Record<string, string>> = {
+  ...exportLabels,
+  under_ice: 'A full mission for work under ice', format: exportLabels.set, plan_id: 'This plan', waypoints: 'Waypoints', dive_depth_m: 'The dive depth of the vehicle',
+};
+
+/** “Safe place 2” for safe/1, “Waypoint 4” for waypoints/4, else the label of the field. */
+export function exportLabelOf(place: string): string {
+  const [name = '', index] = place.split('/');
+  if (index !== undefined && name === 'safe') return `Safe place ${Number(index) + 1}`;
+  if (index !== undefined && name === 'waypoints') return `Waypoint ${waypointLabel(Number(index))}`;
+  if (index !== undefined && name === 'science') return `Science band ${Number(index) + 1}`;
+  return labels[name] ?? place;
 }
 
 /** The numbers above it belong to the vehicle's firmware. */

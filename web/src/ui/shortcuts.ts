@@ -62,6 +62,7 @@ const takesSpace = 'button, a, summary, input[type=checkbox], input[type=radio]'
 export function listenForShortcuts(): void {
   document.addEventListener('keydown', (event) => {
     if (event.key === 'Escape' && dialog.peek() === undefined) {
+      if (tool.peek() === 'safe') dialog.value = 'export'; // where the place was to be picked from
       tool.value = 'pan';
       selectedWaypoint.value = undefined;
       openBergId.value = undefined;

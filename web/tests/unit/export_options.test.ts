@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { addSafePlace, exportOptions, exportOptionsOf, exportWish, usualExport } from '../../src/model/export_options';
+import { addSafePlace, exportLabelOf, exportOptions, exportOptionsOf, exportWish, usualExport } from '../../src/model/export_options';
 
 describe('the options of an export', () => {
   it('ask for the lists alone at first', () => {
@@ -33,5 +33,14 @@ describe('the options of an export', () => {
     addSafePlace('69.3, -53.3');
     expect(exportOptionsOf('p1').safe).toBe('69.2, -53.2\n69.3, -53.3');
     expect(exportOptionsOf('p2')).toEqual(usualExport);
+  });
+});
+
+describe('a refusal of the server', () => {
+  it.each([
+    ['safe/0', 'Safe place 1'], ['safe', 'Safe places under ice'], ['waypoints/0', 'Waypoint S'], ['waypoints/12', 'Waypoint 12'], ['waypoints', 'Waypoints'],
+    ['iceberg_depth_m', 'Deepest iceberg'], ['under_ice', 'A full mission for work under ice'], ['science/1', 'Science band 2'],
+  ])('calls %s by the label of the dialog', (place, label) => {
+    expect(exportLabelOf(place)).toBe(label);
   });
 });

@@ -119,7 +119,7 @@ TEST_F(ExportSeaTest, OneYoForAWayBelowIceIsNotWrittenWhereItMeetsTooStrongACurr
   EXPECT_EQ(refused.status, 400);
   EXPECT_THAT(refused.body,
               AllOf(HasSubstr("cannot be flown by the one yo of the mission, which turns between "
-                              "58 m and 196 m on the whole route"),
+                              "58 m and 181 m on the whole route"),
                     HasSubstr("too strong")));
 }
 

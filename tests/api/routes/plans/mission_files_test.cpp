@@ -47,7 +47,7 @@ TEST_F(MissionFilesTest, AreTheListsAloneUnlessAllAreAskedFor) {
   EXPECT_EQ(lists["files"][0]["name"], "goto_l10.ma");
 
   const json all = ask_for("?full=true&mission=disko&number=20");
-  ASSERT_EQ(all["files"].size(), 9U);
+  ASSERT_EQ(all["files"].size(), 10U);
   EXPECT_EQ(all["files"][0]["name"], "disko.mi");
   EXPECT_EQ(all["files"][1]["name"], "goto_l20.ma");
 }

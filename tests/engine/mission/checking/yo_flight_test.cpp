@@ -63,7 +63,7 @@ TEST(YoFlight, IsRefusedWhereTheCurrentAtItsDepthsStopsTheVehicle) {
   EXPECT_TRUE(flies_otherwise(plan, request.vehicle));
   EXPECT_THAT(flight_of(sheared_sea(), request, plan).violations,
               ElementsAre(Field(&core::Violation::rule,
-                                AllOf(HasSubstr("turns between 90 m and 196 m on the whole route"),
+                                AllOf(HasSubstr("turns between 90 m and 181 m on the whole route"),
                                       HasSubstr("before waypoint 1: the current is too strong"),
                                       HasSubstr("plan again with a climb_to_m of 90")))));
 }
@@ -73,7 +73,7 @@ TEST(YoFlight, TellsTheTimesAndTheDrawThatAreNotThePlans) {
   const planning::Plan plan = below_ice(planned(sheared_sea(), request), 90.0);
   planning::PlanRequest deep = request;
   deep.vehicle.climb_to = core::Metres{90.0};
-  deep.vehicle.dive_depth = core::Metres{196.0};
+  deep.vehicle.dive_depth = core::Metres{181.0};
 
   const YoFlight flight = flight_of(sheared_sea(), request, plan);
 

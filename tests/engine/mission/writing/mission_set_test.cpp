@@ -52,12 +52,43 @@ double value_of(const Document& document, const char* argument) {
   return found == nullptr ? -9e9 : found->value;
 }
 
-TEST(MissionSet, DivesFarEnoughAboveTheRatingOfAShallowVehicle) {
-  const auto set = write_mission_set(two_legs(), options_for("slocum-g3-30"));
+struct OvershootRoom {
+  const char* vehicle;
+  double dive_depth_m;
+  double target_m;
+  double overdepth_m;
+};
 
-  ASSERT_TRUE(set.has_value());
-  EXPECT_EQ(value_of(read_of(*set, "yo10.ma"), "d_target_depth"), 27.0);
-  EXPECT_EQ(value_of(read_of(*set, "plan.mi"), "overdepth"), 30.0);
+TEST(MissionSet, LeavesRoomForAnOvershootBetweenTheYoAndTheOverdepth) {
+  for (const OvershootRoom& room :
+       {OvershootRoom{"slocum-g3-30", 30.0, 27.0, 30.0}, OvershootRoom{"slocum-g3-200", 200.0, 181.0, 200.0},
+        OvershootRoom{"slocum-g3-200", 100.0, 100.0, 115.0}, OvershootRoom{"slocum-g3-200", 12.0, 12.0, 15.0},
+        OvershootRoom{"slocum-g3-1000", 1000.0, 980.0, 1000.0},
+        OvershootRoom{"slocum-g3-1000", 100.0, 100.0, 120.0}}) {
+    MissionSetOptions options = options_for(room.vehicle);
+    options.vehicle.dive_depth = core::Metres{room.dive_depth_m};
+
+    const auto set = write_mission_set(two_legs(), options);
+
+    ASSERT_TRUE(set.has_value()) << room.vehicle;
+    EXPECT_EQ(value_of(read_of(*set, "yo10.ma"), "d_target_depth"), room.target_m) << room.vehicle;
+    EXPECT_EQ(value_of(read_of(*set, "plan.mi"), "overdepth"), room.overdepth_m) << room.vehicle;
+  }
+}
+
+TEST(MissionSet, ComesUpRegularlyInOpenWaterAndNeverByTheClockBelowIce) {
+  const auto shallow = write_mission_set(two_legs(), options_for("slocum-g3-200"));
+  const auto deep = write_mission_set(two_legs(), options_for("slocum-g3-1000"));
+  const auto below = write_mission_set(two_legs(), under_ice());
+
+  ASSERT_TRUE(shallow && deep && below);
+  EXPECT_EQ(value_of(read_of(*shallow, "surfac14.ma"), "start_when"), 9.0);
+  EXPECT_EQ(value_of(read_of(*shallow, "surfac14.ma"), "when_secs"), 10'800.0);
+  EXPECT_EQ(value_of(read_of(*deep, "surfac14.ma"), "when_secs"), 21'600.0);
+  for (const MissionFile& file : below->files) {
+    if (!file.name.starts_with("surfac")) continue;
+    EXPECT_NE(value_of(read_of(*below, file.name), "start_when"), 9.0) << file.name;
+  }
 }
 
 TEST(MissionSet, ComesUpAsOftenAsThePlanWasAskedTo) {
@@ -68,6 +99,7 @@ TEST(MissionSet, ComesUpAsOftenAsThePlanWasAskedTo) {
 
   ASSERT_TRUE(set.has_value());
   EXPECT_EQ(value_of(read_of(*set, "surfac10.ma"), "when_secs"), 7200.0);
+  EXPECT_EQ(value_of(read_of(*set, "surfac14.ma"), "when_secs"), 7200.0);
 }
 
 TEST(MissionSet, SaysThatItKeepsNoPlannedSurfacingsBelowIce) {
@@ -88,13 +120,14 @@ TEST(MissionSet, HoldsEveryFileThatItsMissionAsksFor) {
   const auto set = write_mission_set(two_legs(), options_for("slocum-g3-200"));
 
   ASSERT_TRUE(set.has_value());
-  EXPECT_THAT(names_of(*set), ElementsAre("plan.mi", "goto_l10.ma", "yo10.ma", "surfac10.ma", "surfac11.ma",
-                                          "surfac12.ma", "surfac13.ma", "sample10.ma", "prepar10.ma"));
+  EXPECT_THAT(names_of(*set),
+              ElementsAre("plan.mi", "goto_l10.ma", "yo10.ma", "surfac10.ma", "surfac11.ma", "surfac12.ma",
+                          "surfac13.ma", "surfac14.ma", "sample10.ma", "prepar10.ma"));
   const Document mission = read_of(*set, "plan.mi");
   std::vector<std::string> behaviors;
   for (const Behavior& behavior : mission.behaviors) behaviors.push_back(behavior.name);
-  EXPECT_THAT(behaviors, ElementsAre("abend", "surface", "surface", "surface", "surface", "goto_list", "yo",
-                                     "sample", "prepare_to_dive", "sensors_in"));
+  EXPECT_THAT(behaviors, ElementsAre("abend", "surface", "surface", "surface", "surface", "surface",
+                                     "goto_list", "yo", "sample", "prepare_to_dive", "sensors_in"));
   for (const std::string& name : files_referenced(mission)) EXPECT_THAT(names_of(*set), Contains(name));
 }
 
@@ -338,7 +371,7 @@ TEST(MissionSet, IsRefusedForAPlanThatDoesNotTellHowDeepItsDivesTurnBelowIce) {
 
 TEST(MissionSet, IsRefusedWhereItsDivesHaveNoRoomBelowTheIce) {
   planning::Plan plan = below_ice_between_waypoints();
-  plan.surfacing->waypoints[2].leg_upper_turn = core::Metres{195.0};
+  plan.surfacing->waypoints[2].leg_upper_turn = core::Metres{180.0};
 
   const auto set = write_mission_set(plan, under_ice());
 

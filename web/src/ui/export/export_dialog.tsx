@@ -2,7 +2,7 @@ import { useEffect, useState } from 'preact/hooks';
 import type { VNode } from 'preact';
 import { dangersIn, downloadAddress, faultsOf, mission, type ExportFormat } from '../../api/client';
 import type { Message, MissionPreview, Plan } from '../../api/types';
-import { exportOptions, exportOptionsOf, exportWish, lastList, type ExportOptions, type ExportQuery, type ExportWish } from '../../model/export_options';
+import { exportLabelOf, exportLabels, exportOptions, exportOptionsOf, exportWish, lastList, type ExportOptions, type ExportQuery, type ExportWish } from '../../model/export_options';
 import { listRows } from '../../model/list_rows';
 import { bareMessage, countOf, messagesOf } from '../../model/messages';
 import { asSentence } from '../../model/page_words';
@@ -13,6 +13,7 @@ import { tool } from '../../model/view';
 import { Icon } from '../common/icon';
 import { MessageList, Messages } from '../common/messages';
 import { Modal } from '../common/modal';
+import { ListDifference } from './list_difference';
 
 const others: [ExportFormat, string][] = [
   ['gpx', 'GPX'], ['kml', 'KML'], ['geojson', 'GeoJSON'], ['csv', 'CSV'], ['nmea', 'NMEA'], ['imc', 'IMC'],
@@ -51,7 +52,7 @@ function Export({ plan }: { plan: Plan }): VNode {
         setPreview(undefined);
         const found = dangersIn(error);
         if (found.length > 0) setDangers(found);
-        setFaults(found.length > 0 ? [] : faultsOf(error));
+        setFaults(found.length > 0 ? [] : faultsOf(error, exportLabelOf));
       });
     return () => {
       wanted = false;
@@ -60,7 +61,7 @@ function Export({ plan }: { plan: Plan }): VNode {
 
   const shown = preview?.files[file];
   const closed = dangers.length > 0 && !accepted;
-  const told = [...new Map([...(preview ? messagesOf(preview) : []), ...messagesOf(plan)].map((message) => [message.text, message])).values()];
+  const told = toldAtExport(plan, preview);
   return (
     <Modal title={`Export ${titleOf(plan)}`} guide="export" wide>
       <div class="export-controls">
@@ -88,10 +89,19 @@ function Export({ plan }: { plan: Plan }): VNode {
       ) : (
         faults.length === 0 && !closed && <p class="quiet">Asking the server for the files …</p>
       )}
+      {shown && <ListDifference file={shown} plan={plan} query={wish.query} />}
       {preview && <Rows preview={preview} />}
       <p class="hint">Not for navigation as it is: check the files before they fly.</p>
     </Modal>
   );
+}
+
+/** What the newest data say of the plan takes the place of what was said of the same when it was made. */
+function toldAtExport(plan: Plan, preview: MissionPreview | undefined): Message[] {
+  const newest = preview ? messagesOf(preview) : [];
+  const codes = new Set(newest.map(({ code }) => code).filter((code) => code !== ''));
+  const earlier = messagesOf(plan).filter(({ code }) => !codes.has(code));
+  return [...new Map([...newest, ...earlier].map((message) => [message.text, message])).values()];
 }
 
 interface OptionsProps {
@@ -102,11 +112,11 @@ interface OptionsProps {
 
 /** Which files are written, and what is asked of them. */
 function Options({ options, faults, change }: OptionsProps): VNode {
-  const text = (name: Exclude<keyof ExportOptions, 'set' | 'safe'>, label: string, unit: string, placeholder = ''): VNode => {
+  const text = (name: Exclude<keyof ExportOptions, 'set' | 'safe'>, unit: string, placeholder = ''): VNode => {
     const fault = faults[name];
     return (
       <div class={fault ? 'field faulty' : 'field'}>
-        <label for={`export-${name}`}>{label} <span class="unit">{unit}</span></label>
+        <label for={`export-${name}`}>{exportLabels[name]} <span class="unit">{unit}</span></label>
         <input
           id={`export-${name}`} type="text" value={options[name]} placeholder={placeholder} autocomplete="off" spellcheck={false}
           aria-invalid={fault ? true : undefined} aria-describedby={fault ? `export-fault-${name}` : undefined}
@@ -119,21 +129,21 @@ function Options({ options, faults, change }: OptionsProps): VNode {
   return (
     <div class="export-options">
       <div class="field">
-        <label for="export-set">Files for the vehicle</label>
+        <label for="export-set">{exportLabels.set}</label>
         <select id="export-set" value={options.set} onChange={(event) => change({ set: event.currentTarget.value as ExportOptions['set'] })}>
           <option value="lists">Slocum: waypoint lists alone</option>
           <option value="full">Slocum: full mission with yo and surfacings</option>
           <option value="seaglider">Seaglider: targets, cmdfile, science</option>
         </select>
       </div>
-      {options.set !== 'seaglider' && text('number', 'Number of the waypoint list', `0–${lastList}`)}
-      {options.set === 'full' && text('mission', 'Mission name', '1–8 letters or digits', 'plan')}
-      {options.set === 'full' && text('firmware', 'Firmware', '', '10.5')}
-      {options.set === 'seaglider' && text('science', 'Science bands', 'depth:seconds:sensors:gc; …', '20:5:1110:60')}
-      {text('glider', 'Glider', 'folder in the archive')}
+      {options.set !== 'seaglider' && text('number', `0–${lastList}`)}
+      {options.set === 'full' && text('mission', '1–8 letters or digits', 'plan')}
+      {options.set === 'full' && text('firmware', '', '10.5')}
+      {options.set === 'seaglider' && text('science', 'depth:seconds:sensors:gc; …', '20:5:1110:60')}
+      {text('glider', 'folder in the archive')}
       {options.set === 'full' && (
         <div class={faults.safe ? 'field faulty' : 'field'}>
-          <label for="export-safe">Safe places under ice <span class="unit">one a line</span></label>
+          <label for="export-safe">{exportLabels.safe} <span class="unit">one a line</span></label>
           <textarea
             id="export-safe" rows={2} value={options.safe} placeholder="69°12.0′N 53°12.0′W" spellcheck={false}
             aria-invalid={faults.safe ? true : undefined} aria-describedby={faults.safe ? 'export-fault-safe' : undefined}
@@ -151,7 +161,7 @@ function Options({ options, faults, change }: OptionsProps): VNode {
           </button>
         </div>
       )}
-      {options.set === 'full' && text('iceberg_depth_m', 'Deepest iceberg', 'm')}
+      {options.set === 'full' && text('iceberg_depth_m', 'm')}
     </div>
   );
 }

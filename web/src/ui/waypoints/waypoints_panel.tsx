@@ -14,11 +14,11 @@ import { later } from '../common/later';
 import { Messages } from '../common/messages';
 import { PlanKey } from '../common/plan_key';
 import { RoleNote } from '../common/role_note';
-import { EditPanel } from './edit_panel';
 import { Figures } from './figures';
 import { StaleBox } from './stale_box';
 import { WaypointTable } from './waypoint_table';
 
+const EditPanel = later(async () => (await import('./edit_panel')).EditPanel);
 const FlightsPanel = later(async () => (await import('../flights/flights_panel')).FlightsPanel);
 const Departures = later(async () => (await import('../charts/departures')).Departures);
 const Profile = later(async () => (await import('../charts/profile')).Profile);
