@@ -7,7 +7,7 @@ install(PROGRAMS deploy/backup.sh deploy/restore.sh DESTINATION ${CMAKE_INSTALL_
 install(DIRECTORY api/examples/ DESTINATION ${CMAKE_INSTALL_DATADIR}/floeplan/examples USE_SOURCE_PERMISSIONS OPTIONAL
   PATTERN __pycache__ EXCLUDE)
 install(FILES README.md SECURITY.md deploy/nginx.conf deploy/Caddyfile DESTINATION ${CMAKE_INSTALL_DOCDIR})
-install(DIRECTORY web/guide DESTINATION ${CMAKE_INSTALL_DOCDIR}/web FILES_MATCHING PATTERN *.md)
+install(DIRECTORY web/guide DESTINATION ${CMAKE_INSTALL_DOCDIR}/web FILES_MATCHING PATTERN *.md PATTERN *.png)
 install(FILES web/screenshot.png web/reproduced_figure_7.svg web/reproduced_figure_9.svg
   DESTINATION ${CMAKE_INSTALL_DOCDIR}/web)
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright)

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Runs the browser journeys against real servers: tests/browser/run.sh FLOEPLAN_BINARY [playwright arguments]
+# Runs the browser journeys against real servers: tests/browser/run.sh FLOEPLAN_BINARY [--update | playwright arguments]
 #
+# --update makes the pictures of the guide (web/guide/pictures) anew where today's page differs from them.
 # Needs web/dist (npm run build) and Chromium (CHROMIUM_BIN, default /usr/bin/chromium). Makes a store with the demonstration
 # data, of which each worker's server has a copy, and removes it afterwards. The exit code is that of the tests.
 # PLAYWRIGHT_WORKERS says how many run beside each other (2). With FLOEPLAN_LOAD=1 and the argument "load" it measures a desk
@@ -8,7 +9,7 @@
 set -euo pipefail
 
 if [[ $# -lt 1 ]]; then
-  echo "usage: $0 FLOEPLAN_BINARY [playwright arguments]" >&2
+  echo "usage: $0 FLOEPLAN_BINARY [--update | playwright arguments]" >&2
   exit 2
 fi
 floeplan=$(realpath "$1")
@@ -19,6 +20,11 @@ web=$(cd "$here/../../web" && pwd)
 if [[ ! -f $web/dist/index.html ]]; then
   echo "$web/dist is missing: run npm ci and npm run build in $web first" >&2
   exit 1
+fi
+
+if [[ ${1:-} == --update ]]; then
+  export FLOEPLAN_LONG=1
+  set -- guide_pictures --update-snapshots
 fi
 
 work=$(mktemp -d)

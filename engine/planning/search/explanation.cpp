@@ -117,7 +117,7 @@ Reason reason_at(Stop stop, Reason at_start, Reason on_the_way, Reason at_goal) 
 std::string subject_of(Stop stop) {
   switch (stop) {
     case Stop::start: return "the start";
-    case Stop::via: return "a place to visit on the way";
+    case Stop::via: return "a via point";
     case Stop::goal: return "the goal";
   }
   throw std::logic_error{"Stop without a name"};

@@ -67,6 +67,6 @@ test('the vehicles of two plans follow the clock, by mouse and by keyboard', { t
 test('what is drawn over what follows the rule', async ({ page }) => {
   await open(page);
   const drawn = ((await page.locator('#map').getAttribute('data-layers')) ?? '').split(' ');
-  const rule = ['bathymetry', 'currents', 'coast', 'graticule', 'areas', 'safety', 'plans', 'icebergs', 'vehicles', 'edit'];
+  const rule = ['bathymetry', 'currents', 'coast', 'graticule', 'areas', 'keepOut', 'plans', 'icebergs', 'vehicles', 'edit'];
   expect(drawn.filter((name) => rule.includes(name))).toEqual(rule);
 });

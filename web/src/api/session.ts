@@ -29,6 +29,7 @@ export async function refresh(): Promise<void> {
     if (draft.value.vehicle === '') fill({ vehicle: known.vehicles[0]?.name ?? '' });
     model.plans.value = (await planned)
       .map((feature) => feature.properties)
+      .reverse() // the server lists them as they were stored, also those of one second
       .sort((a, b) => Date.parse(b.created ?? b.departure) - Date.parse(a.created ?? a.departure));
     connectionFault.value = undefined;
     if (model.shown.value.length === 0) showFirst(opening);

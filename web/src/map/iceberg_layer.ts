@@ -10,14 +10,14 @@ import { circle } from '../geo/geodesic';
 import { project } from '../geo/projections';
 import { time_ms } from '../model/clock';
 import { icebergs } from '../model/field';
-import { crowd, isStale, safetyRadii_m, symbolSize_px } from '../model/icebergs';
+import { crowd, isStale, keepOutRadii_m, symbolSize_px } from '../model/icebergs';
 import { visible } from '../model/layers';
 import { projection } from '../model/settings';
 import { palette, type Palette } from '../theme/palette';
 import { toMap } from './projections';
 
-/** Safety circles: solid what the planner keeps clear of a known position, dashed with the position's uncertainty added. */
-export function safetyLayer(): VectorLayer<VectorSource> {
+/** Keep-out circles: a solid one around a known position, a dashed one with the position error added. */
+export function keepOutLayer(): VectorLayer<VectorSource> {
   const source = new VectorSource();
   const layer = new VectorLayer({ source, zIndex: 5 });
   effect(() => {
@@ -26,7 +26,7 @@ export function safetyLayer(): VectorLayer<VectorSource> {
     source.clear(true);
     source.addFeatures(
       ringed.flatMap((berg) => {
-        const { kept_m, uncertain_m } = safetyRadii_m(berg.properties);
+        const { kept_m, uncertain_m } = keepOutRadii_m(berg.properties);
         const ring = (radius_m: number, kind: string): Feature<Polygon> => {
           const feature = new Feature(new Polygon([toMap(code, circle(berg.geometry.coordinates, radius_m))]));
           feature.set('kind', kind);
@@ -42,7 +42,7 @@ export function safetyLayer(): VectorLayer<VectorSource> {
     const uncertain = new Style({ stroke: new Stroke({ color: danger, width: 1.2, lineDash: [5, 5] }) });
     layer.setStyle((feature) => (feature.get('kind') === 'kept' ? kept : uncertain));
   });
-  effect(() => layer.setVisible(visible.value.safety && visible.value.icebergs));
+  effect(() => layer.setVisible(visible.value.keepOut && visible.value.icebergs));
   return layer;
 }
 

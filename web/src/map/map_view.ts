@@ -41,7 +41,7 @@ import { editLayer } from './edit_layer';
 import { flightLayer, flownVehicleLayer } from './flight_layer';
 import { trackLayer, trackedGliderLayer } from './track_layer';
 import { graticuleLayer } from './graticule_layer';
-import { icebergLayer, safetyLayer } from './iceberg_layer';
+import { icebergLayer, keepOutLayer } from './iceberg_layer';
 import { markerLayer } from './marker_layer';
 import { planLayer, vehicleLayer, waypointLayer } from './plan_layer';
 import { reachLayer } from './reach_layer';
@@ -73,7 +73,7 @@ export function createMap(target: HTMLElement, probe: (place: Position) => void)
     ],
     layers: Object.entries({
       bathymetry: bathymetryLayer(), seaIce: seaIceLayer(), currents: currentsLayer(), coast: coastLayer(), graticule: graticuleLayer(), coverage: coverageLayer(),
-      reach: reachLayer(), areas: areas.layer, safety: safetyLayer(), drift: driftLayer(), ghosts: ghostLayer(), tracks: trackLayer(),
+      reach: reachLayer(), areas: areas.layer, keepOut: keepOutLayer(), drift: driftLayer(), ghosts: ghostLayer(), tracks: trackLayer(),
       plans: planLayer(), flight: flightLayer(), icebergs: bergs, surfacings: surfacingLayer(), waypoints: waypointLayer(), trackedGliders: trackedGliderLayer(),
       vehicles, flown, edit: route.layer, markers: markerLayer(),
     }).map(([name, layer]) => {

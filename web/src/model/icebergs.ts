@@ -36,7 +36,7 @@ export function keepOut_m(safe_length_m: number, error_m: number): number {
  * Radii around a berg: half its safe length and the margin of the set-up; and the same with the stated uncertainty of
  * its position, which is what the planner keeps out of.
  */
-export function safetyRadii_m(berg: IcebergProperties): { kept_m: number; uncertain_m: number } {
+export function keepOutRadii_m(berg: IcebergProperties): { kept_m: number; uncertain_m: number } {
   const margin_m = Number(draft.value.margin_m.replace(',', '.'));
   const kept_m = berg.safe_length_m / 2 + (Number.isFinite(margin_m) && margin_m >= 0 ? margin_m : 0);
   return { kept_m, uncertain_m: kept_m + (berg.position_uncertainty_m ?? 0) };

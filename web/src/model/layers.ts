@@ -8,7 +8,7 @@ export const layerTitles = {
   tracks: 'Glider tracks',
   reach: 'Reach',
   icebergs: 'Icebergs',
-  safety: 'Safety circles',
+  keepOut: 'Keep-out circles',
   drift: 'Iceberg drift',
   graticule: 'Graticule',
   coast: 'Coast',
@@ -21,7 +21,7 @@ export type LayerName = keyof typeof layerTitles;
 export const layerNames = Object.keys(layerTitles) as LayerName[];
 
 export const visible = signal<Record<LayerName, boolean>>({
-  plans: true, surfacings: true, areas: true, tracks: true, reach: true, icebergs: true, safety: true, drift: true, graticule: true, coast: true, currents: true, seaIce: true, bathymetry: true,
+  plans: true, surfacings: true, areas: true, tracks: true, reach: true, icebergs: true, keepOut: true, drift: true, graticule: true, coast: true, currents: true, seaIce: true, bathymetry: true,
 });
 
 export function toggleLayer(name: LayerName): void {

@@ -69,6 +69,14 @@ describe('the guide', () => {
     }
   });
 
+  test('shows every picture of its folder, and says in words what each shows', () => {
+    const made = readdirSync(new URL('../../guide/pictures', import.meta.url));
+    expect([...guide.pictures.keys()]).toEqual(expect.arrayContaining(made));
+    for (const { html, name } of guide.pages) {
+      for (const [picture] of html.matchAll(/<img [^>]*>/g)) expect(/ alt="([^"]*)"/.exec(picture)?.[1]?.split(' ').length, `${name}: ${picture}`).toBeGreaterThan(4);
+    }
+  });
+
   test('has the pages that the map leads to', () => {
     const addresses = guide.pages.flatMap(({ name, sections }) => sections.map(({ anchor }) => `${name}${anchor === '' ? '' : `#${anchor}`}`));
     for (const { address } of [...Object.values(guidePages), ...Object.values(guidePagesOfParts)]) expect(addresses).toContain(address);

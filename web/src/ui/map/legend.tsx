@@ -36,7 +36,7 @@ export function Legend(): VNode | null {
       {depths && <Depths />}
       {currents && <Currents />}
       {ice && <SeaIce />}
-      {bergs && <Icebergs circles={shown.safety} drift={shown.drift && drifts.value.length > 0} />}
+      {bergs && <Icebergs circles={shown.keepOut} drift={shown.drift && drifts.value.length > 0} />}
       {tracks && <Tracks />}
     </details>
   );
