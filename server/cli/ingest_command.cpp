@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "engine/core/utc_text.hpp"
+#include "engine/messages/sentence.hpp"
 #include "server/cli/program/command.hpp"
 #include "server/cli/program/flag_values.hpp"
 #include "server/jobs/ingest_service.hpp"
@@ -28,6 +29,11 @@ struct IngestFlags {
   bool allow_weak_sandbox{false};
 };
 
+void complain_of(const ingest::IngestReport& report) {
+  for (const messages::Message& error : report.errors)
+    complain(bad_data, report.file + ": " + messages::sentence(error));
+}
+
 void print_report(const ingest::IngestReport& report) {
   std::cout << jobs::status_name(report.status) << "  " << report.file;
   if (report.dataset) {
@@ -36,9 +42,10 @@ void print_report(const ingest::IngestReport& report) {
     if (report.dataset->rows_refused > 0) std::cout << ", " << report.dataset->rows_refused << " refused";
   }
   std::cout << '\n';
-  for (const std::string& warning : report.warnings) std::cout << "  warning: " << warning << '\n';
+  for (const messages::Message& warning : report.warnings)
+    std::cout << "  warning: " << messages::sentence(warning) << '\n';
   std::cout.flush();
-  for (const std::string& error : report.errors) complain(bad_data, report.file + ": " + error);
+  complain_of(report);
 }
 
 int run_ingest(const IngestFlags& flags, const Program& program) {
@@ -64,7 +71,7 @@ int run_ingest(const IngestFlags& flags, const Program& program) {
   const auto tell = [&](const ingest::IngestReport& report) {
     if (report.status == ingest::IngestStatus::refused) exit_code = bad_data;
     if (!flags.json_out) return print_report(report);
-    for (const std::string& error : report.errors) complain(bad_data, report.file + ": " + error);
+    complain_of(report);
   };
   std::vector<std::filesystem::path> files(flags.files.begin(), flags.files.end());
   for (std::filesystem::path& file : files)

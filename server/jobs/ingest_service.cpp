@@ -2,7 +2,9 @@
 
 #include <stdexcept>
 
+#include "api/codec/bytes/document_values.hpp"
 #include "api/codec/documents/dataset_document.hpp"
+#include "engine/messages/sentence.hpp"
 #include "storage/ingest/files/file_digest.hpp"
 #include "storage/ingest/process/staging_folder.hpp"
 #include "storage/json/json.hpp"
@@ -74,8 +76,11 @@ json report_document(const ingest::IngestReport& report) {
   document["dataset_id"] = report.dataset ? json(report.dataset->id.value) : json(nullptr);
   document["file"] = report.file;
   document["status"] = status_name(report.status);
-  document["warnings"] = report.warnings;
-  document["errors"] = report.errors;
+  document["warnings"] = messages::sentences(report.warnings);
+  document["errors"] = messages::sentences(report.errors);
+  ingest::Messages all = report.errors;
+  all.insert(all.end(), report.warnings.begin(), report.warnings.end());
+  document["messages"] = codec::messages_json(messages::by_rank(std::move(all)));
   return document;
 }
 

@@ -48,7 +48,7 @@ struct RecognisedFile {
   std::shared_ptr<const NetcdfFile> netcdf;    // for the NetCDF formats
   NetcdfFiles companions;                      // files that were given to be read together with it
   std::shared_ptr<GDALDataset> features;       // for GeoJSON, KML, GeoPackage and shapefiles
-  std::vector<std::string> warnings{};         // which part of the file this is
+  Messages warnings{};                         // which part of the file this is
 };
 
 /// What a reader is given.

@@ -72,9 +72,7 @@ Checked<bool> is_whole_netcdf(const std::filesystem::path& file) {
   if (!needed) return refuse(needed.error());
   const std::uint64_t size = std::filesystem::file_size(file);
   if (size < *needed)
-    return refuse("the NetCDF file was cut short: its header announces " + std::to_string(*needed) +
-                  " bytes, but it has " + std::to_string(size) +
-                  "; the end would be read as zeros; copy or download it again");
+    return refuse(messages::ingest_file_message<"file-cut-short">("NetCDF file", *needed, "bytes", size));
   return true;
 }
 

@@ -47,7 +47,7 @@ void describe_velocity(Member& member) {
   for (const NetcdfDimension& dimension : pair->dimensions()) {
     const NetcdfVariable* coordinate = coordinate_of(*member.netcdf, dimension);
     if (coordinate == nullptr || role_of(*coordinate) != AxisRole::time) continue;
-    std::vector<std::string> ignored;
+    Messages ignored;
     if (const auto times = time_nodes(*coordinate, ignored)) member.times = times->nodes;
   }
 }

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "engine/messages/ingest_file_messages.hpp"
 #include "storage/ingest/formats/slocum/slocum_header.hpp"
 
 namespace floeplan::ingest {
@@ -30,30 +31,21 @@ bool is_otis_binary(std::string_view head) {
 
 }  // namespace
 
-std::string refusal_of_foreign(std::string_view head) {
+std::optional<messages::Message> refusal_of_foreign(std::string_view head) {
   if (head.find("BSB/") < 4096 || head.find("KNP/") < 4096)
-    return "this is a raster chart (KAP/BSB): a picture of a chart in colours, not depths; depths cannot be "
-           "read from it; give a bathymetry grid of the area";
+    return messages::ingest_file_message<"raster-chart">();
   if (head.find("INT.IHO.S-101") != std::string_view::npos)
-    return "this is an electronic chart of S-101, which this program does not read; give the S-57 cell of "
-           "the same "
-           "area, or its depths as S-102";
-  if (is_sensor_cache(head))
-    return "this is the list of the sensors of a Slocum glider's logs, which holds no data by itself; "
-           "give it together with the logs that name it";
-  if (is_otis_binary(head))
-    return "this is a tide model in the binary format of OTIS (TPXO's h, u and grid files), which this "
-           "program does not read; give what OTPS's extract_HC writes for your places, or the model as "
-           "NetCDF (the TPXO atlas)";
+    return messages::ingest_file_message<"electronic-chart-not-read">();
+  if (is_sensor_cache(head)) return messages::ingest_file_message<"lone-sensor-list">();
+  if (is_otis_binary(head)) return messages::ingest_file_message<"tide-model-of-otis">();
   if (head.starts_with("PK\x03\x04") || head.starts_with("\x1f\x8b") || head.starts_with("BZh"))
-    return "this is a compressed archive; unpack it and give the files in it";
+    return messages::ingest_file_message<"archive-not-readable">();
   if (head.starts_with("%PDF") || head.starts_with("\x89PNG") || head.starts_with("\xff\xd8\xff"))
-    return "this is a picture or a document, not data; give the data that it was made from";
-  if (head.starts_with("SQLite format 3"))
-    return "this is an SQLite database, but no GeoPackage; convert it to GeoJSON";
+    return messages::ingest_file_message<"picture-or-document">();
+  if (head.starts_with("SQLite format 3")) return messages::ingest_file_message<"other-database">();
   if (head.starts_with("CDF") || head.starts_with("\x89HDF") || head.starts_with("\x0e\x03\x13\x01"))
-    return "this is a variant of NetCDF or HDF that this program does not know; convert it to NetCDF-4";
-  return {};
+    return messages::ingest_file_message<"other-hdf">();
+  return std::nullopt;
 }
 
 }  // namespace floeplan::ingest

@@ -1,11 +1,13 @@
 #pragma once
 
-#include <string>
+#include <optional>
 #include <string_view>
+
+#include "engine/messages/message.hpp"
 
 namespace floeplan::ingest {
 
 /// Why a file is refused whose format this program knows but does not read; empty when it may be readable.
-[[nodiscard]] std::string refusal_of_foreign(std::string_view head);
+[[nodiscard]] std::optional<messages::Message> refusal_of_foreign(std::string_view head);
 
 }  // namespace floeplan::ingest

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/core/utf8_text.hpp"
+#include "engine/messages/ingest_track_messages.hpp"
 #include "storage/ingest/data_formats.hpp"
 #include "storage/ingest/files/first_bytes.hpp"
 #include "storage/ingest/foreign_formats.hpp"
@@ -33,29 +34,20 @@ bool is_text(std::string_view head) {
 }
 
 /// Why a text is refused that is of no format of this program.
-std::string unknown_text(const FileStart& start, const std::string& extension) {
+messages::Message unknown_text(const FileStart& start, const std::string& extension) {
   const std::string line = trimmed(start.first_line());
   if (!contains_any(line, {"[", "<"}) && csv_fields(line).size() >= 3)
-    return "this is a table with the columns " + enumeration(csv_fields(line)) +
-           ", which this program does not know; of icebergs it reads the tables of the International Ice "
-           "Patrol, the US National Ice Center, Brigham Young University and the Canadian Ice Service's "
-           "beacons, and others with the columns id, lat, lon and time (with --kind icebergs whatever else "
-           "they hold); of depths those with lon, "
-           "lat and depth or elevation; name the columns so, or convert the table to GeoJSON";
+    return messages::ingest_file_message<"table-not-recognised">(enumeration(csv_fields(line)));
   if (extension == ".nc" || extension == ".cdf" || extension == ".nc4")
-    return "the file is named like NetCDF but holds text (\"" + line.substr(0, 60) +
-           "\"); probably the download returned a message instead of data; read it and download again";
-  return "this is a text of a kind that this program does not know; give NetCDF, GeoTIFF, ESRI ASCII, XYZ, "
-         "GeoJSON, KML or the sightings of the International Ice Patrol";
+    return messages::ingest_file_message<"text-named-as-netcdf">(line.substr(0, 60));
+  return messages::ingest_file_message<"text-not-recognised">();
 }
 
 Checked<const DataFormat*> format_of_text(FileStart start, const std::string& extension) {
   if (start.bytes.starts_with("\xEF\xBB\xBF")) start.bytes.remove_prefix(3);
   if (trimmed(start.bytes.substr(0, 64)).starts_with("{")) {
     if (const DataFormat* const format = find_format(Writing::json, start)) return format;
-    return refuse(
-        "this is JSON, but not GeoJSON; the places in it have no agreed meaning; convert it to a GeoJSON "
-        "FeatureCollection in longitude and latitude");
+    return refuse(messages::ingest_file_message<"json-without-agreed-meaning">());
   }
   for (const Writing writing : {Writing::xml, Writing::text})
     if (const DataFormat* const format = find_format(writing, start)) return format;
@@ -66,35 +58,31 @@ Checked<const DataFormat*> format_of_compressed_slocum(const std::filesystem::pa
   const std::string head = slocum_bytes(file, head_bytes).bytes;
   const DataFormat* const format = find_format(Writing::binary, {.bytes = head});
   if (format != nullptr && format->together == Together::glider_log) return format;
-  if (auto foreign = refusal_of_foreign(head); !foreign.empty()) return refuse(std::move(foreign));
-  return refuse(damaged_slocum_log("its first compressed block cannot be unpacked"));
+  if (auto foreign = refusal_of_foreign(head)) return refuse(std::move(*foreign));
+  return refuse(
+      messages::ingest_track_message<"binary-log-damaged">("its first compressed block cannot be unpacked"));
 }
 
 Checked<const DataFormat*> format_of_bytes(const std::filesystem::path& file, bool icebergs_stated) {
   const std::string head = first_bytes(file, head_bytes);
-  if (head.empty())
-    return refuse(
-        "the file is empty or cannot be read; the download or copy failed; copy or download it again");
+  if (head.empty()) return refuse(messages::ingest_file_message<"file-empty">());
   const std::string_view bytes = head;
   const FileStart start{.bytes = bytes, .icebergs_stated = icebergs_stated};
   if (const DataFormat* const format = find_format(Writing::binary, start)) return format;
   if (is_compressed_slocum(bytes)) return format_of_compressed_slocum(file);
-  if (auto foreign = refusal_of_foreign(bytes); !foreign.empty()) return refuse(std::move(foreign));
+  if (auto foreign = refusal_of_foreign(bytes)) return refuse(std::move(*foreign));
   const std::string text = core::utf8_text(bytes);
   if (text != bytes && !bytes.starts_with("\xEF\xBB\xBF")) {
     if (const DataFormat* const format = find_format(Writing::xml, {.bytes = text})) return format;
-    return refuse("this is a text in UTF-16, of which this program reads KML alone; save it in UTF-8");
+    return refuse(messages::ingest_file_message<"text-in-wide-characters">());
   }
   if (is_text(bytes)) return format_of_text(start, lower(file.extension().string()));
-  return refuse(
-      "this program does not know what this file is; give NetCDF, GRIB, GeoTIFF, BAG, ESRI ASCII, XYZ, "
-      "GeoJSON, "
-      "KML, GeoPackage, a shapefile or the sightings of the International Ice Patrol");
+  return refuse(messages::ingest_file_message<"file-not-recognised">());
 }
 
 Checked<const DataFormat*> format_of_folder(const std::filesystem::path& folder) {
   if (const DataFormat* const format = find_format(Writing::folder, {.folder = folder})) return format;
-  return refuse("this is a folder, not a file; name the files in it one by one");
+  return refuse(messages::ingest_file_message<"folder-given">());
 }
 
 }  // namespace
@@ -104,7 +92,7 @@ Checked<const DataFormat*> format_of(const std::filesystem::path& file, bool ice
   const auto status = std::filesystem::status(file, error);
   const bool is_folder = std::filesystem::is_directory(status);
   if (!is_folder && !std::filesystem::is_regular_file(status))
-    return refuse("there is no such file; check its name and its folder");
+    return refuse(messages::ingest_file_message<"file-missing">());
   auto format = is_folder ? format_of_folder(file) : format_of_bytes(file, icebergs_stated);
   if (format && (*format)->check != nullptr)
     if (const auto checked = (*format)->check(file); !checked) return refuse(checked.error());

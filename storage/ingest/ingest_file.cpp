@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <fstream>
 #include <optional>
-#include <sstream>
 #include <stdexcept>
 
 #include "engine/core/version.hpp"
+#include "engine/messages/sentence.hpp"
 #include "storage/ingest/common/gdal_guard.hpp"
 #include "storage/ingest/file_groups.hpp"
 #include "storage/ingest/files/file_digest.hpp"
@@ -60,7 +60,7 @@ Dataset dataset_of(const PreparedDataset& data, const FileGroup& files, const In
           .run = data.run,
           .rows_accepted = data.rows_accepted,
           .rows_refused = data.rows_refused,
-          .warnings = data.warnings,
+          .warnings = messages::sentences(data.warnings),
           .provenance = {.file_name = names_of(files, options),
                          .file_size_bytes = size_of(files),
                          .sha256 = sha256,
@@ -68,13 +68,19 @@ Dataset dataset_of(const PreparedDataset& data, const FileGroup& files, const In
                          .tool_version = std::string{core::program_version()} + ", " + gdal_version()}};
 }
 
+void replace_all(std::string& text, const std::string& part, const std::string& by) {
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + by.size()))
+    text.replace(at, part.size(), by);
+}
+
 /// GDAL quotes the whole path; where the file lies on this machine is not for everybody who reads the report.
-std::string without_folder(std::string reason, const std::filesystem::path& file) {
+void leave_out_folder(messages::Message& fault, const std::filesystem::path& file) {
   const std::string path = std::filesystem::absolute(file).string();
   const std::string name = file.filename().string();
-  for (std::size_t at = reason.find(path); at != std::string::npos; at = reason.find(path, at + name.size()))
-    reason.replace(at, path.size(), name);
-  return reason;
+  replace_all(fault.text, path, name);
+  replace_all(fault.hint, path, name);
+  for (messages::NamedValue& value : fault.values)
+    if (auto* words = std::get_if<std::string>(&value.value)) replace_all(*words, path, name);
 }
 
 /// One kind of data of the file on its way into the store.
@@ -93,11 +99,9 @@ bool ends_with_a_line(const std::filesystem::path& file) {
 
 /// A table of lines whose last one has no end may be whole, or cut within its last number, which then is another number
 /// and no fault.
-std::optional<std::string> warning_of_open_end(const RecognisedFile& file) {
-  if (!file.format->has_lines || ends_with_a_line(file.path)) return std::nullopt;
-  return "the last line has no end: if the file was cut short, the last number of its last row is wrong; "
-         "compare its "
-         "size with the source's";
+void warn_of_open_end(const RecognisedFile& file, Messages& warnings) {
+  if (file.format->has_lines && !ends_with_a_line(file.path))
+    warnings.push_back(messages::ingest_file_message<"last-line-without-end">());
 }
 
 /// Reads and checks one kind of data. Nothing is written yet: the store stays open for others meanwhile.
@@ -106,9 +110,7 @@ Candidate check_kind(sql::Connection& db, const RecognisedFile& file, const File
                      const core::ProgressCallback& progress) {
   if (auto stored = repository::DatasetRepository{db}.find(id_of(kind, sha256))) {
     if (stored->provenance.sha256 != sha256)
-      return {refused(files, options,
-                      "another dataset already has the id " + stored->id.value +
-                          "; two files share the first digits of their checksum; remove the other one first"),
+      return {refused(files, options, {messages::ingest_file_message<"dataset-id-taken">(stored->id.value)}),
               std::nullopt};
     if (!stored->outdated)
       return {{.file = names_of(files, options),
@@ -124,7 +126,7 @@ Candidate check_kind(sql::Connection& db, const RecognisedFile& file, const File
   if (file.netcdf && kind == DatasetKind::currents && !options.kind)
     warn_of_what_is_left(file, data->warnings);
   data->warnings.insert(data->warnings.begin(), file.warnings.begin(), file.warnings.end());
-  if (auto warning = warning_of_open_end(file)) data->warnings.push_back(std::move(*warning));
+  warn_of_open_end(file, data->warnings);
   return {{}, std::move(*data)};
 }
 
@@ -149,11 +151,7 @@ void refuse_the_rest(std::vector<Candidate>& candidates, const FileGroup& files,
   for (Candidate& candidate : candidates) {
     if (!candidate.data || !candidate.report.errors.empty()) continue;
     const std::string kind = repository::kind_name(candidate.data->kind);
-    candidate.report = refused(files, options,
-                               "the file also holds " + kind +
-                                   ", which were not stored because its other data were refused; a "
-                                   "file is stored whole or not at all; give --kind " +
-                                   kind + " to store this part alone");
+    candidate.report = refused(files, options, {messages::ingest_file_message<"kind-not-stored">(kind)});
   }
 }
 
@@ -176,12 +174,12 @@ Checked<std::string> digest_of(const RecognisedFile& recognised, const FileGroup
 
 }  // namespace
 
-IngestReport refused(const FileGroup& files, const IngestOptions& options, std::string reason) {
+IngestReport refused(const FileGroup& files, const IngestOptions& options, Messages faults) {
   IngestReport report;
   report.file = names_of(files, options);
-  for (const std::filesystem::path& file : files) reason = without_folder(std::move(reason), file);
-  std::istringstream lines{reason};
-  for (std::string line; std::getline(lines, line);) report.errors.push_back(line);
+  report.errors = std::move(faults);
+  for (const std::filesystem::path& file : files)
+    for (messages::Message& fault : report.errors) leave_out_folder(fault, file);
   return report;
 }
 

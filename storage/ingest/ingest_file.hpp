@@ -30,7 +30,7 @@ namespace floeplan::ingest {
                                                      const core::ProgressCallback& progress);
 
 /// The report of files of which nothing is stored. `reason`: sentences, one a line; where the files lie is taken out.
-[[nodiscard]] IngestReport refused(const FileGroup& files, const IngestOptions& options, std::string reason);
+[[nodiscard]] IngestReport refused(const FileGroup& files, const IngestOptions& options, Messages faults);
 
 /// Reads several files. Those that belong together make one dataset (the two components of a current in two files,
 /// tables of a model's positions in a third), told by their content; every other file makes its own.

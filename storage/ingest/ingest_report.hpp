@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "storage/ingest/common/refusal.hpp"
 #include "storage/ingest/files/file_group.hpp"
 #include "storage/repository/datasets/dataset.hpp"
 
@@ -16,9 +17,9 @@ struct IngestReport {
   std::string file;  // "u.nc + v.nc" of files that were read together
   IngestStatus status{IngestStatus::refused};
   std::optional<repository::Dataset> dataset;  // empty when refused
-  std::vector<std::string> warnings;
-  std::vector<std::string> errors;  // each: what; why; what to do
-  FileGroup files{};                // what `file` names; set by guarded_ingest
+  Messages warnings;                           // what the reader assumed, changed or left out
+  Messages errors;                             // empty unless refused
+  FileGroup files{};                           // what `file` names; set by guarded_ingest
 };
 
 }  // namespace floeplan::ingest

@@ -88,72 +88,42 @@ bool is_part_of_another(const NetcdfFile& file, const NetcdfVariable& variable) 
 }
 
 /// Of a variable called as currents are that is none by its own words; empty: there is none.
-std::string called_currents(const NetcdfFile& file) {
+std::optional<messages::Message> called_currents(const NetcdfFile& file) {
   for (const NetcdfVariable& variable : file.variables()) {
     const std::string standard_name = standard_name_of(variable);
     const auto known = known_name(variable.name(), Moving::sea);
     if (!known || known->generic || variable.dimensions().size() < 2) continue;
     const std::string unit = variable.attribute("units");
     if (!names_another_quantity(standard_name, Moving::sea) && (unit.empty() || speed_factor(unit))) continue;
-    return "\"" + variable.name() + "\" is called as currents are, but holds another quantity (" +
-           (standard_name.empty() ? variable.attribute("long_name") : standard_name) +
-           (unit.empty() ? "" : " in " + unit) +
-           "); this is not the current that a vehicle meets; give a file of the current itself";
+    const std::string quantity = standard_name.empty() ? variable.attribute("long_name") : standard_name;
+    return messages::ingest_file_message<"called-as-currents">(
+        variable.name(), quantity + (unit.empty() ? "" : " in " + unit));
   }
-  return {};
+  return std::nullopt;
 }
 
-std::string nothing_known(const NetcdfFile& file) {
+messages::Message nothing_known(const NetcdfFile& file) {
   if (const std::string what = known_by_direction(file); !what.empty())
-    return "the file holds " + what +
-           " as a speed and a direction, which this program does not read: one taken for where it comes from "
-           "instead of "
-           "where it goes would turn it round; ask for components, or compute them: of a direction towards "
-           "which it "
-           "goes u = speed * sin(direction) and v = speed * cos(direction), of one from which it comes the "
-           "negative of "
-           "both";
+    return messages::ingest_file_message<"current-as-direction">(what);
   if (file.find("x_range") != nullptr && file.find("y_range") != nullptr && file.find("spacing") != nullptr)
-    return "this is a grid of GMT 3 or before, whose rows and columns have no axes of their own; convert it "
-           "with GMT: gmt grdconvert IN.grd OUT.nc=nf";
+    return messages::ingest_file_message<"grid-of-old-gmt">();
   for (const char* const part : {"horizontalVelX", "horizontalVelY", "zCoordinates"})
-    if (file.find(part) != nullptr)
-      return "this is one of the files in which SCHISM 5.10 and later write currents, heights of the levels "
-             "and mesh "
-             "apart from each other; this program does not put them together; merge them into the layout of "
-             "SCHISM 5.9 "
-             "(one file with its mesh, hvel and zcor), or interpolate them to longitude, latitude and depth "
-             "first";
-  if (std::string left_out = ice_left_out(file); !left_out.empty()) return left_out;
+    if (file.find(part) != nullptr) return messages::ingest_file_message<"schism-in-parts">();
+  if (auto left_out = ice_left_out(file)) return std::move(*left_out);
   if (const std::string product = file.attribute("productSpecification"); product.starts_with("INT.IHO.S-"))
-    return "this is a dataset of the product " + product +
-           " in HDF5; of the S-100 family this program reads depths (S-102) and surface currents (S-111); "
-           "ask its "
-           "producer for the same data as NetCDF";
-  if (holds_ice_thickness(file))
-    return "the file holds a thickness of sea ice but no concentration; how much of the sea is covered is "
-           "not known from "
-           "it; put the concentration of the same grid and time into the same file, as siconc, for example "
-           "with "
-           "ncks -A";
+    return messages::ingest_file_message<"hydrographic-product-not-read">(product);
+  if (holds_ice_thickness(file)) return messages::ingest_file_message<"thickness-without-concentration">();
   for (const Moving what : {Moving::sea, Moving::air})
-    if (std::string left_out = velocities_left_out(file, what); !left_out.empty()) return left_out;
-  if (std::string other = called_currents(file); !other.empty()) return other;
+    if (std::string left_out = velocities_left_out(file, what); !left_out.empty())
+      return fault_of_file(left_out);
+  if (auto other = called_currents(file)) return std::move(*other);
   if (!file.groups().empty())
-    return "neither the top level of the file nor its groups (" + enumeration(file.groups()) +
-           ") hold currents of the sea, depths, sea ice or wind that this program knows; there is nothing to "
-           "store; give a file with, for example, uo and vo, elevation, siconc or u10 and v10";
+    return messages::ingest_file_message<"groups-without-data">(enumeration(file.groups()));
   std::vector<std::string> names;
   for (const NetcdfVariable& variable : file.variables())
     if (!is_part_of_another(file, variable)) names.push_back(variable.name());
-  if (names.empty())
-    return "the NetCDF file holds no variables at its top level; there is nothing to store; give a file with "
-           "currents, depths, sea ice or wind";
-  return "the file holds " + enumeration(names) +
-         ", but neither currents of the sea nor depths nor sea ice nor wind under names that this program "
-         "knows; "
-         "there is nothing to store; if two of them are the current, say so by their standard_name, "
-         "eastward_sea_water_velocity and northward_sea_water_velocity, for example with ncatted";
+  if (names.empty()) return messages::ingest_file_message<"netcdf-without-variables">();
+  return messages::ingest_file_message<"variables-not-recognised">(enumeration(names));
 }
 
 /// A group of a file that holds data, seen as a file.
@@ -204,15 +174,13 @@ Checked<bool> look_into_groups(RecognisedFile& file, const Expectation& expected
     std::erase_if(groups,
                   [&](const DataGroup& group) { return !group.has_own_data && group.kinds == file.kinds; });
     if (!groups.empty())
-      file.warnings.push_back("the top level of the file was read; its groups " + groups_in_words(groups) +
-                              " were not; to store one of them take it out, for example with ncks -G : -g " +
-                              groups.front().path + " IN.nc OUT.nc");
+      file.warnings.push_back(
+          messages::ingest_file_message<"groups-not-read">(groups_in_words(groups), groups.front().path));
     return true;
   }
   if (groups.size() > 1)
-    return refuse("the file holds data in several groups: " + groups_in_words(groups) +
-                  "; which of them is meant is not known; take one out, for example with ncks -G : -g " +
-                  groups.front().path + " IN.nc OUT.nc");
+    return refuse(
+        messages::ingest_file_message<"several-groups">(groups_in_words(groups), groups.front().path));
   if (groups.empty()) return true;
   const std::vector<DatasetKind>& kinds = groups.front().kinds;
   const auto holds = [&](DatasetKind kind) { return std::ranges::find(kinds, kind) != kinds.end(); };
@@ -221,10 +189,10 @@ Checked<bool> look_into_groups(RecognisedFile& file, const Expectation& expected
       return refuse(std::move(statistic));
   if (holds(DatasetKind::currents))
     if (std::string part = part_in_group(groups.front().path); !part.empty())
-      file.warnings.push_back(std::move(part));
+      file.warnings.push_back(remark(std::move(part)));
   file.netcdf = std::move(groups.front().seen);
   file.kinds = std::move(groups.front().kinds);
-  file.warnings.push_back("the data lie in the group " + groups.front().path + " of the file");
+  file.warnings.push_back(messages::ingest_file_message<"data-in-group">(groups.front().path));
   return true;
 }
 
@@ -269,12 +237,11 @@ Checked<PreparedDataset> read_netcdf(const Reading& reading) {
              : read_netcdf_bathymetry(file.netcdf, options);
 }
 
-void warn_of_what_is_left(const RecognisedFile& file, std::vector<std::string>& warnings) {
+void warn_of_what_is_left(const RecognisedFile& file, Messages& warnings) {
   const auto left = [&](DatasetKind kind, bool held, const std::string& what) {
     if (!held || std::ranges::find(file.kinds, kind) != file.kinds.end()) return;
-    warnings.push_back("the file also holds " + what +
-                       ", which were not stored with its currents; store them with --kind " +
-                       repository::kind_name(kind) + " in a second command");
+    warnings.push_back(
+        messages::ingest_file_message<"other-data-not-stored">(what, repository::kind_name(kind)));
   };
   left(DatasetKind::ice, holds_ice(*file.netcdf), "concentrations of sea ice");
   left(DatasetKind::bathymetry, find_bathymetry(*file.netcdf, false) != nullptr, "depths of the sea bed");

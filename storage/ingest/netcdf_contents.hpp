@@ -17,6 +17,6 @@ namespace floeplan::ingest {
 [[nodiscard]] Checked<PreparedDataset> read_netcdf(const Reading& reading);
 
 /// Sea ice and depths beside currents that are on a bent grid are not taken along: nobody should believe them stored.
-void warn_of_what_is_left(const RecognisedFile& file, std::vector<std::string>& warnings);
+void warn_of_what_is_left(const RecognisedFile& file, Messages& warnings);
 
 }  // namespace floeplan::ingest

@@ -29,10 +29,7 @@ Checked<RecognisedFile> recognise(const std::filesystem::path& file, const Expec
 
   const bool held = std::ranges::find(result.kinds, *expected.kind) != result.kinds.end();
   if (!held && *expected.kind == DatasetKind::ice && result.format->is_plain_raster)
-    return refuse(
-        "of such a raster this program reads depths only; of sea ice it reads NetCDF; convert it with "
-        "gdal_translate -of "
-        "netCDF IN.tif OUT.nc and give that with --kind ice --variable Band1 and --time");
+    return refuse(messages::ingest_file_message<"raster-of-no-depths">());
   const bool moves = *expected.kind == DatasetKind::currents || *expected.kind == DatasetKind::wind;
   if (!held && moves && result.netcdf) {
     const Moving what = *expected.kind == DatasetKind::currents ? Moving::sea : Moving::air;
@@ -40,8 +37,8 @@ Checked<RecognisedFile> recognise(const std::filesystem::path& file, const Expec
       return refuse(std::move(left_out));
   }
   if (!held)
-    return refuse("the file holds " + repository::kind_name(result.kinds.front()) + ", not " +
-                  repository::kind_name(*expected.kind) + "; leave out --kind, or give another file");
+    return refuse(messages::ingest_file_message<"other-kind-than-stated">(
+        repository::kind_name(result.kinds.front()), repository::kind_name(*expected.kind)));
   result.kinds = {*expected.kind};
   return result;
 }

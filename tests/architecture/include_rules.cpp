@@ -88,7 +88,7 @@ const std::map<std::string, Folder>& folders() {
        {{"storage/repository/environment", "storage/repository/work", "storage/repository/access"}}},
       {"storage/xml", {{"engine/core"}}},
       {"storage/sandbox", {{}}},
-      {"storage/ingest/common", {{"storage/repository"}}},
+      {"storage/ingest/common", {{"engine/messages", "storage/repository"}}},
       {"storage/ingest/notation", {{"storage/ingest/common"}}},
       {"storage/ingest/files", {{"storage/ingest/notation"}}},
       {"storage/ingest/formats/zarr", {{"storage/ingest/files"}}},

@@ -1,5 +1,7 @@
 #include "storage/ingest/common/fault_report.hpp"
 
+#include "engine/messages/sentence.hpp"
+
 namespace floeplan::ingest {
 namespace {
 
@@ -7,13 +9,24 @@ constexpr std::size_t most_faults = 50;  // a report that a person reads
 
 }  // namespace
 
-std::string report_of(std::vector<std::string> faults) {
+Messages report_of(Messages faults) {
   const std::size_t more = faults.size() > most_faults ? faults.size() - most_faults : 0;
   faults.resize(faults.size() - more);
-  if (more > 0) faults.push_back("and " + std::to_string(more) + " faults more");
-  std::string text;
-  for (const std::string& fault : faults) text += (text.empty() ? "" : "\n") + fault;
-  return text;
+  if (more > 0) faults.push_back(messages::ingest_file_message<"more-faults">(more));
+  return faults;
+}
+
+messages::Message about(const std::string& part, messages::Message told) {
+  told.text.insert(0, part + ": ");
+  told.values.push_back({"part", part});
+  return told;
+}
+
+std::string reason_of(const Messages& faults) {
+  std::string reason;
+  for (const messages::Message& fault : faults)
+    reason += (reason.empty() ? "" : "; ") + messages::whole_text(fault);
+  return reason;
 }
 
 }  // namespace floeplan::ingest

@@ -1,11 +1,10 @@
 #pragma once
 
-#include <string>
-#include <vector>
+#include "storage/ingest/common/refusal.hpp"
 
 namespace floeplan::ingest {
 
-/// The faults of a file one below the other, as a refusal tells them; of a great many the first, and how many more.
-[[nodiscard]] std::string report_of(std::vector<std::string> faults);
+/// The faults of a file as a refusal tells them: of a great many the first, and how many more.
+[[nodiscard]] Messages report_of(Messages faults);
 
 }  // namespace floeplan::ingest

@@ -25,9 +25,9 @@ struct PreparedDataset {
   std::optional<core::UtcTime> run{};  // when the model run began; empty: the file does not say
   std::int64_t rows_accepted{};
   std::int64_t rows_refused{};
-  std::vector<std::string> warnings;
+  Messages warnings;
   /// Runs inside the file's transaction. Refuses when the file can no longer be read.
-  std::function<tl::expected<void, std::string>(sql::Connection&, const repository::DatasetId&)> write;
+  std::function<Checked<void>(sql::Connection&, const repository::DatasetId&)> write;
 };
 
 }  // namespace floeplan::ingest

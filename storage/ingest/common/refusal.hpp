@@ -3,16 +3,44 @@
 #include <string>
 #include <tl/expected.hpp>
 #include <utility>
+#include <vector>
+
+#include "engine/messages/ingest_file_messages.hpp"
+#include "engine/messages/message.hpp"
 
 namespace floeplan::ingest {
 
-/// A value, or why the file is refused: one sentence for a pilot in the form "what; why; what to do", or several of
-/// them, one a line.
-template <class T>
-using Checked = tl::expected<T, std::string>;
+/// What is told of a file: its faults, or what its reader assumed, changed and left out. Rows of the catalogue.
+using Messages = std::vector<messages::Message>;
 
-[[nodiscard]] inline tl::unexpected<std::string> refuse(std::string sentence) {
-  return tl::unexpected<std::string>(std::move(sentence));
+/// A value, or why the file is refused: a message for each fault.
+template <class T>
+using Checked = tl::expected<T, Messages>;
+
+[[nodiscard]] inline tl::unexpected<Messages> refuse(Messages faults) {
+  return tl::unexpected<Messages>(std::move(faults));
 }
+[[nodiscard]] inline tl::unexpected<Messages> refuse(messages::Message fault) {
+  Messages faults;
+  faults.push_back(std::move(fault));
+  return refuse(std::move(faults));
+}
+
+[[nodiscard]] inline tl::unexpected<Messages> refuse(const std::string& sentence) {
+  return refuse(messages::ingest_file_message<"file-refused">(sentence));
+}
+[[nodiscard]] inline messages::Message remark(const std::string& sentence) {
+  return messages::ingest_file_message<"file-remark">(sentence);
+}
+
+[[nodiscard]] inline messages::Message fault_of_file(const std::string& sentence) {
+  return messages::ingest_file_message<"file-refused">(sentence);
+}
+
+/// Told of a part of the file, "line 12" or "feature 3": the text begins with the part, which is a value of its own.
+[[nodiscard]] messages::Message about(const std::string& part, messages::Message told);
+
+/// The faults as words for another message, or for a person who looks at a failed test.
+[[nodiscard]] std::string reason_of(const Messages& faults);
 
 }  // namespace floeplan::ingest

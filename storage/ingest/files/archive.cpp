@@ -31,10 +31,9 @@ struct Close {
 };
 using Archive = std::unique_ptr<struct archive, Close>;
 
-std::string damaged(struct archive* opened) {
+messages::Message damaged(struct archive* opened) {
   const char* const reason = archive_error_string(opened);
-  return std::string{"the archive cannot be unpacked ("} + (reason != nullptr ? reason : "no reason given") +
-         "); it is damaged or was cut short; copy or download it again";
+  return messages::ingest_file_message<"archive-damaged">(reason != nullptr ? reason : "no reason given");
 }
 
 /// The formats and compressions that agencies send files in. What runs other programs stays out.
@@ -89,8 +88,7 @@ Checked<void> write_entry(struct archive* opened, const fs::path& target, Room& 
   std::error_code error;
   fs::create_directories(target.parent_path(), error);
   if (error || fs::exists(target))
-    return refuse("the archive holds the name " + target.filename().string() +
-                  " twice; which of them counts is unknown; unpack it and give the right file");
+    return refuse(messages::ingest_file_message<"archive-name-twice">(target.filename().string()));
   std::ofstream out{target, std::ios::binary};
   const void* block = nullptr;
   std::size_t size = 0;
@@ -101,15 +99,12 @@ Checked<void> write_entry(struct archive* opened, const fs::path& target, Room& 
     if (got == ARCHIVE_EOF) break;
     if (got != ARCHIVE_OK) return refuse(damaged(opened));
     if (static_cast<std::uint64_t>(offset) != written)
-      return refuse("the archive holds a file with gaps; unpack it and give the files in it");
-    if (size > room.left_bytes)
-      return refuse(
-          "the archive unpacks to far more than its size; it is damaged or made to fill disks; unpack it "
-          "where there is room, and cut out your area and period");
+      return refuse(messages::ingest_file_message<"archive-with-gaps">());
+    if (size > room.left_bytes) return refuse(messages::ingest_file_message<"archive-unpacks-to-too-much">());
     room.left_bytes -= size;
     written += size;
     out.write(static_cast<const char*>(block), static_cast<std::streamsize>(size));
-    if (!out) return refuse("the archive cannot be unpacked: the disk of the store is full; make room on it");
+    if (!out) return refuse(messages::ingest_file_message<"archive-disk-full">());
   }
   return {};
 }
@@ -118,16 +113,14 @@ Checked<void> lay_out(struct archive* opened, archive_entry* entry, const fs::pa
                       const fs::path& folder, Room& room) {
   const std::string name = name_of(opened, entry, archive);
   const auto type = archive_entry_filetype(entry);
-  if (room.left_entries-- == 0)
-    return refuse("the archive holds more than 100000 files; cut out your area and period first");
+  if (room.left_entries-- == 0) return refuse(messages::ingest_file_message<"archive-with-too-many-files">());
   if (type == AE_IFDIR) return {};
   const auto place = safe_name(name);
   if (!place || type != AE_IFREG || archive_entry_hardlink(entry) != nullptr)
-    return refuse("the archive holds \"" + name.substr(0, longest_name) +
-                  "\", a link or a name that leads out of it; unpack it and give the files in it");
+    return refuse(messages::ingest_file_message<"archive-leads-out">(name.substr(0, longest_name)));
   if (is_litter(*place)) return {};
   if (archive_entry_is_encrypted(entry) != 0)
-    return refuse("the archive is protected by a password; unpack it and give the files in it");
+    return refuse(messages::ingest_file_message<"archive-with-password">());
   return write_entry(opened, folder / *place, room);
 }
 
@@ -170,10 +163,8 @@ Checked<Unpacked> sorted_out(const fs::path& folder, const std::function<bool(co
     }
   }
   if (unpacked.data.empty())
-    return refuse(
-        "the archive holds no data" +
-        (unpacked.left_out.empty() ? std::string{} : ", but only " + enumeration(unpacked.left_out)) +
-        "; there is nothing to store; check what you were sent");
+    return refuse(messages::ingest_file_message<"archive-without-data">(
+        unpacked.left_out.empty() ? "" : ", but only " + enumeration(unpacked.left_out)));
   return unpacked;
 }
 

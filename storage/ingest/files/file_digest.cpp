@@ -46,15 +46,14 @@ class Digest {
 
 Checked<std::string> sha256_of_file(const std::filesystem::path& file) {
   std::ifstream in{file, std::ios::binary};
-  if (!in) return refuse("the file cannot be read; check that it exists and that you may read it");
+  if (!in) return refuse(messages::ingest_file_message<"file-unreadable">());
   Digest digest;
   std::array<char, 65536> block{};
   while (in) {
     in.read(block.data(), static_cast<std::streamsize>(block.size()));
     digest.add(block.data(), static_cast<std::size_t>(in.gcount()));
   }
-  if (in.bad())
-    return refuse("the file cannot be read to its end; the disk or the connection failed; copy it again");
+  if (in.bad()) return refuse(messages::ingest_file_message<"file-not-read-to-its-end">());
   return digest.text();
 }
 

@@ -266,8 +266,7 @@ Checked<MeshLevels> levels_by_heights(const std::shared_ptr<const NetcdfFile>& f
 }  // namespace
 
 Checked<MeshLevels> mesh_levels(const std::shared_ptr<const NetcdfFile>& file, const NetcdfVariable& variable,
-                                const NetcdfLayout& layout, const MeshTopology& mesh,
-                                std::vector<std::string>& warnings) {
+                                const NetcdfLayout& layout, const MeshTopology& mesh, Messages& warnings) {
   const NetcdfDimension& dimension = variable.dimensions()[layout.depth_dimension.value()];
   const AxisNodes times = layout.times_s.value_or(AxisNodes{{0.0}, {0}});
   if (const NetcdfVariable* heights = heights_along(*file, dimension))
@@ -319,8 +318,8 @@ Checked<MeshLevels> mesh_levels(const std::shared_ptr<const NetcdfFile>& file, c
   const bool of_the_moment = is_depth_of_the_moment(*bed_table);
   auto surface = of_the_moment ? std::nullopt : PointTable::of(named("eta", {"zeta"}), points, times);
   if (!surface && !of_the_moment)
-    warnings.push_back(
-        "the file does not give the surface of the sea; its levels were placed below the mean surface");
+    warnings.push_back(remark(
+        "the file does not give the surface of the sea; its levels were placed below the mean surface"));
   return MeshLevels{std::make_shared<const SigmaLevels>(SigmaLevels::Parts{.file = file,
                                                                            .sigma = std::move(*values),
                                                                            .levels = levels,

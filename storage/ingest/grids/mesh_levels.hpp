@@ -27,6 +27,6 @@ struct MeshLevels {
 /// Source   CF conventions 1.8, appendix D, ocean_sigma_coordinate
 [[nodiscard]] Checked<MeshLevels> mesh_levels(const std::shared_ptr<const NetcdfFile>& file,
                                               const NetcdfVariable& variable, const NetcdfLayout& layout,
-                                              const MeshTopology& mesh, std::vector<std::string>& warnings);
+                                              const MeshTopology& mesh, Messages& warnings);
 
 }  // namespace floeplan::ingest

@@ -176,7 +176,7 @@ std::optional<double> s_stretching(int form, double s, double theta_s, double th
 
 Checked<std::shared_ptr<const BedLevels>> s_coordinate_levels(
     const NetcdfFiles& files, const NetcdfFile& file, const NetcdfVariable& variable,
-    const NetcdfLayout& layout, const CentreTables& tables, std::vector<std::string>& warnings) {
+    const NetcdfLayout& layout, const CentreTables& tables, Messages& warnings) {
   const NetcdfDimension& dimension = variable.dimensions()[layout.depth_dimension.value()];
   const NetcdfVariable* coordinate = coordinate_of(file, dimension);
   const NetcdfVariable* s = coordinate != nullptr ? coordinate : find(files, {"s_rho", "sc_r"});
@@ -237,8 +237,8 @@ Checked<std::shared_ptr<const BedLevels>> s_coordinate_levels(
                          surface->dimensions()[0].size == layout.times_s->nodes.size())));
   const bool of_the_moment = sigma && is_depth_of_the_moment(*bed);
   if (!usable && !of_the_moment)
-    warnings.push_back(
-        "the file does not give the surface of the sea; its levels were placed below the mean surface");
+    warnings.push_back(remark(
+        "the file does not give the surface of the sea; its levels were placed below the mean surface"));
   return std::make_shared<const SLevels>(
       SLevels::Parts{.files = files,
                      .form = *form,

@@ -34,6 +34,6 @@ enum class SCoordinate {
 /// Errors   parameters that are missing or contradict each other
 [[nodiscard]] Checked<std::shared_ptr<const BedLevels>> s_coordinate_levels(
     const NetcdfFiles& files, const NetcdfFile& file, const NetcdfVariable& variable,
-    const NetcdfLayout& layout, const CentreTables& tables, std::vector<std::string>& warnings);
+    const NetcdfLayout& layout, const CentreTables& tables, Messages& warnings);
 
 }  // namespace floeplan::ingest

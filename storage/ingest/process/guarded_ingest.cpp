@@ -43,7 +43,7 @@ std::vector<FileGroup> guarded_groups(const Guard& guard, FileGroup files, const
     const Told told = run_reader(guard, staging.path(), files,
                                  {.task = ReaderRequest::Task::group, .options = {}, .now = {}, .limits = {}},
                                  stop, {}, {});
-    if (told.breakdown.empty() && told.grouped && groups_all(*told.grouped, files.size())) {
+    if (!told.breakdown && told.grouped && groups_all(*told.grouped, files.size())) {
       for (const auto& numbers : told.grouped->groups) {
         FileGroup& group = groups.emplace_back();
         for (const std::size_t number : numbers) group.push_back(files[number]);
@@ -125,7 +125,7 @@ IngestReport completed(sql::Connection& db, IngestReport report,
   }
   if (!report.dataset) {
     report.status = IngestStatus::refused;
-    report.errors = {"its data were removed while it was read; ingest it again"};
+    report.errors = {messages::ingest_file_message<"removed-while-read">()};
   }
   return report;
 }
@@ -142,14 +142,14 @@ std::optional<std::vector<IngestReport>> ingest_one_group(sql::Connection& db, c
                          {.task = ReaderRequest::Task::ingest, .options = options, .now = now, .limits = {}},
                          stop, progress, [&](std::string_view parcel) { delivery.take(parcel); });
   if (told.stopped) return std::nullopt;
-  if (told.breakdown.empty() && (told.reports.empty() || !std::ranges::all_of(told.reports, is_possible)))
+  if (!told.breakdown && (told.reports.empty() || !std::ranges::all_of(told.reports, is_possible)))
     told.breakdown = unexplained_end();
-  if (!told.breakdown.empty()) return std::vector{refused(files, options, told.breakdown)};
+  if (told.breakdown) return std::vector{refused(files, options, {*told.breakdown})};
   std::vector<repository::DatasetId> taken_over;
   try {
     taken_over = delivery.take_over(db, told.reports);
   } catch (const repository::BrokenParcel&) {
-    return std::vector{refused(files, options, unexplained_end())};
+    return std::vector{refused(files, options, {unexplained_end()})};
   }
   std::vector<IngestReport> reports;
   reports.reserve(told.reports.size());
@@ -173,10 +173,10 @@ class Arrivals {
                            {.task = ReaderRequest::Task::unpack, .options = {}, .now = {}, .limits = {}},
                            stop, {}, {});
     if (told.stopped) return std::nullopt;
-    if (told.breakdown.empty() && told.reports.size() == 1) return std::move(told.reports.front());
-    if (!told.breakdown.empty()) return refused({file}, {}, told.breakdown);
+    if (!told.breakdown && told.reports.size() == 1) return std::move(told.reports.front());
+    if (told.breakdown) return refused({file}, {}, {*told.breakdown});
     const auto& unpacked = told.unpacked;
-    if (!unpacked || !are_inside(unpacked->data)) return refused({file}, {}, unexplained_end());
+    if (!unpacked || !are_inside(unpacked->data)) return refused({file}, {}, {unexplained_end()});
     for (const std::string& name : unpacked->data) {
       files_.push_back(staging / unpacked_folder / name);
       archive_of_[files_.back()] = file;
@@ -219,7 +219,7 @@ class Arrivals {
     if (archive == archive_of_.end()) return;
     auto& names = left_out_[archive->second];
     if (!names.empty())
-      report.warnings.push_back("left out of the archive, because they are no data: " + enumeration(names));
+      report.warnings.push_back(messages::ingest_file_message<"left-out-of-archive">(enumeration(names)));
     names.clear();
   }
 

@@ -1,5 +1,6 @@
 #include "storage/ingest/process/reader_messages.hpp"
 
+#include <cmath>
 #include <stdexcept>
 
 #include "storage/json/json.hpp"
@@ -52,12 +53,52 @@ IngestOptions options_of(const json& object) {
   return options;
 }
 
+json to_json(const messages::Message& message) {
+  json values = json::array();
+  for (const auto& [name, value] : message.values)
+    std::visit([&](const auto& held) { values.push_back({name, held}); }, value);
+  return {{"code", message.code},
+          {"rank", messages::rank_name(message.rank)},
+          {"values", std::move(values)},
+          {"text", message.text},
+          {"hint", message.hint}};
+}
+
+messages::Value value_of(const json& value) {
+  if (value.is_number_integer()) return value.get<std::int64_t>();
+  if (value.is_string()) return value.get<std::string>();
+  return value.is_null() ? std::nan("") : value.get<double>();  // JSON has no number that is none
+}
+
+messages::Message message_of(const json& object) {
+  const auto rank = messages::parse_rank(object.at("rank").get<std::string>());
+  messages::Message message{.code = object.at("code").get<std::string>(),
+                            .rank = rank.value_or(messages::Rank::caution),
+                            .text = object.at("text").get<std::string>(),
+                            .hint = object.at("hint").get<std::string>()};
+  for (const json& value : object.at("values"))
+    message.values.push_back({value.at(0).get<std::string>(), value_of(value.at(1))});
+  return message;
+}
+
+json to_json(const Messages& messages) {
+  json all = json::array();
+  for (const messages::Message& message : messages) all.push_back(to_json(message));
+  return all;
+}
+
+Messages messages_of(const json& array) {
+  Messages all;
+  for (const json& message : array) all.push_back(message_of(message));
+  return all;
+}
+
 json to_json(const IngestReport& report) {
   return {{"file", report.file},
           {"status", static_cast<int>(report.status)},
           {"dataset", report.dataset ? json(report.dataset->id.value) : json()},
-          {"warnings", report.warnings},
-          {"errors", report.errors}};
+          {"warnings", to_json(report.warnings)},
+          {"errors", to_json(report.errors)}};
 }
 
 IngestReport report_of(const json& object) {
@@ -67,8 +108,8 @@ IngestReport report_of(const json& object) {
   if (status == static_cast<int>(IngestStatus::stored)) report.status = IngestStatus::stored;
   if (status == static_cast<int>(IngestStatus::unchanged)) report.status = IngestStatus::unchanged;
   if (const auto id = optional_text(object, "dataset")) report.dataset.emplace().id = {*id};
-  report.warnings = object.at("warnings").get<std::vector<std::string>>();
-  report.errors = object.at("errors").get<std::vector<std::string>>();
+  report.warnings = messages_of(object.at("warnings"));
+  report.errors = messages_of(object.at("errors"));
   return report;
 }
 

@@ -16,50 +16,36 @@
 namespace floeplan::ingest {
 namespace {
 
-std::string too_long(std::uint64_t seconds) {
-  return "reading took more than " + std::to_string(seconds) +
-         " s, far longer than a file of this size needs; it is damaged or unpacks to much more than it "
-         "seems; "
-         "copy it again, or cut out your area and period";
-}
+constexpr std::uint64_t bytes_per_megabyte = 1'000'000;
 
-std::string too_large(std::uint64_t bytes) {
-  return "reading needs more than " + std::to_string(bytes / 1'000'000) +
-         " MB of memory; the file is damaged or unpacks to much more than it seems; copy it again, or cut "
-         "out "
-         "your area and period";
+messages::Message too_long(std::uint64_t seconds) {
+  return messages::ingest_file_message<"reading-took-too-long">(seconds);
 }
 
 /// Why a process ended before its work was done.
-std::string cause_of_death(int status, const ReaderLimits& limits) {
-  if (WIFSIGNALED(status)) {
-    const int signal = WTERMSIG(status);
-    if (signal == SIGXCPU || signal == SIGKILL) return too_long(limits.cpu_s);
-    if (signal == SIGXFSZ)
-      return "the file unpacks to more than " + std::to_string(limits.file_bytes / 1'000'000) +
-             " MB; it is damaged or made to fill disks; copy it again, or cut out your area and period";
-    return std::string{"the file is damaged in a way that stops its reader ("} + strsignal(signal) +
-           "), or needs more than " + std::to_string(limits.memory_bytes / 1'000'000) +
-           " MB of memory; copy or download it again";
-  }
-  return "the file is damaged in a way that stops its reader; copy or download it again";
-}
-
-std::string too_weak(const std::string& layers) {
-  return "the process that reads files cannot be confined on this machine (" + layers +
-         "); a hostile file could read and change whatever this user can; start Linux 5.19 or later with "
-         "seccomp and "
-         "Landlock switched on, or, if you trust every file that is given, say --allow-weak-sandbox";
+messages::Message cause_of_death(int status, const ReaderLimits& limits) {
+  if (!WIFSIGNALED(status)) return messages::ingest_file_message<"reader-ended">();
+  const int signal = WTERMSIG(status);
+  if (signal == SIGXCPU || signal == SIGKILL) return too_long(limits.cpu_s);
+  if (signal == SIGXFSZ)
+    return messages::ingest_file_message<"unpacks-to-too-much">(limits.file_bytes / bytes_per_megabyte);
+  return messages::ingest_file_message<"reader-killed">(std::string{strsignal(signal)},
+                                                        limits.memory_bytes / bytes_per_megabyte);
 }
 
 void note(const Failed& failed, const ReaderLimits& limits, Told& told) {
   switch (failed.cause) {
-    case Failed::Cause::memory: told.breakdown = too_large(limits.memory_bytes); return;
+    case Failed::Cause::memory:
+      told.breakdown = messages::ingest_file_message<"reading-needs-too-much-memory">(limits.memory_bytes /
+                                                                                      bytes_per_megabyte);
+      return;
     case Failed::Cause::reader:
-      told.breakdown = "the file cannot be read: " + failed.reason + "; copy or download it again";
+      told.breakdown = messages::ingest_file_message<"reader-failed">(failed.reason);
       return;
     case Failed::Cause::store: throw std::runtime_error{failed.reason};
-    case Failed::Cause::sandbox: told.breakdown = too_weak(failed.reason); return;
+    case Failed::Cause::sandbox:
+      told.breakdown = messages::ingest_file_message<"reader-not-confined">(failed.reason);
+      return;
   }
 }
 
@@ -76,14 +62,14 @@ class Listening {
         deadline_{std::chrono::steady_clock::now() + std::chrono::seconds{request.limits.wall_s}} {}
 
   [[nodiscard]] Told listen() {
-    while (told_.breakdown.empty() && !told_.stopped) {
+    while (!told_.breakdown && !told_.stopped) {
       if (!heard(process_.read_line(stop_, deadline_))) break;
       const auto event = parse_reader_event(process_.line());
       if (event && std::holds_alternative<Finished>(*event)) break;
       if (!event || !std::visit([&](const auto& said) { return take(said); }, *event))
         told_.breakdown = cause_of_death(process_.kill(), request_.limits);
     }
-    if (told_.breakdown.empty() && !told_.stopped && !told_.layers) told_.breakdown = unexplained_end();
+    if (!told_.breakdown && !told_.stopped && !told_.layers) told_.breakdown = unexplained_end();
     return std::move(told_);
   }
 
@@ -178,6 +164,6 @@ Told run_reader(const Guard& guard, const std::filesystem::path& staging, const 
   return Listening{process, request, stop, progress, rows}.listen();
 }
 
-std::string unexplained_end() { return cause_of_death(0, {}); }
+messages::Message unexplained_end() { return cause_of_death(0, {}); }
 
 }  // namespace floeplan::ingest

@@ -21,7 +21,8 @@ struct Told {
   std::optional<UnpackedArchive> unpacked;
   std::size_t looks_at{};
   std::optional<sandbox::Layers> layers;  // that it was confined by
-  std::string breakdown;                  // why the files are refused; empty when the process did its work
+  std::optional<messages::Message>
+      breakdown;  // why the files are refused; empty where the process did its work
   bool stopped{false};
 };
 
@@ -36,6 +37,6 @@ struct Told {
                               const std::function<void(std::string_view)>& rows);
 
 /// What is said of files whose process ended without a word.
-[[nodiscard]] std::string unexplained_end();
+[[nodiscard]] messages::Message unexplained_end();
 
 }  // namespace floeplan::ingest

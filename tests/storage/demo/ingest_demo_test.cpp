@@ -17,7 +17,7 @@ void expect_all_stored(const std::vector<std::filesystem::path>& files) {
     ASSERT_EQ(reports.size(), 1U) << file;
     const ingest::IngestReport& report = reports.front();
     EXPECT_EQ(report.status, ingest::IngestStatus::stored)
-        << file << ": " << (report.errors.empty() ? "" : report.errors.front());
+        << file << ": " << ingest::reason_of(report.errors);
     ASSERT_TRUE(report.dataset.has_value());
     EXPECT_EQ(report.dataset->rows_refused, 0) << file;
   }

@@ -123,15 +123,14 @@ TEST_F(Refusals, SeveralStatesOfTheSameTime) {
 TEST_F(Refusals, AGribFile) { expect_refused(write_file("gfs.nc", std::string{"GRIB\0\0\0\2", 8}), "GRIB"); }
 
 TEST_F(Refusals, BytesWithoutMeaning) {
-  expect_refused(write_file("noise.nc", std::string{"\x01\x02\x03\x00\x04", 5}),
-                 "does not know what this file is");
+  expect_refused(write_file("noise.nc", std::string{"\x01\x02\x03\x00\x04", 5}), "unrecognised file");
 }
 
 TEST_F(Refusals, ANetworkAddress) { expect_refused("/vsicurl/http://127.0.0.1:9/a.nc", "no such file"); }
 
 TEST_F(Refusals, AVirtualFormat) {
   expect_refused(write_file("sea.vrt", "<VRTDataset rasterXSize=\"1\" rasterYSize=\"1\"/>\n"),
-                 "does not know");
+                 "unrecognised");
 }
 
 TEST_F(Refusals, ANetcdf4FileThatWasCutShort) {

@@ -30,9 +30,9 @@ TEST_P(SampleWithoutData, IsRefusedWithTheReason) {
 INSTANTIATE_TEST_SUITE_P(
     Gliders, SampleWithoutData,
     testing::Values(Refused{"glider/1f35be3b.cac", "sensors"}, Refused{"glider/62d8b5da.cac", "sensors"},
-                    Refused{"glider/S102791A002_Barrow_v2_avgd.ad2cp", "does not know"},
+                    Refused{"glider/S102791A002_Barrow_v2_avgd.ad2cp", "unrecognised"},
                     Refused{"glider/seaglider_p1800001.nc", "no time, latitude and longitude"},
-                    Refused{"glider/seaglider_p5610005.eng", "does not know"}));
+                    Refused{"glider/seaglider_p5610005.eng", "unrecognised"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Meshes, SampleWithoutData,
@@ -46,20 +46,20 @@ INSTANTIATE_TEST_SUITE_P(
                     Refused{"tides/tmd25_cats2008_ellipse_relabelled_a.csv", "does not know"},
                     Refused{"tides/tmd25_cats2008_U_cms_a.csv", "does not know"},
                     Refused{"tides/tmd25_cats2008_V_cms_a.csv", "does not know"},
-                    Refused{"tides/aviso_fes2014_v12_fes_slev.txt", "does not know"},
-                    Refused{"tides/utide_HNL2010_prediction_a_2010-03.csv", "does not know"},
-                    Refused{"tides/utide_HNL2010_prediction_a_2016-07.csv", "does not know"},
-                    Refused{"tides/utide_HNL2010_hourly_mm.asc", "does not know"},
+                    Refused{"tides/aviso_fes2014_v12_fes_slev.txt", "unrecognised"},
+                    Refused{"tides/utide_HNL2010_prediction_a_2010-03.csv", "unrecognised"},
+                    Refused{"tides/utide_HNL2010_prediction_a_2016-07.csv", "unrecognised"},
+                    Refused{"tides/utide_HNL2010_hourly_mm.asc", "unrecognised"},
                     Refused{"tides/ttide_constituents_const.nc", "neither currents of the sea"},
                     Refused{"tides/ttide_constituents_sat.nc", "neither currents of the sea"},
                     Refused{"tides/ttide_constituents_shallow.nc", "neither currents of the sea"},
-                    Refused{"tides/harmonics-dwf-20210110-free.tcd", "does not know"},
+                    Refused{"tides/harmonics-dwf-20210110-free.tcd", "unrecognised"},
                     Refused{"tides/uhslc_h820_nuuk_hourly.nc", "neither currents of the sea"}));
 
-INSTANTIATE_TEST_SUITE_P(
-    S100, SampleWithoutData,
-    testing::Values(Refused{"s100/104US00_Florida_Ovp_20260111_20260120.h5", "product INT.IHO.S-104"},
-                    Refused{"s100/101AA005C1MNS.000", "an electronic chart of S-101"}));
+INSTANTIATE_TEST_SUITE_P(S100, SampleWithoutData,
+                         testing::Values(Refused{"s100/104US00_Florida_Ovp_20260111_20260120.h5",
+                                                 "product INT.IHO.S-104"},
+                                         Refused{"s100/101AA005C1MNS.000", "an electronic chart of S-101"}));
 
 /// Every sample is named in a test of these rooms, here or where its values are compared.
 TEST(Samples, AreAllJudged) {

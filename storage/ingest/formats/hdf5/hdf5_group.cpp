@@ -18,7 +18,7 @@ constexpr std::size_t longest_text = 65'536;  // bytes; the head of an object, w
 constexpr hssize_t most_texts = 1000;         // chosen: tables of texts describe what a product has
 constexpr std::size_t largest_number = 16;    // bytes of one number
 
-tl::unexpected<std::string> unreadable_part(const std::string& name) {
+tl::unexpected<Messages> unreadable_part(const std::string& name) {
   return refuse(
       "\"" + name +
       "\" of the HDF5 file cannot be read; the file is damaged or was cut short; copy or download it "

@@ -7,8 +7,8 @@
 namespace floeplan::ingest {
 namespace {
 
-void warn_once(std::vector<std::string>& warnings, const std::string& words) {
-  if (std::ranges::find(warnings, words) == warnings.end()) warnings.push_back(words);
+void warn_once(Messages& warnings, messages::Message told) {
+  if (std::ranges::find(warnings, told) == warnings.end()) warnings.push_back(std::move(told));
 }
 
 std::optional<std::size_t> position_in(const NetcdfVariable& flags, const NetcdfDimension& dimension) {
@@ -42,19 +42,20 @@ std::optional<NetcdfLayout> layout_beside(const NetcdfVariable& flags, const Net
 }  // namespace
 
 GridFlags::GridFlags(const NetcdfFile& file, const NetcdfVariable& variable, const NetcdfLayout& layout,
-                     std::vector<std::string>& warnings) {
+                     Messages& warnings) {
   for (QualityFlags& flags : flags_named_by(file, variable)) {
     auto beside = flags.variable->is_numeric() ? layout_beside(*flags.variable, variable, layout)
                                                : std::optional<NetcdfLayout>{};
     if (!beside) {
-      warn_once(warnings,
-                "the quality flags \"" + flags.variable->name() + "\" of \"" + variable.name() +
-                    (flags.variable->is_numeric() ? "\" do not lie on its nodes" : "\" are no numbers") +
-                    "; they were not read, so bad values may be among those stored; take out what is flagged "
-                    "as bad first");
+      warn_once(
+          warnings,
+          remark("the quality flags \"" + flags.variable->name() + "\" of \"" + variable.name() +
+                 (flags.variable->is_numeric() ? "\" do not lie on its nodes" : "\" are no numbers") +
+                 "; they were not read, so bad values may be among those stored; take out what is flagged "
+                 "as bad first"));
       continue;
     }
-    if (!flags.remark.empty()) warn_once(warnings, flags.remark);
+    if (!flags.remark.empty()) warn_once(warnings, remark(flags.remark));
     flags_.push_back({std::move(flags), std::move(*beside)});
   }
 }

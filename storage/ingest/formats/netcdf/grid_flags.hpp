@@ -29,7 +29,7 @@ class GridFlags {
   /// known, and those that cannot be read beside the values, which stay unflagged.
   /// `layout`  of the variable
   GridFlags(const NetcdfFile& file, const NetcdfVariable& variable, const NetcdfLayout& layout,
-            std::vector<std::string>& warnings);
+            Messages& warnings);
 
   [[nodiscard]] bool empty() const { return flags_.empty(); }
   /// For each value of a slice whether it is bad; values that are missing are none, and counted are neither.

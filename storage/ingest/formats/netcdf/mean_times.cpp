@@ -24,8 +24,7 @@ bool is_mean_over(const NetcdfVariable& variable, const NetcdfVariable& time) {
 }  // namespace
 
 Checked<AxisNodes> times_of_means(const NetcdfFile& file, const NetcdfVariable& variable,
-                                  const NetcdfVariable& coordinate, AxisNodes stated,
-                                  std::vector<std::string>& warnings) {
+                                  const NetcdfVariable& coordinate, AxisNodes stated, Messages& warnings) {
   constexpr double most_moved_s = 1.0;  // rounding of times in files
   const NetcdfVariable* bounds = file.find(coordinate.attribute("bounds"));
   if (bounds == nullptr || !is_mean_over(variable, coordinate)) return stated;
@@ -52,8 +51,9 @@ Checked<AxisNodes> times_of_means(const NetcdfFile& file, const NetcdfVariable& 
     return refuse("the intervals \"" + bounds->name() +
                   "\" of the means are not in the order of their times (\"" + coordinate.name() +
                   "\"); when the means hold is not known; ask the producer");
-  warnings.push_back("\"" + variable.name() + "\" holds means over intervals (\"" + bounds->name() +
-                     "\"), which were placed in the middle of each, not at the times that the file states");
+  warnings.push_back(
+      remark("\"" + variable.name() + "\" holds means over intervals (\"" + bounds->name() +
+             "\"), which were placed in the middle of each, not at the times that the file states"));
   return stated;
 }
 

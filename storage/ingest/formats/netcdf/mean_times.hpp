@@ -15,6 +15,6 @@ namespace floeplan::ingest {
 /// Source    CF conventions 1.8, sections 7.1 (bounds) and 7.3 (cell methods)
 [[nodiscard]] Checked<AxisNodes> times_of_means(const NetcdfFile& file, const NetcdfVariable& variable,
                                                 const NetcdfVariable& coordinate, AxisNodes stated,
-                                                std::vector<std::string>& warnings);
+                                                Messages& warnings);
 
 }  // namespace floeplan::ingest

@@ -74,7 +74,7 @@ const NetcdfVariable* heights_along(const NetcdfFile& file, const NetcdfDimensio
   return nullptr;
 }
 
-Checked<AxisNodes> depth_nodes(const NetcdfVariable& coordinate, std::vector<std::string>& warnings) {
+Checked<AxisNodes> depth_nodes(const NetcdfVariable& coordinate, Messages& warnings) {
   auto values = coordinate.read_all();
   if (!values) return refuse(values.error());
   const std::string unit = coordinate.attribute("units");
@@ -83,7 +83,8 @@ Checked<AxisNodes> depth_nodes(const NetcdfVariable& coordinate, std::vector<std
     return refuse("the depth axis \"" + coordinate.name() + "\" has the unit \"" + unit +
                   "\", which is no length; levels cannot be placed in the water; ask for levels in metres");
   if (unit.empty())
-    warnings.push_back("the depth axis \"" + coordinate.name() + "\" states no unit; taken as metres");
+    warnings.push_back(
+        remark("the depth axis \"" + coordinate.name() + "\" states no unit; taken as metres"));
 
   const std::string positive = lower(coordinate.attribute("positive"));
   const std::string standard_name = lower(coordinate.attribute("standard_name"));
@@ -107,7 +108,7 @@ Checked<AxisNodes> depth_nodes(const NetcdfVariable& coordinate, std::vector<std
   return nodes;
 }
 
-Checked<AxisNodes> time_nodes(const NetcdfVariable& coordinate, std::vector<std::string>& warnings) {
+Checked<AxisNodes> time_nodes(const NetcdfVariable& coordinate, Messages& warnings) {
   const std::string unit = coordinate.attribute("units");
   if (unit.empty())
     return refuse("the time axis \"" + coordinate.name() +
@@ -125,16 +126,17 @@ Checked<AxisNodes> time_nodes(const NetcdfVariable& coordinate, std::vector<std:
     seconds.push_back(core::unix_seconds(*time));
   }
   if (const double rounding_s = rounding_of_float32_s(coordinate, *values, *decoder); rounding_s > 1.0)
-    warnings.push_back("the times are stored with so few digits that they may be wrong by " +
-                       number(rounding_s, 2) + " s");
+    warnings.push_back(remark("the times are stored with so few digits that they may be wrong by " +
+                              number(rounding_s, 2) + " s"));
   if (decoder->is_julian())
-    warnings.emplace_back(
+    warnings.push_back(remark(
         "the times are stated in the Julian calendar; their dates were taken as dates of today's calendar, "
         "as their "
-        "producers mean them, and not shifted by 13 days");
+        "producers mean them, and not shifted by 13 days"));
   if (decoder->is_model_calendar())
-    warnings.push_back("the times are in a model's own calendar (\"" + coordinate.attribute("calendar") +
-                       "\"); the dates were kept, but tides and weather of those days are not the real ones");
+    warnings.push_back(
+        remark("the times are in a model's own calendar (\"" + coordinate.attribute("calendar") +
+               "\"); the dates were kept, but tides and weather of those days are not the real ones"));
   return sorted_nodes(coordinate.name(), std::move(seconds));
 }
 
@@ -194,7 +196,7 @@ const NetcdfVariable* level_beside(const NetcdfFile& file, const NetcdfVariable&
   return only;
 }
 
-Checked<AxisNodes> projected_nodes(const NetcdfVariable& coordinate, std::vector<std::string>& warnings) {
+Checked<AxisNodes> projected_nodes(const NetcdfVariable& coordinate, Messages& warnings) {
   auto values = coordinate.read_all();
   if (!values) return refuse(values.error());
   const std::string unit = coordinate.attribute("units");
@@ -203,8 +205,8 @@ Checked<AxisNodes> projected_nodes(const NetcdfVariable& coordinate, std::vector
     return refuse("the projected coordinate \"" + coordinate.name() + "\" has the unit \"" + unit +
                   "\", which is no length; the grid cannot be placed; ask for coordinates in metres");
   if (unit.empty())
-    warnings.push_back("the projected coordinate \"" + coordinate.name() +
-                       "\" states no unit; taken as metres");
+    warnings.push_back(
+        remark("the projected coordinate \"" + coordinate.name() + "\" states no unit; taken as metres"));
   for (double& value : *values) value *= *factor;
   return monotonic_nodes(coordinate.name(), std::move(*values));
 }

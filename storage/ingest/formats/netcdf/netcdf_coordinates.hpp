@@ -21,12 +21,10 @@ namespace floeplan::ingest {
 [[nodiscard]] const NetcdfVariable* heights_along(const NetcdfFile& file, const NetcdfDimension& levels);
 
 /// Depths in metres, positive down and ascending, whichever way and in whichever unit of length the file counts.
-[[nodiscard]] Checked<AxisNodes> depth_nodes(const NetcdfVariable& coordinate,
-                                             std::vector<std::string>& warnings);
+[[nodiscard]] Checked<AxisNodes> depth_nodes(const NetcdfVariable& coordinate, Messages& warnings);
 
 /// Seconds since 1970-01-01T00:00:00Z, ascending.
-[[nodiscard]] Checked<AxisNodes> time_nodes(const NetcdfVariable& coordinate,
-                                            std::vector<std::string>& warnings);
+[[nodiscard]] Checked<AxisNodes> time_nodes(const NetcdfVariable& coordinate, Messages& warnings);
 
 /// A time that the file states once for all its data; null when there is none.
 [[nodiscard]] const NetcdfVariable* scalar_time(const NetcdfFile& file);
@@ -43,7 +41,6 @@ namespace floeplan::ingest {
 [[nodiscard]] const NetcdfVariable* level_beside(const NetcdfFile& file, const NetcdfVariable& variable);
 
 /// Coordinates of a projection in metres, ascending.
-[[nodiscard]] Checked<AxisNodes> projected_nodes(const NetcdfVariable& coordinate,
-                                                 std::vector<std::string>& warnings);
+[[nodiscard]] Checked<AxisNodes> projected_nodes(const NetcdfVariable& coordinate, Messages& warnings);
 
 }  // namespace floeplan::ingest

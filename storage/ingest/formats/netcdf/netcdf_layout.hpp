@@ -24,7 +24,7 @@ struct NetcdfLayout {
   std::optional<AxisNodes> depths_m;  // positive down; also a scalar level, with one node and no dimension
   std::size_t bed_levels{};           // levels of the depth dimension where they follow the sea bed; else 0
   std::optional<AxisNodes> times_s;   // seconds since 1970-01-01T00:00:00Z; also a scalar time, with one node
-  std::vector<std::string> warnings;
+  Messages warnings;
 };
 
 /// Finds the layout of a variable on a regular grid, longitude and latitude or projected, dimensions in any

@@ -106,7 +106,7 @@ std::optional<Axes> axes_of(const NetcdfFile& file, const NetcdfVariable& variab
 /// Coordinates in the order of the file.
 Checked<std::vector<double>> values_of(const NetcdfVariable& coordinate, bool turned) {
   if (turned) return coordinate.read_all();
-  std::vector<std::string> warnings;
+  Messages warnings;
   const auto nodes = projected_nodes(coordinate, warnings);
   if (!nodes) return refuse(nodes.error());
   std::vector<double> values(nodes->nodes.size());

@@ -19,7 +19,7 @@ constexpr double regular_grid = 2.0;       // dataCodingFormat
 constexpr double most_side = 1'000'000.0;  // nodes along one side
 constexpr std::size_t most_records = 100'000;
 
-tl::unexpected<std::string> s100_lacks(const std::string& what) {
+tl::unexpected<Messages> s100_lacks(const std::string& what) {
   return refuse("the S-100 file does not say " + what +
                 ", so its values cannot be placed; ask its producer for a whole one");
 }

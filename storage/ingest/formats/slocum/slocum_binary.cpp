@@ -5,6 +5,7 @@
 #include <cstring>
 #include <vector>
 
+#include "engine/messages/ingest_track_messages.hpp"
 #include "storage/ingest/formats/slocum/slocum_bytes.hpp"
 #include "storage/ingest/formats/slocum/slocum_header.hpp"
 
@@ -98,19 +99,20 @@ class Cycles {
 Checked<SlocumLog> read_slocum_binary(const std::filesystem::path& file, const FileGroup& given,
                                       const std::function<void(const SlocumRow&)>& take) {
   if (std::filesystem::file_size(file) > most_binary_bytes)
-    return refuse(
-        "the binary log is longer than 200 MB; no glider writes such; give the segments one by one");
+    return refuse(messages::ingest_track_message<"binary-log-too-long">());
   const auto [bytes, damaged] = slocum_bytes(file, most_binary_bytes + 1);
   if (bytes.size() > most_binary_bytes)
+    return refuse(messages::ingest_track_message<"binary-log-unpacks-to-too-much">());
+  if (damaged)
     return refuse(
-        "the binary log unpacks to more than 200 MB; no glider writes such; copy it from the glider again");
-  if (damaged) return refuse(damaged_slocum_log("a compressed block of it cannot be unpacked"));
+        messages::ingest_track_message<"binary-log-damaged">("a compressed block of it cannot be unpacked"));
   auto header = slocum_header_of(file, bytes, given);
   if (!header) return refuse(header.error());
   std::size_t at = header->size;
   const auto swapped = order_of(bytes, at);
   if (!swapped)
-    return refuse(damaged_slocum_log("the bytes by which the order of bytes is told are not there"));
+    return refuse(messages::ingest_track_message<"binary-log-damaged">(
+        "the bytes that tell the order of bytes are missing"));
 
   SlocumLog log{.name = slocum_name_of(file)};
   for (const LoggedSensor& sensor : header->sensors)
@@ -120,10 +122,10 @@ Checked<SlocumLog> read_slocum_binary(const std::filesystem::path& file, const F
   for (SlocumRow row; cycles.next(row); ++count) take(row);
   if (cycles.is_at_end()) return log;
   if (!cycles.was_cut())
-    return refuse(damaged_slocum_log("what follows " + std::to_string(count) + " cycles is no cycle"));
+    return refuse(messages::ingest_track_message<"binary-log-damaged">(
+        "what follows " + std::to_string(count) + " cycles is no cycle"));
   log.rows_refused = 1;
-  log.warnings.emplace_back(
-      "the log ends before its end mark; what is whole was read; if it was cut short, copy it again");
+  log.warnings.push_back(messages::ingest_track_message<"binary-log-without-end">());
   return log;
 }
 

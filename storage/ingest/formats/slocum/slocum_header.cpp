@@ -5,6 +5,7 @@
 #include <iterator>
 #include <sstream>
 
+#include "engine/messages/ingest_track_messages.hpp"
 #include "storage/ingest/formats/slocum/slocum_bytes.hpp"
 #include "storage/ingest/formats/slocum/slocum_log.hpp"
 #include "storage/ingest/notation/text.hpp"
@@ -46,7 +47,8 @@ Checked<Tags> tags_of(std::string_view bytes) {
   for (int line_number = 0; line_number < count; ++line_number) {
     const std::string_view line = next_line(bytes, tags.size);
     const std::size_t colon = line.find(':');
-    if (colon == std::string_view::npos) return refuse(damaged_slocum_log("its tags end early"));
+    if (colon == std::string_view::npos)
+      return refuse(messages::ingest_track_message<"binary-log-damaged">("its tags end early"));
     const std::string_view key = line.substr(0, colon);
     const std::string_view value = line.substr(colon + 1);
     if (key == "num_ascii_tags") count = whole(value, most_tags);
@@ -57,7 +59,8 @@ Checked<Tags> tags_of(std::string_view bytes) {
     if (key == "sensor_list_crc") tags.cache_crc = lower(trimmed(value));
   }
   if (tags.sensors < 1 || state_bytes != (tags.sensors + 3) / 4 || total < tags.sensors)
-    return refuse(damaged_slocum_log("its tags do not say how many sensors it has"));
+    return refuse(
+        messages::ingest_track_message<"binary-log-damaged">("its tags do not say how many sensors it has"));
   tags.listed = factored ? 0 : total;
   return tags;
 }
@@ -74,9 +77,8 @@ std::string_view unit_of(std::string_view sensor) {
   return sensor == "m_present_time" ? "timestamp" : "enum";
 }
 
-std::string in_another_unit(const std::string& sensor, const std::string& unit) {
-  return "the binary log gives " + sensor + " in \"" + unit + "\", not in \"" + std::string{unit_of(sensor)} +
-         "\" as all Slocums do; its list of sensors is damaged or altered; give the glider's own";
+messages::Message in_another_unit(const std::string& sensor, const std::string& unit) {
+  return messages::ingest_track_message<"sensor-unit-altered">(sensor, unit, unit_of(sensor));
 }
 
 /// Lines "s: T <number> <index in a cycle> <bytes> <name> <unit>"; F and -1: not in this log.
@@ -95,11 +97,12 @@ Checked<std::vector<LoggedSensor>> sensors_in(std::string_view bytes, std::size_
     line >> label >> in_log >> number >> index >> size >> name;
     const bool is_size = size == 1 || size == 2 || size == 4 || size == 8;
     if (!line || label != "s:" || !is_size)
-      return refuse(
-          damaged_slocum_log("line " + std::to_string(i + 1) + " of the list of its sensors is none"));
+      return refuse(messages::ingest_track_message<"binary-log-damaged">(
+          "line " + std::to_string(i + 1) + " of the list of its sensors is none"));
     if (in_log != "T") continue;
     if (index != static_cast<int>(sensors.size()))
-      return refuse(damaged_slocum_log("the list of its sensors is out of order"));
+      return refuse(
+          messages::ingest_track_message<"binary-log-damaged">("the list of its sensors is out of order"));
     const auto known = std::ranges::find(slocum_sensors, name);
     sensors.push_back({.bytes = size, .wanted = std::nullopt});
     if (known == slocum_sensors.end()) continue;
@@ -108,8 +111,7 @@ Checked<std::vector<LoggedSensor>> sensors_in(std::string_view bytes, std::size_
     sensors.back().wanted = static_cast<std::size_t>(known - slocum_sensors.begin());
   }
   if (static_cast<int>(sensors.size()) != wanted)
-    return refuse("the list of sensors has " + std::to_string(sensors.size()) + ", the binary log " +
-                  std::to_string(wanted) + "; it belongs to another log; give the one that the log names");
+    return refuse(messages::ingest_track_message<"sensor-list-of-another-log">(sensors.size(), wanted));
   return sensors;
 }
 
@@ -145,10 +147,6 @@ std::string head_of(const std::filesystem::path& file) { return slocum_bytes(fil
 
 }  // namespace
 
-std::string damaged_slocum_log(std::string_view what) {
-  return "the binary log is damaged: " + std::string{what} + "; copy it from the glider again";
-}
-
 bool is_slocum_binary(std::string_view head) {
   const std::string_view first = head.substr(0, head.find('\n'));
   return first.starts_with("dbd_label:") && first.find("DBD_ASC") == std::string_view::npos;
@@ -165,7 +163,8 @@ bool holds_sensor_cache(const std::filesystem::path& file) {
 
 bool is_cache_of(const std::filesystem::path& cache, const std::filesystem::path& log) {
   const std::string head = head_of(log);
-  const auto tags = is_slocum_binary(head) ? tags_of(head) : refuse("");
+  if (!is_slocum_binary(head)) return false;
+  const auto tags = tags_of(head);
   return tags && tags->listed == 0 && is_cache_name(cache, tags->cache_crc);
 }
 
@@ -187,12 +186,10 @@ Checked<SlocumHeader> slocum_header_of(const std::filesystem::path& log, std::st
     return SlocumHeader{std::move(*sensors), at};
   }
   if (!is_crc(tags->cache_crc))
-    return refuse(damaged_slocum_log("its tags do not name the list of its sensors"));
+    return refuse(
+        messages::ingest_track_message<"binary-log-damaged">("its tags do not name the list of its sensors"));
   const auto cache = cache_beside(log, tags->cache_crc, given);
-  if (!cache)
-    return refuse("the binary log does not list its sensors itself; their list is the file " +
-                  tags->cache_crc +
-                  ".cac, which the glider keeps in state/cache; give it together with the log");
+  if (!cache) return refuse(messages::ingest_track_message<"sensor-list-missing">(tags->cache_crc + ".cac"));
   const std::string text = slocum_bytes(*cache, most_cache_bytes).bytes;
   std::size_t in_cache = 0;
   auto sensors = sensors_in(text, in_cache, static_cast<int>(std::ranges::count(text, '\n')), tags->sensors);

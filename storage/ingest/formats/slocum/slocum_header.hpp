@@ -46,7 +46,4 @@ struct SlocumHeader {
 [[nodiscard]] Checked<SlocumHeader> slocum_header_of(const std::filesystem::path& log, std::string_view bytes,
                                                      const FileGroup& given);
 
-/// Why a binary log is refused of which `what` is damaged.
-[[nodiscard]] std::string damaged_slocum_log(std::string_view what);
-
 }  // namespace floeplan::ingest

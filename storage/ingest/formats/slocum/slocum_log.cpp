@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/messages/ingest_track_messages.hpp"
 #include "engine/simulation/logs/logged_positions.hpp"
 #include "storage/ingest/common/fault_report.hpp"
 #include "storage/ingest/files/first_bytes.hpp"
@@ -56,11 +57,11 @@ SlocumName name_in(const std::string& full, const std::string& kind) {
           .segment = std::stoi(std::string{segment})};
 }
 
-std::string reasons_of(const core::Violations& violations) {
-  std::vector<std::string> faults;
+Messages reasons_of(const core::Violations& violations) {
+  Messages faults;
   for (const auto& violation : violations)
-    faults.push_back("the log cannot be read: " + trimmed(violation.field.substr(1)) + " " + violation.rule +
-                     "; copy or convert it again");
+    faults.push_back(
+        messages::ingest_track_message<"log-unreadable">(trimmed(violation.field.substr(1)), violation.rule));
   return report_of(std::move(faults));
 }
 
@@ -90,8 +91,10 @@ std::vector<std::string_view> slocum_columns() {
 Checked<SlocumLog> take_slocum_table(SlocumLog log, simulation::LogTable table,
                                      const std::function<void(const SlocumRow&)>& take) {
   const auto positions = simulation::settle_positions(table);
-  if (!positions) return refuse(positions.error().field.substr(1) + " " + positions.error().rule);
-  if (*positions) log.warnings.push_back(**positions);
+  if (!positions)
+    return refuse(messages::ingest_track_message<"log-position-unreadable">(positions.error().field.substr(1),
+                                                                            positions.error().rule));
+  if (*positions) log.warnings.push_back(remark(**positions));
   std::array<const simulation::LogTable::Column*, slocum_sensors.size()> columns{};
   for (std::size_t i = 0; i < columns.size(); ++i) {
     log.has[i] = table.has(std::string{slocum_sensors[i]});
@@ -109,14 +112,13 @@ Checked<SlocumLog> take_slocum_table(SlocumLog log, simulation::LogTable table,
 Checked<SlocumLog> read_slocum_text(const std::filesystem::path& file,
                                     const std::function<void(const SlocumRow&)>& take) {
   if (std::filesystem::file_size(file) > most_text_bytes)
-    return refuse("the log is longer than 128 MB; convert it segment by segment and give the parts together");
+    return refuse(messages::ingest_track_message<"log-too-long">());
   std::string text = first_bytes(file, most_text_bytes);
   SlocumLog log{.name = slocum_name_of(file)};
   if (!text.ends_with('\n')) {
     text.resize(text.rfind('\n') == std::string::npos ? 0 : text.rfind('\n') + 1);
     ++log.rows_refused;
-    log.warnings.emplace_back(
-        "the last line has no end and was left out; if the log was cut short, copy it again");
+    log.warnings.push_back(messages::ingest_track_message<"log-row-left-out">());
   }
   const auto wanted = slocum_columns();
   auto table = simulation::LogTable::read(text, wanted);

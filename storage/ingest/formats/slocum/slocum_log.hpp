@@ -63,7 +63,7 @@ struct SlocumLog {
   SlocumName name;
   std::array<bool, slocum_sensors.size()> has{};  // whether the log lists the sensor
   std::int64_t rows_refused{};
-  std::vector<std::string> warnings{};
+  Messages warnings{};
 };
 
 /// The name of a log by the tags "key: value" at its beginning, else by that of its file up to the first full stop.

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "engine/messages/ingest_track_messages.hpp"
 #include "storage/ingest/files/first_bytes.hpp"
 #include "storage/ingest/formats/netcdf/measurement_line.hpp"
 
@@ -47,10 +48,8 @@ Checked<SlocumLog> read_slocum_netcdf(const std::filesystem::path& path,
   const auto file = NetcdfFile::open(path);
   if (!file) return refuse(file.error());
   const auto time = line_of(*file, "m_present_time");
-  if (!time) return refuse("the log has no m_present_time; convert it with this sensor");
-  if (time->size() > most_rows)
-    return refuse(
-        "the log has more than 2 million rows; convert it segment by segment and give the parts together");
+  if (!time) return refuse(messages::ingest_track_message<"log-without-present-time">());
+  if (time->size() > most_rows) return refuse(messages::ingest_track_message<"log-with-too-many-rows">());
   const auto rows = static_cast<std::size_t>(time->size());
   std::map<std::string, simulation::LogTable::Column> columns;
   std::map<std::string, std::string> units;

@@ -10,6 +10,7 @@
 
 #include "engine/geo/geodesic.hpp"
 #include "engine/geo/ring_turns.hpp"
+#include "engine/messages/ingest_area_messages.hpp"
 #include "storage/ingest/notation/crs_text.hpp"
 #include "storage/ingest/notation/text.hpp"
 
@@ -68,21 +69,22 @@ Checked<PolygonShapes> PolygonShapes::in(const OGRSpatialReference& crs) {
   shapes.to_wgs84_.reset(OGRCreateCoordinateTransformation(&from, &to));
   if (!shapes.to_wgs84_) {
     const char* const name = crs.GetName();
-    return refuse(std::string{"the coordinate reference system \""} +
-                  (name != nullptr ? name : "without a name") +
-                  "\" cannot be brought to WGS84; export the file again in EPSG:4326");
+    return refuse(
+        messages::ingest_area_message<"crs-not-convertible">(name != nullptr ? name : "without a name"));
   }
   return shapes;
 }
 
 Checked<geo::LonLat> PolygonShapes::place(double x, double y) const {
-  if (!std::isfinite(x) || !std::isfinite(y)) return refuse("a corner has no position");
+  if (!std::isfinite(x) || !std::isfinite(y))
+    return refuse(messages::ingest_area_message<"corner-without-position">());
   if (to_wgs84_ && to_wgs84_->Transform(1, &x, &y) == 0)
-    return refuse("the corner " + number(x) + ", " + number(y) +
-                  " lies outside its coordinate reference system");
-  if (!std::isfinite(x) || !std::isfinite(y)) return refuse("a corner has no position");
-  if (std::abs(y) > 90.0) return refuse("the latitude " + number(y, 12) + " lies beyond a pole");
-  if (std::abs(x) > 360.0) return refuse("the longitude " + number(x, 12) + " is not within -360 and 360");
+    return refuse(messages::ingest_area_message<"corner-outside-crs">(number(x), number(y)));
+  if (!std::isfinite(x) || !std::isfinite(y))
+    return refuse(messages::ingest_area_message<"corner-without-position">());
+  if (std::abs(y) > 90.0) return refuse(messages::ingest_area_message<"corner-beyond-pole">(number(y, 12)));
+  if (std::abs(x) > 360.0)
+    return refuse(messages::ingest_area_message<"corner-longitude-off">(number(x, 12)));
   return geo::LonLat{x, y};
 }
 
@@ -119,13 +121,13 @@ Checked<geo::Ring> PolygonShapes::ring(const OGRLinearRing& line) const {
     ring.push_back(*corner);
   }
   if (ring.size() > 1 && ring.front() == ring.back()) ring.pop_back();
-  if (ring.size() < 3) return refuse("a ring has fewer than three corners");
+  if (ring.size() < 3) return refuse(messages::ingest_area_message<"ring-too-short">());
   if (!straight_) return closed_over_pole(std::move(ring));
   return ring;
 }
 
 Checked<geo::Polygon> PolygonShapes::polygon(const OGRPolygon& shape) const {
-  if (shape.getExteriorRing() == nullptr) return refuse("it is empty");
+  if (shape.getExteriorRing() == nullptr) return refuse(messages::ingest_area_message<"outline-empty">());
   auto outer = ring(*shape.getExteriorRing());
   if (!outer) return refuse(outer.error());
   geo::Polygon polygon{std::move(*outer), {}};
@@ -138,7 +140,7 @@ Checked<geo::Polygon> PolygonShapes::polygon(const OGRPolygon& shape) const {
 }
 
 Checked<std::vector<geo::Polygon>> PolygonShapes::polygons(const OGRGeometry* geometry) const {
-  if (geometry == nullptr) return refuse("it has no geometry");
+  if (geometry == nullptr) return refuse(messages::ingest_area_message<"outline-missing">());
   if (geometry->hasCurveGeometry() != 0) {
     const std::unique_ptr<OGRGeometry> lines{geometry->getLinearGeometry()};
     return polygons(lines.get());
@@ -155,9 +157,9 @@ Checked<std::vector<geo::Polygon>> PolygonShapes::polygons(const OGRGeometry* ge
       if (!some) return some;
       result.insert(result.end(), some->begin(), some->end());
     }
-    if (result.empty()) return refuse("it is empty");
+    if (result.empty()) return refuse(messages::ingest_area_message<"outline-empty">());
   } else {
-    return refuse(std::string{"it is no polygon but a "} + OGRGeometryTypeToName(type));
+    return refuse(messages::ingest_area_message<"outline-not-a-polygon">(OGRGeometryTypeToName(type)));
   }
   return result;
 }
@@ -190,8 +192,7 @@ Checked<geo::Ring> closed_over_pole(geo::Ring ring) {
   const bool north = ring.front().lat_deg > 0.0;
   for (const geo::LonLat corner : ring)
     if (corner.lat_deg == 0.0 || (corner.lat_deg > 0.0) != north)
-      return refuse(
-          "an outline leads round the Earth on both sides of the equator; which side is inside is unknown");
+      return refuse(messages::ingest_area_message<"outline-round-the-earth">());
 
   const double pole_deg = north ? 90.0 : -90.0;
   const double end_deg = std::copysign(180.0, turn_deg);
@@ -222,12 +223,9 @@ Checked<OGRSpatialReference> crs_of(OGRLayer& layer, const std::optional<std::st
   if (const OGRSpatialReference* const own = layer.GetSpatialRef()) {
     crs = *own;
   } else if (!stated) {
-    return refuse(
-        std::string{"the layer \""} + layer.GetName() +
-        "\" states no coordinate reference system (of a shapefile: the .prj file is missing); its areas "
-        "could lie anywhere; give --crs, for example EPSG:4326");
+    return refuse(messages::ingest_area_message<"layer-without-crs">(layer.GetName()));
   } else if (!read_crs(*stated, crs)) {
-    return refuse("--crs " + *stated + " is no coordinate reference system that is known; as EPSG:4326");
+    return refuse(messages::ingest_area_message<"crs-flag-unknown">(*stated));
   }
   crs.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
   return crs;

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "engine/core/letter_case.hpp"
+#include "engine/messages/ingest_ice_messages.hpp"
 #include "storage/ingest/formats/vector/feature_texts.hpp"
 #include "storage/ingest/notation/text.hpp"
 
@@ -83,8 +84,7 @@ Checked<double> most_thickness(const OGRFeature& feature) {
     if (code.empty()) continue;
     const auto stage = std::ranges::find(stages, code, &Stage::code);
     if (stage == stages.end())
-      return refuse("its stage of development " + std::string{name} + " is \"" + code +
-                    "\", which SIGRID-3 has not");
+      return refuse(messages::ingest_ice_message<"stage-of-ice-unknown">(name, code));
     most_m = std::max(most_m, stage->most_m);
     named = true;
   }
@@ -109,12 +109,12 @@ Checked<std::optional<IceOfPolygon>> read_ice_codes(const OGRFeature& feature) {
   if (type == "l" || type == "n") return std::nullopt;
   if (type == "s") return IceOfPolygon{1.0, ice_shelf_thickness_m};
   if (!type.empty() && type != "i" && type != "w")
-    return refuse("its POLY_TYPE is \"" + type + "\", not I, W, L, N or S");
+    return refuse(messages::ingest_ice_message<"polygon-type-unknown">(type));
   const std::string total = code_of(feature, "ct");
   const bool undetermined = total.empty() || total == "98" || total == "99";
   if (type == "w" && undetermined) return IceOfPolygon{0.0, 0.0};
   const std::optional<double> stated = undetermined ? std::optional{1.0} : most_concentration(total);
-  if (!stated) return refuse("its total concentration CT is \"" + total + "\", which SIGRID-3 has not");
+  if (!stated) return refuse(messages::ingest_ice_message<"total-concentration-unknown">(total));
   if (*stated == 0.0) return IceOfPolygon{0.0, 0.0};
   const auto thickness_m = most_thickness(feature);
   if (!thickness_m) return refuse(thickness_m.error());

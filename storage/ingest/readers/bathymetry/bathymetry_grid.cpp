@@ -224,8 +224,8 @@ Checked<PreparedDataset> prepare_bathymetry(RawBathymetry raw, const std::option
   data.warnings = raw.warnings;
   if (const std::int64_t markers = survey.markers(); markers > 0)
     data.warnings.push_back(
-        std::to_string(markers) +
-        " values are markers for \"missing\" that the file does not declare; they were left out");
+        remark(std::to_string(markers) +
+               " values are markers for \"missing\" that the file does not declare; they were left out"));
 
   const auto range = survey.range();
   if (!range)
@@ -236,14 +236,14 @@ Checked<PreparedDataset> prepare_bathymetry(RawBathymetry raw, const std::option
                         {static_cast<double>(range->first.value), static_cast<double>(range->second.value),
                          covers_the_globe(raw.grid)});
   if (!finding) return refuse(finding.error());
-  if (const auto& warning = finding->warning) data.warnings.push_back(*warning);
+  if (const auto& warning = finding->warning) data.warnings.push_back(remark(*warning));
   if (const auto fault = fault_of_depths(raw, finding->sense, *range, survey.shoalest_cell(finding->sense)))
     return refuse(*fault);
 
   data.bounds = raw.grid.bounds();
   data.rows_accepted = static_cast<std::int64_t>(raw.grid.size());
   data.write = [grid = std::move(raw.grid), read = std::move(raw.read), survey, sense = finding->sense](
-                   sql::Connection& db, const repository::DatasetId& id) -> tl::expected<void, std::string> {
+                   sql::Connection& db, const repository::DatasetId& id) -> Checked<void> {
     repository::FieldRepository fields{db};
     fields.create(id, {grid, std::nullopt, std::nullopt});
     const auto written = for_each_band(grid, read, [&](std::size_t first_row, const RawRows& rows) {

@@ -18,7 +18,7 @@ namespace floeplan::ingest {
 struct RawBathymetry {
   ocean::HorizontalGrid grid;
   VerticalDescription description;
-  std::vector<std::string> warnings;
+  Messages warnings;
   /// So many rows of the grid from one on. Asked for each row twice where there are several bands.
   std::function<Checked<RawRows>(std::size_t first_row, std::size_t rows)> read;
 };

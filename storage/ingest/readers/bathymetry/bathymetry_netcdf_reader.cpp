@@ -117,14 +117,17 @@ Checked<PreparedDataset> read_netcdf_bathymetry(std::shared_ptr<const NetcdfFile
                                     .positive = variable->attribute("positive")},
                     .warnings = place->layout.warnings,
                     .read = {}};
-  if (unit.empty()) raw.warnings.push_back("\"" + variable->name() + "\" states no unit; taken as metres");
+  if (unit.empty())
+    raw.warnings.push_back(remark("\"" + variable->name() + "\" states no unit; taken as metres"));
   if (const Statistic statistic = statistic_of(*variable); statistic != Statistic::none)
-    raw.warnings.push_back("\"" + variable->name() + "\" holds " + in_words(statistic) +
-                           " of each cell, not its mean; the bed between may be shoaler than it says");
+    raw.warnings.push_back(
+        remark("\"" + variable->name() + "\" holds " + in_words(statistic) +
+               " of each cell, not its mean; the bed between may be shoaler than it says"));
   if (bent) {
     auto rows = rows_of_bent(*variable, *bent, *factor);
     if (!rows) return refuse(rows.error());
-    raw.warnings.push_back(bent->account + "; the shoalest of the points around each node is kept beside it");
+    raw.warnings.push_back(
+        remark(bent->account + "; the shoalest of the points around each node is kept beside it"));
     raw.read = rows_in_memory(std::move(*rows), raw.grid.x().size());
     return prepare_bathymetry(std::move(raw), options.positive);
   }

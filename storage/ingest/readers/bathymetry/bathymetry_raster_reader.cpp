@@ -270,7 +270,7 @@ Checked<PreparedDataset> prepared_raster(Views views, std::string_view driver, c
         "the file is a picture (colours), not a grid of depths; depths cannot be read from colours; give the "
         "data that the picture was drawn from");
 
-  std::vector<std::string> warnings;
+  Messages warnings;
   const auto crs = crs_of_raster(dataset, driver, options, warnings);
   if (!crs) return refuse(crs.error());
   auto frame = grid_frame_of(*crs);
@@ -284,9 +284,9 @@ Checked<PreparedDataset> prepared_raster(Views views, std::string_view driver, c
     if (!converted) return refuse(converted.error());
     frame = grid_frame_of(target).value();
     const bool geographic = std::holds_alternative<geo::GeographicFrame>(*frame);
-    warnings.push_back("the grid was resampled from \"" + std::string{crs->GetName()} + "\" to " +
-                       (geographic ? "longitude and latitude" : "a polar stereographic projection") +
-                       "; the least depth of each cell was kept beside its mean");
+    warnings.push_back(remark("the grid was resampled from \"" + std::string{crs->GetName()} + "\" to " +
+                              (geographic ? "longitude and latitude" : "a polar stereographic projection") +
+                              "; the least depth of each cell was kept beside its mean"));
     views = std::move(*converted);
   }
 

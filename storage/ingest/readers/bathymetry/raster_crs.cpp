@@ -64,7 +64,7 @@ std::string wkt_of(const OGRSpatialReference& crs) {
 }
 
 Checked<OGRSpatialReference> crs_of_raster(GDALDataset& dataset, std::string_view driver,
-                                           const IngestOptions& options, std::vector<std::string>& warnings) {
+                                           const IngestOptions& options, Messages& warnings) {
   OGRSpatialReference crs;
   crs.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
   if (const OGRSpatialReference* stated = dataset.GetSpatialRef()) {
@@ -94,9 +94,9 @@ Checked<OGRSpatialReference> crs_of_raster(GDALDataset& dataset, std::string_vie
   RasterTransform transform{};
   dataset.GetGeoTransform(transform.data());
   if (plain_text && looks_like_degrees(transform, dataset.GetRasterXSize(), dataset.GetRasterYSize())) {
-    warnings.emplace_back(
+    warnings.push_back(remark(
         "the file states no coordinate reference system; its coordinates look like degrees of longitude and "
-        "latitude and were taken as such");
+        "latitude and were taken as such"));
     crs.SetWellKnownGeogCS("WGS84");
     return crs;
   }

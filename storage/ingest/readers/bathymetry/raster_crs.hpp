@@ -25,8 +25,7 @@ using RasterTransform = std::array<double, 6>;  // GDAL's affine geotransform
 /// where a plain text's numbers look like them, which is said in `warnings`. Axes easting or longitude first.
 /// Errors   none of these; a BAG that counts downwards, unless the user says which way
 [[nodiscard]] Checked<OGRSpatialReference> crs_of_raster(GDALDataset& dataset, std::string_view driver,
-                                                         const IngestOptions& options,
-                                                         std::vector<std::string>& warnings);
+                                                         const IngestOptions& options, Messages& warnings);
 
 /// What to resample a raster to: longitude and latitude, or a polar plane for what lies round a pole or across the
 /// antimeridian, where degrees have a seam and grow too narrow. Only of what lies in high latitudes, so that the plane

@@ -109,10 +109,10 @@ Checked<void> check_head(GDALDataset& cell, std::size_t records, ChartCell& char
   if (chart.scale < 100 || chart.scale > 100'000'000)
     return refuse("the chart (S-57) does not state its scale; it is damaged; download it again");
   const auto datum = number_of(*dsid, "DSPM_SDAT");
-  chart.warnings.push_back(
+  chart.warnings.push_back(remark(
       "the depths count from the sounding datum of the chart (" +
       (datum ? "code " + number(*datum) + " of S-57's VERDAT" : std::string{"which it does not state"}) +
-      "), mostly a low water: the sea is deeper by the tide, never by mistake shoaler");
+      "), mostly a low water: the sea is deeper by the tide, never by mistake shoaler"));
   return {};
 }
 
@@ -188,11 +188,11 @@ Checked<void> read_features(GDALDataset& cell, ChartCell& chart) {
   }
   if (unstated.dangers > 0)
     chart.warnings.push_back(
-        std::to_string(unstated.dangers) +
-        " rocks, wrecks and obstructions state no depth: they count as reaching to the surface");
+        remark(std::to_string(unstated.dangers) +
+               " rocks, wrecks and obstructions state no depth: they count as reaching to the surface"));
   if (unstated.areas > 0)
-    chart.warnings.push_back(std::to_string(unstated.areas) +
-                             " depth areas state no least depth: they count as drying");
+    chart.warnings.push_back(
+        remark(std::to_string(unstated.areas) + " depth areas state no least depth: they count as drying"));
   return {};
 }
 
@@ -241,9 +241,9 @@ Checked<ChartCell> read_s57_cell(const std::filesystem::path& base) {
         "the chart (S-57) holds no coverage (M_COVR) or no depth areas (DEPARE); there is no bathymetry to "
         "store; give a cell of a navigational chart");
   const std::size_t updates = parts_of_s57(base).size() - 1;
-  chart.warnings.push_back(updates == 0
-                               ? "no update files (.001, ...) lie beside the chart: it is as first issued"
-                               : std::to_string(updates) + " updates were applied to the chart");
+  chart.warnings.push_back(
+      remark(updates == 0 ? "no update files (.001, ...) lie beside the chart: it is as first issued"
+                          : std::to_string(updates) + " updates were applied to the chart"));
   return chart;
 }
 

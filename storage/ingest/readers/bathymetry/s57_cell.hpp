@@ -26,7 +26,7 @@ struct ChartCell {
   /// land and what is built into the water; at 0 where the chart gives no depth.
   std::vector<ChartedDepth> shoals;
   int scale{};  // the denominator
-  std::vector<std::string> warnings;
+  Messages warnings;
 };
 
 /// The base cell and, beside it, its updates .001, .002, ... in order.

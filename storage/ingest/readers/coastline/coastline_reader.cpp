@@ -9,6 +9,7 @@
 
 #include "engine/geo/polygon.hpp"
 #include "engine/geo/ring_turns.hpp"
+#include "engine/messages/ingest_area_messages.hpp"
 #include "storage/ingest/formats/vector/polygon_shapes.hpp"
 #include "storage/ingest/readers/zones/feature_kind.hpp"
 #include "storage/repository/features/coastline_repository.hpp"
@@ -33,6 +34,8 @@ std::string close_over_pole(geo::Polygon& polygon) {
   return geo::doubt_in_turns(polygon);
 }
 
+std::string feature_name(int number) { return "feature " + std::to_string(number); }
+
 Checked<void> gather_land(Gathering& all, OGRLayer& layer, const IngestOptions& options) {
   const auto crs = crs_of(layer, options.crs);
   if (!crs) return refuse(crs.error());
@@ -44,13 +47,12 @@ Checked<void> gather_land(Gathering& all, OGRLayer& layer, const IngestOptions& 
     ++number_of_feature;
     auto polygons = shapes->polygons(feature->GetGeometryRef());
     if (!polygons)
-      return refuse("feature " + std::to_string(number_of_feature) +
-                    " cannot be used as land: " + polygons.error() +
-                    "; land must not go missing, so nothing was stored; correct the file and try again");
+      return refuse(about(feature_name(number_of_feature),
+                          messages::ingest_area_message<"land-unusable">(reason_of(polygons.error()))));
     for (geo::Polygon& polygon : *polygons) {
       if (const std::string doubt = close_over_pole(polygon); !doubt.empty())
-        return refuse("feature " + std::to_string(number_of_feature) + " cannot be used as land: it " +
-                      doubt + "; nothing was stored, because land must not go missing");
+        return refuse(about(feature_name(number_of_feature),
+                            messages::ingest_area_message<"land-unusable">("it " + doubt)));
       all.land.push_back(std::move(polygon));
     }
     (meaning_of(*feature) == PolygonMeaning::ice_shelf ? all.shelves : all.others) = true;
@@ -74,13 +76,13 @@ Checked<PreparedDataset> read_coastline(GDALDataset& dataset, const IngestOption
   data.kind = repository::DatasetKind::coastline;
   if (all.others) data.variables.emplace_back("land");
   if (all.shelves) data.variables.emplace_back(repository::ice_shelves_alone);
-  if (all.shelves) data.warnings.emplace_back("ice shelves are stored as land: nothing passes below them");
+  if (all.shelves) data.warnings.push_back(messages::ingest_area_message<"ice-shelves-are-land">());
   data.bounds = geo::bounding_box(corners);
   for (const geo::Polygon& polygon : all.land)
     data.bounds = geo::united(data.bounds, geo::bounding_box(polygon));
   data.rows_accepted = static_cast<std::int64_t>(all.land.size());
-  data.write = [land = std::move(all.land)](
-                   sql::Connection& db, const repository::DatasetId& id) -> tl::expected<void, std::string> {
+  data.write = [land = std::move(all.land)](sql::Connection& db,
+                                            const repository::DatasetId& id) -> Checked<void> {
     repository::CoastlineRepository{db}.insert(id, land);
     return {};
   };

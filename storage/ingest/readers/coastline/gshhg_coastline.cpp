@@ -2,6 +2,7 @@
 
 #include <functional>
 
+#include "engine/messages/ingest_area_messages.hpp"
 #include "storage/ingest/readers/coastline/gshhg_reader.hpp"
 #include "storage/repository/features/coastline_repository.hpp"
 
@@ -24,7 +25,8 @@ Checked<bool> for_each_band(const std::filesystem::path& file, const std::functi
     const double north_deg = 90.0 - band * band_deg;
     const auto land =
         read_gshhg(file, {-180.0, north_deg - band_deg + inside_deg, 180.0, north_deg - inside_deg});
-    if (!land) return refuse(land.error().field + ' ' + land.error().rule);
+    if (!land)
+      return refuse(messages::ingest_area_message<"gshhg-damaged">(land.error().field, land.error().rule));
     use(*land);
   }
   return true;
@@ -44,10 +46,8 @@ Checked<PreparedDataset> read_gshhg_coastline(const std::filesystem::path& file,
   };
   if (const auto read = for_each_band(file, count, checking); !read) return refuse(read.error());
 
-  data.warnings.emplace_back(
-      "GSHHG has gross errors in north Greenland and at old glacier fronts; not for navigation");
-  data.write = [file, progress](sql::Connection& db,
-                                const repository::DatasetId& id) -> tl::expected<void, std::string> {
+  data.warnings.push_back(messages::ingest_area_message<"gshhg-is-rough">());
+  data.write = [file, progress](sql::Connection& db, const repository::DatasetId& id) -> Checked<void> {
     repository::CoastlineRepository repository{db};
     const auto writing = [&](double share) {
       if (progress) progress("storing the coastline", checking_share + (1.0 - checking_share) * share);

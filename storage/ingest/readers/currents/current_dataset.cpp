@@ -65,9 +65,8 @@ Checked<bool> for_each_level(const StoredCurrents& currents, std::size_t time, c
   return true;
 }
 
-tl::expected<void, std::string> write_currents(const StoredCurrents& currents,
-                                               const core::ProgressCallback& progress, sql::Connection& db,
-                                               const repository::DatasetId& id) {
+Checked<void> write_currents(const StoredCurrents& currents, const core::ProgressCallback& progress,
+                             sql::Connection& db, const repository::DatasetId& id) {
   repository::FieldRepository fields{db};
   std::optional<ocean::Axis> depths;
   if (currents.depths_m) depths = ocean::Axis{*currents.depths_m};
@@ -208,26 +207,28 @@ Checked<PreparedDataset> prepare_currents(CurrentInput input, const core::Progre
   data.variables = std::move(input.variables);
   data.warnings = std::move(input.warnings);
   if (found->undeclared_fill > 0)
-    data.warnings.push_back(std::to_string(found->undeclared_fill) +
-                            " values are markers for \"missing\" that the file does not declare, or lie "
-                            "outside its valid range; they were "
-                            "left out");
-  for (std::string& told : words_of_flags(found->flagged)) data.warnings.push_back(std::move(told));
-  if (!found->doubt.empty()) data.warnings.push_back(found->doubt);
+    data.warnings.push_back(
+        remark(std::to_string(found->undeclared_fill) +
+               " values are markers for \"missing\" that the file does not declare, or lie "
+               "outside its valid range; they were "
+               "left out"));
+  for (std::string& told : words_of_flags(found->flagged)) data.warnings.push_back(remark(std::move(told)));
+  if (!found->doubt.empty()) data.warnings.push_back(remark(found->doubt));
   if (found->land)
     data.warnings.push_back(
-        "no value of the currents is missing, but " + number(100.0 * found->land->share(), 3) +
-        " % of their nodes are exactly zero at all times and lie together; taken as land");
-  if (auto above = above_the_first_level(*currents)) data.warnings.push_back(std::move(*above));
+        remark("no value of the currents is missing, but " + number(100.0 * found->land->share(), 3) +
+               " % of their nodes are exactly zero at all times and lie together; taken as land"));
+  if (auto above = above_the_first_level(*currents)) data.warnings.push_back(remark(std::move(*above)));
   if (shape.levels_follow_bed)
-    data.warnings.push_back("the model's " + std::to_string(shape.levels) +
-                            " levels follow the sea bed; the currents were interpolated to " +
-                            std::to_string(currents->levels()) + " depths below the surface, from 0 to " +
-                            number(currents->depths_m->back()) + " m");
+    data.warnings.push_back(remark("the model's " + std::to_string(shape.levels) +
+                                   " levels follow the sea bed; the currents were interpolated to " +
+                                   std::to_string(currents->levels()) +
+                                   " depths below the surface, from 0 to " +
+                                   number(currents->depths_m->back()) + " m"));
   if (currents->resampling) {
     auto account = account_of_resampling(*currents, input);
     if (!account) return refuse(account.error());
-    data.warnings.push_back(std::move(*account));
+    data.warnings.push_back(remark(std::move(*account)));
   }
   data.bounds = currents->grid.bounds();
   data.rows_accepted = static_cast<std::int64_t>(currents->grid.size());

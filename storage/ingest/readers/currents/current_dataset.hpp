@@ -23,7 +23,7 @@ struct CurrentInput {
   std::string layout;                         // of a source that is resampled, in words
   std::vector<std::string> variables;
   bool states_unit{true};
-  std::vector<std::string> warnings;
+  Messages warnings;
 };
 
 /// Reads the source once to check every value and a second time to write it, slice by slice, so memory holds a few

@@ -217,7 +217,7 @@ Checked<Arrangement> arrangement_of(const NetcdfFiles& files, const VelocityPair
 /// Directions of the components: none to turn where they already point east and north.
 Checked<GridDirections> directions_for(const NetcdfFiles& files, const VelocityPair& pair,
                                        const ComponentPlane& first, const Arrangement& arrangement,
-                                       const CentreTables& tables, std::vector<std::string>& warnings) {
+                                       const CentreTables& tables, Messages& warnings) {
   const FallingAxes falling{falls(*pair.first_file, pair.first->dimensions()[first.dimensions.x]),
                             falls(*pair.first_file, pair.first->dimensions()[first.dimensions.y])};
   const auto stated = tables.angle(files);
@@ -243,16 +243,16 @@ Checked<GridDirections> directions_for(const NetcdfFiles& files, const VelocityP
   }
   if (!straight)
     warnings.push_back(
-        "\"" + pair.first->name() + "\" and \"" + pair.second->name() +
-        "\" point along the axes of the model's grid; they were turned to east and north, by up to " +
-        number(directions->largest_turn_deg(), 3) + " degrees");
+        remark("\"" + pair.first->name() + "\" and \"" + pair.second->name() +
+               "\" point along the axes of the model's grid; they were turned to east and north, by up to " +
+               number(directions->largest_turn_deg(), 3) + " degrees"));
   return directions;
 }
 
 }  // namespace
 
 Checked<MeshCurrents> curvilinear_currents(const NetcdfFiles& files, const VelocityPair& pair,
-                                           std::vector<std::string>& warnings) {
+                                           Messages& warnings) {
   auto first = plane_with_positions(files, *pair.first_file, *pair.first, GridPoints::first_component);
   if (!first) return refuse(first.error());
   auto second = plane_with_positions(files, *pair.second_file, *pair.second, GridPoints::second_component);

@@ -23,6 +23,6 @@ struct MeshCurrents {
 /// Errors   no tables of positions; components that do not say what they are along; levels that cannot be placed; see
 ///          staggering_of and directions_of
 [[nodiscard]] Checked<MeshCurrents> curvilinear_currents(const NetcdfFiles& files, const VelocityPair& pair,
-                                                         std::vector<std::string>& warnings);
+                                                         Messages& warnings);
 
 }  // namespace floeplan::ingest

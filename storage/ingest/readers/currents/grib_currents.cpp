@@ -215,16 +215,17 @@ Checked<PreparedDataset> read_velocities(const std::filesystem::path& file, Movi
   input.what = what;
   input.variables = {"u", "v"};
   if (!contents->layers.empty())
-    input.warnings.push_back("the currents are means over layers of the water (" + contents->layers +
-                             "); each was placed at the middle of its layer, and within a layer the current "
-                             "may be much stronger or run another way");
+    input.warnings.push_back(
+        remark("the currents are means over layers of the water (" + contents->layers +
+               "); each was placed at the middle of its layer, and within a layer the current "
+               "may be much stronger or run another way"));
   std::optional<GridDirections> directions;
   if (contents->along_grid && !place->grid) {
     directions = std::move(place->directions);
     input.warnings.push_back(
-        std::string{what == Moving::sea ? "the currents point" : "the wind points"} +
-        " along the axes of the grid, as the file says; it was turned to east and north, by up to " +
-        number(directions->largest_turn_deg(), 3) + " degrees");
+        remark(std::string{what == Moving::sea ? "the currents point" : "the wind points"} +
+               " along the axes of the grid, as the file says; it was turned to east and north, by up to " +
+               number(directions->largest_turn_deg(), 3) + " degrees"));
   }
   if (place->grid) {
     input.grid = place->grid;

@@ -133,8 +133,7 @@ std::vector<SourceMesh::Cell> split_faces(const MeshTopology& mesh) {
 
 }  // namespace
 
-Checked<MeshCurrents> mesh_currents(const NetcdfFiles& files, const VelocityPair& pair,
-                                    std::vector<std::string>& warnings) {
+Checked<MeshCurrents> mesh_currents(const NetcdfFiles& files, const VelocityPair& pair, Messages& warnings) {
   if (pair.axes == VelocityAxes::grid)
     return refuse(
         "\"" + pair.first->name() + "\" and \"" + pair.second->name() +

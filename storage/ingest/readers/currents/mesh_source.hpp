@@ -14,6 +14,6 @@ namespace floeplan::ingest {
 ///                its nodes, which take the mean of the faces round them
 /// Errors   see mesh_topology; components along anything else than east and north; levels that cannot be placed
 [[nodiscard]] Checked<MeshCurrents> mesh_currents(const NetcdfFiles& files, const VelocityPair& pair,
-                                                  std::vector<std::string>& warnings);
+                                                  Messages& warnings);
 
 }  // namespace floeplan::ingest

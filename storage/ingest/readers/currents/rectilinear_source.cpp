@@ -107,7 +107,7 @@ class RectilinearSource : public VelocitySource {
 
 Checked<RectilinearCurrents> rectilinear_currents(const NetcdfFiles& files, const VelocityPair& pair,
                                                   const std::optional<std::string>& stated_crs,
-                                                  std::vector<std::string>& warnings) {
+                                                  Messages& warnings) {
   auto layout = layout_of(*pair.first_file, *pair.first);
   if (!layout) return refuse(layout.error());
   auto second_layout = layout_of(*pair.second_file, *pair.second);
@@ -132,13 +132,14 @@ Checked<RectilinearCurrents> rectilinear_currents(const NetcdfFiles& files, cons
         "sea_water_x_velocity)");
   if (layout->projected && pair.axes == VelocityAxes::grid) {
     directions = x_directions_of(*grid);
-    warnings.push_back("\"" + pair.first->name() + "\" and \"" + pair.second->name() +
-                       "\" point along the axes of the projected grid; they were turned to east and north");
+    warnings.push_back(
+        remark("\"" + pair.first->name() + "\" and \"" + pair.second->name() +
+               "\" point along the axes of the projected grid; they were turned to east and north"));
   }
   if (!layout->projected && pair.axes == VelocityAxes::grid)
     warnings.push_back(
-        "\"" + pair.first->name() + "\" and \"" + pair.second->name() +
-        "\" point along the axes of the model's grid, which here run along parallels and meridians");
+        remark("\"" + pair.first->name() + "\" and \"" + pair.second->name() +
+               "\" point along the axes of the model's grid, which here run along parallels and meridians"));
 
   warnings.insert(warnings.end(), layout->warnings.begin(), layout->warnings.end());
   auto first = VelocityComponent::of(*pair.first_file, *pair.first, std::move(*layout), warnings);

@@ -24,6 +24,6 @@ struct RectilinearCurrents {
 [[nodiscard]] Checked<RectilinearCurrents> rectilinear_currents(const NetcdfFiles& files,
                                                                 const VelocityPair& pair,
                                                                 const std::optional<std::string>& stated_crs,
-                                                                std::vector<std::string>& warnings);
+                                                                Messages& warnings);
 
 }  // namespace floeplan::ingest

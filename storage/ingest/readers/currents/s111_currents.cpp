@@ -182,7 +182,7 @@ Checked<PreparedDataset> read_s111_currents(const std::filesystem::path& file,
 
   CurrentInput input;
   input.variables = {speed_name, direction_name};
-  if (!level->warning.empty()) input.warnings.push_back(level->warning);
+  if (!level->warning.empty()) input.warnings.push_back(remark(level->warning));
   input.grid = currents->grid;
   input.source =
       std::make_shared<const S111Source>(std::move(*currents), std::move(*times), level->depth_m, *unit_m_s);

@@ -112,26 +112,25 @@ void place_by_words(CurrentInput& input, const VelocityPair& pair) {
   if (shape.depths_m || shape.levels_follow_bed) return;
   const std::string names = "\"" + pair.first->name() + "\" and \"" + pair.second->name() + "\"";
   if (pair.depth_m) {
-    input.warnings.push_back(names + " are currents at a depth of " + number(*pair.depth_m) +
-                             " m, as they say themselves; nothing is known of the water below it");
+    input.warnings.push_back(remark(names + " are currents at a depth of " + number(*pair.depth_m) +
+                                    " m, as they say themselves; nothing is known of the water below it"));
     input.source = one_level(std::move(input.source), 0, *pair.depth_m);
   } else if (pair.part == WaterPart::surface) {
     input.warnings.push_back(
-        names +
-        " are currents of the surface alone; they were stored at depth 0, and a plan for "
-        "deeper dives has to take them all the way down");
+        remark(names + " are currents of the surface alone; they were stored at depth 0, and a plan for "
+                       "deeper dives has to take them all the way down"));
     input.source = one_level(std::move(input.source), 0, 0.0);
   } else if (pair.part == WaterPart::column_mean) {
-    input.warnings.push_back(
+    input.warnings.push_back(remark(
         names +
         " are means over the whole water column or a part of it; they were stored as the same at every "
-        "depth, but near the surface the current may be much stronger or run another way");
+        "depth, but near the surface the current may be much stronger or run another way"));
   } else {
-    input.warnings.push_back(
+    input.warnings.push_back(remark(
         names +
         " state no depth; they were stored as the same at every depth; if they are those of one depth alone, "
         "state it, for example with ncap2 -s 'depth=0.0; depth@standard_name=\"depth\"; depth@units=\"m\"' "
-        "IN.nc OUT.nc");
+        "IN.nc OUT.nc"));
   }
 }
 

@@ -67,9 +67,9 @@ Checked<CurrentInput> open_wind(const std::shared_ptr<const NetcdfFile>& file,
   const auto level = level_at_10_m(shape);
   if (!level) return refuse(level.error());
   if (!shape.depths_m && !names_ten_metres(*pair->first))
-    input->warnings.push_back("the file does not say at which height the wind of \"" + pair->first->name() +
-                              "\" and \"" + pair->second->name() +
-                              "\" is known; it was taken for the wind 10 m above the sea");
+    input->warnings.push_back(remark("the file does not say at which height the wind of \"" +
+                                     pair->first->name() + "\" and \"" + pair->second->name() +
+                                     "\" is known; it was taken for the wind 10 m above the sea"));
   input->source = one_level(std::move(input->source), *level, std::nullopt);
   return input;
 }

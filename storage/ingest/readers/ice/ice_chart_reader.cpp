@@ -7,6 +7,7 @@
 #include <set>
 
 #include "engine/core/utc_text.hpp"
+#include "engine/messages/ingest_ice_messages.hpp"
 #include "storage/ingest/common/fault_report.hpp"
 #include "storage/ingest/formats/vector/feature_texts.hpp"
 #include "storage/ingest/formats/vector/polygon_shapes.hpp"
@@ -24,16 +25,12 @@ constexpr double thickest_level_m = 20.0;  // of sea ice that froze in place
 
 /// The moment of the chart, and a warning where only its name tells it.
 Checked<core::UtcTime> chart_time(const std::filesystem::path& file, const IngestOptions& options,
-                                  std::vector<std::string>& warnings) {
+                                  Messages& warnings) {
   if (options.time) return *options.time;
   std::optional<core::UtcTime> time = time_in_name(file.stem().string());
   if (!time && options.archive) time = time_in_name(*options.archive);
-  if (!time)
-    return refuse(
-        "the chart does not say for which time its ice holds; a plan needs to know; give --time, for example "
-        "2026-11-20T18:00:00Z");
-  warnings.push_back("the chart's time, " + core::iso8601(*time) +
-                     ", was read from its file's name; state it with --time if it is another one");
+  if (!time) return refuse(messages::ingest_ice_message<"chart-time-missing">());
+  warnings.push_back(messages::ingest_ice_message<"chart-time-from-name">(*time));
   return *time;
 }
 
@@ -44,14 +41,14 @@ Checked<std::optional<IceOfPolygon>> plain_ice(const OGRFeature& feature) {
   if (!text) return IceOfPolygon{1.0, std::nullopt};
   const auto thickness_m = parse_number(*text);
   if (!thickness_m || *thickness_m < 0.0 || *thickness_m > thickest_level_m)
-    return refuse("its thickness is \"" + *text + "\", not a number of metres from 0 to 20");
+    return refuse(messages::ingest_ice_message<"ice-thickness-not-a-number">(*text));
   return IceOfPolygon{1.0, thickness_m};
 }
 
 /// Polygons as they are gathered, and everything that is wrong with them.
 struct ChartGathering {
   std::vector<IcePolygon> polygons;
-  std::vector<std::string> faults;
+  Messages faults;
   bool coded{false};
   bool uncoded{false};
 };
@@ -62,12 +59,11 @@ void gather_ice(ChartGathering& all, const OGRFeature& feature, const std::strin
   const bool coded = states_ice_codes(feature);
   (coded ? all.coded : all.uncoded) = true;
   const auto ice = coded ? read_ice_codes(feature) : plain_ice(feature);
-  if (!ice)
-    return all.faults.push_back(label + ": " + ice.error() + "; correct it, or leave the polygon out");
+  if (!ice) return all.faults.push_back(about(label, ice.error().front()));
   if (!*ice || geometry == nullptr) return;  // land and what was not looked at
   if (OGR_GT_IsSubClassOf(wkbFlatten(geometry->getGeometryType()), wkbSurface) == 0 &&
       OGR_GT_IsSubClassOf(wkbFlatten(geometry->getGeometryType()), wkbMultiSurface) == 0)
-    return all.faults.push_back(label + ": it is no polygon; leave it out");
+    return all.faults.push_back(about(label, messages::ingest_ice_message<"ice-not-a-polygon">()));
   std::unique_ptr<OGRGeometry> area{geometry->getLinearGeometry()};
   area->assignSpatialReference(&crs);
   all.polygons.push_back({std::move(area), **ice});
@@ -86,13 +82,9 @@ Checked<ChartGathering> gather_polygons(GDALDataset& dataset, const IngestOption
     for (const auto& feature : *layer)
       gather_ice(all, *feature, "polygon " + std::to_string(++number_of_feature), *counted);
   }
-  if (all.coded && all.uncoded)
-    all.faults.emplace_back(
-        "some polygons have the codes of SIGRID-3 and some have none; what these mean is unknown; put them "
-        "into a file "
-        "of their own");
+  if (all.coded && all.uncoded) all.faults.push_back(messages::ingest_ice_message<"ice-codes-mixed">());
   if (all.polygons.empty() && all.faults.empty())
-    all.faults.emplace_back("the chart holds neither ice nor water, only land; there is nothing to store");
+    all.faults.push_back(messages::ingest_ice_message<"chart-of-land-only">());
   return all;
 }
 
@@ -111,17 +103,15 @@ Checked<PreparedDataset> read_ice_polygons(GDALDataset& dataset, const std::file
   auto raster = lay_on_grid(std::move(gathered->polygons));
   if (!raster) return refuse(raster.error());
 
-  data.warnings.push_back(
-      coded ? "of each range of the chart's codes the upper end is stored; old ice has none, its "
-              "keels are assumed"
-            : "all of each polygon is taken as ice; outside the polygons nothing is known");
+  data.warnings.push_back(coded ? messages::ingest_ice_message<"upper-ends-stored">()
+                                : messages::ingest_ice_message<"whole-polygons-are-ice">());
   data.variables = coded ? std::vector<std::string>{"CT", "SA"} : std::vector<std::string>{"ice"};
   data.bounds = raster->grid.bounds();
   data.rows_accepted = static_cast<std::int64_t>(raster->grid.size());
   data.time_start = *time;
   data.time_end = *time;
-  data.write = [raster = std::move(*raster), time = *time](
-                   sql::Connection& db, const repository::DatasetId& id) -> tl::expected<void, std::string> {
+  data.write = [raster = std::move(*raster), time = *time](sql::Connection& db,
+                                                           const repository::DatasetId& id) -> Checked<void> {
     repository::FieldRepository fields{db};
     fields.create(id, {raster.grid, std::nullopt, ocean::Axis{{core::unix_seconds(time)}}});
     fields.write_slice(id, "concentration", 0, 0, raster.concentration);

@@ -10,6 +10,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "engine/messages/ingest_ice_messages.hpp"
 #include "storage/ingest/common/gdal_guard.hpp"
 #include "storage/ingest/common/missing_value.hpp"
 #include "storage/ingest/formats/vector/polygon_shapes.hpp"
@@ -61,13 +62,11 @@ Checked<OGREnvelope> project(std::vector<IcePolygon>& polygons, OGRSpatialRefere
   OGREnvelope box;
   for (IcePolygon& polygon : polygons) {
     if (polygon.area->transformTo(&target) != OGRERR_NONE)
-      return refuse(
-          "a polygon has corners that cannot be brought to the polar projection; export it in EPSG:4326");
+      return refuse(messages::ingest_ice_message<"ice-not-projectable">());
     OGREnvelope own;
     polygon.area->getEnvelope(&own);
     if (!std::isfinite(own.MinX + own.MaxX + own.MinY + own.MaxY))
-      return refuse(
-          "a polygon has corners that cannot be brought to the polar projection; export it in EPSG:4326");
+      return refuse(messages::ingest_ice_message<"ice-not-projectable">());
     box.Merge(own);
   }
   return box;
@@ -151,16 +150,12 @@ Checked<bool> prepare_polygons(std::vector<IcePolygon>& polygons) {
     const std::unique_ptr<OGRGeometry> degrees{polygon.area->clone()};
     OGREnvelope box;
     if (degrees->transformTo(wgs84.get()) != OGRERR_NONE)
-      return refuse("a polygon has corners that are no places; export the file again in EPSG:4326");
+      return refuse(messages::ingest_ice_message<"ice-corners-off-the-earth">());
     degrees->getEnvelope(&box);
     north = north || box.MaxY > 0.0;
     south = south || box.MinY < 0.0;
   }
-  if (north && south)
-    return refuse(
-        "the ice lies on both sides of the equator; the grid that it is stored on has one pole; put each "
-        "hemisphere "
-        "into a file of its own");
+  if (north && south) return refuse(messages::ingest_ice_message<"ice-on-both-hemispheres">());
   return north;
 }
 

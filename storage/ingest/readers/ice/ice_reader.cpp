@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/messages/ingest_ice_messages.hpp"
 #include "storage/ingest/common/grid_limits.hpp"
 #include "storage/ingest/common/missing_value.hpp"
 #include "storage/ingest/formats/netcdf/netcdf_layout.hpp"
@@ -62,19 +63,18 @@ Checked<Found> look_through(const Quantity& quantity, const NetcdfLayout& layout
     }
   }
   if (found.values == 0)
-    return refuse("every value of \"" + quantity.variable->name() +
-                  "\" is missing; there is nothing to store; check the area and the period of your download");
+    return refuse(messages::ingest_ice_message<"ice-all-missing">(quantity.variable->name()));
   return found;
 }
 
-void warn_of_marks(const Quantity& quantity, const Found& found, std::vector<std::string>& warnings) {
+void warn_of_marks(const Quantity& quantity, const Found& found, Messages& warnings) {
   if (found.undeclared > 0)
-    warnings.push_back(std::to_string(found.undeclared) + " values of \"" + quantity.variable->name() +
-                       "\" are marks for land, gaps or missing values; they were left out");
+    warnings.push_back(
+        messages::ingest_ice_message<"ice-marks-left-out">(found.undeclared, quantity.variable->name()));
 }
 
 Checked<Quantity> concentration_of(const NetcdfVariable& variable, const NetcdfLayout& layout,
-                                   std::vector<std::string>& warnings) {
+                                   Messages& warnings) {
   const auto stated = stated_unit_of_concentration(variable);
   if (!stated) return refuse(stated.error());
   Quantity quantity{&variable, MissingMarks{variable}, *stated};
@@ -88,7 +88,7 @@ Checked<Quantity> concentration_of(const NetcdfVariable& variable, const NetcdfL
 }
 
 Checked<Quantity> thickness_of(const NetcdfVariable& variable, bool is_draft, const NetcdfLayout& layout,
-                               std::vector<std::string>& warnings) {
+                               Messages& warnings) {
   const auto unit = unit_of_thickness(variable, warnings);
   if (!unit) return refuse(unit.error());
   Quantity quantity{&variable, MissingMarks{variable}, *unit};
@@ -98,8 +98,7 @@ Checked<Quantity> thickness_of(const NetcdfVariable& variable, bool is_draft, co
   warn_of_marks(quantity, *found, warnings);
   if (is_draft) {
     quantity.unit.factor *= thickness_over_draft;
-    warnings.push_back("\"" + variable.name() +
-                       "\" is a draft; stored as the thickness of ice that floats so deep");
+    warnings.push_back(messages::ingest_ice_message<"draft-stored-as-thickness">(variable.name()));
   }
   return quantity;
 }
@@ -120,8 +119,8 @@ Checked<std::vector<float>> read_greatest(const std::vector<Quantity>& quantitie
   return result;
 }
 
-tl::expected<void, std::string> write(const IceSource& source, const core::ProgressCallback& progress,
-                                      sql::Connection& db, const repository::DatasetId& id) {
+Checked<void> write(const IceSource& source, const core::ProgressCallback& progress, sql::Connection& db,
+                    const repository::DatasetId& id) {
   repository::FieldRepository fields{db};
   fields.create(id, {source.grid, std::nullopt, ocean::Axis{source.layout.times_s->nodes}});
   for (std::size_t time = 0; time < source.times(); ++time) {
@@ -143,12 +142,8 @@ tl::expected<void, std::string> write(const IceSource& source, const core::Progr
 
 /// The user's word counts where the file has none: daily charts often carry their date in the name alone.
 Checked<bool> settle_time(NetcdfLayout& layout, const std::optional<core::UtcTime>& stated) {
-  if (layout.times_s && stated)
-    layout.warnings.emplace_back("the file says itself when its ice was seen; --time was not used");
-  if (!layout.times_s && !stated)
-    return refuse(
-        "the file does not say when its ice was seen; a plan needs to know; say it with --time, for example "
-        "--time 2026-11-20T12:00:00Z");
+  if (layout.times_s && stated) layout.warnings.push_back(messages::ingest_ice_message<"ice-time-in-file">());
+  if (!layout.times_s && !stated) return refuse(messages::ingest_ice_message<"ice-time-missing">());
   if (!layout.times_s) layout.times_s = AxisNodes{{core::unix_seconds(*stated)}, {0}};
   return true;
 }
@@ -158,29 +153,24 @@ Checked<NetcdfLayout> layout_of_ice(NetcdfLayout layout, const NetcdfVariable& v
                                     const std::optional<core::UtcTime>& stated_time) {
   if (const auto settled = settle_time(layout, stated_time); !settled) return refuse(settled.error());
   if (layout.depths_m && layout.depths_m->nodes.size() > 1)
-    return refuse(
-        "the concentration \"" + variable.name() +
-        "\" has several depths; sea ice has none; give the variable of the whole ice with --variable");
+    return refuse(messages::ingest_ice_message<"ice-with-depths">(variable.name()));
   if (layout.depths_m && layout.depths_m->nodes.front() > deepest_top_level_m)
-    return refuse("the concentration \"" + variable.name() + "\" is given for a depth of " +
-                  number(layout.depths_m->nodes.front()) +
-                  " m, where there is no sea ice; the file is not what it says; ask the producer");
+    return refuse(messages::ingest_ice_message<"ice-at-depth">(variable.name(),
+                                                               number(layout.depths_m->nodes.front())));
   const std::uint64_t nodes = layout.x.nodes.size() * layout.y.nodes.size();
   if (layout.times_s->nodes.size() > max_grid_values / nodes)
-    return refuse("the file holds " + std::to_string(layout.times_s->nodes.size()) + " times of " +
-                  std::to_string(nodes) +
-                  " nodes, more than this program accepts; cut out your area and period first");
+    return refuse(messages::ingest_ice_message<"ice-too-large">(layout.times_s->nodes.size(), nodes));
   return layout;
 }
 
 Checked<IceSource> open_source(const std::shared_ptr<const NetcdfFile>& file, const IngestOptions& options,
-                               std::vector<std::string>& warnings) {
+                               Messages& warnings) {
   const auto ice = find_ice(*file, options.variable);
   if (!ice) return refuse(ice.error());
   const NetcdfVariable& first = *ice->concentrations.front();
   auto place = place_of(file, first, options.crs);
   if (!place) return refuse(place.error());
-  if (place->bent) warnings.push_back(place->bent->account);
+  if (place->bent) warnings.push_back(remark(place->bent->account));
   auto layout = layout_of_ice(std::move(place->layout), first, options.time);
   if (!layout) return refuse(layout.error());
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "engine/messages/ingest_ice_messages.hpp"
 #include "storage/ingest/notation/cf_units.hpp"
 #include "storage/ingest/notation/text.hpp"
 
@@ -58,74 +59,62 @@ Checked<IceUnit> stated_unit_of_concentration(const NetcdfVariable& variable) {
     return with_declared_overshoot(unit_with(1.0), variable);
   if (is_one_of(unit, {"%", "percent", "per cent", "pct", "1e-2", "0.01"})) return unit_with(0.01);
   if (is_one_of(unit, {"tenths", "1/10", "0.1"})) return unit_with(0.1);
-  return refuse("the concentration \"" + variable.name() + "\" has the unit \"" +
-                variable.attribute("units") +
-                "\", which is no share that this program knows; ask for shares of 1 or percent");
+  return refuse(messages::ingest_ice_message<"concentration-unit-unknown">(variable.name(),
+                                                                           variable.attribute("units")));
 }
 
 Checked<IceUnit> settled_unit_of_concentration(const NetcdfVariable& variable, IceUnit stated,
-                                               const Found& found, std::vector<std::string>& warnings) {
+                                               const Found& found, Messages& warnings) {
   const std::string name = "the concentration \"" + variable.name() + "\"";
   const double greatest = found.extent.greatest;
   if (stated.factor > 0.0) {
     if (!stated.possible.contains(found.extent.least) || !stated.possible.contains(greatest))
-      return refuse(
-          name + " states the unit \"" + variable.attribute("units") + "\" but runs from " +
-          extent_text(found) +
-          "; either the unit is wrong or markers for land and missing values are not declared; ask "
-          "the producer, correct the attributes (units, _FillValue, valid_range), or name the marker with "
-          "--missing");
+      return refuse(messages::ingest_ice_message<"concentration-off-scale">(
+          variable.name(), variable.attribute("units"), extent_text(found)));
     const bool looks_like_shares =
         stated.factor < 1.0 && greatest > 0.0 && greatest <= 1.0 && !found.whole_numbers;
     if (looks_like_shares && declares_shares(variable)) {
-      warnings.push_back(name + " states the unit \"" + variable.attribute("units") +
-                         "\", but its greatest valid value is 1: taken as shares of 1");
+      warnings.push_back(messages::ingest_ice_message<"concentration-taken-as-shares">(
+          variable.name(), variable.attribute("units")));
       return unit_with(1.0);
     }
     if (looks_like_shares)
-      return refuse(name + " states the unit \"" + variable.attribute("units") + "\" but reaches only " +
-                    number(greatest) +
-                    ", as shares of 1 would; open water and closed ice must not be mixed up; correct the "
-                    "units attribute, or ask the producer");
+      return refuse(messages::ingest_ice_message<"concentration-like-shares">(
+          variable.name(), variable.attribute("units"), number(greatest)));
     return stated;
   }
 
   if (greatest > 1.5 && stated.possible.contains(greatest) && stated.possible.contains(found.extent.least)) {
-    warnings.push_back(name + " states no unit; it runs from " + extent_text(found) + ": taken as percent");
+    warnings.push_back(messages::ingest_ice_message<"concentration-without-unit">(
+        variable.name(), extent_text(found), "percent"));
     return unit_with(0.01);
   }
   const IceUnit shares = unit_with(1.0);
   const bool few_per_cent_possible = greatest <= 0.15;
   if (shares.possible.contains(greatest) && shares.possible.contains(found.extent.least) &&
       !few_per_cent_possible) {
-    warnings.push_back(name + " states no unit; it runs from " + extent_text(found) +
-                       ": taken as shares of 1");
+    warnings.push_back(messages::ingest_ice_message<"concentration-without-unit">(
+        variable.name(), extent_text(found), "shares of 1"));
     return shares;
   }
-  return refuse(name + " states no unit and runs from " + extent_text(found) +
-                "; whether these are shares of 1 or percent is unclear; add the units attribute, or ask the "
-                "producer");
+  return refuse(
+      messages::ingest_ice_message<"concentration-unit-unclear">(variable.name(), extent_text(found)));
 }
 
-Checked<IceUnit> unit_of_thickness(const NetcdfVariable& variable, std::vector<std::string>& warnings) {
+Checked<IceUnit> unit_of_thickness(const NetcdfVariable& variable, Messages& warnings) {
   const std::string text = variable.attribute("units");
   const auto factor = text.empty() ? std::optional{1.0} : length_factor(text);
-  if (!factor)
-    return refuse("the thickness \"" + variable.name() + "\" has the unit \"" + text +
-                  "\", which is no length that this program knows; ask for metres");
+  if (!factor) return refuse(messages::ingest_ice_message<"thickness-unit-unknown">(variable.name(), text));
   if (text.empty())
-    warnings.push_back("the thickness \"" + variable.name() + "\" states no unit; taken as metres");
+    warnings.push_back(messages::ingest_ice_message<"thickness-without-unit">(variable.name()));
   return IceUnit{*factor, {-thickness_rounding_m / *factor, thickest_m / *factor}};
 }
 
 Checked<bool> check_thickness(const NetcdfVariable& variable, const IceUnit& unit, const Found& found) {
   if (unit.possible.contains(found.extent.least) && unit.possible.contains(found.extent.greatest))
     return true;
-  return refuse("the thickness \"" + variable.name() + "\" runs from " + extent_text(found) + " " +
-                variable.attribute("units") +
-                "; no sea ice does; the unit is wrong or missing values are not declared; ask the producer, "
-                "or name what marks "
-                "them with --missing");
+  return refuse(messages::ingest_ice_message<"thickness-off-scale">(variable.name(), extent_text(found),
+                                                                    variable.attribute("units")));
 }
 
 }  // namespace floeplan::ingest

@@ -33,12 +33,10 @@ struct IceUnit {
 /// percent if only one of both is possible.
 /// Errors   values that contradict the unit, or leave it open
 [[nodiscard]] Checked<IceUnit> settled_unit_of_concentration(const NetcdfVariable& variable, IceUnit stated,
-                                                             const Found& found,
-                                                             std::vector<std::string>& warnings);
+                                                             const Found& found, Messages& warnings);
 
 /// Metres in one of the unit of a thickness; without a unit metres, said in `warnings`.
-[[nodiscard]] Checked<IceUnit> unit_of_thickness(const NetcdfVariable& variable,
-                                                 std::vector<std::string>& warnings);
+[[nodiscard]] Checked<IceUnit> unit_of_thickness(const NetcdfVariable& variable, Messages& warnings);
 
 /// Errors   thicker than any sea ice
 [[nodiscard]] Checked<bool> check_thickness(const NetcdfVariable& variable, const IceUnit& unit,

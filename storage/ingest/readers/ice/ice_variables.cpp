@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string_view>
 
+#include "engine/messages/ingest_ice_messages.hpp"
 #include "storage/ingest/formats/netcdf/netcdf_layout.hpp"
 #include "storage/ingest/formats/netcdf/variable_meaning.hpp"
 #include "storage/ingest/notation/text.hpp"
@@ -119,17 +120,15 @@ bool holds_ice(const NetcdfFile& file) { return !all_of(file, concentration_of_i
 
 bool holds_ice_thickness(const NetcdfFile& file) { return !all_of(file, thickness_of_ice).empty(); }
 
-std::string ice_left_out(const NetcdfFile& file) {
+std::optional<messages::Message> ice_left_out(const NetcdfFile& file) {
   for (const NetcdfVariable& variable : file.variables()) {
     const Statistic statistic = statistic_of(variable);
     const bool ice = standard_name_of(variable) == concentration_of_ice.standard_name;
     if (ice && variable.is_numeric() && statistic != Statistic::none)
-      return "\"" + variable.name() + "\" holds " + in_words(statistic) +
-             " of the concentration of sea ice; where the ice is cannot be told from it; give the file of "
-             "the "
-             "concentration itself";
+      return messages::ingest_ice_message<"not-the-concentration-itself">(variable.name(),
+                                                                          in_words(statistic));
   }
-  return {};
+  return std::nullopt;
 }
 
 Checked<IceVariables> find_ice(const NetcdfFile& file, const std::optional<std::string>& wanted) {
@@ -141,28 +140,18 @@ Checked<IceVariables> find_ice(const NetcdfFile& file, const std::optional<std::
   if (wanted) {
     const NetcdfVariable* named = file.find(*wanted);
     if (named == nullptr || named->dimensions().size() < 2 || !named->is_numeric())
-      return refuse("the file has no grid of values called \"" + *wanted + "\"" +
-                    (names.empty() ? "" : "; it holds the concentrations " + enumeration(names)) +
-                    "; give one of its names");
+      return refuse(messages::ingest_ice_message<"ice-variable-not-found">(
+          *wanted, names.empty() ? "" : "; it holds the concentrations " + enumeration(names)));
     ice.concentrations = {named};
   }
-  if (ice.concentrations.empty())
-    return refuse(
-        "the file holds no concentration of sea ice; there is nothing to store; give a file with, for "
-        "example, "
-        "a variable siconc of standard name sea_ice_area_fraction");
+  if (ice.concentrations.empty()) return refuse(messages::ingest_ice_message<"concentration-missing">());
 
   const NetcdfVariable& first = *ice.concentrations.front();
   for (const NetcdfVariable* other : ice.concentrations)
     if (!on_same_dimensions(first, *other))
-      return refuse(
-          "the concentrations " + enumeration(names) +
-          " lie on different dimensions; which of them counts is unclear; name one with --variable");
+      return refuse(messages::ingest_ice_message<"concentrations-differ-in-shape">(enumeration(names)));
   if (ice.concentrations.size() > 1)
-    ice.warnings.push_back(
-        "the file holds several estimates of the concentration (" + enumeration(names) +
-        "); the greatest of them is stored at every place; name one with --variable to use "
-        "it alone");
+    ice.warnings.push_back(messages::ingest_ice_message<"greatest-concentration-stored">(enumeration(names)));
   add_thickness(file, ice);
   return ice;
 }

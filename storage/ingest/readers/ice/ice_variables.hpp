@@ -15,7 +15,7 @@ struct IceVariables {
   std::vector<const NetcdfVariable*> concentrations;  // at least one, all on the same dimensions
   const NetcdfVariable* thickness{nullptr};           // null: none
   bool thickness_is_draft{false};                     // from the surface of the sea to the underside
-  std::vector<std::string> warnings;
+  Messages warnings;
 };
 
 /// Whether any variable claims to be a concentration of sea ice.
@@ -25,7 +25,7 @@ struct IceVariables {
 [[nodiscard]] bool holds_ice_thickness(const NetcdfFile& file);
 
 /// Why a statistic of the concentration is none: a sentence; empty where the file has no such statistic.
-[[nodiscard]] std::string ice_left_out(const NetcdfFile& file);
+[[nodiscard]] std::optional<messages::Message> ice_left_out(const NetcdfFile& file);
 
 /// Chooses by standard name, then by well-known names. Statistics, uncertainties, flags, raw and unfiltered estimates and
 /// ice of lakes are never taken. `wanted` names one concentration to use alone.

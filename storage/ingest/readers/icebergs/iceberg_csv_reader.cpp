@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "engine/core/utc_text.hpp"
+#include "engine/messages/ingest_iceberg_messages.hpp"
 #include "storage/ingest/notation/delimited_text.hpp"
 #include "storage/ingest/notation/stated_place.hpp"
 #include "storage/ingest/notation/table_dates.hpp"
@@ -78,25 +79,26 @@ Checked<ocean::Iceberg> sighting(const std::vector<std::string>& fields, const C
   const auto field = [&](Column column) { return trimmed(fields[columns[column]]); };
   ocean::Iceberg iceberg;
   if (!whole_number(field(ice_year)) || field(berg_number).empty())
-    return refuse("ICE-YEAR or BERG_NUMBER is missing");
+    return refuse(messages::ingest_iceberg_message<"iceberg-year-or-number-missing">());
   iceberg.id = field(ice_year) + "-" + field(berg_number);
 
   const auto observed = sighting_time(field(date), field(time_of_day));
   if (!observed)
-    return refuse("\"" + field(date) + " " + field(time_of_day) +
-                  "\" is no date M/D/YYYY or YYYY-MM-DD with a time HHMM");
+    return refuse(
+        messages::ingest_iceberg_message<"iceberg-date-unusable">(field(date) + " " + field(time_of_day)));
   iceberg.observed = *observed;
 
   const auto lat = parse_number(field(latitude));
   const auto lon = parse_number(field(longitude));
   if (!lat || !lon)
-    return refuse("the position \"" + field(latitude) + ", " + field(longitude) + "\" is no number");
+    return refuse(
+        messages::ingest_iceberg_message<"iceberg-position-unusable">(field(latitude), field(longitude)));
   iceberg.place = {*lon, *lat};
   if (auto fault = fault_of_place(iceberg.place); !fault.empty()) return refuse(std::move(fault));
 
   const auto known_size = size_of_code(field(size));
   if (!known_size)
-    return refuse("the size \"" + field(size) + "\" is not one of GR, BB, SM, MED, LG, VLG, GEN, RAD");
+    return refuse(messages::ingest_iceberg_message<"iceberg-size-unknown-to-ice-patrol">(field(size)));
   iceberg.size = *known_size;
   iceberg.shape = field(shape);
   iceberg.method = field(method);
@@ -115,10 +117,7 @@ Checked<PreparedDataset> read_ice_patrol_csv(const std::filesystem::path& file) 
   std::getline(in, line);
   const std::vector<std::string> header = csv_fields(without_mark(line));
   const auto columns = find_columns(header);
-  if (!columns)
-    return refuse(
-        "the columns are not those of the International Ice Patrol (ICE-YEAR, BERG_NUMBER, DATE, TIME, "
-        "LATITUDE, LONGITUDE, METHOD, SIZE, SHAPE)");
+  if (!columns) return refuse(messages::ingest_iceberg_message<"iceberg-columns-not-of-ice-patrol">());
 
   const PositionErrors position_errors{header};
   IcebergRows rows;
@@ -127,9 +126,9 @@ Checked<PreparedDataset> read_ice_patrol_csv(const std::filesystem::path& file) 
     const std::vector<std::string> fields = csv_fields(without_mark(line));
     if (fields.size() == 1 && trimmed(fields.front()).empty()) continue;
     if (fields.size() != header.size()) {
-      rows.reject(where, "it has " + std::to_string(fields.size()) + " fields, the header " +
-                             std::to_string(header.size()) +
-                             (in.eof() ? "; the file seems to be cut short" : ""));
+      rows.reject(where,
+                  messages::ingest_iceberg_message<"iceberg-row-short">(
+                      fields.size(), header.size(), in.eof() ? "; the file seems to be cut short" : ""));
       continue;
     }
     auto iceberg = sighting(fields, *columns);
@@ -137,7 +136,7 @@ Checked<PreparedDataset> read_ice_patrol_csv(const std::filesystem::path& file) 
     if (iceberg) {
       rows.accept(std::move(*iceberg));
     } else {
-      rows.reject(where, iceberg.error());
+      rows.reject(where, iceberg.error().front());
     }
   }
   return std::move(rows).prepared(header, position_errors.warnings());

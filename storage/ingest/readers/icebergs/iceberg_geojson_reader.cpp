@@ -13,6 +13,7 @@
 
 #include "engine/core/utc_text.hpp"
 #include "engine/geo/geodesic.hpp"
+#include "engine/messages/ingest_iceberg_messages.hpp"
 #include "storage/ingest/formats/vector/feature_texts.hpp"
 #include "storage/ingest/notation/grid_frame_of_crs.hpp"
 #include "storage/ingest/notation/stated_place.hpp"
@@ -76,9 +77,9 @@ Checked<core::UtcTime> observed_of(const OGRFeature& feature) {
     if (const auto time = time_of_field(feature, index)) return *time;
     const std::string text = text_of_field(feature, index);
     if (const auto time = core::parse_iso8601(text)) return *time;
-    return refuse("observed is \"" + text + "\", not a time like 2026-11-20T06:00:00Z");
+    return refuse(messages::ingest_iceberg_message<"iceberg-time-unusable">("observed", text, ""));
   }
-  return refuse("observed is \"\", not a time like 2026-11-20T06:00:00Z");
+  return refuse(messages::ingest_iceberg_message<"iceberg-time-unusable">("observed", "", ""));
 }
 
 /// Where an iceberg is, and how long it is where its outline says it.
@@ -107,13 +108,14 @@ Checked<PlaceAndLength> extent_of(const std::vector<geo::LonLat>& corners) {
   for (const geo::LonLat corner : corners)
     extent.length = std::max(*extent.length, 2.0 * geo::geodesic_between(extent.place, corner).length);
   if (extent.length->value > longest_iceberg_m)
-    return refuse("its outline is " + number(extent.length->value / 1000.0) +
-                  " km across, longer than any iceberg");
+    return refuse(
+        messages::ingest_iceberg_message<"iceberg-outline-too-large">(number(extent.length->value / 1000.0)));
   return extent;
 }
 
 Checked<PlaceAndLength> extent_of(const OGRGeometry* geometry) {
-  if (geometry == nullptr || geometry->IsEmpty()) return refuse("it has no position");
+  if (geometry == nullptr || geometry->IsEmpty())
+    return refuse(messages::ingest_iceberg_message<"iceberg-position-missing">());
   const OGRwkbGeometryType type = wkbFlatten(geometry->getGeometryType());
   if (type == wkbPoint) {
     const geo::LonLat place{geometry->toPoint()->getX(), geometry->toPoint()->getY()};
@@ -128,7 +130,7 @@ Checked<PlaceAndLength> extent_of(const OGRGeometry* geometry) {
   if (type == wkbPolygon) add(*geometry->toPolygon());
   if (type == wkbMultiPolygon)
     for (const OGRPolygon* part : geometry->toMultiPolygon()) add(*part);
-  if (corners.empty()) return refuse("it has no position");
+  if (corners.empty()) return refuse(messages::ingest_iceberg_message<"iceberg-position-missing">());
   return extent_of(corners);
 }
 
@@ -138,7 +140,7 @@ Checked<ocean::Iceberg> iceberg_of(const OGRFeature& feature, const PositionErro
   ocean::Iceberg iceberg;
   iceberg.place = extent->place;
   iceberg.id = property(feature, {"id", "name"});
-  if (iceberg.id.empty()) return refuse("it has no id and no name");
+  if (iceberg.id.empty()) return refuse(messages::ingest_iceberg_message<"iceberg-without-id">());
   const auto observed = observed_of(feature);
   if (!observed) return refuse(observed.error());
   iceberg.observed = *observed;
@@ -159,8 +161,7 @@ Checked<ocean::Iceberg> iceberg_of(const OGRFeature& feature, const PositionErro
   iceberg.position_uncertainty = *error;
   if (const std::string size = property(feature, {"size"}); !size.empty()) {
     const auto known = ocean::parse_size(lower(size));
-    if (!known)
-      return refuse("the size \"" + size + "\" is not one of the classes (growler to very_large, unknown)");
+    if (!known) return refuse(messages::ingest_iceberg_message<"iceberg-size-unknown">(size));
     iceberg.size = *known;
   }
   iceberg.shape = property(feature, {"shape"});
@@ -182,10 +183,7 @@ Checked<Transformation> transformation_to_degrees(OGRLayer& layer) {
   to.SetWellKnownGeogCS("WGS84");
   to.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
   Transformation transformation{OGRCreateCoordinateTransformation(&from, &to)};
-  if (!transformation)
-    return refuse(
-        "the features are in a coordinate reference system that cannot be turned into degrees; export them "
-        "again in EPSG:4326");
+  if (!transformation) return refuse(messages::ingest_iceberg_message<"icebergs-in-unknown-crs">());
   return transformation;
 }
 
@@ -193,7 +191,7 @@ Checked<Transformation> transformation_to_degrees(OGRLayer& layer) {
 
 Checked<PreparedDataset> read_geojson_icebergs(GDALDataset& dataset) {
   std::vector<std::string> variables;
-  std::vector<std::string> warnings;
+  Messages warnings;
   IcebergRows rows;
   int number_of_feature = 0;
   for (OGRLayer* const layer : dataset.GetLayers()) {
@@ -210,11 +208,12 @@ Checked<PreparedDataset> read_geojson_icebergs(GDALDataset& dataset) {
       const bool moved = *to_degrees == nullptr || geometry == nullptr ||
                          geometry->transform(to_degrees->get()) == OGRERR_NONE;
       auto iceberg = moved ? iceberg_of(*feature, position_errors)
-                           : Checked<ocean::Iceberg>{refuse("its position cannot be turned into degrees")};
+                           : Checked<ocean::Iceberg>{refuse(
+                                 messages::ingest_iceberg_message<"iceberg-position-not-convertible">())};
       if (iceberg) {
         rows.accept(std::move(*iceberg));
       } else {
-        rows.reject("feature " + std::to_string(number_of_feature), iceberg.error());
+        rows.reject("feature " + std::to_string(number_of_feature), iceberg.error().front());
       }
     }
   }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/core/utc_text.hpp"
+#include "engine/messages/ingest_iceberg_messages.hpp"
 #include "storage/ingest/notation/cf_units.hpp"
 #include "storage/ingest/notation/delimited_text.hpp"
 #include "storage/ingest/notation/stated_place.hpp"
@@ -90,19 +91,14 @@ bool are_sightings_alone(const DelimitedText& table, const BergColumns& columns)
 }
 
 /// Of columns that tell a size or an error of the position in a way that is not read.
-std::vector<std::string> warnings_of(const DelimitedText& table, const BergColumns& columns) {
-  std::vector<std::string> warnings = columns.position_errors.warnings();
+Messages warnings_of(const DelimitedText& table, const BergColumns& columns) {
+  Messages warnings = columns.position_errors.warnings();
   if (!name_icebergs(table, columns))
-    warnings.emplace_back(
-        "the columns of the table do not tell what was sighted; every row was taken for an iceberg of "
-        "unknown size");
+    warnings.push_back(messages::ingest_iceberg_message<"kind-of-sighting-not-stated">());
   for (std::size_t i = 0; i < table.columns().size(); ++i) {
     const std::string& name = table.columns()[i];
     if ((name.starts_with("length") && !columns.length) || (name.starts_with("draft") && !columns.draft))
-      warnings.push_back(
-          "the column \"" + table.header(i) +
-          "\" names no unit of length that this program knows, so it was not read; call it, for "
-          "example, length_m or draft_m");
+      warnings.push_back(messages::ingest_iceberg_message<"iceberg-column-not-read">(table.header(i)));
   }
   return warnings;
 }
@@ -116,12 +112,13 @@ class Row {
   [[nodiscard]] Checked<ocean::Iceberg> sighting() const {
     ocean::Iceberg iceberg;
     iceberg.id = fields_[columns_.id];
-    if (iceberg.id.empty()) return refuse("it has no " + table_.header(columns_.id));
+    if (iceberg.id.empty())
+      return refuse(messages::ingest_iceberg_message<"iceberg-without-column">(table_.header(columns_.id)));
     const auto lat = table_.number(fields_[columns_.lat]);
     const auto lon = table_.number(fields_[columns_.lon]);
     if (!lat || !lon)
-      return refuse("the position \"" + fields_[columns_.lat] + ", " + fields_[columns_.lon] +
-                    "\" is no pair of degrees like 69.25 and -52.5");
+      return refuse(messages::ingest_iceberg_message<"iceberg-position-not-in-degrees">(
+          fields_[columns_.lat], fields_[columns_.lon]));
     iceberg.place = {*lon, *lat};
     if (auto fault = fault_of_place(iceberg.place); !fault.empty()) return refuse(std::move(fault));
     const auto observed = time();
@@ -140,8 +137,7 @@ class Row {
     iceberg.position_uncertainty = *error;
     if (const std::string size = text(columns_.size); !size.empty()) {
       const auto known = ocean::parse_size(lower(size));
-      if (!known)
-        return refuse("the size \"" + size + "\" is not one of the classes (growler to very_large, unknown)");
+      if (!known) return refuse(messages::ingest_iceberg_message<"iceberg-size-unknown">(size));
       iceberg.size = *known;
     }
     iceberg.shape = text(columns_.shape);
@@ -159,9 +155,9 @@ class Row {
     if (const auto time = core::parse_iso8601(observed)) return *time;
     if (columns_.observed_in_utc)
       if (const auto time = core::parse_iso8601(observed + "Z")) return *time;
-    return refuse(table_.header(columns_.observed) + " is \"" + observed +
-                  "\", not a time like 2026-11-20T06:00:00Z" +
-                  (columns_.observed_in_utc ? "" : " with its zone; in UTC, call the column time_utc"));
+    return refuse(messages::ingest_iceberg_message<"iceberg-time-unusable">(
+        table_.header(columns_.observed), observed,
+        columns_.observed_in_utc ? "" : " with its zone; in UTC, call the column time_utc"));
   }
 
   [[nodiscard]] Checked<std::optional<core::Metres>> metres(const std::optional<LengthColumn>& column,
@@ -193,7 +189,7 @@ Checked<PreparedDataset> read_own_iceberg_table(const std::filesystem::path& fil
   std::getline(in, line);
   const DelimitedText table{line};
   const auto columns = berg_columns_of(table);
-  if (!columns) return refuse("the columns do not name an iceberg, its position and when it was seen");
+  if (!columns) return refuse(messages::ingest_iceberg_message<"iceberg-columns-missing">());
 
   IcebergRows rows;
   for (int line_number = 2; std::getline(in, line); ++line_number) {
@@ -201,16 +197,16 @@ Checked<PreparedDataset> read_own_iceberg_table(const std::filesystem::path& fil
     auto fields = table.fields(line);
     if (fields.empty()) continue;
     if (fields.size() != table.columns().size()) {
-      rows.reject(where, "it has " + std::to_string(fields.size()) + " fields, the header " +
-                             std::to_string(table.columns().size()) +
-                             (in.eof() ? "; the file seems to be cut short" : ""));
+      rows.reject(where, messages::ingest_iceberg_message<"iceberg-row-short">(
+                             fields.size(), table.columns().size(),
+                             in.eof() ? "; the file seems to be cut short" : ""));
       continue;
     }
     auto iceberg = Row{table, *columns, std::move(fields)}.sighting();
     if (iceberg) {
       rows.accept(std::move(*iceberg));
     } else {
-      rows.reject(where, iceberg.error());
+      rows.reject(where, iceberg.error().front());
     }
   }
   return std::move(rows).prepared(table.columns(), warnings_of(table, *columns));

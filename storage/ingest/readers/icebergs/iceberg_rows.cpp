@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "engine/messages/ingest_iceberg_messages.hpp"
 #include "storage/ingest/notation/text.hpp"
 #include "storage/repository/features/iceberg_repository.hpp"
 
@@ -16,18 +17,15 @@ constexpr std::size_t max_reasons = 10;
 constexpr double southern_record_deg = -26.5;
 constexpr double northern_record_deg = 30.3;
 
-/// What is to be said of places where no iceberg can be; empty where there are none.
-std::string warning_of_warm_places(const std::vector<ocean::Iceberg>& icebergs) {
+void warn_of_warm_places(const std::vector<ocean::Iceberg>& icebergs, Messages& warnings) {
   const auto warm = [](const ocean::Iceberg& iceberg) {
     return iceberg.place.lat_deg > southern_record_deg && iceberg.place.lat_deg < northern_record_deg;
   };
   const auto count = std::ranges::count_if(icebergs, warm);
-  if (count == 0) return {};
+  if (count == 0) return;
   const ocean::Iceberg& first = *std::ranges::find_if(icebergs, warm);
-  return std::to_string(count) + " of the icebergs lie where none was ever seen, the first, \"" + first.id +
-         "\", at " + number(first.place.lat_deg) +
-         " degrees of latitude; longitude and latitude may be exchanged, "
-         "or a sign is wrong";
+  warnings.push_back(messages::ingest_iceberg_message<"icebergs-in-warm-water">(count, first.id,
+                                                                                number(first.place.lat_deg)));
 }
 
 }  // namespace
@@ -36,21 +34,19 @@ Checked<std::optional<core::Metres>> metres_of(const std::string& name, const st
                                                std::optional<double> value, double most_m, Zero zero) {
   if (text.empty()) return std::nullopt;
   if (!value || *value < 0.0 || (*value == 0.0 && zero == Zero::refused) || *value > most_m)
-    return refuse(name + " is \"" + text + "\", not a length between 0 and " + number(most_m) + " m");
+    return refuse(messages::ingest_iceberg_message<"iceberg-length-unusable">(name, text, number(most_m)));
   return core::Metres{*value};
 }
 
-void IcebergRows::reject(const std::string& where, const std::string& reason) {
+void IcebergRows::reject(const std::string& where, messages::Message reason) {
   ++rejected_;
-  if (reasons_.size() < max_reasons) reasons_.push_back(where + " was left out: " + reason);
+  if (reasons_.size() < max_reasons) reasons_.push_back(about(where + " was left out", std::move(reason)));
 }
 
-Checked<PreparedDataset> IcebergRows::prepared(std::vector<std::string> variables,
-                                               std::vector<std::string> warnings) && {
+Checked<PreparedDataset> IcebergRows::prepared(std::vector<std::string> variables, Messages warnings) && {
   if (icebergs_.empty())
-    return refuse("the file holds no usable sighting" +
-                  (reasons_.empty() ? std::string{"; it has no rows"} : "; " + reasons_.front()) +
-                  "; correct the file and try again");
+    return refuse(messages::ingest_iceberg_message<"no-usable-sighting">(
+        reasons_.empty() ? std::string{"it has no rows"} : reason_of({reasons_.front()})));
 
   PreparedDataset data;
   data.kind = repository::DatasetKind::icebergs;
@@ -60,11 +56,10 @@ Checked<PreparedDataset> IcebergRows::prepared(std::vector<std::string> variable
   data.warnings = std::move(warnings);
   std::ranges::copy(reasons_, std::back_inserter(data.warnings));
   if (rejected_ > static_cast<std::int64_t>(reasons_.size()))
-    data.warnings.push_back(std::to_string(rejected_ - static_cast<std::int64_t>(reasons_.size())) +
-                            " more rows were left out");
+    data.warnings.push_back(messages::ingest_iceberg_message<"rows-left-out">(
+        rejected_ - static_cast<std::int64_t>(reasons_.size())));
 
-  if (std::string warning = warning_of_warm_places(icebergs_); !warning.empty())
-    data.warnings.push_back(std::move(warning));
+  warn_of_warm_places(icebergs_, data.warnings);
 
   std::vector<geo::LonLat> places;
   places.reserve(icebergs_.size());
@@ -75,8 +70,8 @@ Checked<PreparedDataset> IcebergRows::prepared(std::vector<std::string> variable
                           [](const auto& a, const auto& b) { return a.observed < b.observed; });
   data.time_start = first->observed;
   data.time_end = last->observed;
-  data.write = [icebergs = std::move(icebergs_)](
-                   sql::Connection& db, const repository::DatasetId& id) -> tl::expected<void, std::string> {
+  data.write = [icebergs = std::move(icebergs_)](sql::Connection& db,
+                                                 const repository::DatasetId& id) -> Checked<void> {
     repository::IcebergRepository{db}.insert(id, icebergs);
     return {};
   };

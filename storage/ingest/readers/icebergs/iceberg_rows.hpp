@@ -27,16 +27,16 @@ class IcebergRows {
  public:
   void accept(ocean::Iceberg iceberg) { icebergs_.push_back(std::move(iceberg)); }
   /// `where` names the row for a person: "line 12", "feature 3".
-  void reject(const std::string& where, const std::string& reason);
+  void reject(const std::string& where, messages::Message reason);
 
   /// `warnings`  of the file as a whole, told before those of its rows
   /// Errors  no good row at all
   [[nodiscard]] Checked<PreparedDataset> prepared(std::vector<std::string> variables,
-                                                  std::vector<std::string> warnings = {}) &&;
+                                                  Messages warnings = {}) &&;
 
  private:
   std::vector<ocean::Iceberg> icebergs_;
-  std::vector<std::string> reasons_;
+  Messages reasons_;
   std::int64_t rejected_{};
 };
 

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "engine/core/utc_text.hpp"
+#include "engine/messages/ingest_iceberg_messages.hpp"
 #include "storage/ingest/notation/delimited_text.hpp"
 #include "storage/ingest/notation/stated_place.hpp"
 #include "storage/ingest/notation/table_dates.hpp"
@@ -73,7 +74,7 @@ class TableRow {
 };
 
 Checked<geo::LonLat> berg_place(std::optional<double> lon, std::optional<double> lat) {
-  if (!lon || !lat) return refuse("its position is no number");
+  if (!lon || !lat) return refuse(messages::ingest_iceberg_message<"iceberg-position-not-a-number">());
   const geo::LonLat place{*lon, *lat};
   if (auto fault = fault_of_place(place); !fault.empty()) return refuse(std::move(fault));
   return place;
@@ -83,7 +84,7 @@ Checked<geo::LonLat> berg_place(std::optional<double> lon, std::optional<double>
 Checked<std::optional<core::Metres>> length_of(std::optional<double> a_nm, std::optional<double> b_nm) {
   const double longest = std::max(a_nm.value_or(0.0), b_nm.value_or(0.0));
   if (longest < 0.0 || longest > longest_nm)
-    return refuse("its length of " + ingest::number(longest) + " nautical miles is that of no iceberg");
+    return refuse(messages::ingest_iceberg_message<"iceberg-too-long">(ingest::number(longest)));
   if (longest == 0.0) return std::nullopt;
   return core::Metres{longest * metres_a_nautical_mile};
 }
@@ -99,12 +100,14 @@ bool is_ice_center(const Header& header) {
 Checked<ocean::Iceberg> row_of_ice_center(const TableRow& row) {
   ocean::Iceberg iceberg;
   iceberg.id = row.text("iceberg");
-  if (iceberg.id.empty()) return refuse("it has no name");
+  if (iceberg.id.empty()) return refuse(messages::ingest_iceberg_message<"iceberg-without-name">());
   const auto place = berg_place(row.number("longitude"), row.number("latitude"));
   if (!place) return refuse(place.error());
   iceberg.place = *place;
   const auto observed = us_date(row.text("last update"));
-  if (!observed) return refuse("\"" + row.text("last update") + "\" is no date MM/DD/YYYY");
+  if (!observed)
+    return refuse(
+        messages::ingest_iceberg_message<"iceberg-day-unusable">(row.text("last update"), "MM/DD/YYYY"));
   iceberg.observed = *observed;
   const auto length = length_of(row.number("length (nm)"), row.number("width (nm)"));
   if (!length) return refuse(length.error());
@@ -130,14 +133,15 @@ std::optional<core::Metres> argos_accuracy(const std::string& loc_class) {
 Checked<ocean::Iceberg> row_of_beacon(const TableRow& row) {
   ocean::Iceberg iceberg;
   iceberg.id = row.text("beacon_id");
-  if (iceberg.id.empty()) return refuse("it has no beacon");
+  if (iceberg.id.empty()) return refuse(messages::ingest_iceberg_message<"beacon-missing">());
   const auto place = berg_place(row.number("longitude"), row.number("latitude"));
   if (!place) return refuse(place.error());
   iceberg.place = *place;
   std::string time = row.text("datetime_data");
   std::ranges::replace(time, ' ', 'T');
   const auto observed = core::parse_iso8601(time);
-  if (!observed) return refuse("\"" + row.text("datetime_data") + "\" is no time with its zone");
+  if (!observed)
+    return refuse(messages::ingest_iceberg_message<"beacon-time-unusable">(row.text("datetime_data")));
   iceberg.observed = *observed;
   iceberg.position_uncertainty = argos_accuracy(row.text("loc_accuracy"));
   iceberg.method = "beacon";
@@ -178,7 +182,8 @@ class Track {
 
   Checked<ocean::Iceberg> sighting(const TableRow& row) {
     const auto day = year_and_day(row.text("date"));
-    if (!day) return refuse("\"" + row.text("date") + "\" is no day YYYYDDD");
+    if (!day)
+      return refuse(messages::ingest_iceberg_message<"iceberg-day-unusable">(row.text("date"), "YYYYDDD"));
     const auto stated = length_of(row.number("size_1"), row.number("size_2"));
     if (!stated) return refuse(stated.error());
     if (*stated) length_ = *stated;
@@ -188,7 +193,7 @@ class Track {
       const auto fix = sensor_fix_of(row, sensor);
       if (fix && (!best || (fix->seen && !best->seen))) best = fix;
     }
-    if (!best) return refuse("no sensor has a position");
+    if (!best) return refuse(messages::ingest_iceberg_message<"iceberg-sensor-position-missing">());
     const auto place = berg_place(best->place.lon_deg, best->place.lat_deg);
     if (!place) return refuse(place.error());
     ocean::Iceberg iceberg;
@@ -226,16 +231,18 @@ std::string text_in(const json& object, const char* key) {
 }
 
 Checked<ocean::Iceberg> listed(const json& item) {
-  if (!item.is_object()) return refuse("it is no object");
+  if (!item.is_object()) return refuse(messages::ingest_iceberg_message<"iceberg-not-an-object">());
   ocean::Iceberg iceberg;
   iceberg.id = text_in(item, "iceberg");
-  if (iceberg.id.empty()) return refuse("it has no name");
+  if (iceberg.id.empty()) return refuse(messages::ingest_iceberg_message<"iceberg-without-name">());
   const auto place = berg_place(degrees_and_minutes(text_in(item, "dms_longitude"), 'E', 'W'),
                                 degrees_and_minutes(text_in(item, "dms_lattitude"), 'N', 'S'));
   if (!place) return refuse(place.error());
   iceberg.place = *place;
   const auto observed = us_date(text_in(item, "recent_observation"));
-  if (!observed) return refuse("\"" + text_in(item, "recent_observation") + "\" is no date MM/DD/YY");
+  if (!observed)
+    return refuse(messages::ingest_iceberg_message<"iceberg-day-unusable">(
+        text_in(item, "recent_observation"), "MM/DD/YY"));
   iceberg.observed = *observed;
   iceberg.length = core::Metres{shortest_listed_nm * metres_a_nautical_mile};
   iceberg.size = ocean::IcebergSize::very_large;
@@ -255,9 +262,9 @@ Checked<PreparedDataset> read_rows(std::ifstream& in, const Header& header, cons
     if (fields.size() == 1 && trimmed(fields.front()).empty()) continue;
     while (fields.size() > header.names().size() && trimmed(fields.back()).empty()) fields.pop_back();
     if (fields.size() != header.names().size()) {
-      rows.reject(where, "it has " + std::to_string(fields.size()) + " fields, the header " +
-                             std::to_string(header.names().size()) +
-                             (in.eof() ? "; the file seems to be cut short" : ""));
+      rows.reject(where, messages::ingest_iceberg_message<"iceberg-row-short">(
+                             fields.size(), header.names().size(),
+                             in.eof() ? "; the file seems to be cut short" : ""));
       continue;
     }
     auto iceberg = read_row(TableRow{header, fields});
@@ -265,7 +272,7 @@ Checked<PreparedDataset> read_rows(std::ifstream& in, const Header& header, cons
     if (iceberg) {
       rows.accept(std::move(*iceberg));
     } else {
-      rows.reject(where, iceberg.error());
+      rows.reject(where, iceberg.error().front());
     }
   }
   return std::move(rows).prepared(header.names(), position_errors.warnings());
@@ -289,26 +296,24 @@ Checked<PreparedDataset> read_iceberg_table(const std::filesystem::path& file) {
   const Header header{line};
   if (is_ice_center(header)) return read_rows(in, header, &row_of_ice_center);
   if (is_beacon(header)) return read_rows(in, header, &row_of_beacon);
-  if (!is_track(header))
-    return refuse("the columns are those of no table of icebergs that this program knows");
+  if (!is_track(header)) return refuse(messages::ingest_iceberg_message<"iceberg-columns-unknown">());
 
   Track track{file.stem().string(), header};
   auto data = read_rows(in, header, [&](const TableRow& row) { return track.sighting(row); });
   if (data)
     data->warnings.insert(data->warnings.begin(),
-                          "the track does not name its iceberg; it is taken to be \"" + file.stem().string() +
-                              "\", as the file is called");
+                          messages::ingest_iceberg_message<"track-named-after-file">(file.stem().string()));
   return data;
 }
 
 Checked<PreparedDataset> read_iceberg_list_json(const std::filesystem::path& file) {
   if (std::filesystem::file_size(file) > max_bytes)
-    return refuse("the list is longer than 50 MB; there are not so many icebergs; give another file");
+    return refuse(messages::ingest_iceberg_message<"iceberg-list-too-long">());
   std::ifstream in{file, std::ios::binary};
   const std::string text{std::istreambuf_iterator<char>{in}, {}};
   const json document = json::parse(text, nullptr, false);
   if (!document.is_object() || !document.contains("icebergs") || !document["icebergs"].is_array())
-    return refuse("the JSON of the list is damaged or was cut short; copy or download it again");
+    return refuse(messages::ingest_iceberg_message<"iceberg-list-damaged">());
   IcebergRows rows;
   int position = 0;
   for (const json& item : document["icebergs"]) {
@@ -317,15 +322,13 @@ Checked<PreparedDataset> read_iceberg_list_json(const std::filesystem::path& fil
     if (iceberg) {
       rows.accept(std::move(*iceberg));
     } else {
-      rows.reject("iceberg " + std::to_string(position), iceberg.error());
+      rows.reject("iceberg " + std::to_string(position), iceberg.error().front());
     }
   }
   auto data = std::move(rows).prepared({"iceberg", "dms_longitude", "dms_lattitude", "recent_observation"});
   if (data)
-    data->warnings.insert(
-        data->warnings.begin(),
-        "the list states no sizes; every iceberg is taken to be 10 nautical miles long, the least "
-        "that the US National Ice Center names");
+    data->warnings.insert(data->warnings.begin(),
+                          messages::ingest_iceberg_message<"iceberg-sizes-not-stated">());
   return data;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <span>
 
+#include "engine/messages/ingest_iceberg_messages.hpp"
 #include "storage/ingest/notation/cf_units.hpp"
 #include "storage/ingest/notation/text.hpp"
 #include "storage/ingest/readers/icebergs/iceberg_rows.hpp"
@@ -126,14 +127,10 @@ bool PositionErrors::is_read(std::size_t column) const {
   return std::ranges::find(columns_, column, &Column::index) != columns_.end();
 }
 
-std::vector<std::string> PositionErrors::warnings() const {
-  std::vector<std::string> warnings;
+Messages PositionErrors::warnings() const {
+  Messages warnings;
   for (const std::string& name : not_read_)
-    warnings.push_back(
-        "\"" + name +
-        "\" may state how uncertain the positions are, but names no error of a position with a unit "
-        "of length that this program knows, so it was not read and no plan allows for it; if it "
-        "is one, call it position_uncertainty_m");
+    warnings.push_back(messages::ingest_iceberg_message<"iceberg-error-not-read">(name));
   return warnings;
 }
 

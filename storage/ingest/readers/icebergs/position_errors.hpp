@@ -30,7 +30,7 @@ class PositionErrors {
 
   [[nodiscard]] bool is_read(std::size_t column) const;
   /// One for each column that speaks of an error or an accuracy and is not understood.
-  [[nodiscard]] std::vector<std::string> warnings() const;
+  [[nodiscard]] Messages warnings() const;
 
  private:
   struct Column {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/messages/ingest_tide_messages.hpp"
 #include "storage/ingest/notation/cf_units.hpp"
 #include "storage/ingest/notation/grid_frame_of_crs.hpp"
 #include "storage/ingest/notation/text.hpp"
@@ -103,17 +104,13 @@ Checked<AxisNodes> metres_along(const NetcdfVariable& coordinate, std::vector<do
   const std::string unit = coordinate.attribute("units");
   const auto factor = unit.empty() ? std::optional{1.0} : length_factor(unit);
   if (!factor)
-    return refuse("the axis \"" + coordinate.name() + "\" has the unit \"" + unit +
-                  "\", which is no length; the grid cannot be placed; state metres or kilometres");
+    return refuse(messages::ingest_tide_message<"tide-axis-without-length">(coordinate.name(), unit));
   for (double& value : values) value *= *factor;
   return monotonic_nodes(coordinate.name(), std::move(values));
 }
 
-std::string no_axes(const TideVariables& tide) {
-  return "the tide \"" + tide.first->name() +
-         "\" has no axes of longitude and latitude, nor x and y with a projection, that this program can "
-         "read; it "
-         "cannot be placed on the Earth; interpolate it to a regular longitude-latitude grid first";
+messages::Message no_axes(const TideVariables& tide) {
+  return messages::ingest_tide_message<"tide-without-axes">(tide.first->name());
 }
 
 std::optional<std::size_t> other_dimension(const NetcdfVariable& field, std::size_t x, std::size_t y) {
@@ -164,12 +161,10 @@ Checked<TideLayout> tide_layout_of(const NetcdfFile& file, const TideVariables& 
   std::uint64_t size = 1;
   for (const NetcdfDimension& dimension : field.dimensions()) {
     if (dimension.size == 0 || dimension.size > 1'000'000)
-      return refuse("the dimension \"" + dimension.name + "\" has " + std::to_string(dimension.size) +
-                    " values; no tide model has; the file is damaged; get it again");
+      return refuse(messages::ingest_tide_message<"tide-dimension-too-long">(dimension.name, dimension.size));
     size *= dimension.size;
     if (size > 400 * max_tide_nodes)
-      return refuse("the tide is larger than this program accepts (" + std::to_string(max_tide_nodes) +
-                    " nodes); cut out your area first");
+      return refuse(messages::ingest_tide_message<"tide-too-large">(max_tide_nodes));
   }
   const std::string suffix = suffix_of(tide.quantity);
   const auto axis = [&](const std::vector<std::string>& names)
@@ -198,18 +193,13 @@ Checked<TideLayout> tide_layout_of(const NetcdfFile& file, const TideVariables& 
     x = metres_along(*east, std::move(along_x->values));
     y = metres_along(*north, std::move(along_y->values));
     frame = stated_frame(file, field, stated_crs);
-    if (!frame)
-      return refuse(
-          "the tide \"" + field.name() +
-          "\" lies on a projected grid, but its projection is not stated or not one that this program reads; "
-          "state it with --crs, for example --crs EPSG:3031");
+    if (!frame) return refuse(messages::ingest_tide_message<"tide-projection-unknown">(field.name()));
   }
   if (!x) return refuse(x.error());
   if (!y) return refuse(y.error());
   if (layout.x_dimension == layout.y_dimension || field.dimensions().size() > 3) return refuse(no_axes(tide));
   if (x->nodes.size() * y->nodes.size() > max_tide_nodes)
-    return refuse("the grid of the tide has more nodes than this program accepts (" +
-                  std::to_string(max_tide_nodes) + "); cut out your area first");
+    return refuse(messages::ingest_tide_message<"tide-too-large">(max_tide_nodes));
   layout.line_dimension = other_dimension(field, layout.x_dimension, layout.y_dimension);
   layout.grid = ocean::HorizontalGrid{*frame, ocean::Axis{x->nodes}, ocean::Axis{y->nodes}};
   layout.x = std::move(*x);
@@ -235,13 +225,8 @@ Checked<std::vector<std::string>> tide_names(const NetcdfFile& file, const std::
   if (wanted == 1)
     if (const auto named = constituent_named_in(file_stem))
       return std::vector{tide::constituent_name(*named)};
-  return refuse(
-      wanted == 1
-          ? "the file says neither inside nor in its name of which constituent its tide is; it could be any; "
-            "name the file after it, as m2.nc"
-          : "the file holds " + std::to_string(wanted) +
-                " constituents but does not name them; they could be any; ask for a file with the variable "
-                "con");
+  return refuse(wanted == 1 ? messages::ingest_tide_message<"constituent-not-named">()
+                            : messages::ingest_tide_message<"constituents-not-named">(wanted));
 }
 
 Checked<std::vector<std::complex<double>>> read_tide_field(const TideVariables& tide,

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/messages/ingest_tide_messages.hpp"
 #include "storage/ingest/notation/text.hpp"
 #include "storage/ingest/readers/tides/tide_layout.hpp"
 #include "storage/ingest/readers/tides/tide_variables.hpp"
@@ -45,10 +46,9 @@ Checked<ocean::TideGrid::Field> read_at_own_nodes(const Part& part, std::size_t 
     std::complex<double> value = part.variables.factor * (*raw)[i];
     if (part.variables.transport) value = part.depths_m[i] >= shallowest_m ? value / part.depths_m[i] : nan;
     if (std::abs(value) > most) {
-      const std::string unit = part.variables.quantity == TideQuantity::elevation ? " m" : " m/s";
-      return refuse("the tide \"" + part.variables.first->name() + "\" has an amplitude of " +
-                    number(std::abs(value)) + unit + "; no tide has more than " + number(most) + unit +
-                    "; the unit or the file is wrong");
+      const std::string unit = part.variables.quantity == TideQuantity::elevation ? "m" : "m/s";
+      return refuse(messages::ingest_tide_message<"tide-too-high">(
+          part.variables.first->name(), number(std::abs(value)), unit, number(most)));
     }
     field.push_back(std::isnan(value.real()) ? std::complex<float>{nan, nan} : std::complex<float>{value});
   }
@@ -88,7 +88,7 @@ ocean::HorizontalGrid grid_of_store(const std::vector<Part>& parts) {
 
 Checked<std::vector<std::optional<tide::Constituent>>> lines_of(const NetcdfFile& file,
                                                                 const std::string& stem, std::size_t count,
-                                                                std::vector<std::string>& warnings) {
+                                                                Messages& warnings) {
   const auto names = tide_names(file, stem, count);
   if (!names) return refuse(names.error());
   std::vector<std::optional<tide::Constituent>> lines;
@@ -97,16 +97,13 @@ Checked<std::vector<std::optional<tide::Constituent>>> lines_of(const NetcdfFile
     auto line = tide::find_constituent(name);
     if (!line) unknown.push_back(name);
     if (line && std::ranges::find(lines, line) != lines.end())
-      return refuse("the constituent " + name +
-                    " occurs twice; one of them would be lost; the file is damaged");
+      return refuse(messages::ingest_tide_message<"constituent-twice">(name));
     lines.push_back(line);
   }
   if (unknown.size() == names->size())
-    return refuse("the constituents " + enumeration(unknown) +
-                  " are none that this program knows; their speeds are not known; check their names");
+    return refuse(messages::ingest_tide_message<"constituents-unknown">(enumeration(unknown)));
   if (!unknown.empty())
-    warnings.push_back("the constituents " + enumeration(unknown) +
-                       " are not known to this program; they were left out");
+    warnings.push_back(messages::ingest_tide_message<"constituents-left-out">(enumeration(unknown)));
   return lines;
 }
 
@@ -129,15 +126,13 @@ Checked<std::vector<TideInFile>> find_in_all(const NetcdfFiles& files) {
       if (!has(variables.quantity)) all.push_back({file, variables});
   }
   if (has(TideQuantity::east) != has(TideQuantity::north))
-    return refuse("the file holds only the " +
-                  std::string{has(TideQuantity::east) ? "eastward" : "northward"} +
-                  " component of the tidal current; both are needed; give the file of the other component of "
-                  "the same constituent, named after it, in the same command");
+    return refuse(messages::ingest_tide_message<"tide-component-missing">(
+        has(TideQuantity::east) ? "eastward" : "northward"));
   return all;
 }
 
 Checked<TideSource> open_source(const NetcdfFiles& files, const std::string& stem,
-                                const IngestOptions& options, std::vector<std::string>& warnings) {
+                                const IngestOptions& options, Messages& warnings) {
   const auto found = find_in_all(files);
   if (!found) return refuse(found.error());
   std::vector<Part> parts;
@@ -150,8 +145,7 @@ Checked<TideSource> open_source(const NetcdfFiles& files, const std::string& ste
             ? static_cast<std::size_t>(variables.first->dimensions()[*layout->line_dimension].size)
             : 1;
     if (lines && *lines != count)
-      return refuse(
-          "the tides of the file have different numbers of constituents; the file is damaged; get it again");
+      return refuse(messages::ingest_tide_message<"tides-differ-in-constituents">());
     lines = count;
     std::vector<double> depths_m;
     if (variables.transport) {
@@ -159,10 +153,7 @@ Checked<TideSource> open_source(const NetcdfFiles& files, const std::string& ste
       if (!depths) return refuse(depths.error());
       depths_m = std::move(*depths);
       if (depths_m.empty())
-        return refuse(
-            "\"" + variables.first->name() +
-            "\" is the transport of the whole water column, and there are no depths to make it a speed; "
-            "give the model's grid file (grid_*.nc, with hu and hv) in the same command");
+        return refuse(messages::ingest_tide_message<"transport-without-depths">(variables.first->name()));
     }
     parts.push_back({variables, std::move(*layout), std::move(depths_m)});
   }
@@ -185,17 +176,16 @@ Checked<std::int64_t> look_through(const TideSource& source, const core::Progres
       if (!field) return refuse(field.error());
       const auto known = std::ranges::count_if(*field, [](const auto& v) { return !std::isnan(v.real()); });
       if (known == 0)
-        return refuse("every value of \"" + part.variables.first->name() + "\" for " +
-                      tide::constituent_name(*source.lines[line]) +
-                      " is missing; there is nothing to store; check the area of your download");
+        return refuse(messages::ingest_tide_message<"tide-all-missing">(
+            part.variables.first->name(), tide::constituent_name(*source.lines[line])));
       nodes = std::max<std::int64_t>(nodes, known);
     }
   }
   return nodes;
 }
 
-tl::expected<void, std::string> write(const TideSource& source, const core::ProgressCallback& progress,
-                                      sql::Connection& db, const repository::DatasetId& id) {
+Checked<void> write(const TideSource& source, const core::ProgressCallback& progress, sql::Connection& db,
+                    const repository::DatasetId& id) {
   repository::TideRepository tides{db};
   tides.create(id, source.grid);
   const double steps = static_cast<double>(source.parts.size() * source.lines.size());

@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "engine/geo/written_place.hpp"
+#include "engine/messages/ingest_tide_messages.hpp"
 #include "storage/ingest/notation/stated_place.hpp"
 #include "storage/ingest/notation/text.hpp"
 #include "storage/json/json.hpp"
@@ -35,8 +36,7 @@ std::vector<std::string> split_line(std::string_view line, std::string_view sepa
 
 Checked<std::string> text_of_file(const std::filesystem::path& file) {
   if (std::filesystem::file_size(file) > max_bytes)
-    return refuse(
-        "the list of harmonic constants is longer than 50 MB; no station has so many; give another file");
+    return refuse(messages::ingest_tide_message<"station-list-too-long">());
   std::ifstream in{file, std::ios::binary};
   return std::string{std::istreambuf_iterator<char>{in}, {}};
 }
@@ -54,11 +54,10 @@ class StationRows {
  public:
   Checked<bool> add(const ConstituentRow& row, double metres) {
     if (!std::isfinite(row.amplitude) || row.amplitude < 0.0 || row.amplitude * metres > highest_amplitude_m)
-      return refuse("the amplitude of " + row.name + " is " + number(row.amplitude * metres) +
-                    " m; no tide has one below 0 or over 20 m; check the unit");
+      return refuse(
+          messages::ingest_tide_message<"amplitude-impossible">(row.name, number(row.amplitude * metres)));
     if (!std::isfinite(row.phase_deg) || std::abs(row.phase_deg) > 720.0)
-      return refuse("the phase of " + row.name + " is " + number(row.phase_deg) +
-                    "; it has to be degrees behind Greenwich; check the columns");
+      return refuse(messages::ingest_tide_message<"phase-impossible">(row.name, number(row.phase_deg)));
     if (row.amplitude == 0.0) return true;
     const auto line = tide::find_constituent(row.name);
     if (!line) {
@@ -68,23 +67,19 @@ class StationRows {
     }
     const double speed_deg_h = core::radians_to_degrees(tide::angular_speed(*line)) * 3600.0;
     if (row.speed_deg_h && std::abs(*row.speed_deg_h - speed_deg_h) > 0.001)
-      return refuse("the file gives " + row.name + " the speed " + number(*row.speed_deg_h, 9) +
-                    " degrees an hour, but that constituent has " + number(speed_deg_h, 9) +
-                    "; its labels do not fit its numbers; check them");
+      return refuse(messages::ingest_tide_message<"constituent-speed-differs">(
+          row.name, number(*row.speed_deg_h, 9), number(speed_deg_h, 9)));
     if (std::ranges::find(constants_, *line, &tide::HarmonicConstant::constituent) != constants_.end())
-      return refuse("the constituent " + row.name +
-                    " occurs twice; one of them would be lost; check the file");
+      return refuse(messages::ingest_tide_message<"constituent-twice">(row.name));
     constants_.push_back({*line, tide::harmonic_value(row.amplitude * metres, row.phase_deg)});
     return true;
   }
 
   [[nodiscard]] std::vector<tide::HarmonicConstant> constants() && { return std::move(constants_); }
-  void warn(std::vector<std::string>& warnings) const {
+  void warn(Messages& warnings) const {
     if (!unknown_.empty())
-      warnings.push_back("the constituents " + enumeration(unknown_) +
-                         " are not known to this program; they were "
-                         "left out, " +
-                         number(unknown_m_, 3) + " m in all");
+      warnings.push_back(messages::ingest_tide_message<"station-constituents-left-out">(
+          enumeration(unknown_), number(unknown_m_, 3)));
   }
 
  private:
@@ -93,27 +88,25 @@ class StationRows {
   double unknown_m_{};
 };
 
-Checked<PreparedDataset> prepared_stations(std::vector<TideStation> stations,
-                                           std::vector<std::string> warnings) {
+Checked<PreparedDataset> prepared_stations(std::vector<TideStation> stations, Messages warnings) {
   PreparedDataset data;
   data.kind = repository::DatasetKind::tides;
   std::vector<geo::LonLat> places;
   for (const TideStation& station : stations) {
     if (station.constants.empty())
-      return refuse(
-          "a station has no constituent that this program knows; there is nothing to store; check the file");
+      return refuse(messages::ingest_tide_message<"station-without-constituents">());
     places.push_back(station.place);
     for (const tide::HarmonicConstant& constant : station.constants) {
       const std::string& name = tide::constituent_name(constant.constituent);
       if (std::ranges::find(data.variables, name) == data.variables.end()) data.variables.push_back(name);
     }
   }
-  if (stations.empty()) return refuse("the file holds no station; there is nothing to store; check the file");
+  if (stations.empty()) return refuse(messages::ingest_tide_message<"stations-missing">());
   data.bounds = geo::bounding_box(places);
   data.rows_accepted = static_cast<std::int64_t>(stations.size());
   data.warnings = std::move(warnings);
-  data.write = [stations = std::move(stations)](
-                   sql::Connection& db, const repository::DatasetId& id) -> tl::expected<void, std::string> {
+  data.write = [stations = std::move(stations)](sql::Connection& db,
+                                                const repository::DatasetId& id) -> Checked<void> {
     repository::TideRepository{db}.insert(id, stations);
     return {};
   };
@@ -134,23 +127,17 @@ std::optional<double> metres_of(const std::string& unit) {
 Checked<double> unit_of(const std::string& stated, const IngestOptions& options) {
   const std::string unit = stated.empty() ? options.unit.value_or("") : stated;
   if (const auto metres = metres_of(unit)) return *metres;
-  return refuse(
-      unit.empty() ? std::string{"the file does not say in which unit its amplitudes are; a foot taken for a "
-                                 "metre would be three times too high; say it with --unit m or --unit ft"}
-                   : "the amplitudes are in \"" + unit +
-                         "\", which is no length that this program knows; say it with --unit m or --unit ft");
+  return refuse(unit.empty() ? messages::ingest_tide_message<"amplitude-unit-missing">()
+                             : messages::ingest_tide_message<"amplitude-unit-unknown">(unit));
 }
 
 Checked<geo::LonLat> station_place(std::optional<double> lon, std::optional<double> lat,
                                    const IngestOptions& options) {
   if (options.at) return *options.at;
-  if (!lon || !lat)
-    return refuse(
-        "the file does not say where its station is; its tide belongs to no place; say it with "
-        "--at LON,LAT");
+  if (!lon || !lat) return refuse(messages::ingest_tide_message<"station-place-missing">());
   const geo::LonLat place{*lon, *lat};
   if (auto fault = fault_of_place(place); !fault.empty())
-    return refuse(fault + "; the station is at no place on the Earth; correct the file");
+    return refuse(messages::ingest_tide_message<"station-place-impossible">(fault));
   return *geo::written_place(*lon, *lat);
 }
 
@@ -271,7 +258,7 @@ Checked<PreparedDataset> read_tide_json(const std::filesystem::path& file, const
   const char* key =
       document.contains("HarmonicConstituents") ? "HarmonicConstituents" : "harmonic_constituents";
   if (!document.is_object() || !document.contains(key) || !document[key].is_array())
-    return refuse("the JSON of the station is damaged or was cut short; copy or download it again");
+    return refuse(messages::ingest_tide_message<"station-json-damaged">());
   const bool of_database = std::string_view{key} == "harmonic_constituents";  // which is in metres throughout
   const auto metres = unit_of(of_database ? "m" : text_in(document, "units"), options);
   if (!metres) return refuse(metres.error());
@@ -284,14 +271,12 @@ Checked<PreparedDataset> read_tide_json(const std::filesystem::path& file, const
     const auto amplitude = number_in(item, {"amplitude"});
     const auto phase = number_in(item, {"phase_UTC", "phase_GMT"});
     if (!item.is_object() || text_in(item, "name").empty() || !amplitude || !phase)
-      return refuse(
-          "a constituent lacks its name, its amplitude or its phase in UTC (phase_UTC or phase_GMT); local "
-          "phases do not serve; get the station's list again");
+      return refuse(messages::ingest_tide_message<"constituent-incomplete">());
     const auto added =
         rows.add({text_in(item, "name"), *amplitude, *phase, number_in(item, {"speed"})}, *metres);
     if (!added) return refuse(added.error());
   }
-  std::vector<std::string> warnings;
+  Messages warnings;
   rows.warn(warnings);
   return prepared_stations(
       {{text_in(document, "name"), *place, ocean::TideQuantity::elevation, std::move(rows).constants()}},
@@ -304,15 +289,10 @@ Checked<PreparedDataset> read_tide_table(const std::filesystem::path& file, cons
   std::size_t rest = 0;
   const std::string header_line = header_of(*text, rest);
   const auto columns = table_columns(header_line);
-  if (!columns)
-    return refuse("the table has no columns of names, amplitudes and phases; check its first line");
+  if (!columns) return refuse(messages::ingest_tide_message<"station-columns-missing">());
   const std::size_t header = text->rfind(header_line, rest);
   const PhaseTime phase_time = phase_time_of(lower(text->substr(0, header)) + "\n" + columns->phase_name);
-  if (phase_time == PhaseTime::local)
-    return refuse(
-        "the phases of the table count from local time; its tides would come hours early or late; make them "
-        "degrees behind Greenwich first: add the speed of each constituent times the hours by which the zone "
-        "lies west of Greenwich");
+  if (phase_time == PhaseTime::local) return refuse(messages::ingest_tide_message<"phases-in-local-time">());
   const auto metres = unit_of(metres_of(columns->unit) ? columns->unit : "", options);
   if (!metres) return refuse(metres.error());
   const auto place = station_place(std::nullopt, std::nullopt, options);
@@ -324,22 +304,19 @@ Checked<PreparedDataset> read_tide_table(const std::filesystem::path& file, cons
     const std::size_t needed =
         std::max({columns->name, columns->amplitude, columns->phase, columns->speed.value_or(0)});
     if (fields.size() <= needed)
-      return refuse("the line \"" + line.substr(0, 60) +
-                    "\" has too few fields; the file seems to be cut short");
+      return refuse(messages::ingest_tide_message<"station-row-short">(line.substr(0, 60)));
     const auto amplitude = parse_number(fields[columns->amplitude]);
     const auto phase = parse_number(fields[columns->phase]);
     const auto speed = columns->speed ? parse_number(fields[*columns->speed]) : std::nullopt;
     if (!amplitude || !phase || (columns->speed && !speed))
-      return refuse("the line \"" + line.substr(0, 60) +
-                    "\" has no amplitude, phase or speed; check the file");
+      return refuse(messages::ingest_tide_message<"station-row-incomplete">(line.substr(0, 60)));
     const auto added = rows.add({fields[columns->name], *amplitude, *phase, speed}, *metres);
     if (!added) return refuse(added.error());
   }
-  std::vector<std::string> warnings;
+  Messages warnings;
   rows.warn(warnings);
   if (phase_time == PhaseTime::unstated)
-    warnings.emplace_back(
-        "the phases are taken as degrees behind Greenwich, because the file does not say otherwise");
+    warnings.push_back(messages::ingest_tide_message<"phases-taken-as-greenwich">());
   return prepared_stations({{"", *place, ocean::TideQuantity::elevation, std::move(rows).constants()}},
                            std::move(warnings));
 }
@@ -349,7 +326,7 @@ Checked<PreparedDataset> read_otps_extract(const std::filesystem::path& file) {
   if (!text) return refuse(text.error());
   std::vector<std::string> names;  // of the constituents, once the header is found
   std::vector<TideStation> stations;
-  std::vector<std::string> warnings;
+  Messages warnings;
   std::int64_t outside = 0;
   for (const std::string& line : split_line(*text, "\n")) {
     const auto fields = split_line(line, " \t\r");
@@ -363,15 +340,13 @@ Checked<PreparedDataset> read_otps_extract(const std::filesystem::path& file) {
       continue;
     }
     if (fields.size() != 2 + 2 * names.size())
-      return refuse("the line \"" + line.substr(0, 60) + "\" has " + std::to_string(fields.size()) +
-                    " fields, not " + std::to_string(2 + 2 * names.size()) +
-                    "; the file seems to be cut short; extract it again");
+      return refuse(messages::ingest_tide_message<"extract-row-short">(line.substr(0, 60), fields.size(),
+                                                                       2 + 2 * names.size()));
     std::vector<double> numbers;
     for (const std::string& field : fields)
       if (const auto value = parse_number(field)) numbers.push_back(*value);
     if (numbers.size() != fields.size())
-      return refuse("the line \"" + line.substr(0, 60) +
-                    "\" holds something that is no number; extract it again");
+      return refuse(messages::ingest_tide_message<"extract-row-unreadable">(line.substr(0, 60)));
     const auto place = station_place(numbers[1], numbers[0], {});
     if (!place) return refuse(place.error());
     StationRows rows;
@@ -381,10 +356,9 @@ Checked<PreparedDataset> read_otps_extract(const std::filesystem::path& file) {
     }
     if (stations.empty()) rows.warn(warnings);
     stations.push_back({"", *place, ocean::TideQuantity::elevation, std::move(rows).constants()});
-    if (stations.size() > max_stations)
-      return refuse("the file holds more than 100000 places; cut it into parts");
+    if (stations.size() > max_stations) return refuse(messages::ingest_tide_message<"too-many-places">());
   }
-  if (outside > 0) warnings.push_back(std::to_string(outside) + " places outside the model were left out");
+  if (outside > 0) warnings.push_back(messages::ingest_tide_message<"places-outside-model">(outside));
   return prepared_stations(std::move(stations), std::move(warnings));
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "engine/messages/ingest_tide_messages.hpp"
 #include "storage/ingest/formats/netcdf/variable_meaning.hpp"
 #include "storage/ingest/notation/text.hpp"
 #include "storage/ingest/readers/velocity/velocity_meaning.hpp"
@@ -111,17 +112,13 @@ Checked<bool> read_unit(TideVariables& found) {
     return true;
   };
   if (found.quantity == TideQuantity::elevation ? take(lengths) : take(flows)) return true;
-  return refuse(
-      "the tide \"" + found.first->name() + "\" has the unit \"" + stated +
-      "\", which this program cannot read; its size would be a guess; state metres, m/s or m2/s (or their "
-      "hundredths or thousandths) in the attribute units");
+  return refuse(messages::ingest_tide_message<"tide-unit-unknown">(found.first->name(), stated));
 }
 
 Checked<bool> check_phase(const NetcdfVariable& phase) {
   const std::string unit = lower(phase.attribute("units"));
   if (unit.empty() || unit.starts_with("deg")) return true;
-  return refuse("the phase \"" + phase.name() + "\" has the unit \"" + unit +
-                "\", not degrees; convert it to degrees behind Greenwich");
+  return refuse(messages::ingest_tide_message<"phase-not-in-degrees">(phase.name(), unit));
 }
 
 }  // namespace
@@ -151,11 +148,7 @@ std::optional<TideQuantity> lone_tide_component(const NetcdfFile& file) {
 bool holds_tide_depths_alone(const NetcdfFile& file) { return has_depths(file) && !holds_tides(file); }
 
 Checked<std::vector<TideVariables>> find_tides(const NetcdfFile& file) {
-  if (is_roms_forcing(file))
-    return refuse(
-        "this is the tidal forcing of a ROMS model: its phases count from a date of the model's own and its "
-        "places are "
-        "in another file; the tide it was made from (TPXO, FES) is what can be read; give that");
+  if (is_roms_forcing(file)) return refuse(messages::ingest_tide_message<"roms-forcing">());
   std::vector<TideVariables> tides;
   const auto has = [&](TideQuantity quantity) {
     return std::ranges::find(tides, quantity, &TideVariables::quantity) != tides.end();
@@ -166,13 +159,10 @@ Checked<std::vector<TideVariables>> find_tides(const NetcdfFile& file) {
     if (!has_pair(file, pair) || has(pair.quantity)) continue;
     const auto same = [](const NetcdfDimension& a, const NetcdfDimension& b) { return a.name == b.name; };
     if (!std::ranges::equal(first->dimensions(), second->dimensions(), same))
-      return refuse("\"" + first->name() + "\" and \"" + second->name() +
-                    "\" do not lie on the same dimensions; the file is damaged; get it again");
+      return refuse(messages::ingest_tide_message<"tide-parts-differ">(first->name(), second->name()));
     if (contradicts(*first, pair.quantity))
-      return refuse("\"" + first->name() + "\" is called the " +
-                    (pair.quantity == TideQuantity::east ? "eastward" : "northward") +
-                    " tidal current, but says that it is the other component; a wrong guess would turn the "
-                    "current; correct its standard name or its name");
+      return refuse(messages::ingest_tide_message<"tide-component-contradicts">(
+          first->name(), std::string{pair.quantity == TideQuantity::east ? "eastward" : "northward"}));
     TideVariables found{pair.quantity, first, second, pair.amplitude_and_phase};
     if (const auto unit = read_unit(found); !unit) return refuse(unit.error());
     if (pair.amplitude_and_phase)

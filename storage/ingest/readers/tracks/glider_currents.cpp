@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/messages/ingest_track_messages.hpp"
 #include "storage/ingest/formats/netcdf/measurement_line.hpp"
 #include "storage/ingest/notation/cf_time.hpp"
 #include "storage/ingest/notation/cf_units.hpp"
@@ -61,10 +62,7 @@ Checked<std::vector<double>> values_of(const NetcdfFile& file, const NetcdfVaria
     return values;
   }
   const auto line = MeasurementLine::of(file, &variable);
-  if (!line)
-    return refuse("the depth-averaged current \"" + variable.name() +
-                  "\" has values along several dimensions; there is one value for each dive of one glider; "
-                  "give the files of one glider");
+  if (!line) return refuse(messages::ingest_track_message<"currents-on-several-dimensions">(variable.name()));
   return line->read(0, static_cast<std::size_t>(line->size()));
 }
 
@@ -123,12 +121,10 @@ bool is_of_vehicle_axes(const NetcdfVariable& variable) {
   return contains_any(lower(variable.attribute("source")), {"_water_vx", "_water_vy"});
 }
 
-std::string without_unit(const NetcdfVariable& variable) {
+messages::Message without_unit(const NetcdfVariable& variable) {
   const std::string unit = variable.attribute("units");
-  return "the depth-averaged current \"" + variable.name() + "\" " +
-         (unit.empty() ? "states no unit"
-                       : "has the unit \"" + unit + "\", which is no speed that is known") +
-         "; it may be m/s or cm/s, so the currents were left out";
+  if (unit.empty()) return messages::ingest_track_message<"currents-without-unit">(variable.name());
+  return messages::ingest_track_message<"currents-with-unknown-unit">(variable.name(), unit);
 }
 
 }  // namespace
@@ -144,8 +140,7 @@ Checked<bool> add_currents(const NetcdfFile& file, const TimeSpanOfRows& rows, T
   if (pair.east == nullptr || pair.north == nullptr) return true;
   if (contradicts_itself(pair)) {
     track.warn(
-        "the currents \"" + pair.east->name() + "\" and \"" + pair.north->name() +
-        "\" were left out: both say that they are the same component, and a wrong guess would turn them");
+        messages::ingest_track_message<"currents-with-one-component">(pair.east->name(), pair.north->name()));
     return true;
   }
   const auto east = values_of(file, *pair.east);
@@ -165,16 +160,15 @@ Checked<bool> add_currents(const NetcdfFile& file, const TimeSpanOfRows& rows, T
   if (runs.size() > few_currents && runs.size() * least_rows_a_current > east->size()) {
     const auto times = find_measured(file, {"time_uv", "time_watercurrents"}, {});
     if (times == nullptr) {
-      track.warn("the currents \"" + pair.east->name() + "\" and \"" + pair.north->name() +
-                 "\" change from row to row, so they are no averages of dives, and were left out");
+      track.warn(
+          messages::ingest_track_message<"currents-not-of-dives">(pair.east->name(), pair.north->name()));
       return true;
     }
   }
 
   if (is_of_vehicle_axes(*pair.east))
-    track.warn(
-        "\"" + pair.east->name() + "\" says that it was taken from " + pair.east->attribute("source") +
-        ", which a Slocum logs in its own axes; unless its producer turned it, give the vehicle's own log");
+    track.warn(messages::ingest_track_message<"currents-of-vehicle-axes">(pair.east->name(),
+                                                                          pair.east->attribute("source")));
 
   const NetcdfVariable* time = beside(file, {"time_uv", "time_watercurrents"}, "time", *pair.east);
   const auto times = values_beside(file, time, east->size());
@@ -195,7 +189,7 @@ Checked<bool> add_currents(const NetcdfFile& file, const TimeSpanOfRows& rows, T
     const auto first = time_at(calendar, (*times)[run.first]);
     const auto last = time_at(calendar, (*times)[run.last]);
     if (!first && !is_alone(*pair.east)) {
-      track.warn("depth-averaged currents without a time were left out");
+      track.warn(messages::ingest_track_message<"track-currents-without-time">());
       continue;
     }
     TrackCurrent current{

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "engine/messages/ingest_track_messages.hpp"
 #include "storage/ingest/formats/netcdf/measurement_line.hpp"
 #include "storage/ingest/notation/cf_time.hpp"
 #include "storage/ingest/notation/cf_units.hpp"
@@ -55,8 +56,7 @@ void take_depth(const NetcdfFile& file, Columns& columns, TrackBuilder& track) {
     const auto factor = length_factor(depth->variable().attribute("units"));
     const bool up = lower(depth->variable().attribute("positive")) == "up";
     if (!factor) {
-      track.warn("the depth \"" + depth->variable().name() +
-                 "\" states no unit of length that is known; it was left out");
+      track.warn(messages::ingest_track_message<"track-depth-without-unit">(depth->variable().name()));
       return;
     }
     columns.depth_factor = up ? -*factor : *factor;
@@ -68,8 +68,7 @@ void take_depth(const NetcdfFile& file, Columns& columns, TrackBuilder& track) {
   if (!shares_rows(pressure, columns.time)) return;
   const auto factor = pressure_factor(pressure->variable().attribute("units"));
   if (!factor) {
-    track.warn("the pressure \"" + pressure->variable().name() +
-               "\" states no unit of pressure that is known; it was left out");
+    track.warn(messages::ingest_track_message<"track-pressure-without-unit">(pressure->variable().name()));
     return;
   }
   columns.depth_factor = *factor;
@@ -82,10 +81,7 @@ Checked<Columns> columns_of(const NetcdfFile& file, TrackBuilder& track) {
   auto lat = MeasurementLine::of(file, find_measured(file, {"lat", "latitude"}, {"latitude"}));
   auto lon = MeasurementLine::of(file, find_measured(file, {"lon", "longitude"}, {"longitude"}));
   if (!time || !lat || !lon || !shares_rows(lat, *time) || !shares_rows(lon, *time))
-    return refuse(
-        "the file is a glider's, but has no time, latitude and longitude along one dimension; a track is "
-        "read "
-        "row by row; give a file with one row for each measurement of one glider");
+    return refuse(messages::ingest_track_message<"track-without-rows">());
   auto calendar = CfTime::parse(time->variable().attribute("units"), time->variable().attribute("calendar"));
   if (!calendar) return refuse(calendar.error());
   Columns columns{.time = std::move(*time),
@@ -175,10 +171,7 @@ Checked<PreparedDataset> read_glider_netcdf(const FileGroup& files, const core::
     if (progress) progress("reading", static_cast<double>(i) / static_cast<double>(files.size()));
     const auto file = NetcdfFile::open(files[i]);
     if (!file) return refuse(file.error());
-    if (trajectories_of(*file).size() > 1)
-      return refuse(
-          "the file holds the tracks of several gliders; their rows cannot be told apart; ask for one "
-          "trajectory a file");
+    if (trajectories_of(*file).size() > 1) return refuse(messages::ingest_track_message<"several-gliders">());
     if (!track) {
       const std::string name = trajectory_of(*file);
       track.emplace(name.empty() ? files[i].stem().string() : name);

@@ -98,10 +98,7 @@ void SlocumDives::note_place(const SlocumRow& row, core::UtcTime time) {
       ++unreached;
     }
     add_early_rows();
-    if (unreached > 0)
-      track_.warn(
-          std::to_string(unreached) +
-          " positions that the vehicle reckoned before its first fix are too far from it and left out");
+    if (unreached > 0) track_.warn(messages::ingest_track_message<"reckoned-positions-left-out">(unreached));
   }
   if (place || noted.depth) track_.add(noted);
 }
@@ -172,18 +169,11 @@ void SlocumDives::turn_currents() {
     track_.add(TrackCurrent{
         .time = met.time, .place = met.place, .current = known->axes.to_true(met.current, *met.near)});
     track_.turned_from(*known);
-    track_.warn(
-        "the depth-averaged currents were turned from the vehicle's own axes to true east and north: " +
-        ocean::words_of(*known));
-    for (std::string& doubt : axes_.doubts(met.axes)) track_.warn(std::move(doubt));
+    track_.warn(messages::ingest_track_message<"currents-turned-to-true-north">(ocean::words_of(*known)));
+    for (const std::string& doubt : axes_.doubts(met.axes))
+      track_.warn(messages::ingest_track_message<"axes-doubtful">(doubt));
   }
-  if (unknown > 0)
-    track_.warn(
-        std::to_string(unknown) +
-        (unknown == 1 ? " depth-averaged current is" : " depth-averaged currents are") +
-        " in the vehicle's own axes and left out: the log has no usable x_utm_to_lmc_00 and _01 or "
-        "m_gps_mag_var, and the World Magnetic Model is known from 2010 to 2030 alone; convert the log "
-        "with m_gps_mag_var");
+  if (unknown > 0) track_.warn(messages::ingest_track_message<"currents-in-vehicle-axes-left-out">(unknown));
 }
 
 void SlocumDives::finish() {

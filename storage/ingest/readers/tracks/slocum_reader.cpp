@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/messages/ingest_track_messages.hpp"
 #include "storage/ingest/formats/slocum/slocum_binary.hpp"
 #include "storage/ingest/formats/slocum/slocum_header.hpp"
 #include "storage/ingest/formats/slocum/slocum_log.hpp"
@@ -47,9 +48,9 @@ Checked<PreparedDataset> read_slocum_tracks(const FileGroup& files, const core::
                                                      : read_slocum_text(files[i], take);
     if (!log) return refuse(log.error());
     if (const std::string missing = missing_in(*log); !missing.empty())
-      return refuse("the log \"" + files[i].filename().string() + "\" has no " + missing +
-                    "; without time and position there is no track; convert it with these sensors");
-    for (const std::string& warning : log->warnings) track.warn(warning);
+      return refuse(
+          messages::ingest_track_message<"log-without-sensors">(files[i].filename().string(), missing));
+    for (const messages::Message& warning : log->warnings) track.warn(warning);
     for (std::int64_t refused = log->rows_refused; refused > 0; --refused) track.refuse_row();
     if (names.empty()) names = names_in(*log);
   }

@@ -7,6 +7,7 @@
 
 #include "engine/core/utc_text.hpp"
 #include "engine/geo/geodesic.hpp"
+#include "engine/messages/ingest_track_messages.hpp"
 #include "storage/ingest/notation/text.hpp"
 #include "storage/ingest/readers/velocity/velocity_component.hpp"
 #include "storage/repository/features/glider_track_repository.hpp"
@@ -29,10 +30,6 @@ bool is_place(geo::LonLat place) {
   return geo::is_valid(place) && place != geo::LonLat{0.0, 0.0};
 }
 
-std::string count_of(std::size_t count, const std::string& one, const std::string& many) {
-  return std::to_string(count) + " " + (count == 1 ? one : many);
-}
-
 /// What lies at a share of the way between two places.
 geo::LonLat between(const TrackRow& before, const TrackRow& after, core::UtcTime time) {
   return ocean::place_at(
@@ -50,8 +47,8 @@ void TrackBuilder::add(const TrackRow& row) {
   stride_ *= 2;
 }
 
-void TrackBuilder::warn(std::string words) {
-  if (std::ranges::find(warnings_, words) == warnings_.end()) warnings_.push_back(std::move(words));
+void TrackBuilder::warn(messages::Message told) {
+  if (std::ranges::find(warnings_, told) == warnings_.end()) warnings_.push_back(std::move(told));
 }
 
 void TrackBuilder::leave_out_impossible_places() {
@@ -61,9 +58,7 @@ void TrackBuilder::leave_out_impossible_places() {
     row.place.reset();
     ++removed;
   }
-  if (removed > 0)
-    warn(count_of(removed, "position is", "positions are") +
-         " none on the globe, or exactly 0 degrees both ways, and left out");
+  if (removed > 0) warn(messages::ingest_track_message<"track-positions-left-out">(removed));
 }
 
 void TrackBuilder::leave_out_impossible_depths() {
@@ -73,14 +68,13 @@ void TrackBuilder::leave_out_impossible_depths() {
     row.depth.reset();
     ++removed;
   }
-  if (removed > 0)
-    warn(count_of(removed, "depth is", "depths are") + " not within -20 and 12,000 m and left out");
+  if (removed > 0) warn(messages::ingest_track_message<"track-depths-left-out">(removed));
 }
 
 void TrackBuilder::sort_rows() {
   const auto by_time = [](const TrackRow& row) { return row.time; };
   if (!std::ranges::is_sorted(rows_, {}, by_time)) {
-    warn("the times do not ascend; the rows were put into their order");
+    warn(messages::ingest_track_message<"track-put-in-order">());
     std::ranges::stable_sort(rows_, {}, by_time);
   }
   const auto [first, last] = std::ranges::unique(rows_, [](const TrackRow& a, const TrackRow& b) {
@@ -118,15 +112,11 @@ void TrackBuilder::leave_out_impossible_currents() {
   const auto nothing = std::erase_if(currents_, [](const TrackCurrent& each) {
     return each.current.east.value == 0.0 && each.current.north.value == 0.0;
   });
-  if (nothing > 0)
-    warn(count_of(nothing, "depth-averaged current is", "depth-averaged currents are") +
-         " exactly 0, as where the glider knows none, and left out");
+  if (nothing > 0) warn(messages::ingest_track_message<"zero-currents-left-out">(nothing));
   const auto impossible = std::erase_if(currents_, [](const TrackCurrent& each) {
     return !(geo::strength(each.current).value <= max_speed_m_s) || (each.place && !is_place(*each.place));
   });
-  if (impossible > 0)
-    warn(count_of(impossible, "depth-averaged current is", "depth-averaged currents are") +
-         " over 10 m/s or lie at no place on the globe, and left out");
+  if (impossible > 0) warn(messages::ingest_track_message<"impossible-currents-left-out">(impossible));
 }
 
 void TrackBuilder::warn_of_speed(const std::vector<ocean::TrackPoint>& points) {
@@ -147,9 +137,7 @@ void TrackBuilder::warn_of_speed(const std::vector<ocean::TrackPoint>& points) {
     before = &point;
   }
   if (found > 0)
-    warn("between " + count_of(found, "pair", "pairs") + " of fixes the speed over ground exceeds 10 m/s (" +
-         number(fastest.first, 3) + " m/s at " + core::iso8601(fastest.second) +
-         "); a position or a time is wrong there");
+    warn(messages::ingest_track_message<"track-too-fast">(found, number(fastest.first, 3), fastest.second));
 }
 
 std::vector<ocean::TrackPoint> TrackBuilder::points() const {
@@ -177,18 +165,12 @@ std::vector<ocean::DepthAveragedCurrent> TrackBuilder::currents(
 }
 
 Checked<PreparedDataset> TrackBuilder::prepared(std::vector<std::string> variables) && {
-  if (stride_ > 1)
-    warn("of " + std::to_string(seen_) + " rows each " + std::to_string(stride_) +
-         "th is kept; a track has at most a million points");
+  if (stride_ > 1) warn(messages::ingest_track_message<"track-thinned">(seen_, stride_));
   leave_out_impossible_places();
   leave_out_impossible_depths();
   sort_rows();
   fill_places();
-  if (rows_.empty())
-    return refuse(
-        "the file holds no position of the glider with its time; there is no track to store; give a file "
-        "with "
-        "fixes");
+  if (rows_.empty()) return refuse(messages::ingest_track_message<"track-without-places">());
   leave_out_impossible_currents();
 
   ocean::GliderTrack track{.glider = std::move(glider_), .points = points(), .currents = {}};
@@ -198,9 +180,7 @@ Checked<PreparedDataset> TrackBuilder::prepared(std::vector<std::string> variabl
     track.frame = ocean::CurrentFrame::turned;
     track.turned_from = turned_from_;
   } else if (!track.currents.empty()) {
-    warn(
-        "the depth-averaged currents are taken as true east and north, as the file states them; not every "
-        "producer turns them from the vehicle's own axes; ask the producer if they look turned");
+    warn(messages::ingest_track_message<"currents-taken-as-true-north">());
   }
   warn_of_speed(track.points);
 
@@ -213,8 +193,8 @@ Checked<PreparedDataset> TrackBuilder::prepared(std::vector<std::string> variabl
   data.rows_accepted = std::ssize(track.points);
   data.rows_refused = rows_refused_;
   data.warnings = std::move(warnings_);
-  data.write = [track = std::move(track)](
-                   sql::Connection& db, const repository::DatasetId& id) -> tl::expected<void, std::string> {
+  data.write = [track = std::move(track)](sql::Connection& db,
+                                          const repository::DatasetId& id) -> Checked<void> {
     repository::GliderTrackRepository{db}.insert(id, {track});
     return {};
   };

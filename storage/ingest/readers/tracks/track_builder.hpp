@@ -44,7 +44,7 @@ class TrackBuilder {
   /// A row that cannot be used at all.
   void refuse_row() { ++rows_refused_; }
   /// For the user, in the order of the calls; the same words are said once.
-  void warn(std::string words);
+  void warn(messages::Message told);
 
   /// The track, with its times ascending. Left out and told: places that are none, depths and currents that cannot be,
   /// currents of exactly nothing. Told alone: a speed over ground between fixes that no glider has, and currents whose
@@ -67,7 +67,7 @@ class TrackBuilder {
   std::vector<TrackRow> rows_;
   std::vector<TrackCurrent> currents_;
   std::optional<ocean::VehicleAxes> turned_from_;
-  std::vector<std::string> warnings_;
+  Messages warnings_;
   std::int64_t rows_refused_{};
   std::size_t seen_{};
   std::size_t stride_{1};

@@ -49,11 +49,11 @@ Extent valid_range_of(const NetcdfVariable& variable, double factor) {
 
 /// Metres per second in one of the variable's (unpacked) unit. A variable without a unit is taken as m/s and says so
 /// in `warnings`; the size of its values has to confirm that.
-Checked<double> speed_factor_of(const NetcdfVariable& variable, std::vector<std::string>& warnings) {
+Checked<double> speed_factor_of(const NetcdfVariable& variable, Messages& warnings) {
   const std::string unit = variable.attribute("units");
   if (unit.empty()) {
-    warnings.push_back("the variable \"" + variable.name() +
-                       "\" states no unit; taken as m/s, which its size allows");
+    warnings.push_back(remark("the variable \"" + variable.name() +
+                              "\" states no unit; taken as m/s, which its size allows"));
     return 1.0;
   }
   if (const auto factor = speed_factor(unit)) return *factor;
@@ -65,7 +65,7 @@ Checked<double> speed_factor_of(const NetcdfVariable& variable, std::vector<std:
 }  // namespace
 
 Checked<VelocityComponent> VelocityComponent::of(const NetcdfFile& file, const NetcdfVariable& variable,
-                                                 NetcdfLayout layout, std::vector<std::string>& warnings) {
+                                                 NetcdfLayout layout, Messages& warnings) {
   const auto factor = speed_factor_of(variable, warnings);
   if (!factor) return refuse(factor.error());
   VelocityComponent component;

@@ -30,7 +30,7 @@ class VelocityComponent {
   /// `file`  of the variable and its quality flags
   /// Errors  a unit that is no speed
   [[nodiscard]] static Checked<VelocityComponent> of(const NetcdfFile& file, const NetcdfVariable& variable,
-                                                     NetcdfLayout layout, std::vector<std::string>& warnings);
+                                                     NetcdfLayout layout, Messages& warnings);
 
   [[nodiscard]] const NetcdfLayout& layout() const { return layout_; }
   [[nodiscard]] const NetcdfVariable& variable() const { return *variable_; }

@@ -134,7 +134,7 @@ std::string nothing_to_store(const std::vector<VelocityCandidate>& candidates, M
                "with, for example, the variables u10 and v10";
 }
 
-void warn_of_content(const CandidatePair& pair, std::vector<std::string>& warnings) {
+void warn_of_content(const CandidatePair& pair, Messages& warnings) {
   const NetcdfVariable& first = *pair.first->variable;
   const std::string words = lower(first.name() + " " + first.attribute("long_name"));
   switch (pair.meaning().content) {
@@ -143,32 +143,31 @@ void warn_of_content(const CandidatePair& pair, std::vector<std::string>& warnin
       const bool both = contains_any(words, {"utotal"});
       const bool waves = both || contains_any(words, {"wave", "stokes"});
       const bool tide = both || !waves || contains_any(words, {"tide", "tidal"});
-      warnings.push_back(std::string{"these currents already hold "} + (tide ? "the tide" : "") +
-                         (tide && waves ? " and " : "") + (waves ? "the drift by waves" : "") +
-                         (tide ? "; add no tide to them" : ""));
+      warnings.push_back(remark(std::string{"these currents already hold "} + (tide ? "the tide" : "") +
+                                (tide && waves ? " and " : "") + (waves ? "the drift by waves" : "") +
+                                (tide ? "; add no tide to them" : "")));
       break;
     }
     case CurrentContent::without_tide:
-      warnings.emplace_back("these currents are without the tide; add it from a dataset of tides");
+      warnings.push_back(remark("these currents are without the tide; add it from a dataset of tides"));
       break;
     case CurrentContent::geostrophic:
-      warnings.emplace_back(
-          "these are geostrophic currents from sea level: no tide, no wind drift, near the surface only");
+      warnings.push_back(remark(
+          "these are geostrophic currents from sea level: no tide, no wind drift, near the surface only"));
       break;
     case CurrentContent::tide:
     case CurrentContent::wave_drift:
     case CurrentContent::other_part:
       warnings.push_back(
-          pair.names() + " hold " + content_words(pair.meaning().content) +
-          (pair.meaning().on_request ? ", as --variable asks for" : ", as their long names say") +
-          "; a plan in them leaves out the rest of the current");
+          remark(pair.names() + " hold " + content_words(pair.meaning().content) +
+                 (pair.meaning().on_request ? ", as --variable asks for" : ", as their long names say") +
+                 "; a plan in them leaves out the rest of the current"));
       break;
   }
 }
 
 /// What else could have been taken. Not the same currents at fewer depths or along other axes.
-void warn_of_others(const std::vector<CandidatePair>& pairs, Moving what,
-                    std::vector<std::string>& warnings) {
+void warn_of_others(const std::vector<CandidatePair>& pairs, Moving what, Messages& warnings) {
   const CandidatePair& taken = pairs.front();
   std::string others;
   for (const CandidatePair& pair : pairs) {
@@ -182,23 +181,23 @@ void warn_of_others(const std::vector<CandidatePair>& pairs, Moving what,
     if (what == Moving::sea) others += " (" + content_words(pair.meaning().content) + ")";
   }
   if (others.empty()) return;
-  warnings.push_back(
+  warnings.push_back(remark(
       "of several pairs of components " + taken.names() + " were stored; the file also holds " + others +
-      (what == Moving::sea ? "; name one component with --variable to store its pair instead" : ""));
+      (what == Moving::sea ? "; name one component with --variable to store its pair instead" : "")));
 }
 
-void warn_of_meaning(const CandidatePair& pair, Moving what, std::vector<std::string>& warnings) {
+void warn_of_meaning(const CandidatePair& pair, Moving what, Messages& warnings) {
   for (const VelocityCandidate* candidate : {pair.first, pair.second})
-    if (!candidate->meaning.remark.empty()) warnings.push_back(candidate->meaning.remark);
+    if (!candidate->meaning.remark.empty()) warnings.push_back(remark(candidate->meaning.remark));
   const NetcdfVariable& first = *pair.first->variable;
   for (const CellMethod& cell : cell_methods_of(first))
     if (cell.where.size() > 1 && cell.where[0] == "over" && cell.where[1] == "years")
       warnings.push_back(
-          pair.names() +
-          " are means over many years (a climatology); at no single time is the sea like that");
+          remark(pair.names() +
+                 " are means over many years (a climatology); at no single time is the sea like that"));
   if (what == Moving::sea && first.attribute("standard_name").empty() && first.attribute("long_name").empty())
-    warnings.push_back("the variables " + pair.names() +
-                       " do not describe themselves; taken as currents by their names");
+    warnings.push_back(remark("the variables " + pair.names() +
+                              " do not describe themselves; taken as currents by their names"));
 }
 
 /// Pairs that are equal in all that decides.
@@ -275,7 +274,7 @@ Checked<VelocityPair> find_velocity_pair(const NetcdfFiles& files, Moving what,
   if (auto doubt =
           doubt_in_title(pair.first_file->attribute("title"), best.names(), what, best.meaning().content);
       !doubt.empty())
-    pair.warnings.push_back(std::move(doubt));
+    pair.warnings.push_back(remark(std::move(doubt)));
   if (what == Moving::sea) warn_of_content(best, pair.warnings);
   // Parts that are stored on request alone are told, too.
   std::vector<const VelocityCandidate*> all;

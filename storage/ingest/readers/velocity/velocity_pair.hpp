@@ -20,7 +20,7 @@ struct VelocityPair {
   VelocityAxes axes{VelocityAxes::unstated};
   WaterPart part{WaterPart::unstated};  // of currents without an axis of depth
   std::optional<double> depth_m;        // likewise, where a name states it
-  std::vector<std::string> warnings;    // what the choice means for the pilot
+  Messages warnings;                    // what the choice means for the pilot
 };
 
 /// Whether any variable is a component of what moves that can be stored, alone or in a pair.

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "engine/core/letter_case.hpp"
+#include "engine/messages/ingest_area_messages.hpp"
 #include "storage/ingest/formats/vector/feature_texts.hpp"
 #include "storage/ingest/formats/vector/sigrid3.hpp"
 #include "storage/ingest/readers/zones/zone_attributes.hpp"
@@ -36,23 +37,15 @@ PolygonMeaning meaning_of_word(std::string_view word) {
   return PolygonMeaning::unstated;
 }
 
-/// What there is to say where polygons do not say it themselves.
-const char* const how_to_say =
-    "; say what they are: --kind zones (with --zone-kind no_go or stay_in), --kind coastline (land or ice "
-    "shelf) or "
-    "--kind ice (sea ice)";
-
 Checked<DatasetKind> kind_of_polygons(const std::set<PolygonMeaning>& meanings) {
   if (meanings.contains(PolygonMeaning::zone))
     return DatasetKind::zones;  // whose reader names each that is none
   if (meanings.contains(PolygonMeaning::chart_of_ice)) return DatasetKind::ice;
   if (meanings.contains(PolygonMeaning::unstated))
-    return refuse(std::string{"the polygons do not say what they are: areas to keep out of, land or ice"} +
-                  how_to_say);
+    return refuse(messages::ingest_area_message<"polygons-do-not-say-what-they-are">());
   if (!meanings.contains(PolygonMeaning::fast_ice)) return DatasetKind::coastline;
   if (meanings.size() == 1) return DatasetKind::ice;
-  return refuse(std::string{"the file holds land and fast ice"} + how_to_say +
-                ", or put each into a file of its own");
+  return refuse(messages::ingest_area_message<"land-and-fast-ice">());
 }
 
 /// What the geometries of a file are, and what its polygons say.
@@ -109,10 +102,7 @@ Checked<DatasetKind> kind_of_features(GDALDataset& dataset, std::optional<Datase
       contents.meanings.contains(PolygonMeaning::zone) || (zone_kind_stated && !contents.points);
   if (ruled && (!wanted || wanted == DatasetKind::zones)) return DatasetKind::zones;
   if (contents.points == contents.polygons || contents.others)
-    return refuse(
-        "the file holds neither only points (icebergs) nor only polygons (zones, land, ice); what it means "
-        "is "
-        "unknown; put each kind into a file of its own");
+    return refuse(messages::ingest_area_message<"points-and-polygons">());
   if (contents.points) return DatasetKind::icebergs;
   if (wanted == DatasetKind::coastline || wanted == DatasetKind::ice || wanted == DatasetKind::icebergs)
     return *wanted;

@@ -99,22 +99,19 @@ class AttributeReader {
       if (rule) {
         state(stated, attribute, *rule);
       } else if (attribute.meaning == AttributeMeaning::kind) {
-        faults_.push_back(said(attribute) + "; write no_go (keep out) or stay_in (keep inside)");
+        faults_.push_back(messages::ingest_area_message<"zone-kind-unreadable">(said(attribute)));
         stated.value = stated.value.value_or(ocean::ZoneKind::no_go);
       }
     }
     if (stated.value) return *stated.value;
     if (!kind_of_others) {
-      faults_.emplace_back(
-          "states no kind; add an attribute \"kind\" with no_go (keep out) or stay_in (keep inside), or give "
-          "--zone-kind for all that state none");
+      faults_.push_back(messages::ingest_area_message<"zone-kind-missing">());
       return ocean::ZoneKind::no_go;
     }
     tell_of_the_other_rule(*kind_of_others);
     for (const Attribute& attribute : all(AttributeMeaning::perhaps_kind))
-      leave_unheeded(attribute, ", which is neither no_go nor stay_in: the rule is the one of --zone-kind, " +
-                                    std::string{ocean::zone_kind_name(*kind_of_others)} +
-                                    "; check that it is meant for this area");
+      leave_unheeded(attribute, messages::ingest_area_message<"zone-type-not-obeyed">(
+                                    said(attribute), ocean::zone_kind_name(*kind_of_others)));
     return *kind_of_others;
   }
 
@@ -128,9 +125,7 @@ class AttributeReader {
     } else if (around.is_empty()) {
       tell_empty(around);
     } else if (both.is_empty()) {
-      faults_.push_back("its own period (" + own.words() + ") and that of the folder around it (" +
-                        around.words() +
-                        ") do not overlap, so that it would never be in force; correct one of them");
+      faults_.push_back(messages::ingest_area_message<"periods-do-not-overlap">(own.words(), around.words()));
     }
     return both;
   }
@@ -145,7 +140,7 @@ class AttributeReader {
         if (depth)
           state(is_top ? top : bottom, attribute, *depth);
         else
-          faults_.push_back(said(attribute) + "; give metres below the surface, from 0 to 11000");
+          faults_.push_back(messages::ingest_area_message<"zone-depth-unreadable">(said(attribute)));
       } else if (attribute.meaning == AttributeMeaning::depths ||
                  attribute.meaning == AttributeMeaning::unclear_depth) {
         read_range(attribute, top, bottom);
@@ -154,11 +149,10 @@ class AttributeReader {
     if (top.value) zone.top = *top.value;
     if (bottom.value) zone.bottom = *bottom.value;
     if (zone.bottom < zone.top)
-      faults_.push_back("ends above " + number(zone.top.value) +
-                        " m, where it begins; depths count downwards");
+      faults_.push_back(messages::ingest_area_message<"zone-ends-above-its-top">(number(zone.top.value)));
   }
 
-  [[nodiscard]] std::vector<std::string>& faults() { return faults_; }
+  [[nodiscard]] Messages& faults() { return faults_; }
   [[nodiscard]] std::vector<Unheeded>& unheeded() { return unheeded_; }
 
  private:
@@ -176,9 +170,9 @@ class AttributeReader {
         rule == ocean::ZoneKind::no_go ? ocean::ZoneKind::stay_in : ocean::ZoneKind::no_go;
     const auto tell = [&](const Attribute& attribute) {
       if (!has_words_of(attribute.text, other)) return;
-      leave_unheeded(attribute, std::string{", words of "} + ocean::zone_kind_name(other) +
-                                    ", which are not obeyed: the rule is the one of --zone-kind, " +
-                                    ocean::zone_kind_name(rule) + "; check that it is meant for this area");
+      leave_unheeded(attribute,
+                     messages::ingest_area_message<"zone-words-not-obeyed">(
+                         said(attribute), ocean::zone_kind_name(other), ocean::zone_kind_name(rule)));
     };
     for (const Attribute& attribute : attributes_)
       if (attribute.meaning != AttributeMeaning::perhaps_kind) tell(attribute);
@@ -195,26 +189,24 @@ class AttributeReader {
   template <class Value>
   void state(Stated<Value>& stated, const Attribute& attribute, const Value& value) {
     if (stated.value && *stated.value != value)
-      faults_.push_back("\"" + stated.by + "\" and \"" + attribute.name +
-                        "\" mean the same but differ; leave one of them out");
+      faults_.push_back(messages::ingest_area_message<"attributes-differ">(stated.by, attribute.name));
     if (!stated.value) stated = {value, attribute.name};
   }
 
-  void leave_unheeded(const Attribute& attribute, const std::string& words) {
-    unheeded_.push_back({attribute.name, said(attribute) + words});
+  void leave_unheeded(const Attribute& attribute, messages::Message told) {
+    unheeded_.push_back({attribute.name, std::move(told)});
   }
 
   void refuse_time(const Attribute& attribute) {
-    faults_.push_back(said(attribute) + "; give a date, or a time with its zone, as 2026-11-20T06:00:00Z");
+    faults_.push_back(messages::ingest_area_message<"zone-time-unreadable">(said(attribute)));
   }
 
   void tell_empty(const Period& period) {
     if (*period.first == *period.last)
-      faults_.push_back("is in force at " + core::iso8601(*period.first) +
-                        " alone, a moment that no plan would meet; give its first and its last moment");
+      faults_.push_back(messages::ingest_area_message<"zone-of-one-moment">(*period.first));
     else
-      faults_.push_back("ends at " + core::iso8601(*period.last) + ", before it begins at " +
-                        core::iso8601(*period.first) + "; correct one of them");
+      faults_.push_back(
+          messages::ingest_area_message<"zone-ends-before-it-begins">(*period.last, *period.first));
   }
 
   [[nodiscard]] Period folder_period() {
@@ -248,9 +240,7 @@ class AttributeReader {
         case period: read_interval(attribute, first, last); break;
         case unclear_period:
           if (could_be_date(attribute.text))
-            faults_.push_back(said(attribute) +
-                              ", a date that is not clear to begin or end the rule; name it \"from\" or "
-                              "\"until\" if it does, else leave it out");
+            faults_.push_back(messages::ingest_area_message<"zone-date-unclear">(said(attribute)));
           break;
         case some_date:
         case nothing:
@@ -266,16 +256,11 @@ class AttributeReader {
       // What stands in other words twice, as KML's timestamp, or is a number that looks like one, is no news.
       const bool is_number = parse_number(date.text).has_value();
       if (date.meaning == AttributeMeaning::some_date ? !first.value && !last.value : !is_number)
-        leave_unheeded(date,
-                       ", a date that does not say whether the rule begins or ends then, and is not obeyed; "
-                       "name it \"from\" or \"until\" if it does");
+        leave_unheeded(date, messages::ingest_area_message<"zone-date-not-obeyed">(said(date)));
     }
     for (const Attribute& text : texts)
       if (!first.value && !last.value)
-        leave_unheeded(
-            text,
-            ", text that names a date and is not obeyed; if the rule begins or ends then, say so in an "
-            "attribute \"from\" or \"until\"");
+        leave_unheeded(text, messages::ingest_area_message<"zone-text-not-obeyed">(said(text)));
     return {first.value, last.value};
   }
 
@@ -290,8 +275,7 @@ class AttributeReader {
     if (is_without_end(attribute.text) || is_yes(attribute.text)) return;
     const auto interval = stated_interval(attribute.text);
     if (!interval) {
-      faults_.push_back(said(attribute) +
-                        "; give the first and the last date, as 2026-11-20/2026-12-31, or \"permanent\"");
+      faults_.push_back(messages::ingest_area_message<"zone-period-unreadable">(said(attribute)));
       return;
     }
     if (interval->first) state(first, attribute, *interval->first);
@@ -305,9 +289,7 @@ class AttributeReader {
       state(top, attribute, range->top);
       state(bottom, attribute, range->bottom);
     } else if (attribute.text.find_first_of("0123456789") != std::string::npos) {
-      leave_unheeded(attribute,
-                     ", a depth that does not say whether the rule begins or ends there, and is not obeyed; "
-                     "name it \"top_m\" or \"bottom_m\" if it does");
+      leave_unheeded(attribute, messages::ingest_area_message<"zone-depth-not-obeyed">(said(attribute)));
     }
   }
 
@@ -316,7 +298,7 @@ class AttributeReader {
   std::optional<Attribute> time_stamp_;
   std::optional<Attribute> folder_begins_;
   std::optional<Attribute> folder_ends_;
-  std::vector<std::string> faults_;
+  Messages faults_;
   std::vector<Unheeded> unheeded_;
 };
 

@@ -25,13 +25,13 @@ class AttributeMeanings {
 /// What an attribute seems to say of a zone and is not obeyed.
 struct Unheeded {
   std::string attribute;
-  std::string words;
+  messages::Message told;
 };
 
 /// What the attributes of a feature say of a zone, and all that is wrong with them.
 struct ZoneAttributes {
   ocean::Zone zone;  // without its area
-  std::vector<std::string> faults;
+  Messages faults;
   std::vector<Unheeded> unheeded;
 };
 

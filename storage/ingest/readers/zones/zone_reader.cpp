@@ -8,6 +8,7 @@
 #include <map>
 
 #include "engine/geo/ring_turns.hpp"
+#include "engine/messages/ingest_area_messages.hpp"
 #include "storage/ingest/common/fault_report.hpp"
 #include "storage/ingest/common/gdal_guard.hpp"
 #include "storage/ingest/formats/vector/polygon_shapes.hpp"
@@ -41,8 +42,9 @@ Unrolled unrolled(const geo::Ring& ring) {
 }
 
 /// What is wrong with the outline of a zone; empty: nothing.
-std::string fault_of(const geo::Polygon& polygon) {
-  if (std::string doubt = geo::doubt_in_turns(polygon); !doubt.empty()) return doubt;
+std::optional<messages::Message> fault_of(const geo::Polygon& polygon) {
+  if (const std::string doubt = geo::doubt_in_turns(polygon); !doubt.empty())
+    return messages::ingest_area_message<"zone-outline-doubtful">(doubt);
   std::vector<const geo::Ring*> rings{&polygon.outer};
   for (const geo::Ring& hole : polygon.holes) rings.push_back(&hole);
   OGRPolygon shape;
@@ -57,10 +59,8 @@ std::string fault_of(const geo::Polygon& polygon) {
     shape.addRing(&line.ring);
   }
   const GdalMessages messages;
-  if (shape.IsValid() != 0) return "";
-  return "crosses or touches itself, or a hole lies outside its outline, so that inside and outside are not "
-         "clear; mend it "
-         "(in QGIS: Fix geometries)";
+  if (shape.IsValid() != 0) return std::nullopt;
+  return messages::ingest_area_message<"zone-outline-crosses-itself">();
 }
 
 bool crosses_antimeridian(const geo::Polygon& polygon) { return unrolled(polygon.outer).jumps; }
@@ -74,21 +74,28 @@ std::size_t corners_of(const geo::Polygon& polygon) {
 /// Zones as they are gathered, and everything that is wrong with them.
 struct ZoneGathering {
   std::vector<ocean::Zone> zones;
-  std::vector<std::string> faults;
-  std::vector<std::string> warnings;
+  Messages faults;
+  Messages warnings;
   std::size_t corners{};
   AttributeMeanings meanings;
-  std::map<std::string, std::pair<std::string, int>>
-      unheeded;  // by attribute: where it is first, and how often
+  struct FirstUnheeded {
+    std::string subject;
+    messages::Message told;
+    int features{};
+  };
+  std::map<std::string, FirstUnheeded> unheeded;  // by attribute: where it is first, and how often
 
   void note(const Unheeded& attribute, const std::string& subject) {
-    ++unheeded.try_emplace(attribute.attribute, subject + attribute.words, 0).first->second.second;
+    ++unheeded.try_emplace(attribute.attribute, FirstUnheeded{subject, attribute.told})
+          .first->second.features;
   }
   void warn_of_unheeded() {
-    for (const auto& [attribute, first] : unheeded)
-      warnings.push_back(first.first + (first.second == 1 ? ""
-                                                          : " (so of " + std::to_string(first.second) +
-                                                                " features with \"" + attribute + "\")"));
+    for (const auto& [attribute, first] : unheeded) {
+      const std::string others = first.features == 1 ? ""
+                                                     : " (one of " + std::to_string(first.features) +
+                                                           " features with \"" + attribute + "\")";
+      warnings.push_back(about(first.subject + others, first.told));
+    }
   }
 };
 
@@ -96,24 +103,24 @@ void gather_zones(ZoneGathering& all, const OGRFeature& feature, const std::stri
                   const PolygonShapes& shapes, std::optional<ocean::ZoneKind> kind_of_others) {
   ZoneAttributes attributes = read_zone_attributes(feature, all.meanings, kind_of_others);
   const std::string subject =
-      label + (attributes.zone.name.empty() ? "" : " \"" + attributes.zone.name + "\"") + ": ";
-  for (const std::string& fault : attributes.faults) all.faults.push_back(subject + fault);
+      label + (attributes.zone.name.empty() ? "" : " \"" + attributes.zone.name + "\"");
+  for (messages::Message& fault : attributes.faults) all.faults.push_back(about(subject, std::move(fault)));
   for (const Unheeded& attribute : attributes.unheeded) all.note(attribute, subject);
   auto polygons = shapes.polygons(feature.GetGeometryRef());
   if (!polygons) {
-    all.faults.push_back(subject + polygons.error() + "; draw it as an area, or leave it out");
+    all.faults.push_back(about(
+        subject, messages::ingest_area_message<"zone-outline-not-usable">(reason_of(polygons.error()))));
     return;
   }
   for (geo::Polygon& polygon : *polygons) {
-    if (const std::string fault = fault_of(polygon); !fault.empty()) {
-      all.faults.push_back(subject + fault);
+    if (auto fault = fault_of(polygon)) {
+      all.faults.push_back(about(subject, std::move(*fault)));
       continue;
     }
     if (crosses_antimeridian(polygon)) {
       const double width = geo::width_deg(geo::bounding_box(polygon));
       all.warnings.push_back(
-          subject + "crosses the antimeridian, " + number(width, 4) +
-          " degrees of longitude wide; divide it there if it was meant to lead the other way round");
+          about(subject, messages::ingest_area_message<"zone-crosses-antimeridian">(number(width, 4))));
     }
     all.corners += corners_of(polygon);
     attributes.zone.area = std::move(polygon);
@@ -145,7 +152,8 @@ Checked<PreparedDataset> read_zones(GDALDataset& dataset, const IngestOptions& o
   std::optional<ocean::ZoneKind> kind_of_others;
   if (options.zone_kind) {
     kind_of_others = zone_kind_of(*options.zone_kind);
-    if (!kind_of_others) return refuse("--zone-kind is no_go or stay_in, not " + *options.zone_kind);
+    if (!kind_of_others)
+      return refuse(messages::ingest_area_message<"zone-kind-unknown">(*options.zone_kind));
   }
   ZoneGathering all;
   for (OGRLayer* const layer : dataset.GetLayers()) {
@@ -163,8 +171,8 @@ Checked<PreparedDataset> read_zones(GDALDataset& dataset, const IngestOptions& o
     }
   }
   if (all.corners > repository::max_zone_corners)
-    all.faults.push_back("the zones have " + std::to_string(all.corners) + " corners in all, more than " +
-                         std::to_string(repository::max_zone_corners) + "; simplify their outlines");
+    all.faults.push_back(
+        messages::ingest_area_message<"zones-too-detailed">(all.corners, repository::max_zone_corners));
   if (!all.faults.empty()) return refuse(report_of(std::move(all.faults)));
 
   std::vector<geo::LonLat> corners;
@@ -182,8 +190,8 @@ Checked<PreparedDataset> read_zones(GDALDataset& dataset, const IngestOptions& o
   data.rows_accepted = static_cast<std::int64_t>(all.zones.size());
   all.warn_of_unheeded();
   data.warnings = std::move(all.warnings);
-  data.write = [zones = std::move(all.zones)](
-                   sql::Connection& db, const repository::DatasetId& id) -> tl::expected<void, std::string> {
+  data.write = [zones = std::move(all.zones)](sql::Connection& db,
+                                              const repository::DatasetId& id) -> Checked<void> {
     repository::ZoneRepository{db}.insert(id, zones);
     return {};
   };

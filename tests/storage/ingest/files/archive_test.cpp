@@ -113,7 +113,7 @@ TEST_F(Archives, KeepTheirNameForTheOneDatasetInThem) {
   ASSERT_EQ(reports.front().status, IngestStatus::stored) << words(reports.front());
   EXPECT_EQ(reports.front().dataset->name, "sightings");
   EXPECT_EQ(repository::DatasetRepository{db_}.list().front().provenance.file_name, "sightings.kmz: doc.kml");
-  EXPECT_THAT(reports.front().warnings, Contains(HasSubstr("files/icon.png")));
+  EXPECT_THAT(messages::sentences(reports.front().warnings), Contains(HasSubstr("files/icon.png")));
 }
 
 TEST_F(Archives, HoldSeveralDatasetsWithThePartsOfEachTogether) {
@@ -131,7 +131,7 @@ TEST_F(Archives, HoldSeveralDatasetsWithThePartsOfEachTogether) {
   ASSERT_THAT(reports, SizeIs(2));
   EXPECT_EQ(reports[0].file, "sea.zip: model.nc");
   EXPECT_EQ(reports[0].status, IngestStatus::stored) << words(reports[0]);
-  EXPECT_THAT(reports[0].warnings, Contains(HasSubstr("readme.txt")));
+  EXPECT_THAT(messages::sentences(reports[0].warnings), Contains(HasSubstr("readme.txt")));
   EXPECT_EQ(reports[1].file, "sea.zip: drift.shp");
   EXPECT_EQ(reports[1].status, IngestStatus::stored) << words(reports[1]);
   EXPECT_EQ(reports[1].dataset->name, "drift");
@@ -203,7 +203,7 @@ TEST_F(Archives, CutShortOrWithBytesChangedAreNeverReadWrongly) {
 TEST_F(Archives, OfALogThatNoReaderKnowsAreRefusedWithItsReason) {
   if (sample_folder().empty()) GTEST_SKIP() << "the sample data are not on this machine";
   for (const char* name : {"sea035.6.gli.sub.1.gz", "sea035.6.pld1.sub.1.gz"})
-    expect_unpack_refused(sample_folder() / "glider" / name, "does not know");
+    expect_unpack_refused(sample_folder() / "glider" / name, "unrecognised");
 }
 
 }  // namespace

@@ -138,10 +138,10 @@ TEST(CfTime, OfTheStandardCalendarIsADayCountFromWhicheverDate) {
     const double expected_s = (target - 2440588) * 86400.0;
 
     const auto decoder = CfTime::parse(units.data(), year < 1 && year % 2 == 0 ? "julian" : "standard");
-    ASSERT_TRUE(decoder) << decoder.error();
+    ASSERT_TRUE(decoder) << reason_of(decoder.error());
     const auto time = decoder->at(target - days_since_4713_bc(year, month, day) - 0.25);
 
-    ASSERT_TRUE(time) << units.data() << time.error();
+    ASSERT_TRUE(time) << units.data() << reason_of(time.error());
     EXPECT_NEAR(core::unix_seconds(*time), expected_s, 1e-3) << units.data();
   });
 }
@@ -149,7 +149,7 @@ TEST(CfTime, OfTheStandardCalendarIsADayCountFromWhicheverDate) {
 TEST(CfTime, QuotesTheFilesOwnTextWhenItRefuses) {
   const auto decoder = CfTime::parse("fortnights since the flood", "standard");
   ASSERT_FALSE(decoder);
-  EXPECT_THAT(decoder.error(), testing::HasSubstr("fortnights since the flood"));
+  EXPECT_THAT(reason_of(decoder.error()), testing::HasSubstr("fortnights since the flood"));
 }
 
 TEST(CfTime, KnowsACalendarThatIsNotOurs) {

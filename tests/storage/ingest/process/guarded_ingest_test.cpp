@@ -94,6 +94,15 @@ class GuardedIngest : public StoreFixture {
   const Guard guard_{.program = support::program_folder() + "/ingest_reader", .staging = path("incoming")};
 };
 
+TEST_F(GuardedIngest, TellsWithCodesAndValuesWhyAFileIsRefused) {
+  const auto reports = guarded({write_file("late.nc", "<html>502 Bad Gateway</html>\n")});
+
+  ASSERT_EQ(reports.size(), 1U);
+  ASSERT_EQ(reports.front().errors.size(), 1U) << words(reports.front());
+  EXPECT_EQ(reports.front().errors.front(),
+            messages::ingest_file_message<"text-named-as-netcdf">(std::string{"<html>502 Bad Gateway</html>"}));
+}
+
 TEST_F(GuardedIngest, StoresWhatReadingInThisProcessStores) {
   const auto files = good_files();
   auto here = repository::open_store_in_memory();

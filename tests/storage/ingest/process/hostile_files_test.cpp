@@ -162,7 +162,7 @@ class HostileFiles : public StoreFixture {
       EXPECT_EQ(report.dataset.has_value(), report.status != IngestStatus::refused);
       EXPECT_EQ(report.errors.empty(), report.dataset.has_value());
       ++(report.dataset ? tally_.stored : tally_.refused);
-      if (words(report).find("stops its reader") != std::string::npos) ++tally_.broken_readers;
+      if (words(report).find("stopped the process that reads it") != std::string::npos) ++tally_.broken_readers;
       if (words(report).find("reading took more than") != std::string::npos ||
           words(report).find("reading needs more than") != std::string::npos)
         ++tally_.out_of_bounds;

@@ -104,8 +104,8 @@ std::uint64_t damaged_variants(std::uint64_t in_every_run) {
 
 std::string words(const IngestReport& report) {
   std::string text;
-  for (const std::string& error : report.errors) text += "\nerror: " + error;
-  for (const std::string& warning : report.warnings) text += "\nwarning: " + warning;
+  for (const std::string& error : messages::sentences(report.errors)) text += "\nerror: " + error;
+  for (const std::string& warning : messages::sentences(report.warnings)) text += "\nwarning: " + warning;
   return text;
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/messages/sentence.hpp"
 #include "engine/ocean/currents/current_grid.hpp"
 #include "storage/ingest/ingest_file.hpp"
 #include "storage/repository/store/migrations.hpp"

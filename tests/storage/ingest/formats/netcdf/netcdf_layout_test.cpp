@@ -22,10 +22,10 @@ TEST(NetcdfLayout, ReadsRowsAsTheSliceHasThemInWhateverOrderTheFileHasThem) {
       content.order = order;
       content.write(folder.path() / "sea.nc");
       const auto file = NetcdfFile::open(folder.path() / "sea.nc");
-      ASSERT_TRUE(file) << file.error();
+      ASSERT_TRUE(file) << reason_of(file.error());
       const NetcdfVariable& u = *file->find("uo");
       const auto layout = layout_of(*file, u);
-      ASSERT_TRUE(layout) << layout.error();
+      ASSERT_TRUE(layout) << reason_of(layout.error());
       const auto slice = read_slice(u, *layout, 1, 0);
       ASSERT_EQ(slice->size(), 20U);
       for (std::size_t first = 0; first < 5; ++first) {

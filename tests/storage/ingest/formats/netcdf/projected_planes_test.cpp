@@ -269,11 +269,11 @@ TEST_F(ProjectedPlanes, AFigureOfTheEarthThatOnlyAProjStringStatesIsUsed) {
   write(path("plane.nc"), plane,
         {{called("ice_conc", "sea_ice_area_fraction", "1"), [](const Spot&) { return 0.5; }}});
   const auto file = NetcdfFile::open(path("plane.nc"));
-  ASSERT_TRUE(file) << file.error();
+  ASSERT_TRUE(file) << reason_of(file.error());
 
   const auto places = places_by_projection(*file, *file->find("ice_conc"), 1, 2);
 
-  ASSERT_TRUE(places) << places.error();
+  ASSERT_TRUE(places) << reason_of(places.error());
   const geo::LonLat corner = on_azimuthal_plane(1e3 * plane.x[0], 1e3 * plane.y[0]).place;
   EXPECT_NEAR(places->front().lat_deg, corner.lat_deg, 1e-6);
   EXPECT_NEAR(places->front().lon_deg, corner.lon_deg, 1e-6);

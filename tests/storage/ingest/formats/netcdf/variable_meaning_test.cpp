@@ -92,7 +92,7 @@ TEST_F(Meaning, KnowsStatisticsByTheirWords) {
         Said{{{"long_name", "Eastward velocity of maximum likelihood"}}, "uo", Statistic::none},
         Said{{{"long_name", "95th percentile of u"}}, "uo", Statistic::percentile}}) {
     const auto file = NetcdfFile::open(write({{said.name, 0.1, said.texts}}));
-    ASSERT_TRUE(file) << file.error();
+    ASSERT_TRUE(file) << reason_of(file.error());
     EXPECT_EQ(statistic_of(*file->find(said.name)), said.is)
         << said.name << " " << (said.texts.empty() ? "" : said.texts.begin()->second);
   }

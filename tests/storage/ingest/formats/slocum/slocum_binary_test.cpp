@@ -192,7 +192,7 @@ TEST_F(SlocumBinary, ThatIsCompressedFindsItsCompressedList) {
   const auto report = ingest(log);
   EXPECT_EQ(report.status, IngestStatus::stored) << words(report);
   EXPECT_EQ(stored().points.size(), 3U);
-  expect_refused(list, "give it together with the logs");
+  expect_refused(list, "Give it together with the logs");
 }
 
 TEST_F(SlocumBinary, ThatIsCompressedAndDamagedIsRefusedOrLacksOnlyItsEnd) {

@@ -142,7 +142,7 @@ TEST_F(SlocumLogs, LeaveOutALastLineThatHasNoEnd) {
   const auto track = track_of(whole.substr(0, whole.rfind("5419.5,722,0.1") + 4));
 
   EXPECT_EQ(track.points.size(), 3U);
-  EXPECT_THAT(warnings_, HasSubstr("no end"));
+  EXPECT_THAT(warnings_, HasSubstr("no line end"));
 }
 
 TEST_F(SlocumLogs, LeaveOutWhatTheVehicleReckonedFromWhereItWasSwitchedOff) {

@@ -57,7 +57,7 @@ TEST_F(Geojson, PointsHaveTheErrorOfTheirPositionUnderAnyNameOfIt) {
   ASSERT_EQ(report.status, IngestStatus::stored) << words(report);
   const auto rows = repository::IcebergRepository{db_}.list({}, 0, 10);
   EXPECT_EQ(rows[0].iceberg.position_uncertainty, core::Metres{4000.0});
-  EXPECT_THAT(words(report), HasSubstr("\"radius_m\" may state how uncertain"));
+  EXPECT_THAT(words(report), HasSubstr("\"radius_m\" may state the position error"));
 }
 
 TEST_F(Geojson, BadPointsAreLeftOutCountedAndExplained) {
@@ -82,7 +82,7 @@ TEST_F(Geojson, AnIcebergInTheSaharaIsFlagged) {
   const auto report = ingest(write(point("[10, 25]", R"("id": "A1", "observed": "2026-11-20T06:00:00Z")")));
 
   ASSERT_EQ(report.status, IngestStatus::stored) << words(report);
-  EXPECT_THAT(words(report), HasSubstr("lie where none was ever seen, the first, \"A1\", at 25 degrees"));
+  EXPECT_THAT(words(report), HasSubstr("lies where none was ever seen, the first, \"A1\", at latitude 25"));
 }
 
 TEST_F(Geojson, PolygonsBecomeLand) {

@@ -348,9 +348,10 @@ TEST_F(BathymetryTraps, ATableWithABadLineOrTwoDepthsAtAPlaceIsRefused) {
 TEST_F(BathymetryTraps, ATableThatEndsWithinALineIsStoredWithAWarning) {
   const std::string rows = "0.0 50.1 -10\n0.1 50.1 -11\n0.0 50.0 -12\n0.1 50.0 -13";
 
-  EXPECT_THAT(words(ingest(write_file("cut.xyz", rows), positive_up)), HasSubstr("last line has no end"));
+  EXPECT_THAT(words(ingest(write_file("cut.xyz", rows), positive_up)),
+              HasSubstr("last line has no line end"));
   EXPECT_THAT(words(ingest(write_file("whole.xyz", rows + "\n"), positive_up)),
-              testing::Not(HasSubstr("last line has no end")));
+              testing::Not(HasSubstr("last line has no line end")));
 }
 
 TEST(VerticalSense, OfAWholeGlobeIsUnmistakable) {

@@ -77,7 +77,7 @@ TEST_F(GshhgReader, GivesValidPlacesAcrossTheAntimeridian) {
 TEST_F(GshhgReader, IsChosenForAShorelineFile) {
   const auto recognised = recognise(shoreline, {});
 
-  ASSERT_TRUE(recognised.has_value()) << recognised.error();
+  ASSERT_TRUE(recognised.has_value()) << reason_of(recognised.error());
   EXPECT_EQ(recognised->kinds, std::vector{repository::DatasetKind::coastline});
 }
 

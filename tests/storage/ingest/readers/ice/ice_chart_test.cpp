@@ -84,7 +84,7 @@ TEST_F(IceCharts, KeepTheUpperEndOfEachRangeOfTheirCodes) {
   ASSERT_EQ(report.status, IngestStatus::stored) << words(report);
   EXPECT_EQ(report.dataset->kind, repository::DatasetKind::ice);
   EXPECT_EQ(core::iso8601(report.dataset->time_start.value()), "2026-11-20T18:00:00Z");
-  EXPECT_THAT(report.warnings, Contains(HasSubstr("was read from its file's name")));
+  EXPECT_THAT(messages::sentences(report.warnings), Contains(HasSubstr("was read from its file's name")));
   const auto near = [&](double lon, double lat) { return ice_at(report, {lon, lat}); };
   EXPECT_FLOAT_EQ(static_cast<float>(near(-59.0, 65.5)->concentration), 1.0F);
   EXPECT_NEAR(near(-59.0, 65.5)->thickness->value, 0.7, 1e-6);
@@ -203,8 +203,10 @@ TEST_F(IceCharts, WithCodesThatAreNoneAreRefusedPolygonByPolygon) {
 
   EXPECT_EQ(report.status, IngestStatus::refused);
   EXPECT_THAT(report.errors, SizeIs(3)) << words(report);
-  EXPECT_THAT(report.errors, Contains(HasSubstr("polygon 1: its total concentration CT is \"9+\"")));
-  EXPECT_THAT(report.errors, Contains(HasSubstr("polygon 2: its stage of development sa is \"42\"")));
+  EXPECT_THAT(messages::sentences(report.errors),
+              Contains(HasSubstr("polygon 1: its total concentration CT is \"9+\"")));
+  EXPECT_THAT(messages::sentences(report.errors),
+              Contains(HasSubstr("polygon 2: its stage of development sa is \"42\"")));
   EXPECT_EQ(stored_datasets(), 0U);
 }
 

@@ -130,10 +130,10 @@ TEST_F(IceTest, PercentWhoseGreatestValidValueIsOneAreShares) {
   file.type = NetcdfWriter::Type::int16;
   file.numbers = {{"scale_factor", 0.01}, {"valid_min", 0.0}, {"valid_max", 100.0}};
   EXPECT_FLOAT_EQ(stored(file).concentration[4], 0.4F);
-  EXPECT_THAT(words(report_), HasSubstr("taken as shares of 1"));
+  EXPECT_THAT(words(report_), HasSubstr("read as shares of 1"));
 
   file.numbers["valid_max"] = 10000.0;
-  expect_refused_ice(file, "open water and closed ice");
+  expect_refused_ice(file, "Open water and closed ice");
 }
 
 /// As GMT writes the maps of Bremen: a z of no meaning.
@@ -171,16 +171,16 @@ TEST_F(IceTest, WithoutAUnitOnlyValuesAbove1Point5TellPercent) {
   IceFile file;
   file.texts.erase("units");
   EXPECT_FLOAT_EQ(stored(file).concentration[5], 1.0F);
-  EXPECT_THAT(words(report_), HasSubstr("taken as shares of 1"));
+  EXPECT_THAT(words(report_), HasSubstr("read as shares of 1"));
 
   file.values = times(file.values, 100.0);
   EXPECT_FLOAT_EQ(stored(file).concentration[5], 1.0F);
-  EXPECT_THAT(words(report_), HasSubstr("taken as percent"));
+  EXPECT_THAT(words(report_), HasSubstr("read as percent"));
 
   file.values.assign(12, 0.1);
-  expect_refused_ice(file, "shares of 1 or percent is unclear");
+  expect_refused_ice(file, "may be shares of 1 or percent");
   file.values.assign(12, 1.2);
-  expect_refused_ice(file, "shares of 1 or percent is unclear");
+  expect_refused_ice(file, "may be shares of 1 or percent");
 }
 
 TEST_F(IceTest, AUnitThatTheValuesContradictIsRefused) {
@@ -194,7 +194,7 @@ TEST_F(IceTest, AUnitThatTheValuesContradictIsRefused) {
   expect_refused_ice(shares, "as shares of 1 would");
 
   shares.texts["units"] = "kg m-2";
-  expect_refused_ice(shares, "no share that this program knows");
+  expect_refused_ice(shares, "has the unknown unit");
 }
 
 TEST_F(IceTest, FlagsForLandCoastAndTheHoleRoundThePoleAreLeftOut) {
@@ -324,7 +324,7 @@ TEST_F(IceTest, AFileWithoutTimeOrWithoutValuesIsRefused) {
   IceFile file;
   file.with_time = false;
   file.values.resize(6);
-  expect_refused_ice(file, "say it with --time");
+  expect_refused_ice(file, "State it with --time");
 
   IceFile empty;
   empty.fill = -1.0;

@@ -76,7 +76,7 @@ TEST_F(TideFile, OfTpxoHoldsTheConjugateOfThePhaseLagAtItsNodes) {
 
 TEST_F(TideFile, IsRefusedWhenItsNameIsNoConstituentAndNothingElseTells) {
   write_tpxo_elevation(path("elevation.nc"));
-  expect_refused(path("elevation.nc"), "of which constituent");
+  expect_refused(path("elevation.nc"), "which constituent");
 }
 
 TEST_F(TideFile, IsRefusedWhenNoTideIsThatHigh) {

@@ -295,7 +295,7 @@ TEST_F(GliderNetcdf, LeavesOutPlacesAndDepthsThatCannotBe) {
   ASSERT_EQ(track.points.size(), 3U);
   EXPECT_FALSE(track.points[1].fixed);
   EXPECT_FALSE(track.points[2].depth);
-  EXPECT_THAT(warnings_, HasSubstr("none on the globe"));
+  EXPECT_THAT(warnings_, HasSubstr("not on the globe"));
   EXPECT_THAT(warnings_, HasSubstr("12,000 m"));
 }
 

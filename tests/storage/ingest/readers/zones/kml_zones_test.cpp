@@ -157,7 +157,7 @@ TEST_F(KmlZones, AreRefusedWithWhatTheFileHolds) {
   EXPECT_THAT(rule_of(element("Folder", "")), HasSubstr("no placemarks"));
   const IngestReport cut =
       ingest(write_file("cut.kml", "<kml><Document><Placemark>" + square + "</Placemark>"));
-  EXPECT_THAT(cut.errors, Contains(HasSubstr("cut short")));
+  EXPECT_THAT(messages::sentences(cut.errors), Contains(HasSubstr("cut short")));
 }
 
 TEST_F(KmlZones, MayHavePrefixesAndUtf16) {

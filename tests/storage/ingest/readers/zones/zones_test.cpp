@@ -272,7 +272,7 @@ TEST_F(Zones, WithWhatCannotBeReadAreRefusedByItsName) {
     SCOPED_TRACE(name);
     const auto report = ingest(write(formats[2], {{triangle, {{"kind", "no_go"}, {name, text}}}}));
     EXPECT_EQ(report.status, IngestStatus::refused);
-    EXPECT_THAT(report.errors, Contains(HasSubstr("\"" + std::string{name} + "\"")));
+    EXPECT_THAT(messages::sentences(report.errors), Contains(HasSubstr("\"" + std::string{name} + "\"")));
     std::filesystem::remove(path(formats[2].file));
   }
 }
@@ -283,10 +283,12 @@ TEST_F(Zones, TellWhatTheirAttributesSeemToSayAndIsNotObeyed) {
 
   ASSERT_EQ(report.status, IngestStatus::stored) << words(report);
   EXPECT_THAT(report.warnings, SizeIs(3));
-  EXPECT_THAT(report.warnings, Contains(testing::AllOf(HasSubstr("feature 1: \"type\" is \"Reserve\""),
-                                                       HasSubstr("2 features with \"type\""))));
-  EXPECT_THAT(report.warnings, Contains(HasSubstr("\"mean_depth\" is \"40\"")));
-  EXPECT_THAT(report.warnings, Contains(HasSubstr("\"fecha_fin\" is \"31/05/2026\"")));
+  EXPECT_THAT(messages::sentences(report.warnings),
+              Contains(testing::AllOf(
+                  HasSubstr("feature 1 (one of 2 features with \"type\"): \"type\" is \"Reserve\""),
+                  HasSubstr("2 features with \"type\""))));
+  EXPECT_THAT(messages::sentences(report.warnings), Contains(HasSubstr("\"mean_depth\" is \"40\"")));
+  EXPECT_THAT(messages::sentences(report.warnings), Contains(HasSubstr("\"fecha_fin\" is \"31/05/2026\"")));
 }
 
 TEST_F(Zones, AreToldOfATruthValueAsTheFileWritesIt) {
@@ -303,7 +305,8 @@ TEST_F(Zones, TellOfFreeTextThatNamesADateUnlessTheyStateTheirPeriod) {
   const std::string text = "Trawling, nets to 60 m. Closed from 1 May 2026 until further notice.";
   const auto told = ingest(write(formats[2], {{triangle, {{"kind", "no_go"}, {"remarks", text}}}}));
   ASSERT_EQ(told.status, IngestStatus::stored) << words(told);
-  EXPECT_THAT(told.warnings, Contains(HasSubstr("text that names a date and is not obeyed")));
+  EXPECT_THAT(messages::sentences(told.warnings),
+              Contains(HasSubstr("text that names a date and is not obeyed")));
   std::filesystem::remove(path(formats[2].file));
 
   const Feature plain{triangle, {{"kind", "no_go"}, {"remarks", text}, {"from", "2026-05-01"}}};
@@ -334,15 +337,19 @@ TEST_F(Zones, TellEveryFaultOfEveryFeature) {
   EXPECT_EQ(report.status, IngestStatus::refused);
   EXPECT_EQ(stored_datasets(), 0U);
   EXPECT_THAT(report.errors, SizeIs(8)) << words(report);
-  EXPECT_THAT(report.errors, Contains(HasSubstr("feature 1 \"A\": \"kind\" is \"maybe\"")));
-  EXPECT_THAT(report.errors, Contains(HasSubstr("feature 1 \"A\": \"from\" is \"tomorrow\"")));
-  EXPECT_THAT(report.errors, Contains(HasSubstr("feature 2 \"B\": states no kind")));
-  EXPECT_THAT(report.errors, Contains(HasSubstr("feature 3 \"C\": crosses or touches itself")));
-  EXPECT_THAT(report.errors, Contains(HasSubstr("feature 4: \"bottom_m\" is \"-5\"")));
-  EXPECT_THAT(report.errors,
+  EXPECT_THAT(messages::sentences(report.errors),
+              Contains(HasSubstr("feature 1 \"A\": \"kind\" is \"maybe\"")));
+  EXPECT_THAT(messages::sentences(report.errors),
+              Contains(HasSubstr("feature 1 \"A\": \"from\" is \"tomorrow\"")));
+  EXPECT_THAT(messages::sentences(report.errors), Contains(HasSubstr("feature 2 \"B\": states no kind")));
+  EXPECT_THAT(messages::sentences(report.errors),
+              Contains(HasSubstr("feature 3 \"C\": crosses or touches itself")));
+  EXPECT_THAT(messages::sentences(report.errors), Contains(HasSubstr("feature 4: \"bottom_m\" is \"-5\"")));
+  EXPECT_THAT(messages::sentences(report.errors),
               Contains(HasSubstr("feature 5: ends at 2026-11-20T00:00:00Z, before it begins")));
-  EXPECT_THAT(report.errors, Contains(HasSubstr("feature 6: it is no polygon")));
-  EXPECT_THAT(report.errors, Contains(HasSubstr("feature 7: \"from\" is \"2026-11-21T00:00:00\"")));
+  EXPECT_THAT(messages::sentences(report.errors), Contains(HasSubstr("feature 6: it is no polygon")));
+  EXPECT_THAT(messages::sentences(report.errors),
+              Contains(HasSubstr("feature 7: \"from\" is \"2026-11-21T00:00:00\"")));
 }
 
 TEST_F(Zones, WithoutAKindTakeTheOneThatIsStatedForThem) {
@@ -368,7 +375,8 @@ TEST_F(Zones, MayCrossTheAntimeridian) {
   const auto report = ingest(write(formats[0], {strait}));
 
   ASSERT_EQ(report.status, IngestStatus::stored) << words(report);
-  EXPECT_THAT(report.warnings, Contains(HasSubstr("crosses the antimeridian, 2 degrees")));
+  EXPECT_THAT(messages::sentences(report.warnings),
+              Contains(HasSubstr("crosses the antimeridian, 2 degrees")));
   const auto zones = stored(report);
   EXPECT_TRUE(geo::contains(zones.front().area, {179.9, 60.5}));
   EXPECT_TRUE(geo::contains(zones.front().area, {-179.9, 60.5}));
