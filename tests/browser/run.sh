@@ -5,7 +5,8 @@
 # Needs web/dist (npm run build) and Chromium (CHROMIUM_BIN, default /usr/bin/chromium). Makes a store with the demonstration
 # data, of which each worker's server has a copy, and removes it afterwards. The exit code is that of the tests.
 # PLAYWRIGHT_WORKERS says how many run beside each other (2). With FLOEPLAN_LOAD=1 and the argument "load" it measures a desk
-# with ten days of hourly currents, 300 icebergs and 20 plans, and prints the figures beside their budgets.
+# with ten days of hourly currents, 300 icebergs and 20 plans, and prints the figures beside their budgets; with the argument
+# "frames" the scripts of a frame while the clock plays.
 set -euo pipefail
 
 if [[ $# -lt 1 ]]; then

@@ -20,6 +20,7 @@ export class CanvasLayer extends Layer {
   private readonly frame = document.createElement('div');
   private readonly canvas = document.createElement('canvas');
   private painted = '';
+  private paints = 0;
 
   constructor(private readonly paint: (frame: Frame) => void, zIndex: number) {
     super({ source: new Source({}), zIndex });
@@ -36,6 +37,8 @@ export class CanvasLayer extends Layer {
     const wanted = [width, height, ratio, ...center, resolution, rotation, this.getRevision()].join();
     if (wanted === this.painted) return this.frame;
     this.painted = wanted;
+    this.frame.dataset['layer'] = String(this.get('name'));
+    this.frame.dataset['paints'] = String(++this.paints); // what tests count
 
     const device = [Math.round(width * ratio), Math.round(height * ratio)] as const;
     if (this.canvas.width !== device[0] || this.canvas.height !== device[1]) [this.canvas.width, this.canvas.height] = device;

@@ -11,7 +11,7 @@ import { Circle, Fill, RegularShape, Stroke, Style } from 'ol/style.js';
 import { circle } from '../geo/geodesic';
 import { project } from '../geo/projections';
 import { time_ms } from '../model/clock';
-import { drifts, expectedAt, ticksOf, wayOf } from '../model/drift';
+import { driftLineOf, drifts, expectedAt, plainLineOf, ticksOf } from '../model/drift';
 import { crowd, keepOut_m } from '../model/icebergs';
 import { visible } from '../model/layers';
 import { projection } from '../model/settings';
@@ -19,14 +19,15 @@ import { view } from '../model/view';
 import { palette } from '../theme/palette';
 import { toMap } from './projections';
 
-/** Farther out than this many metres in a pixel, rings and ticks would hide the map. */
+/** Farther out than this many metres in a pixel, rings would hide the map; so would ticks, and lines that swing with the tide. */
 const rings_m = 150;
-const ticks_m = 60;
+const tides_m = 60;
 
-/** And the lines themselves, where bergs lie close together. */
+/** And lines of any kind, where bergs lie close together. */
 const lines_m = 300;
 
-/** Rings of many bergs overlap: each lets the plans and the others shine through. */
+/** Rings and lines of many bergs overlap: each lets the plans and the others shine through. */
+const most = 'b0';
 const half = '80';
 
 /**
@@ -35,10 +36,13 @@ const half = '80';
  */
 const painted = 1.2;
 
+/** What a line of drift is made of, at scales small and large. */
+type Detail = 'plain' | 'tidal' | 'ticks';
+
 const isShown = (): boolean => visible.value.drift && visible.value.icebergs;
 const ringsAreShown = computed(() => (view.value?.metresPerPixel ?? Infinity) < rings_m);
 
-/** Where each berg is expected to go: a thin line with a tick every six hours. */
+/** Where each berg is expected to go: a thin line with a tick every six hours; seen from afar, a pale one without the tides. */
 export function driftLayer(): VectorImageLayer<VectorSource> {
   const source = new VectorSource();
   const layer = new VectorImageLayer({ source, zIndex: 5, imageRatio: painted });
@@ -48,18 +52,26 @@ export function driftLayer(): VectorImageLayer<VectorSource> {
     if (drifts.value.length > crowd) return;
     source.addFeatures(
       drifts.value.flatMap((drift) => {
-        const way = wayOf(drift);
-        return way.length < 2 ? [] : [new Feature(new LineString(toMap(code, way))), new Feature(new MultiPoint(toMap(code, ticksOf(drift))))];
+        const line = driftLineOf(drift);
+        if (line.length < 2) return [];
+        const drawn: [Detail, Geometry][] = [
+          ['plain', new LineString(toMap(code, plainLineOf(drift)))], ['tidal', new LineString(toMap(code, line))], ['ticks', new MultiPoint(toMap(code, ticksOf(drift)))],
+        ];
+        return drawn.map(([detail, geometry]) => new Feature({ detail, geometry }));
       }),
     );
   });
   effect(() => {
     const { reach } = palette.value;
-    const line = new Style({ stroke: new Stroke({ color: reach, width: 1 }) });
-    const tick = new Style({ image: new Circle({ radius: 1.8, fill: new Fill({ color: reach }) }) });
+    const styles: Record<Detail, Style> = {
+      plain: new Style({ stroke: new Stroke({ color: reach + half, width: 1 }) }),
+      tidal: new Style({ stroke: new Stroke({ color: reach, width: 1 }) }),
+      ticks: new Style({ image: new Circle({ radius: 1.8, fill: new Fill({ color: reach }) }) }),
+    };
     layer.setStyle((feature, resolution) => {
-      const isLine = feature.getGeometry()?.getType() === 'LineString';
-      return resolution < (isLine ? lines_m : ticks_m) ? (isLine ? line : tick) : undefined;
+      const detail = feature.get('detail') as Detail;
+      const isDrawn = detail === 'plain' ? resolution >= tides_m && resolution < lines_m : resolution < tides_m;
+      return isDrawn ? styles[detail] : undefined;
     });
   });
   effect(() => layer.setVisible(isShown()));
@@ -88,9 +100,11 @@ export function ghostLayer(): VectorImageLayer<VectorSource> {
     source.addFeatures(ghosts);
   });
   effect(() => {
-    const { reach } = palette.value;
-    const ring = new Style({ stroke: new Stroke({ color: reach + half, width: 1, lineDash: [2, 5] }) });
-    const ghost = new Style({ image: new RegularShape({ points: 3, radius: 6, stroke: new Stroke({ color: reach, width: 1.4, lineDash: [3, 2] }) }) });
+    const { reach, berg } = palette.value;
+    const ring = new Style({ stroke: new Stroke({ color: reach + most, width: 1.2, lineDash: [4, 4] }) });
+    const ghost = new Style({
+      image: new RegularShape({ points: 3, radius: 7, fill: new Fill({ color: berg }), stroke: new Stroke({ color: reach, width: 1.6, lineDash: [4, 2] }) }),
+    });
     layer.setStyle((feature) => (feature.getGeometry()?.getType() === 'Point' ? ghost : ring));
   });
   return layer;

@@ -5,14 +5,16 @@ import Polygon from 'ol/geom/Polygon.js';
 import VectorLayer from 'ol/layer/Vector.js';
 import VectorSource from 'ol/source/Vector.js';
 import { Fill, RegularShape, Stroke, Style, Text } from 'ol/style.js';
-import type { IcebergFeature } from '../api/data_types';
+import type { IcebergFeature, IcebergProperties } from '../api/data_types';
 import { circle } from '../geo/geodesic';
 import { project } from '../geo/projections';
 import { time_ms } from '../model/clock';
 import { icebergs } from '../model/field';
-import { crowd, isStale, keepOutRadii_m, symbolSize_px } from '../model/icebergs';
+import { icebergChoice } from '../model/iceberg_choice';
+import { crowd, isStale, keepOutRadii_m, strengthOf, symbolSize_px } from '../model/icebergs';
 import { visible } from '../model/layers';
 import { projection } from '../model/settings';
+import { sighting_days } from '../model/sighting_age';
 import { palette, type Palette } from '../theme/palette';
 import { toMap } from './projections';
 
@@ -46,7 +48,7 @@ export function keepOutLayer(): VectorLayer<VectorSource> {
   return layer;
 }
 
-/** A triangle for each berg, its size by size class; grey when the sighting is old. */
+/** A triangle for each berg, its size by size class; paler the older the sighting is, and grey when it is a day old. */
 export function icebergLayer(): VectorLayer<VectorSource> {
   const source = new VectorSource();
   const layer = new VectorLayer({ source, zIndex: 7 });
@@ -66,35 +68,32 @@ export function icebergLayer(): VectorLayer<VectorSource> {
   effect(() => {
     const colours = palette.value;
     const hour = hour_ms.value;
+    const limit_days = icebergChoice.value?.max_sighting_age_days ?? sighting_days;
     layer.setStyle((feature, resolution) => {
       const berg = feature.get('berg') as IcebergFeature;
-      return symbol(berg, isStale(berg.properties, hour), resolution < 120, colours);
+      const image = symbolOf(berg.properties, isStale(berg.properties, hour), colours);
+      image.setOpacity(strengthOf(berg.properties, hour, limit_days));
+      return new Style({ image, ...(resolution < 120 ? { text: nameOf(berg.properties, colours) } : {}) });
     });
   });
   effect(() => layer.setVisible(visible.value.icebergs));
   return layer;
 }
 
-function symbol({ properties }: IcebergFeature, stale: boolean, named: boolean, colours: Palette): Style {
-  const size = symbolSize_px(properties.size);
-  const colour = stale ? colours.stale : colours.ink;
-  return new Style({
-    image: new RegularShape({
-      points: properties.size === 'radar_target' || properties.size === 'unknown' ? 4 : 3,
-      radius: size,
-      fill: new Fill({ color: colours.berg }),
-      stroke: new Stroke({ color: colour, width: 1.6 }),
-    }),
-    ...(named
-      ? {
-          text: new Text({
-            text: properties.berg_id,
-            offsetY: -size - 8,
-            font: '11px system-ui, sans-serif',
-            fill: new Fill({ color: colours.label }),
-            stroke: new Stroke({ color: colours.halo, width: 3 }),
-          }),
-        }
-      : {}),
+function symbolOf({ size }: IcebergProperties, stale: boolean, colours: Palette): RegularShape {
+  return new RegularShape({
+    points: size === 'radar_target' || size === 'unknown' ? 4 : 3,
+    radius: symbolSize_px(size),
+    fill: new Fill({ color: colours.berg }),
+    stroke: new Stroke({ color: stale ? colours.stale : colours.ink, width: 1.6 }),
   });
 }
+
+const nameOf = ({ berg_id, size }: IcebergProperties, colours: Palette): Text =>
+  new Text({
+    text: berg_id,
+    offsetY: -symbolSize_px(size) - 8,
+    font: '11px system-ui, sans-serif',
+    fill: new Fill({ color: colours.label }),
+    stroke: new Stroke({ color: colours.halo, width: 3 }),
+  });

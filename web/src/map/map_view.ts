@@ -145,7 +145,7 @@ function cornersOf([west, south, east, north]: Box): Position[] {
 
 /** What lies over the map's edges, clockwise from the top: tools on the left and, where the map is wide, the legend on the right. */
 function coveredEdges_px(map: Map): [number, number, number, number] {
-  return (map.getSize()?.[0] ?? 0) > 600 ? [70, 220, 80, 100] : [70, 20, 60, 60];
+  return (map.getSize()?.[0] ?? 0) > 600 ? [70, 270, 80, 100] : [70, 20, 60, 60];
 }
 
 /** How far south the map is fitted to: in a polar projection to where its shapes are still told apart. */
@@ -354,7 +354,11 @@ function publishState(map: Map, target: HTMLElement, vehicles: VectorLayer<Vecto
     target.dataset['vehicles'] = drawn.map((vehicle) => vehicle.getGeometry()?.getExtent().slice(0, 2).map(Math.round).join(',')).join(' ');
   };
   map.on('rendercomplete', settle);
-  map.on('postrender', () => (target.dataset['moving'] = String(map.getView().getAnimating() || map.getView().getInteracting())));
+  map.on('postrender', ({ frameState }) => {
+    target.dataset['moving'] = String(map.getView().getAnimating() || map.getView().getInteracting());
+    // One layer that lets OpenLayers thin its labels has every layer painted twice.
+    target.dataset['passes'] = frameState?.declutter ? '2' : '1';
+  });
   effect(() => {
     if (isLoading.value) settle();
     else map.render(); // what came may have changed nothing that is drawn

@@ -10,11 +10,12 @@ import { densify } from '../geo/geodesic';
 import { northAngle, project, type ProjectionCode } from '../geo/projections';
 import { time_ms } from '../model/clock';
 import { visible } from '../model/layers';
-import { selectedId, selectedWaypoint, shownPlans, vehicleAt, waypointLabel, type ShownPlan } from '../model/plans';
+import { selectedId, selectedShown, selectedWaypoint, shownPlans, vehicleAt, waypointLabel, type ShownPlan } from '../model/plans';
 import { openEdit } from '../model/route_edit';
 import { projection } from '../model/settings';
 import { runsOf } from '../model/under_ice';
 import { belowIceDash, palette, planColour, planDash, tunnelDash, type Palette } from '../theme/palette';
+import { labelsWithRoom } from './label_room';
 import { toMap } from './projections';
 
 /**
@@ -57,55 +58,60 @@ function lineStyles({ style }: ShownPlan, isBelowIce: boolean, selected: boolean
 
 /**
  * Waypoints of the selected plan unless a copy of it is under change: a dot each, a square where it may not surface, and the
- * number where there is room.
+ * number where there is room. The chosen one, the start and the goal have it before the others.
  */
 export function waypointLayer(): VectorLayer<VectorSource> {
   const source = new VectorSource();
-  const layer = new VectorLayer({ source, zIndex: 8, declutter: true });
+  const layer = new VectorLayer({ source, zIndex: 8 });
   effect(() => {
     const code = projection.value;
     const colours = palette.value;
     const chosen = selectedWaypoint.value;
+    const shown = openEdit.value ? undefined : selectedShown.value;
     source.clear(true);
-    for (const shown of shownPlans.value) {
-      if (shown.plan.plan_id !== selectedId.value || openEdit.value) continue;
-      for (const waypoint of shown.plan.waypoints) {
-        const feature = new Feature(new Point(project(code, [waypoint.lon, waypoint.lat])));
-        feature.set('waypoint', waypoint.index);
-        feature.set('planId', shown.plan.plan_id);
-        feature.setStyle(waypointStyles(waypoint, shown.style, waypoint.index === chosen, colours));
-        source.addFeature(feature);
-      }
-    }
+    if (!shown) return;
+    const { plan: { plan_id, waypoints }, style } = shown;
+    const goal = waypoints.length - 1;
+    const labels = waypoints.map(({ lon, lat, index }) => ({ at: project(code, [lon, lat]), text: waypointLabel(index), rank: index === chosen ? 0 : index === 0 || index === goal ? 1 : 2 }));
+    const withRoom = labelsWithRoom([...labels].sort((a, b) => a.rank - b.rank));
+    waypoints.forEach((waypoint, i) => {
+      const label = labels[i];
+      if (!label) return;
+      const isChosen = waypoint.index === chosen;
+      const [mark, name] = [markStyle(waypoint, style, isChosen, colours), nameStyle(label.text, style, isChosen, colours)];
+      const feature = new Feature(new Point(label.at));
+      feature.set('waypoint', waypoint.index);
+      feature.set('planId', plan_id);
+      feature.setStyle((_, resolution) => (withRoom(resolution).has(label) ? [mark, name] : mark));
+      source.addFeature(feature);
+    });
   });
-  // One layer in view whose labels make way for each other has OpenLayers paint all layers in two goes.
-  effect(() => layer.setVisible(visible.value.plans && shownPlans.value.some(({ plan }) => plan.plan_id === selectedId.value)));
+  effect(() => layer.setVisible(visible.value.plans));
   return layer;
 }
 
-function waypointStyles({ index, may_surface }: Waypoint, style: number, chosen: boolean, colours: Palette): Style[] {
+function markStyle({ may_surface }: Waypoint, style: number, chosen: boolean, colours: Palette): Style {
   const colour = planColour(colours, style);
   const fill = new Fill({ color: chosen ? colour : colours.casing });
-  const dot = new Circle({ radius: chosen ? 6 : 3.5, fill, stroke: new Stroke({ color: colour, width: 2 }), declutterMode: 'none' });
+  const dot = new Circle({ radius: chosen ? 6 : 3.5, fill, stroke: new Stroke({ color: colour, width: 2 }) });
   const closed = new RegularShape({
     points: 4, angle: Math.PI / 4, radius: chosen ? 9 : 6.5, fill: new Fill({ color: colour }), stroke: new Stroke({ color: chosen ? colours.ink : colours.casing, width: 2 }),
-    declutterMode: 'none',
   });
-  return [
-    new Style({ image: may_surface === false ? closed : dot, zIndex: 1 }),
-    new Style({
-      text: new Text({
-        text: waypointLabel(index),
-        font: `600 ${chosen ? 13 : 11}px system-ui, sans-serif`,
-        offsetX: 11,
-        offsetY: -10,
-        fill: new Fill({ color: colour }),
-        stroke: new Stroke({ color: colours.casing, width: 3.5 }),
-      }),
-      zIndex: chosen ? 3 : 2,
-    }),
-  ];
+  return new Style({ image: may_surface === false ? closed : dot, zIndex: 1 });
 }
+
+const nameStyle = (text: string, style: number, chosen: boolean, colours: Palette): Style =>
+  new Style({
+    text: new Text({
+      text,
+      font: `600 ${chosen ? 13 : 11}px system-ui, sans-serif`,
+      offsetX: 11,
+      offsetY: -10,
+      fill: new Fill({ color: planColour(colours, style) }),
+      stroke: new Stroke({ color: colours.casing, width: 3.5 }),
+    }),
+    zIndex: chosen ? 3 : 2,
+  });
 
 /** Where each shown plan's vehicle is at the clock's time, pointing along its course. */
 export function vehicleLayer(): VectorLayer<VectorSource> {

@@ -50,18 +50,31 @@ export function expectedAt(drift: IcebergDrift, at_ms: number): Expected | undef
   };
 }
 
-/** The way of a berg as far as it is forecast, and its places every six hours after the sighting. */
-export const wayOf = ({ lon, lat }: IcebergDrift): Position[] => lon.map((x, i) => [x, lat[i] ?? NaN]);
+/** The line that a berg is forecast to drift along. */
+export const driftLineOf = ({ lon, lat }: IcebergDrift): Position[] => lon.map((x, i) => [x, lat[i] ?? NaN]);
+
+/** The same without the swing of the tide, for maps of a small scale: its first and last place, and those a period of M2 apart. */
+export function plainLineOf(drift: IcebergDrift): Position[] {
+  const line = driftLineOf(drift);
+  const moments_ms = momentsOf(drift);
+  const [start_ms, end_ms] = [moments_ms[0], moments_ms.at(-1)];
+  if (start_ms === undefined || end_ms === undefined) return line;
+  return [...line.slice(0, 1), ...placesEvery(tide_ms, drift, start_ms, end_ms - 1), ...line.slice(1).slice(-1)];
+}
+
+/** The period of the principal lunar tide: 12 h 25 min 14 s. */
+const tide_ms = 44_714_000;
 
 const tick_ms = 6 * 3_600_000;
 
-export function ticksOf(drift: IcebergDrift): Position[] {
-  const start_ms = Date.parse(drift.observed);
-  const end_ms = Date.parse(drift.time.at(-1) ?? '');
-  const ticks: Position[] = [];
-  for (let at_ms = start_ms + tick_ms; at_ms <= end_ms; at_ms += tick_ms) {
+/** Its places every six hours after the sighting. */
+export const ticksOf = (drift: IcebergDrift): Position[] => placesEvery(tick_ms, drift, Date.parse(drift.observed), Date.parse(drift.time.at(-1) ?? ''));
+
+function placesEvery(step_ms: number, drift: IcebergDrift, start_ms: number, end_ms: number): Position[] {
+  const places: Position[] = [];
+  for (let at_ms = start_ms + step_ms; at_ms <= end_ms; at_ms += step_ms) {
     const expected = expectedAt(drift, at_ms);
-    if (expected) ticks.push(expected.place);
+    if (expected) places.push(expected.place);
   }
-  return ticks;
+  return places;
 }

@@ -1,7 +1,7 @@
 import type { IcebergProperties } from '../api/data_types';
 import { requestFields } from '../contract/request_fields';
 import { draft, numberIn } from './draft';
-import { hour_ms } from './time';
+import { day_ms, hour_ms } from './time';
 
 /** After this a sighting no longer says where the berg is. */
 export const validity_h = 24;
@@ -19,6 +19,15 @@ export const sizeTitle = (size: string): string => size.replaceAll('_', ' ');
 
 export function isStale({ observed }: IcebergProperties, at_ms: number): boolean {
   return at_ms - Date.parse(observed) > validity_h * hour_ms;
+}
+
+/** The least that a sighting is drawn with, however old: it still says that there is a berg. */
+const faintest = 0.35;
+
+/** How strongly a sighting is drawn: the older it is, the paler, down to the age at which plans let none count. */
+export function strengthOf({ observed }: IcebergProperties, at_ms: number, limit_days: number): number {
+  const spent = (at_ms - Date.parse(observed)) / Math.max(limit_days * day_ms, hour_ms);
+  return 1 - (1 - faintest) * Math.min(Math.max(spent, 0), 1);
 }
 
 const metresIn = (text: string, usual: number): number => {

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import type { IcebergDrift } from '../../src/api/data_types';
-import { expectedAt, ticksOf } from '../../src/model/drift';
+import { driftLineOf, expectedAt, plainLineOf, ticksOf } from '../../src/model/drift';
 
 const start_ms = Date.parse('2026-11-20T06:00:00Z');
 const hour_ms = 3_600_000;
@@ -26,5 +26,13 @@ describe('where a berg is expected', () => {
 
   it('is ticked off every six hours', () => {
     expect(ticksOf(drift).map(([lon]) => Number(lon.toFixed(4)))).toEqual([-51.94, -51.88]);
+  });
+
+  it('is drawn from afar without the swing of the tide, from the same beginning to the same end', () => {
+    const swinging = { ...drift, lat: hours.map((hour) => 69 + 0.01 * Math.sin((2 * Math.PI * hour) / 12.42)) };
+    const [line, plain] = [driftLineOf(swinging), plainLineOf(swinging)];
+    expect([plain[0], plain.at(-1)]).toEqual([line[0], line.at(-1)]);
+    expect(plain).toHaveLength(3);
+    expect(plain[1]?.[1]).toBeCloseTo(69, 3);
   });
 });

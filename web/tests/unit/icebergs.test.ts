@@ -1,6 +1,7 @@
 import { beforeEach, describe, expect, it } from 'vitest';
+import type { IcebergProperties } from '../../src/api/data_types';
 import { edit } from '../../src/model/draft';
-import { keepOut_m } from '../../src/model/icebergs';
+import { keepOut_m, strengthOf } from '../../src/model/icebergs';
 
 describe('the distance kept from a berg', () => {
   beforeEach(() => edit({ margin_m: '500', max_inflation_m: '' }));
@@ -16,4 +17,21 @@ describe('the distance kept from a berg', () => {
     edit({ margin_m: 'far', max_inflation_m: '-3' });
     expect(keepOut_m(0, 90_000)).toBe(500 + 5000);
   });
+});
+
+describe('a sighting', () => {
+  const seen = '2026-11-20T06:00:00Z';
+  const strengthAfter = (hours: number, limit_days = 3): number =>
+    strengthOf({ observed: seen } as IcebergProperties, Date.parse(seen) + hours * 3_600_000, limit_days);
+
+  it('is drawn paler the older it is, down to the age at which it no longer counts', () => {
+    expect(strengthAfter(-1)).toBe(1);
+    expect(strengthAfter(0)).toBe(1);
+    expect(strengthAfter(36)).toBeCloseTo(0.675, 6);
+    expect(strengthAfter(72)).toBeCloseTo(0.35, 6);
+    expect(strengthAfter(500)).toBeCloseTo(0.35, 6);
+    expect(strengthAfter(72, 6)).toBeCloseTo(0.675, 6);
+  });
+
+  it('is seen also where no age is allowed', () => expect(strengthAfter(1, 0)).toBeGreaterThan(0.3));
 });
