@@ -12,6 +12,14 @@ export interface Frame {
   toCoordinate(pixel: readonly [number, number]): [number, number];
 }
 
+/** From units along two axes to pixels, by where their origin and the ends of one unit of each lie in the projection. */
+export function screenMatrix(frame: Frame, origin: Place, first: Place, second: Place): DOMMatrix {
+  const [[x, y], [x1, y1], [x2, y2]] = [frame.toPixel(origin), frame.toPixel(first), frame.toPixel(second)];
+  return new DOMMatrix([x1 - x, y1 - y, x2 - x, y2 - y, x, y]);
+}
+
+type Place = readonly [number, number];
+
 /**
  * A layer painted by a function, anew only where the view has moved or `changed()` was called since. Its canvas lies in a div:
  * OpenLayers would take a bare canvas for the render target of the layers above it.

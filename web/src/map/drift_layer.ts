@@ -1,22 +1,14 @@
-import { computed, effect } from '@preact/signals';
-import Feature from 'ol/Feature.js';
-import type Geometry from 'ol/geom/Geometry.js';
-import LineString from 'ol/geom/LineString.js';
-import MultiPoint from 'ol/geom/MultiPoint.js';
-import Point from 'ol/geom/Point.js';
-import Polygon from 'ol/geom/Polygon.js';
-import VectorImageLayer from 'ol/layer/VectorImage.js';
-import VectorSource from 'ol/source/Vector.js';
-import { Circle, Fill, RegularShape, Stroke, Style } from 'ol/style.js';
-import { circle } from '../geo/geodesic';
-import { project } from '../geo/projections';
+import { computed, effect, type ReadonlySignal } from '@preact/signals';
+import type { Position } from '../api/data_types';
+import { project, scaleFactor, type ProjectionCode } from '../geo/projections';
 import { time_ms } from '../model/clock';
 import { driftLineOf, drifts, expectedAt, plainLineOf, ticksOf } from '../model/drift';
 import { crowd, keepOut_m } from '../model/icebergs';
 import { visible } from '../model/layers';
 import { projection } from '../model/settings';
-import { view } from '../model/view';
+import { minute_ms } from '../model/time';
 import { palette } from '../theme/palette';
+import { CanvasLayer, screenMatrix, type Frame } from './canvas_layer';
 import { toMap } from './projections';
 
 /** Farther out than this many metres in a pixel, rings would hide the map; so would ticks, and lines that swing with the tide. */
@@ -30,82 +22,135 @@ const lines_m = 300;
 const most = 'b0';
 const half = '80';
 
-/**
- * Dashes along hundreds of long lines take a processor without a graphics card a tenth of a second, so what does not change is
- * painted once as a picture this much wider and higher than the map, not again in each frame.
- */
-const painted = 1.2;
+const isShown = computed(() => visible.value.drift && visible.value.icebergs && drifts.value.length <= crowd);
 
-/** What a line of drift is made of, at scales small and large. */
-type Detail = 'plain' | 'tidal' | 'ticks';
-
-const isShown = (): boolean => visible.value.drift && visible.value.icebergs;
-const ringsAreShown = computed(() => (view.value?.metresPerPixel ?? Infinity) < rings_m);
-
-/** Where each berg is expected to go: a thin line with a tick every six hours; seen from afar, a pale one without the tides. */
-export function driftLayer(): VectorImageLayer<VectorSource> {
-  const source = new VectorSource();
-  const layer = new VectorImageLayer({ source, zIndex: 5, imageRatio: painted });
-  effect(() => {
-    const code = projection.value;
-    source.clear(true);
-    if (drifts.value.length > crowd) return;
-    source.addFeatures(
-      drifts.value.flatMap((drift) => {
-        const line = driftLineOf(drift);
-        if (line.length < 2) return [];
-        const drawn: [Detail, Geometry][] = [
-          ['plain', new LineString(toMap(code, plainLineOf(drift)))], ['tidal', new LineString(toMap(code, line))], ['ticks', new MultiPoint(toMap(code, ticksOf(drift)))],
-        ];
-        return drawn.map(([detail, geometry]) => new Feature({ detail, geometry }));
-      }),
-    );
-  });
-  effect(() => {
-    const { reach } = palette.value;
-    const styles: Record<Detail, Style> = {
-      plain: new Style({ stroke: new Stroke({ color: reach + half, width: 1 }) }),
-      tidal: new Style({ stroke: new Stroke({ color: reach, width: 1 }) }),
-      ticks: new Style({ image: new Circle({ radius: 1.8, fill: new Fill({ color: reach }) }) }),
-    };
-    layer.setStyle((feature, resolution) => {
-      const detail = feature.get('detail') as Detail;
-      const isDrawn = detail === 'plain' ? resolution >= tides_m && resolution < lines_m : resolution < tides_m;
-      return isDrawn ? styles[detail] : undefined;
-    });
-  });
-  effect(() => layer.setVisible(isShown()));
-  return layer;
+/** The lines of all bergs in metres from a place amidst them, which a canvas draws more exactly than metres from a pole. */
+interface Lines {
+  origin: Position;
+  plain: Path2D;
+  tidal: Path2D;
+  ticks: Path2D;
 }
 
-/** Where each berg is expected at the clock's time, in the ring that plans keep out of: it grows with the error of the position. */
-export function ghostLayer(): VectorImageLayer<VectorSource> {
-  const source = new VectorSource();
-  const layer = new VectorImageLayer({ source, zIndex: 5, imageRatio: painted });
-  effect(() => {
-    if (!isShown() || drifts.value.length > crowd) {
-      source.clear(true);
-      return;
+const linesNow = computed<Lines | undefined>(() => {
+  const code = projection.value;
+  const [first] = drifts.value.flatMap(driftLineOf);
+  if (!isShown.value || !first) return undefined;
+  const lines: Lines = { origin: project(code, first), plain: new Path2D(), tidal: new Path2D(), ticks: new Path2D() };
+  const [x0, y0] = lines.origin;
+  const placed = (places: Position[]): Position[] => toMap(code, places).map(([x, y]) => [x - x0, y - y0]);
+  const addLine = (path: Path2D, places: Position[]): void =>
+    placed(places).forEach(([x, y], i) => {
+      if (i === 0) path.moveTo(x, y);
+      else path.lineTo(x, y);
+    });
+  for (const drift of drifts.value) {
+    addLine(lines.plain, plainLineOf(drift));
+    addLine(lines.tidal, driftLineOf(drift));
+    for (const [x, y] of placed(ticksOf(drift))) {
+      lines.ticks.moveTo(x, y);
+      lines.ticks.lineTo(x, y); // a dot, by the round end of the stroke
     }
-    const code = projection.value;
-    const minute = Math.round(time_ms.value / 60_000) * 60_000;
-    const ghosts = drifts.value.flatMap((drift) => {
-      const expected = expectedAt(drift, minute);
-      if (!expected || minute <= Date.parse(drift.observed)) return [];
-      const ghost = new Feature<Geometry>(new Point(project(code, expected.place)));
-      if (!ringsAreShown.value) return [ghost];
-      return [new Feature<Geometry>(new Polygon([toMap(code, circle(expected.place, keepOut_m(drift.safe_length_m, expected.error_m)))])), ghost];
-    });
-    source.clear(true);
-    source.addFeatures(ghosts);
+  }
+  return lines;
+});
+
+/** Where each berg is expected to go: a thin line with a tick every six hours; seen from afar, a pale one without the tides. */
+export function driftLayer(): CanvasLayer {
+  return painting((frame) => paintLines(frame, linesNow.peek()), [linesNow, palette]);
+}
+
+function paintLines(frame: Frame, lines: Lines | undefined): void {
+  const { context, resolution } = frame;
+  if (!lines || resolution >= lines_m) return;
+  const { reach } = palette.peek();
+  const [x, y] = lines.origin;
+  const matrix = screenMatrix(frame, [x, y], [x + 1, y], [x, y + 1]);
+  const stroke = (path: Path2D, colour: string, width: number): void => {
+    const onScreen = new Path2D();
+    onScreen.addPath(path, matrix);
+    context.strokeStyle = colour;
+    context.lineWidth = width;
+    context.stroke(onScreen);
+  };
+  context.lineCap = 'round';
+  context.lineJoin = 'round';
+  if (resolution >= tides_m) {
+    stroke(lines.plain, reach + half, 1);
+    return;
+  }
+  stroke(lines.tidal, reach, 1);
+  stroke(lines.ticks, reach, 3.6);
+}
+
+/** Where a berg is expected, in the projection, and how far plans keep from there. */
+interface Ghost {
+  at: Position;
+  radius: number;
+}
+
+const ghostsNow = computed<Ghost[]>(() => {
+  if (!isShown.value) return [];
+  const code = projection.value;
+  const minute = Math.round(time_ms.value / minute_ms) * minute_ms;
+  return drifts.value.flatMap((drift) => {
+    const expected = minute > Date.parse(drift.observed) ? expectedAt(drift, minute) : undefined;
+    return expected ? [ghostAt(code, expected.place, keepOut_m(drift.safe_length_m, expected.error_m))] : [];
   });
-  effect(() => {
-    const { reach, berg } = palette.value;
-    const ring = new Style({ stroke: new Stroke({ color: reach + most, width: 1.2, lineDash: [4, 4] }) });
-    const ghost = new Style({
-      image: new RegularShape({ points: 3, radius: 7, fill: new Fill({ color: berg }), stroke: new Stroke({ color: reach, width: 1.6, lineDash: [4, 2] }) }),
+});
+
+/** The projections keep angles, so that a circle of some kilometres is one on the map, too, but for a thousandth of its radius. */
+const ghostAt = (code: ProjectionCode, place: Position, radius_m: number): Ghost => ({ at: project(code, place), radius: radius_m * scaleFactor(code, place) });
+
+/** Where each berg is expected at the clock's time, in the ring that plans keep out of: it grows with the error of the position. */
+export function ghostLayer(): CanvasLayer {
+  return painting((frame) => paintGhosts(frame, ghostsNow.peek()), [ghostsNow, palette]);
+}
+
+/** A triangle that points up, of this radius. */
+const ghost_px = 7;
+const triangle: readonly (readonly [number, number])[] = [-90, 30, 150].map((angle_deg) => {
+  const angle = (angle_deg * Math.PI) / 180;
+  return [ghost_px * Math.cos(angle), ghost_px * Math.sin(angle)];
+});
+
+function paintGhosts(frame: Frame, ghosts: Ghost[]): void {
+  const { context, resolution, width, height } = frame;
+  const { reach, berg } = palette.peek();
+  const [rings, marks] = [new Path2D(), new Path2D()];
+  for (const { at, radius } of ghosts) {
+    const [x, y] = frame.toPixel(at);
+    const ring_px = radius / resolution;
+    const room_px = Math.max(ring_px, ghost_px);
+    if (x < -room_px || y < -room_px || x > width + room_px || y > height + room_px) continue;
+    rings.moveTo(x + ring_px, y);
+    rings.arc(x, y, ring_px, 0, 2 * Math.PI);
+    triangle.forEach(([dx, dy], i) => {
+      if (i === 0) marks.moveTo(x + dx, y + dy);
+      else marks.lineTo(x + dx, y + dy);
     });
-    layer.setStyle((feature) => (feature.getGeometry()?.getType() === 'Point' ? ghost : ring));
-  });
+    marks.closePath();
+  }
+  context.lineJoin = 'miter';
+  if (resolution < rings_m) {
+    context.setLineDash([4, 4]);
+    context.lineWidth = 1.2;
+    context.strokeStyle = reach + most;
+    context.stroke(rings);
+  }
+  context.fillStyle = berg;
+  context.fill(marks);
+  context.setLineDash([4, 2]);
+  context.lineWidth = 1.6;
+  context.strokeStyle = reach;
+  context.stroke(marks);
+  context.setLineDash([]);
+}
+
+/** A layer above the areas and below the plans, painted anew where one of these has changed. */
+function painting(paint: (frame: Frame) => void, causes: ReadonlySignal<unknown>[]): CanvasLayer {
+  const layer = new CanvasLayer(paint, 5);
+  effect(() => layer.setVisible(isShown.value));
+  for (const cause of causes) cause.subscribe(() => layer.changed());
   return layer;
 }

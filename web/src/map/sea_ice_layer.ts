@@ -9,7 +9,7 @@ import { visible } from '../model/layers';
 import { iceEdge, seaIceLevels, surfacingLimit } from '../model/sea_ice';
 import { projection } from '../model/settings';
 import { palette, seaIceHatches, surfacingDash, unknownHatch, type Hatch } from '../theme/palette';
-import { CanvasLayer, type Frame } from './canvas_layer';
+import { CanvasLayer, screenMatrix, type Frame } from './canvas_layer';
 
 /** How far apart the nodes stand on the screen at which the ice is looked up, at least. */
 const spacing_px = 7;
@@ -179,10 +179,8 @@ function paint(frame: Frame, stand: Stand, now: TimedPair | undefined): void {
   const { seaIce: colours, ink, casing, halo } = palette.peek();
   const shapes = stand.shapesOf(nodes, now, surfacingLimit.peek());
   const { step, left, top } = nodes;
-  const place = (x: number, y: number): [number, number] => frame.toPixel([(left + x) * step, -(top + y) * step]);
-  const [origin, right, below] = [place(0, 0), place(1, 0), place(0, 1)];
-  const toScreen = new DOMMatrix([right[0] - origin[0], right[1] - origin[1], below[0] - origin[0], below[1] - origin[1], ...origin]);
-  const drawn = moved(shapes, toScreen);
+  const place = (x: number, y: number): [number, number] => [(left + x) * step, -(top + y) * step];
+  const drawn = moved(shapes, screenMatrix(frame, place(0, 0), place(1, 0), place(0, 1)));
   const anchor = frame.toPixel([0, 0]); // hatching moves with the map
 
   context.fillStyle = hatching(context, unknownHatch, colours.unknown, anchor);
@@ -205,7 +203,7 @@ function paint(frame: Frame, stand: Stand, now: TimedPair | undefined): void {
   context.strokeStyle = halo;
   context.fillStyle = colours.figure;
   for (const { x, y, text } of shapes.figures) {
-    const [px, py] = place(x, y);
+    const [px, py] = frame.toPixel(place(x, y));
     context.strokeText(text, px, py);
     context.fillText(text, px, py);
   }

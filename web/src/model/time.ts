@@ -1,6 +1,7 @@
 /** Instants are milliseconds since 1970 in UTC; nothing here knows a local time zone. */
 
-export const hour_ms = 3_600_000;
+export const minute_ms = 60_000;
+export const hour_ms = 60 * minute_ms;
 export const day_ms = 24 * hour_ms;
 const half_a_year_ms = 183 * day_ms;
 
