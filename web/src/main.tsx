@@ -1,5 +1,6 @@
 import { render } from 'preact';
 import { followBergHistory } from './api/berg_history';
+import { deleteOnLeaving } from './api/deleting';
 import { followDrift } from './api/drifting';
 import { followRouteEdit } from './api/evaluating';
 import { followFields } from './api/fields';
@@ -28,4 +29,5 @@ followTracks();
 followHandMade();
 followRouteEdit();
 listenForShortcuts();
+deleteOnLeaving();
 void enter();

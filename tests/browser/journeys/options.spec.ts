@@ -78,9 +78,9 @@ test('an area is drawn on the map, and the way keeps out of it', async ({ page, 
   const failure = page.getByRole('alert', { name: 'No plan is possible' });
   await expect(failure).toContainText('The goal lies in a closed area', { timeout: 120_000 });
 
-  await page.getByRole('button', { name: 'Undo the last change of the set-up' }).click();
-  await page.getByRole('button', { name: 'Undo the last change of the set-up' }).click();
-  await page.getByRole('button', { name: 'Undo the last change of the set-up' }).click();
+  await page.getByRole('form', { name: 'Set-up' }).getByRole('button', { name: /^Undo/ }).click();
+  await page.getByRole('form', { name: 'Set-up' }).getByRole('button', { name: /^Undo/ }).click();
+  await page.getByRole('form', { name: 'Set-up' }).getByRole('button', { name: /^Undo/ }).click();
   await expect(page.locator('#map')).toHaveAttribute('data-areas', '0');
 });
 

@@ -113,7 +113,7 @@ export async function plans(): Promise<PlanFeature[]> {
 }
 
 export const deletePlan = async (planId: string): Promise<void> => {
-  await request(`/collections/plans/items/${encodeURIComponent(planId)}`, { method: 'DELETE' });
+  await request(`/collections/plans/items/${encodeURIComponent(planId)}`, { method: 'DELETE', keepalive: true }); // also while the page is left
 };
 
 /** `accept`: the pilot has confirmed the dangers of the plan, without which the server hands out no files of it. */

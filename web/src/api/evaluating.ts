@@ -3,7 +3,7 @@ import { reasonTitle } from '../model/job';
 import { warnedOf } from '../model/messages';
 import { add, titleOf } from '../model/plans';
 import { rememberRequest } from '../model/requests';
-import { deliver, discardEdit, routeEdit, whyNotSaved, type RouteEdit, type Verdict } from '../model/route_edit';
+import { closeSavedEdit, deliver, routeEdit, whyNotSaved, type RouteEdit, type Verdict } from '../model/route_edit';
 import { announce } from '../model/screen';
 import { duration } from '../model/time';
 import * as api from './client';
@@ -42,13 +42,13 @@ export function followRouteEdit(): void {
 /** The server lays out the sea round the route before it is changed: the first change is then judged as quickly as the
  * next. What it answers is known, and what fails will be told of that change. */
 function prepare({ conditions, route }: RouteEdit): void {
-  api.evaluateRoute({ ...conditions, route: route.now }, new AbortController().signal).catch(() => undefined);
+  api.evaluateRoute({ ...conditions, route }, new AbortController().signal).catch(() => undefined);
 }
 
 async function evaluate(edit: RouteEdit, signal: AbortSignal): Promise<void> {
   let verdict: Verdict;
   try {
-    const { evaluation } = await api.evaluateRoute({ ...edit.conditions, route: edit.route.now }, signal);
+    const { evaluation } = await api.evaluateRoute({ ...edit.conditions, route: edit.route }, signal);
     verdict = evaluation.status === 'ok'
       ? { state: 'ok', plan: { ...evaluation, plan_id: edit.origin.plan_id, name: editedName(edit) } }
       : { state: 'infeasible', answer: evaluation };
@@ -79,7 +79,7 @@ export const editedName = ({ origin }: RouteEdit): string => `${titleOf(origin).
 /** Makes the edited route a plan of its own, as drawn; true when it is stored. */
 export async function saveEdit(): Promise<boolean> {
   const edit = routeEdit.value;
-  const [from, ...others] = edit?.route.now ?? [];
+  const [from, ...others] = edit?.route ?? [];
   const to = others.pop();
   if (!edit || whyNotSaved(edit) || !from || !to) return false;
   const inputs: PlanInputs = {
@@ -92,7 +92,7 @@ export async function saveEdit(): Promise<boolean> {
       return false;
     }
     rememberRequest(plan.plan_id, inputs);
-    discardEdit();
+    closeSavedEdit();
     add({ ...plan, created: plan.created ?? new Date().toISOString() });
     announce(`Stored as ${titleOf(plan)}.`);
     return true;

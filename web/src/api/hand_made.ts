@@ -5,7 +5,8 @@ import {
   type HandChange, type HandMade, type HandMadeKind,
 } from '../model/hand_made';
 import { forbids } from '../model/login';
-import { announce, tell } from '../model/screen';
+import { announce } from '../model/screen';
+import { remember } from '../model/undo';
 import { tool } from '../model/view';
 import * as api from './client';
 import type { NewFeature } from './data_types';
@@ -75,7 +76,7 @@ export async function saveForm(): Promise<void> {
     const anew = !before || form.state === 'removed';
     const stored = anew ? await api.createFeature(kind, feature) : await api.replaceFeature(kind, String(before.id), feature, form.tag);
     const name = nameOf(feature as HandMade);
-    remember({ kind, ...stored, title: `${anew ? 'adding' : 'changing'} ${name}`, ...(anew ? {} : { before: bare(before) }), after: feature });
+    note({ kind, ...stored, title: `${anew ? 'adding' : 'changing'} ${name}`, ...(anew ? {} : { before: bare(before) }), after: feature });
     closeForm();
     announce(`${name} is stored.`);
     await readStore();
@@ -115,7 +116,7 @@ export async function retire(kind: HandMadeKind, shown: HandMade): Promise<void>
       handFault.value = `${nameOf(shown)} was changed meanwhile and is still there; look at it again first.`;
     } else {
       await api.removeFeature(kind, String(shown.id), now.tag);
-      remember({ kind, id: String(shown.id), tag: undefined, title: `retiring ${nameOf(shown)}`, before: bare(shown) });
+      note({ kind, id: String(shown.id), tag: undefined, title: `retiring ${nameOf(shown)}`, before: bare(shown) });
       announce(`${nameOf(shown)} is retired.`);
     }
   } catch (error) {
@@ -131,20 +132,16 @@ function bare(feature: HandMade): NewFeature {
   return { type: 'Feature', geometry, properties: Object.fromEntries(stated) };
 }
 
-function remember(change: HandChange): void {
+/** With what the server needs to take it back; its turn comes by the one line of all changes. */
+function note(change: HandChange): void {
   handChanges.value = { done: [...handChanges.value.done, change], undone: [] };
+  remember({ title: change.title, back: () => turn('done', 'undone'), again: () => turn('undone', 'done') });
 }
-
-let turning = false;
-
-export const undoByHand = (): Promise<void> => turn('done', 'undone');
-export const redoByHand = (): Promise<void> => turn('undone', 'done');
 
 /** Makes the newest change of one pile unmade and lays what unmakes it on the other. */
 async function turn(from: 'done' | 'undone', to: 'done' | 'undone'): Promise<void> {
   const change = handChanges.value[from].at(-1);
-  if (!change || turning || forbids('pilot', 'Changing icebergs and zones')) return;
-  turning = true;
+  if (!change || forbids('pilot', 'Changing icebergs and zones')) return;
   handFault.value = undefined;
   try {
     const { id, tag } = await unmade(change);
@@ -153,13 +150,10 @@ async function turn(from: 'done' | 'undone', to: 'done' | 'undone'): Promise<voi
     const piles = handChanges.value;
     const follow = (pile: HandChange[]): HandChange[] => renumber(pile, change.id, id, change.kind, tag);
     handChanges.value = { ...piles, [from]: follow(piles[from].slice(0, -1)), [to]: [...follow(piles[to]), reverse] };
-    tell(from === 'done' ? `Undone: ${change.title}.` : `Done again: ${change.title}.`);
   } catch (error) {
     const why = statusOf(error) === changedMeanwhile ? 'somebody else has changed it since' : api.wordsOf(error);
     handFault.value = `${change.title} cannot be ${from === 'done' ? 'undone' : 'done again'}: ${why}.`;
     handChanges.value = { ...handChanges.value, [from]: handChanges.value[from].slice(0, -1) };
-  } finally {
-    turning = false;
   }
   await readStore();
 }

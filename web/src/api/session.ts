@@ -15,6 +15,7 @@ import { fieldOf, hour_ms, isoOf } from '../model/time';
 import { time_ms } from '../model/clock';
 import type { Position } from './data_types';
 import * as api from './client';
+import { withoutDeleted } from './deleting';
 
 const faultOf = (error: unknown): string => (error instanceof Error ? error.message : String(error));
 
@@ -27,8 +28,7 @@ export async function refresh(): Promise<void> {
     takeStored(stored);
     vehicles.value = known.vehicles;
     if (draft.value.vehicle === '') fill({ vehicle: known.vehicles[0]?.name ?? '' });
-    model.plans.value = (await planned)
-      .map((feature) => feature.properties)
+    model.plans.value = withoutDeleted((await planned).map((feature) => feature.properties))
       .reverse() // the server lists them as they were stored, also those of one second
       .sort((a, b) => Date.parse(b.created ?? b.departure) - Date.parse(a.created ?? a.departure));
     connectionFault.value = undefined;
@@ -131,16 +131,6 @@ function openAt(start_ms: number, end_ms: number): void {
   setTime(now_ms >= start_ms && now_ms <= end_ms ? now_ms : Math.min(first_ms, range.value.end_ms));
   if (draft.value.depart === '') fill({ depart: fieldOf(time_ms.value) });
   if (opening.time_ms !== undefined) setTime(opening.time_ms);
-}
-
-export async function deletePlan(id: string): Promise<void> {
-  try {
-    await api.deletePlan(id);
-    model.forget(id);
-    announce('The plan was deleted.');
-  } catch (error) {
-    announce(`The plan could not be deleted: ${faultOf(error)}`);
-  }
 }
 
 /** Takes a dataset out of the store; why it could not be, if so. */

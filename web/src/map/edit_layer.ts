@@ -35,7 +35,7 @@ export function editLayer(): { layer: VectorLayer<VectorSource>; drag: Translate
     const colours = palette.value;
     source.clear(true);
     if (!edit) return;
-    const route = edit.route.now;
+    const route = edit.route;
     const colour = colourOf(edit, colours);
     line = new Feature(new LineString(toMap(code, densify(route, 2000))));
     line.setStyle(lineStyles(edit, colour, colours));
@@ -83,7 +83,7 @@ function placeOf(feature: Feature): Position {
 
 /** The route as it would be if the dragged handle were let go now. */
 function routeWith(feature: Feature): Position[] | undefined {
-  const route = openEdit.peek()?.route.now;
+  const route = openEdit.peek()?.route;
   const handle = feature.get('handle') as number | undefined;
   const before = feature.get('insert') as number | undefined;
   if (handle !== undefined) return route?.map((place, i) => (i === handle ? placeOf(feature) : place));

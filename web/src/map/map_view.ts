@@ -342,7 +342,7 @@ function publishState(map: Map, target: HTMLElement, vehicles: VectorLayer<Vecto
     target.dataset['areas'] = String(draft.value.areas.length);
     target.dataset['zones'] = String(zones.value.length);
     target.dataset['tracks'] = String(visible.value.tracks ? gliderTracks.value.length : 0);
-    target.dataset['handles'] = String(openEdit.value?.route.now.length ?? 0);
+    target.dataset['handles'] = String(openEdit.value?.route.length ?? 0);
     target.dataset['coast'] = String(coast.value.length);
     target.dataset['currents'] = currents.value ? 'shown' : 'none';
     target.dataset['seaIce'] = seaIce.value ? 'shown' : 'none';

@@ -4,8 +4,8 @@ import type { Method, RouteFile } from '../api/types';
 import { readPosition } from './position';
 import type { Area } from './area';
 import { severalIn } from './data_choice';
-import { checkFields, isUsual, numberFields, timeFields, type CheckField, type NumberField, type TimeField } from './fields';
-import { begin, record, redo, undo } from './history';
+import { checkFields, formOf, isUsual, numberFields, timeFields, type CheckField, type NumberField, type TimeField } from './fields';
+import { remember } from './undo';
 
 /**
  * The set-up as a person types it: texts until they are sent, in the units of the form. Numbers left empty take the server's
@@ -57,13 +57,8 @@ export const emptyDraft: Draft = {
 export type Field = keyof Draft;
 export type Faults = Partial<Record<Field, string>>;
 
-/** Every state of the set-up since the page was opened; typing in one field is one step. */
-const history = signal(begin(emptyDraft));
-let typingIn = '';
-
-export const draft = computed(() => history.value.now);
-export const canUndoDraft = computed(() => history.value.past.length > 0);
-export const canRedoDraft = computed(() => history.value.future.length > 0);
+const now = signal(emptyDraft);
+export const draft = computed(() => now.value);
 
 /** What is wrong, beside the field it is wrong in; `generalFaults` belong to no field. */
 export const faults = signal<Faults>({});
@@ -78,29 +73,32 @@ export function refuse(found: Faults, general: string[] = []): void {
   faultyAttempts.value += 1;
 }
 
-export function edit(part: Partial<Draft>): void {
-  const next = { ...draft.peek(), ...part };
-  const fields = Object.keys(part).join();
-  history.value = fields === typingIn ? { ...history.peek(), now: next, future: [] } : record(history.peek(), next);
-  typingIn = fields;
-  const rest = { ...faults.value };
-  for (const field of Object.keys(part) as Field[]) rest[field] = undefined;
-  faults.value = rest;
+/** Changes fields, whose faults are then no longer known. `typing`: the text field that somebody is typing in. */
+export function edit(part: Partial<Draft>, typing?: string): void {
+  const before = draft.peek();
+  const old = Object.fromEntries(fieldsIn(part).map((field) => [field, before[field]]));
+  const put = (fields: Partial<Draft>): void => {
+    fill(fields);
+    faults.value = { ...faults.value, ...Object.fromEntries(fieldsIn(fields).map((field) => [field, undefined])) };
+  };
+  put(part);
+  remember({ title: titleOfEdit(part, before), back: () => put(old), again: () => put(part), ...(typing === undefined ? {} : { typing: `set-up ${typing}` }) });
+}
+
+const fieldsIn = (part: Partial<Draft>): Field[] => Object.keys(part) as Field[];
+
+function titleOfEdit(part: Partial<Draft>, { areas }: Draft): string {
+  const [field, ...others] = fieldsIn(part);
+  if (field === undefined || others.length > 0) return 'changing the set-up';
+  if (field === 'via') return 'changing the via points';
+  if (field !== 'areas') return `changing “${formOf(field).label || field}”`;
+  const more = (part.areas?.length ?? 0) - areas.length;
+  return `${more > 0 ? 'adding' : more < 0 ? 'removing' : 'changing'} an area`;
 }
 
 /** Fills in what a person has not asked for: nothing to undo. */
 export function fill(part: Partial<Draft>): void {
-  history.value = { ...history.peek(), now: { ...draft.peek(), ...part } };
-}
-
-export function undoDraft(): void {
-  history.value = undo(history.peek());
-  typingIn = '';
-}
-
-export function redoDraft(): void {
-  history.value = redo(history.peek());
-  typingIn = '';
+  now.value = { ...draft.peek(), ...part };
 }
 
 /** The place in a position field, where it can be read. */

@@ -2,6 +2,7 @@ import { computed, signal } from '@preact/signals';
 import type { Position } from '../api/data_types';
 import { placesIn } from './draft';
 import { selectedId, waypointLabel } from './plans';
+import { remember } from './undo';
 
 /** Which files of a plan a vehicle shall get. */
 export type FileSet = 'lists' | 'full' | 'seaglider';
@@ -33,8 +34,14 @@ export const safePlaces = computed<Position[]>(() => {
 
 /** Adds a safe place to those of the export under way. */
 export function addSafePlace(place: string): void {
-  const { plan_id, options } = exportOptions.peek();
-  exportOptions.value = { plan_id, options: { ...options, safe: [...options.safe.split('\n').filter((line) => line.trim() !== ''), place].join('\n') } };
+  const before = exportOptions.peek();
+  const { plan_id, options } = before;
+  const after = { plan_id, options: { ...options, safe: [...options.safe.split('\n').filter((line) => line.trim() !== ''), place].join('\n') } };
+  const put = (wanted: typeof before): void => {
+    exportOptions.value = wanted;
+  };
+  put(after);
+  remember({ title: 'picking a safe place', back: () => put(before), again: () => put(after) });
 }
 
 /** What the dialog calls its fields. */

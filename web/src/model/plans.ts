@@ -73,6 +73,13 @@ export function forget(id: string): void {
   show(id, false);
 }
 
+/** Undoes that a plan was forgotten: at its place in the list, on the map and selected as it was. */
+export function bringBack(plan: Plan, index: number, isShown: boolean, isSelected: boolean): void {
+  plans.value = [...plans.value.slice(0, index), plan, ...plans.value.slice(index)];
+  if (isShown) show(plan.plan_id, true);
+  if (isSelected) select(plan.plan_id);
+}
+
 export interface OnTheWay {
   place: Position;
   course_deg: number;

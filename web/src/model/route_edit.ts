@@ -2,9 +2,9 @@ import { computed, signal } from '@preact/signals';
 import type { Position } from '../api/data_types';
 import type { Conditions, Infeasible, Plan } from '../api/types';
 import { destination, inverse } from '../geo/geodesic';
-import { begin, record, redo, undo, type History } from './history';
-import { routeOf, selectedId, selectedWaypoint } from './plans';
+import { routeOf, select, selectedId, selectedWaypoint, titleOf, waypointLabel } from './plans';
 import { conditionsOf } from './requests';
+import { forgetChanges, remember } from './undo';
 
 /** What the server says of the route as it now is. */
 export type Verdict =
@@ -18,7 +18,7 @@ export interface RouteEdit {
   origin: Plan;
   conditions: Conditions;
   conditionsKnown: boolean; // false: the plan's own request is not known here, and the set-up's margin stands in
-  route: History<Position[]>;
+  route: Position[];
   number: number; // of the route as it now is; an answer to an earlier number is ignored
   verdict: Verdict;
   figures: Plan; // of the last route that could be evaluated, perhaps not this one
@@ -29,61 +29,82 @@ export const routeEdit = signal<RouteEdit | undefined>(undefined);
 /** The edit in view: that of the selected plan. */
 export const openEdit = computed(() => (routeEdit.value?.origin.plan_id === selectedId.value ? routeEdit.value : undefined));
 
+/** To what the changes of its route belong. */
+const changesOf = ({ origin }: RouteEdit): string => `route of ${origin.plan_id}`;
+
+/** Opens the edit of a plan in place of the one before, which undo brings back. */
 export function startEdit(plan: Plan): void {
+  discardEdit();
   const { conditions, known } = conditionsOf(plan);
   routeEdit.value = {
-    origin: plan, conditions, conditionsKnown: known, route: begin(routeOf(plan)), number: 0,
-    verdict: { state: 'ok', plan }, figures: plan,
+    origin: plan, conditions, conditionsKnown: known, route: routeOf(plan), number: 0, verdict: { state: 'ok', plan }, figures: plan,
   };
 }
 
+/** Gives the changes up; undo brings them back. */
 export function discardEdit(): void {
+  const edit = routeEdit.peek();
+  if (!edit) return;
+  routeEdit.value = undefined;
+  if (edit.number === 0) return;
+  const back = (): void => {
+    routeEdit.value = edit.verdict.state === 'pending' ? { ...edit, number: edit.number + 1 } : edit;
+    select(edit.origin.plan_id);
+  };
+  const again = (): void => {
+    routeEdit.value = undefined;
+  };
+  remember({ title: `discarding the changes of ${titleOf(edit.origin)}`, of: changesOf(edit), back, again });
+}
+
+/** The changes have become a plan of their own: they are no longer taken back. */
+export function closeSavedEdit(): void {
+  const edit = routeEdit.peek();
+  if (edit) forgetChanges(changesOf(edit));
   routeEdit.value = undefined;
 }
 
-function become(route: History<Position[]>): void {
+/** The edit with another route, in view. */
+function become(origin: Plan, route: Position[]): void {
   const edit = routeEdit.value;
-  if (!edit || route === edit.route) return;
+  if (edit?.origin.plan_id !== origin.plan_id) return;
   routeEdit.value = { ...edit, route, number: edit.number + 1, verdict: { state: 'pending' } };
-  const last = route.now.length - 1;
+  if (selectedId.peek() !== origin.plan_id) select(origin.plan_id);
+  const last = route.length - 1;
   if (selectedWaypoint.value !== undefined && selectedWaypoint.value > last) selectedWaypoint.value = last;
 }
 
-function change(next: (route: Position[]) => Position[]): void {
+function change(title: string, next: (route: Position[]) => Position[]): void {
   const edit = routeEdit.value;
-  if (edit) become(record(edit.route, next(edit.route.now)));
+  if (!edit) return;
+  const { origin, route } = edit;
+  const changed = next(route);
+  become(origin, changed);
+  remember({ title, of: changesOf(edit), back: () => become(origin, route), again: () => become(origin, changed) });
 }
 
 export const moveWaypoint = (index: number, place: Position): void =>
-  change((route) => route.map((old, i) => (i === index ? place : old)));
+  change(`moving waypoint ${waypointLabel(index)}`, (route) => route.map((old, i) => (i === index ? place : old)));
 
 /** Puts a new waypoint before number `index`, which then has that number, and selects it. */
 export function insertWaypoint(index: number, place: Position): void {
-  change((route) => [...route.slice(0, index), place, ...route.slice(index)]);
+  change(`inserting waypoint ${waypointLabel(index)}`, (route) => [...route.slice(0, index), place, ...route.slice(index)]);
   selectedWaypoint.value = index;
 }
 
 /** Puts one half-way along the leg that leaves `index`, or along the last leg. */
 export function insertAfter(index: number): void {
-  const route = routeEdit.value?.route.now ?? [];
+  const route = routeEdit.value?.route ?? [];
   const first = Math.min(index, route.length - 2);
   const [from, to] = [route[first], route[first + 1]];
   if (from && to) insertWaypoint(first + 1, halfway(from, to));
 }
 
-export const canRemove = (): boolean => (routeEdit.value?.route.now.length ?? 0) > 2;
+export const canRemove = (): boolean => (routeEdit.value?.route.length ?? 0) > 2;
 
 /** Takes one out; two must remain. */
 export function removeWaypoint(index: number): void {
-  if (canRemove()) change((route) => route.filter((_, i) => i !== index));
-}
-
-export function undoEdit(): void {
-  if (routeEdit.value) become(undo(routeEdit.value.route));
-}
-
-export function redoEdit(): void {
-  if (routeEdit.value) become(redo(routeEdit.value.route));
+  if (canRemove()) change(`removing waypoint ${waypointLabel(index)}`, (route) => route.filter((_, i) => i !== index));
 }
 
 /** Takes an answer in, unless the route has changed since it was asked for. */

@@ -1,6 +1,6 @@
 import { destination } from '../geo/geodesic';
 import { selectedWaypoint, waypointLabel } from '../model/plans';
-import { insertAfter, moveWaypoint, openEdit, redoEdit, removeWaypoint, undoEdit } from '../model/route_edit';
+import { insertAfter, moveWaypoint, openEdit, removeWaypoint } from '../model/route_edit';
 import { announce } from '../model/screen';
 import { view } from '../model/view';
 
@@ -10,17 +10,16 @@ const step_m = { plain: 100, shift: 1000, alt: 10 };
 const arrows_deg: Record<string, number> = { ArrowUp: 0, ArrowRight: 90, ArrowDown: 180, ArrowLeft: 270 };
 
 /** Keys of the route under change; true when the key was one of them. */
-export function editByKey(event: KeyboardEvent, inText: boolean): boolean {
+export function editByKey(event: KeyboardEvent): boolean {
   const edit = openEdit.peek();
-  if (!edit) return false;
-  if (event.ctrlKey || event.metaKey) return !inText && undoByKey(event);
+  if (!edit || event.ctrlKey || event.metaKey) return false;
   const chosen = selectedWaypoint.peek();
   if (!(event.target instanceof Element) || event.target.id !== 'map') return false;
-  const last = edit.route.now.length - 1;
+  const last = edit.route.length - 1;
   if (event.key === 'Tab') return nextByKey(event, chosen, last);
   if (chosen === undefined) return false;
 
-  const place = edit.route.now[chosen];
+  const place = edit.route[chosen];
   const arrow_deg = arrows_deg[event.key];
   if (arrow_deg !== undefined && place) {
     const size_m = event.shiftKey ? step_m.shift : event.altKey ? step_m.alt : step_m.plain;
@@ -29,14 +28,6 @@ export function editByKey(event: KeyboardEvent, inText: boolean): boolean {
   }
   if (event.key === 'Insert') insertAfter(chosen);
   else if (event.key === 'Delete') removeWaypoint(chosen);
-  else return false;
-  return true;
-}
-
-function undoByKey(event: KeyboardEvent): boolean {
-  const key = event.key.toLowerCase();
-  if (key === 'y' || (key === 'z' && event.shiftKey)) redoEdit();
-  else if (key === 'z') undoEdit();
   else return false;
   return true;
 }

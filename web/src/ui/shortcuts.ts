@@ -9,6 +9,7 @@ import { openEdit, startEdit } from '../model/route_edit';
 import { dialog, drawer, leftTab } from '../model/screen';
 import { settings } from '../model/settings';
 import { ask, tool, view } from '../model/view';
+import { redoAndTell, undoAndTell } from './common/undo_buttons';
 import { editByKey } from './edit_keys';
 
 const focus = (selector: string): void => document.querySelector<HTMLElement>(selector)?.focus();
@@ -58,6 +59,21 @@ const actions: Record<string, () => void> = {
 const takesText = 'input:not([type=range]):not([type=checkbox]):not([type=radio]), textarea, select';
 const takesSpace = 'button, a, summary, input[type=checkbox], input[type=radio]';
 
+/** Fields whose text is taken in when it is complete: until then the browser's own undo of letters is the better one. */
+const undoesLetters = 'textarea, input:not([type=range]):not([type=checkbox]):not([type=radio])';
+const takesLetters = 'form.setup input';
+
+/** Ctrl+Z, and with Shift or as Ctrl+Y the way back; whether the key was one of them. */
+function undoByKey(event: KeyboardEvent, target: Element | undefined): boolean {
+  if (!(event.ctrlKey || event.metaKey) || event.altKey) return false;
+  if (target?.matches(undoesLetters) && !target.matches(takesLetters)) return false;
+  const key = event.key.toLowerCase();
+  if (key === 'y' || (key === 'z' && event.shiftKey)) redoAndTell();
+  else if (key === 'z') undoAndTell();
+  else return false;
+  return true;
+}
+
 /** Single keys, as long as no text field or dialog has the focus and the person has not switched them off. */
 export function listenForShortcuts(): void {
   document.addEventListener('keydown', (event) => {
@@ -74,7 +90,11 @@ export function listenForShortcuts(): void {
       event.preventDefault();
       return;
     }
-    if (dialog.peek() === undefined && editByKey(event, Boolean(target?.closest(takesText)))) {
+    if (dialog.peek() === undefined && undoByKey(event, target)) {
+      event.preventDefault();
+      return;
+    }
+    if (dialog.peek() === undefined && editByKey(event)) {
       event.preventDefault();
       return;
     }

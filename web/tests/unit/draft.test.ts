@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { newArea } from '../../src/model/area';
-import { draft, edit, emptyDraft, redoDraft, undoDraft } from '../../src/model/draft';
+import { draft, edit, emptyDraft } from '../../src/model/draft';
+import { redo, undo } from '../../src/model/undo';
 import { editFor, sortViolations } from '../../src/model/draft_answer';
 import { inputsOf } from '../../src/model/draft_request';
 
@@ -150,14 +151,26 @@ describe('the set-up', () => {
   });
 
   it('is undone field by field', () => {
-    edit({ from: '6' });
-    edit({ from: '69' });
-    edit({ to: '68' });
-    undoDraft();
+    edit({ from: '6' }, 'from');
+    edit({ from: '69' }, 'from');
+    edit({ to: '68' }, 'to');
+    undo();
     expect(draft.value).toMatchObject({ from: '69', to: '' });
-    undoDraft();
+    undo();
     expect(draft.value.from).toBe('');
-    redoDraft();
+    redo();
     expect(draft.value.from).toBe('69');
+  });
+
+  it('takes each area that is removed back by itself', () => {
+    const area = newArea([[-52, 69], [-51, 69], [-51, 70]], 1);
+    edit({ areas: [area, { ...area, name: 'second' }] });
+    edit({ areas: [area] });
+    edit({ areas: [] });
+    expect(undo()?.title).toBe('removing an area');
+    expect(draft.value.areas).toHaveLength(1);
+    undo();
+    expect(draft.value.areas).toHaveLength(2);
+    undo();
   });
 });

@@ -1,8 +1,9 @@
 import { beforeEach, describe, expect, it } from 'vitest';
 import { conditionsIn } from '../../src/model/requests';
 import {
-  deliver, insertAfter, moveWaypoint, redoEdit, removeWaypoint, routeEdit, startEdit, undoEdit, whyNotSaved,
+  closeSavedEdit, deliver, discardEdit, insertAfter, moveWaypoint, removeWaypoint, routeEdit, startEdit, whyNotSaved,
 } from '../../src/model/route_edit';
+import { lastDone, redo, undo } from '../../src/model/undo';
 import { makePlan } from './make_plan';
 
 const origin = makePlan('one', [[-52, 69], [-51.5, 69], [-51, 69.1]]);
@@ -12,7 +13,10 @@ const edit = (): NonNullable<typeof routeEdit.value> => {
 };
 
 describe('the edit of a route', () => {
-  beforeEach(() => startEdit(origin));
+  beforeEach(() => {
+    closeSavedEdit();
+    startEdit(origin);
+  });
 
   it('leaves the plan as it is', () => {
     const before = structuredClone(origin);
@@ -24,11 +28,26 @@ describe('the edit of a route', () => {
   it('is pending after each change, also after undo and redo', () => {
     moveWaypoint(1, [-51.4, 69.05]);
     deliver(1, { state: 'ok', plan: origin });
-    undoEdit();
+    undo();
     expect(edit().verdict.state).toBe('pending');
-    redoEdit();
+    redo();
     expect(edit().verdict.state).toBe('pending');
-    expect(edit().route.now[1]).toEqual([-51.4, 69.05]);
+    expect(edit().route[1]).toEqual([-51.4, 69.05]);
+  });
+
+  it('comes back when its changes were discarded by mistake', () => {
+    moveWaypoint(1, [-51.4, 69.05]);
+    discardEdit();
+    expect(undo()?.title).toBe('discarding the changes of Plan one');
+    expect(edit().route[1]).toEqual([-51.4, 69.05]);
+    expect(undo()?.title).toBe('moving waypoint 1');
+    expect(edit().route[1]).toEqual([-51.5, 69]);
+  });
+
+  it('has no changes to take back once it is a plan', () => {
+    moveWaypoint(1, [-51.4, 69.05]);
+    closeSavedEdit();
+    expect(lastDone.value?.title ?? '').not.toContain('waypoint');
   });
 
   it('never lets a late answer replace a newer state', () => {
@@ -43,13 +62,13 @@ describe('the edit of a route', () => {
   it('keeps at least two waypoints', () => {
     removeWaypoint(1);
     removeWaypoint(1);
-    expect(edit().route.now).toHaveLength(2);
+    expect(edit().route).toHaveLength(2);
   });
 
   it('inserts half-way along the leg, the last leg where there is none after', () => {
     insertAfter(2);
-    expect(edit().route.now).toHaveLength(4);
-    expect(edit().route.now[2]?.[0]).toBeCloseTo(-51.25, 2);
+    expect(edit().route).toHaveLength(4);
+    expect(edit().route[2]?.[0]).toBeCloseTo(-51.25, 2);
   });
 
   it('can be saved only when it was changed and evaluated', () => {

@@ -1,8 +1,8 @@
 import type { VNode } from 'preact';
-import { openExisting, redoByHand, retire, undoByHand } from '../../api/hand_made';
+import { openExisting, retire } from '../../api/hand_made';
 import type { ZoneFeature } from '../../api/data_types';
 import { formatPosition } from '../../geo/coordinates';
-import { bergsByHand, handChanges, handFault, isBerg, nameOf, newBerg, newZone, openForm, zonesByHand, type HandMade, type HandMadeKind, type OpenForm } from '../../model/hand_made';
+import { bergsByHand, handFault, isBerg, nameOf, newBerg, newZone, openForm, zonesByHand, type HandMade, type HandMadeKind, type OpenForm } from '../../model/hand_made';
 import { sizeTitle } from '../../model/icebergs';
 import { may } from '../../model/login';
 import { drawer } from '../../model/screen';
@@ -10,11 +10,11 @@ import { settings } from '../../model/settings';
 import { shortTime } from '../../model/time';
 import { ask, tool, view, type Tool } from '../../model/view';
 import { Icon, IconButton } from '../common/icon';
+import { UndoButtons } from '../common/undo_buttons';
 import { HandMadeForm } from './hand_made_form';
 
 /** Icebergs and zones that people report themselves: added, moved, changed and retired, step by step and back. */
 export function HandMadePart(): VNode | null {
-  const { done, undone } = handChanges.value;
   const listed: [HandMadeKind, HandMade][] = [
     ...bergsByHand.value.map((one): [HandMadeKind, HandMade] => ['icebergs', one]),
     ...zonesByHand.value.map((one): [HandMadeKind, HandMade] => ['zones', one]),
@@ -24,8 +24,7 @@ export function HandMadePart(): VNode | null {
     <section class="hand-made" aria-label="Made by hand">
       <div class="setup-head">
         <h2>Made by hand</h2>
-        <IconButton icon="undo" label={undoLabel('Undo', done.at(-1)?.title)} disabled={done.length === 0} onClick={() => void undoByHand()} />
-        <IconButton icon="redo" label={undoLabel('Redo', undone.at(-1)?.title)} disabled={undone.length === 0} onClick={() => void redoByHand()} />
+        <UndoButtons />
       </div>
       {handFault.value && <p class="fault" role="alert">{handFault.value}</p>}
       {listed.length > 0 && (
@@ -37,8 +36,6 @@ export function HandMadePart(): VNode | null {
     </section>
   );
 }
-
-const undoLabel = (word: string, title: string | undefined): string => (title ? `${word} ${title}` : `${word} a change made by hand`);
 
 /** New ones, on the map or typed. */
 function Beginnings(): VNode {

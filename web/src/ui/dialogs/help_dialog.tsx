@@ -19,7 +19,7 @@ const keys: [string, string][] = [
   ['F', 'fit the selected plan'],
   ['D', 'edit a copy of the selected plan'],
   ['Ins Del', 'insert after, remove the waypoint'],
-  ['Ctrl+Z', 'undo a change; with Shift redo'],
+  ['Ctrl+Z', 'undo the last change, whatever it was; with Shift redo'],
   ['1 … 9', 'select a plan on the map'],
   ['G', 'type the start'],
   ['I', 'what is known at the middle of the map'],

@@ -8,6 +8,7 @@ import { currentsFault, isLoading } from '../../model/field';
 import { routeOf, selectedPlan } from '../../model/plans';
 import { ask, tool, view } from '../../model/view';
 import { IconButton } from '../common/icon';
+import { UndoButtons } from '../common/undo_buttons';
 import { BergCard } from './berg_card';
 import { EmptyStore } from './empty_store';
 import { Legend } from './legend';
@@ -53,6 +54,8 @@ function Toolbar(): VNode {
       <IconButton icon="plus" label="Zoom in (+)" onClick={() => ask({ do: 'zoom', by: 1 })} />
       <IconButton icon="minus" label="Zoom out (−)" onClick={() => ask({ do: 'zoom', by: -1 })} />
       <IconButton icon="maximize" label="Fit the selected plan (F)" disabled={!plan} onClick={() => plan && ask({ do: 'fit', places: routeOf(plan) })} />
+      <span class="separator" />
+      <UndoButtons />
       <span class="separator" />
       <IconButton icon="hand" label="Move and select" pressed={tool.value === 'pan'} onClick={() => { tool.value = 'pan'; }} />
       <IconButton icon="probe" label="Probe: everything known at a place" pressed={tool.value === 'probe'} onClick={() => { tool.value = tool.value === 'probe' ? 'pan' : 'probe'; }} />

@@ -10,14 +10,14 @@ import { Icon, IconButton } from '../common/icon';
 export function AreasField(): VNode {
   const { areas } = draft.value;
   const fault = faults.value.areas;
-  const set = (next: Area[]): void => edit({ areas: next });
+  const set = (next: Area[], typing?: string): void => edit({ areas: next }, typing);
   const drawing = tool.value === 'area';
   return (
     <fieldset class={fault ? 'field places faulty' : 'field places'}>
       <legend>Areas</legend>
       {areas.map((area, i) => (
         <AreaFields
-          key={i} area={area} id={`area-${i + 1}`} called={`area ${i + 1}`} onChange={(part) => set(areas.map((old, j) => (j === i ? { ...old, ...part } : old)))}
+          key={i} area={area} id={`area-${i + 1}`} called={`area ${i + 1}`} onChange={(part) => set(areas.map((old, j) => (j === i ? { ...old, ...part } : old)), `area ${i} ${Object.keys(part).join()}`)}
           onRemove={() => set(areas.filter((_, j) => j !== i))}
         />
       ))}

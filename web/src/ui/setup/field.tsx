@@ -24,7 +24,7 @@ export function TextField({ name, children, ...given }: FieldProps): VNode {
           id={`field-${name}`} type="text" value={draft.value[name]} placeholder={placeholder} inputMode={inputMode}
           autocomplete="off" spellcheck={false} aria-invalid={fault ? true : undefined}
           aria-describedby={fault ? `fault-${name}` : hint ? `hint-${name}` : undefined}
-          onInput={(event) => edit({ [name]: event.currentTarget.value })}
+          onInput={(event) => edit({ [name]: event.currentTarget.value }, name)}
         />
         {children}
       </div>

@@ -7,7 +7,7 @@ import { PickButton } from './pick_button';
 export function PlacesField(): VNode {
   const lines = draft.value.via === '' ? [] : draft.value.via.split('\n');
   const fault = faults.value.via;
-  const set = (next: string[]): void => edit({ via: next.join('\n') });
+  const set = (next: string[], typing?: string): void => edit({ via: next.join('\n') }, typing);
   const swap = (i: number, j: number): void => {
     const next = [...lines];
     [next[i], next[j]] = [lines[j] ?? '', lines[i] ?? ''];
@@ -21,7 +21,7 @@ export function PlacesField(): VNode {
           <input
             type="text" id={i === 0 ? 'field-via' : undefined} aria-label={`Via point ${i + 1}`} value={line} placeholder="69°05.0′N 52°00.0′W"
             autocomplete="off" spellcheck={false} aria-invalid={fault ? true : undefined} aria-describedby={fault ? 'fault-via' : undefined}
-            onInput={(event) => set(lines.map((old, j) => (j === i ? event.currentTarget.value : old)))}
+            onInput={(event) => set(lines.map((old, j) => (j === i ? event.currentTarget.value : old)), `via ${i}`)}
           />
           <IconButton icon="up" label={`Move via point ${i + 1} up`} disabled={i === 0} onClick={() => swap(i, i - 1)} />
           <IconButton icon="x" label={`Remove via point ${i + 1}`} onClick={() => set(lines.filter((_, j) => j !== i))} />

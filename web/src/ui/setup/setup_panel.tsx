@@ -4,15 +4,14 @@ import type { VNode } from 'preact';
 import { plan } from '../../api/planning';
 import { time_ms } from '../../model/clock';
 import { connectionFault, datasets, isEmptyStore, vehicles } from '../../model/datasets';
-import {
-  canRedoDraft, canUndoDraft, draft, edit, emptyDraft, faultyAttempts, generalFaults, redoDraft, undoDraft,
-} from '../../model/draft';
+import { draft, edit, emptyDraft, faultyAttempts, generalFaults } from '../../model/draft';
 import { whyNotPlanned } from '../../model/drawing';
 import { failure, running } from '../../model/job';
 import { may } from '../../model/login';
 import { fieldOf } from '../../model/time';
 import { Icon, IconButton } from '../common/icon';
 import { RoleNote } from '../common/role_note';
+import { UndoButtons } from '../common/undo_buttons';
 import { Advanced } from './advanced';
 import { FailureCard } from './failure_card';
 import { SelectField, TextField, type Choice } from './field';
@@ -45,8 +44,7 @@ export function SetupPanel(): VNode {
     <form ref={form} class="setup" onSubmit={submit} noValidate aria-label="Set-up">
       <div class="setup-head">
         <h2>New plan</h2>
-        <IconButton icon="undo" label="Undo the last change of the set-up" disabled={!canUndoDraft.value} onClick={undoDraft} />
-        <IconButton icon="redo" label="Redo the change of the set-up" disabled={!canRedoDraft.value} onClick={redoDraft} />
+        <UndoButtons />
         <button type="button" class="link" onClick={clear}>Clear</button>
       </div>
       <TextField name="from">

@@ -5,7 +5,7 @@ import { formatPosition } from '../../geo/coordinates';
 import { reasonTitle } from '../../model/job';
 import { asSentence } from '../../model/page_words';
 import type { ShownPlan } from '../../model/plans';
-import { discardEdit, redoEdit, undoEdit, whyNotSaved, type RouteEdit } from '../../model/route_edit';
+import { discardEdit, whyNotSaved, type RouteEdit } from '../../model/route_edit';
 import { dialog } from '../../model/screen';
 import { settings } from '../../model/settings';
 import { shortTime } from '../../model/time';
@@ -13,19 +13,19 @@ import { ask } from '../../model/view';
 import { Icon, IconButton } from '../common/icon';
 import { Messages } from '../common/messages';
 import { PlanKey } from '../common/plan_key';
+import { UndoButtons } from '../common/undo_buttons';
 import { EditTable } from './edit_table';
 import { Figures } from './figures';
 
 /** A copy of a plan under change: its figures beside the plan's own, and the way to make it a plan. */
 export function EditPanel({ edit, shown }: { edit: RouteEdit; shown: ShownPlan }): VNode {
-  const { route, verdict, figures, origin } = edit;
+  const { verdict, figures, origin } = edit;
   const pending = verdict.state !== 'ok';
   return (
     <div class="result editing">
       <div class="result-head">
         <h2><PlanKey letter={shown.letter} style={shown.style} /> {editedName(edit)}</h2>
-        <IconButton icon="undo" label="Undo (Ctrl+Z)" disabled={route.past.length === 0} onClick={undoEdit} />
-        <IconButton icon="redo" label="Redo (Ctrl+Shift+Z)" disabled={route.future.length === 0} onClick={redoEdit} />
+        <UndoButtons />
         <IconButton icon="x" label="Discard the changes" onClick={discardEdit} />
       </div>
       <State edit={edit} />

@@ -14,7 +14,7 @@ import { IconButton } from '../common/icon';
 
 /** The route under change as a table: everything that can be dragged can be typed. */
 export function EditTable({ edit }: { edit: RouteEdit }): VNode {
-  const route = edit.route.now;
+  const route = edit.route;
   const figures = edit.verdict.state === 'ok' ? edit.verdict.plan.waypoints : [];
   return (
     <div class="scroll-box" role="region" aria-label="Waypoints" tabIndex={0}>

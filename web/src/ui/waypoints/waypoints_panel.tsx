@@ -1,5 +1,5 @@
 import type { VNode } from 'preact';
-import { deletePlan } from '../../api/session';
+import { deletePlan } from '../../api/deleting';
 import type { Plan } from '../../api/types';
 import { edit, emptyDraft } from '../../model/draft';
 import { editablePosition } from '../../geo/coordinates';
@@ -47,7 +47,7 @@ export function WaypointsPanel(): VNode {
         <h2><PlanKey letter={letter} style={style} /> <span class="clamped" title={titleOf(plan)}>{titleOf(plan)}</span></h2>
         <IconButton icon="maximize" label="Fit the map to this plan" onClick={() => ask({ do: 'fit', places: routeOf(plan) })} />
         <IconButton icon="refresh" label="Copy start, goal and departure into the set-up" onClick={() => reuse(plan)} />
-        <IconButton icon="trash" label="Delete this plan" disabled={!may('pilot')} onClick={() => confirmDelete(plan)} />
+        <IconButton icon="trash" label="Delete this plan" disabled={!may('pilot')} onClick={() => deletePlan(plan)} />
       </div>
       <StaleBox plan={plan} />
       <Figures plan={plan} />
@@ -118,8 +118,4 @@ function reuse(plan: Plan): void {
     depart: fieldOf(Date.parse(plan.departure)),
   });
   leftTab.value = 'setup';
-}
-
-function confirmDelete(plan: Plan): void {
-  if (window.confirm(`Delete ${titleOf(plan)} for good?`)) void deletePlan(plan.plan_id);
 }

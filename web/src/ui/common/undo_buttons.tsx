@@ -1,0 +1,26 @@
+import type { VNode } from 'preact';
+import { tell } from '../../model/screen';
+import { lastDone, lastUndone, redo, undo } from '../../model/undo';
+import { IconButton } from './icon';
+
+/** Takes the last change back, whatever it was, and says which. */
+export function undoAndTell(): void {
+  const change = undo();
+  if (change) tell(`Undone: ${change.title}.`);
+}
+
+export function redoAndTell(): void {
+  const change = redo();
+  if (change) tell(`Done again: ${change.title}.`);
+}
+
+/** Undo and redo: the same wherever they stand. */
+export function UndoButtons(): VNode {
+  const [back, again] = [lastDone.value, lastUndone.value];
+  return (
+    <>
+      <IconButton icon="undo" label={back ? `Undo ${back.title} (Ctrl+Z)` : 'Nothing to undo'} disabled={!back} onClick={undoAndTell} />
+      <IconButton icon="redo" label={again ? `Redo ${again.title} (Ctrl+Shift+Z)` : 'Nothing to redo'} disabled={!again} onClick={redoAndTell} />
+    </>
+  );
+}
