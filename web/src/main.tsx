@@ -12,6 +12,7 @@ import { followAddress } from './model/shared_view';
 import { keepDraft } from './model/stored_draft';
 import { followTheme } from './theme/theme';
 import { App } from './ui/app';
+import { readOutCross } from './ui/placing_keys';
 import { listenForShortcuts } from './ui/shortcuts';
 
 keepDraft();
@@ -29,5 +30,6 @@ followTracks();
 followHandMade();
 followRouteEdit();
 listenForShortcuts();
+readOutCross();
 deleteOnLeaving();
 void enter();

@@ -16,6 +16,9 @@ namespace floeplan::codec {
 /// indices of the JSON documents, the numbers in messages and the counting of waypoint lists, which leave the start out.
 [[nodiscard]] std::string waypoint_label(std::size_t index);
 
+/// "2 h 40 min", "12 min": to whole minutes.
+[[nodiscard]] std::string hours_minutes(core::Seconds time);
+
 /// A longitude or latitude to 1e-7 degrees, which is a centimetre.
 [[nodiscard]] double document_degrees(double degrees);
 /// ISO 8601, or null.

@@ -218,8 +218,9 @@ MapPicture draw_map(const planning::Plan& plan, const std::vector<geo::Polygon>&
   for (std::size_t i = 0; i < plan.waypoints.size(); ++i) {
     const MapPicture::Point point = frame.at(plan.waypoints[i].place);
     picture.route.push_back(point);
-    const std::string number = waypoint_label(i);
-    picture.waypoints.push_back({free_spot(point, number.size(), picture), number});
+    const core::Seconds wait = plan.waypoints[i].wait;
+    const std::string label = waypoint_label(i) + (wait.count() > 0.0 ? " hold " + hours_minutes(wait) : "");
+    picture.waypoints.push_back({free_spot(point, label.size(), picture), label});
     if (i > 0 && is_leg_below_ice(plan.surfacing, i))
       picture.below_ice.push_back({picture.route[i - 1], point});
   }

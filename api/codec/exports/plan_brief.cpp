@@ -71,6 +71,16 @@ std::string leg_turn(const planning::Plan& plan, std::size_t waypoint) {
   return turn ? number(std::ceil(turn->value), 0) : "-";
 }
 
+/// "Hold 2 h 40 min at waypoint 4." for each.
+std::vector<std::string> hold_facts(const planning::Plan& plan) {
+  std::vector<std::string> facts;
+  for (std::size_t i = 0; i < plan.waypoints.size(); ++i) {
+    if (const auto wait = plan.waypoints[i].wait; wait.count() > 0.0)
+      facts.push_back("Hold " + hours_minutes(wait) + " at waypoint " + waypoint_label(i) + ".");
+  }
+  return facts;
+}
+
 /// What ice means to the plan; empty where nothing is known of ice.
 std::vector<std::string> ice_facts(const planning::Plan& plan) {
   if (!plan.surfacing) return {};
@@ -116,6 +126,7 @@ std::vector<std::string> brief_facts(const planning::Plan& plan) {
       "Clear of icebergs by " + number(bare(plan.clearances.iceberg), 0) + " m, of land by " +
           number(bare(plan.clearances.land), 0) + " m, of the bottom by " +
           number(bare(plan.clearances.bottom), 0) + " m (- : not known)."};
+  std::ranges::move(hold_facts(plan), std::back_inserter(facts));
   std::ranges::move(ice_facts(plan), std::back_inserter(facts));
   return facts;
 }

@@ -65,7 +65,7 @@ test('a copy of a plan is changed with the mouse, judged anew, taken back and st
   await expect(page.locator('.figures-grid')).toHaveAttribute('aria-busy', 'false');
   expect(await figures(page)).not.toBe(before);
 
-  await page.getByRole('complementary', { name: 'Waypoints' }).getByRole('button', { name: 'Undo moving waypoint 1' }).click();
+  await page.getByRole('complementary', { name: 'Waypoints' }).getByTitle('Undo (Ctrl+Z): moving waypoint 1').click();
   await evaluated(page);
   expect(await figures(page)).toBe(before);
 

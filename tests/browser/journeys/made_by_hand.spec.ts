@@ -56,14 +56,14 @@ test('an iceberg is reported, moved and retired with the mouse, and a plan made 
   await part(page).getByRole('button', { name: 'Retire seen from the bridge' }).click();
   await expect(list(page)).toBeHidden();
   await expect(page.locator('#map')).toHaveAttribute('data-icebergs', String(bergs));
-  await part(page).getByRole('button', { name: 'Undo retiring seen from the bridge' }).click();
+  await part(page).getByTitle('Undo (Ctrl+Z): retiring seen from the bridge').click();
   await expect(place).toHaveText(moved);
-  await part(page).getByRole('button', { name: 'Undo changing seen from the bridge' }).click();
+  await part(page).getByTitle('Undo (Ctrl+Z): changing seen from the bridge').click();
   await expect(place).toHaveText(reported);
-  await part(page).getByRole('button', { name: 'Redo changing seen from the bridge' }).click();
+  await part(page).getByTitle('Redo (Ctrl+Shift+Z): changing seen from the bridge').click();
   await expect(place).toHaveText(moved);
-  await part(page).getByRole('button', { name: 'Undo changing seen from the bridge' }).click();
-  await part(page).getByRole('button', { name: 'Undo adding seen from the bridge' }).click();
+  await part(page).getByTitle('Undo (Ctrl+Z): changing seen from the bridge').click();
+  await part(page).getByTitle('Undo (Ctrl+Z): adding seen from the bridge').click();
   await expect(list(page)).toBeHidden();
   await expect(page.locator('#map')).toHaveAttribute('data-icebergs', String(bergs));
 });
@@ -114,7 +114,7 @@ test('an iceberg is reported with the keyboard alone, and what another changed m
   await page.keyboard.press('Enter');
 
   await request.patch(`/collections/icebergs/items/${features[0]?.id ?? 0}`, { data: { properties: { length_m: 190 } } });
-  await part(page).getByRole('button', { name: 'Undo changing sighted-1' }).focus();
+  await part(page).getByTitle('Undo (Ctrl+Z): changing sighted-1').focus();
   await page.keyboard.press('Enter');
   await expect(part(page).getByRole('alert')).toContainText('cannot be undone: somebody else has changed it since');
 });
@@ -163,7 +163,7 @@ test('a zone is drawn into the store, obeyed by plans, changed and retired, by d
   await part(page).getByRole('button', { name: 'Retire Survey closed' }).focus();
   await page.keyboard.press('Enter');
   await expect(page.locator('#map')).toHaveAttribute('data-zones', '0');
-  await part(page).getByRole('button', { name: 'Undo retiring Survey closed' }).focus();
+  await part(page).getByTitle('Undo (Ctrl+Z): retiring Survey closed').focus();
   await page.keyboard.press('Enter');
   await expect(page.locator('#map')).toHaveAttribute('data-zones', '1');
 });

@@ -137,7 +137,7 @@ test('an area and via points are typed with the keyboard alone', { tag: '@long' 
   await page.getByRole('button', { name: 'Add a via point' }).focus();
   await page.keyboard.press('Enter');
   const middle: LonLat = [(start[0] + goal[0]) / 2, (start[1] + goal[1]) / 2];
-  await typeInto(page, page.getByLabel('Via point 1'), typed(middle));
+  await typeInto(page, page.getByLabel('Via point 1', { exact: true }), typed(middle));
   await typeInto(page, page.getByLabel('Start', { exact: true }), typed(start));
   await typeInto(page, page.getByLabel('Goal', { exact: true }), typed(goal));
   const before = Number(await page.locator('#map').getAttribute('data-plans'));

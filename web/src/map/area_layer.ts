@@ -80,6 +80,7 @@ export function areaLayer(): { layer: VectorLayer<VectorSource>; draw: Draw } {
     const wish = drawingWish.value;
     untracked(() => {
       if (wish?.do === 'removeLast') draw.removeLastPoint();
+      if (wish?.do === 'corner') draw.appendCoordinates(toMap(projection.peek(), [wish.place]));
       if (wish?.do !== 'close') return;
       if (drawnCorners.peek() >= fewestCorners) draw.finishDrawing();
       else announce('An area needs three corners or more.');

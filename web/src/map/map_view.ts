@@ -4,28 +4,28 @@ import type MapBrowserEvent from 'ol/MapBrowserEvent.js';
 import View from 'ol/View.js';
 import type BaseLayer from 'ol/layer/Base.js';
 import type VectorLayer from 'ol/layer/Vector.js';
-import { noModifierKeys } from 'ol/events/condition.js';
+import { noModifierKeys, shiftKeyOnly } from 'ol/events/condition.js';
 import { boundingExtent } from 'ol/extent.js';
 import type VectorSource from 'ol/source/Vector.js';
 import { DoubleClickZoom, DragPan, DragRotate, DragZoom, KeyboardPan, MouseWheelZoom, PinchZoom } from 'ol/interaction.js';
 import type { Box, GliderTrackFeature, IcebergFeature, Position } from '../api/data_types';
 import { boxAround } from '../geo/boxes';
-import { editablePosition } from '../geo/coordinates';
 import { densify } from '../geo/geodesic';
 import { northAngle, project, projections, scaleFactor, unproject, type ProjectionCode } from '../geo/projections';
 import { openBergId } from '../model/berg_card';
 import { coveredDatasets } from '../model/coverage';
 import { datasets, homeBox } from '../model/datasets';
-import { draft, edit } from '../model/draft';
+import { draft } from '../model/draft';
 import { drifts } from '../model/drift';
-import { addSafePlace, safePlaces } from '../model/export_options';
+import { safePlaces } from '../model/export_options';
 import { coast, currents, icebergs, isLoading, seaIce } from '../model/field';
-import { changeBerg, zones } from '../model/hand_made';
+import { zones } from '../model/hand_made';
+import { takePlace } from '../model/placing';
 import { select, selectedWaypoint, shownPlans } from '../model/plans';
 import { reach } from '../model/reach';
 import { openEdit } from '../model/route_edit';
 import { change, projection } from '../model/settings';
-import { announce, dialog } from '../model/screen';
+import { announce } from '../model/screen';
 import { opening } from '../model/shared_view';
 import { shownFlight } from '../model/simulations';
 import { visible } from '../model/layers';
@@ -55,6 +55,9 @@ const opened = signal(false);
 const hitTolerance_px = 14;
 const animation_ms = 250;
 
+/** How far an arrow key moves the map with Shift, so that its middle meets a place. */
+const fineStep_px = 8;
+
 /** Makes the map in `target` and ties it to the model. `probe` is told where the probe tool was used. */
 export function createMap(target: HTMLElement, probe: (place: Position) => void): void {
   registerProjections();
@@ -69,7 +72,8 @@ export function createMap(target: HTMLElement, probe: (place: Position) => void)
     interactions: [
       new DragRotate(), new DoubleClickZoom(), new DragPan({ condition: (event) => noModifierKeys(event) }), new DragZoom(),
       new PinchZoom(), new MouseWheelZoom(),
-      new KeyboardPan({ condition: (event) => noModifierKeys(event) && !holdsWaypoint() }), route.drag, areas.draw,
+      new KeyboardPan({ condition: (event) => noModifierKeys(event) && !holdsWaypoint() }),
+      new KeyboardPan({ condition: (event) => shiftKeyOnly(event) && !holdsWaypoint(), pixelDelta: fineStep_px }), route.drag, areas.draw,
     ],
     layers: Object.entries({
       bathymetry: bathymetryLayer(), seaIce: seaIceLayer(), currents: currentsLayer(), coast: coastLayer(), graticule: graticuleLayer(), coverage: coverageLayer(),
@@ -90,7 +94,7 @@ export function createMap(target: HTMLElement, probe: (place: Position) => void)
 }
 
 /** Whether the arrow keys move a waypoint rather than the map. */
-const holdsWaypoint = (): boolean => openEdit.peek() !== undefined && selectedWaypoint.peek() !== undefined;
+const holdsWaypoint = (): boolean => openEdit.peek() !== undefined && selectedWaypoint.peek() !== undefined && tool.peek() === 'pan';
 
 const reducedMotion = (): boolean => window.matchMedia('(prefers-reduced-motion: reduce)').matches;
 const duration = (): number => (reducedMotion() ? 0 : animation_ms);
@@ -271,60 +275,31 @@ function followPointer(map: Map, target: HTMLElement, bergs: BaseLayer, probe: (
 }
 
 function use(map: Map, event: MapBrowserEvent, place: Position, probe: (place: Position) => void): void {
-  switch (tool.value) {
-    case 'from':
-    case 'to': {
-      const field = tool.value;
-      edit({ [field]: editablePosition(place) });
-      announce(`${field === 'from' ? 'Start' : 'Goal'} set to ${editablePosition(place)}.`);
-      tool.value = field === 'from' && draft.value.to.trim() === '' ? 'to' : 'pan';
-      return;
-    }
-    case 'via': {
-      const { via } = draft.value;
-      edit({ via: [...via.split('\n').filter((line) => line.trim() !== ''), editablePosition(place)].join('\n') });
-      announce(`Via point at ${editablePosition(place)}.`);
-      return;
-    }
-    case 'berg':
-      changeBerg({ place: editablePosition(place) });
-      announce(`Iceberg at ${editablePosition(place)}.`);
-      tool.value = 'pan';
-      return;
-    case 'safe':
-      addSafePlace(editablePosition(place));
-      tool.value = 'pan';
-      dialog.value = 'export';
-      return;
-    case 'area':
-    case 'zone':
-      return; // the drawing of the area takes it
-    case 'probe':
-      probe(place);
-      return;
-    case 'pan':
-      map.forEachFeatureAtPixel(
-        event.pixel,
-        (feature) => {
-          const berg = feature.get('berg') as IcebergFeature | undefined;
-          if (berg) {
-            openBergId.value = berg.properties.berg_id;
-            return true;
-          }
-          const handle = feature.get('handle') as number | undefined;
-          if (handle !== undefined) {
-            selectedWaypoint.value = handle;
-            return true;
-          }
-          const id = feature.get('planId') as string | undefined;
-          if (id === undefined) return false;
-          select(id);
-          selectedWaypoint.value = feature.get('waypoint') as number | undefined;
-          return true;
-        },
-        { hitTolerance: hitTolerance_px },
-      );
+  if (tool.peek() !== 'pan') {
+    takePlace(place, probe);
+    return;
   }
+  map.forEachFeatureAtPixel(
+    event.pixel,
+    (feature) => {
+      const berg = feature.get('berg') as IcebergFeature | undefined;
+      if (berg) {
+        openBergId.value = berg.properties.berg_id;
+        return true;
+      }
+      const handle = feature.get('handle') as number | undefined;
+      if (handle !== undefined) {
+        selectedWaypoint.value = handle;
+        return true;
+      }
+      const id = feature.get('planId') as string | undefined;
+      if (id === undefined) return false;
+      select(id);
+      selectedWaypoint.value = feature.get('waypoint') as number | undefined;
+      return true;
+    },
+    { hitTolerance: hitTolerance_px },
+  );
 }
 
 /** Counts, motion and readiness as attributes of the map's element, for tests and for the curious. */

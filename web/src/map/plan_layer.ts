@@ -9,6 +9,7 @@ import type { Waypoint } from '../api/types';
 import { densify } from '../geo/geodesic';
 import { northAngle, project, type ProjectionCode } from '../geo/projections';
 import { time_ms } from '../model/clock';
+import { hold_s, holdText } from '../model/holds';
 import { visible } from '../model/layers';
 import { selectedId, selectedShown, selectedWaypoint, shownPlans, vehicleAt, waypointLabel, type ShownPlan } from '../model/plans';
 import { openEdit } from '../model/route_edit';
@@ -56,9 +57,13 @@ function lineStyles({ style }: ShownPlan, isBelowIce: boolean, selected: boolean
   ];
 }
 
+const holdRing_px = 11;
+
+const nameOf = (waypoint: Waypoint): string => waypointLabel(waypoint.index) + (hold_s(waypoint) > 0 ? ` ${holdText(waypoint)}` : '');
+
 /**
  * Waypoints of the selected plan unless a copy of it is under change: a dot each, a square where it may not surface, and the
- * number where there is room. The chosen one, the start and the goal have it before the others.
+ * number where there is room, with the hold where it holds. The chosen one, start, goal and holds have it before the others.
  */
 export function waypointLayer(): VectorLayer<VectorSource> {
   const source = new VectorSource();
@@ -72,17 +77,19 @@ export function waypointLayer(): VectorLayer<VectorSource> {
     if (!shown) return;
     const { plan: { plan_id, waypoints }, style } = shown;
     const goal = waypoints.length - 1;
-    const labels = waypoints.map(({ lon, lat, index }) => ({ at: project(code, [lon, lat]), text: waypointLabel(index), rank: index === chosen ? 0 : index === 0 || index === goal ? 1 : 2 }));
+    const labels = waypoints.map((waypoint) => ({
+      at: project(code, [waypoint.lon, waypoint.lat]), text: nameOf(waypoint), rank: waypoint.index === chosen ? 0 : waypoint.index === 0 || waypoint.index === goal || hold_s(waypoint) > 0 ? 1 : 2,
+    }));
     const withRoom = labelsWithRoom([...labels].sort((a, b) => a.rank - b.rank));
     waypoints.forEach((waypoint, i) => {
       const label = labels[i];
       if (!label) return;
       const isChosen = waypoint.index === chosen;
-      const [mark, name] = [markStyle(waypoint, style, isChosen, colours), nameStyle(label.text, style, isChosen, colours)];
+      const [marks, name] = [markStyles(waypoint, style, isChosen, colours), nameStyle(label.text, style, isChosen, colours)];
       const feature = new Feature(new Point(label.at));
       feature.set('waypoint', waypoint.index);
       feature.set('planId', plan_id);
-      feature.setStyle((_, resolution) => (withRoom(resolution).has(label) ? [mark, name] : mark));
+      feature.setStyle((_, resolution) => (withRoom(resolution).has(label) ? [...marks, name] : marks));
       source.addFeature(feature);
     });
   });
@@ -90,22 +97,28 @@ export function waypointLayer(): VectorLayer<VectorSource> {
   return layer;
 }
 
-function markStyle({ may_surface }: Waypoint, style: number, chosen: boolean, colours: Palette): Style {
+/** A hold is a ring round the waypoint, as a vessel swings at anchor. */
+function markStyles(waypoint: Waypoint, style: number, chosen: boolean, colours: Palette): Style[] {
   const colour = planColour(colours, style);
   const fill = new Fill({ color: chosen ? colour : colours.casing });
   const dot = new Circle({ radius: chosen ? 6 : 3.5, fill, stroke: new Stroke({ color: colour, width: 2 }) });
   const closed = new RegularShape({
     points: 4, angle: Math.PI / 4, radius: chosen ? 9 : 6.5, fill: new Fill({ color: colour }), stroke: new Stroke({ color: chosen ? colours.ink : colours.casing, width: 2 }),
   });
-  return new Style({ image: may_surface === false ? closed : dot, zIndex: 1 });
+  const ring = (width: number, color: string): Style => new Style({ image: new Circle({ radius: holdRing_px, stroke: new Stroke({ color, width }) }), zIndex: 1 });
+  return [
+    ...(hold_s(waypoint) > 0 ? [ring(5, colours.casing), ring(2, colour)] : []),
+    new Style({ image: waypoint.may_surface === false ? closed : dot, zIndex: 1 }),
+  ];
 }
 
 const nameStyle = (text: string, style: number, chosen: boolean, colours: Palette): Style =>
   new Style({
     text: new Text({
       text,
+      textAlign: 'left',
       font: `600 ${chosen ? 13 : 11}px system-ui, sans-serif`,
-      offsetX: 11,
+      offsetX: 8,
       offsetY: -10,
       fill: new Fill({ color: planColour(colours, style) }),
       stroke: new Stroke({ color: colours.casing, width: 3.5 }),

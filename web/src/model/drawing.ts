@@ -1,4 +1,5 @@
 import { computed, signal } from '@preact/signals';
+import type { Position } from '../api/data_types';
 import { openForm } from './hand_made';
 import { tool } from './view';
 
@@ -9,7 +10,7 @@ export const drawnCorners = signal(0);
 export const fewestCorners = 3;
 
 /** A wish to the tool that draws; each new object is carried out once. */
-export const drawingWish = signal<{ do: 'close' | 'removeLast' } | undefined>(undefined);
+export const drawingWish = signal<{ do: 'close' | 'removeLast' } | { do: 'corner'; place: Position } | undefined>(undefined);
 
 export const isDrawing = computed(() => tool.value === 'area' || tool.value === 'zone');
 

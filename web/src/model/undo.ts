@@ -35,24 +35,24 @@ export function remember(change: Change): void {
   typingIsOpen = true;
 }
 
-let isTurning = false;
+/** The end of those that the server takes part in: each begins when the one before it is over. */
+let pending: Promise<void> | undefined;
 
-/** One at a time: a change that the server takes part in is over before the next begins. */
 function turn(way: () => void | Promise<void>): void {
   typingIsOpen = false;
-  const done = way();
-  if (!done) return;
-  isTurning = true;
-  void done.finally(() => {
-    isTurning = false;
+  const begun = pending ? pending.then(way, way) : way();
+  if (!begun) return;
+  const over = begun.finally(() => {
+    if (pending === over) pending = undefined;
   });
+  pending = over;
 }
 
 /** Takes the last change back; which one, if any. */
 export function undo(): Change | undefined {
   const { past, future } = changes.peek();
   const change = past.at(-1);
-  if (!change || isTurning) return undefined;
+  if (!change) return undefined;
   changes.value = { past: past.slice(0, -1), future: [change, ...future] };
   turn(change.back);
   return change;
@@ -62,7 +62,7 @@ export function undo(): Change | undefined {
 export function redo(): Change | undefined {
   const { past, future } = changes.peek();
   const change = future[0];
-  if (!change || isTurning) return undefined;
+  if (!change) return undefined;
   changes.value = { past: [...past, change], future: future.slice(1) };
   turn(change.again);
   return change;

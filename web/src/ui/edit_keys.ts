@@ -2,7 +2,7 @@ import { destination } from '../geo/geodesic';
 import { selectedWaypoint, waypointLabel } from '../model/plans';
 import { insertAfter, moveWaypoint, openEdit, removeWaypoint } from '../model/route_edit';
 import { announce } from '../model/screen';
-import { view } from '../model/view';
+import { tool, view } from '../model/view';
 
 const step_m = { plain: 100, shift: 1000, alt: 10 };
 
@@ -14,6 +14,7 @@ export function editByKey(event: KeyboardEvent): boolean {
   const edit = openEdit.peek();
   if (!edit || event.ctrlKey || event.metaKey) return false;
   const chosen = selectedWaypoint.peek();
+  if (tool.peek() !== 'pan') return false;
   if (!(event.target instanceof Element) || event.target.id !== 'map') return false;
   const last = edit.route.length - 1;
   if (event.key === 'Tab') return nextByKey(event, chosen, last);

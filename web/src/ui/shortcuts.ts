@@ -8,11 +8,17 @@ import { routeOf, select, selectedPlan, selectedWaypoint, shownPlans } from '../
 import { openEdit, startEdit } from '../model/route_edit';
 import { dialog, drawer, leftTab } from '../model/screen';
 import { settings } from '../model/settings';
-import { ask, tool, view } from '../model/view';
+import { ask, tool, view, type Tool } from '../model/view';
 import { redoAndTell, undoAndTell } from './common/undo_buttons';
 import { editByKey } from './edit_keys';
+import { placeByKey } from './placing_keys';
 
 const focus = (selector: string): void => document.querySelector<HTMLElement>(selector)?.focus();
+
+function pick(next: Tool): void {
+  tool.value = next;
+  focus('#map');
+}
 
 const actions: Record<string, () => void> = {
   ' ': togglePlay,
@@ -23,12 +29,8 @@ const actions: Record<string, () => void> = {
   Home: () => setTime(range.peek().start_ms),
   End: () => setTime(range.peek().end_ms),
   p: () => void plan(),
-  s: () => {
-    tool.value = 'from';
-  },
-  e: () => {
-    tool.value = 'to';
-  },
+  s: () => pick('from'),
+  e: () => pick('to'),
   n: () => ask({ do: 'north' }),
   '+': () => ask({ do: 'zoom', by: 1 }),
   '-': () => ask({ do: 'zoom', by: -1 }),
@@ -86,6 +88,10 @@ export function listenForShortcuts(): void {
       return;
     }
     const target = event.target instanceof Element ? event.target : undefined;
+    if (dialog.peek() === undefined && placeByKey(event)) {
+      event.preventDefault();
+      return;
+    }
     if (dialog.peek() === undefined && !target?.closest(`${takesText}, ${takesSpace}`) && drawByKey(event.key)) {
       event.preventDefault();
       return;

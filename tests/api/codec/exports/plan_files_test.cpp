@@ -360,6 +360,16 @@ TEST(PlanBrief, TellsWhereThePlanIsBelowIceAndMaySurface) {
   EXPECT_THAT(unknown, Not(HasSubstr("below ice")));
 }
 
+TEST(PlanBrief, TellsHoldsInWordsAndOnTheMap) {
+  planning::Plan plan = two_legs();
+  plan.waypoints[1].wait = core::Seconds{9600.0};
+
+  const MapPicture picture = draw_map(plan, {}, {}, 720.0, 420.0);
+
+  EXPECT_THAT(brief_facts(plan), testing::Contains("Hold 2 h 40 min at waypoint 1."));
+  EXPECT_EQ(picture.waypoints.at(1).text, "1 hold 2 h 40 min");
+}
+
 /// What stands between two texts, wherever the first of them is found.
 std::vector<std::string> all_between(const std::string& text, const std::string& before,
                                      const std::string& after) {

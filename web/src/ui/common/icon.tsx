@@ -66,16 +66,17 @@ export function Icon({ name, size = 16 }: { name: IconName; size?: number }): VN
 interface IconButtonProps {
   icon: IconName;
   label: string;
-  onClick: () => void;
+  hint?: string | undefined; // shown when pointed at, and read out after the label
+  onClick: (event: MouseEvent) => void;
   pressed?: boolean;
   disabled?: boolean;
   class?: string;
 }
 
-export function IconButton({ icon, label, onClick, pressed, disabled, class: extra }: IconButtonProps): VNode {
+export function IconButton({ icon, label, hint, onClick, pressed, disabled, class: extra }: IconButtonProps): VNode {
   return (
     <button
-      type="button" class={`icon-button ${extra ?? ''}`} aria-label={label} title={label} aria-pressed={pressed}
+      type="button" class={`icon-button ${extra ?? ''}`} aria-label={label} title={hint ? `${label}: ${hint}` : label} aria-pressed={pressed}
       disabled={disabled} onClick={onClick}
     >
       <Icon name={icon} />

@@ -2,10 +2,11 @@ import type { ComponentChildren, VNode } from 'preact';
 import { useEffect, useRef } from 'preact/hooks';
 import { guidePages, type GuideTopic } from '../../model/guide_pages';
 import { dialog } from '../../model/screen';
+import { tool } from '../../model/view';
 import { GuideLink } from './guide_link';
 import { IconButton } from './icon';
 
-/** A modal dialog: traps the focus, closes with Esc, gives the focus back to where it was. */
+/** A modal dialog: traps the focus, closes with Esc, gives the focus back to where it was, or to the map where a tool waits for a place. */
 export function Modal({ title, guide, wide, children }: { title: string; guide: GuideTopic; wide?: boolean; children: ComponentChildren }): VNode {
   const box = useRef<HTMLDialogElement>(null);
   const isOpen = useRef(true);
@@ -16,7 +17,8 @@ export function Modal({ title, guide, wide, children }: { title: string; guide: 
     return () => {
       isOpen.current = false;
       element?.close();
-      if (before instanceof HTMLElement) before.focus();
+      if (tool.peek() !== 'pan') document.getElementById('map')?.focus();
+      else if (before instanceof HTMLElement) before.focus();
     };
   }, []);
   const close = (): void => {

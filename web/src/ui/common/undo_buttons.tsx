@@ -19,8 +19,8 @@ export function UndoButtons(): VNode {
   const [back, again] = [lastDone.value, lastUndone.value];
   return (
     <>
-      <IconButton icon="undo" label={back ? `Undo ${back.title} (Ctrl+Z)` : 'Nothing to undo'} disabled={!back} onClick={undoAndTell} />
-      <IconButton icon="redo" label={again ? `Redo ${again.title} (Ctrl+Shift+Z)` : 'Nothing to redo'} disabled={!again} onClick={redoAndTell} />
+      <IconButton icon="undo" label="Undo (Ctrl+Z)" hint={back?.title} disabled={!back} onClick={undoAndTell} />
+      <IconButton icon="redo" label="Redo (Ctrl+Shift+Z)" hint={again?.title} disabled={!again} onClick={redoAndTell} />
     </>
   );
 }

@@ -11,6 +11,7 @@ import { shortTime } from '../../model/time';
 import { ask, tool, view, type Tool } from '../../model/view';
 import { Icon, IconButton } from '../common/icon';
 import { UndoButtons } from '../common/undo_buttons';
+import { goOnByKey } from '../placing_keys';
 import { HandMadeForm } from './hand_made_form';
 
 /** Icebergs and zones that people report themselves: added, moved, changed and retired, step by step and back. */
@@ -39,20 +40,21 @@ export function HandMadePart(): VNode | null {
 
 /** New ones, on the map or typed. */
 function Beginnings(): VNode {
-  const begin = (form: OpenForm | undefined, next: Tool): void => {
+  const begin = (event: MouseEvent, form: OpenForm | undefined, next: Tool): void => {
     openForm.value = form;
     tool.value = next;
     if (next !== 'pan') drawer.value = undefined;
+    goOnByKey(event);
   };
   const drawing = tool.value === 'zone';
   return (
     <>
       <div class="field-row">
-        <button type="button" onClick={() => begin(newBerg(), 'berg')}><Icon name="plus" /> Report an iceberg</button>
+        <button type="button" onClick={(event) => begin(event, newBerg(), 'berg')}><Icon name="plus" /> Report an iceberg</button>
       </div>
       <div class="field-row">
-        <button type="button" aria-pressed={drawing} class={drawing ? 'primary' : ''} onClick={() => begin(undefined, drawing ? 'pan' : 'zone')}><Icon name="polygon" /> Draw a zone</button>
-        <button type="button" onClick={() => begin(newZone(squareInView()), 'pan')}><Icon name="plus" /> Type a zone</button>
+        <button type="button" aria-pressed={drawing} class={drawing ? 'primary' : ''} onClick={(event) => begin(event, undefined, drawing ? 'pan' : 'zone')}><Icon name="polygon" /> Draw a zone</button>
+        <button type="button" onClick={(event) => begin(event, newZone(squareInView()), 'pan')}><Icon name="plus" /> Type a zone</button>
       </div>
       <p class="hint">Plans avoid these as well as those of imported files. To update an imported berg, report it again under the same name.</p>
     </>

@@ -16,7 +16,8 @@ import { ProbeCard } from './probe_card';
 import { Readout } from './readout';
 import { ScaleBar } from './scale_bar';
 
-const map_keys = 'Map. Arrow keys move it, plus and minus zoom, N turns north up, question mark lists all keys.';
+const map_keys =
+  'Map. Arrow keys move it, with Shift a little, plus and minus zoom, N turns north up, question mark lists all keys. With a tool, Space sets the place in the middle.';
 
 /** The map and what lies on its frame. */
 export function MapPanel(): VNode {
@@ -28,6 +29,7 @@ export function MapPanel(): VNode {
     <main class="map-panel" id="map-panel">
       <div ref={target} id="map" class="map" tabIndex={0} role="application" aria-label={map_keys} />
       <Toolbar />
+      {tool.value !== 'pan' && <div class="map-cross" aria-hidden="true" />}
       <Prompt />
       <div class="map-upper-right">
         <NorthArrow />
@@ -74,7 +76,7 @@ function Prompt(): VNode | null {
   if (tool.value === 'pan') return null;
   return (
     <p class="prompt" role="status">
-      {texts[tool.value]} <kbd>Esc</kbd>
+      {texts[tool.value]} <span class="by-key">(by key: arrows move the map under the cross, with Shift a little, <kbd>Space</kbd> sets)</span> <kbd>Esc</kbd>
     </p>
   );
 }

@@ -5,6 +5,7 @@ import { draft, edit, faults } from '../../model/draft';
 import { drawer } from '../../model/screen';
 import { tool, view } from '../../model/view';
 import { Icon, IconButton } from '../common/icon';
+import { goOnByKey } from '../placing_keys';
 
 /** Areas to keep out of or to stay in: drawn on the map or typed corner by corner. */
 export function AreasField(): VNode {
@@ -25,9 +26,10 @@ export function AreasField(): VNode {
       <div class="field-row">
         <button
           type="button" aria-pressed={drawing} class={drawing ? 'primary' : ''}
-          onClick={() => {
+          onClick={(event) => {
             tool.value = drawing ? 'pan' : 'area';
             drawer.value = undefined;
+            goOnByKey(event);
           }}
         >
           <Icon name="polygon" /> Draw an area

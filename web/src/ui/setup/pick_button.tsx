@@ -3,6 +3,7 @@ import { useEffect, useState } from 'preact/hooks';
 import { drawer } from '../../model/screen';
 import { tool, type Tool } from '../../model/view';
 import { IconButton } from '../common/icon';
+import { goOnByKey } from '../placing_keys';
 
 /**
  * Picks a place on the map; pressed again it gives up. Where the map has gone on to this place by itself, as from the start to the
@@ -17,11 +18,12 @@ export function PickButton({ which, label }: { which: Tool; label: string }): VN
   return (
     <IconButton
       icon="crosshair" label={label} pressed={isActive}
-      onClick={() => {
+      onClick={(event) => {
         const givesUp = isActive && isPressed;
         tool.value = givesUp ? 'pan' : which;
         setPressed(!givesUp);
         drawer.value = undefined;
+        goOnByKey(event);
       }}
     />
   );

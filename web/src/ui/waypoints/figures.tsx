@@ -1,5 +1,6 @@
 import type { VNode } from 'preact';
 import type { Plan } from '../../api/types';
+import { allHolds_s, holdsOf } from '../../model/holds';
 import { duration, shortTime } from '../../model/time';
 import { belowIce_m } from '../../model/under_ice';
 import { distance, energy, none } from '../../model/units';
@@ -19,6 +20,13 @@ const figures: Figure[] = [
   { title: 'Arrival', text: (plan) => shortTime(Date.parse(plan.arrival)) },
   { title: 'Travel time', text: (plan) => duration(plan.travel_time_s), value: (plan) => plan.travel_time_s, difference: duration },
   { title: 'Distance', text: (plan) => distance(plan.distance_m), value: (plan) => plan.distance_m, difference: distance },
+  {
+    title: 'Holds',
+    text: (plan) => (allHolds_s(plan) > 0 ? duration(allHolds_s(plan)) : none),
+    why: (plan) => holdsOf(plan).join('\n'),
+    value: allHolds_s,
+    difference: duration,
+  },
   { title: 'Nearest iceberg', text: (plan) => distance(plan.clearances.iceberg_m), value: (plan) => plan.clearances.iceberg_m, difference: distance },
   { title: 'Nearest land', text: (plan) => distance(plan.clearances.land_m), value: (plan) => plan.clearances.land_m, difference: distance },
   { title: 'Above sea bed', text: (plan) => distance(plan.clearances.bottom_m), value: (plan) => plan.clearances.bottom_m, difference: distance },
@@ -77,7 +85,7 @@ const figures: Figure[] = [
 
 /** A plan in figures; beside another plan with the differences to it, and dimmed while they are worked out anew. */
 export function Figures({ plan, beside, pending = false }: { plan: Plan; beside?: Plan; pending?: boolean }): VNode {
-  const shown = figures.filter(({ title, text }) => text(plan) !== none || !/^(Energy|Battery|Iceberg enc|Sea ice unk|Arrival, |Chance)/.test(title));
+  const shown = figures.filter(({ title, text }) => text(plan) !== none || !/^(Energy|Battery|Iceberg enc|Sea ice unk|Arrival, |Chance|Holds)/.test(title));
   return (
     <dl class={pending ? 'figures-grid pending' : 'figures-grid'} aria-busy={pending}>
       {shown.map((figure) => (

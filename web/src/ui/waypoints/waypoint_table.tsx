@@ -1,7 +1,8 @@
-import type { VNode } from 'preact';
+import { Fragment, type VNode } from 'preact';
 import type { Plan } from '../../api/types';
 import { formatLat, formatLon } from '../../geo/coordinates';
 import { setTime } from '../../model/clock';
+import { hold_s, holdText } from '../../model/holds';
 import { legUnderWay, selectedWaypoint, waypointLabel } from '../../model/plans';
 import { settings } from '../../model/settings';
 import { isLegBelowIce, maySurface } from '../../model/under_ice';
@@ -40,30 +41,40 @@ export function WaypointTable({ plan }: { plan: Plan }): VNode {
               ask({ do: 'centre', place: [waypoint.lon, waypoint.lat] });
             };
             return (
-              <tr key={waypoint.index} class={`${chosen ? 'selected' : ''} ${leg === waypoint.index ? 'under-way' : ''}`} onClick={choose}>
-                <td>
-                  <button type="button" class="row-choose" aria-pressed={chosen} aria-label={`Waypoint ${waypointLabel(waypoint.index)}`} onClick={(event) => { event.stopPropagation(); choose(); }}>
-                    {waypointLabel(waypoint.index)}
-                  </button>
-                </td>
-                <td class="position">
-                  {formatLat(waypoint.lat, settings.value.coordinates)}
-                  <br />
-                  {formatLon(waypoint.lon, settings.value.coordinates)}
-                </td>
-                <td>
-                  {distanceFigure(waypoint.leg_m)}
-                  <br />
-                  {course(waypoint.course_deg)}
-                </td>
-                <td>{speedFigure(waypoint.speed_over_ground_m_s)}</td>
-                <td class="time">{shortTime(Date.parse(waypoint.eta), Date.parse(plan.departure)).replace(/ (?=\d\d:)/, '\n')}</td>
-                <td>{whole(waypoint.depth_m)}</td>
-                <td class={waypoint.may_surface === false ? 'closed' : ''}>
-                  {maySurface(waypoint)}
-                  {isLegBelowIce(waypoint) && <><br />{whole(waypoint.leg_upper_turn_m)}</>}
-                </td>
-              </tr>
+              <Fragment key={waypoint.index}>
+                <tr class={`${chosen ? 'selected' : ''} ${leg === waypoint.index ? 'under-way' : ''}`} onClick={choose}>
+                  <td>
+                    <button type="button" class="row-choose" aria-pressed={chosen} aria-label={`Waypoint ${waypointLabel(waypoint.index)}`} onClick={(event) => { event.stopPropagation(); choose(); }}>
+                      {waypointLabel(waypoint.index)}
+                    </button>
+                  </td>
+                  <td class="position">
+                    {formatLat(waypoint.lat, settings.value.coordinates)}
+                    <br />
+                    {formatLon(waypoint.lon, settings.value.coordinates)}
+                  </td>
+                  <td>
+                    {distanceFigure(waypoint.leg_m)}
+                    <br />
+                    {course(waypoint.course_deg)}
+                  </td>
+                  <td>{speedFigure(waypoint.speed_over_ground_m_s)}</td>
+                  <td class="time">{shortTime(Date.parse(waypoint.eta), Date.parse(plan.departure)).replace(/ (?=\d\d:)/, '\n')}</td>
+                  <td>{whole(waypoint.depth_m)}</td>
+                  <td class={waypoint.may_surface === false ? 'closed' : ''}>
+                    {maySurface(waypoint)}
+                    {isLegBelowIce(waypoint) && <><br />{whole(waypoint.leg_upper_turn_m)}</>}
+                  </td>
+                </tr>
+                {hold_s(waypoint) > 0 && (
+                  <tr class="hold">
+                    <td colSpan={7}>
+                      {holdText(waypoint)} at waypoint {waypointLabel(waypoint.index)}, until{' '}
+                      {shortTime(Date.parse(waypoint.eta) + 1000 * hold_s(waypoint), Date.parse(plan.departure))}
+                    </td>
+                  </tr>
+                )}
+              </Fragment>
             );
           })}
         </tbody>

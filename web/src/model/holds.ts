@@ -1,0 +1,16 @@
+import type { Plan, Waypoint } from '../api/types';
+import { waypointLabel } from './plans';
+import { duration } from './time';
+
+/** How long the vehicle holds at a waypoint before its next leg; 0: it goes on at once. */
+export const hold_s = ({ wait_s }: Waypoint): number => wait_s ?? 0;
+
+/** "hold 2 h 40 min" */
+export const holdText = (waypoint: Waypoint): string => `hold ${duration(hold_s(waypoint))}`;
+
+/** "hold 2 h 40 min at waypoint 4", for each, in their order. */
+export const holdsOf = ({ waypoints }: Plan): string[] =>
+  waypoints.filter((waypoint) => hold_s(waypoint) > 0).map((waypoint) => `${holdText(waypoint)} at waypoint ${waypointLabel(waypoint.index)}`);
+
+/** All holds of a plan together. */
+export const allHolds_s = ({ waypoints }: Plan): number => waypoints.reduce((sum, waypoint) => sum + hold_s(waypoint), 0);
