@@ -70,3 +70,32 @@ test('what is drawn over what follows the rule', async ({ page }) => {
   const rule = ['bathymetry', 'currents', 'coast', 'graticule', 'areas', 'keepOut', 'plans', 'icebergs', 'vehicles', 'edit'];
   expect(drawn.filter((name) => rule.includes(name))).toEqual(rule);
 });
+
+test('the time bar spans a month of years at most, and zooms by button and wheel', async ({ page }) => {
+  await page.route('**/datasets', async (route) => {
+    const answer = await route.fetch();
+    const stored = (await answer.json()) as { datasets: { kind: string; times?: string[]; time_start: string | null }[] };
+    const long_ago = '2023-01-01T00:00:00Z';
+    const datasets = stored.datasets.map((dataset) => (dataset.kind === 'currents' ? { ...dataset, times: [long_ago, ...(dataset.times ?? [])], time_start: long_ago } : dataset));
+    await route.fulfill({ response: answer, json: { ...stored, datasets } });
+  });
+  await open(page);
+  const slider = page.getByRole('slider', { name: 'Time' });
+  const span_h = async (): Promise<number> => (Number(await slider.getAttribute('max')) - Number(await slider.getAttribute('min'))) / 3_600_000;
+  expect(await span_h()).toBe(31 * 24);
+
+  const less = page.getByRole('button', { name: 'Less time on the slider' });
+  await less.click();
+  await less.click();
+  await expect.poll(span_h).toBe(186);
+  const now = await slider.inputValue();
+  await slider.hover();
+  await page.mouse.wheel(0, -100);
+  await expect.poll(span_h).toBeLessThan(186);
+  expect(await slider.inputValue()).toBe(now);
+
+  await page.locator('#map').focus();
+  await page.keyboard.press('Home');
+  await expect.poll(async () => Number(await slider.inputValue())).toBe(Date.parse('2023-01-01T00:00:00Z'));
+  expect(await span_h()).toBeLessThan(186);
+});

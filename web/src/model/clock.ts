@@ -1,5 +1,5 @@
 import { computed, signal } from '@preact/signals';
-import { hour_ms } from './time';
+import { day_ms, hour_ms } from './time';
 
 /** The one clock: currents, icebergs, vehicle markers and table highlights all follow it. */
 export const time_ms = signal(Math.floor(Date.now() / hour_ms) * hour_ms);
@@ -17,7 +17,9 @@ export interface Span {
 /** Spans the clock should cover, by who asks for it: the currents, each plan shown. */
 export const spans = signal<Record<string, Span>>({});
 
-/** What the slider runs over, on whole hours; a day around the clock when nobody asks for more. */
+const emptyStart_ms = time_ms.peek();
+
+/** What the clock covers, on whole hours; a day around it when nobody asks for more. */
 export const range = computed<Span>(() => {
   const all = Object.values(spans.value);
   if (all.length === 0) return { start_ms: emptyStart_ms, end_ms: emptyStart_ms + 24 * hour_ms };
@@ -25,12 +27,45 @@ export const range = computed<Span>(() => {
   const end = Math.max(...all.map((span) => span.end_ms));
   return { start_ms: Math.floor(start / hour_ms) * hour_ms, end_ms: Math.max(Math.ceil(end / hour_ms) * hour_ms, start + hour_ms) };
 });
-const emptyStart_ms = time_ms.peek();
+/** The slider spans no more until a person zooms out: never the years that a track or a model may have. */
+const usual_ms = 31 * day_ms;
+const narrowest_ms = 6 * hour_ms;
+
+const wanted = signal({ left_ms: emptyStart_ms, width_ms: usual_ms });
+
+/** The part of the range that the slider runs over. The clock's time lies in it. */
+export const slider = computed<Span>(() => {
+  const { start_ms, end_ms } = range.value;
+  const width_ms = Math.min(wanted.value.width_ms, end_ms - start_ms);
+  const left_ms = within(wanted.value.left_ms, { start_ms, end_ms: end_ms - width_ms });
+  return { start_ms: left_ms, end_ms: left_ms + width_ms };
+});
+
+/** Lets the slider span more or less time, with the clock's time where it was on it. */
+export function zoomSlider(factor: number): void {
+  const [{ start_ms, end_ms }, whole] = [slider.peek(), range.peek()];
+  const now_ms = time_ms.peek();
+  const whole_ms = whole.end_ms - whole.start_ms;
+  const width_ms = Math.min(Math.max(Math.round((factor * (end_ms - start_ms)) / hour_ms) * hour_ms, narrowest_ms), whole_ms);
+  const share = (now_ms - start_ms) / (end_ms - start_ms);
+  wanted.value = { left_ms: Math.round((now_ms - share * width_ms) / hour_ms) * hour_ms, width_ms };
+  bringIntoSlider();
+}
+
+/** Moves the slider where the clock's time has left it, with most of its length ahead in the direction taken. */
+function bringIntoSlider(): void {
+  const [now_ms, { start_ms, end_ms }] = [time_ms.peek(), slider.peek()];
+  if (now_ms >= start_ms && now_ms <= end_ms) return;
+  const width_ms = end_ms - start_ms;
+  const left_ms = now_ms - (now_ms > end_ms ? 0.1 : 0.9) * width_ms;
+  wanted.value = { ...wanted.peek(), left_ms: Math.round(left_ms / hour_ms) * hour_ms };
+}
 
 const within = (value: number, { start_ms, end_ms }: Span): number => Math.min(Math.max(value, start_ms), end_ms);
 
 export function setTime(value_ms: number): void {
   time_ms.value = within(value_ms, range.peek());
+  bringIntoSlider();
 }
 
 export function setSpan(name: string, span: Span | undefined): void {
@@ -54,7 +89,7 @@ export function advance(elapsed_s: number): void {
 
 /** Starts playback, from the beginning when the clock stands at the end. */
 export function togglePlay(): void {
-  if (!playing.peek() && time_ms.peek() >= range.peek().end_ms) time_ms.value = range.peek().start_ms;
+  if (!playing.peek() && time_ms.peek() >= range.peek().end_ms) setTime(range.peek().start_ms);
   playing.value = !playing.peek();
 }
 

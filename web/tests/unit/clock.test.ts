@@ -1,5 +1,5 @@
 import { beforeEach, describe, expect, it } from 'vitest';
-import { advance, bracket, playing, range, setSpan, setTime, spans, speed, stepHours, time_ms, togglePlay } from '../../src/model/clock';
+import { advance, bracket, playing, range, setSpan, setTime, slider, spans, speed, stepHours, time_ms, togglePlay, zoomSlider } from '../../src/model/clock';
 import { duration, fieldOf, hour_ms, isoOf, parseTime, shortTime } from '../../src/model/time';
 
 const start = Date.UTC(2026, 10, 20, 0);
@@ -40,6 +40,34 @@ describe('the clock', () => {
     expect(playing.value).toBe(false);
     togglePlay();
     expect(time_ms.value).toBe(start);
+  });
+
+  it('shows a month of years at most, and moves on when the time leaves it', () => {
+    expect(slider.value).toEqual(range.value);
+    setSpan('track', { start_ms: start - 3 * 365 * 24 * hour_ms, end_ms: start });
+    setTime(start);
+    const width_ms = 31 * 24 * hour_ms;
+    const holds = (): boolean => slider.value.start_ms <= time_ms.value && time_ms.value <= slider.value.end_ms;
+    for (const at_ms of [start, range.value.start_ms, start - 200 * 24 * hour_ms, range.value.end_ms]) {
+      setTime(at_ms);
+      expect(slider.value.end_ms - slider.value.start_ms).toBe(width_ms);
+      expect(holds()).toBe(true);
+    }
+    const before = slider.value;
+    setTime(before.start_ms + width_ms / 2);
+    expect(slider.value).toEqual(before);
+  });
+
+  it('zooms the slider about the time, from hours to everything', () => {
+    setTime(start + 12 * hour_ms);
+    zoomSlider(0.5);
+    expect(slider.value).toEqual({ start_ms: start + 6 * hour_ms, end_ms: start + 30 * hour_ms });
+    for (let i = 0; i < 10; ++i) zoomSlider(0.5);
+    expect(slider.value.end_ms - slider.value.start_ms).toBe(6 * hour_ms);
+    setTime(start + 47 * hour_ms);
+    expect(slider.value.end_ms).toBe(start + 48 * hour_ms);
+    for (let i = 0; i < 10; ++i) zoomSlider(2);
+    expect(slider.value).toEqual(range.value);
   });
 
   it('finds the data steps on either side, and none outside', () => {

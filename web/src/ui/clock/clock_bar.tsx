@@ -1,6 +1,6 @@
 import { useEffect } from 'preact/hooks';
 import type { VNode } from 'preact';
-import { advance, playing, range, setTime, speed, speeds, stepHours, time_ms, togglePlay, type Span } from '../../model/clock';
+import { advance, playing, range, setTime, slider, speed, speeds, stepHours, time_ms, togglePlay, zoomSlider, type Span } from '../../model/clock';
 import { coveredDatasets } from '../../model/coverage';
 import { chosenCurrents, currentTimes_ms } from '../../model/datasets';
 import { draft } from '../../model/draft';
@@ -12,16 +12,17 @@ import { IconButton } from '../common/icon';
 /** The one clock: playback, slider, and under it the steps of the currents and the plans' durations. */
 export function ClockBar(): VNode {
   usePlayback();
-  const { start_ms, end_ms } = range.value;
+  const whole = range.value;
+  const { start_ms, end_ms } = slider.value;
   const now_ms = time_ms.value;
   return (
     <footer class="clock" aria-label="Clock">
       <div class="clock-buttons">
-        <IconButton icon="skipBack" label="To the start (Home)" onClick={() => setTime(start_ms)} />
+        <IconButton icon="skipBack" label="To the start (Home)" onClick={() => setTime(whole.start_ms)} />
         <IconButton icon="stepBack" label="One hour back (,)" onClick={() => stepHours(-1)} />
         <IconButton icon={playing.value ? 'pause' : 'play'} label={playing.value ? 'Pause (Space)' : 'Play (Space)'} onClick={togglePlay} class="play" />
         <IconButton icon="stepForward" label="One hour on (.)" onClick={() => stepHours(1)} />
-        <IconButton icon="skipForward" label="To the end (End)" onClick={() => setTime(end_ms)} />
+        <IconButton icon="skipForward" label="To the end (End)" onClick={() => setTime(whole.end_ms)} />
         <select
           aria-label="Playback speed, hours in a second" value={speed.value}
           onChange={(event) => {
@@ -31,14 +32,21 @@ export function ClockBar(): VNode {
           {speeds.map((value) => <option key={value} value={value}>{value} h/s</option>)}
         </select>
       </div>
-      <div class="clock-track">
+      <div class="clock-track" onWheel={zoomByWheel}>
         <input
           type="range" min={start_ms} max={end_ms} step={hour_ms / 6} value={now_ms} aria-label="Time"
           aria-valuetext={`${spokenTime(now_ms)}${sinceDeparture(now_ms, ', T plus ')}`}
           onInput={(event) => setTime(Number(event.currentTarget.value))}
         />
-        <Timeline span={range.value} />
-        <div class="clock-ends"><span>{shortTime(start_ms)}</span><span>{shortTime(end_ms)}</span></div>
+        <Timeline span={slider.value} />
+        <div class="clock-ends">
+          <span>{start_ms > whole.start_ms && '‹ '}{shortTime(start_ms)}</span>
+          <span class="clock-zoom" role="group" aria-label="Time on the slider">
+            <IconButton icon="minus" label="More time on the slider" disabled={end_ms - start_ms >= whole.end_ms - whole.start_ms} onClick={() => zoomSlider(2)} />
+            <IconButton icon="plus" label="Less time on the slider" onClick={() => zoomSlider(0.5)} />
+          </span>
+          <span>{shortTime(end_ms)}{end_ms < whole.end_ms && ' ›'}</span>
+        </div>
       </div>
       <output class="clock-now">
         <b>{shortTime(now_ms)}</b>
@@ -46,6 +54,11 @@ export function ClockBar(): VNode {
       </output>
     </footer>
   );
+}
+
+function zoomByWheel(event: WheelEvent): void {
+  event.preventDefault();
+  zoomSlider(event.deltaY > 0 ? 1.25 : 0.8);
 }
 
 /** Hours since the selected plan departs, or the set-up where none is selected; nothing before. */
@@ -60,8 +73,9 @@ function Timeline({ span }: { span: Span }): VNode {
   const width = 1000;
   const x = (value_ms: number): number => ((value_ms - span.start_ms) / (span.end_ms - span.start_ms)) * width;
   const times = currentTimes_ms.value;
+  const seen = times.filter((time) => time >= span.start_ms && time <= span.end_ms);
   const [first, last] = [times[0], times.at(-1)];
-  const every = Math.ceil(times.length / 200);
+  const every = Math.ceil(seen.length / 200);
   const covered = coveredDatasets.value.flatMap(({ id, time_start, time_end }) =>
     time_start && time_end ? [{ id, from: x(Date.parse(time_start)), to: x(Date.parse(time_end)) }] : [],
   );
@@ -75,10 +89,10 @@ function Timeline({ span }: { span: Span }): VNode {
       {chosenCurrents.value && first !== undefined && last !== undefined && (
         <>
           <rect x={0} y={0} width={Math.max(0, x(first))} height={14} fill="url(#no-data)" />
-          <rect x={x(last)} y={0} width={Math.max(0, width - x(last))} height={14} fill="url(#no-data)" />
+          <rect x={Math.max(0, x(last))} y={0} width={Math.max(0, width - Math.max(0, x(last)))} height={14} fill="url(#no-data)" />
         </>
       )}
-      {times.filter((_, i) => i % every === 0).map((time) => (
+      {seen.filter((_, i) => i % every === 0).map((time) => (
         <line key={time} class="step" x1={x(time)} x2={x(time)} y1={0} y2={4} vector-effect="non-scaling-stroke" />
       ))}
       {covered.map(({ id, from, to }) => (
