@@ -3,7 +3,10 @@
 #include "engine/messages/data_messages.hpp"
 #include "engine/messages/export_messages.hpp"
 #include "engine/messages/ingest_area_messages.hpp"
+#include "engine/messages/ingest_current_messages.hpp"
+#include "engine/messages/ingest_depth_messages.hpp"
 #include "engine/messages/ingest_file_messages.hpp"
+#include "engine/messages/ingest_format_messages.hpp"
 #include "engine/messages/ingest_ice_messages.hpp"
 #include "engine/messages/ingest_iceberg_messages.hpp"
 #include "engine/messages/ingest_tide_messages.hpp"
@@ -18,7 +21,8 @@ std::vector<Kind> catalogue() {
   using Kinds = std::span<const Kind>;
   for (const Kinds kinds :
        {Kinds{plan_kinds}, Kinds{data_kinds}, Kinds{refusal_kinds}, Kinds{phrase_kinds}, Kinds{export_kinds},
-        Kinds{ingest_area_kinds}, Kinds{ingest_file_kinds}, Kinds{ingest_ice_kinds},
+        Kinds{ingest_area_kinds}, Kinds{ingest_current_kinds}, Kinds{ingest_depth_kinds},
+        Kinds{ingest_file_kinds}, Kinds{ingest_format_kinds}, Kinds{ingest_ice_kinds},
         Kinds{ingest_iceberg_kinds}, Kinds{ingest_tide_kinds}, Kinds{ingest_track_kinds}})
     all.insert(all.end(), kinds.begin(), kinds.end());
   return all;

@@ -299,15 +299,6 @@ inline constexpr auto ingest_file_kinds = std::to_array<Kind>({
      .text = "the file also holds {what}, which were not stored with its currents",
      .hint = "Store them with --kind {kind} in a second command",
      .slots = {{{"what", "depths of the sea bed"}, {"kind", "bathymetry"}}}},
-    // Not yet worded here: the sentence of a reader.
-    {.code = "file-refused",
-     .rank = Rank::caution,
-     .text = "{fault}",
-     .slots = {{{"fault", "the file holds no features; there is nothing to store"}}}},
-    {.code = "file-remark",
-     .rank = Rank::note,
-     .text = "{remark}",
-     .slots = {{{"remark", "\"uo\" states no unit; taken as m/s"}}}},
 });
 
 /// The message of this code; it is told its values in the order of the catalogue.

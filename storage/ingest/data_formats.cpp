@@ -1,5 +1,6 @@
 #include "storage/ingest/data_formats.hpp"
 
+#include "engine/messages/ingest_file_messages.hpp"
 #include "storage/ingest/files/file_digest.hpp"
 #include "storage/ingest/files/first_bytes.hpp"
 #include "storage/ingest/formats/hdf5/hdf5_references.hpp"

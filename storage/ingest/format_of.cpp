@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/core/utf8_text.hpp"
+#include "engine/messages/ingest_file_messages.hpp"
 #include "engine/messages/ingest_track_messages.hpp"
 #include "storage/ingest/data_formats.hpp"
 #include "storage/ingest/files/first_bytes.hpp"

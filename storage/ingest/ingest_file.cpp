@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "engine/core/version.hpp"
+#include "engine/messages/ingest_file_messages.hpp"
 #include "engine/messages/sentence.hpp"
 #include "storage/ingest/common/gdal_guard.hpp"
 #include "storage/ingest/file_groups.hpp"

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/messages/ingest_file_messages.hpp"
 #include "storage/ingest/formats/netcdf/netcdf_grid.hpp"
 #include "storage/ingest/formats/netcdf/netcdf_layout.hpp"
 #include "storage/ingest/formats/netcdf/variable_meaning.hpp"
@@ -114,8 +115,7 @@ messages::Message nothing_known(const NetcdfFile& file) {
     return messages::ingest_file_message<"hydrographic-product-not-read">(product);
   if (holds_ice_thickness(file)) return messages::ingest_file_message<"thickness-without-concentration">();
   for (const Moving what : {Moving::sea, Moving::air})
-    if (std::string left_out = velocities_left_out(file, what); !left_out.empty())
-      return fault_of_file(left_out);
+    if (auto left_out = velocities_left_out(file, what)) return std::move(*left_out);
   if (auto other = called_currents(file)) return std::move(*other);
   if (!file.groups().empty())
     return messages::ingest_file_message<"groups-without-data">(enumeration(file.groups()));
@@ -185,11 +185,9 @@ Checked<bool> look_into_groups(RecognisedFile& file, const Expectation& expected
   const std::vector<DatasetKind>& kinds = groups.front().kinds;
   const auto holds = [&](DatasetKind kind) { return std::ranges::find(kinds, kind) != kinds.end(); };
   if (holds(DatasetKind::currents) || holds(DatasetKind::wind) || holds(DatasetKind::ice))
-    if (std::string statistic = statistic_in_group(groups.front().path); !statistic.empty())
-      return refuse(std::move(statistic));
+    if (auto statistic = statistic_in_group(groups.front().path)) return refuse(std::move(*statistic));
   if (holds(DatasetKind::currents))
-    if (std::string part = part_in_group(groups.front().path); !part.empty())
-      file.warnings.push_back(remark(std::move(part)));
+    if (auto part = part_in_group(groups.front().path)) file.warnings.push_back(std::move(*part));
   file.netcdf = std::move(groups.front().seen);
   file.kinds = std::move(groups.front().kinds);
   file.warnings.push_back(messages::ingest_file_message<"data-in-group">(groups.front().path));

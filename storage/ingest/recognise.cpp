@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/messages/ingest_file_messages.hpp"
 #include "storage/ingest/format_of.hpp"
 #include "storage/ingest/readers/velocity/velocity_pair.hpp"
 
@@ -33,8 +34,7 @@ Checked<RecognisedFile> recognise(const std::filesystem::path& file, const Expec
   const bool moves = *expected.kind == DatasetKind::currents || *expected.kind == DatasetKind::wind;
   if (!held && moves && result.netcdf) {
     const Moving what = *expected.kind == DatasetKind::currents ? Moving::sea : Moving::air;
-    if (std::string left_out = velocities_left_out(*result.netcdf, what); !left_out.empty())
-      return refuse(std::move(left_out));
+    if (auto left_out = velocities_left_out(*result.netcdf, what)) return refuse(std::move(*left_out));
   }
   if (!held)
     return refuse(messages::ingest_file_message<"other-kind-than-stated">(

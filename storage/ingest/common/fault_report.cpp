@@ -1,5 +1,6 @@
 #include "storage/ingest/common/fault_report.hpp"
 
+#include "engine/messages/ingest_file_messages.hpp"
 #include "engine/messages/sentence.hpp"
 
 namespace floeplan::ingest {

@@ -5,7 +5,6 @@
 #include <utility>
 #include <vector>
 
-#include "engine/messages/ingest_file_messages.hpp"
 #include "engine/messages/message.hpp"
 
 namespace floeplan::ingest {
@@ -24,17 +23,6 @@ using Checked = tl::expected<T, Messages>;
   Messages faults;
   faults.push_back(std::move(fault));
   return refuse(std::move(faults));
-}
-
-[[nodiscard]] inline tl::unexpected<Messages> refuse(const std::string& sentence) {
-  return refuse(messages::ingest_file_message<"file-refused">(sentence));
-}
-[[nodiscard]] inline messages::Message remark(const std::string& sentence) {
-  return messages::ingest_file_message<"file-remark">(sentence);
-}
-
-[[nodiscard]] inline messages::Message fault_of_file(const std::string& sentence) {
-  return messages::ingest_file_message<"file-refused">(sentence);
 }
 
 /// Told of a part of the file, "line 12" or "feature 3": the text begins with the part, which is a value of its own.

@@ -10,6 +10,7 @@
 #include <optional>
 #include <string_view>
 
+#include "engine/messages/ingest_file_messages.hpp"
 #include "storage/ingest/files/first_bytes.hpp"
 #include "storage/ingest/files/gzip_stream.hpp"
 #include "storage/ingest/files/sidecar.hpp"

@@ -7,6 +7,8 @@
 #include <memory>
 #include <stdexcept>
 
+#include "engine/messages/ingest_file_messages.hpp"
+
 namespace floeplan::ingest {
 
 namespace {

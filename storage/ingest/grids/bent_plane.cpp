@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/messages/ingest_format_messages.hpp"
 #include "storage/ingest/formats/netcdf/netcdf_grid.hpp"
 #include "storage/ingest/formats/netcdf/position_tables.hpp"
 #include "storage/ingest/grids/source_mesh.hpp"
@@ -43,9 +44,8 @@ Checked<std::optional<BentPlane>> bent_plane_of(const std::shared_ptr<const Netc
   if (!grid) return refuse(grid.error());
   auto resampling = Resampling::of(mesh, *grid);
   if (!resampling) return refuse(resampling.error());
-  std::string account = "\"" + variable.name() + "\" was resampled from a bent grid of " +
-                        std::to_string((*positions)->rows) + " x " + std::to_string((*positions)->columns) +
-                        " points to a regular grid of " + spacing_in_words(*grid);
+  messages::Message account = messages::ingest_format_message<"resampled-from-bent-grid">(
+      variable.name(), (*positions)->rows, (*positions)->columns, spacing_in_words(*grid));
   return BentPlane{std::move(*layout),     std::move(points), std::move(*grid),
                    std::move(*resampling), std::move(*water), std::move(account)};
 }

@@ -22,8 +22,8 @@ struct BentPlane {
   std::vector<geo::LonLat> points;
   ocean::HorizontalGrid grid;
   std::shared_ptr<const Resampling> resampling;
-  WaterMask water;      // of ROMS, which has depths on land too
-  std::string account;  // "resampled from ..."
+  WaterMask water;            // of ROMS, which has depths on land too
+  messages::Message account;  // that it was resampled
 };
 
 /// Returns  nullopt when the file holds no tables of positions over the variable's plane

@@ -2,6 +2,7 @@
 
 #include <numbers>
 
+#include "engine/messages/ingest_format_messages.hpp"
 #include "storage/ingest/notation/text.hpp"
 
 namespace floeplan::ingest {
@@ -38,9 +39,7 @@ Checked<std::vector<double>> CentreTables::read(const NetcdfVariable& table,
   count.push_back(staggering_.rows);
   count.push_back(staggering_.columns);
   if (start.size() != dimensions.size())
-    return refuse("the variable \"" + table.name() +
-                  "\" has dimensions that the currents have not; it cannot be used; ask the producer for the "
-                  "model's own output");
+    return refuse(messages::ingest_format_message<"table-of-other-dimensions">(table.name()));
   auto values = table.read_packed(start, count);
   if (!values) return refuse(values.error());
   for (double& value : *values) value = table.unpacked(value);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/messages/ingest_format_messages.hpp"
 #include "storage/ingest/grids/tangent_plane.hpp"
 
 namespace floeplan::ingest {
@@ -68,21 +69,10 @@ Checked<GridDirections> directions_of(const Staggering& staggering, const Positi
       directions.set(point, angle);
     }
   }
-  if (known == 0)
-    return refuse(
-        "the positions in the file tell no direction of the model's grid; its currents cannot be turned to "
-        "east and "
-        "north; ask the producer for a file with its tables of positions");
-  if (is_exceptional(mirrored, known))
-    return refuse(
-        "the grid of the currents is mirrored or badly bent: its second axis does not lie to the left of its "
-        "first; "
-        "to which side its components point is not known; ask the producer for the model's own output");
+  if (known == 0) return refuse(messages::ingest_format_message<"grid-without-direction">());
+  if (is_exceptional(mirrored, known)) return refuse(messages::ingest_format_message<"grid-mirrored">());
   if (is_exceptional(contradicted, known))
-    return refuse(
-        "the angle of the grid that the file states contradicts its own tables of positions; the drift would "
-        "be "
-        "turned by the difference; ask the producer which of them is right");
+    return refuse(messages::ingest_format_message<"grid-angle-contradicts">());
   return directions;
 }
 

@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 
+#include "engine/messages/ingest_format_messages.hpp"
 #include "storage/ingest/common/missing_value.hpp"
 #include "storage/ingest/formats/netcdf/formula_terms.hpp"
 #include "storage/ingest/formats/netcdf/netcdf_coordinates.hpp"
@@ -70,9 +71,8 @@ class PointTable {
   double factor_;
 };
 
-std::string too_deep(const NetcdfVariable& table, double depth_m) {
-  return "the sea in \"" + table.name() + "\" is " + number(depth_m) +
-         " m deep; no ocean is; its unit is wrong or the file is damaged";
+messages::Message too_deep(const NetcdfVariable& table, double depth_m) {
+  return messages::ingest_format_message<"bed-impossible">(table.name(), number(depth_m));
 }
 
 class SigmaLevels : public BedLevels {
@@ -246,12 +246,9 @@ Checked<MeshLevels> levels_by_heights(const std::shared_ptr<const NetcdfFile>& f
   const auto factor = unit.empty() ? std::optional{1.0} : length_factor(unit);
   if (!level || (!node && !face) || !fits ||
       (dimensions.size() == 3 && (*level == 0 || node == 0U || face == 0U)))
-    return refuse("the heights of the levels (\"" + table.name() +
-                  "\") do not lie on the points and times of the currents; their depths are not known; ask "
-                  "the producer for the model's own output");
+    return refuse(messages::ingest_format_message<"level-heights-elsewhere">(table.name()));
   if (!factor)
-    return refuse("the heights of the levels (\"" + table.name() + "\") have the unit \"" + unit +
-                  "\", which is no length that this program knows; ask for a file in metres");
+    return refuse(messages::ingest_format_message<"level-heights-without-length">(table.name(), unit));
   auto levels =
       HeightLevels::of({.file = file,
                         .table = &table,
@@ -277,9 +274,8 @@ Checked<MeshLevels> mesh_levels(const std::shared_ptr<const NetcdfFile>& file, c
   const std::string layout_name = coordinate == nullptr ? "" : lower(coordinate->attribute("standard_name"));
   if (layout_name.starts_with("ocean_") && !layout_name.starts_with("ocean_sigma_coordinate") &&
       !layout_name.starts_with("ocean_sigma/"))
-    return refuse(
-        "the levels \"" + coordinate->name() + "\" are an " + layout_name +
-        ", which this program does not read on a mesh; interpolate the data to depths in metres first");
+    return refuse(messages::ingest_format_message<"levels-of-unknown-layout">(coordinate->name(), layout_name,
+                                                                              " on a mesh"));
 
   const auto named = [&](const char* term, std::initializer_list<std::string> usual) {
     const std::string name = formula_term(coordinate, term);
@@ -293,11 +289,11 @@ Checked<MeshLevels> mesh_levels(const std::shared_ptr<const NetcdfFile>& file, c
   const std::string& points = in_faces ? mesh.face_dimension : mesh.node_dimension;
   if (!bed) bed = PointTable::of(bed_table, points, times);
   if (sigma == nullptr || !bed)
-    return refuse("the levels of \"" + variable.name() +
-                  "\" follow the sea bed, but the file does not tell " +
-                  (sigma == nullptr ? "where they lie between the surface and the bed"
-                                    : "how deep the sea is at the nodes or in the faces of its mesh") +
-                  "; the depths of its currents are not known; ask the producer for a complete file");
+    return refuse(messages::ingest_format_message<"levels-incomplete">(
+        variable.name(),
+        sigma == nullptr ? "where they lie between the surface and the bed"
+                         : "how deep the sea is at the nodes or in the faces of its mesh",
+        "Ask the producer for a complete file"));
   auto values = sigma->read_all();
   if (!values) return refuse(values.error());
   const auto bed_m = bed->read(0);
@@ -308,18 +304,13 @@ Checked<MeshLevels> mesh_levels(const std::shared_ptr<const NetcdfFile>& file, c
   const bool possible =
       std::ranges::all_of(*values, [](double value) { return value >= -1.0 - 1e-4 && value <= 1e-4; });
   if ((values->size() != levels && !per_point) || !possible)
-    return refuse(
-        "the levels \"" + sigma->name() +
-        "\" are no shares from 0 at the surface to -1 at the bed; they cannot be placed; ask the producer "
-        "for the model's own output");
+    return refuse(messages::ingest_format_message<"levels-no-shares">(sigma->name()));
   for (const double depth : *bed_m)
     if (depth > max_bed_depth_m) return refuse(too_deep(*bed_table, depth));
 
   const bool of_the_moment = is_depth_of_the_moment(*bed_table);
   auto surface = of_the_moment ? std::nullopt : PointTable::of(named("eta", {"zeta"}), points, times);
-  if (!surface && !of_the_moment)
-    warnings.push_back(remark(
-        "the file does not give the surface of the sea; its levels were placed below the mean surface"));
+  if (!surface && !of_the_moment) warnings.push_back(messages::ingest_format_message<"surface-not-stated">());
   return MeshLevels{std::make_shared<const SigmaLevels>(SigmaLevels::Parts{.file = file,
                                                                            .sigma = std::move(*values),
                                                                            .levels = levels,

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "engine/messages/ingest_format_messages.hpp"
 #include "storage/ingest/formats/netcdf/netcdf_axis.hpp"
 #include "storage/ingest/notation/text.hpp"
 
@@ -77,11 +78,8 @@ std::optional<FaceTable> table_of(const NetcdfVariable& faces) {
   return std::nullopt;
 }
 
-std::string damaged(const NetcdfVariable& faces) {
-  return "the table of the mesh \"" + faces.name() +
-         "\" names nodes that do not exist or has not three or four for each face; the file is damaged; copy "
-         "or "
-         "download it again";
+messages::Message damaged(const NetcdfVariable& faces) {
+  return messages::ingest_format_message<"mesh-damaged">(faces.name());
 }
 
 Checked<std::vector<SourceMesh::Cell>> read_faces(const Description& description, std::size_t nodes) {
@@ -109,10 +107,7 @@ Checked<std::vector<SourceMesh::Cell>> read_faces(const Description& description
     }
     for (std::size_t corner = 4; corner < shape->corners; ++corner)
       if (const double node = at(face, corner) - start; node >= 0.0 && node < static_cast<double>(nodes))
-        return refuse(
-            "the mesh \"" + table.name() +
-            "\" has faces of more than four corners, which this program does not read; interpolate the "
-            "data to a regular grid, or split such faces into triangles first");
+        return refuse(messages::ingest_format_message<"mesh-of-many-corners">(table.name()));
   }
   return faces;
 }
@@ -133,15 +128,10 @@ bool lies_on_mesh(const NetcdfFile& file, const NetcdfVariable& variable) {
 
 Checked<MeshTopology> mesh_topology(const NetcdfFile& file) {
   const Description description = describe(file);
-  if (!is_whole(description))
-    return refuse(
-        "the file does not describe its mesh in longitude and latitude (nodes, and the nodes round each "
-        "face); the "
-        "data cannot be placed; ask the producer for a file by the UGRID conventions");
+  if (!is_whole(description)) return refuse(messages::ingest_format_message<"mesh-not-described">());
   const std::uint64_t count = description.lons->dimensions()[0].size;
   if (count == 0 || count > max_nodes)
-    return refuse("the mesh has " + std::to_string(count) + " nodes; this program accepts 1 to " +
-                  std::to_string(max_nodes) + "; cut out your area first");
+    return refuse(messages::ingest_format_message<"mesh-too-large">(count, max_nodes));
   const auto lons = description.lons->read_all();
   if (!lons) return refuse(lons.error());
   const auto lats = description.lats->read_all();
@@ -154,8 +144,7 @@ Checked<MeshTopology> mesh_topology(const NetcdfFile& file) {
     const double lon = (*lons)[i];
     const double lat = (*lats)[i];
     if (!(std::abs(lat) <= 90.0 && std::abs(lon) <= 720.0))
-      return refuse("a node of the mesh lies at longitude " + number(lon) + ", latitude " + number(lat) +
-                    "; the coordinates are no degrees or the file is damaged; ask the producer");
+      return refuse(messages::ingest_format_message<"mesh-node-off-the-earth">(number(lon), number(lat)));
     mesh.nodes.push_back({geo::wrap_longitude(lon), lat});
   }
   mesh.faces = std::move(*faces);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/messages/ingest_format_messages.hpp"
 #include "engine/ocean/grids/bilinear.hpp"
 #include "storage/ingest/common/missing_value.hpp"
 #include "storage/ingest/grids/cell_weights.hpp"
@@ -29,11 +30,7 @@ Checked<std::shared_ptr<const Resampling>> Resampling::of(const SourceMesh& mesh
     const NodeBox box = nodes_near(grid, mesh, cell);
     if (box.count_x == 0 || box.count_y == 0) continue;
     candidates += box.count_x * box.count_y;
-    if (candidates > affordable)
-      return refuse(
-          "the cells between the model's points lie over one another many times over; its positions are "
-          "damaged; copy "
-          "or download the file again");
+    if (candidates > affordable) return refuse(messages::ingest_format_message<"cells-overlap">());
     result->add(mesh, cell, grid, box);
   }
   return result;

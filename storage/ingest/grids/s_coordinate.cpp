@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/messages/ingest_format_messages.hpp"
 #include "storage/ingest/formats/netcdf/formula_terms.hpp"
 #include "storage/ingest/formats/netcdf/netcdf_coordinates.hpp"
 #include "storage/ingest/notation/text.hpp"
@@ -56,10 +57,7 @@ Checked<std::vector<double>> level_values(const NetcdfVariable& variable, std::s
   if (!values) return values;
   bool usable = values->size() == levels;
   for (const double value : *values) usable = usable && value >= -1.0 - 1e-6 && value <= 1e-6;
-  if (!usable)
-    return refuse("the levels \"" + variable.name() +
-                  "\" do not run from -1 at the sea bed to 0 at the surface; they cannot be placed; ask the "
-                  "producer for the model's own output");
+  if (!usable) return refuse(messages::ingest_format_message<"levels-no-shares">(variable.name()));
   return values;
 }
 
@@ -108,8 +106,8 @@ class SLevels : public BedLevels {
     if (!values) return refuse(values.error());
     for (const double value : *values)
       if (std::abs(value) > max_surface_m)
-        return refuse("the surface of the sea in \"" + parts_.surface->name() + "\" rises to " +
-                      number(value) + " m; no tide does; its unit is wrong or the file is damaged");
+        return refuse(
+            messages::ingest_format_message<"surface-impossible">(parts_.surface->name(), number(value)));
     surface_m_ = std::move(*values);
     time_read_ = time;
     return true;
@@ -129,11 +127,10 @@ std::string unread_layout_of(const NetcdfVariable* coordinate) {
   return read || !name.starts_with("ocean_") ? std::string{} : name;
 }
 
-std::string incomplete(const NetcdfVariable& variable, const std::string& what) {
-  return "the levels of \"" + variable.name() + "\" follow the sea bed, but the file does not tell " + what +
-         "; the depths of its currents are not known; give the model's grid file in the same command, or ask "
-         "the "
-         "producer for a complete file";
+messages::Message incomplete(const NetcdfVariable& variable, const std::string& what) {
+  return messages::ingest_format_message<"levels-incomplete">(
+      variable.name(), what,
+      "Give the model's grid file in the same command, or ask the producer for a complete file");
 }
 
 }  // namespace
@@ -182,8 +179,8 @@ Checked<std::shared_ptr<const BedLevels>> s_coordinate_levels(
   const NetcdfVariable* s = coordinate != nullptr ? coordinate : find(files, {"s_rho", "sc_r"});
   if (s == nullptr) return refuse(incomplete(variable, "where they lie (s_rho)"));
   if (const std::string layout = unread_layout_of(coordinate); !layout.empty())
-    return refuse("the levels \"" + coordinate->name() + "\" are an " + layout +
-                  ", which this program does not read; interpolate the data to depths in metres first");
+    return refuse(
+        messages::ingest_format_message<"levels-of-unknown-layout">(coordinate->name(), layout, ""));
   const auto form = form_of(files, coordinate);
   if (!form)
     return refuse(incomplete(variable, "without contradiction in which form they do so (Vtransform 1 or 2)"));
@@ -225,8 +222,7 @@ Checked<std::shared_ptr<const BedLevels>> s_coordinate_levels(
   if (!bed_m) return refuse(bed_m.error());
   for (double& depth : *bed_m) {
     if (depth > max_bed_depth_m)
-      return refuse("the sea in \"" + bed->name() + "\" is " + number(depth) +
-                    " m deep; no ocean is; its unit is wrong or the file is damaged");
+      return refuse(messages::ingest_format_message<"bed-impossible">(bed->name(), number(depth)));
     if (!(depth > 0.0)) depth = std::numeric_limits<double>::quiet_NaN();
   }
   const NetcdfVariable* surface = named_or(files, formula_term(coordinate, "eta"), {"zeta"});
@@ -236,9 +232,7 @@ Checked<std::shared_ptr<const BedLevels>> s_coordinate_levels(
                         (surface->dimensions()[0].size == 1 ||
                          surface->dimensions()[0].size == layout.times_s->nodes.size())));
   const bool of_the_moment = sigma && is_depth_of_the_moment(*bed);
-  if (!usable && !of_the_moment)
-    warnings.push_back(remark(
-        "the file does not give the surface of the sea; its levels were placed below the mean surface"));
+  if (!usable && !of_the_moment) warnings.push_back(messages::ingest_format_message<"surface-not-stated">());
   return std::make_shared<const SLevels>(
       SLevels::Parts{.files = files,
                      .form = *form,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/messages/ingest_format_messages.hpp"
 #include "storage/ingest/grids/tangent_plane.hpp"
 
 namespace floeplan::ingest {
@@ -84,12 +85,7 @@ Checked<Staggering> staggering_of(const Positions& first, const Positions& secon
     }
   }
   if (!best || least > meeting_share * spacing)
-    return refuse(
-        "the points of the two components of the current fit no arrangement that this program knows (both at "
-        "the "
-        "same points, or each half a cell beside the other); they cannot be put together; give the two files "
-        "of "
-        "the same grid and the same part of it");
+    return refuse(messages::ingest_format_message<"staggering-unknown">());
   return *best;
 }
 
@@ -100,11 +96,7 @@ Checked<Staggering> points_after_centres(std::size_t first_rows, std::size_t fir
       std::max(first_columns, second_columns) - std::min(first_columns, second_columns);
   const Staggering way = arranged(1, 1, first_rows, first_columns, second_rows, second_columns);
   if (apart_rows > 1 || apart_columns > 1 || way.rows < 2 || way.columns < 2)
-    return refuse(
-        "the two components of the current have shapes that do not fit each other, and the file does not say "
-        "where "
-        "their points lie; they cannot be put together; ask the producer for a file with its tables of "
-        "positions");
+    return refuse(messages::ingest_format_message<"components-of-other-shapes">());
   return way;
 }
 

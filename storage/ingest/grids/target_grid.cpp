@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "engine/messages/ingest_format_messages.hpp"
 #include "storage/ingest/notation/text.hpp"
 
 namespace floeplan::ingest {
@@ -117,10 +118,7 @@ Checked<ocean::HorizontalGrid> target_grid_for(const SourceMesh& mesh) {
   const std::vector<geo::LonLat> points = used_points(mesh);
   const double spacing_m = fine_spacing_m(mesh);
   if (points.empty() || !(spacing_m > 0.0))
-    return refuse(
-        "the positions in the file enclose no area, so nothing can be interpolated between them; the tables "
-        "of "
-        "longitude and latitude are empty or damaged; ask the producer for a complete file");
+    return refuse(messages::ingest_format_message<"positions-enclose-no-area">());
   double least_lat = 90.0;
   double most_lat = -90.0;
   for (const geo::LonLat place : points) {

@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 
+#include "engine/messages/ingest_file_messages.hpp"
 #include "storage/ingest/files/archive.hpp"
 #include "storage/ingest/ingest_file.hpp"
 #include "storage/ingest/notation/text.hpp"

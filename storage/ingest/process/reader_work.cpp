@@ -9,6 +9,7 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "engine/messages/ingest_file_messages.hpp"
 #include "storage/ingest/process/reader_main.hpp"
 #include "storage/ingest/process/reader_process.hpp"
 #include "storage/repository/datasets/dataset_rows.hpp"

@@ -5,6 +5,15 @@
 #include "api/problems/problem_catalogue.hpp"
 #include "engine/messages/data_messages.hpp"
 #include "engine/messages/export_messages.hpp"
+#include "engine/messages/ingest_area_messages.hpp"
+#include "engine/messages/ingest_current_messages.hpp"
+#include "engine/messages/ingest_depth_messages.hpp"
+#include "engine/messages/ingest_file_messages.hpp"
+#include "engine/messages/ingest_format_messages.hpp"
+#include "engine/messages/ingest_ice_messages.hpp"
+#include "engine/messages/ingest_iceberg_messages.hpp"
+#include "engine/messages/ingest_tide_messages.hpp"
+#include "engine/messages/ingest_track_messages.hpp"
 #include "engine/messages/plan_messages.hpp"
 #include "engine/messages/refusal_messages.hpp"
 #include "engine/messages/sentence.hpp"
@@ -46,13 +55,21 @@ std::string problem_entries() {
 }
 
 TEST(Troubleshooting, HasEveryMessageAndProblemByItsCode) {
-  const std::string part = "## Messages of plans\n" + entries(messages::plan_kinds) +
-                           "\n## Messages of data\n" + entries(messages::data_kinds) +
-                           "\n## Why there is no plan\n" + entries(messages::refusal_kinds) +
-                           "\n## Messages of exports and checks\n" + entries(messages::export_kinds) +
-                           "\n## Problems of the API\n\nThe type of a problem ends in its code, or "
-                           "in that of a group of problems.\n" +
-                           problem_entries();
+  const std::string part =
+      "## Messages of plans\n" + entries(messages::plan_kinds) + "\n## Messages of data\n" +
+      entries(messages::data_kinds) + "\n## Why there is no plan\n" + entries(messages::refusal_kinds) +
+      "\n## Messages of exports and checks\n" + entries(messages::export_kinds) +
+      "\n## Files that are read\n" + entries(messages::ingest_file_kinds) +
+      entries(messages::ingest_format_kinds) + "\n## Files: depths and charts\n" +
+      entries(messages::ingest_depth_kinds) + "\n## Files: currents and wind\n" +
+      entries(messages::ingest_current_kinds) + "\n## Files: tides\n" + entries(messages::ingest_tide_kinds) +
+      "\n## Files: sea ice\n" + entries(messages::ingest_ice_kinds) + "\n## Files: icebergs\n" +
+      entries(messages::ingest_iceberg_kinds) + "\n## Files: zones and coastlines\n" +
+      entries(messages::ingest_area_kinds) + "\n## Files: tracks of gliders\n" +
+      entries(messages::ingest_track_kinds) +
+      "\n## Problems of the API\n\nThe type of a problem ends in its code, or "
+      "in that of a group of problems.\n" +
+      problem_entries();
   support::expect_written_part("web/guide/troubleshooting.md", "messages", part, "problems_test");
   const std::string page = support::text_of_tree("web/guide/troubleshooting.md");
   EXPECT_NE(page.find(heading(messages::refusal_kinds[0].code)), std::string::npos);

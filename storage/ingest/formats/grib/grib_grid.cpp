@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "engine/geo/lon_lat.hpp"
+#include "engine/messages/ingest_format_messages.hpp"
 #include "storage/ingest/common/gdal_guard.hpp"
 #include "storage/ingest/common/grid_limits.hpp"
 #include "storage/ingest/formats/grib/grib_section.hpp"
@@ -19,8 +20,6 @@ namespace {
 constexpr std::uint64_t i_runs_west = 0x80;
 constexpr std::uint64_t j_runs_north = 0x40;
 constexpr std::uint64_t offset_rows = 0x0F;
-
-constexpr const char* convert_first = "; convert it first, for example with wgrib2 -new_grid or cdo remapbil";
 
 /// The octets at which the templates have what they share.
 struct Octets {
@@ -57,35 +56,23 @@ class GridReader {
       case 10: return on_mercator();
       case 20: return on_polar_stereographic();
       case 30: return on_lambert();
-      default:
-        fail_grib("the GRIB file is on a grid of template 3." + std::to_string(template_) +
-                  ", which this program does not read" + convert_first);
+      default: fail_grib(messages::ingest_format_message<"grib-grid-template-not-read">(template_));
     }
   }
 
  private:
   void refuse_what_is_not_regular() const {
-    if (section_.at(6, 1) != 0)
-      fail_grib(
-          "the GRIB file does not describe its grid but names one of its centre; the data cannot be placed; "
-          "ask the producer for a file that states its grid");
+    if (section_.at(6, 1) != 0) fail_grib(messages::ingest_format_message<"grib-grid-not-described">());
     const std::uint64_t columns = section_.at(31, 4);
     const std::uint64_t rows = section_.at(35, 4);
     if (section_.at(11, 1) != 0 || section_.is_missing(31, 4) || section_.is_missing(35, 4))
-      fail_grib(
-          std::string{"the rows of the GRIB file's grid have different numbers of nodes (a reduced grid)"} +
-          convert_first);
+      fail_grib(messages::ingest_format_message<"grib-grid-reduced">());
     if (columns == 0 || rows == 0 || columns > max_grid_points / std::max<std::uint64_t>(rows, 1))
-      fail_grib("the grid of the GRIB file has " + std::to_string(columns) + " x " + std::to_string(rows) +
-                " nodes; this program accepts 1 to " + std::to_string(max_grid_points) +
-                "; cut out your area first");
+      fail_grib(messages::ingest_format_message<"grib-grid-too-large">(columns, rows, max_grid_points));
     if (section_.at(7, 4) != columns * rows)
-      fail_grib("the GRIB file states a grid of " + std::to_string(columns) + " x " + std::to_string(rows) +
-                " nodes, but " + std::to_string(section_.at(7, 4)) +
-                " values; they cannot be placed; ask the producer");
-    if ((scanning() & offset_rows) != 0)
-      fail_grib(std::string{"the rows of the GRIB file's grid are offset by half a step against each other"} +
-                convert_first);
+      fail_grib(
+          messages::ingest_format_message<"grib-values-differ-from-nodes">(columns, rows, section_.at(7, 4)));
+    if ((scanning() & offset_rows) != 0) fail_grib(messages::ingest_format_message<"grib-rows-offset">());
   }
 
   [[nodiscard]] const Octets& octets() const {
@@ -107,9 +94,7 @@ class GridReader {
     const std::uint64_t parts = section_.at(43, 4);
     if (basic == 0 || section_.is_missing(39, 4)) return 1e-6;
     if (parts == 0 || section_.is_missing(43, 4))
-      fail_grib(
-          "the GRIB file counts the angles of its grid in a unit that it does not state; the data cannot be "
-          "placed; ask the producer");
+      fail_grib(messages::ingest_format_message<"grib-angle-unit-missing">());
     return static_cast<double>(basic) / static_cast<double>(parts);
   }
 
@@ -123,9 +108,8 @@ class GridReader {
   [[noreturn]] static void fail_contradiction(const std::string& axis, double first, double last,
                                               double sense, const std::string& step, const char* up,
                                               const char* down) {
-    fail_grib("the " + axis + "s of the GRIB file run from " + number(first, 9) + " to " + number(last, 9) +
-              ", but its scanning mode says towards " + (sense > 0.0 ? up : down) + step +
-              "; the data would be mirrored or shifted; ask the producer");
+    fail_grib(messages::ingest_format_message<"grib-axis-contradicts">(
+        axis, number(first, 9), number(last, 9), (sense > 0.0 ? up : down) + step));
   }
 
   /// "in 12 steps of 0.25 degrees", where a file states the step.
@@ -177,26 +161,19 @@ class GridReader {
           fail_contradiction("longitude", first, last, towards_east(), in_words(count, step), "east", "west");
       }
     }
-    if (span > 720.0)
-      fail_grib(
-          "the grid of the GRIB file goes round the Earth more than twice; its increments are wrong; ask the "
-          "producer");
+    if (span > 720.0) fail_grib(messages::ingest_format_message<"grib-round-the-earth-twice">());
     const double west = geo::wrap_longitude(towards_east() > 0.0 ? first : first - span);
     return nodes_between(west, west + span, count);
   }
 
   [[noreturn]] static void fail_without_step(const std::string& axis) {
-    fail_grib("the GRIB file states neither the last " + axis +
-              " of its grid nor the step; the data cannot be placed; ask the producer");
+    fail_grib(messages::ingest_format_message<"grib-step-missing">(axis));
   }
 
   GribGrid on_latitude_longitude() const { return {longitudes(), latitudes(), nullptr}; }
 
   GribGrid round_a_turned_pole() const {
-    if (section_.at(81, 4) != 0)
-      fail_grib(std::string{"the grid of the GRIB file is turned about a pole of its own by a further angle, "
-                            "which this program does not read"} +
-                convert_first);
+    if (section_.at(81, 4) != 0) fail_grib(messages::ingest_format_message<"grib-pole-turned-further">());
     auto plane = std::make_shared<OGRSpatialReference>();
     plane->SetGeogCS("own", "own", "own", 6371229.0, 0.0);
     const double lat = static_cast<double>(section_.signed_at(73, 4)) * angle_unit();
@@ -216,10 +193,8 @@ class GridReader {
       constexpr double smallest_m = 6.3e6;
       constexpr double largest_m = 6.4e6;
       if (!(minor_m > smallest_m && minor_m <= major_m && major_m < largest_m))
-        fail_grib("the GRIB file states half axes of the Earth of " + number(major_m, 9) + " and " +
-                  number(minor_m, 9) +
-                  " m; the Earth's are others, so the grid cannot be placed; ask the "
-                  "producer");
+        fail_grib(messages::ingest_format_message<"grib-earth-of-other-size">(number(major_m, 9),
+                                                                              number(minor_m, 9)));
       auto crs = std::make_shared<OGRSpatialReference>();
       crs->SetGeogCS("own", "own", "own", major_m, major_m > minor_m ? major_m / (major_m - minor_m) : 0.0);
       return crs;
@@ -235,19 +210,14 @@ class GridReader {
       case 6: return ellipsoid(6371229.0, 6371229.0);
       case 7: return ellipsoid(scaled(21, 22), scaled(26, 27));
       case 8: return ellipsoid(6371200.0, 6371200.0);
-      default:
-        fail_grib("the GRIB file is projected from a figure of the Earth (code " + std::to_string(shape) +
-                  " of table 3.2) that this program does not know" + convert_first);
+      default: fail_grib(messages::ingest_format_message<"grib-figure-unknown">(shape));
     }
   }
 
   /// Metres between neighbours of a projection.
   [[nodiscard]] double spacing_m(std::size_t octet) const {
     if (section_.at(octet, 4) == 0 || section_.is_missing(octet, 4))
-      fail_grib(
-          "the GRIB file does not state the spacing of its projected grid; the data cannot be placed; ask "
-          "the "
-          "producer");
+      fail_grib(messages::ingest_format_message<"grib-spacing-missing">());
     return static_cast<double>(section_.at(octet, 4)) * 1e-3;
   }
 
@@ -269,12 +239,11 @@ class GridReader {
   }
 
   [[noreturn]] static void fail_unusable() {
-    fail_grib(std::string{"the projection of the GRIB file cannot be used"} + convert_first);
+    fail_grib(messages::ingest_format_message<"grib-plane-unusable">());
   }
 
   [[nodiscard]] GribGrid on_mercator() const {
-    if (section_.at(61, 4) != 0)
-      fail_grib(std::string{"the Mercator grid of the GRIB file is turned against north"} + convert_first);
+    if (section_.at(61, 4) != 0) fail_grib(messages::ingest_format_message<"grib-mercator-turned">());
     auto plane = figure();
     // The meridian of the first node, so that no seam lies within the grid.
     const double first_lon = micro_degrees(43);
@@ -300,28 +269,19 @@ class GridReader {
     const double last_lat = micro_degrees(52);
     const double last_lon = micro_degrees(56);
     if (std::abs(lat - last_lat) > tolerance || std::abs(geo::wrap_longitude(lon - last_lon)) > tolerance)
-      fail_grib("the Mercator grid of the GRIB file ends at longitude " + number(last_lon, 9) +
-                ", latitude " + number(last_lat, 9) +
-                ", but by its first node, its spacing and its scanning mode it ends " +
-                "elsewhere; the data would be mirrored or shifted; ask the producer");
+      fail_grib(messages::ingest_format_message<"grib-mercator-ends-elsewhere">(number(last_lon, 9),
+                                                                                number(last_lat, 9)));
   }
 
   [[nodiscard]] GribGrid on_polar_stereographic() const {
     const std::uint64_t centre = section_.at(64, 1);
-    if ((centre & 0x40U) != 0)
-      fail_grib(std::string{"the grid of the GRIB file has two poles at once"} + convert_first);
+    if ((centre & 0x40U) != 0) fail_grib(messages::ingest_format_message<"grib-two-poles">());
     const double pole = (centre & 0x80U) != 0 ? -1.0 : 1.0;
     const double true_lat = micro_degrees(48);
-    if (true_lat == 0.0)
-      fail_grib(
-          "the GRIB file does not state at which latitude its polar plane has its scale; the data cannot be "
-          "placed; ask the producer");
+    if (true_lat == 0.0) fail_grib(messages::ingest_format_message<"grib-polar-scale-missing">());
     // Some producers give that latitude without its sign; then the first node has to lie on that side.
     if (pole * true_lat < 0.0 && pole * micro_degrees(39) <= 0.0)
-      fail_grib(
-          std::string{"the GRIB file says that its plane touches the "} + (pole > 0.0 ? "north" : "south") +
-          " pole, but its true scale and its first node lie in the other hemisphere; the data cannot be "
-          "placed; ask the producer");
+      fail_grib(messages::ingest_format_message<"grib-pole-contradicts">(pole > 0.0 ? "north" : "south"));
     auto plane = figure();
     if (plane->SetPS(pole * std::abs(true_lat), micro_degrees(52), 1.0, 0.0, 0.0) != OGRERR_NONE)
       fail_unusable();
@@ -331,10 +291,7 @@ class GridReader {
   [[nodiscard]] GribGrid on_lambert() const {
     const double one = micro_degrees(66);
     const double other = micro_degrees(70);
-    if (one * other <= 0.0)
-      fail_grib(
-          "the cone of the GRIB file's grid cuts the Earth in two hemispheres or at the equator, which no "
-          "Lambert projection does; the data cannot be placed; ask the producer");
+    if (one * other <= 0.0) fail_grib(messages::ingest_format_message<"grib-cone-impossible">());
     auto plane = figure();
     if (plane->SetLCC(one, other, micro_degrees(48), micro_degrees(52), 0.0, 0.0) != OGRERR_NONE)
       fail_unusable();

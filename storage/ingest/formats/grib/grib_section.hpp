@@ -5,20 +5,18 @@
 #include <string>
 #include <utility>
 
+#include "engine/messages/ingest_format_messages.hpp"
+
 namespace floeplan::ingest {
 
-/// Thrown where a GRIB2 file cannot be followed, with the sentence for its refusal; caught at the readers' edges.
+/// Thrown where a GRIB2 file cannot be followed, with the message of its refusal; caught at the readers' edges.
 struct BadGrib {
-  std::string reason;
+  messages::Message reason;
 };
 
-[[noreturn]] inline void fail_grib(std::string reason) { throw BadGrib{std::move(reason)}; }
+[[noreturn]] inline void fail_grib(messages::Message reason) { throw BadGrib{std::move(reason)}; }
 
-[[noreturn]] inline void fail_cut_grib() {
-  fail_grib(
-      "the GRIB file was cut short or changed: its messages do not end where they say; copy or download it "
-      "again");
-}
+[[noreturn]] inline void fail_cut_grib() { fail_grib(messages::ingest_format_message<"grib-cut-short">()); }
 
 /// Numbers out of a section of a GRIB2 message, by the octet numbers of the manual (from 1).
 /// Errors  BadGrib for octets beyond its end

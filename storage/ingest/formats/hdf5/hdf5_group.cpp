@@ -4,6 +4,7 @@
 #include <array>
 #include <cstring>
 
+#include "engine/messages/ingest_format_messages.hpp"
 #include "storage/ingest/formats/hdf5/hdf5_library.hpp"
 #include "storage/ingest/notation/text.hpp"
 
@@ -19,10 +20,7 @@ constexpr hssize_t most_texts = 1000;         // chosen: tables of texts describ
 constexpr std::size_t largest_number = 16;    // bytes of one number
 
 tl::unexpected<Messages> unreadable_part(const std::string& name) {
-  return refuse(
-      "\"" + name +
-      "\" of the HDF5 file cannot be read; the file is damaged or was cut short; copy or download it "
-      "again");
+  return refuse(messages::ingest_format_message<"hdf-part-unreadable">(name));
 }
 
 /// A single attribute that holds a single value; an invalid handle where there is none.

@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "engine/messages/ingest_format_messages.hpp"
 #include "storage/ingest/files/first_bytes.hpp"
 #include "storage/ingest/formats/hdf5/hdf5_library.hpp"
 
@@ -53,19 +54,12 @@ herr_t visit(hid_t parent, const char* name, const H5L_info_t* link, void* found
     default: reason = "is a link to another file";
   }
   if (!reason) return 0;
-  *static_cast<Checked<bool>*>(found) = refuse(
-      "\"" + std::string{name} + "\" " + *reason +
-      "; what stands there would be read unseen, and what is missing taken as no data; copy everything into "
-      "one file, for example with nccopy, and give that");
+  *static_cast<Checked<bool>*>(found) =
+      refuse(messages::ingest_format_message<"hdf-leads-elsewhere">(name, *reason));
   return 1;
 }
 
-Checked<bool> cannot_be_walked() {
-  return refuse(
-      "the file is damaged or was cut short: it cannot be gone through to its end, and what is hidden there "
-      "could "
-      "lead to other files; copy or download it again");
-}
+Checked<bool> cannot_be_walked() { return refuse(messages::ingest_format_message<"hdf-hides-something">()); }
 
 }  // namespace
 

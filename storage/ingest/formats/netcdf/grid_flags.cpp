@@ -4,6 +4,8 @@
 #include <cmath>
 #include <optional>
 
+#include "engine/messages/ingest_format_messages.hpp"
+
 namespace floeplan::ingest {
 namespace {
 
@@ -47,15 +49,12 @@ GridFlags::GridFlags(const NetcdfFile& file, const NetcdfVariable& variable, con
     auto beside = flags.variable->is_numeric() ? layout_beside(*flags.variable, variable, layout)
                                                : std::optional<NetcdfLayout>{};
     if (!beside) {
-      warn_once(
-          warnings,
-          remark("the quality flags \"" + flags.variable->name() + "\" of \"" + variable.name() +
-                 (flags.variable->is_numeric() ? "\" do not lie on its nodes" : "\" are no numbers") +
-                 "; they were not read, so bad values may be among those stored; take out what is flagged "
-                 "as bad first"));
+      warn_once(warnings, messages::ingest_format_message<"flags-not-read">(
+                              flags.variable->name(), variable.name(),
+                              flags.variable->is_numeric() ? "do not lie on its nodes" : "are no numbers"));
       continue;
     }
-    if (!flags.remark.empty()) warn_once(warnings, remark(flags.remark));
+    if (flags.remark) warn_once(warnings, *flags.remark);
     flags_.push_back({std::move(flags), std::move(*beside)});
   }
 }

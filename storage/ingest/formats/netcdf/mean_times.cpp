@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "engine/core/units.hpp"
+#include "engine/messages/ingest_format_messages.hpp"
 #include "storage/ingest/formats/netcdf/variable_meaning.hpp"
 #include "storage/ingest/notation/cf_time.hpp"
 
@@ -48,12 +49,9 @@ Checked<AxisNodes> times_of_means(const NetcdfFile& file, const NetcdfVariable& 
   }
   if (!moved) return stated;
   if (!std::ranges::is_sorted(stated.nodes, std::less_equal{}))
-    return refuse("the intervals \"" + bounds->name() +
-                  "\" of the means are not in the order of their times (\"" + coordinate.name() +
-                  "\"); when the means hold is not known; ask the producer");
+    return refuse(messages::ingest_format_message<"means-out-of-order">(bounds->name(), coordinate.name()));
   warnings.push_back(
-      remark("\"" + variable.name() + "\" holds means over intervals (\"" + bounds->name() +
-             "\"), which were placed in the middle of each, not at the times that the file states"));
+      messages::ingest_format_message<"means-placed-in-the-middle">(variable.name(), bounds->name()));
   return stated;
 }
 

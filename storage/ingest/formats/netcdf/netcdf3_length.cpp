@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <vector>
 
+#include "engine/messages/ingest_format_messages.hpp"
+
 namespace floeplan::ingest {
 namespace {
 
@@ -173,8 +175,7 @@ Checked<std::uint64_t> netcdf3_length(const std::filesystem::path& file) {
   try {
     return Header{file}.length();
   } catch (const BadHeader& fault) {
-    return refuse(std::string{"the NetCDF header is damaged ("} + fault.what() +
-                  "); the file was cut short or changed; copy or download it again");
+    return refuse(messages::ingest_format_message<"netcdf-header-damaged">(std::string{fault.what()}));
   }
 }
 

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <optional>
 
+#include "engine/messages/ingest_format_messages.hpp"
 #include "storage/ingest/notation/cf_units.hpp"
 #include "storage/ingest/notation/text.hpp"
 
@@ -37,12 +38,10 @@ AxisRole role_of_name(const std::string& name) {
   return AxisRole::unknown;
 }
 
-std::optional<std::string> first_missing(const std::string& name, const std::vector<double>& values) {
+std::optional<messages::Message> first_missing(const std::string& name, const std::vector<double>& values) {
   if (std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); }))
     return std::nullopt;
-  return "the coordinate \"" + name +
-         "\" has missing values; a place without coordinates cannot be used; ask the " +
-         "producer for a complete file";
+  return messages::ingest_format_message<"axis-with-gaps">(name);
 }
 
 // Enough to see what is out of order, and that a latitude lies beyond a pole.
@@ -90,7 +89,7 @@ AxisRole role_of(const NetcdfVariable& coordinate) {
 
 Checked<AxisNodes> monotonic_nodes(const std::string& name, std::vector<double> values) {
   if (values.empty())
-    return refuse("the coordinate \"" + name + "\" is empty; the file holds no data; ask for another");
+    return refuse(messages::ingest_format_message<"axis-empty">("the coordinate \"" + name + "\""));
   if (const auto missing = first_missing(name, values)) return refuse(*missing);
 
   AxisNodes axis = in_file_order(std::move(values));
@@ -100,9 +99,8 @@ Checked<AxisNodes> monotonic_nodes(const std::string& name, std::vector<double> 
   }
   const auto disorder = std::adjacent_find(axis.nodes.begin(), axis.nodes.end(), std::greater_equal<>{});
   if (disorder != axis.nodes.end())
-    return refuse("the coordinate \"" + name + "\" does not run one way: " + number(*disorder, digits) +
-                  " is followed by " + number(*(disorder + 1), digits) +
-                  "; places would be mixed up; ask the producer for a regular grid");
+    return refuse(messages::ingest_format_message<"axis-out-of-order">(name, number(*disorder, digits),
+                                                                       number(*(disorder + 1), digits)));
   return axis;
 }
 
@@ -114,9 +112,7 @@ Checked<AxisNodes> longitude_nodes(const std::string& name, std::vector<double> 
   auto axis = monotonic_nodes(name, std::move(values));
   if (!axis) return axis;
   if (axis->nodes.front() < -540.0 || axis->nodes.back() > 720.0)
-    return refuse("the longitudes in \"" + name + "\" run from " + extent_text(stated) +
-                  "; they are no degrees; state the projection with --crs, or ask for a " +
-                  "file in longitude and latitude");
+    return refuse(messages::ingest_format_message<"longitudes-not-degrees">(name, extent_text(stated)));
 
   const double full_turn = axis->nodes.front() + 360.0 - 1e-6;
   while (axis->nodes.size() > 1 && axis->nodes.back() >= full_turn) {
@@ -130,9 +126,8 @@ Checked<AxisNodes> latitude_nodes(const std::string& name, std::vector<double> v
   auto axis = monotonic_nodes(name, std::move(values));
   if (!axis) return axis;
   if (axis->nodes.front() < -90.0 - 1e-6 || axis->nodes.back() > 90.0 + 1e-6)
-    return refuse("the latitudes in \"" + name + "\" run from " + extent_text(axis->nodes) +
-                  "; there is nothing beyond the poles; the file is wrong or its " +
-                  "coordinates are no degrees (then state the projection with --crs)");
+    return refuse(
+        messages::ingest_format_message<"latitudes-beyond-the-poles">(name, extent_text(axis->nodes)));
   axis->nodes.front() = std::max(axis->nodes.front(), -90.0);
   axis->nodes.back() = std::min(axis->nodes.back(), 90.0);
   return axis;
@@ -140,7 +135,7 @@ Checked<AxisNodes> latitude_nodes(const std::string& name, std::vector<double> v
 
 Checked<AxisNodes> sorted_nodes(const std::string& name, std::vector<double> values) {
   if (values.empty())
-    return refuse("the time axis \"" + name + "\" is empty; the file holds no data; ask for another");
+    return refuse(messages::ingest_format_message<"axis-empty">("the time axis \"" + name + "\""));
   AxisNodes axis = in_file_order(std::move(values));
   const std::vector<double> unsorted = axis.nodes;
   std::sort(axis.source.begin(), axis.source.end(),
@@ -148,8 +143,7 @@ Checked<AxisNodes> sorted_nodes(const std::string& name, std::vector<double> val
   std::transform(axis.source.begin(), axis.source.end(), axis.nodes.begin(),
                  [&](std::size_t i) { return unsorted[i]; });
   if (std::adjacent_find(axis.nodes.begin(), axis.nodes.end()) != axis.nodes.end())
-    return refuse("two steps of the time axis \"" + name +
-                  "\" have the same time; which of them holds is unknown; " + "remove one of them");
+    return refuse(messages::ingest_format_message<"times-twice">(name));
   return axis;
 }
 

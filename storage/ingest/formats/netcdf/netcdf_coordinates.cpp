@@ -5,6 +5,7 @@
 #include <iterator>
 #include <string_view>
 
+#include "engine/messages/ingest_format_messages.hpp"
 #include "storage/ingest/notation/cf_time.hpp"
 #include "storage/ingest/notation/cf_units.hpp"
 #include "storage/ingest/notation/text.hpp"
@@ -80,11 +81,9 @@ Checked<AxisNodes> depth_nodes(const NetcdfVariable& coordinate, Messages& warni
   const std::string unit = coordinate.attribute("units");
   const auto factor = unit.empty() ? std::optional{1.0} : length_factor(unit);
   if (!factor)
-    return refuse("the depth axis \"" + coordinate.name() + "\" has the unit \"" + unit +
-                  "\", which is no length; levels cannot be placed in the water; ask for levels in metres");
+    return refuse(messages::ingest_format_message<"depth-axis-without-length">(coordinate.name(), unit));
   if (unit.empty())
-    warnings.push_back(
-        remark("the depth axis \"" + coordinate.name() + "\" states no unit; taken as metres"));
+    warnings.push_back(messages::ingest_format_message<"axis-without-unit">("depth axis", coordinate.name()));
 
   const std::string positive = lower(coordinate.attribute("positive"));
   const std::string standard_name = lower(coordinate.attribute("standard_name"));
@@ -103,17 +102,13 @@ Checked<AxisNodes> depth_nodes(const NetcdfVariable& coordinate, Messages& warni
   auto nodes = monotonic_nodes(coordinate.name(), std::move(*values));
   const bool above_ground = up && (is_height || contains_any(lower(coordinate.name()), {"height"}));
   if (nodes && !above_ground && (nodes->nodes.front() < -10.0 || nodes->nodes.back() > 12000.0))
-    return refuse("the depth axis \"" + coordinate.name() + "\" runs from " + stated +
-                  "; no ocean does; its unit or direction is wrong");
+    return refuse(messages::ingest_format_message<"depths-impossible">(coordinate.name(), stated));
   return nodes;
 }
 
 Checked<AxisNodes> time_nodes(const NetcdfVariable& coordinate, Messages& warnings) {
   const std::string unit = coordinate.attribute("units");
-  if (unit.empty())
-    return refuse("the time axis \"" + coordinate.name() +
-                  "\" has no units; without a starting date the times are unknown; ask the producer for a "
-                  "file with units like \"hours since 2000-01-01\"");
+  if (unit.empty()) return refuse(messages::ingest_format_message<"times-without-units">(coordinate.name()));
   const auto decoder = CfTime::parse(unit, coordinate.attribute("calendar"));
   if (!decoder) return refuse(decoder.error());
   const auto values = coordinate.read_all();
@@ -126,17 +121,10 @@ Checked<AxisNodes> time_nodes(const NetcdfVariable& coordinate, Messages& warnin
     seconds.push_back(core::unix_seconds(*time));
   }
   if (const double rounding_s = rounding_of_float32_s(coordinate, *values, *decoder); rounding_s > 1.0)
-    warnings.push_back(remark("the times are stored with so few digits that they may be wrong by " +
-                              number(rounding_s, 2) + " s"));
-  if (decoder->is_julian())
-    warnings.push_back(remark(
-        "the times are stated in the Julian calendar; their dates were taken as dates of today's calendar, "
-        "as their "
-        "producers mean them, and not shifted by 13 days"));
+    warnings.push_back(messages::ingest_format_message<"times-rounded">(number(rounding_s, 2)));
+  if (decoder->is_julian()) warnings.push_back(messages::ingest_format_message<"julian-calendar">());
   if (decoder->is_model_calendar())
-    warnings.push_back(
-        remark("the times are in a model's own calendar (\"" + coordinate.attribute("calendar") +
-               "\"); the dates were kept, but tides and weather of those days are not the real ones"));
+    warnings.push_back(messages::ingest_format_message<"model-calendar">(coordinate.attribute("calendar")));
   return sorted_nodes(coordinate.name(), std::move(seconds));
 }
 
@@ -160,23 +148,18 @@ bool cannot_be_placed(const NetcdfVariable& levels) {
   return !number_alone || !is_scalar(levels);
 }
 
-std::string not_in_metres(const NetcdfVariable& levels, const std::string& variable) {
+messages::Message not_in_metres(const NetcdfVariable& levels, const std::string& variable) {
   const std::string standard_name = lower(levels.attribute("standard_name"));
-  const std::string unit = levels.attribute("units");
-  const std::string begin = "the levels of \"" + variable + "\" (\"" + levels.name() + "\") are ";
   if (contains_any(standard_name, {"sea_floor"}))
-    return begin +
-           "heights above the sea bed; how deep below the surface they lie is not known; ask for depths "
-           "below "
-           "the surface";
+    return messages::ingest_format_message<"levels-above-the-bed">(variable, levels.name());
+  const std::string unit = levels.attribute("units");
   const bool follows_ground = contains_any(standard_name, {"sigma", "hybrid", "model_level"});
   const bool is_number = unit == "1" || lower(unit).starts_with("level");
   const std::string what = follows_ground || is_number ? "numbers of the model's levels"
                            : contains_any(standard_name, {"pressure"}) || is_pressure_unit(unit) ? "pressures"
                            : unit.empty() ? "in no unit that the file states"
                                           : "in the unit \"" + unit + "\", not in metres";
-  return begin + what +
-         "; how deep in the sea or how high above it they lie is not known; ask for levels in metres";
+  return messages::ingest_format_message<"levels-without-depths">(variable, levels.name(), what);
 }
 
 const NetcdfVariable* level_beside(const NetcdfFile& file, const NetcdfVariable& variable) {
@@ -202,11 +185,10 @@ Checked<AxisNodes> projected_nodes(const NetcdfVariable& coordinate, Messages& w
   const std::string unit = coordinate.attribute("units");
   const auto factor = unit.empty() ? std::optional{1.0} : length_factor(unit);
   if (!factor)
-    return refuse("the projected coordinate \"" + coordinate.name() + "\" has the unit \"" + unit +
-                  "\", which is no length; the grid cannot be placed; ask for coordinates in metres");
+    return refuse(messages::ingest_format_message<"projected-axis-without-length">(coordinate.name(), unit));
   if (unit.empty())
     warnings.push_back(
-        remark("the projected coordinate \"" + coordinate.name() + "\" states no unit; taken as metres"));
+        messages::ingest_format_message<"axis-without-unit">("projected coordinate", coordinate.name()));
   for (double& value : *values) value *= *factor;
   return monotonic_nodes(coordinate.name(), std::move(*values));
 }

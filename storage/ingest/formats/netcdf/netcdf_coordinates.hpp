@@ -33,7 +33,7 @@ namespace floeplan::ingest {
 /// alone ("level = 1") says nothing, neither this.
 [[nodiscard]] bool cannot_be_placed(const NetcdfVariable& levels);
 /// Why a variable on such levels is refused.
-[[nodiscard]] std::string not_in_metres(const NetcdfVariable& levels, const std::string& variable);
+[[nodiscard]] messages::Message not_in_metres(const NetcdfVariable& levels, const std::string& variable);
 
 /// A single depth, height or other level that holds for all of a variable: one of its `coordinates` (or of the file's), or
 /// the only scalar of the file that its standard name or axis makes a level.

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <sstream>
 
+#include "engine/messages/ingest_file_messages.hpp"
 #include "storage/ingest/common/gdal_guard.hpp"
 #include "storage/ingest/files/first_bytes.hpp"
 #include "storage/ingest/formats/hdf5/hdf5_references.hpp"
@@ -50,8 +51,8 @@ Checked<NetcdfFile> NetcdfFile::open(const std::filesystem::path& file, std::opt
       GDALDataset::Open(path.c_str(), GDAL_OF_MULTIDIM_RASTER | GDAL_OF_VERBOSE_ERROR, drivers));
   const auto root = result.dataset_ ? result.dataset_->GetRootGroup() : nullptr;
   if (!root)
-    return refuse("the " + std::string{is_zarr ? "Zarr store" : "NetCDF file"} + " cannot be opened (" +
-                  messages.first_error() + "); it is damaged or was cut short; copy or download it again");
+    return refuse(messages::ingest_file_message<"file-damaged">(is_zarr ? "Zarr store" : "NetCDF file",
+                                                                messages.first_error()));
 
   result.is_zarr_ = is_zarr;
   result.also_missing_ = also_missing;

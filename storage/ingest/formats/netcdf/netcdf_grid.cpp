@@ -3,6 +3,7 @@
 #include <ogr_spatialref.h>
 
 #include "engine/geo/geodesic.hpp"
+#include "engine/messages/ingest_format_messages.hpp"
 #include "storage/ingest/formats/netcdf/netcdf_projection.hpp"
 #include "storage/ingest/notation/crs_text.hpp"
 #include "storage/ingest/notation/grid_frame_of_crs.hpp"
@@ -58,21 +59,13 @@ Checked<ocean::HorizontalGrid> grid_of(const NetcdfFile& file, const NetcdfVaria
   if (const auto stated = projection_of(file, variable)) {
     crs = *stated;
   } else if (!stated_crs || !read_crs(*stated_crs, crs)) {
-    return refuse("the grid of \"" + variable.name() +
-                  "\" is projected, but the file does not say how; it cannot be placed on the Earth; state "
-                  "the projection with --crs, for example --crs EPSG:3413");
+    return refuse(messages::ingest_format_message<"projection-not-stated">(variable.name()));
   }
   const auto frame = grid_frame_of(crs);
-  if (!frame)
-    return refuse("the grid of \"" + variable.name() +
-                  "\" is in a projection that this program cannot use from NetCDF; convert it first, for "
-                  "example with gdalwarp -t_srs EPSG:4326");
+  if (!frame) return refuse(messages::ingest_format_message<"projection-not-usable">(variable.name()));
   ocean::HorizontalGrid grid{*frame, std::move(x), std::move(y)};
   if (contradicts_tables(file, variable, layout, grid))
-    return refuse(
-        "the grid of \"" + variable.name() +
-        "\" lies elsewhere by its projection than by its own tables of longitude and latitude; its values "
-        "would be out of place; convert it first to a regular longitude-latitude grid, using the tables");
+    return refuse(messages::ingest_format_message<"projection-contradicts-tables">(variable.name()));
   return grid;
 }
 

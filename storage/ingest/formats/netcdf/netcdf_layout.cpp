@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <span>
 
+#include "engine/messages/ingest_format_messages.hpp"
 #include "storage/ingest/formats/netcdf/mean_times.hpp"
 #include "storage/ingest/formats/netcdf/netcdf_coordinates.hpp"
 #include "storage/ingest/notation/text.hpp"
@@ -68,14 +69,11 @@ Checked<bool> add_dimension(NetcdfLayout& layout, std::size_t index, const RoleO
   return true;
 }
 
-std::optional<std::string> fault_of_size(const NetcdfDimension& dimension, bool of_points) {
-  if (dimension.size == 0)
-    return "the dimension \"" + dimension.name + "\" is empty; the file holds no data; ask for another";
+std::optional<messages::Message> fault_of_size(const NetcdfDimension& dimension, bool of_points) {
+  if (dimension.size == 0) return messages::ingest_format_message<"dimension-empty">(dimension.name);
   const std::uint64_t most = of_points ? max_mesh_points : max_axis_nodes;
   if (dimension.size > most)
-    return "the dimension \"" + dimension.name + "\" has " + std::to_string(dimension.size) +
-           " values, more than this program accepts (" + std::to_string(most) +
-           "); the file is damaged, or you should cut out your area first";
+    return messages::ingest_format_message<"dimension-too-long">(dimension.name, dimension.size, most);
   return std::nullopt;
 }
 
@@ -87,35 +85,21 @@ std::optional<std::string> group_with_coordinates(const NetcdfFile& file, const 
   return std::nullopt;
 }
 
-std::string unknown_dimension(const NetcdfFile& file, const std::string& dimension,
-                              const std::string& variable) {
+messages::Message unknown_dimension(const NetcdfFile& file, const std::string& dimension,
+                                    const std::string& variable) {
   const std::string name = lower(dimension);
   const auto is_any = [&](std::initializer_list<std::string_view> names) {
     return std::ranges::find(names, name) != names.end();
   };
   if (is_any({"expver"}))
-    return "\"" + variable + "\" holds final and preliminary data (ERA5 and ERA5T) side by side along \"" +
-           dimension +
-           "\"; each time is in one of "
-           "them; ask for the final data alone, or join both first";
+    return messages::ingest_format_message<"final-and-preliminary">(variable, dimension);
   if (is_any({"number", "member", "members", "ens", "ensemble", "ensemble_member", "realization"}))
-    return "\"" + variable + "\" holds the members of an ensemble along \"" + dimension +
-           "\"; one of them has to be chosen; take it out first, for example with ncks -d " + dimension +
-           ",0 IN.nc OUT.nc";
+    return messages::ingest_format_message<"ensemble-members">(variable, dimension);
   if (is_any({"step", "lead", "leadtime", "lead_time", "forecast_period", "forecast_time"}))
-    return "\"" + variable + "\" holds forecasts of several lengths along \"" + dimension +
-           "\", and no coordinate along it alone says for which times they hold; take out one run, or one "
-           "length "
-           "of forecast, so that the times run along one dimension";
+    return messages::ingest_format_message<"several-forecasts">(variable, dimension);
   if (const auto group = group_with_coordinates(file, dimension))
-    return "the coordinates \"" + dimension + "\" of \"" + variable +
-           "\" lie in another group of the file (" + *group +
-           "), where they belong to other data; put all into one group first, for example with ncks -G : "
-           "IN.nc OUT.nc";
-  return "the dimension \"" + dimension + "\" of \"" + variable +
-         "\" has no coordinates that say what it is; the data cannot be placed; ask for a file with "
-         "longitude, "
-         "latitude, depth and time coordinates";
+    return messages::ingest_format_message<"coordinates-of-another-group">(dimension, variable, *group);
+  return messages::ingest_format_message<"dimension-without-coordinates">(dimension, variable);
 }
 
 /// Of a dimension without a coordinate variable. The levels of terrain-following models often have tables alone.
@@ -151,9 +135,8 @@ Checked<bool> add_level_beside(const NetcdfFile& file, const NetcdfVariable& var
 /// Checks the size of a slice and adds the time and the level that a file states once for all.
 Checked<NetcdfLayout> finished(const NetcdfFile& file, const NetcdfVariable& variable, NetcdfLayout layout) {
   if (layout.x.nodes.size() * layout.y.nodes.size() > max_slice_nodes)
-    return refuse("the grid has " + std::to_string(layout.x.nodes.size()) + " x " +
-                  std::to_string(layout.y.nodes.size()) + " nodes, more than this program accepts (" +
-                  std::to_string(max_slice_nodes) + "); cut out your area first");
+    return refuse(messages::ingest_format_message<"too-many-nodes">("the grid", layout.x.nodes.size(),
+                                                                    layout.y.nodes.size(), max_slice_nodes));
 
   const NetcdfVariable* time = layout.time_dimension
                                    ? coordinate_of(file, variable.dimensions()[*layout.time_dimension])
@@ -174,33 +157,26 @@ Checked<NetcdfLayout> finished(const NetcdfFile& file, const NetcdfVariable& var
 
 }  // namespace
 
-std::optional<std::string> unsupported_grid(const NetcdfFile& file, const NetcdfVariable& variable) {
+std::optional<messages::Message> unsupported_grid(const NetcdfFile& file, const NetcdfVariable& variable) {
   const bool mesh =
       std::any_of(file.variables().begin(), file.variables().end(),
                   [](const NetcdfVariable& other) { return other.attribute("cf_role") == "mesh_topology"; });
   for (const NetcdfDimension& dimension : variable.dimensions()) {
     const std::string name = lower(dimension.name);
     if (mesh || name == "nele" || name == "node" || name == "ncells" || name.starts_with("nmesh2"))
-      return "the file is the output of an unstructured model (a mesh of triangles or cells, as FVCOM, SELFE "
-             "and UGRID write it); this layout is not yet supported; interpolate it to a regular "
-             "longitude-latitude grid first";
+      return messages::ingest_format_message<"layout-of-a-mesh">();
   }
   for (const NetcdfDimension& dimension : variable.dimensions()) {
     const std::string name = lower(dimension.name);
     if (name.starts_with("xi_") || name.starts_with("eta_") || name.starts_with("s_rho"))
-      return "the file is the output of a ROMS or CROCO model (a bent, staggered grid with levels that "
-             "follow the sea bed); this layout is not yet supported; interpolate it to longitude, latitude "
-             "and depth first";
+      return messages::ingest_format_message<"layout-of-roms">();
   }
   const bool located = std::all_of(variable.dimensions().begin(), variable.dimensions().end(),
                                    [&](const NetcdfDimension& dimension) {
                                      return dimension.size == 1 || coordinate_of(file, dimension) != nullptr;
                                    });
   if (!located && has_table_of_positions(file))
-    return "the variable \"" + variable.name() +
-           "\" lies on a curvilinear (bent) grid whose longitudes and latitudes are two-dimensional tables, "
-           "as NEMO, POP and other global models use; this layout is not yet supported; interpolate it to a "
-           "regular longitude-latitude grid first";
+    return messages::ingest_format_message<"layout-of-a-bent-grid">(variable.name());
   return std::nullopt;
 }
 
@@ -214,9 +190,7 @@ Checked<NetcdfLayout> layout_of(const NetcdfFile& file, const NetcdfVariable& va
     const NetcdfVariable* coordinate = coordinate_of(file, dimension);
     roles.push_back({coordinate == nullptr ? AxisRole::unknown : role_of(*coordinate), coordinate});
     if (roles.back().role == AxisRole::model_level)
-      return refuse("the levels \"" + dimension.name +
-                    "\" follow the sea bed (a sigma or s coordinate); this layout is not yet supported; "
-                    "interpolate the data to depths in metres first");
+      return refuse(messages::ingest_format_message<"levels-follow-the-bed">(dimension.name));
     if (coordinate != nullptr && cannot_be_placed(*coordinate))
       return refuse(not_in_metres(*coordinate, variable.name()));
     if (roles.back().role == AxisRole::unknown && dimension.size > 1)
@@ -230,9 +204,7 @@ Checked<NetcdfLayout> layout_of(const NetcdfFile& file, const NetcdfVariable& va
   const bool geographic = has(AxisRole::longitude) == 1 && has(AxisRole::latitude) == 1;
   layout.projected = has(AxisRole::projected_x) == 1 && has(AxisRole::projected_y) == 1;
   if (geographic == layout.projected || has(AxisRole::depth) > 1 || has(AxisRole::time) > 1)
-    return refuse("the variable \"" + variable.name() +
-                  "\" does not lie on one longitude and one latitude axis; the data cannot be placed on the "
-                  "Earth; ask for a regular longitude-latitude grid");
+    return refuse(messages::ingest_format_message<"without-plain-axes">(variable.name()));
 
   for (std::size_t i = 0; i < roles.size(); ++i) {
     const auto added = add_dimension(layout, i, roles[i]);

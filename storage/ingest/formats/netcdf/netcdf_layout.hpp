@@ -40,8 +40,8 @@ struct NetcdfLayout {
                                                 std::size_t y_dimension, std::size_t x_dimension);
 
 /// Why the variable is not on a regular grid that this program reads; nullopt when nothing speaks against it.
-[[nodiscard]] std::optional<std::string> unsupported_grid(const NetcdfFile& file,
-                                                          const NetcdfVariable& variable);
+[[nodiscard]] std::optional<messages::Message> unsupported_grid(const NetcdfFile& file,
+                                                                const NetcdfVariable& variable);
 
 /// One horizontal slice [y][x] in the layout's ascending order, unpacked; indices count along the layout's
 /// axes. NaN marks a missing sample.

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/messages/ingest_format_messages.hpp"
 #include "storage/ingest/common/gdal_guard.hpp"
 #include "storage/ingest/common/grid_limits.hpp"
 #include "storage/ingest/formats/netcdf/netcdf_coordinates.hpp"
@@ -151,9 +152,8 @@ Checked<std::vector<geo::LonLat>> places_by_projection(const NetcdfFile& file, c
   const auto xs = values_of(*axes.x, axes.turned);
   if (!xs) return refuse(xs.error());
   if (ys->size() > max_grid_points / std::max<std::size_t>(1, xs->size()))
-    return refuse("the grid of \"" + variable.name() + "\" has " + std::to_string(ys->size()) + " x " +
-                  std::to_string(xs->size()) + " points, more than this program accepts (" +
-                  std::to_string(max_grid_points) + "); cut out your area first");
+    return refuse(messages::ingest_format_message<"too-many-nodes">("the grid of \"" + variable.name() + "\"",
+                                                                    ys->size(), xs->size(), max_grid_points));
 
   const GdalMessages messages;
   OGRSpatialReference crs{*projection_of(file, variable)};
@@ -165,8 +165,8 @@ Checked<std::vector<geo::LonLat>> places_by_projection(const NetcdfFile& file, c
   const std::unique_ptr<OGRCoordinateTransformation> way{
       OGRCreateCoordinateTransformation(&crs, &geographic)};
   if (!way)
-    return refuse("the projection of \"" + variable.name() + "\" cannot be used (" + messages.first_error() +
-                  "); convert the file first, for example with gdalwarp -t_srs EPSG:4326");
+    return refuse(
+        messages::ingest_format_message<"projection-unusable">(variable.name(), messages.first_error()));
 
   constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
   std::vector<geo::LonLat> places;

@@ -5,6 +5,7 @@
 #include <initializer_list>
 #include <string_view>
 
+#include "engine/messages/ingest_format_messages.hpp"
 #include "storage/ingest/notation/text.hpp"
 
 namespace floeplan::ingest {
@@ -80,10 +81,8 @@ QualityFlags by_convention(const NetcdfVariable& variable) {
   QualityFlags flags{.variable = &variable};
   flags.bad = {{4.0}, {9.0}};
   (is_of_qartod(variable) ? flags.doubtful : flags.bad).push_back({3.0});
-  flags.remark = "the quality flags \"" + variable.name() +
-                 "\" do not say what their numbers mean; as is usual, 4 was taken for bad and 9 for missing, "
-                 "and 3 for " +
-                 (flags.doubtful.empty() ? "bad" : "suspect") + "; ask the producer if that is not so";
+  flags.remark = messages::ingest_format_message<"flags-taken-as-usual">(
+      variable.name(), flags.doubtful.empty() ? "bad" : "suspect");
   return flags;
 }
 
@@ -101,13 +100,11 @@ QualityFlags understood(const NetcdfVariable& variable) {
     if (worth == Worth::doubtful) flags.doubtful.push_back(marks[i]);
     if (worth == Worth::unknown) unknown.push_back("\"" + meanings[i] + "\"");
   }
-  const std::string kept = "; values flagged so were kept; check them before you plan";
   if (marks.empty())
-    flags.remark =
-        "the quality flags \"" + variable.name() + "\" do not say what each of their bits means" + kept;
+    flags.remark = messages::ingest_format_message<"flag-bits-unknown">(variable.name());
   else if (!unknown.empty())
-    flags.remark = "the quality flags \"" + variable.name() + "\" have meanings that are not known (" +
-                   enumeration(unknown) + ")" + kept;
+    flags.remark =
+        messages::ingest_format_message<"flag-meanings-unknown">(variable.name(), enumeration(unknown));
   return flags;
 }
 

@@ -18,9 +18,9 @@ struct FlagMark {
 /// Flags that say of each value of a variable what it is worth.
 struct QualityFlags {
   const NetcdfVariable* variable{};
-  std::vector<FlagMark> bad{};       // forbid the use of what is flagged
-  std::vector<FlagMark> doubtful{};  // leave it in use
-  std::string remark{};              // why the marks are doubtful themselves; empty: their meanings are known
+  std::vector<FlagMark> bad{};                // forbid the use of what is flagged
+  std::vector<FlagMark> doubtful{};           // leave it in use
+  std::optional<messages::Message> remark{};  // why the marks are doubtful themselves
 
   [[nodiscard]] bool forbids(double flag) const;
   [[nodiscard]] bool doubts(double flag) const;

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/messages/ingest_format_messages.hpp"
 #include "storage/ingest/common/missing_value.hpp"
 #include "storage/ingest/formats/netcdf/netcdf_axis.hpp"
 #include "storage/ingest/notation/grid_frame_of_crs.hpp"
@@ -20,8 +21,7 @@ constexpr double most_side = 1'000'000.0;  // nodes along one side
 constexpr std::size_t most_records = 100'000;
 
 tl::unexpected<Messages> s100_lacks(const std::string& what) {
-  return refuse("the S-100 file does not say " + what +
-                ", so its values cannot be placed; ask its producer for a whole one");
+  return refuse(messages::ingest_format_message<"s-hundred-incomplete">(what));
 }
 
 /// How the values of a feature lie that are on no regular grid.
@@ -73,15 +73,10 @@ Checked<geo::GridFrame> s100_frame(const Hdf5Group& file) {
   if (!code) return s100_lacks("which reference system its places have (horizontalCRS)");
   OGRSpatialReference crs;
   if (!(*code > 0.0 && *code <= 999'999.0) || crs.importFromEPSG(static_cast<int>(*code)) != OGRERR_NONE)
-    return refuse(
-        "the reference system EPSG:" + number(*code) +
-        " of the S-100 file is not known; ask its producer for one in longitude and latitude (EPSG:4326)");
+    return refuse(messages::ingest_format_message<"s-hundred-crs-unknown">(number(*code)));
   crs.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
   const auto frame = grid_frame_of(crs);
-  if (!frame)
-    return refuse("the S-100 file is in the reference system EPSG:" + number(*code) +
-                  ", which this program cannot plan in; ask its producer for one in longitude and latitude "
-                  "(EPSG:4326), or in UTM");
+  if (!frame) return refuse(messages::ingest_format_message<"s-hundred-crs-unusable">(number(*code)));
   return *frame;
 }
 
@@ -111,13 +106,8 @@ Checked<Hdf5Group> only_area(const Hdf5Group& feature, const std::string& name) 
   for (const std::string& member : feature.members())
     if (member.starts_with(name + ".")) areas.push_back(member);
   if (areas.size() == 1) return feature.group(areas.front());
-  return refuse(
-      areas.empty()
-          ? "the S-100 file holds no values of " + name +
-                "; there is nothing to store; check what you were sent"
-          : "the S-100 file holds " + std::to_string(areas.size()) + " areas of " + name +
-                ", each on a grid of its own; this program reads files with one; ask its producer for one "
-                "file an area");
+  return refuse(areas.empty() ? messages::ingest_format_message<"s-hundred-without-values">(name)
+                              : messages::ingest_format_message<"s-hundred-areas">(areas.size(), name));
 }
 
 Checked<std::vector<Hdf5Group>> records_in(const Hdf5Group& area) {
@@ -125,16 +115,15 @@ Checked<std::vector<Hdf5Group>> records_in(const Hdf5Group& area) {
   for (const std::string& member : area.members()) {
     if (!member.starts_with("Group_")) continue;
     if (records.size() == most_records)
-      return refuse("the S-100 file holds more than 100000 records; cut out your period first");
+      return refuse(messages::ingest_format_message<"s-hundred-too-many-records">());
     auto record = area.group(member);
     if (!record) return refuse(record.error());
     records.push_back(std::move(*record));
   }
   const double stated = area.number("numGRP").value_or(static_cast<double>(records.size()));
   if (records.empty() || stated != static_cast<double>(records.size()))
-    return refuse("the S-100 file announces " + number(stated) + " records, but has " +
-                  std::to_string(records.size()) +
-                  "; it is damaged or was cut short; copy or download it again");
+    return refuse(
+        messages::ingest_format_message<"s-hundred-records-missing">(number(stated), records.size()));
   return records;
 }
 
@@ -149,10 +138,7 @@ Checked<Hdf5Table> S100Coverage::table(std::size_t record) const {
   auto table = records[record].table("values");
   if (!table) return refuse(table.error());
   if (table->shape() != std::vector{grid.y().size(), file_columns})
-    return refuse(
-        "a record of the S-100 file has other rows and columns than its grid; it is damaged; copy or "
-        "download it "
-        "again");
+    return refuse(messages::ingest_format_message<"s-hundred-record-of-other-size">());
   return table;
 }
 
@@ -180,17 +166,13 @@ Checked<S100Coverage> s100_coverage(const std::filesystem::path& path, const std
   if (!feature) return refuse(feature.error());
   const double layout = feature->number("dataCodingFormat").value_or(0.0);
   if (layout != regular_grid)
-    return refuse("the values of " + feature_name + " in the S-100 file are those of " +
-                  layout_in_words(layout) +
-                  "; of this family the program reads regular grids; ask its producer for one");
+    return refuse(
+        messages::ingest_format_message<"s-hundred-layout-not-read">(feature_name, layout_in_words(layout)));
   const auto area = only_area(*feature, feature_name);
   if (!area) return refuse(area.error());
   const auto share = place_in_cell(*feature);
   if (!share || !runs_row_by_row(*feature, *area))
-    return refuse(
-        "the grid of the S-100 file runs in an order that this program does not follow; ask its producer for "
-        "one "
-        "whose rows run from south to north");
+    return refuse(messages::ingest_format_message<"s-hundred-order-not-read">());
   const auto frame = s100_frame(*file);
   if (!frame) return refuse(frame.error());
   const auto x_values = s100_nodes(*area, "Longitude", (*share)[0]);

@@ -94,7 +94,8 @@ Checked<SlocumLog> take_slocum_table(SlocumLog log, simulation::LogTable table,
   if (!positions)
     return refuse(messages::ingest_track_message<"log-position-unreadable">(positions.error().field.substr(1),
                                                                             positions.error().rule));
-  if (*positions) log.warnings.push_back(remark(**positions));
+  if (*positions)
+    log.warnings.push_back(messages::ingest_track_message<"log-positions-settled">(**positions));
   std::array<const simulation::LogTable::Column*, slocum_sensors.size()> columns{};
   for (std::size_t i = 0; i < columns.size(); ++i) {
     log.has[i] = table.has(std::string{slocum_sensors[i]});

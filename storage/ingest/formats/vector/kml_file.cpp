@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/messages/ingest_format_messages.hpp"
 #include "storage/ingest/common/gdal_guard.hpp"
 #include "storage/ingest/notation/stated_period.hpp"
 #include "storage/ingest/notation/stated_rule.hpp"
@@ -27,7 +28,7 @@ using xml::Element;
 using Geometry = std::unique_ptr<OGRGeometry>;
 using Attributes = std::vector<std::pair<std::string, std::string>>;
 
-std::string at_line(const Element& element) { return "line " + std::to_string(element.line) + ": "; }
+std::string named_line(const Element& element) { return "line " + std::to_string(element.line); }
 
 /// Adds the places of "lon,lat,height lon,lat ..." to a line.
 Checked<bool> read_coordinates(const Element& holder, OGRSimpleCurve& line) {
@@ -41,8 +42,9 @@ Checked<bool> read_coordinates(const Element& holder, OGRSimpleCurve& line) {
     const std::string_view behind = place.substr(comma + 1);
     const auto lat = parse_number(behind.substr(0, behind.find(',')));
     if (!lon || !lat)
-      return refuse(at_line(*coordinates) + "the coordinates hold \"" + std::string{place.substr(0, 60)} +
-                    "\", which is no longitude,latitude; correct it");
+      return refuse(
+          about(named_line(*coordinates),
+                messages::ingest_format_message<"kml-coordinates-unreadable">(place.substr(0, 60))));
     line.addPoint(*lon, *lat);
   }
   return true;
@@ -51,7 +53,8 @@ Checked<bool> read_coordinates(const Element& holder, OGRSimpleCurve& line) {
 Checked<Geometry> point_of(const Element& element) {
   OGRLineString places;
   if (const auto read = read_coordinates(element, places); !read) return refuse(read.error());
-  if (places.getNumPoints() != 1) return refuse(at_line(element) + "a Point must have one place");
+  if (places.getNumPoints() != 1)
+    return refuse(about(named_line(element), messages::ingest_format_message<"kml-point-of-many">()));
   return std::make_unique<OGRPoint>(places.getX(0), places.getY(0));
 }
 
@@ -182,7 +185,7 @@ Checked<Placemark> placemark_of(const Element& element, const Around& around) {
   for (const Element& child : element.children) {
     if (!is_geometry(child.name)) continue;
     if (placemark.geometry)
-      return refuse(at_line(child) + "the placemark has a second geometry; put both into a MultiGeometry");
+      return refuse(about(named_line(child), messages::ingest_format_message<"kml-second-geometry">()));
     auto geometry = geometry_of(child);
     if (!geometry) return refuse(geometry.error());
     placemark.geometry = std::move(*geometry);
@@ -208,14 +211,11 @@ Checked<bool> gather(const Element& element, const Around& around, std::vector<P
   const Around here{narrower(around.time, time_of(element)),
                     around.names + (around.names.empty() || name.empty() ? "" : " / ") + name};
   if (const std::string word = word_of_zone(extended_data_of(element)); !word.empty())
-    return refuse(at_line(element) + "the " + element.name + " states \"" + word +
-                  "\" for what it holds, but KML hands it down to no placemark; give it to each of them");
+    return refuse(about(named_line(element),
+                        messages::ingest_format_message<"kml-not-handed-down">(element.name, word)));
   for (const Element& child : element.children) {
     if (child.name == "NetworkLink")
-      return refuse(
-          at_line(child) +
-          "the file links to another one (NetworkLink), which is not followed, so that what it holds would "
-          "be missing; save all places into one file, or delete the link");
+      return refuse(about(named_line(child), messages::ingest_format_message<"kml-links-elsewhere">()));
     if (child.name == "Placemark") {
       auto placemark = placemark_of(child, here);
       if (!placemark) return refuse(placemark.error());
@@ -270,11 +270,11 @@ Checked<std::shared_ptr<GDALDataset>> open_kml(const std::filesystem::path& file
   std::ifstream stream{file, std::ios::binary};
   const std::string bytes{std::istreambuf_iterator<char>{stream}, {}};
   const auto document = xml::parse(bytes);
-  if (!document) return refuse("the KML file cannot be read: " + document.error());
+  if (!document) return refuse(messages::ingest_format_message<"kml-unreadable">(document.error()));
   std::vector<Placemark> placemarks;
   if (const auto gathered = gather(*document, {}, placemarks); !gathered) return refuse(gathered.error());
   if (placemarks.empty())
-    return refuse("the KML file holds no placemarks; there is nothing to store; check what you exported");
+    return refuse(messages::ingest_format_message<"features-missing">("KML file", "placemarks"));
   return dataset_of(std::move(placemarks));
 }
 

@@ -82,9 +82,9 @@ Checked<geo::LonLat> PolygonShapes::place(double x, double y) const {
     return refuse(messages::ingest_area_message<"corner-outside-crs">(number(x), number(y)));
   if (!std::isfinite(x) || !std::isfinite(y))
     return refuse(messages::ingest_area_message<"corner-without-position">());
-  if (std::abs(y) > 90.0) return refuse(messages::ingest_area_message<"corner-beyond-pole">(number(y, 12)));
+  if (std::abs(y) > 90.0) return refuse(messages::ingest_area_message<"latitude-beyond-pole">(number(y, 12)));
   if (std::abs(x) > 360.0)
-    return refuse(messages::ingest_area_message<"corner-longitude-off">(number(x, 12)));
+    return refuse(messages::ingest_area_message<"longitude-out-of-range">(number(x, 12)));
   return geo::LonLat{x, y};
 }
 

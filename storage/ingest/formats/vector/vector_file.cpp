@@ -6,6 +6,7 @@
 
 #include <string_view>
 
+#include "engine/messages/ingest_format_messages.hpp"
 #include "storage/ingest/common/gdal_guard.hpp"
 #include "storage/sql/driver/failure.hpp"
 #include "storage/sql/foreign_database.hpp"
@@ -23,13 +24,10 @@ Checked<void> every_feature_can_be_read(GDALDataset& dataset) {
       static_cast<void>(feature);
       // GDAL gives the feature without that attribute: a rule would lose its period.
       if (std::string_view{CPLGetLastErrorMsg()}.starts_with("Invalid content for record"))
-        return refuse(std::string{"a value of the table does not fit its column, and would be left out ("} +
-                      CPLGetLastErrorMsg() + "); correct it, or make the column one of texts");
+        return refuse(messages::ingest_format_message<"table-value-too-long">(CPLGetLastErrorMsg()));
     }
     if (CPLGetLastErrorType() >= CE_Failure)
-      return refuse(
-          std::string{"not every feature of the file can be read ("} + CPLGetLastErrorMsg() +
-          "); it is damaged or holds texts larger than this program takes; copy or download it again");
+      return refuse(messages::ingest_format_message<"features-unreadable">(CPLGetLastErrorMsg()));
     layer->ResetReading();
   }
   return {};
@@ -45,13 +43,9 @@ Checked<void> holds_plain_tables(const std::filesystem::path& file) {
   try {
     const auto part = sql::active_part_of(file);
     if (!part) return {};
-    return refuse(
-        "the GeoPackage holds " + *part +
-        ", which could run code of whoever made the file; save its layers into a new GeoPackage, for "
-        "example with QGIS or ogr2ogr, and give that");
+    return refuse(messages::ingest_format_message<"geopackage-with-code">(*part));
   } catch (const sql::Failure& failure) {
-    return refuse(std::string{"the GeoPackage cannot be read ("} + failure.what() +
-                  "); it is damaged or was cut short; copy or download it again");
+    return refuse(messages::ingest_format_message<"geopackage-unreadable">(failure.what()));
   }
 }
 
@@ -77,19 +71,12 @@ Checked<std::shared_ptr<GDALDataset>> open_vector_file(const std::filesystem::pa
   std::shared_ptr<GDALDataset> dataset{
       GDALDataset::Open(path.c_str(), GDAL_OF_VECTOR | GDAL_OF_VERBOSE_ERROR, drivers, options)};
   if (!dataset && is_raster(path, drivers, options))
-    return refuse(
-        "the file holds a raster in tiles, but neither points nor polygons; of this format this program "
-        "reads only "
-        "these; convert a raster of depths with gdal_translate IN.gpkg OUT.tif, and give that");
+    return refuse(messages::ingest_format_message<"geopackage-of-tiles">());
   if (!dataset)
-    return refuse(
-        "the file cannot be read (" + messages.first_error() +
-        "); it is damaged, was cut short, or misses the files that belong to it (of a shapefile .shx "
-        "and .dbf); copy or download it again");
+    return refuse(messages::ingest_format_message<"vector-file-unreadable">(messages.first_error()));
   GIntBig features = 0;
   for (OGRLayer* const layer : dataset->GetLayers()) features += layer->GetFeatureCount();
-  if (features == 0)
-    return refuse("the file holds no features; there is nothing to store; check what you exported");
+  if (features == 0) return refuse(messages::ingest_format_message<"features-missing">("file", "features"));
   if (const auto whole = every_feature_can_be_read(*dataset); !whole) return refuse(whole.error());
   return dataset;
 }

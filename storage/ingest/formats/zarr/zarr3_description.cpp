@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/messages/ingest_format_messages.hpp"
 #include "storage/json/json.hpp"
 
 namespace floeplan::ingest {
@@ -40,14 +41,12 @@ std::string text_or_empty(const json& value) {
   return value.is_string() ? value.get<std::string>() : std::string{};
 }
 
-std::string unreadable(const std::string& what) {
-  return "this Zarr store of version 3 " + what +
-         ", which this program does not read; convert it to NetCDF, for example by Python's "
-         "xarray.open_zarr(...).to_netcdf(...)";
+messages::Message unreadable(const std::string& what) {
+  return messages::ingest_format_message<"zarr-not-read">(what);
 }
 
-std::string damaged(const std::string& what) {
-  return "the Zarr store is damaged: the description of an array " + what + "; copy or download it again";
+messages::Message damaged(const std::string& what) {
+  return messages::ingest_format_message<"zarr-damaged">("the description of an array", what);
 }
 
 std::optional<std::vector<std::uint64_t>> counts(const json& numbers) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 
+#include "engine/messages/ingest_format_messages.hpp"
 #include "storage/ingest/files/file_digest.hpp"
 #include "storage/ingest/files/first_bytes.hpp"
 #include "storage/ingest/formats/zarr/zarr3_description.hpp"
@@ -19,9 +20,10 @@ constexpr std::size_t max_files = 100'000;
 constexpr std::uint64_t max_chunk_bytes = 256'000'000;
 constexpr std::uint64_t most_bytes_a_value = 16;
 
-std::string damaged_store(const fs::path& file, const std::string& why) {
-  return "the description " + file.parent_path().filename().string() + "/" + file.filename().string() + " " +
-         why + "; the Zarr store is damaged; copy or download it again";
+messages::Message damaged_store(const fs::path& file, const std::string& why) {
+  const std::string array = file.parent_path().filename().string();
+  return messages::ingest_format_message<"zarr-damaged">(
+      "the description " + array + "/" + file.filename().string(), why);
 }
 
 /// The product of the numbers; nullopt when one is no count or the product is beyond `most`.
@@ -94,24 +96,23 @@ Checked<ZarrStore> open_zarr(const fs::path& folder) {
   if (store.version == 3) {
     const auto top = zarr3_array(first_bytes(folder / description, max_zarr_description_bytes));
     if (!top) return refuse(top.error());
-    if (*top) return refuse("this is one array of a Zarr store; give the folder of the whole store");
+    if (*top) return refuse(messages::ingest_format_message<"zarr-array-alone">());
   }
   if (store.version == 2 && !fs::exists(folder / ".zgroup"))
-    return refuse("this Zarr store has no group at its top; give the folder that holds .zgroup");
+    return refuse(messages::ingest_format_message<"zarr-without-group">());
   std::error_code error;
   for (auto entry = fs::recursive_directory_iterator{folder, error};
        entry != fs::recursive_directory_iterator{}; entry.increment(error)) {
-    if (error) return refuse("the Zarr store cannot be read; check that you may read its folders");
+    if (error) return refuse(messages::ingest_format_message<"zarr-unreadable">());
     if (entry->is_symlink() || (!entry->is_directory() && !entry->is_regular_file()))
-      return refuse("the Zarr store holds something that is no file (" + entry->path().filename().string() +
-                    "); copy it without links");
+      return refuse(messages::ingest_format_message<"zarr-with-links">(entry->path().filename().string()));
     if (entry->is_directory()) continue;
     store.files.push_back(entry->path());
     store.bytes += entry->file_size();
     if (store.files.size() > max_files)
-      return refuse("the Zarr store has more than 100000 files; cut out your area and period first");
+      return refuse(messages::ingest_format_message<"zarr-with-too-many-files">());
   }
-  if (error) return refuse("the Zarr store cannot be read; check that you may read its folders");
+  if (error) return refuse(messages::ingest_format_message<"zarr-unreadable">());
   std::ranges::sort(store.files);
   for (const fs::path& file : store.files) {
     if (file.filename() != description) continue;

@@ -4,6 +4,8 @@
 #include <fstream>
 #include <string>
 
+#include "engine/messages/ingest_depth_messages.hpp"
+#include "engine/messages/ingest_file_messages.hpp"
 #include "storage/ingest/notation/text.hpp"
 
 namespace floeplan::ingest {
@@ -35,13 +37,11 @@ Checked<std::uint64_t> ascii_grid_length(const std::filesystem::path& file) {
     if (key == "nrows") rows = parse_number(word).value_or(0.0);
   }
   if (!(columns >= 1.0 && columns <= max_side && rows >= 1.0 && rows <= max_side))
-    return refuse(
-        "the grid's header has no usable ncols and nrows; the file is damaged; copy or download it again");
+    return refuse(messages::ingest_depth_message<"grid-header-damaged">());
 
   const auto needed = static_cast<std::uint64_t>(columns) * static_cast<std::uint64_t>(rows);
   if (values < needed)
-    return refuse("the grid was cut short: its header announces " + std::to_string(needed) +
-                  " values, but it has " + std::to_string(values) + "; copy or download it again");
+    return refuse(messages::ingest_file_message<"file-cut-short">("grid", needed, "values", values));
   return values;
 }
 

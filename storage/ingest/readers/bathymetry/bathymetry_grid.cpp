@@ -6,6 +6,7 @@
 #include <memory>
 #include <utility>
 
+#include "engine/messages/ingest_depth_messages.hpp"
 #include "storage/ingest/common/missing_value.hpp"
 #include "storage/ingest/notation/text.hpp"
 #include "storage/repository/fields/field_overviews.hpp"
@@ -131,9 +132,9 @@ bool covers_the_globe(const ocean::HorizontalGrid& grid) {
          x.back() - x.front() + x.mean_step() > 359.0 && y.back() - y.front() + y.mean_step() > 170.0;
 }
 
-std::optional<std::string> fault_of_depths(const RawBathymetry& raw, VerticalSense sense,
-                                           const std::pair<Extreme, Extreme>& range,
-                                           const std::optional<Extreme>& shoalest_cell) {
+std::optional<messages::Message> fault_of_depths(const RawBathymetry& raw, VerticalSense sense,
+                                                 const std::pair<Extreme, Extreme>& range,
+                                                 const std::optional<Extreme>& shoalest_cell) {
   for (const Extreme& extreme : {range.first, range.second, shoalest_cell.value_or(range.first)}) {
     const float depth_m = sense == VerticalSense::up ? 0.0F - extreme.value : extreme.value;
     if (depth_m <= deepest_sea_m && depth_m >= -highest_land_m) continue;
@@ -141,11 +142,8 @@ std::optional<std::string> fault_of_depths(const RawBathymetry& raw, VerticalSen
     const geo::LonLat at = raw.grid.place(extreme.node % columns, extreme.node / columns);
     const std::string what = depth_m > 0.0F ? "a depth of " + number(static_cast<double>(depth_m)) + " m"
                                             : "land " + number(static_cast<double>(-depth_m)) + " m high";
-    return "\"" + raw.description.name + "\" has " + what + " at longitude " + number(at.lon_deg) +
-           ", latitude " + number(at.lat_deg) +
-           "; there is none on Earth; the unit is wrong, or a marker for missing values is not " +
-           "declared; ask the producer, or name the marker of a NetCDF file with --missing, for example "
-           "--missing -9999";
+    return messages::ingest_depth_message<"depth-impossible">(raw.description.name, what, number(at.lon_deg),
+                                                              number(at.lat_deg));
   }
   return std::nullopt;
 }
@@ -223,20 +221,16 @@ Checked<PreparedDataset> prepare_bathymetry(RawBathymetry raw, const std::option
   data.variables = {raw.description.name};
   data.warnings = raw.warnings;
   if (const std::int64_t markers = survey.markers(); markers > 0)
-    data.warnings.push_back(
-        remark(std::to_string(markers) +
-               " values are markers for \"missing\" that the file does not declare; they were left out"));
+    data.warnings.push_back(messages::ingest_depth_message<"depth-markers-left-out">(markers));
 
   const auto range = survey.range();
-  if (!range)
-    return refuse("every value of \"" + raw.description.name +
-                  "\" is missing; there is nothing to store; check the area of your download");
+  if (!range) return refuse(messages::ingest_depth_message<"depths-all-missing">(raw.description.name));
   const auto finding =
       vertical_sense_of(positive, raw.description,
                         {static_cast<double>(range->first.value), static_cast<double>(range->second.value),
                          covers_the_globe(raw.grid)});
   if (!finding) return refuse(finding.error());
-  if (const auto& warning = finding->warning) data.warnings.push_back(remark(*warning));
+  if (const auto& warning = finding->warning) data.warnings.push_back(*warning);
   if (const auto fault = fault_of_depths(raw, finding->sense, *range, survey.shoalest_cell(finding->sense)))
     return refuse(*fault);
 

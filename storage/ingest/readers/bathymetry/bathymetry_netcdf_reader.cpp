@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "engine/messages/ingest_depth_messages.hpp"
 #include "storage/ingest/formats/netcdf/netcdf_layout.hpp"
 #include "storage/ingest/formats/netcdf/variable_meaning.hpp"
 #include "storage/ingest/grids/bent_plane.hpp"
@@ -96,10 +97,7 @@ const NetcdfVariable* find_bathymetry(const NetcdfFile& file, bool any_plane) {
 Checked<PreparedDataset> read_netcdf_bathymetry(std::shared_ptr<const NetcdfFile> file,
                                                 const IngestOptions& options) {
   const NetcdfVariable* variable = find_bathymetry(*file, options.kind.has_value());
-  if (variable == nullptr)
-    return refuse(
-        "the file holds no depths or elevations that this program recognises; there is no bathymetry to "
-        "store; give a file with, for example, a variable called elevation or deptho");
+  if (variable == nullptr) return refuse(messages::ingest_depth_message<"depths-not-found">());
   auto place = place_of(file, *variable, options.crs);
   if (!place) return refuse(place.error());
   const std::optional<BentPlane>& bent = place->bent;
@@ -107,8 +105,8 @@ Checked<PreparedDataset> read_netcdf_bathymetry(std::shared_ptr<const NetcdfFile
   const std::string unit = variable->attribute("units");
   const auto factor = unit.empty() ? std::optional{1.0} : length_factor(unit);
   if (!factor)
-    return refuse("the variable \"" + variable->name() + "\" has the unit \"" + unit +
-                  "\", which is no length that this program knows; ask for a file in metres");
+    return refuse(messages::ingest_depth_message<"depth-unit-unknown">(
+        "the variable \"" + variable->name() + "\" has", unit));
 
   RawBathymetry raw{.grid = std::move(place->grid),
                     .description = {.name = variable->name(),
@@ -118,16 +116,14 @@ Checked<PreparedDataset> read_netcdf_bathymetry(std::shared_ptr<const NetcdfFile
                     .warnings = place->layout.warnings,
                     .read = {}};
   if (unit.empty())
-    raw.warnings.push_back(remark("\"" + variable->name() + "\" states no unit; taken as metres"));
+    raw.warnings.push_back(messages::ingest_depth_message<"depth-without-unit">(variable->name()));
   if (const Statistic statistic = statistic_of(*variable); statistic != Statistic::none)
     raw.warnings.push_back(
-        remark("\"" + variable->name() + "\" holds " + in_words(statistic) +
-               " of each cell, not its mean; the bed between may be shoaler than it says"));
+        messages::ingest_depth_message<"depth-of-a-statistic">(variable->name(), in_words(statistic)));
   if (bent) {
     auto rows = rows_of_bent(*variable, *bent, *factor);
     if (!rows) return refuse(rows.error());
-    raw.warnings.push_back(
-        remark(bent->account + "; the shoalest of the points around each node is kept beside it"));
+    raw.warnings.push_back(messages::ingest_depth_message<"depth-resampled">(bent->account.text));
     raw.read = rows_in_memory(std::move(*rows), raw.grid.x().size());
     return prepare_bathymetry(std::move(raw), options.positive);
   }

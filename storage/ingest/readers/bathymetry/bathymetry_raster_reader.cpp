@@ -13,6 +13,7 @@
 #include <string_view>
 #include <utility>
 
+#include "engine/messages/ingest_depth_messages.hpp"
 #include "storage/ingest/common/gdal_guard.hpp"
 #include "storage/ingest/formats/netcdf/netcdf_axis.hpp"
 #include "storage/ingest/formats/netcdf/variable_meaning.hpp"
@@ -59,9 +60,7 @@ Checked<DatasetPtr> resampled(GDALDataset& dataset, const OGRSpatialReference& c
   GDALDatasetH source = GDALDataset::ToHandle(&dataset);
   DatasetPtr result{GDALDataset::FromHandle(GDALWarp("", nullptr, 1, &source, options, nullptr))};
   GDALWarpAppOptionsFree(options);
-  if (!result)
-    return refuse("the grid cannot be converted to longitude and latitude (" + messages.first_error() +
-                  "); convert it first, for example with gdalwarp -t_srs EPSG:4326");
+  if (!result) return refuse(messages::ingest_depth_message<"grid-not-convertible">(messages.first_error()));
   return result;
 }
 
@@ -91,8 +90,7 @@ Checked<std::vector<float>> read_plane(const Plane& plane, std::size_t first_row
   for (const std::size_t row : std::span{plane.y.source}.subspan(first_row, rows)) {
     if (band.RasterIO(GF_Read, 0, static_cast<int>(row), band.GetXSize(), 1, line.data(), band.GetXSize(), 1,
                       GDT_Float64, 0, 0, nullptr) != CE_None)
-      return refuse("the grid cannot be read to its end (" + messages.first_error() +
-                    "); the file is damaged or was cut short; copy or download it again");
+      return refuse(messages::ingest_depth_message<"grid-not-read-to-its-end">(messages.first_error()));
     for (const std::size_t column : plane.x.source) {
       const double packed = line[column];
       const bool is_missing = !std::isfinite(packed) || (has_nodata != 0 && packed == nodata);
@@ -114,9 +112,7 @@ std::vector<double> centres(double origin, double step, int count) {
 Checked<Plane> plane_of(GDALDataset& dataset, const geo::GridFrame& frame, int band_number) {
   RasterTransform t{};
   if (dataset.GetGeoTransform(t.data()) != CE_None || t[2] != 0.0 || t[4] != 0.0)
-    return refuse(
-        "the grid is rotated or states no position; it cannot be placed on the Earth; convert it first, for "
-        "example with gdalwarp -t_srs EPSG:4326");
+    return refuse(messages::ingest_depth_message<"grid-without-position">());
   const bool geographic = std::holds_alternative<geo::GeographicFrame>(frame);
   auto x_values = centres(t[0], t[1], dataset.GetRasterXSize());
   auto y_values = centres(t[3], t[5], dataset.GetRasterYSize());
@@ -130,9 +126,7 @@ Checked<Plane> plane_of(GDALDataset& dataset, const geo::GridFrame& frame, int b
   GDALRasterBand* band = dataset.GetRasterBand(band_number);
   const std::string unit = band->GetUnitType();
   const auto factor = unit.empty() ? std::optional{1.0} : length_factor(unit);
-  if (!factor)
-    return refuse("the depths have the unit \"" + unit +
-                  "\", which is no length that this program knows; ask for a file in metres");
+  if (!factor) return refuse(messages::ingest_depth_message<"depth-unit-unknown">("the depths have", unit));
   return Plane{band, std::move(*x), std::move(*y), *factor};
 }
 
@@ -156,11 +150,13 @@ DatasetPtr open_finest(const std::filesystem::path& file, const char* population
   return open_raster(file, "BAG", options);
 }
 
-std::optional<std::string> too_many_nodes(GDALDataset& dataset, std::int64_t most = max_nodes) {
-  if (std::int64_t{dataset.GetRasterXSize()} * dataset.GetRasterYSize() <= most) return std::nullopt;
-  return "the grid has " + std::to_string(dataset.GetRasterXSize()) + " x " +
-         std::to_string(dataset.GetRasterYSize()) + " nodes, more than this program accepts (" +
-         std::to_string(most) + "); cut out your area first";
+bool is_larger_than(GDALDataset& dataset, std::int64_t most) {
+  return std::int64_t{dataset.GetRasterXSize()} * dataset.GetRasterYSize() > most;
+}
+
+messages::Message larger_than_accepted(GDALDataset& dataset) {
+  return messages::ingest_depth_message<"depth-grid-too-large">(dataset.GetRasterXSize(),
+                                                                dataset.GetRasterYSize(), max_nodes);
 }
 
 Checked<Views> open_views(const std::filesystem::path& file, const char* driver) {
@@ -170,14 +166,14 @@ Checked<Views> open_views(const std::filesystem::path& file, const char* driver)
                         views.middle->GetMetadataItem("MAX_RESOLUTION_X") != nullptr;
   if (variable) {
     views.middle = open_finest(file, "VALUE_POPULATION=MEAN");
-    if (views.middle && too_many_nodes(*views.middle)) return refuse(*too_many_nodes(*views.middle));
+    if (views.middle && is_larger_than(*views.middle, max_nodes))
+      return refuse(larger_than_accepted(*views.middle));
     views.lowest = open_finest(file, "VALUE_POPULATION=MIN");
     views.highest = open_finest(file, "VALUE_POPULATION=MAX");
   }
   if (!views.middle || views.middle->GetRasterCount() == 0 || (variable && (!views.lowest || !views.highest)))
-    return refuse("the grid cannot be opened (" + messages.first_error() +
-                  "); it is damaged, was cut short or is no regular grid; copy or download it again");
-  if (const auto many = too_many_nodes(*views.middle)) return refuse(*many);
+    return refuse(messages::ingest_depth_message<"grid-not-opened">(messages.first_error()));
+  if (is_larger_than(*views.middle, max_nodes)) return refuse(larger_than_accepted(*views.middle));
   return views;
 }
 
@@ -265,18 +261,16 @@ VerticalDescription description_of(const Plane& plane, std::string_view driver) 
 
 Checked<PreparedDataset> prepared_raster(Views views, std::string_view driver, const IngestOptions& options) {
   GDALDataset& dataset = *views.middle;
-  if (is_picture(dataset))
-    return refuse(
-        "the file is a picture (colours), not a grid of depths; depths cannot be read from colours; give the "
-        "data that the picture was drawn from");
+  if (is_picture(dataset)) return refuse(messages::ingest_depth_message<"grid-is-a-picture">());
 
   Messages warnings;
   const auto crs = crs_of_raster(dataset, driver, options, warnings);
   if (!crs) return refuse(crs.error());
   auto frame = grid_frame_of(*crs);
   if (!frame) {
-    if (const auto many = too_many_nodes(*views.middle, max_resampled))
-      return refuse(*many + ", or convert it to longitude and latitude with gdalwarp -t_srs EPSG:4326");
+    if (is_larger_than(*views.middle, max_resampled))
+      return refuse(messages::ingest_depth_message<"depth-grid-too-large-to-convert">(
+          views.middle->GetRasterXSize(), views.middle->GetRasterYSize(), max_resampled));
     const std::string target_name = target_crs_for(*views.middle, *crs);
     OGRSpatialReference target;
     target.SetFromUserInput(target_name.c_str());
@@ -284,9 +278,9 @@ Checked<PreparedDataset> prepared_raster(Views views, std::string_view driver, c
     if (!converted) return refuse(converted.error());
     frame = grid_frame_of(target).value();
     const bool geographic = std::holds_alternative<geo::GeographicFrame>(*frame);
-    warnings.push_back(remark("the grid was resampled from \"" + std::string{crs->GetName()} + "\" to " +
-                              (geographic ? "longitude and latitude" : "a polar stereographic projection") +
-                              "; the least depth of each cell was kept beside its mean"));
+    warnings.push_back(messages::ingest_depth_message<"grid-resampled">(
+        std::string{crs->GetName()},
+        geographic ? "longitude and latitude" : "a polar stereographic projection"));
     views = std::move(*converted);
   }
 
@@ -295,9 +289,8 @@ Checked<PreparedDataset> prepared_raster(Views views, std::string_view driver, c
   const Plane& middle = (*planes)->middle;
   const Statistic statistic = statistic_in_words(middle.band->GetDescription());
   if (statistic != Statistic::none && statistic != Statistic::minimum && statistic != Statistic::maximum)
-    return refuse(
-        "the raster holds " + in_words(statistic) + " (\"" + std::string{middle.band->GetDescription()} +
-        "\"), no depths or elevations; there is no bathymetry to store; give the file of the depths");
+    return refuse(messages::ingest_depth_message<"raster-of-other-values">(
+        in_words(statistic), std::string{middle.band->GetDescription()}));
   return prepare_bathymetry(
       {.grid = {*frame, ocean::Axis{middle.x.nodes}, ocean::Axis{middle.y.nodes}},
        .description = description_of(middle, driver),

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/messages/ingest_depth_messages.hpp"
 #include "storage/ingest/notation/delimited_text.hpp"
 #include "storage/ingest/notation/text.hpp"
 
@@ -59,15 +60,13 @@ Checked<std::vector<Row>> rows_of(std::istream& in, const DelimitedText& table, 
     const auto y = at(columns.y);
     const auto z = at(columns.z);
     if (!x || !y || !z)
-      return refuse("line " + std::to_string(number_of_line) + " of the table (\"" + line.substr(0, 60) +
-                    "\") does not have numbers for its place and its " + table.header(columns.z) +
-                    "; the file is damaged or was cut short; correct the line or copy the file again");
+      return refuse(messages::ingest_depth_message<"depth-row-unreadable">(number_of_line, line.substr(0, 60),
+                                                                           table.header(columns.z)));
     if (rows.size() == max_rows)
-      return refuse("the table has more than " + std::to_string(max_rows) +
-                    " lines; cut out your area or give the grid as GeoTIFF or NetCDF");
+      return refuse(messages::ingest_depth_message<"depth-table-too-long">(max_rows));
     rows.push_back({*x, *y, static_cast<float>(*z)});
   }
-  if (rows.empty()) return refuse("the table has no rows below its header; there is nothing to store");
+  if (rows.empty()) return refuse(messages::ingest_depth_message<"depth-table-empty">());
   return rows;
 }
 
@@ -101,11 +100,8 @@ std::optional<EvenNodes> even_nodes(const std::vector<Row>& rows, double Row::* 
   return EvenNodes{values.front(), extent / steps, static_cast<std::size_t>(steps) + 1};
 }
 
-std::string scattered(const std::string& name_of_z) {
-  return "the places of the table are no regular grid: they are single soundings, of which nobody knows how "
-         "deep it is "
-         "between them; make a grid of the column \"" +
-         name_of_z + "\" first, for example with gdal_grid, keeping the least depth of each cell";
+messages::Message scattered(const std::string& name_of_z) {
+  return messages::ingest_depth_message<"soundings-not-a-grid">(name_of_z);
 }
 
 std::unique_ptr<GDALDataset> empty_raster(const EvenNodes& x, const EvenNodes& y, const std::string& name) {
@@ -128,9 +124,9 @@ Checked<std::vector<float>> values_on(const EvenNodes& x, const EvenNodes& y, co
     if (!ix || !iy) return refuse(scattered(name_of_z));
     float& value = values[*iy * x.count + *ix];
     if (!std::isnan(value) && value != row.z)
-      return refuse("the place " + number(row.x, 9) + ", " + number(row.y, 9) +
-                    " has two depths in the table (" + number(static_cast<double>(value)) + " and " +
-                    number(static_cast<double>(row.z)) + "); one of them would be lost; correct the table");
+      return refuse(messages::ingest_depth_message<"depth-stated-twice">(number(row.x, 9), number(row.y, 9),
+                                                                         number(static_cast<double>(value)),
+                                                                         number(static_cast<double>(row.z))));
     value = row.z;
   }
   return values;
@@ -146,7 +142,7 @@ Checked<std::unique_ptr<GDALDataset>> open_depth_table(const std::filesystem::pa
   std::getline(in, header);
   const DelimitedText table{header};
   const auto columns = columns_of(table);
-  if (!columns) return refuse("the first line does not name the columns of a place and its depth");
+  if (!columns) return refuse(messages::ingest_depth_message<"depth-columns-missing">());
   const std::string& name_of_z = table.header(columns->z);
   const auto rows = rows_of(in, table, *columns);
   if (!rows) return refuse(rows.error());
@@ -164,7 +160,7 @@ Checked<std::unique_ptr<GDALDataset>> open_depth_table(const std::filesystem::pa
       raster->GetRasterBand(1)->RasterIO(GF_Write, 0, 0, raster->GetRasterXSize(), raster->GetRasterYSize(),
                                          values->data(), raster->GetRasterXSize(), raster->GetRasterYSize(),
                                          GDT_Float32, 0, 0, nullptr) != CE_None)
-    return refuse("the grid of the table does not fit into memory; cut out your area first");
+    return refuse(messages::ingest_depth_message<"depth-table-too-large">());
   return raster;
 }
 

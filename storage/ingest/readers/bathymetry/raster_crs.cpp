@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "engine/geo/bounding_box.hpp"
+#include "engine/messages/ingest_depth_messages.hpp"
 #include "storage/ingest/common/gdal_guard.hpp"
 #include "storage/ingest/notation/crs_text.hpp"
 #include "storage/ingest/notation/text.hpp"
@@ -71,9 +72,7 @@ Checked<OGRSpatialReference> crs_of_raster(GDALDataset& dataset, std::string_vie
     crs = *stated;
     if (driver == "BAG" && crs.IsVertical() != 0 && contains_any(wkt_of(crs), {"\"depth\",down"}) &&
         !options.positive)
-      return refuse(
-          "the BAG file counts its vertical axis downwards although the format holds elevations; land and "
-          "sea must not be mixed up; say --positive up or --positive down");
+      return refuse(messages::ingest_depth_message<"bag-counts-downwards">());
     if (crs.IsCompound() != 0) crs.StripVertical();
     crs.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
     return crs;
@@ -88,21 +87,17 @@ Checked<OGRSpatialReference> crs_of_raster(GDALDataset& dataset, std::string_vie
       crs.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
       return crs;
     }
-    return refuse("--crs \"" + *options.crs + "\" is not known; give it as, for example, EPSG:4326");
+    return refuse(messages::ingest_depth_message<"crs-unknown">(*options.crs));
   }
   const bool plain_text = driver == "XYZ" || driver == "AAIGrid" || driver == depth_table;
   RasterTransform transform{};
   dataset.GetGeoTransform(transform.data());
   if (plain_text && looks_like_degrees(transform, dataset.GetRasterXSize(), dataset.GetRasterYSize())) {
-    warnings.push_back(remark(
-        "the file states no coordinate reference system; its coordinates look like degrees of longitude and "
-        "latitude and were taken as such"));
+    warnings.push_back(messages::ingest_depth_message<"crs-taken-as-degrees">());
     crs.SetWellKnownGeogCS("WGS84");
     return crs;
   }
-  return refuse(
-      "the file states no coordinate reference system; it cannot be placed on the Earth; state it with "
-      "--crs, for example --crs EPSG:4326");
+  return refuse(messages::ingest_depth_message<"crs-missing">());
 }
 
 const char* target_crs_for(GDALDataset& dataset, const OGRSpatialReference& crs) {

@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "engine/messages/ingest_depth_messages.hpp"
 #include "storage/ingest/formats/s100/s100_coverage.hpp"
 #include "storage/ingest/notation/cf_units.hpp"
 #include "storage/ingest/readers/bathymetry/bathymetry_grid.hpp"
@@ -23,11 +24,10 @@ Checked<PreparedDataset> read_s102_bathymetry(const std::filesystem::path& file)
   const std::string unit = described == opened->values.end() ? "" : described->second.unit;
   const auto unit_m = length_factor(unit);
   if (!unit_m)
-    return refuse("the depths of the S-102 file have the unit \"" + unit +
-                  "\", which is no length that this program knows; ask its producer for a file in metres");
+    return refuse(
+        messages::ingest_depth_message<"depth-unit-unknown">("the depths of the S-102 file have", unit));
   if (opened->records.size() != 1)
-    return refuse("the S-102 file holds " + std::to_string(opened->records.size()) +
-                  " records of depths for one area; which of them counts is not known; ask its producer");
+    return refuse(messages::ingest_depth_message<"depths-of-several-records">(opened->records.size()));
   const auto table = opened->table(0);
   if (!table) return refuse(table.error());
 

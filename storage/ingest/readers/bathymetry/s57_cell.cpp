@@ -14,6 +14,7 @@
 #include <string>
 #include <string_view>
 
+#include "engine/messages/ingest_depth_messages.hpp"
 #include "storage/ingest/common/gdal_guard.hpp"
 #include "storage/ingest/notation/text.hpp"
 
@@ -40,9 +41,7 @@ Checked<ChartPtr> open_cell(const std::filesystem::path& base, const char* updat
       nullptr};
   ChartPtr cell{GDALDataset::Open(std::filesystem::absolute(base).c_str(),
                                   GDAL_OF_VECTOR | GDAL_OF_VERBOSE_ERROR, drivers, options)};
-  if (!cell)
-    return refuse("the chart (S-57) cannot be opened (" + messages.first_error() +
-                  "); it is damaged or was cut short; copy or download it again");
+  if (!cell) return refuse(messages::ingest_depth_message<"chart-not-opened">(messages.first_error()));
   return cell;
 }
 
@@ -68,8 +67,8 @@ Checked<std::size_t> iso8211_records(const std::filesystem::path& file) {
     const bool number = in && std::ranges::all_of(digits, [](char c) { return c >= '0' && c <= '9'; });
     const std::uint64_t length = number ? std::stoull(std::string{digits.data(), digits.size()}) : 0;
     if (length < leader_octets || length > size - at)
-      return refuse("record " + std::to_string(records + 1) + " of \"" + file.filename().string() +
-                    "\" is damaged or was cut short; copy or download it again");
+      return refuse(
+          messages::ingest_depth_message<"chart-record-damaged">(records + 1, file.filename().string()));
     at += length;
   }
   return records;
@@ -89,30 +88,21 @@ Checked<void> check_head(GDALDataset& cell, std::size_t records, ChartCell& char
   OGRLayer* const head = cell.GetLayerByName("DSID");
   const OGRFeatureUniquePtr dsid{head == nullptr ? nullptr : head->GetNextFeature()};
   if (!dsid)
-    return refuse("the chart (S-57) has no head that says what it is; it is damaged; download it again");
+    return refuse(messages::ingest_depth_message<"chart-damaged">("has no head that says what it is"));
   constexpr double is_update = 2.0;  // EXPP, appendix B.1: 1 of a new data set, 2 of an update
   if (number_of(*dsid, "DSID_EXPP") == is_update)
-    return refuse(
-        "this is an update of a chart (S-57), not the chart; by itself it means nothing; put it beside its "
-        "base "
-        "cell (.000) and give that one");
+    return refuse(messages::ingest_depth_message<"chart-update-alone">());
   if (records < records_stated(*dsid))
-    return refuse("the chart (S-57) has " + std::to_string(records) + " records where it counts " +
-                  std::to_string(records_stated(*dsid)) + "; it was cut short; copy or download it again");
+    return refuse(messages::ingest_depth_message<"chart-cut-short">(records, records_stated(*dsid)));
   constexpr double metres = 1.0;
   if (number_of(*dsid, "DSPM_DUNI") != metres)
-    return refuse(
-        "the chart (S-57) gives its depths in another unit than metres; feet and fathoms must not be mixed "
-        "up; "
-        "ask the chart's producer for an edition in metres");
+    return refuse(messages::ingest_depth_message<"chart-not-in-metres">());
   chart.scale = static_cast<int>(number_of(*dsid, "DSPM_CSCL").value_or(0.0));
   if (chart.scale < 100 || chart.scale > 100'000'000)
-    return refuse("the chart (S-57) does not state its scale; it is damaged; download it again");
+    return refuse(messages::ingest_depth_message<"chart-damaged">("does not state its scale"));
   const auto datum = number_of(*dsid, "DSPM_SDAT");
-  chart.warnings.push_back(remark(
-      "the depths count from the sounding datum of the chart (" +
-      (datum ? "code " + number(*datum) + " of S-57's VERDAT" : std::string{"which it does not state"}) +
-      "), mostly a low water: the sea is deeper by the tide, never by mistake shoaler"));
+  chart.warnings.push_back(messages::ingest_depth_message<"chart-datum">(
+      datum ? "code " + number(*datum) + " of S-57's VERDAT" : std::string{"which it does not state"}));
   return {};
 }
 
@@ -182,17 +172,12 @@ Checked<void> read_features(GDALDataset& cell, ChartCell& chart) {
     if (layer == nullptr) continue;
     for (const auto& feature : *layer) note(chart, *feature, object.meaning, unstated);
     if (CPLGetLastErrorType() >= CE_Failure)
-      return refuse(
-          std::string{"not every object of the chart (S-57) can be read ("} + CPLGetLastErrorMsg() +
-          "); it is damaged, or an update beside it does not belong to it; download all of it again");
+      return refuse(messages::ingest_depth_message<"chart-objects-unreadable">(CPLGetLastErrorMsg()));
   }
   if (unstated.dangers > 0)
-    chart.warnings.push_back(
-        remark(std::to_string(unstated.dangers) +
-               " rocks, wrecks and obstructions state no depth: they count as reaching to the surface"));
+    chart.warnings.push_back(messages::ingest_depth_message<"dangers-without-depth">(unstated.dangers));
   if (unstated.areas > 0)
-    chart.warnings.push_back(
-        remark(std::to_string(unstated.areas) + " depth areas state no least depth: they count as drying"));
+    chart.warnings.push_back(messages::ingest_depth_message<"areas-without-depth">(unstated.areas));
   return {};
 }
 
@@ -200,10 +185,7 @@ Checked<void> check_updates(const std::filesystem::path& base) {
   const auto applied = static_cast<int>(parts_of_s57(base).size()) - 1;
   for (int number = applied + 2; number <= most_updates; ++number)
     if (std::filesystem::is_regular_file(part(base, number)))
-      return refuse(
-          "update " + std::to_string(number) + " of the chart (S-57) is there, but update " +
-          std::to_string(applied + 1) +
-          " is missing; the later ones cannot be applied without it; add it, or remove the later ones");
+      return refuse(messages::ingest_depth_message<"chart-update-missing">(number, applied + 1));
   return {};
 }
 
@@ -237,13 +219,10 @@ Checked<ChartCell> read_s57_cell(const std::filesystem::path& base) {
   const GdalMessages messages;
   if (const auto read = read_features(**cell, chart); !read) return refuse(read.error());
   if (chart.covered.empty() || chart.areas.empty())
-    return refuse(
-        "the chart (S-57) holds no coverage (M_COVR) or no depth areas (DEPARE); there is no bathymetry to "
-        "store; give a cell of a navigational chart");
+    return refuse(messages::ingest_depth_message<"chart-without-depths">());
   const std::size_t updates = parts_of_s57(base).size() - 1;
-  chart.warnings.push_back(
-      remark(updates == 0 ? "no update files (.001, ...) lie beside the chart: it is as first issued"
-                          : std::to_string(updates) + " updates were applied to the chart"));
+  chart.warnings.push_back(updates == 0 ? messages::ingest_depth_message<"chart-without-updates">()
+                                        : messages::ingest_depth_message<"chart-updated">(updates));
   return chart;
 }
 

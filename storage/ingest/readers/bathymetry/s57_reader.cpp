@@ -11,6 +11,7 @@
 #include <numbers>
 #include <utility>
 
+#include "engine/messages/ingest_depth_messages.hpp"
 #include "storage/ingest/common/gdal_guard.hpp"
 #include "storage/ingest/common/missing_value.hpp"
 #include "storage/ingest/notation/text.hpp"
@@ -56,7 +57,7 @@ Checked<Frame> frame_of(const ChartCell& chart) {
   const double height = extent.MaxY - extent.MinY;
   if (!(width > 0.0 && height > 0.0 && width <= 360.0 && extent.MinY >= -90.0 && extent.MaxY <= 90.0))
     return refuse(
-        "the coverage of the chart (S-57) is no area on the Earth; it is damaged; download it again");
+        messages::ingest_depth_message<"chart-damaged">("has a coverage that is no area on the Earth"));
   const double spacing_m = std::max(paper_m * chart.scale, finest_m);
   const double middle = 0.5 * (extent.MinY + extent.MaxY) * std::numbers::pi / 180.0;
   Frame frame{.west_deg = extent.MinX, .south_deg = extent.MinY};
@@ -65,9 +66,7 @@ Checked<Frame> frame_of(const ChartCell& chart) {
   const double columns = std::ceil(width / frame.dx_deg);
   const double rows = std::ceil(height / frame.dy_deg);
   if (columns * rows > most_chart_nodes)
-    return refuse("the chart (S-57) covers " + number(columns) + " x " + number(rows) +
-                  " nodes of half a millimetre at its scale, more than this program accepts; its coverage or "
-                  "its scale is damaged; download it again");
+    return refuse(messages::ingest_depth_message<"chart-covers-too-much">(number(columns), number(rows)));
   frame.columns = std::max(static_cast<int>(columns), 2);
   frame.rows = std::max(static_cast<int>(rows), 2);
   return frame;
@@ -138,13 +137,13 @@ Checked<PreparedDataset> read_s57_bathymetry(const std::filesystem::path& base) 
   BurntPlane shoals{*frame, deep};
   if (!coverage.burn(covered, false) || !areas.burn(deepest_first(std::move(chart->areas)), false) ||
       !shoals.burn(deepest_first(std::move(chart->shoals)), true))
-    return refuse("the areas of the chart (S-57) cannot be drawn; it is damaged; download it again");
+    return refuse(messages::ingest_depth_message<"chart-damaged">("has areas that cannot be drawn"));
 
   const std::vector<float> is_covered = coverage.values();
   const std::vector<float> shoalest = shoals.values();
   RawRows rows{.values_m = areas.values()};
   if (is_covered.empty() || shoalest.empty() || rows.values_m.empty())
-    return refuse("the areas of the chart (S-57) cannot be drawn; it is damaged; download it again");
+    return refuse(messages::ingest_depth_message<"chart-damaged">("has areas that cannot be drawn"));
   rows.lowest_m.resize(rows.values_m.size(), missing);
   for (std::size_t i = 0; i < rows.values_m.size(); ++i) {
     if (is_covered[i] == 0.0F) rows.values_m[i] = missing;

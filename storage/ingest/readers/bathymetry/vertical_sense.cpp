@@ -1,5 +1,6 @@
 #include "storage/ingest/readers/bathymetry/vertical_sense.hpp"
 
+#include "engine/messages/ingest_depth_messages.hpp"
 #include "storage/ingest/notation/text.hpp"
 
 namespace floeplan::ingest {
@@ -46,30 +47,23 @@ Checked<VerticalFinding> vertical_sense_of(const std::optional<std::string>& use
   if (user_word) {
     if (*user_word == "up") return VerticalFinding{VerticalSense::up, std::nullopt};
     if (*user_word == "down") return VerticalFinding{VerticalSense::down, std::nullopt};
-    return refuse("--positive is \"" + *user_word +
-                  "\"; it must be \"up\" (elevations) or \"down\" (depths)");
+    return refuse(messages::ingest_depth_message<"positive-flag-unknown">(*user_word));
   }
 
   if (const auto stated = stated_sense(description)) {
     const bool explicit_word = !description.positive.empty();
     if (!explicit_word && *stated == VerticalSense::down && evidence.highest_m <= 0.0 &&
         evidence.lowest_m < 0.0)
-      return refuse(
-          "\"" + description.name + "\" is called a depth, yet its values run from " + extent +
-          " as elevations would; land and sea must not be mixed up; say --positive up or --positive down");
+      return refuse(messages::ingest_depth_message<"depth-looks-like-elevation">(description.name, extent));
     return VerticalFinding{*stated, std::nullopt};
   }
 
   if (const auto relief = unmistakable_relief(evidence)) {
     const bool up = *relief == VerticalSense::up;
-    return VerticalFinding{*relief, "the file does not say whether \"" + description.name +
-                                        "\" is elevation or depth; it covers the whole globe and runs from " +
-                                        extent + ", which can only be " + (up ? "elevation" : "depth")};
+    return VerticalFinding{*relief, messages::ingest_depth_message<"vertical-sense-of-the-globe">(
+                                        description.name, extent, up ? "elevation" : "depth")};
   }
-  return refuse(
-      "the file does not say whether \"" + description.name + "\" is elevation or depth (values from " +
-      extent +
-      "); land and sea must not be mixed up; say --positive up (elevations) or --positive down (depths)");
+  return refuse(messages::ingest_depth_message<"vertical-sense-unknown">(description.name, extent));
 }
 
 }  // namespace floeplan::ingest

@@ -27,7 +27,7 @@ struct VerticalEvidence {
 
 struct VerticalFinding {
   VerticalSense sense{};
-  std::optional<std::string> warning;
+  std::optional<messages::Message> warning;
 };
 
 /// Decides the sense from the user's word, then from the file's words, then from relief that only one sense

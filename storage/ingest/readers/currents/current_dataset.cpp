@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/messages/ingest_current_messages.hpp"
 #include "storage/ingest/common/grid_limits.hpp"
 #include "storage/ingest/grids/depth_columns.hpp"
 #include "storage/ingest/grids/resampling.hpp"
@@ -94,15 +95,12 @@ Checked<double> deepest_m(const VelocitySource& source) {
   double deepest = 0.0;
   for (const float depth : *bed_m)
     if (static_cast<double>(depth) > deepest) deepest = static_cast<double>(depth);
-  if (deepest <= 0.0)
-    return refuse(
-        "the sea has no depth anywhere in the file, so its levels cannot be placed; it is damaged or "
-        "holds land only; ask the producer for another");
+  if (deepest <= 0.0) return refuse(messages::ingest_current_message<"sea-without-depth">());
   return deepest;
 }
 
 /// "resampled from ...": what was done to the currents and how far they differ now.
-Checked<std::string> account_of_resampling(const StoredCurrents& currents, const CurrentInput& input) {
+Checked<messages::Message> account_of_resampling(const StoredCurrents& currents, const CurrentInput& input) {
   const std::string what = input.what == Moving::sea ? "current" : "wind";
   ResamplingError error;
   const auto compared = for_each_level(
@@ -113,14 +111,11 @@ Checked<std::string> account_of_resampling(const StoredCurrents& currents, const
       });
   if (!compared) return refuse(compared.error());
   if (error.points() == 0)
-    return refuse("no " + what + " is left after resampling from " + input.layout +
-                  "; the area is smaller than a few cells of the model; give a larger part of its grid");
+    return refuse(messages::ingest_current_message<"nothing-left-after-resampling">(what, input.layout));
   const double speed = error.rms_speed_m_s();
-  return "resampled from " + input.layout + " to a regular grid of " + spacing_in_words(currents.grid) +
-         "; at the model's own points (first time, all depths) the stored " + what +
-         (input.what == Moving::sea ? "s differ" : " differs") + " by " + number(error.rms_m_s(), 2) +
-         " m/s RMS, " + number(error.largest_m_s(), 2) + " m/s at most" +
-         (speed > 0.0 ? " (RMS speed " + number(speed, 2) + " m/s)" : "");
+  return messages::ingest_current_message<"currents-resampled">(
+      input.layout, spacing_in_words(currents.grid), what + "s", number(error.rms_m_s(), 2),
+      number(error.largest_m_s(), 2), speed > 0.0 ? " (RMS speed " + number(speed, 2) + " m/s)" : "");
 }
 
 /// Where the source is stored: on its own nodes, or resampled.
@@ -143,36 +138,25 @@ Checked<StoredCurrents> placed(const CurrentInput& input, std::shared_ptr<const 
 }
 
 /// What the file's own quality flags left of its values.
-std::vector<std::string> words_of_flags(const FlagCount& flagged) {
-  const auto values = [](std::int64_t count) {
-    return std::to_string(count) + (count == 1 ? " value is" : " values are");
-  };
-  std::vector<std::string> words;
+void warn_of_flags(const FlagCount& flagged, Messages& warnings) {
   if (flagged.bad > 0)
-    words.push_back(values(flagged.bad) +
-                    " flagged as bad, failed or missing by the file's own quality flags; " +
-                    (flagged.bad == 1 ? "it was" : "they were") + " left out");
+    warnings.push_back(messages::ingest_current_message<"flagged-bad-left-out">(flagged.bad));
   if (flagged.doubtful > 0)
-    words.push_back(values(flagged.doubtful) + " flagged as suspect by the file's own quality flags; " +
-                    (flagged.doubtful == 1 ? "it was" : "they were") +
-                    " kept; take out what you do not trust before you plan");
-  return words;
+    warnings.push_back(messages::ingest_current_message<"flagged-suspect-kept">(flagged.doubtful));
 }
 
 /// What is taken for the water above the first level, where that is no model's uppermost layer.
-std::optional<std::string> above_the_first_level(const StoredCurrents& currents) {
+std::optional<messages::Message> above_the_first_level(const StoredCurrents& currents) {
   constexpr double uppermost_layer_m = 10.0;  // of coarse global models, such as ORCA2 of NEMO (31 levels)
   if (!currents.depths_m || currents.depths_m->front() <= uppermost_layer_m) return std::nullopt;
   const std::string first_m = number(currents.depths_m->front());
-  return "the currents begin at a depth of " + first_m + " m; above it those of " + first_m +
-         " m are taken, although the water near the surface may run faster or another way";
+  return messages::ingest_current_message<"current-above-first-level">(first_m);
 }
 
-std::optional<std::string> too_large(const StoredCurrents& currents) {
+std::optional<messages::Message> too_large(const StoredCurrents& currents) {
   if (currents.levels() * currents.times() <= max_grid_values / currents.grid.size()) return std::nullopt;
-  return "the file holds " + std::to_string(currents.times()) + " times and " +
-         std::to_string(currents.levels()) + " depths of " + std::to_string(currents.grid.size()) +
-         " nodes, more than this program accepts; cut out your area and period first";
+  return messages::ingest_current_message<"currents-too-large">(currents.times(), currents.levels(),
+                                                                currents.grid.size());
 }
 
 }  // namespace
@@ -180,23 +164,18 @@ std::optional<std::string> too_large(const StoredCurrents& currents) {
 Checked<PreparedDataset> prepare_currents(CurrentInput input, const core::ProgressCallback& progress) {
   const SourceShape& shape = input.source->shape();
   if (shape.levels * shape.times_s.size() > max_grid_values / shape.points())
-    return refuse("the file holds " + std::to_string(shape.times_s.size()) + " times and " +
-                  std::to_string(shape.levels) + " depths of " + std::to_string(shape.points()) +
-                  " nodes, more than this program accepts; cut out your area and period first");
+    return refuse(messages::ingest_current_message<"currents-too-large">(shape.times_s.size(), shape.levels,
+                                                                         shape.points()));
   const auto found = survey(*input.source, input.what, input.states_unit, progress);
   if (!found) return refuse(found.error());
   if (found->valid == 0 && found->flagged.bad > 0)
-    return refuse("every value of " + enumeration(input.variables) +
-                  " is missing or flagged as bad by the file's own quality flags; there is nothing to store; "
-                  "check the area and the period of your download");
+    return refuse(
+        messages::ingest_current_message<"currents-all-missing-or-flagged">(enumeration(input.variables)));
   if (found->valid == 0)
-    return refuse("every value of " + enumeration(input.variables) +
-                  " is missing; there is nothing to store; check the area and the period of your download");
+    return refuse(messages::ingest_current_message<"currents-all-missing">(enumeration(input.variables)));
   if (found->everything_is_zero)
-    return refuse("every " + std::string{input.what == Moving::sea ? "current" : "wind"} +
-                  " in the file is exactly zero; that is a file without data, not a calm; check the area and "
-                  "the period of "
-                  "your download");
+    return refuse(messages::ingest_current_message<"currents-all-zero">(input.what == Moving::sea ? "current"
+                                                                                                  : "wind"));
 
   auto currents = placed(input, found->land);
   if (!currents) return refuse(currents.error());
@@ -208,27 +187,20 @@ Checked<PreparedDataset> prepare_currents(CurrentInput input, const core::Progre
   data.warnings = std::move(input.warnings);
   if (found->undeclared_fill > 0)
     data.warnings.push_back(
-        remark(std::to_string(found->undeclared_fill) +
-               " values are markers for \"missing\" that the file does not declare, or lie "
-               "outside its valid range; they were "
-               "left out"));
-  for (std::string& told : words_of_flags(found->flagged)) data.warnings.push_back(remark(std::move(told)));
-  if (!found->doubt.empty()) data.warnings.push_back(remark(found->doubt));
+        messages::ingest_current_message<"current-markers-left-out">(found->undeclared_fill));
+  warn_of_flags(found->flagged, data.warnings);
+  if (found->doubt) data.warnings.push_back(*found->doubt);
   if (found->land)
     data.warnings.push_back(
-        remark("no value of the currents is missing, but " + number(100.0 * found->land->share(), 3) +
-               " % of their nodes are exactly zero at all times and lie together; taken as land"));
-  if (auto above = above_the_first_level(*currents)) data.warnings.push_back(remark(std::move(*above)));
+        messages::ingest_current_message<"zeros-taken-as-land">(number(100.0 * found->land->share(), 3)));
+  if (auto above = above_the_first_level(*currents)) data.warnings.push_back(std::move(*above));
   if (shape.levels_follow_bed)
-    data.warnings.push_back(remark("the model's " + std::to_string(shape.levels) +
-                                   " levels follow the sea bed; the currents were interpolated to " +
-                                   std::to_string(currents->levels()) +
-                                   " depths below the surface, from 0 to " +
-                                   number(currents->depths_m->back()) + " m"));
+    data.warnings.push_back(messages::ingest_current_message<"levels-interpolated">(
+        shape.levels, currents->levels(), number(currents->depths_m->back())));
   if (currents->resampling) {
     auto account = account_of_resampling(*currents, input);
     if (!account) return refuse(account.error());
-    data.warnings.push_back(remark(std::move(*account)));
+    data.warnings.push_back(std::move(*account));
   }
   data.bounds = currents->grid.bounds();
   data.rows_accepted = static_cast<std::int64_t>(currents->grid.size());

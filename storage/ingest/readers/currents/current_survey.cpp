@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/messages/ingest_current_messages.hpp"
 #include "storage/ingest/common/in_blocks.hpp"
 #include "storage/ingest/notation/text.hpp"
 #include "storage/ingest/readers/velocity/velocity_component.hpp"
@@ -43,35 +44,24 @@ SpeedCount count_speeds(const VelocitySlice& slice, double most_m_s) {
 }
 
 /// Why a slice is refused in which a speed is beyond `most_m_s`.
-std::string too_fast(const VelocitySource& source, Moving what, bool states_unit, const VelocitySlice& slice,
-                     double most_m_s) {
-  const std::string way_out =
-      "; ask the producer, or name the number that marks them with --missing, for example --missing -99.99";
+messages::Message too_fast(const VelocitySource& source, Moving what, bool states_unit,
+                           const VelocitySlice& slice, double most_m_s) {
   std::size_t point = 0;
   while (!(squared_speed(slice, point) > most_m_s * most_m_s)) ++point;
   const double speed = std::sqrt(squared_speed(slice, point));
   const geo::LonLat place = source.place(point);
   const std::string where = "longitude " + number(place.lon_deg) + ", latitude " + number(place.lat_deg);
+  const std::string reached = number(speed, 4);
   if (what == Moving::air)
-    return "the wind reaches " + number(speed, 4) + (states_unit ? " m/s at " : " at ") + where +
-           "; no wind is that strong; " +
-           (states_unit ? "the unit is wrong or the file marks missing values without declaring "
-                          "them" +
-                              way_out
-                        : "the file states no unit, and it is probably not m/s; ask the producer");
-  if (!states_unit)
-    return "the current reaches " + number(speed, 4) + " at " + where +
-           " and the file states no unit; in m/s no ocean is that fast, so the unit is probably cm/s; ask "
-           "the producer, or add the units attribute";
-  return "the current reaches " + number(speed, 4) + " m/s at " + where +
-         "; no ocean is that fast; the unit is wrong or the file marks missing values without declaring "
-         "them" +
-         way_out;
+    return states_unit ? messages::ingest_current_message<"wind-too-strong">(reached, where)
+                       : messages::ingest_current_message<"wind-too-strong-without-unit">(reached, where);
+  return states_unit ? messages::ingest_current_message<"current-too-fast">(reached, where)
+                     : messages::ingest_current_message<"current-too-fast-without-unit">(reached, where);
 }
 
 /// A number that both components have at many points and that none exceeds: water does not move so, but a mark within
 /// the range of possible speeds looks so, as -99.99 among cm/s.
-std::string doubt_in_marks(const VelocitySlice& slice) {
+std::optional<messages::Message> doubt_in_marks(const VelocitySlice& slice) {
   constexpr std::size_t fewest_points = 9;
   constexpr double smallest_share = 0.01;
   float least = INFINITY;
@@ -81,20 +71,16 @@ std::string doubt_in_marks(const VelocitySlice& slice) {
     if (east > greatest) greatest = east;
   }
   const auto enough = static_cast<std::size_t>(smallest_share * static_cast<double>(slice.east.size()));
-  if (least == greatest) return "";
+  if (least == greatest) return std::nullopt;
   for (const float extreme : {least, greatest}) {
     std::size_t count = 0;
     for (std::size_t i = 0; i < slice.east.size(); ++i)
       count += slice.east[i] == extreme && slice.north[i] == extreme ? 1U : 0U;
     if (extreme == 0.0F || count < std::max(fewest_points, enough)) continue;
-    return "at " + std::to_string(count) + " points both components are exactly " +
-           number(static_cast<double>(extreme)) + " m/s and none is " +
-           (extreme == least ? "less" : "greater") +
-           "; this looks like a mark of missing values that the file does not declare; if it is one, remove "
-           "the dataset "
-           "and ingest the file again with --missing and the number as the file has it";
+    return messages::ingest_current_message<"possible-marker">(count, number(static_cast<double>(extreme)),
+                                                               extreme == least ? "less" : "greater");
   }
-  return "";
+  return std::nullopt;
 }
 
 }  // namespace

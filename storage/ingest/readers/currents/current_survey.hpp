@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 
 #include "engine/core/progress.hpp"
 #include "storage/ingest/grids/velocity_source.hpp"
@@ -16,8 +17,8 @@ struct CurrentSurvey {
   std::int64_t undeclared_fill{};
   FlagCount flagged{};
   bool everything_is_zero{true};
-  std::shared_ptr<const ZeroLand> land;  // null: no land that was written as still water
-  std::string doubt;                     // about a number that may mark missing values; empty: none
+  std::shared_ptr<const ZeroLand> land;    // null: no land that was written as still water
+  std::optional<messages::Message> doubt;  // about a number that may mark missing values
 };
 
 /// Errors  a current that no ocean has, or a wind that never blows; the file cannot be read to its end

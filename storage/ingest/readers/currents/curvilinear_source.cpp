@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/messages/ingest_current_messages.hpp"
 #include "storage/ingest/common/missing_value.hpp"
 #include "storage/ingest/formats/netcdf/netcdf_coordinates.hpp"
 #include "storage/ingest/formats/netcdf/position_tables.hpp"
@@ -128,27 +129,21 @@ class CurvilinearSource : public VelocitySource {
 /// Source  Smith et al. 2010, The Parallel Ocean Program (POP) Reference Manual, section 3.2
 bool is_model_of_grid_axes(const NetcdfVariable& variable) { return lower(variable.name()) == "uvel"; }
 
-std::string without_positions(const VelocityPair& pair) {
-  return "the variable \"" + pair.first->name() +
-         "\" lies on a curvilinear (bent) grid, and the file holds no tables of longitude and latitude for "
-         "its "
-         "points; the data cannot be placed; give the model's grid or mesh file in the same command";
+messages::Message without_positions(const VelocityPair& pair) {
+  return messages::ingest_current_message<"bent-grid-without-positions">(pair.first->name());
 }
 
 Checked<ComponentPlane> plane_with_positions(const NetcdfFiles& files, const NetcdfFile& file,
                                              const NetcdfVariable& variable, GridPoints points) {
   const auto dimensions = plane_of(file, variable);
   if (!dimensions)
-    return refuse(
-        "the variable \"" + variable.name() +
-        "\" has no two dimensions that could be rows and columns; the data cannot be placed; ask for a "
-        "file with longitude, latitude, depth and time coordinates");
+    return refuse(messages::ingest_current_message<"axes-of-variable-unknown">(variable.name()));
   auto positions = positions_of(files, file, variable, *dimensions, points);
   if (!positions) return refuse(positions.error());
   return ComponentPlane{*dimensions, std::move(*positions)};
 }
 
-std::optional<std::string> doubt_in_axes(const VelocityPair& pair, const ComponentPlane& plane) {
+std::optional<messages::Message> doubt_in_axes(const VelocityPair& pair, const ComponentPlane& plane) {
   if (!plane.positions || !plane.positions->from_plain_axes) return std::nullopt;
   double northernmost_deg = -90.0;
   for (const geo::LonLat place : plane.positions->places)
@@ -228,24 +223,17 @@ Checked<GridDirections> directions_for(const NetcdfFiles& files, const VelocityP
 
   const bool straight = directions->largest_turn_deg() < straight_deg;
   if (pair.axes == VelocityAxes::east_north && !arrangement.staggering.collocated && !straight)
-    return refuse(
-        "\"" + pair.first->name() + "\" and \"" + pair.second->name() +
-        "\" are called eastward and northward, yet they lie half a cell apart on a grid that is turned, "
-        "as only components along the grid do; which of the two is true is not known; ask the producer");
+    return refuse(messages::ingest_current_message<"called-eastward-on-a-turned-grid">(pair.first->name(),
+                                                                                       pair.second->name()));
   if (pair.axes == VelocityAxes::east_north) return GridDirections::along_east(arrangement.centres.size());
   if (pair.axes == VelocityAxes::unstated && arrangement.staggering.collocated && !straight) {
     if (!is_model_of_grid_axes(*pair.first))
-      return refuse(
-          "the file does not say whether \"" + pair.first->name() + "\" and \"" + pair.second->name() +
-          "\" point towards east and north or along the axes of its bent grid; a wrong guess would turn "
-          "the drift; ask the producer, or add standard names (eastward_sea_water_velocity or "
-          "sea_water_x_velocity)");
+      return refuse(messages::ingest_current_message<"direction-of-components-unknown">(
+          pair.first->name(), pair.second->name(), "bent"));
   }
   if (!straight)
-    warnings.push_back(
-        remark("\"" + pair.first->name() + "\" and \"" + pair.second->name() +
-               "\" point along the axes of the model's grid; they were turned to east and north, by up to " +
-               number(directions->largest_turn_deg(), 3) + " degrees"));
+    warnings.push_back(messages::ingest_current_message<"turned-from-model-grid">(
+        pair.first->name(), pair.second->name(), number(directions->largest_turn_deg(), 3)));
   return directions;
 }
 

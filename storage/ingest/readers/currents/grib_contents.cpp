@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "engine/messages/ingest_current_messages.hpp"
 #include "storage/ingest/notation/text.hpp"
 
 namespace floeplan::ingest {
@@ -81,14 +82,12 @@ bool is_depth(int surface_type) { return surface_type == depth_surface || surfac
 /// Errors  a surface that is no depth
 Checked<Layer> layer_of(const GribField& field) {
   if (!is_depth(field.surface_type))
-    return refuse("the GRIB file has currents on a surface of type " + std::to_string(field.surface_type) +
-                  ", which is no depth; they cannot be placed in the water; ask for depths in metres");
+    return refuse(messages::ingest_current_message<"grib-surface-not-a-depth">(field.surface_type));
   const double first_m = field.surface_type == depth_surface ? field.surface_value : 0.0;
   if (!field.is_of_layer()) return Layer{first_m, first_m};
   if (!is_depth(field.second_surface_type))
-    return refuse("the GRIB file has currents that are means from a depth of " + number(first_m) +
-                  " m down to a surface of type " + std::to_string(field.second_surface_type) +
-                  ", which is no depth; they cannot be placed in the water; ask for depths in metres");
+    return refuse(messages::ingest_current_message<"grib-layer-not-of-depths">(number(first_m),
+                                                                               field.second_surface_type));
   const double second_m = field.second_surface_type == depth_surface ? field.second_surface_value : 0.0;
   return Layer{std::min(first_m, second_m), std::max(first_m, second_m)};
 }
@@ -98,13 +97,12 @@ std::string words_of_layer(const Layer& layer) {
 }
 
 /// Why layers, from the uppermost on, make no profile: their means are of the same water.
-std::optional<std::string> overlap_of(const std::set<Layer>& layers) {
+std::optional<messages::Message> overlap_of(const std::set<Layer>& layers) {
   const Layer* deepest = nullptr;
   for (const Layer& layer : layers) {
     if (deepest != nullptr && layer.top_m < deepest->bottom_m)
-      return "the currents in the GRIB file are means over layers that overlap (" + words_of_layer(*deepest) +
-             " and " + words_of_layer(layer) +
-             "), so which of them holds at a depth is not known; give a file with one set of layers";
+      return messages::ingest_current_message<"grib-layers-overlap">(words_of_layer(*deepest) + " and " +
+                                                                     words_of_layer(layer));
     if (deepest == nullptr || layer.bottom_m > deepest->bottom_m) deepest = &layer;
   }
   return std::nullopt;
@@ -121,25 +119,15 @@ std::string words_of_layers(const std::set<Layer>& layers) {
 /// Extremes, sums and deviations over a period are no state of the sea or the air.
 bool is_state(const GribField& field) { return field.statistic == 0; }
 
-std::string nothing_in_grib(Moving what, const std::vector<GribField>& fields, bool direction,
-                            bool statistic) {
+messages::Message nothing_in_grib(Moving what, const std::vector<GribField>& fields, bool direction,
+                                  bool statistic) {
   if (statistic)
-    return std::string{"the GRIB file holds extremes, sums or deviations of the "} +
-           (what == Moving::sea ? "current" : "wind") +
-           " over a period, which is nothing that a vehicle or an iceberg meets; give a file with its values "
-           "or its means";
+    return messages::ingest_current_message<"grib-without-values">(what == Moving::sea ? "current" : "wind");
   const std::string elsewhere = wind_in_words(fields);
   const std::string beside = elsewhere.empty() ? "" : elsewhere + ", but ";
-  if (what == Moving::air)
-    return "the GRIB file holds " + beside +
-           "no wind 10 m above the ground (discipline 0, category 2, surface 103), which is the wind that "
-           "moves icebergs; there is nothing to store; give a file with both components of that wind";
-  if (direction)
-    return "the GRIB file gives the current as speed and direction, which this program does not read; give a "
-           "file with its components towards east and north";
-  return "the GRIB file holds " + beside +
-         "no currents of the sea (discipline 10, category 1) and no wind 10 m above the ground; there is "
-         "nothing to store; give a file with both components of the current or of that wind";
+  if (what == Moving::air) return messages::ingest_current_message<"grib-without-wind">(beside);
+  if (direction) return messages::ingest_current_message<"grib-current-as-direction">();
+  return messages::ingest_current_message<"grib-without-currents">(beside);
 }
 
 }  // namespace
@@ -164,14 +152,10 @@ Checked<GribContents> grib_contents(const std::vector<GribField>& fields, Moving
     if (!layer) return refuse(layer.error());
     if (first == nullptr) first = &field;
     if (field.grid != first->grid)
-      return refuse(
-          "the fields of the GRIB file lie on different grids; they cannot be put together; give one grid a "
-          "file");
+      return refuse(messages::ingest_current_message<"grib-fields-on-several-grids">());
     GribBands& bands = found[{field.valid_s, *layer}];
     int& band = field.number == east_number ? bands.east : bands.north;
-    if (band != 0)
-      return refuse("the GRIB file holds a component of the " + name +
-                    " twice for one time and place; which of them holds is unknown; remove one of them");
+    if (band != 0) return refuse(messages::ingest_current_message<"grib-component-twice">(name));
     band = static_cast<int>(i) + 1;
     one_run = one_run && field.run_s == first->run_s;
     times.insert(field.valid_s);
@@ -192,15 +176,14 @@ Checked<GribContents> grib_contents(const std::vector<GribField>& fields, Moving
                         words_of_layers(layers)};
   if (!one_run) contents.run = std::nullopt;
   if (contents.depths_m.front() < 0.0 || contents.depths_m.back() > 12000.0)
-    return refuse("the depths in the GRIB file run from " + number(contents.depths_m.front()) + " to " +
-                  number(contents.depths_m.back()) + " m; no ocean does; the file is damaged");
+    return refuse(messages::ingest_current_message<"grib-depths-impossible">(
+        number(contents.depths_m.front()), number(contents.depths_m.back())));
   for (const double time : contents.times_s) {
     for (const Layer& layer : layers) {
       const GribBands bands = found[{time, layer}];
       if (bands.east == 0 || bands.north == 0)
-        return refuse("the GRIB file lacks a component of the " + name +
-                      (what == Moving::sea ? " at a depth of " + words_of_layer(layer) : std::string{}) +
-                      " at one of its times; gaps cannot be filled; ask for a complete file");
+        return refuse(messages::ingest_current_message<"grib-component-missing">(
+            name, what == Moving::sea ? " at a depth of " + words_of_layer(layer) : std::string{}));
       contents.bands.push_back(bands);
     }
   }

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/messages/ingest_current_messages.hpp"
+#include "engine/messages/ingest_file_messages.hpp"
 #include "storage/ingest/common/gdal_guard.hpp"
 #include "storage/ingest/common/missing_value.hpp"
 #include "storage/ingest/formats/grib/grib_grid.hpp"
@@ -79,9 +81,7 @@ Checked<RasterPlace> raster_place(const GribGrid& grid) {
     return place;
   }
   const auto way = way_to_places(*grid.plane);
-  if (!way)
-    return refuse(
-        "the projection of the GRIB file cannot be used; convert it to latitude and longitude first");
+  if (!way) return refuse(messages::ingest_current_message<"grib-projection-unusable">());
   const std::size_t width = grid.x.size();
   const double ahead = width > 1 ? 1e-3 * (grid.x[1] - grid.x[0]) : 1.0;
   for (std::size_t i = 0; i < width; ++i) place.columns.push_back(i);
@@ -145,7 +145,7 @@ class GribSource : public VelocitySource {
 
   [[nodiscard]] Checked<std::vector<float>> level_depths(std::size_t /*time*/,
                                                          std::size_t /*level*/) const override {
-    return refuse("the levels of a GRIB file do not follow the sea bed");
+    return refuse(messages::ingest_current_message<"levels-not-of-the-bed">("a GRIB file"));
   }
 
  private:
@@ -158,8 +158,7 @@ class GribSource : public VelocitySource {
     std::vector<double> values(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
     if (band == nullptr || band->RasterIO(GF_Read, 0, 0, width, height, values.data(), width, height,
                                           GDT_Float64, 0, 0, nullptr) != CE_None)
-      return refuse("a field of the GRIB file cannot be read (" + messages.first_error() +
-                    "); the file is damaged; copy or download it again");
+      return refuse(messages::ingest_current_message<"grib-field-unreadable">(messages.first_error()));
     int has_fill = 0;
     const double fill = band->GetNoDataValue(&has_fill);
     std::vector<float> result;
@@ -196,18 +195,14 @@ Checked<PreparedDataset> read_velocities(const std::filesystem::path& file, Movi
   const GdalMessages messages;
   std::shared_ptr<GDALDataset> raster = open_in_rows(file);
   if (!raster)
-    return refuse("the GRIB file cannot be opened (" + messages.first_error() +
-                  "); it is damaged or was cut short; copy or download it again");
+    return refuse(messages::ingest_file_message<"file-damaged">("GRIB file", messages.first_error()));
   if (static_cast<std::size_t>(raster->GetRasterCount()) != fields->size())
-    return refuse(
-        "the GRIB file is built in a way that this program does not follow (its fields are not counted alike "
-        "by two "
-        "readers); convert it to NetCDF first");
+    return refuse(messages::ingest_current_message<"grib-not-followed">(
+        "its fields are not counted alike by two readers"));
   if (static_cast<std::size_t>(raster->GetRasterXSize()) != grid->x.size() ||
       static_cast<std::size_t>(raster->GetRasterYSize()) != grid->y.size())
     return refuse(
-        "the GRIB file is built in a way that this program does not follow (two readers see grids of "
-        "different size); convert it to NetCDF first");
+        messages::ingest_current_message<"grib-not-followed">("two readers see grids of different size"));
   auto place = raster_place(*grid);
   if (!place) return refuse(place.error());
 
@@ -215,17 +210,13 @@ Checked<PreparedDataset> read_velocities(const std::filesystem::path& file, Movi
   input.what = what;
   input.variables = {"u", "v"};
   if (!contents->layers.empty())
-    input.warnings.push_back(
-        remark("the currents are means over layers of the water (" + contents->layers +
-               "); each was placed at the middle of its layer, and within a layer the current "
-               "may be much stronger or run another way"));
+    input.warnings.push_back(messages::ingest_current_message<"grib-layers">(contents->layers));
   std::optional<GridDirections> directions;
   if (contents->along_grid && !place->grid) {
     directions = std::move(place->directions);
-    input.warnings.push_back(
-        remark(std::string{what == Moving::sea ? "the currents point" : "the wind points"} +
-               " along the axes of the grid, as the file says; it was turned to east and north, by up to " +
-               number(directions->largest_turn_deg(), 3) + " degrees"));
+    input.warnings.push_back(messages::ingest_current_message<"turned-as-grib-says">(
+        what == Moving::sea ? "the currents point" : "the wind points",
+        number(directions->largest_turn_deg(), 3)));
   }
   if (place->grid) {
     input.grid = place->grid;

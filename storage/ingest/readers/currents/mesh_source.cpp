@@ -4,6 +4,7 @@
 #include <cmath>
 #include <span>
 
+#include "engine/messages/ingest_current_messages.hpp"
 #include "storage/ingest/common/missing_value.hpp"
 #include "storage/ingest/grids/bed_levels.hpp"
 #include "storage/ingest/grids/mesh_levels.hpp"
@@ -136,9 +137,7 @@ std::vector<SourceMesh::Cell> split_faces(const MeshTopology& mesh) {
 Checked<MeshCurrents> mesh_currents(const NetcdfFiles& files, const VelocityPair& pair, Messages& warnings) {
   if (pair.axes == VelocityAxes::grid)
     return refuse(
-        "\"" + pair.first->name() + "\" and \"" + pair.second->name() +
-        "\" are called components along a grid, but a mesh has no axes; which way they point is not "
-        "known; ask the producer");
+        messages::ingest_current_message<"mesh-has-no-axes">(pair.first->name(), pair.second->name()));
   auto mesh = mesh_topology(*pair.first_file);
   if (!mesh) return refuse(mesh.error());
   const auto along_faces = pair.first->dimension_named(mesh->face_dimension);
@@ -147,9 +146,7 @@ Checked<MeshCurrents> mesh_currents(const NetcdfFiles& files, const VelocityPair
       pair.second->dimension_named(along_faces ? mesh->face_dimension : mesh->node_dimension);
   if (!along || !second_along)
     return refuse(
-        "\"" + pair.first->name() + "\" and \"" + pair.second->name() +
-        "\" do not both lie on the nodes or both in the faces of the mesh; they cannot be put together; "
-        "ask the producer");
+        messages::ingest_current_message<"mesh-components-apart">(pair.first->name(), pair.second->name()));
   auto layout = layout_over(*pair.first_file, *pair.first, *along, *along);
   if (!layout) return refuse(layout.error());
   auto second_layout = layout_over(*pair.second_file, *pair.second, *second_along, *second_along);

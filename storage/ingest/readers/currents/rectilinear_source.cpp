@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "engine/messages/ingest_current_messages.hpp"
 #include "storage/ingest/common/in_blocks.hpp"
 #include "storage/ingest/formats/netcdf/netcdf_grid.hpp"
 #include "storage/ingest/grids/netcdf_shape.hpp"
@@ -91,7 +92,7 @@ class RectilinearSource : public VelocitySource {
 
   [[nodiscard]] Checked<std::vector<float>> level_depths(std::size_t /*time*/,
                                                          std::size_t /*level*/) const override {
-    return refuse("the levels of a regular grid do not follow the sea bed");
+    return refuse(messages::ingest_current_message<"levels-not-of-the-bed">("a regular grid"));
   }
 
  private:
@@ -115,9 +116,7 @@ Checked<RectilinearCurrents> rectilinear_currents(const NetcdfFiles& files, cons
   if (const auto differs = times_or_depths_differ(*layout, *second_layout)) return refuse(*differs);
   if (layout->x.nodes != second_layout->x.nodes || layout->y.nodes != second_layout->y.nodes)
     return refuse(
-        "the components \"" + pair.first->name() + "\" and \"" + pair.second->name() +
-        "\" lie on different points of a staggered grid with plain axes; which is beside which is not "
-        "known; interpolate both to the same points first");
+        messages::ingest_current_message<"staggered-plain-axes">(pair.first->name(), pair.second->name()));
   if (!layout->projected)
     if (auto doubt = doubt_in_nominal_axes(pair, layout->y.nodes.back())) return refuse(std::move(*doubt));
 
@@ -125,21 +124,16 @@ Checked<RectilinearCurrents> rectilinear_currents(const NetcdfFiles& files, cons
   if (!grid) return refuse(grid.error());
   std::optional<GridDirections> directions;
   if (layout->projected && pair.axes == VelocityAxes::unstated)
-    return refuse(
-        "the file does not say whether \"" + pair.first->name() + "\" and \"" + pair.second->name() +
-        "\" point towards east and north or along the axes of its projected grid; a wrong guess would "
-        "turn the drift; ask the producer, or add standard names (eastward_sea_water_velocity or "
-        "sea_water_x_velocity)");
+    return refuse(messages::ingest_current_message<"direction-of-components-unknown">(
+        pair.first->name(), pair.second->name(), "projected"));
   if (layout->projected && pair.axes == VelocityAxes::grid) {
     directions = x_directions_of(*grid);
-    warnings.push_back(
-        remark("\"" + pair.first->name() + "\" and \"" + pair.second->name() +
-               "\" point along the axes of the projected grid; they were turned to east and north"));
+    warnings.push_back(messages::ingest_current_message<"turned-from-projected-grid">(pair.first->name(),
+                                                                                      pair.second->name()));
   }
   if (!layout->projected && pair.axes == VelocityAxes::grid)
     warnings.push_back(
-        remark("\"" + pair.first->name() + "\" and \"" + pair.second->name() +
-               "\" point along the axes of the model's grid, which here run along parallels and meridians"));
+        messages::ingest_current_message<"along-parallels">(pair.first->name(), pair.second->name()));
 
   warnings.insert(warnings.end(), layout->warnings.begin(), layout->warnings.end());
   auto first = VelocityComponent::of(*pair.first_file, *pair.first, std::move(*layout), warnings);

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "engine/core/utc_text.hpp"
+#include "engine/messages/ingest_current_messages.hpp"
 #include "storage/ingest/common/missing_value.hpp"
 #include "storage/ingest/formats/netcdf/netcdf_axis.hpp"
 #include "storage/ingest/formats/s100/s100_coverage.hpp"
@@ -37,9 +38,7 @@ Checked<AxisNodes> record_times(const S100Coverage& currents) {
   for (const Hdf5Group& record : currents.records) {
     const std::string text = record.text("timePoint").value_or("");
     const auto time = s111_time(text);
-    if (!time)
-      return refuse("a record of the S-111 file has the time \"" + text +
-                    "\", which is none; it is damaged; copy or download it again");
+    if (!time) return refuse(messages::ingest_current_message<"s-time-unreadable">(text));
     times_s.push_back(core::unix_seconds(*time));
   }
   return sorted_nodes("timePoint", std::move(times_s));
@@ -47,8 +46,8 @@ Checked<AxisNodes> record_times(const S100Coverage& currents) {
 
 /// Where in the water the currents are.
 struct Level {
-  std::optional<double> depth_m;  // empty: the file does not say
-  std::string warning{};          // empty: none
+  std::optional<double> depth_m;               // empty: the file does not say
+  std::optional<messages::Message> warning{};  // empty: none
 };
 
 /// What the depth of the currents counts from, or that it is the thickness of a layer below the surface.
@@ -87,29 +86,19 @@ Reference reference_of(const Hdf5Group& file) {
 Checked<Level> s111_level(const Hdf5Group& file) {
   const auto stated = file.number("surfaceCurrentDepth");
   if (!stated) return Level{};
-  if (!std::isfinite(*stated))
-    return refuse(
-        "the S-111 file has no number for the depth of its currents; it is damaged; copy or download it "
-        "again");
+  if (!std::isfinite(*stated)) return refuse(messages::ingest_current_message<"s-depth-missing">());
   const double depth_m =
       std::abs(*stated);  // below a surface it is negative, though not every producer has it so
   switch (reference_of(file)) {
     case Reference::surface: return Level{depth_m};
     case Reference::layer:
-      return Level{depth_m / 2.0, "the currents are means over the uppermost " + number(depth_m) +
-                                      " m of the water; they were placed at the middle of that layer"};
+      return Level{depth_m / 2.0, messages::ingest_current_message<"uppermost-layer">(number(depth_m))};
     case Reference::datum:
-      return Level{depth_m,
-                   "the depth of the currents, " + number(depth_m) +
-                       " m, counts from the datum of charts; it was taken from the surface, which the tide "
-                       "moves up and down"};
+      return Level{depth_m, messages::ingest_current_message<"depth-from-chart-datum">(number(depth_m))};
     case Reference::bed:
     case Reference::unknown: break;
   }
-  return refuse(
-      "the depth of the currents in the S-111 file does not count from the surface or a datum of charts; "
-      "where in "
-      "the water they are is not known; ask its producer for currents below the surface");
+  return refuse(messages::ingest_current_message<"s-depth-from-the-bed">());
 }
 
 class S111Source : public VelocitySource {
@@ -153,7 +142,7 @@ class S111Source : public VelocitySource {
 
   [[nodiscard]] Checked<std::vector<float>> level_depths(std::size_t /*time*/,
                                                          std::size_t /*level*/) const override {
-    return refuse("the levels of an S-111 file do not follow the sea bed");
+    return refuse(messages::ingest_current_message<"levels-not-of-the-bed">("an S-111 file"));
   }
 
  private:
@@ -172,9 +161,7 @@ Checked<PreparedDataset> read_s111_currents(const std::filesystem::path& file,
   const auto speed = currents->values.find(speed_name);
   const std::string unit = speed == currents->values.end() ? "" : speed->second.unit;
   const auto unit_m_s = speed_factor(unit);
-  if (!unit_m_s)
-    return refuse("the speeds of the S-111 file have the unit \"" + unit +
-                  "\", which is no speed that this program knows; ask its producer for a file in knots");
+  if (!unit_m_s) return refuse(messages::ingest_current_message<"s-speed-unit-unknown">(unit));
   auto times = record_times(*currents);
   if (!times) return refuse(times.error());
   const auto level = s111_level(currents->file);
@@ -182,7 +169,7 @@ Checked<PreparedDataset> read_s111_currents(const std::filesystem::path& file,
 
   CurrentInput input;
   input.variables = {speed_name, direction_name};
-  if (!level->warning.empty()) input.warnings.push_back(remark(level->warning));
+  if (level->warning) input.warnings.push_back(*level->warning);
   input.grid = currents->grid;
   input.source =
       std::make_shared<const S111Source>(std::move(*currents), std::move(*times), level->depth_m, *unit_m_s);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/messages/ingest_current_messages.hpp"
 #include "storage/ingest/formats/netcdf/netcdf_coordinates.hpp"
 #include "storage/ingest/formats/netcdf/netcdf_grid.hpp"
 #include "storage/ingest/formats/netcdf/netcdf_layout.hpp"
@@ -112,25 +113,16 @@ void place_by_words(CurrentInput& input, const VelocityPair& pair) {
   if (shape.depths_m || shape.levels_follow_bed) return;
   const std::string names = "\"" + pair.first->name() + "\" and \"" + pair.second->name() + "\"";
   if (pair.depth_m) {
-    input.warnings.push_back(remark(names + " are currents at a depth of " + number(*pair.depth_m) +
-                                    " m, as they say themselves; nothing is known of the water below it"));
+    input.warnings.push_back(
+        messages::ingest_current_message<"current-of-one-depth">(names, number(*pair.depth_m)));
     input.source = one_level(std::move(input.source), 0, *pair.depth_m);
   } else if (pair.part == WaterPart::surface) {
-    input.warnings.push_back(
-        remark(names + " are currents of the surface alone; they were stored at depth 0, and a plan for "
-                       "deeper dives has to take them all the way down"));
+    input.warnings.push_back(messages::ingest_current_message<"current-of-the-surface">(names));
     input.source = one_level(std::move(input.source), 0, 0.0);
   } else if (pair.part == WaterPart::column_mean) {
-    input.warnings.push_back(remark(
-        names +
-        " are means over the whole water column or a part of it; they were stored as the same at every "
-        "depth, but near the surface the current may be much stronger or run another way"));
+    input.warnings.push_back(messages::ingest_current_message<"current-of-the-column">(names));
   } else {
-    input.warnings.push_back(remark(
-        names +
-        " state no depth; they were stored as the same at every depth; if they are those of one depth alone, "
-        "state it, for example with ncap2 -s 'depth=0.0; depth@standard_name=\"depth\"; depth@units=\"m\"' "
-        "IN.nc OUT.nc"));
+    input.warnings.push_back(messages::ingest_current_message<"current-without-depth">(names));
   }
 }
 
@@ -142,10 +134,8 @@ Checked<CurrentInput> velocity_input(const NetcdfFiles& files, const VelocityPai
   if (!input || pair.what == Moving::air) return input;
   const auto& depths_m = input->source->shape().depths_m;
   if (depths_m && depths_m->back() < 0.0)
-    return refuse(
-        "the levels of \"" + pair.first->name() + "\" and \"" + pair.second->name() +
-        "\" lie above the surface of the sea (heights of up to " + number(-depths_m->front()) +
-        " m); where in the water these currents run is not known; ask for depths below the surface");
+    return refuse(messages::ingest_current_message<"current-above-the-surface">(
+        pair.first->name(), pair.second->name(), number(-depths_m->front())));
   place_by_words(*input, pair);
   return input;
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/messages/ingest_current_messages.hpp"
 #include "storage/ingest/formats/netcdf/netcdf_coordinates.hpp"
 #include "storage/ingest/formats/netcdf/variable_level.hpp"
 #include "storage/ingest/notation/text.hpp"
@@ -20,9 +21,7 @@ Checked<std::size_t> level_at_10_m(const SourceShape& shape) {
       *shape.depths_m, [](double depth_m) { return is_height_of_wind(std::abs(depth_m)); });
   if (level != shape.depths_m->end()) return static_cast<std::size_t>(level - shape.depths_m->begin());
   return refuse(
-      "the wind is given at " + number(std::abs(shape.depths_m->back())) +
-      " m, but not at 10 m above the ground; higher up it is stronger than what moves an iceberg; ask "
-      "for the wind at 10 m");
+      messages::ingest_current_message<"wind-at-other-height">(number(std::abs(shape.depths_m->back()))));
 }
 
 /// Whether its name or long name says so. Near-surface wind (uas) is at 10 m by custom.
@@ -58,18 +57,16 @@ Checked<CurrentInput> open_wind(const std::shared_ptr<const NetcdfFile>& file,
   auto pair = find_velocity_pair({file}, Moving::air);
   if (!pair) return refuse(pair.error());
   if (const NetcdfVariable* level = model_level_of(*file, *pair->first))
-    return refuse("the wind \"" + pair->first->name() + "\" and \"" + pair->second->name() +
-                  "\" lies on levels of the model (\"" + level->name() +
-                  "\"), whose height above the sea is not known; ask for the wind at 10 m");
+    return refuse(messages::ingest_current_message<"wind-on-model-levels">(
+        pair->first->name(), pair->second->name(), level->name()));
   auto input = velocity_input({file}, *pair, stated_crs);
   if (!input) return refuse(input.error());
   const SourceShape& shape = input->source->shape();
   const auto level = level_at_10_m(shape);
   if (!level) return refuse(level.error());
   if (!shape.depths_m && !names_ten_metres(*pair->first))
-    input->warnings.push_back(remark("the file does not say at which height the wind of \"" +
-                                     pair->first->name() + "\" and \"" + pair->second->name() +
-                                     "\" is known; it was taken for the wind 10 m above the sea"));
+    input->warnings.push_back(
+        messages::ingest_current_message<"wind-without-height">(pair->first->name(), pair->second->name()));
   input->source = one_level(std::move(input->source), *level, std::nullopt);
   return input;
 }

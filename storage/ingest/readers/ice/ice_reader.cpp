@@ -170,7 +170,7 @@ Checked<IceSource> open_source(const std::shared_ptr<const NetcdfFile>& file, co
   const NetcdfVariable& first = *ice->concentrations.front();
   auto place = place_of(file, first, options.crs);
   if (!place) return refuse(place.error());
-  if (place->bent) warnings.push_back(remark(place->bent->account));
+  if (place->bent) warnings.push_back(place->bent->account);
   auto layout = layout_of_ice(std::move(place->layout), first, options.time);
   if (!layout) return refuse(layout.error());
 

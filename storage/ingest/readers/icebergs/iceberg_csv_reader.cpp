@@ -94,7 +94,7 @@ Checked<ocean::Iceberg> sighting(const std::vector<std::string>& fields, const C
     return refuse(
         messages::ingest_iceberg_message<"iceberg-position-unusable">(field(latitude), field(longitude)));
   iceberg.place = {*lon, *lat};
-  if (auto fault = fault_of_place(iceberg.place); !fault.empty()) return refuse(std::move(fault));
+  if (auto fault = fault_of_place(iceberg.place)) return refuse(std::move(*fault));
 
   const auto known_size = size_of_code(field(size));
   if (!known_size)

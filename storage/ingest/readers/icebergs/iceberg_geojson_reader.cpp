@@ -91,7 +91,7 @@ struct PlaceAndLength {
 /// The middle of the box of an outline, and twice the way to its farthest corner: a circle that holds all of it.
 Checked<PlaceAndLength> extent_of(const std::vector<geo::LonLat>& corners) {
   for (const geo::LonLat corner : corners)
-    if (auto fault = fault_of_place(corner); !fault.empty()) return refuse(std::move(fault));
+    if (auto fault = fault_of_place(corner)) return refuse(std::move(*fault));
   double west = 0.0;  // of the first corner, so that an outline across the date line stays in one piece
   double east = 0.0;
   double south = corners.front().lat_deg;
@@ -119,7 +119,7 @@ Checked<PlaceAndLength> extent_of(const OGRGeometry* geometry) {
   const OGRwkbGeometryType type = wkbFlatten(geometry->getGeometryType());
   if (type == wkbPoint) {
     const geo::LonLat place{geometry->toPoint()->getX(), geometry->toPoint()->getY()};
-    if (auto fault = fault_of_place(place); !fault.empty()) return refuse(std::move(fault));
+    if (auto fault = fault_of_place(place)) return refuse(std::move(*fault));
     return PlaceAndLength{place, std::nullopt};
   }
   std::vector<geo::LonLat> corners;

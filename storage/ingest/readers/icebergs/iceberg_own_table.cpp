@@ -120,7 +120,7 @@ class Row {
       return refuse(messages::ingest_iceberg_message<"iceberg-position-not-in-degrees">(
           fields_[columns_.lat], fields_[columns_.lon]));
     iceberg.place = {*lon, *lat};
-    if (auto fault = fault_of_place(iceberg.place); !fault.empty()) return refuse(std::move(fault));
+    if (auto fault = fault_of_place(iceberg.place)) return refuse(std::move(*fault));
     const auto observed = time();
     if (!observed) return refuse(observed.error());
     iceberg.observed = *observed;

@@ -76,7 +76,7 @@ class TableRow {
 Checked<geo::LonLat> berg_place(std::optional<double> lon, std::optional<double> lat) {
   if (!lon || !lat) return refuse(messages::ingest_iceberg_message<"iceberg-position-not-a-number">());
   const geo::LonLat place{*lon, *lat};
-  if (auto fault = fault_of_place(place); !fault.empty()) return refuse(std::move(fault));
+  if (auto fault = fault_of_place(place)) return refuse(std::move(*fault));
   return place;
 }
 

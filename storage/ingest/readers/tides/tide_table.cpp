@@ -136,8 +136,8 @@ Checked<geo::LonLat> station_place(std::optional<double> lon, std::optional<doub
   if (options.at) return *options.at;
   if (!lon || !lat) return refuse(messages::ingest_tide_message<"station-place-missing">());
   const geo::LonLat place{*lon, *lat};
-  if (auto fault = fault_of_place(place); !fault.empty())
-    return refuse(messages::ingest_tide_message<"station-place-impossible">(fault));
+  if (const auto fault = fault_of_place(place))
+    return refuse(messages::ingest_tide_message<"station-place-impossible">(fault->text));
   return *geo::written_place(*lon, *lat);
 }
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "engine/geo/geodesic.hpp"
+#include "engine/messages/ingest_track_messages.hpp"
 #include "engine/mission/document/packed_degrees.hpp"
 
 namespace floeplan::ingest {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/messages/ingest_current_messages.hpp"
+
 namespace floeplan::ingest {
 namespace {
 
@@ -16,18 +18,13 @@ bool are_alike(const std::optional<AxisNodes>& a, const std::optional<AxisNodes>
 
 }  // namespace
 
-std::optional<std::string> times_or_depths_differ(const NetcdfLayout& first, const NetcdfLayout& second) {
-  if (!first.times_s || !second.times_s)
-    return "the file does not say for which time its currents hold; a plan needs to know; ask the producer "
-           "for "
-           "a file with a time axis";
+std::optional<messages::Message> times_or_depths_differ(const NetcdfLayout& first,
+                                                        const NetcdfLayout& second) {
+  if (!first.times_s || !second.times_s) return messages::ingest_current_message<"current-times-missing">();
   if (first.times_s->nodes != second.times_s->nodes)
-    return "the two components of the current hold for different times; they cannot be put together; give "
-           "the "
-           "two files of the same period";
+    return messages::ingest_current_message<"current-times-differ">();
   if (!are_alike(first.depths_m, second.depths_m, 1e-4))
-    return "the two components of the current lie at different depths; they cannot be put together; ask the "
-           "producer for files with the same levels";
+    return messages::ingest_current_message<"current-depths-differ">();
   return std::nullopt;
 }
 

@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "engine/messages/message.hpp"
 #include "storage/ingest/readers/velocity/velocity_pair.hpp"
 
 namespace floeplan::ingest {
@@ -12,7 +13,7 @@ namespace floeplan::ingest {
 /// axes. nullopt when there is no doubt.
 /// Source  Murray 1996, Explicit generation of orthogonal grids for ocean models, J. Comp. Phys. 126 (tripolar grids);
 ///         they begin at 65 degrees in MOM, OM2 and CM2
-[[nodiscard]] std::optional<std::string> doubt_in_nominal_axes(const VelocityPair& pair,
-                                                               double northernmost_deg);
+[[nodiscard]] std::optional<messages::Message> doubt_in_nominal_axes(const VelocityPair& pair,
+                                                                     double northernmost_deg);
 
 }  // namespace floeplan::ingest

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/messages/ingest_current_messages.hpp"
 #include "storage/ingest/common/in_blocks.hpp"
 #include "storage/ingest/notation/cf_units.hpp"
 
@@ -52,14 +53,11 @@ Extent valid_range_of(const NetcdfVariable& variable, double factor) {
 Checked<double> speed_factor_of(const NetcdfVariable& variable, Messages& warnings) {
   const std::string unit = variable.attribute("units");
   if (unit.empty()) {
-    warnings.push_back(remark("the variable \"" + variable.name() +
-                              "\" states no unit; taken as m/s, which its size allows"));
+    warnings.push_back(messages::ingest_current_message<"speed-without-unit">(variable.name()));
     return 1.0;
   }
   if (const auto factor = speed_factor(unit)) return *factor;
-  return refuse("the variable \"" + variable.name() + "\" has the unit \"" + unit +
-                "\", which is no speed that this program knows; a wrong guess would put the glider off "
-                "course; ask for data in m/s");
+  return refuse(messages::ingest_current_message<"speed-unit-unknown">(variable.name(), unit));
 }
 
 }  // namespace

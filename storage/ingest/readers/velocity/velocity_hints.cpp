@@ -1,5 +1,6 @@
 #include "storage/ingest/readers/velocity/velocity_hints.hpp"
 
+#include "engine/messages/ingest_current_messages.hpp"
 #include "storage/ingest/formats/netcdf/variable_meaning.hpp"
 #include "storage/ingest/notation/text.hpp"
 #include "storage/ingest/readers/velocity/velocity_meaning.hpp"
@@ -21,35 +22,31 @@ std::string part_words(WaterPart part) {
 
 }  // namespace
 
-std::string doubt_in_title(const std::string& title, const std::string& names, Moving what,
-                           CurrentContent content) {
+std::optional<messages::Message> doubt_in_title(const std::string& title, const std::string& names,
+                                                Moving what, CurrentContent content) {
   std::string words = in_words(statistic_in_words(title));
   const bool is_plain_current = what == Moving::sea && content == CurrentContent::whole;
   const CurrentContent by_title = is_plain_current ? content_in_words(lower(title)) : CurrentContent::whole;
   if (words.empty() && by_title != CurrentContent::whole) words = content_words(by_title);
-  if (words.empty()) return {};
-  return "the title of the file (\"" + title.substr(0, longest_title) +
-         (title.size() > longest_title ? "..." : "") + "\") speaks of " + words + ", but " + names +
-         " do not say so and were stored as the " + (what == Moving::sea ? "whole current" : "wind") +
-         "; if the title is right, they are something else; ask the producer before you plan";
+  if (words.empty()) return std::nullopt;
+  const bool whole = title.size() <= longest_title;
+  return messages::ingest_current_message<"title-contradicts">(
+      title.substr(0, longest_title) + (whole ? "" : "..."), words, names,
+      what == Moving::sea ? "whole current" : "wind");
 }
 
-std::string statistic_in_group(std::string_view path) {
+std::optional<messages::Message> statistic_in_group(std::string_view path) {
   const Statistic found = statistic_in_name(path);
-  if (found == Statistic::none || found == Statistic::flag || found == Statistic::count) return {};
-  return "the data lie in the group " + std::string{path} + " of the file, which by its name holds " +
-         in_words(found) +
-         "; this is no state that a vehicle or an iceberg meets; give the file of the data themselves, or "
-         "give the group another name if its name misleads";
+  if (found == Statistic::none || found == Statistic::flag || found == Statistic::count) return std::nullopt;
+  return messages::ingest_current_message<"group-of-statistics">(path, in_words(found));
 }
 
-std::string part_in_group(std::string_view path) {
+std::optional<messages::Message> part_in_group(std::string_view path) {
   const CurrentContent content = content_in_name(path);
   const std::string words =
       content != CurrentContent::whole ? content_words(content) : part_words(part_in_name(path));
-  if (words.empty()) return {};
-  return "by its name the group " + std::string{path} + " holds " + words +
-         "; its data were stored as they describe themselves; check that this is the current that you want";
+  if (words.empty()) return std::nullopt;
+  return messages::ingest_current_message<"group-of-a-part">(path, words);
 }
 
 }  // namespace floeplan::ingest

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <utility>
 
+#include "engine/messages/ingest_current_messages.hpp"
 #include "storage/ingest/formats/netcdf/variable_level.hpp"
 #include "storage/ingest/formats/netcdf/variable_meaning.hpp"
 #include "storage/ingest/notation/cf_units.hpp"
@@ -174,16 +175,12 @@ void settle_component(VelocityMeaning& meaning, const NetcdfVariable& variable,
   const auto differ = [](std::optional<Component> a, std::optional<Component> b) {
     return a && b && *a != *b;
   };
-  const std::string quoted = "\"" + variable.name() + "\"";
   if (differ(evidence.standard_name, evidence.long_name) &&
       !(evidence.name && !differ(evidence.name, evidence.standard_name))) {
     meaning.component = *evidence.standard_name;
-    meaning.contradiction =
-        quoted + " contradicts itself: its standard name (" + variable.attribute("standard_name") +
-        ") makes it " + in_words(*evidence.standard_name, meaning.axes) + ", its long name (" +
-        variable.attribute("long_name") + ") " + in_words(*evidence.long_name, meaning.axes) +
-        "; a wrong guess would turn the drift by 90 degrees; ask the producer, or correct the "
-        "attribute that is wrong";
+    meaning.contradiction = messages::ingest_current_message<"component-contradicts-itself">(
+        variable.name(), variable.attribute("standard_name"), in_words(*evidence.standard_name, meaning.axes),
+        variable.attribute("long_name"), in_words(*evidence.long_name, meaning.axes));
     return;
   }
   meaning.component = evidence.standard_name ? *evidence.standard_name
@@ -191,23 +188,21 @@ void settle_component(VelocityMeaning& meaning, const NetcdfVariable& variable,
                                              : *evidence.name;
   const std::optional<Component> settled = meaning.component;
   if (evidence.standard_name && (differ(settled, evidence.name) || differ(settled, evidence.long_name)))
-    meaning.remark = quoted + " was taken as " + in_words(*settled, meaning.axes) +
-                     ", as its standard name says, although its " +
-                     (differ(settled, evidence.name) ? "" : "long ") + "name says otherwise";
+    meaning.remark = messages::ingest_current_message<"taken-by-standard-name">(
+        variable.name(), in_words(*settled, meaning.axes),
+        differ(settled, evidence.name) ? "name" : "long name");
   else if (!evidence.standard_name && differ(settled, evidence.name))
-    meaning.remark = quoted + " was taken as " + in_words(*settled, meaning.axes) +
-                     ", as its long name says, although it is not called so";
+    meaning.remark = messages::ingest_current_message<"taken-by-long-name">(variable.name(),
+                                                                            in_words(*settled, meaning.axes));
 }
 
 /// Nobody means the negative of a component without saying so; which sign then holds is not known.
-std::string against_custom(const NetcdfVariable& variable, const std::string& words) {
+std::optional<messages::Message> against_custom(const NetcdfVariable& variable, const std::string& words) {
   const bool west = contains_any(words, {"westward"}) && !contains_any(words, {"eastward"});
   const bool south = contains_any(words, {"southward"}) && !contains_any(words, {"northward"});
-  if (!west && !south) return {};
-  return "\"" + variable.name() + "\" counts " + (west ? "westward" : "southward") + " by its long name (" +
-         variable.attribute("long_name") +
-         "), the reverse of what this program stores; taken as it is, the "
-         "drift would be turned round; ask for components towards east and north";
+  if (!west && !south) return std::nullopt;
+  return messages::ingest_current_message<"counts-the-other-way">(
+      variable.name(), west ? "westward" : "southward", variable.attribute("long_name"));
 }
 
 void describe_current(VelocityMeaning& meaning, const NetcdfVariable& variable,
@@ -365,7 +360,7 @@ std::optional<VelocityMeaning> velocity_meaning(const NetcdfVariable& variable, 
                    {.standard_name = standard ? std::optional{standard->component} : std::nullopt,
                     .long_name = component_in_long_name(long_name),
                     .name = known ? std::optional{known->component} : component_in_name(variable.name())});
-  if (meaning.contradiction.empty()) meaning.contradiction = against_custom(variable, long_name);
+  if (!meaning.contradiction) meaning.contradiction = against_custom(variable, long_name);
   if (what == Moving::sea) {
     describe_current(meaning, variable, standard, known);
   } else {

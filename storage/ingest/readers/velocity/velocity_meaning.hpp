@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "engine/messages/message.hpp"
 #include "storage/ingest/formats/netcdf/netcdf_file.hpp"
 #include "storage/ingest/readers/velocity/velocity_kind.hpp"
 
@@ -21,8 +22,8 @@ struct VelocityMeaning {
   bool at_10_m{false};            // a wind that says so
   std::size_t rank{};             // of its name among those that are known; the least is taken first
   std::string instead;            // what the numbers are where they are no state of what moves: "a maximum"
-  std::string contradiction;      // why its component is not known, a sentence; empty: it is
-  std::string remark;             // what the pilot should know of how it was understood
+  std::optional<messages::Message> contradiction;  // why its component is not known
+  std::optional<messages::Message> remark;         // what the pilot should know of how it was understood
 };
 
 /// Decides what a variable is. Evidence in this order: the standard name with its modifier, cell_methods, the name, the

@@ -4,6 +4,8 @@
 #include <string_view>
 #include <utility>
 
+#include "engine/messages/ingest_current_messages.hpp"
+#include "engine/messages/sentence.hpp"
 #include "storage/ingest/formats/netcdf/variable_meaning.hpp"
 #include "storage/ingest/notation/text.hpp"
 #include "storage/ingest/readers/velocity/velocity_candidates.hpp"
@@ -31,7 +33,7 @@ std::string left_out_words(const VelocityMeaning& meaning, Moving what) {
 }
 
 /// `"uo_std" and "vo_std" hold a standard deviation; ...`: of all that cannot be stored, by what it is.
-std::string left_out(const std::vector<VelocityCandidate>& candidates, Moving what) {
+std::optional<messages::Message> left_out(const std::vector<VelocityCandidate>& candidates, Moving what) {
   std::vector<std::pair<std::string, std::vector<std::string>>> groups;
   std::string on_request;
   for (const VelocityCandidate& candidate : candidates) {
@@ -47,38 +49,32 @@ std::string left_out(const std::vector<VelocityCandidate>& candidates, Moving wh
     const bool is_part = candidate.meaning.instead.empty() && candidate.meaning.part != WaterPart::bed;
     if (is_part && on_request.empty()) on_request = candidate.variable->name();
   }
-  if (groups.empty()) return {};
+  if (groups.empty()) return std::nullopt;
   std::string text;
   for (const auto& [words, names] : groups)
     text +=
         (text.empty() ? "" : ", ") + enumeration(names) + (names.size() > 1 ? " hold " : " holds ") + words;
-  text += what == Moving::sea
-              ? "; this is not the current that a vehicle meets; give the file of the current itself"
-              : "; this is not the wind 10 m above the sea, which moves icebergs; give the file of that wind";
-  if (!on_request.empty())
-    text += ", or store a part of the current on its own with --variable " + on_request;
-  return text;
+  if (what == Moving::air) return messages::ingest_current_message<"not-the-wind">(text);
+  return messages::ingest_current_message<"not-the-current">(
+      text,
+      on_request.empty() ? "" : ", or store a part of the current on its own with --variable " + on_request);
 }
 
 /// Files whose components say one thing by their names and another by their standard names.
-std::string both_the_same(const std::vector<CandidatePair>& pairs) {
+std::optional<messages::Message> both_the_same(const std::vector<CandidatePair>& pairs) {
   for (const CandidatePair& a : pairs)
     for (const CandidatePair& b : pairs)
       if (a.first != b.first && a.second == nullptr && b.second == nullptr &&
           name_one_pair(a.first->variable->name(), b.first->variable->name()))
-        return "\"" + a.first->variable->name() + "\" and \"" + b.first->variable->name() +
-               "\" both say that they are the " +
-               (a.meaning().component == Component::first ? "eastward" : "northward") +
-               " component; which of them is the other one is not known, and a wrong guess would turn the "
-               "drift; "
-               "correct the attributes of the one that is wrong";
-  return {};
+        return messages::ingest_current_message<"same-component-twice">(
+            a.first->variable->name(), b.first->variable->name(),
+            a.meaning().component == Component::first ? "eastward" : "northward");
+  return std::nullopt;
 }
 
-std::string described_differently(const CandidatePair& pair, const std::string& how,
-                                  const std::string& consequence) {
-  return "the components " + pair.names() + " are described differently: " + how + "; used together, " +
-         consequence + "; ask the producer for a file that describes both";
+messages::Message described_differently(const CandidatePair& pair, const std::string& how,
+                                        const std::string& consequence) {
+  return messages::ingest_current_message<"components-described-differently">(pair.names(), how, consequence);
 }
 
 /// Two that are the only ones left although their names say that each belongs to another: "uo_a" and "vo_b".
@@ -89,17 +85,13 @@ bool belong_to_others(const CandidatePair& pair) {
 }
 
 /// Why a pair cannot be used although both components are there.
-std::optional<std::string> fault_of(const CandidatePair& pair, const std::vector<std::string>& wanted) {
+std::optional<messages::Message> fault_of(const CandidatePair& pair, const std::vector<std::string>& wanted) {
   if (belong_to_others(pair) && !(is_wanted(*pair.first, wanted) && is_wanted(*pair.second, wanted)))
-    return "the components " + pair.names() +
-           " do not belong together by their names, and the file holds no others; a pair of two models or "
-           "times "
-           "is no current; name both with --variable, with a comma between, if they are one pair all the "
-           "same";
+    return messages::ingest_current_message<"components-do-not-belong">(pair.names());
   const VelocityMeaning& first = pair.first->meaning;
   const VelocityMeaning& second = pair.second->meaning;
   for (const VelocityMeaning* meaning : {&first, &second})
-    if (!meaning->contradiction.empty()) return meaning->contradiction;
+    if (meaning->contradiction) return meaning->contradiction;
   if (first.axes != second.axes)
     return described_differently(pair, "one along the model's grid, the other not",
                                  "the drift would be turned");
@@ -113,25 +105,23 @@ std::optional<std::string> fault_of(const CandidatePair& pair, const std::vector
   return std::nullopt;
 }
 
-std::string one_component_alone(const CandidatePair& pair, const std::vector<VelocityCandidate>& candidates,
-                                Moving what) {
+messages::Message one_component_alone(const CandidatePair& pair,
+                                      const std::vector<VelocityCandidate>& candidates, Moving what) {
   const std::string& name = pair.first->variable->name();
   const bool first = pair.meaning().component == Component::first;
-  const std::string others = left_out(candidates, what);
-  return "the file holds only one component of the " + std::string{what == Moving::sea ? "current" : "wind"} +
-         " (\"" + name + "\"); the " + (first ? "northward" : "eastward") + " one is missing; " +
-         (!others.empty()       ? others
-          : what == Moving::sea ? "give the file of the other component in the same command"
-                                : "merge both components into one file");
+  std::optional<messages::Message> others = left_out(candidates, what);
+  const std::string advice = others ? messages::whole_text(*others)
+                             : what == Moving::sea
+                                 ? "Give the file of the other component in the same command"
+                                 : "Merge both components into one file";
+  return messages::ingest_current_message<"component-missing">(what == Moving::sea ? "current" : "wind", name,
+                                                               first ? "northward" : "eastward", advice);
 }
 
-std::string nothing_to_store(const std::vector<VelocityCandidate>& candidates, Moving what) {
-  if (const std::string others = left_out(candidates, what); !others.empty()) return others;
-  return what == Moving::sea
-             ? "the file holds no velocity of sea water; there are no currents to store; give a "
-               "file with, for example, the variables uo and vo"
-             : "the file holds no wind near the sea; there is nothing to store; give a file "
-               "with, for example, the variables u10 and v10";
+messages::Message nothing_to_store(const std::vector<VelocityCandidate>& candidates, Moving what) {
+  if (auto others = left_out(candidates, what)) return std::move(*others);
+  return what == Moving::sea ? messages::ingest_current_message<"velocity-not-found">()
+                             : messages::ingest_current_message<"wind-not-found">();
 }
 
 void warn_of_content(const CandidatePair& pair, Messages& warnings) {
@@ -143,25 +133,24 @@ void warn_of_content(const CandidatePair& pair, Messages& warnings) {
       const bool both = contains_any(words, {"utotal"});
       const bool waves = both || contains_any(words, {"wave", "stokes"});
       const bool tide = both || !waves || contains_any(words, {"tide", "tidal"});
-      warnings.push_back(remark(std::string{"these currents already hold "} + (tide ? "the tide" : "") +
-                                (tide && waves ? " and " : "") + (waves ? "the drift by waves" : "") +
-                                (tide ? "; add no tide to them" : "")));
+      warnings.push_back(messages::ingest_current_message<"currents-hold-the-tide">(
+          std::string{tide ? "the tide" : ""} + (tide && waves ? " and " : "") +
+              (waves ? "the drift by waves" : ""),
+          tide ? "; add no tide to them" : ""));
       break;
     }
     case CurrentContent::without_tide:
-      warnings.push_back(remark("these currents are without the tide; add it from a dataset of tides"));
+      warnings.push_back(messages::ingest_current_message<"currents-without-the-tide">());
       break;
     case CurrentContent::geostrophic:
-      warnings.push_back(remark(
-          "these are geostrophic currents from sea level: no tide, no wind drift, near the surface only"));
+      warnings.push_back(messages::ingest_current_message<"geostrophic-currents">());
       break;
     case CurrentContent::tide:
     case CurrentContent::wave_drift:
     case CurrentContent::other_part:
-      warnings.push_back(
-          remark(pair.names() + " hold " + content_words(pair.meaning().content) +
-                 (pair.meaning().on_request ? ", as --variable asks for" : ", as their long names say") +
-                 "; a plan in them leaves out the rest of the current"));
+      warnings.push_back(messages::ingest_current_message<"part-of-the-current">(
+          pair.names(), content_words(pair.meaning().content),
+          pair.meaning().on_request ? "as --variable asks for" : "as their long names say"));
       break;
   }
 }
@@ -181,37 +170,34 @@ void warn_of_others(const std::vector<CandidatePair>& pairs, Moving what, Messag
     if (what == Moving::sea) others += " (" + content_words(pair.meaning().content) + ")";
   }
   if (others.empty()) return;
-  warnings.push_back(remark(
-      "of several pairs of components " + taken.names() + " were stored; the file also holds " + others +
-      (what == Moving::sea ? "; name one component with --variable to store its pair instead" : "")));
+  warnings.push_back(messages::ingest_current_message<"one-pair-of-several">(
+      taken.names(), others,
+      what == Moving::sea ? "; name one component with --variable to store its pair instead" : ""));
 }
 
 void warn_of_meaning(const CandidatePair& pair, Moving what, Messages& warnings) {
   for (const VelocityCandidate* candidate : {pair.first, pair.second})
-    if (!candidate->meaning.remark.empty()) warnings.push_back(remark(candidate->meaning.remark));
+    if (candidate->meaning.remark) warnings.push_back(*candidate->meaning.remark);
   const NetcdfVariable& first = *pair.first->variable;
   for (const CellMethod& cell : cell_methods_of(first))
     if (cell.where.size() > 1 && cell.where[0] == "over" && cell.where[1] == "years")
-      warnings.push_back(
-          remark(pair.names() +
-                 " are means over many years (a climatology); at no single time is the sea like that"));
+      warnings.push_back(messages::ingest_current_message<"climatology">(pair.names()));
   if (what == Moving::sea && first.attribute("standard_name").empty() && first.attribute("long_name").empty())
-    warnings.push_back(remark("the variables " + pair.names() +
-                              " do not describe themselves; taken as currents by their names"));
+    warnings.push_back(messages::ingest_current_message<"taken-as-currents-by-name">(pair.names()));
 }
 
 /// Pairs that are equal in all that decides.
-std::optional<std::string> ambiguity(const std::vector<CandidatePair>& pairs, Moving what) {
+std::optional<messages::Message> ambiguity(const std::vector<CandidatePair>& pairs, Moving what) {
   std::vector<std::string> names;
   for (const CandidatePair& pair : pairs)
     if (are_of_one_rank(pair, pairs.front())) names.push_back(pair.names());
   if (names.size() < 2) return std::nullopt;
   std::string list;
   for (const std::string& name : names) list += (list.empty() ? "" : ", or ") + name;
-  return "the file holds several pairs of components, " + list + "; which of them is meant is not known; " +
-         (what == Moving::sea ? "name one component with --variable, for example --variable " +
-                                    pairs.front().first->variable->name()
-                              : "give a file with one of them");
+  return messages::ingest_current_message<"several-pairs">(
+      list, what == Moving::sea ? "Name one component with --variable, for example --variable " +
+                                      pairs.front().first->variable->name()
+                                : "Give a file with one of them");
 }
 
 }  // namespace
@@ -242,7 +228,7 @@ const NetcdfVariable* find_some_velocity(const NetcdfFile& file) {
   return pair ? pair->first->variable : nullptr;
 }
 
-std::string velocities_left_out(const NetcdfFile& file, Moving what) {
+std::optional<messages::Message> velocities_left_out(const NetcdfFile& file, Moving what) {
   return left_out(velocity_candidates(borrowed(file), what), what);
 }
 
@@ -254,8 +240,8 @@ Checked<VelocityPair> find_velocity_pair(const NetcdfFiles& files, Moving what,
   if (pairs.empty()) return refuse(nothing_to_store(candidates, what));
   const CandidatePair& best = pairs.front();
   if (best.second == nullptr) {
-    if (std::string same = both_the_same(pairs); !same.empty()) return refuse(std::move(same));
-    if (!best.meaning().contradiction.empty()) return refuse(best.meaning().contradiction);
+    if (auto same = both_the_same(pairs)) return refuse(std::move(*same));
+    if (best.meaning().contradiction) return refuse(*best.meaning().contradiction);
     return refuse(one_component_alone(best, candidates, what));
   }
   if (auto unclear = ambiguity(pairs, what)) return refuse(std::move(*unclear));
@@ -272,9 +258,8 @@ Checked<VelocityPair> find_velocity_pair(const NetcdfFiles& files, Moving what,
                     .warnings = {}};
   warn_of_meaning(best, what, pair.warnings);
   if (auto doubt =
-          doubt_in_title(pair.first_file->attribute("title"), best.names(), what, best.meaning().content);
-      !doubt.empty())
-    pair.warnings.push_back(remark(std::move(doubt)));
+          doubt_in_title(pair.first_file->attribute("title"), best.names(), what, best.meaning().content))
+    pair.warnings.push_back(std::move(*doubt));
   if (what == Moving::sea) warn_of_content(best, pair.warnings);
   // Parts that are stored on request alone are told, too.
   std::vector<const VelocityCandidate*> all;

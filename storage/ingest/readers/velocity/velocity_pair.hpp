@@ -38,7 +38,7 @@ enum class VelocityParts { none, first_alone, second_alone, both };
 [[nodiscard]] const NetcdfVariable* find_some_velocity(const NetcdfFile& file);
 
 /// Why variables that claim to be velocities of what moves cannot be stored as such; empty where there are none.
-[[nodiscard]] std::string velocities_left_out(const NetcdfFile& file, Moving what);
+[[nodiscard]] std::optional<messages::Message> velocities_left_out(const NetcdfFile& file, Moving what);
 
 /// Chooses the pair: the whole current before a part of it, at levels before the surface and the mean over depth, by
 /// well-known names before standard names alone. Statistics, anomalies and currents at the bed are never taken, the tide

@@ -8,6 +8,7 @@
 
 #include "engine/core/letter_case.hpp"
 #include "engine/core/utc_text.hpp"
+#include "engine/messages/ingest_area_messages.hpp"
 #include "storage/ingest/formats/vector/feature_texts.hpp"
 #include "storage/ingest/formats/vector/kml_file.hpp"
 #include "storage/ingest/notation/stated_depth.hpp"

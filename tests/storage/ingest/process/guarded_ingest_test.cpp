@@ -10,6 +10,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "engine/messages/ingest_file_messages.hpp"
 #include "storage/repository/datasets/dataset_repository.hpp"
 #include "storage/sql/statement.hpp"
 #include "tests/storage/ingest/support/netcdf_writer.hpp"
@@ -99,8 +100,8 @@ TEST_F(GuardedIngest, TellsWithCodesAndValuesWhyAFileIsRefused) {
 
   ASSERT_EQ(reports.size(), 1U);
   ASSERT_EQ(reports.front().errors.size(), 1U) << words(reports.front());
-  EXPECT_EQ(reports.front().errors.front(),
-            messages::ingest_file_message<"text-named-as-netcdf">(std::string{"<html>502 Bad Gateway</html>"}));
+  EXPECT_EQ(reports.front().errors.front(), messages::ingest_file_message<"text-named-as-netcdf">(
+                                                std::string{"<html>502 Bad Gateway</html>"}));
 }
 
 TEST_F(GuardedIngest, StoresWhatReadingInThisProcessStores) {

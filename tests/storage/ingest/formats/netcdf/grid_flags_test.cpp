@@ -200,7 +200,7 @@ TEST_F(FlagsOfGrids, WithMeaningsThatNobodyKnowsAreTold) {
   write(wrong_in_the_first_row(), flags, flags.name);
 
   EXPECT_EQ(count_missing(stored()), 0U);
-  EXPECT_THAT(words(report_), HasSubstr("meanings that are not known (\"zonk\" and \"quux\")"));
+  EXPECT_THAT(words(report_), HasSubstr("unknown meanings (\"zonk\" and \"quux\")"));
 }
 
 TEST_F(FlagsOfGrids, ThatDoNotLieOnTheNodesAreTold) {

@@ -373,7 +373,7 @@ TEST_F(CurrentTraps, LandWrittenAsStillWaterBecomesMissing) {
   EXPECT_TRUE(std::isnan(samples.u[3]));
   EXPECT_FLOAT_EQ(samples.u[0], 0.0F);
   EXPECT_FLOAT_EQ(samples.v[0], 0.2F);
-  EXPECT_THAT(words(report_), HasSubstr("taken as land"));
+  EXPECT_THAT(words(report_), HasSubstr("count as land"));
 }
 
 TEST_F(CurrentTraps, ATitleThatSpeaksOfSomethingElseIsTold) {

@@ -132,7 +132,7 @@ TEST_F(ModelLayouts, LandWrittenAsZeroOnAStaggeredGridIsMissing) {
   const auto when = core::from_unix_seconds(1795132800.0);
   EXPECT_FALSE(currents.at(grid.place(32, 15), {1.0}, when).has_value());
   EXPECT_TRUE(currents.at(grid.place(15, 15), {1.0}, when).has_value());
-  EXPECT_THAT(words(report_), HasSubstr("taken as land"));
+  EXPECT_THAT(words(report_), HasSubstr("count as land"));
 }
 
 TEST_F(ModelLayouts, OneComponentAloneAsksForTheOther) {
@@ -146,7 +146,7 @@ TEST_F(ModelLayouts, ComponentsOfDifferentTimesAreNotPutTogether) {
   const auto reports = ingest_all_together({path("u.nc"), path("v2.nc")});
   ASSERT_EQ(reports.size(), 1U);
   EXPECT_EQ(reports[0].status, IngestStatus::refused);
-  EXPECT_THAT(words(reports[0]), HasSubstr("fit no arrangement"));
+  EXPECT_THAT(words(reports[0]), HasSubstr("fit no known arrangement"));
 }
 
 TEST_F(ModelLayouts, LevelsThatFollowTheBedBecomeDepthsBelowTheSurface) {

@@ -139,8 +139,9 @@ TEST_F(S111, ThatCannotBePlacedInSpaceOrTimeIsRefused) {
     change(sample);
     expect_refused(sample.write(path("bad.h5")), reason);
   };
-  refused("has the time \"\"", [](S100Sample& s) { s.records[1].time = ""; });
-  refused("has the time \"20261311T000000Z\"", [](S100Sample& s) { s.records[1].time = "20261311T000000Z"; });
+  refused("has the unreadable time \"\"", [](S100Sample& s) { s.records[1].time = ""; });
+  refused("has the unreadable time \"20261311T000000Z\"",
+          [](S100Sample& s) { s.records[1].time = "20261311T000000Z"; });
   refused("announces 3 records, but has 2", [](S100Sample& s) { s.announced_records = 3.0; });
   refused("2 areas of SurfaceCurrent", [](S100Sample& s) { s.areas = 2; });
   refused("runs in an order", [](S100Sample& s) { s.scan_direction = "latitude,longitude"; });
