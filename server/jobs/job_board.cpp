@@ -1,5 +1,6 @@
 #include "server/jobs/job_board.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <random>
 #include <string_view>
@@ -151,7 +152,7 @@ void JobBoard::report(const JobId& id, std::string_view stage, double progress) 
   if (found == running_.end()) return;
   RunningJob& job = found->second.job;
   job.stage = stage;
-  job.progress = progress;
+  job.progress = std::max(job.progress, progress);  // what is tried once more is no step back
   job.changed = true;
 }
 

@@ -21,6 +21,10 @@
 namespace floeplan::planning::planner {
 namespace {
 
+/// The work of following the candidates through one member, in whole plans, for the progress. Measured with the
+/// demonstration data: 0.4 s, and 0.9 s for a plan.
+constexpr double plans_a_look = 0.4;
+
 std::vector<geo::LonLat> places_of(const Plan& plan) {
   std::vector<geo::LonLat> places;
   places.reserve(plan.waypoints.size());
@@ -143,8 +147,16 @@ Result<Plan> plan_uncertain(const Task& task, const Planning& plan_in_one_sea) {
   request.optimality_gap = false;
   const UncertaintyRules& rules = request.uncertainty;
   const cost::SeaMembers members{environment, rules};
+  const bool is_robust = rules.objective != RobustObjective::none;
+  const bool plans_in_mean = is_robust && rules.drawn_members == 0;
+  const std::size_t plans = is_robust ? 1 + members.size() + (plans_in_mean ? 1 : 0) : 1;
+  const double work = static_cast<double>(plans) + plans_a_look * static_cast<double>(members.size());
+  std::size_t planned = 0;
   const auto plan_in = [&](const ocean::Environment& sea) {
-    return plan_in_one_sea(task.with(request).in(sea));
+    const double from = static_cast<double>(planned++) / work;
+    const double to = static_cast<double>(planned) / work;
+    const core::ProgressCallback part = core::part_of(progress, "members", from, to);
+    return plan_in_one_sea(task.with(request).in(sea).telling(part));
   };
   Result<Plan> base = plan_in(environment);
   if (!base) return base;
@@ -157,19 +169,14 @@ Result<Plan> plan_uncertain(const Task& task, const Planning& plan_in_one_sea) {
     Result<Plan> in_first = evaluate_in(environment, places_of(*plan), request, stop);
     if (in_first) candidates.push_back(std::move(*in_first));
   };
-  const auto report = [&](double from, std::size_t member) {
-    progress("members", from + 0.5 * static_cast<double>(member) / static_cast<double>(members.size()));
-  };
-  for (std::size_t member = 0; rules.objective != RobustObjective::none && member < members.size();
-       ++member) {
+  for (std::size_t member = 0; is_robust && member < members.size(); ++member) {
     if (stop.stop_requested()) return tl::unexpected(search::explain_cancelled(request));
-    report(0.0, member);
     add_candidate(members.environment(member));
   }
   // Between the members' own ways there may be one that is good in all of them: that in their mean is most likely to
   // be.
   if (stop.stop_requested()) return tl::unexpected(search::explain_cancelled(request));
-  if (rules.objective != RobustObjective::none && rules.drawn_members == 0) {
+  if (plans_in_mean) {
     if (auto mean = ocean::ensemble_mean(environment.members)) {
       ocean::Environment sea = environment;
       sea.members.clear();
@@ -183,7 +190,7 @@ Result<Plan> plan_uncertain(const Task& task, const Planning& plan_in_one_sea) {
   std::vector<Fares> fares(candidates.size());
   for (std::size_t member = 0; member < members.size(); ++member) {
     if (stop.stop_requested()) return tl::unexpected(search::explain_cancelled(request));
-    report(0.5, member);
+    progress("members", (static_cast<double>(plans) + plans_a_look * static_cast<double>(member)) / work);
     const auto driven = drive_all(members.environment(member), request, candidates, stop);
     for (std::size_t i = 0; i < candidates.size(); ++i) fares[i].add(driven[i], objective);
   }

@@ -31,6 +31,10 @@ struct Task {
   [[nodiscard]] Task in(const ocean::Environment& other) const {
     return {other, request, stop, progress, clock, wider};
   }
+  /// The same, with another listener to its progress, which is borrowed.
+  [[nodiscard]] Task telling(const core::ProgressCallback& other) const {
+    return {environment, request, stop, other, clock, wider};
+  }
   /// The same without a word on its progress.
   [[nodiscard]] Task silently() const {
     static const core::ProgressCallback silent = [](std::string_view, double) {};

@@ -1,0 +1,121 @@
+#include <gmock/gmock.h>
+
+#include <algorithm>
+
+#include "engine/planning/plan_arrival.hpp"
+#include "engine/planning/plan_route.hpp"
+#include "engine/planning/plan_window.hpp"
+#include "tests/support/small_sea.hpp"
+
+namespace floeplan::planning::planner::progress_test {
+namespace {
+
+using testing::DoubleNear;
+using testing::Each;
+using testing::Ge;
+using testing::Le;
+using testing::SizeIs;
+
+PlanRequest coarse_request() {
+  PlanRequest request = support::eastward_request();
+  request.spacing_along = core::Metres{2000.0};
+  return request;
+}
+
+std::shared_ptr<const ocean::CurrentGrid> eastward(double speed_m_s) {
+  return support::currents_from([=](geo::LonLat, double) { return geo::VelocityEn{{speed_m_s}, {0.0}}; },
+                                120);
+}
+
+ocean::Environment three_members() {
+  ocean::Environment environment{.currents = eastward(0.1)};
+  environment.members = {eastward(0.1), eastward(0.0), eastward(-0.1)};
+  return environment;
+}
+
+/// The shares that were told, in their order.
+struct Told {
+  std::vector<double> all;
+  std::vector<double> of_stage;
+
+  core::ProgressCallback listener(std::string_view stage) {
+    return [this, stage](std::string_view told, double share) {
+      all.push_back(share);
+      if (told == stage) of_stage.push_back(share);
+    };
+  }
+};
+
+void expect_never_falling(const Told& told) {
+  EXPECT_TRUE(std::ranges::is_sorted(told.all)) << testing::PrintToString(told.all);
+  EXPECT_THAT(told.all, Each(testing::AllOf(Ge(0.0), Le(1.0))));
+}
+
+std::vector<double> steps(const std::vector<double>& shares) {
+  std::vector<double> steps;
+  for (std::size_t i = 1; i < shares.size(); ++i) steps.push_back(shares[i] - shares[i - 1]);
+  return steps;
+}
+
+TEST(Progress, OfAWindowGrowsByTheSameWithEachDeparture) {
+  PlanRequest request = coarse_request();
+  request.departures.until = request.depart + core::Seconds{6 * 3600.0};
+  request.departures.step = core::Seconds{3600.0};
+  Told told;
+
+  const WindowPlan window =
+      plan_window({.currents = eastward(0.1)}, request, {}, told.listener("departures"), {});
+
+  ASSERT_TRUE(window.plan.has_value());
+  expect_never_falling(told);
+  ASSERT_THAT(told.of_stage, SizeIs(7));
+  const std::vector<double> after_the_first = steps({told.of_stage.begin() + 1, told.of_stage.end()});
+  EXPECT_THAT(after_the_first, Each(DoubleNear(after_the_first.front(), 1e-9)));
+  EXPECT_GT(told.of_stage[1], after_the_first.front()) << "the grids are laid out with the first";
+  EXPECT_LT(told.of_stage.back(), 0.7) << "the plan is still to be made";
+}
+
+TEST(Progress, OfAWindowInSeveralMembersNeverFalls) {
+  PlanRequest request = coarse_request();
+  request.departures.until = request.depart + core::Seconds{6 * 3600.0};
+  request.departures.step = core::Seconds{3 * 3600.0};
+  request.uncertainty.objective = RobustObjective::mean;
+  Told told;
+
+  const WindowPlan window = plan_window(three_members(), request, {}, told.listener("departures"), {});
+
+  ASSERT_TRUE(window.plan.has_value());
+  expect_never_falling(told);
+  EXPECT_THAT(told.of_stage, SizeIs(12)) << "three departures in the first sea and in three members";
+}
+
+TEST(Progress, OfMembersCountsAPlanForEach) {
+  PlanRequest request = coarse_request();
+  request.uncertainty.objective = RobustObjective::mean;
+  Told told;
+
+  ASSERT_TRUE(plan_route(three_members(), request, {}, told.listener("members")).has_value());
+
+  expect_never_falling(told);
+  EXPECT_EQ(told.of_stage.size(), told.all.size());
+  // The first sea, the members, their mean; then each member for all candidates.
+  const double work = 5.0 + 3 * 0.4;
+  for (int plan = 0; plan < 5; ++plan)
+    EXPECT_THAT(told.all, testing::Contains(DoubleNear(plan / work, 1e-9)));
+  EXPECT_NEAR(told.all.back(), (5.0 + 2 * 0.4) / work, 1e-9);
+}
+
+TEST(Progress, OfAWantedArrivalNeverFalls) {
+  PlanRequest request = coarse_request();
+  request.departures.arrive_by = request.depart + core::Seconds{3 * 86400.0};
+  Told told;
+
+  ASSERT_TRUE(plan_arrival({.currents = eastward(0.1)}, request, {}, told.listener("latest departure"), {})
+                  .has_value());
+
+  expect_never_falling(told);
+  EXPECT_FALSE(told.of_stage.empty());
+}
+
+}  // namespace
+}  // namespace floeplan::planning::planner::progress_test
