@@ -10,12 +10,12 @@
 namespace floeplan::planning::diagnosis {
 namespace {
 
-/// The inputs that can help against a constraint, all at once.
+/// All inputs of a request that can help against one constraint.
 struct Inputs {
   Constraint against;
   bool (*may_help)(const ocean::Environment&, const PlanRequest&);
-  void (*open)(PlanRequest&);                         // as far as they go
-  void (*take)(PlanRequest&, const PlanRequest& of);  // as they are in another request
+  void (*open)(PlanRequest&);                         // gives them their most generous values
+  void (*take)(PlanRequest&, const PlanRequest& of);  // copies them from another request
 };
 
 bool has_areas(const ocean::Environment&, const PlanRequest& request) { return !request.zones.empty(); }
@@ -91,7 +91,7 @@ constexpr std::array all_inputs{
 
 bool is_speed(const Change& change) { return change.input == "speed_m_s"; }
 
-/// What stood in the way is known by its kind alone: of other requests nothing more was found out.
+/// `why` with another constraint. Nothing else is known of the requests that this constraint closes.
 Infeasible bound_by(Constraint binding, const Infeasible& why) {
   return {.reason = why.reason, .at = why.at, .when = why.when, .binding = binding};
 }
@@ -112,7 +112,7 @@ std::optional<Change> change_with_another(const ocean::Environment& environment,
     if (first.changes.empty() || !first.changed) continue;
     PlanRequest changed = *std::move(first.changed);
     others.take(changed, request);
-    // Where the first change is one of those inputs' own, it is taken back by that.
+    // A change of the speed is one of the inputs that were just copied back, so it is lost and cannot be combined.
     if (others.against == Constraint::current && is_speed(first.changes.front())) continue;
     FoundChanges second = changes_against(others.against, changed);
     if (stop.stop_requested()) return std::nullopt;

@@ -10,13 +10,13 @@
 
 namespace floeplan::planning::diagnosis {
 
-/// A change that makes a request possible together with another (`with`), where two things stand in the way one behind
-/// the other: against what binds, and against one more of areas, depths, icebergs, ice, currents and the battery. The
-/// inputs against the latter are first changed as far as they go, then, beside the first change, only as far as is
-/// needed.
-/// `why`    as of `find_changes`, which found nothing against what binds
+/// A change that makes a request possible only together with another one (its `with`). It helps where two constraints
+/// close the route: the binding one, and one more of areas, depths, icebergs, ice, currents and the battery. The inputs
+/// against the second constraint first get their most generous values. After a change against the binding constraint is
+/// found, they are changed only as far as is needed.
+/// `why`    why the request has no plan; `find_changes` found no single change for it
 /// Law      a trial of the request with both changes has succeeded
-/// Stops    with nothing once `stop` is requested
+/// Stops    and returns nothing once `stop` is requested
 [[nodiscard]] std::optional<Change> change_with_another(const ocean::Environment& environment,
                                                         const PlanRequest& request, const Infeasible& why,
                                                         const Trial& trial, const std::stop_token& stop);

@@ -15,8 +15,8 @@
 namespace floeplan::planning::diagnosis {
 namespace {
 
-/// The first of the moves that helps. Where none does, the goal may be moved to where the search for it came nearest. A
-/// stop is tried by a whole plan: what becomes of the request is known then, and few are tried.
+/// The first of the moves that helps. Where none helps, the goal is moved to the place nearest to it that the search
+/// reached. Each move is tried by a whole plan, which tells for certain whether it helps; there are only a few moves.
 std::optional<Change> move_that_helps(const ocean::Environment& environment, const PlanRequest& request,
                                       const std::vector<Change>& moves, const std::stop_token& stop) {
   const auto arrives = [&](const Result<Plan>& plan) {
@@ -38,7 +38,7 @@ std::optional<Change> move_that_helps(const ocean::Environment& environment, con
   return search::move_of("to", request.to, *nearest);
 }
 
-/// Whether the sea or the request holds anything of the kind that can be taken away and may stand in the way.
+/// Whether the sea or the request holds anything of this kind that may close the route and can be left out for a trial.
 bool holds_any(Constraint constraint, const ocean::Environment& environment, const PlanRequest& request,
                const std::stop_token& stop) {
   switch (constraint) {
@@ -51,7 +51,7 @@ bool holds_any(Constraint constraint, const ocean::Environment& environment, con
   }
 }
 
-/// `left`: of the work.
+/// The outcome of a trial without anything of this kind. `left` is the work that may still be spent; it is reduced.
 TrialOutcome outcome_without(Constraint constraint, const ocean::Environment& environment,
                              const PlanRequest& request, std::int64_t& left, const std::stop_token& stop) {
   ocean::Environment open = environment;
@@ -66,7 +66,7 @@ TrialOutcome outcome_without(Constraint constraint, const ocean::Environment& en
     open.further_ice.clear();
   }
   if (constraint == Constraint::current) {
-    // They carry the icebergs all the same.
+    // The icebergs drift with these currents in this trial, too.
     if (!open.drift_currents) open.drift_currents = open.currents;
     open.currents.reset();
     open.members.clear();
@@ -78,7 +78,7 @@ TrialOutcome outcome_without(Constraint constraint, const ocean::Environment& en
   return outcome;
 }
 
-/// Whether a search over all ways came to its end, so that what it met last need not be all that stood in the way.
+/// Whether a search over all routes found none. The constraint that it met last need not be the only one then.
 bool is_of_a_search(const Infeasible& why, const PlanRequest& request) {
   switch (why.reason) {
     case Reason::goal_unreachable:
@@ -90,7 +90,7 @@ bool is_of_a_search(const Infeasible& why, const PlanRequest& request) {
   }
 }
 
-/// What of the sea a way would be possible without.
+/// The first constraint without which a route would be possible; empty: there is none.
 struct Removable {
   std::optional<Constraint> constraint{};
   bool cut_short{false};
@@ -118,19 +118,19 @@ Infeasible with_what_would_help(const ocean::Environment& environment, const Pla
                                 const core::ProgressCallback& progress) {
   if (why.reason == Reason::cancelled || !why.changes.empty()) return why;
   if (progress) progress("what would help", 0.95);
-  // Of all places that a stop could be moved to only the nearest are tried.
+  // Only the nearest places that a stop could be moved to are tried.
   const bool has_moves = !why.moves.empty();
   if (has_moves) {
     auto move = move_that_helps(environment, request, why.moves, stop);
     if (move) why.changes = {std::move(*move)};
   }
-  // Nothing but another place or more data helps where there are none.
+  // Where a stop lies outside the data, only another place or more data can help.
   if (why.at_a_stop && why.binding == Constraint::data_area) {
     why.changes_cut_short = has_moves && why.changes.empty();
     return why;
   }
   WayTrials trials{environment, stop};
-  // A trial that finds a way for the request as it is tells nothing of what stands in its way.
+  // Where a trial finds a route for the unchanged request already, trials cannot tell what closes it.
   if (trials(request) == TrialOutcome::possible) return why;
   const auto without_stored_zones = [&](const PlanRequest& asked) {
     ocean::Environment open = environment;
@@ -149,7 +149,8 @@ Infeasible with_what_would_help(const ocean::Environment& environment, const Pla
     if (other.constraint) {
       const Infeasible met_last = std::exchange(why, search::explain_removable(why, *other.constraint));
       found = changes();
-      // Without currents there may be a way where they are not known, as over land: only what helps tells.
+      // Without currents the trial may cross places where no current is known, such as land. So the currents are named
+      // only where a change of them helps.
       if (*other.constraint == Constraint::current && found.changes.empty()) why = met_last;
     }
     found.cut_short = found.cut_short || cut_short;

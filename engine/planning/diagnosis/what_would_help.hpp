@@ -9,12 +9,12 @@
 
 namespace floeplan::planning::diagnosis {
 
-/// Why the request is not possible, with the single changes that would make it so, each of them tried: where an arrival
-/// is wanted, to leave at its departure and be there by then.
-/// Where no input governs what stopped the search, or no value of any helps, the sea is tried without its icebergs,
-/// zones, ice or currents, one after the other: the first without which there is a way binds instead, with its changes.
-/// None where a single plan, at the request's departure and in the order given, is possible as it is.
-/// `why`    its changes are kept where it names some already
+/// `why`, with changes of single inputs that make a plan possible. Each change has been tried. With a wanted arrival a
+/// trial leaves at the request's departure and must arrive in time.
+/// Where no value of any input helps, the sea is tried without its icebergs, without its zones, without its ice and
+/// without its currents. The first of these without which there is a route becomes the binding constraint.
+/// There are no changes where one plan at the request's departure, in the given order of via points, is possible.
+/// `why`    why the request has no plan; changes that it has already are kept
 /// Stops    with Reason::cancelled once `stop` is requested
 [[nodiscard]] Infeasible with_what_would_help(const ocean::Environment& environment,
                                               const PlanRequest& request, Infeasible why,

@@ -19,18 +19,18 @@ class ArrivalSpread {
     return travel_times_;
   }
   [[nodiscard]] std::size_t arrived() const { return spread_.known(); }
-  /// Of the members that arrive; empty when none does.
+  /// The mean over the members that arrive; empty when none arrives.
   [[nodiscard]] std::optional<core::Seconds> mean() const;
-  /// Of the members that arrive; empty for fewer than two.
+  /// The standard deviation over the members that arrive; empty for fewer than two.
   [[nodiscard]] std::optional<core::Seconds> standard_deviation() const;
-  /// Time that this share of all members keeps; empty where it would take a member that does not arrive.
+  /// The time within which this share of all members arrives; empty where too few members arrive.
   [[nodiscard]] std::optional<core::Seconds> quantile(double share) const;
   /// Share of all members that arrive within the time.
   [[nodiscard]] double chance_within(core::Seconds time) const;
 
  private:
   std::vector<std::optional<core::Seconds>> travel_times_;
-  MemberSpread spread_;  // of the seconds
+  MemberSpread spread_;  // of travel times in seconds
 };
 
 }  // namespace floeplan::planning

@@ -13,7 +13,7 @@ struct CarriedWay {
   double y_m{};
 
   [[nodiscard]] core::Metres length() const { return {std::hypot(x_m, y_m)}; }
-  /// The current that does it in so much time.
+  /// The constant current that carries a vehicle so far within `time`.
   [[nodiscard]] motion::CurrentXy over(core::Seconds time) const {
     return {x_m / time.count(), y_m / time.count()};
   }

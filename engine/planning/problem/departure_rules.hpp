@@ -12,12 +12,13 @@ namespace floeplan::planning {
 struct DepartureRules {
   static constexpr int most_departures = 1000;  // six weeks of hours
 
-  std::optional<core::UtcTime> until{};  // departures from the request's `depart` to this one are compared
-  core::Seconds step{3600.0};            // from one departure to the next
   std::optional<core::UtcTime>
-      arrive_by{};  // the latest departure that arrives by then, none before `depart`
+      until{};                 // the last departure of the window; the first is the request's `depart`
+  core::Seconds step{3600.0};  // between two departures of the window
+  std::optional<core::UtcTime>
+      arrive_by{};  // asks for the latest departure, not before `depart`, that arrives by this time
 
-  /// The departures of the window, `depart` first; it alone when there is no window.
+  /// The departures of the window, `depart` first. Without a window, `depart` alone.
   /// Precondition  the rules hold
   [[nodiscard]] std::vector<core::UtcTime> departures(core::UtcTime depart) const;
   [[nodiscard]] core::Violations violations(core::UtcTime depart) const;

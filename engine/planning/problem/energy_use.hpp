@@ -4,12 +4,12 @@
 
 namespace floeplan::planning {
 
-/// What a way draws from the battery.
+/// The energy that a route draws from the battery.
 struct EnergyUse {
-  core::Joules hotel{};  // all that is always on; surfacings, where they are counted
+  core::Joules hotel{};  // what is always on, and the surfacings where they are counted
   core::Joules pump{};   // buoyancy pump and pitch battery at the inflections
   core::Joules thruster{};
-  double inflections{};  // expected: where the saw-tooth's phase lies on the way is nobody's choice
+  double inflections{};  // expected number, because nobody chooses the phase of the saw-tooth on the route
 
   [[nodiscard]] core::Joules total() const { return hotel + pump + thruster; }
   EnergyUse& operator+=(const EnergyUse& more) {

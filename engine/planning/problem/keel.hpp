@@ -4,12 +4,12 @@
 
 namespace floeplan::planning {
 
-/// How deep an iceberg reaches, as far as is known, and how deep the dives turn below it.
+/// The draft of an iceberg, and the depth at which dives turn below it.
 struct Keel {
-  core::Metres draft;       // stated, or the largest that the length lets expect
-  bool draft_is_stated{};   // in the sighting
-  core::Metres deepest;     // with the uncertainty that the rules add
-  core::Metres upper_turn;  // of the dives: the clearance below that
+  core::Metres draft;       // stated by the sighting, or the largest draft that its length suggests
+  bool draft_is_stated{};   // whether the sighting states the draft
+  core::Metres deepest;     // the draft with the uncertainty that the rules add
+  core::Metres upper_turn;  // where dives turn: by the clearance below `deepest`
 };
 
 }  // namespace floeplan::planning

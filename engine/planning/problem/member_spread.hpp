@@ -6,8 +6,8 @@
 
 namespace floeplan::planning {
 
-/// A figure of one route over the members of uncertain currents, of which less is better. A member in which the route
-/// is not possible has none: it counts as more than every other.
+/// One figure of a route, such as its cost, in each member of uncertain currents. Less is better. A member in which the
+/// route is not possible has no figure and counts as worse than every other.
 class MemberSpread {
  public:
   /// The figure in each member, empty where the route is not possible.
@@ -16,20 +16,20 @@ class MemberSpread {
 
   /// Members in which the route is possible.
   [[nodiscard]] std::size_t known() const { return sorted_.size(); }
-  /// Of the members in which the route is possible; empty when there is none.
+  /// The mean over the members in which the route is possible; empty when there is none.
   [[nodiscard]] std::optional<double> mean() const;
-  /// Of those members, with one degree of freedom taken by the mean; empty for fewer than two.
+  /// The standard deviation over the same members, with n - 1 degrees of freedom; empty for fewer than two.
   [[nodiscard]] std::optional<double> standard_deviation() const;
-  /// What this share of all members does not exceed, linear between the members' figures; empty where it would take a
-  /// member in which the route is not possible.
+  /// The figure that this share of all members does not exceed, interpolated linearly between members; empty where it
+  /// would need a member in which the route is not possible.
   /// Source  Hyndman and Fan 1996, Sample quantiles in statistical packages, The American Statistician 50, type 7
   [[nodiscard]] std::optional<double> quantile(double share) const;
-  /// Share of all members whose figure is no more.
+  /// Share of all members whose figure is at most this one.
   [[nodiscard]] double share_within(double most) const;
 
  private:
   std::size_t members_;
-  std::vector<double> sorted_;  // of those in which the route is possible
+  std::vector<double> sorted_;  // figures of the members in which the route is possible
 };
 
 }  // namespace floeplan::planning

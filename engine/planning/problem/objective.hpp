@@ -11,8 +11,8 @@
 
 namespace floeplan::planning {
 
-/// What the best plan has least of: weights of its seconds, of its joules and of the encounters with icebergs that it
-/// expects.
+/// The cost that the best plan has least of: a weighted sum of its seconds, its joules and its expected encounters with
+/// icebergs.
 struct Objective {
   double of_time{1.0};
   double of_energy{0.0};
@@ -29,7 +29,7 @@ inline constexpr Objective time_objective{1.0, 0.0, 0.0};
 inline constexpr Objective energy_objective{0.0, 1.0, 0.0};
 
 enum class ThrusterUse {
-  automatic,  // leg by leg, as the objective has it
+  automatic,  // chosen for each leg by the objective
   on,
   off
 };
@@ -37,16 +37,17 @@ enum class ThrusterUse {
 [[nodiscard]] std::string thruster_use_name(ThrusterUse use);
 [[nodiscard]] std::optional<ThrusterUse> parse_thruster_use(std::string_view name);
 
-/// What a request says of energy.
+/// The rules of a request on energy.
 struct EnergyRules {
   Objective objective{};
   ThrusterUse thruster{ThrusterUse::automatic};
-  bool require_battery{false};  // a plan beyond the battery is no plan; else it carries a warning
+  bool require_battery{false};  // refuses a plan that the battery cannot carry; otherwise the plan warns
 
   [[nodiscard]] core::Violations violations(const vehicle::GliderProfile& profile) const;
 };
 
-/// The drives that a leg may have, at least one. The earliest arrival never comes of the slower of two drives.
+/// The drives that a leg may use, at least one. The slower of two drives is left out where only time counts, because it
+/// never arrives earlier.
 [[nodiscard]] std::vector<vehicle::Drive> drives(const EnergyRules& rules,
                                                  const vehicle::GliderProfile& profile);
 

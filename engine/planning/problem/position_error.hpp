@@ -5,8 +5,8 @@
 
 namespace floeplan::planning {
 
-/// How much the error of a vehicle's dead reckoning grows while it is under way: a share of its way through the water
-/// and what is not known of the currents.
+/// How much the error of a vehicle's dead reckoning grows while it is under way: a share of the distance
+/// through the water, and the uncertainty of the currents.
 [[nodiscard]] inline core::Metres grown_error(const UnderIceRules& rules, core::MetresPerSecond through_water,
                                               core::Seconds time) {
   const core::Metres way{through_water.value * time.count()};

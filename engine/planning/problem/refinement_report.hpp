@@ -13,16 +13,16 @@ namespace floeplan::planning {
 
 /// Why refinement ended.
 enum class RefinementEnd {
-  converged,    // nothing more to gain
-  evaluations,  // as many legs timed as allowed: the same on every machine
-  time,         // the caller's clock
+  converged,    // no move of a waypoint gains anything
+  evaluations,  // the limit on timed legs was reached; the same on every machine
+  time,         // the caller's clock ran past the limit
   cancelled
 };
 
 [[nodiscard]] std::string refinement_end_name(RefinementEnd end);
 [[nodiscard]] std::optional<RefinementEnd> parse_refinement_end(std::string_view name);
 
-/// The least travel time that was found with so many legs.
+/// The least travel time that was found with this number of legs.
 struct LegTrade {
   std::size_t legs{};
   core::Seconds travel_time{};
@@ -30,17 +30,18 @@ struct LegTrade {
   friend bool operator==(const LegTrade&, const LegTrade&) = default;
 };
 
-/// What moving the waypoints off the grid did.
+/// The result of moving the waypoints off the grid.
 struct RefinementReport {
-  core::Seconds before{};  // travel time of the way of the grid
+  core::Seconds before{};  // travel time of the route on the grid
   core::Seconds
-      after{};  // of the plan: more where few waypoints are allowed, or where it is not time that counts
-  std::optional<core::Joules> energy_before{};  // where energy counts: drawn along the way of the grid
+      after{};  // travel time of the plan; may be longer where few waypoints are allowed or time is not the objective
+  std::optional<core::Joules>
+      energy_before{};  // drawn on the route on the grid; only where energy is in the objective
   std::optional<core::Joules> energy_after{};
-  std::int64_t evaluations{};  // of a leg
+  std::int64_t evaluations{};  // how many times a leg was timed
   RefinementEnd end{};
   std::vector<LegTrade>
-      trade{};  // what more legs are worth: few legs first, each entry faster than the last; only where time alone counts
+      trade{};  // for the objective time: the gain of more legs, each entry with more legs and faster than the last
 };
 
 }  // namespace floeplan::planning

@@ -6,13 +6,13 @@
 
 namespace floeplan::planning {
 
-/// A length of time with both ends, counted from the epoch of its user.
+/// A period with both its ends included, counted from an epoch that the user chooses.
 struct TimeSpan {
   core::Seconds from;
   core::Seconds until;
 };
 
-/// The times that lie in any of the spans: ascending, apart from each other.
+/// The union of the spans, as spans in ascending order that do not touch.
 [[nodiscard]] std::vector<TimeSpan> joined(std::vector<TimeSpan> spans);
 
 }  // namespace floeplan::planning

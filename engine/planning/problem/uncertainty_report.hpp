@@ -10,15 +10,15 @@
 
 namespace floeplan::planning {
 
-/// How a plan fares where the currents are not certain.
+/// The spread of a plan's arrival when the currents are uncertain.
 struct UncertaintyReport {
-  ArrivalSpread spread;  // of the plan's own route, over all members
+  ArrivalSpread spread;  // of the plan's route in all members
   RobustObjective objective{RobustObjective::none};
   double quantile{0.9};
   std::size_t candidates{1};  // routes that were compared
   std::optional<core::UtcTime> arrive_before;
-  std::optional<double> chance;         // to be there by then
-  std::optional<MemberSpread> costs{};  // of the route by the request's objective; not kept with stored plans
+  std::optional<double> chance;         // of arriving by that time
+  std::optional<MemberSpread> costs{};  // costs of the route by the request's objective; not stored
 };
 
 }  // namespace floeplan::planning

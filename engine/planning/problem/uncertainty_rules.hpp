@@ -9,22 +9,22 @@
 
 namespace floeplan::planning {
 
-/// What to make the best of when the currents are not known for certain.
+/// The statistic that a route minimises when the currents are uncertain.
 enum class RobustObjective {
-  none,     // plan in the first currents, then say how the plan fares in all
+  none,     // plan in the first member alone; the plan states its spread over all members
   mean,     // the least mean travel time over the members
-  quantile  // the least time that a share of the members keeps
+  quantile  // the least time within which a share of the members arrives
 };
 
-/// How a plan treats currents that are not certain: the members of an ensemble (several stored currents), or errors
+/// How a plan treats uncertain currents: the members of an ensemble (several stored currents), or errors
 /// of a model that are added to the one forecast.
 struct UncertaintyRules {
-  int drawn_members{0};  // of the error model; 0: none
+  int drawn_members{0};  // members to draw from the error model; 0: none
   ocean::CurrentErrorModel error{};
   std::uint64_t seed{1};
   RobustObjective objective{RobustObjective::none};
   double quantile{0.9};
-  std::optional<core::UtcTime> arrive_before;  // the chance to be there by then is asked for
+  std::optional<core::UtcTime> arrive_before;  // asks for the chance of arriving by this time
 
   /// Empty when valid, otherwise all of them, with the fields of the inputs' member "uncertainty".
   [[nodiscard]] core::Violations violations() const;

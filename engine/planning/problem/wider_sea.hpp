@@ -8,7 +8,7 @@
 
 namespace floeplan::planning {
 
-/// What is known of the `planning_area` of a request with more room than usual; empty: nothing that could be used.
+/// The data in the `planning_area` of a request with more room than usual. Empty: no data can be used there.
 using WiderSea = std::function<std::optional<ocean::Environment>(const PlanRequest&)>;
 
 }  // namespace floeplan::planning

@@ -10,28 +10,29 @@
 
 namespace floeplan::planning {
 
-/// What leaving at one moment leads to.
+/// The outcome of one departure of a window.
 struct DepartureOutcome {
   core::UtcTime departure;
-  std::optional<core::Seconds> travel_time{};  // of one grid's way, before refinement; empty: there is none
-  std::optional<core::Joules> energy{};        // drawn on that way; empty likewise
-  std::optional<Infeasible> closed{};          // why there is none
-  /// What a robust objective counts of the costs of the best ways in all members, which one way for all of them cannot
-  /// undercut; of a departure that was planned, of its plan's way. Infinite where too few have one, empty without such
-  /// an objective.
+  std::optional<core::Seconds>
+      travel_time{};  // of the best route on the grid, before refinement; empty: there is none
+  std::optional<core::Joules> energy{};  // drawn on that route; empty where there is none
+  std::optional<Infeasible> closed{};    // why there is no route
+  /// The robust objective over the costs of the best route in each member. One route for all members costs at least as
+  /// much. For a departure that was planned it is the objective of the plan's route. Infinite where too few members
+  /// have a route; empty without a robust objective.
   std::optional<double> robust_cost{};
-  std::size_t members_closed{};  // in which there is no way, with such an objective
+  std::size_t members_closed{};  // members without a route, with a robust objective
 
   [[nodiscard]] core::UtcTime arrival() const { return departure + travel_time.value(); }
 };
 
-/// A window's outcomes and the plan for the best of its departures: the plan for this departure alone. Its travel
-/// time may be less than the curve's, because only this way is refined. A departure of which no plan comes although
-/// there is a way, for want of battery, say, counts as closed. With a robust objective departures are planned until
-/// none that is left may be better, six at most: then the best of those, with a warning.
+/// The outcomes of a window and the plan for the best departure. The plan equals one for this departure alone. Its
+/// travel time may be less than that of the outcome, because only this route is refined. A departure counts as closed
+/// where it has a route but no plan, for example because the battery is too small. With a robust objective departures
+/// are planned until no other can be better, but at most six; then the plan is the best of those and warns of it.
 struct WindowPlan {
   std::vector<DepartureOutcome> departures;
-  Result<Plan> plan;  // the reason of the best departure, or of the first one when every one is closed
+  Result<Plan> plan;  // without a plan: why the best departure is closed, or the first one where all are
 };
 
 }  // namespace floeplan::planning
