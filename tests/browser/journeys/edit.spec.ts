@@ -26,7 +26,7 @@ async function holdVerdicts(page: Page): Promise<() => Promise<void>> {
   };
 }
 
-test('a copy of a plan is changed with the mouse, judged anew, taken back and stored', async ({ page, request }) => {
+test('a copy of a plan is changed with the mouse, judged anew, taken back and stored', { tag: '@long' }, async ({ page, request }) => {
   const { start, goal } = await findPlaces(request);
   await open(page);
   await planByTyping(page, start, goal);

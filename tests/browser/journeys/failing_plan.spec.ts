@@ -1,3 +1,4 @@
+import { expectAccessible } from '../support/accessible';
 import { expect, open, test, typed } from '../support/page';
 import { findPlaces } from '../support/places';
 
@@ -17,7 +18,7 @@ test('a goal on land is explained, marked on the map and answered with a suggest
   await expect(failure).toBeHidden();
 });
 
-test('a change that the server proposes is made by its button', async ({ page, request }) => {
+test('a change that the server proposes is made by its button', { tag: '@long' }, async ({ page, request }) => {
   const { start, land } = await findPlaces(request);
   await open(page);
   await page.getByLabel('Start', { exact: true }).fill(typed(start));
@@ -27,4 +28,25 @@ test('a change that the server proposes is made by its button', async ({ page, r
   await change.focus();
   await page.keyboard.press('Enter');
   await expect(page.getByLabel('Goal', { exact: true })).not.toHaveValue(typed(land));
+});
+
+test('where the currents end before the route does, a plan without them is one press away, and undone by key', async ({ page, request }) => {
+  const { datasets } = (await (await request.get('/datasets')).json()) as { datasets: { kind: string; time_end: string }[] };
+  const end_ms = Date.parse(datasets.find(({ kind }) => kind === 'currents')?.time_end ?? '');
+  const late = new Date(end_ms - 4 * 3_600_000).toISOString().slice(0, 16).replace('T', ' ');
+  await open(page);
+  await page.getByLabel('Start', { exact: true }).fill(typed([-52.6, 69.15]));
+  await page.getByLabel('Goal', { exact: true }).fill(typed([-52.2, 69.13]));
+  await page.getByRole('textbox', { name: /^Departure/ }).fill(late);
+  await page.getByRole('button', { name: /^Plan / }).click();
+  const failure = page.getByRole('alert', { name: 'No plan is possible' });
+  await expect(failure.getByRole('heading').first()).toHaveText('Outside the area or time of the data');
+  await expect(failure).toContainText('the stored currents end at');
+  await expectAccessible(page);
+  const before = Number(await page.locator('#map').getAttribute('data-plans'));
+  await failure.getByRole('button', { name: 'Plan without currents' }).click();
+  await expect(page.locator('#map')).toHaveAttribute('data-plans', String(before + 1));
+  await expect(page.getByLabel('Currents', { exact: true })).toHaveValue('none');
+  await page.keyboard.press('Control+z');
+  await expect(page.getByLabel('Currents', { exact: true })).toHaveValue('newest');
 });

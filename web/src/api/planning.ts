@@ -93,6 +93,12 @@ export async function planWithChange(change: Change): Promise<void> {
   await plan();
 }
 
+/** Leaves the currents out, which undo brings back, and plans again. */
+export async function planWithoutCurrents(): Promise<void> {
+  edit({ currents: 'none' });
+  await plan();
+}
+
 async function carryOut(begun: JobStatus, inputs: PlanInputs, started_ms: number, signal: AbortSignal): Promise<void> {
   const status = await follow(begun, signal, (now) => {
     running.value = { status: now, started_ms };

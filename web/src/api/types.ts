@@ -202,6 +202,7 @@ export interface Infeasible extends Told {
   when: string;
   explanation: string;
   suggestion: string;
+  binding_constraint?: string;
   changes?: Change[];
   changes_cut_short?: boolean; // not every change was tried
   departures?: Departure[];

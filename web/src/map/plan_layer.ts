@@ -59,11 +59,9 @@ function lineStyles({ style }: ShownPlan, isBelowIce: boolean, selected: boolean
 
 const holdRing_px = 11;
 
-const nameOf = (waypoint: Waypoint): string => waypointLabel(waypoint.index) + (hold_s(waypoint) > 0 ? ` ${holdText(waypoint)}` : '');
-
 /**
  * Waypoints of the selected plan unless a copy of it is under change: a dot each, a square where it may not surface, and the
- * number where there is room, with the hold where it holds. The chosen one, start, goal and holds have it before the others.
+ * number where there is room. The chosen one, start, goal and holds have it before the others.
  */
 export function waypointLayer(): VectorLayer<VectorSource> {
   const source = new VectorSource();
@@ -78,7 +76,7 @@ export function waypointLayer(): VectorLayer<VectorSource> {
     const { plan: { plan_id, waypoints }, style } = shown;
     const goal = waypoints.length - 1;
     const labels = waypoints.map((waypoint) => ({
-      at: project(code, [waypoint.lon, waypoint.lat]), text: nameOf(waypoint), rank: waypoint.index === chosen ? 0 : waypoint.index === 0 || waypoint.index === goal || hold_s(waypoint) > 0 ? 1 : 2,
+      at: project(code, [waypoint.lon, waypoint.lat]), text: waypointLabel(waypoint.index), rank: waypoint.index === chosen ? 0 : waypoint.index === 0 || waypoint.index === goal || hold_s(waypoint) > 0 ? 1 : 2,
     }));
     const withRoom = labelsWithRoom([...labels].sort((a, b) => a.rank - b.rank));
     waypoints.forEach((waypoint, i) => {
@@ -97,7 +95,7 @@ export function waypointLayer(): VectorLayer<VectorSource> {
   return layer;
 }
 
-/** A hold is a ring round the waypoint, as a vessel swings at anchor. */
+/** A hold is a ring round the waypoint, as a vessel swings at anchor, with its time below. */
 function markStyles(waypoint: Waypoint, style: number, chosen: boolean, colours: Palette): Style[] {
   const colour = planColour(colours, style);
   const fill = new Fill({ color: chosen ? colour : colours.casing });
@@ -105,9 +103,16 @@ function markStyles(waypoint: Waypoint, style: number, chosen: boolean, colours:
   const closed = new RegularShape({
     points: 4, angle: Math.PI / 4, radius: chosen ? 9 : 6.5, fill: new Fill({ color: colour }), stroke: new Stroke({ color: chosen ? colours.ink : colours.casing, width: 2 }),
   });
+  const holdTime = new Style({
+    text: new Text({
+      text: holdText(waypoint), font: '600 11px system-ui, sans-serif', offsetY: holdRing_px + 11, fill: new Fill({ color: colour }),
+      stroke: new Stroke({ color: colours.casing, width: 3.5 }),
+    }),
+    zIndex: 2,
+  });
   const ring = (width: number, color: string): Style => new Style({ image: new Circle({ radius: holdRing_px, stroke: new Stroke({ color, width }) }), zIndex: 1 });
   return [
-    ...(hold_s(waypoint) > 0 ? [ring(5, colours.casing), ring(2, colour)] : []),
+    ...(hold_s(waypoint) > 0 ? [ring(5, colours.casing), ring(2, colour), holdTime] : []),
     new Style({ image: waypoint.may_surface === false ? closed : dot, zIndex: 1 }),
   ];
 }

@@ -19,6 +19,7 @@ const stages: Record<string, string> = {
   search: 'Searching the route',
   environment: 'Preparing the sea',
   refinement: 'Refining the route',
+  'what would help': 'Not possible as asked. Looking for what would help',
   done: 'Storing the plan',
 };
 
@@ -29,6 +30,12 @@ export function stageTitle(status: JobStatus | undefined): string {
   const stage = status.stage;
   return stages[stage] ?? (stage ? stage.charAt(0).toUpperCase() + stage.slice(1).replaceAll('_', ' ') : 'Working');
 }
+
+/** What stands in the way where the currents are too strong, end before the route, or do not cover it. */
+const ofCurrents = ['current', 'data_area', 'data_period'];
+
+/** Whether there may be a plan without currents. */
+export const mayHelpWithoutCurrents = ({ binding_constraint = '' }: Infeasible): boolean => ofCurrents.includes(binding_constraint);
 
 /** Headline for a reason that a plan could not be made. */
 export function reasonTitle(reason: string): string {

@@ -1,11 +1,11 @@
 import type { VNode } from 'preact';
 import { useEffect, useRef } from 'preact/hooks';
-import { planWithChange } from '../../api/planning';
+import { planWithChange, planWithoutCurrents } from '../../api/planning';
 import type { Change } from '../../api/types';
 import { formatPosition } from '../../geo/coordinates';
 import { draft } from '../../model/draft';
 import { editFor } from '../../model/draft_answer';
-import { failure, reasonTitle, running } from '../../model/job';
+import { failure, mayHelpWithoutCurrents, reasonTitle, running } from '../../model/job';
 import { asSentence } from '../../model/page_words';
 import { settings } from '../../model/settings';
 import { shortTime } from '../../model/time';
@@ -29,7 +29,7 @@ function Changes({ possible }: { possible: Change[] }): VNode {
 
 function titleOfChange({ input, text }: Change): string {
   const [outer = '', number] = input.split('/');
-  const stops: Record<string, string> = { from: 'Start: ', to: 'Goal: ', via: `Place ${Number(number ?? 0) + 1}: ` };
+  const stops: Record<string, string> = { from: 'Start: ', to: 'Goal: ', via: `Via point ${Number(number ?? 0) + 1}: ` };
   const said = `${stops[outer] ?? ''}${text}`;
   return said.charAt(0).toUpperCase() + said.slice(1);
 }
@@ -71,6 +71,14 @@ export function FailureCard(): VNode | null {
         <p class="suggestion">
           <b>{possible.length > 0 ? 'Or try this:' : 'Try this:'}</b> {asSentence(answer.suggestion)}
         </p>
+      )}
+      {mayHelpWithoutCurrents(answer) && draft.value.currents !== 'none' && (
+        <div class="changes">
+          <button type="button" disabled={running.value !== undefined} onClick={() => void planWithoutCurrents()}>
+            <Icon name="route" /> Plan without currents
+          </button>
+          <p class="hint">Such a plan assumes still water: its times and energy hold only where the currents are weak.</p>
+        </div>
       )}
       <Messages of={answer} />
       <IconButton icon="x" label="Dismiss this message" onClick={close} class="corner" />
