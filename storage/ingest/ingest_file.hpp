@@ -29,7 +29,7 @@ namespace floeplan::ingest {
                                                      const IngestOptions& options, core::UtcTime now,
                                                      const core::ProgressCallback& progress);
 
-/// The report of files of which nothing is stored. `reason`: sentences, one a line; where the files lie is taken out.
+/// The report of files of which nothing is stored. Where the files lie is taken out of the faults.
 [[nodiscard]] IngestReport refused(const FileGroup& files, const IngestOptions& options, Messages faults);
 
 /// Reads several files. Those that belong together make one dataset (the two components of a current in two files,

@@ -14,7 +14,7 @@ namespace floeplan::ingest {
 /// node the most ice of all polygons within one and a half cells of it, so that what is read between nodes is never too
 /// little. Where no polygon lies nothing is known.
 /// The moment is the one that the options state, else the one in the file's name, which is said in a warning.
-/// Errors   no moment; every polygon whose codes cannot be read, one a line; what polygon shapes refuse
+/// Errors   no moment; every polygon whose codes cannot be read, a message each; what polygon shapes refuse
 [[nodiscard]] Checked<PreparedDataset> read_ice_polygons(GDALDataset& dataset,
                                                          const std::filesystem::path& file,
                                                          const IngestOptions& options);

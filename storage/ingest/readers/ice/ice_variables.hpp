@@ -24,7 +24,7 @@ struct IceVariables {
 /// Whether any variable claims to be a thickness of sea ice.
 [[nodiscard]] bool holds_ice_thickness(const NetcdfFile& file);
 
-/// Why a statistic of the concentration is none: a sentence; empty where the file has no such statistic.
+/// Why a statistic of the concentration is none; empty where the file has no such statistic.
 [[nodiscard]] std::optional<messages::Message> ice_left_out(const NetcdfFile& file);
 
 /// Chooses by standard name, then by well-known names. Statistics, uncertainties, flags, raw and unfiltered estimates and
