@@ -41,7 +41,7 @@ test('what a file leaves open is asked back, and it is read again without being 
   await choose(page).setInputFiles([signlessDepths()]);
   const refused = card(page, 'levels.asc');
   await expect(refused).toContainText('Refused');
-  await expect(refused).toContainText('say “Positive” up');
+  await expect(refused).toContainText('State “Positive” up');
   const again = refused.getByRole('button', { name: 'Read again with this' });
   await expect(again).toBeDisabled();
   await refused.getByLabel('Positive').selectOption('up');
