@@ -67,7 +67,9 @@ struct Field {
   std::optional<Value> usual{};  // what counts where the field is left out
   std::string_view
       flag{};  // of the command line, without its dashes; a boolean's sets the opposite of `usual`
-  std::string_view flag_sets{};  // the word that the flag stands for, where it takes no value
+  std::string_view flag_sets{};    // the word that the flag stands for, where it takes no value
+  std::string_view former_flag{};  // another name of the flag, for scripts that were written before
+  std::string_view none_flag{};    // a flag without a value that stands for the least number
   std::string_view group{};
   std::string_view help{};     // one sentence without its full stop, unit and default
   std::string_view details{};  // further sentences, for the OpenAPI document

@@ -161,29 +161,15 @@ inline constexpr auto plan_kinds = std::to_array<Kind>({
      .text = "currents in the area are as fast as the vehicle, so small differences close or open a route. "
              "This plan is the best of several grids",
      .hint = "Another grid spacing (--spacing) or a via point (--via) may give a better one"},
-    {.code = "leg-opens-later",
+    {.code = "may-depart-later",
      .rank = Rank::note,
-     .text = "the current at {lon_deg:.4f}, {lat_deg:.4f} is too strong for the vehicle until {opens}; the "
-             "vehicle could be there at {refused}",
-     .slots = {{{"lon_deg", -60.25},
-                {"lat_deg", 69.5},
-                {"refused", "2027-01-12T18:00:00Z"},
-                {"opens", "2027-01-12T21:00:00Z"}}}},
-    {.code = "leg-opens-later-and-is-faster",
-     .rank = Rank::note,
-     .text = "the current at {lon_deg:.4f}, {lat_deg:.4f} is too strong for the vehicle until {opens}; the "
-             "vehicle could be there at {refused}. Passing there later saves {gain_h:.1f} h",
-     .slots = {{{"lon_deg", -60.25},
-                {"lat_deg", 69.5},
-                {"refused", "2027-01-12T18:00:00Z"},
-                {"opens", "2027-01-12T21:00:00Z"},
-                {"gain_h", 1.5}}}},
-    {.code = "way-round-what-opens-later",
-     .rank = Rank::note,
-     .text = "between waypoints {from} and {to} the route detours {longer_h:.1f} h round an obstacle that "
-             "clears later",
-     .hint = "Allow a hold (--max-loiter), or depart later",
-     .slots = {{{"from", 2}, {"to", 4}, {"longer_h", 2.9}}}},
+     .text = "the vehicle may depart {later_h:.1f} h later, at {time}: it arrives no later",
+     .slots = {{{"later_h", 2.9}, {"time", "2027-01-12T18:00:00Z"}}}},
+    {.code = "route-without-holds",
+     .rank = Rank::caution,
+     .text = "this vehicle never holds, and something in its way opens later: a route with a hold may arrive "
+             "earlier",
+     .hint = "Allow holds (--max-hold)"},
 
     // Uncertain currents.
     {.code = "closed-in-members",

@@ -83,44 +83,6 @@ inline constexpr auto refusal_kinds = std::to_array<Kind>({
      .hint = "ingest data that cover it, or leave this kind of data out (for example --bathymetry none)",
      .slots = {{{"place", "the goal"}}}},
 
-    // What opens only after the vehicle could be there.
-    {.code = "place-in-zone-opens-later",
-     .rank = Rank::caution,
-     .text = "{place} lies where a zone is closed to the vehicle at {time}{until}. The vehicle arrives "
-             "earlier and would have to hold station for {circling_h:.4g} h",
-     .hint = "depart later, allow a longer hold (--max-loiter), move the {moved}, or change the zone or its "
-             "times",
-     .slots = {{{"place", "the goal"},
-                {"time", "2027-01-12T12:00:00Z"},
-                {"until", ", until 2027-01-12T18:00:00Z"},
-                {"circling_h", 6.0},
-                {"moved", "goal"}}}},
-    {.code = "way-in-zone-opens-later",
-     .rank = Rank::caution,
-     .text = "the route leads through a zone that is closed to the vehicle at {time}. The vehicle arrives "
-             "earlier and would have to hold station for {circling_h:.4g} h",
-     .hint = "depart later, allow a longer hold (--max-loiter), move the {moved}, or change the zone or its "
-             "times",
-     .slots = {{{"time", "2027-01-12T12:00:00Z"}, {"circling_h", 6.0}, {"moved", "goal"}}}},
-    {.code = "place-near-iceberg-opens-later",
-     .rank = Rank::caution,
-     .text = "{place} lies too close to {iceberg}{until}. The vehicle arrives earlier and would have to hold "
-             "station for {circling_h:.4g} h",
-     .hint = "depart later, allow a longer hold (--max-loiter), move the {moved}, or reduce the margin "
-             "(--margin) or the position allowance (--max-inflation)",
-     .slots = {{{"place", "the goal"},
-                {"iceberg", "an iceberg"},
-                {"until", ", until 2027-01-12T18:00:00Z"},
-                {"circling_h", 6.0},
-                {"moved", "goal"}}}},
-    {.code = "way-near-iceberg-opens-later",
-     .rank = Rank::caution,
-     .text = "the route leads too close to {iceberg}. The vehicle arrives earlier and would have to hold "
-             "station for {circling_h:.4g} h",
-     .hint = "depart later, allow a longer hold (--max-loiter), move the {moved}, or reduce the margin "
-             "(--margin) or the position allowance (--max-inflation)",
-     .slots = {{{"iceberg", "an iceberg"}, {"circling_h", 6.0}, {"moved", "goal"}}}},
-
     // Of a search. What closes most of the ways is told in the words of the row for a way.
     {.code = "no-way-to-goal",
      .rank = Rank::caution,
@@ -138,21 +100,10 @@ inline constexpr auto refusal_kinds = std::to_array<Kind>({
      .text = "no route to the goal was found. At the nearest place reached {closed}",
      .hint = "{help}; a coarser grid (--spacing) needs less memory",
      .slots = {{{"closed", "the route crosses land"}, {"help", "go round it"}}}},
-    {.code = "no-way-before-current-eases",
-     .rank = Rank::caution,
-     .text = "no route to the goal was found: {closed}",
-     .hint = "depart later, allow a hold (--max-loiter), or search a window of departures (--depart-until)",
-     .slots = {{{"closed",
-                 "the current at -60.2500, 69.5000 is too strong for the vehicle until 2027-01-12T21:00:00Z; "
-                 "the vehicle could be there at 2027-01-12T18:00:00Z"}}}},
-    {.code = "no-way-within-wait",
-     .rank = Rank::caution,
-     .text = "no route to the goal was found: {closed}",
-     .hint = "depart later, allow a longer hold (--max-loiter), or search a window of departures "
-             "(--depart-until)",
-     .slots = {{{"closed",
-                 "the current at -60.2500, 69.5000 is too strong for the vehicle until 2027-01-12T21:00:00Z; "
-                 "the vehicle could be there at 2027-01-12T18:00:00Z"}}}},
+    {.code = "never-holds",
+     .rank = Rank::note,
+     .text = "this vehicle never holds, and something in its way opens later",
+     .hint = "allow holds (--max-hold), or depart later"},
     {.code = "no-escape",
      .rank = Rank::caution,
      .text = "no escape route of at most 200 grid steps leads from this waypoint to a place where the "

@@ -42,7 +42,7 @@ NOT FOR NAVIGATION. Everything here is invented; there is no land in this place.
 Two shores in the open water of Davis Strait, at 58.5W 64.2N, leave a narrows 5 km wide between two
 basins. The tide in the narrows runs at up to 0.5 m/s, one and a half times the speed of a glider,
 towards the east two hours after the start and towards the west six hours later; in the basins it is
-weak. A plan through the narrows that may wait (--max-loiter PT12H) waits for the tide.
+weak. A plan through the narrows holds until the tide lets the vehicle through.
 
   strait-synthetic-bathymetry.tif     GeoTIFF, EPSG:4326, about 260 m, metres, positive up
   strait-synthetic-currents.nc        NetCDF-4, CF-1.8, hourly for six days, about 500 m: M2 and S2 from

@@ -113,9 +113,7 @@ std::vector<std::string> example_request(Scenario scenario, core::UtcTime start)
   const std::string depart = core::iso8601(start + std::chrono::hours{6});
   switch (scenario) {
     case Scenario::disko: return {"plan", "--from=-53.20,69.20", "--to=-51.80,69.15", "--depart", depart};
-    case Scenario::strait:
-      return {"plan", "--from=-58.90,64.20", "--to=-58.10,64.20", "--depart", depart, "--max-loiter",
-              "PT12H"};
+    case Scenario::strait: return {"plan", "--from=-58.90,64.20", "--to=-58.10,64.20", "--depart", depart};
     case Scenario::pack_ice:
       return {
           "plan",  "--from=-65.5,73.0", "--to=-62.5,73.0", "--depart", depart, "--max-time-without-surfacing",

@@ -43,15 +43,6 @@ json waypoint_json(const planning::Waypoint& waypoint, std::size_t index) {
           {"current_north_m_s", waypoint.current ? json(waypoint.current->north.value) : json()}};
 }
 
-json late_opening_json(const std::optional<planning::LateOpening>& opening) {
-  if (!opening) return nullptr;
-  return {{"lon", document_degrees(opening->place.lon_deg)},
-          {"lat", document_degrees(opening->place.lat_deg)},
-          {"refused", core::iso8601(opening->refused)},
-          {"opens", core::iso8601(opening->opens)},
-          {"gain_s", opening->gain ? json(opening->gain->count()) : json()}};
-}
-
 std::optional<double> stored_number(const json& object, const char* key) {
   const json& value = object.at(key);
   return value.is_null() ? std::nullopt : std::optional{value.get<double>()};
@@ -178,19 +169,6 @@ std::optional<planning::RefinementReport> parse_refinement(const json& document)
   return report;
 }
 
-/// Plans stored by older versions do not have it.
-std::optional<planning::LateOpening> parse_late_opening(const json& search) {
-  if (!search.contains("worst_fifo_violation") || search.at("worst_fifo_violation").is_null())
-    return std::nullopt;
-  const json& object = search.at("worst_fifo_violation");
-  planning::LateOpening opening{.place = {object.at("lon").get<double>(), object.at("lat").get<double>()},
-                                .refused = stored_time(object, "refused"),
-                                .opens = stored_time(object, "opens"),
-                                .gain = std::nullopt};
-  if (const auto gain_s = stored_number(object, "gain_s")) opening.gain = core::Seconds{*gain_s};
-  return opening;
-}
-
 planning::Plan parse_members(const json& document) {
   planning::Plan plan;
   plan.method =
@@ -210,8 +188,6 @@ planning::Plan parse_members(const json& document) {
                  .edge_evaluations = search.at("edge_evaluations").get<std::int64_t>(),
                  .expansions = search.at("expansions").get<std::int64_t>(),
                  .reinsertions = search.at("reinsertions").get<std::int64_t>(),
-                 .fifo_violations = search.value("fifo_violations", std::int64_t{0}),
-                 .worst_fifo_violation = parse_late_opening(search),
                  .cut_short = search.value("cut_short", false),
                  .possible_gain = parse_possible_gain(search),
                  .duration = core::Seconds{search.at("seconds").get<double>()}};
@@ -301,8 +277,6 @@ json plan_document(const planning::Plan& plan, const std::string& plan_id, const
         {"edge_evaluations", plan.search.edge_evaluations},
         {"expansions", plan.search.expansions},
         {"reinsertions", plan.search.reinsertions},
-        {"fifo_violations", plan.search.fifo_violations},
-        {"worst_fifo_violation", late_opening_json(plan.search.worst_fifo_violation)},
         {"cut_short", plan.search.cut_short},
         {"possible_gain_s", plan.search.possible_gain ? json(plan.search.possible_gain->count()) : json()},
         {"seconds", plan.search.duration.count()}}},

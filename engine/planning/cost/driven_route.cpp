@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "engine/planning/cost/loiter.hpp"
+#include "engine/planning/cost/hold_times.hpp"
 #include "engine/planning/cost/straightening.hpp"
 
 namespace floeplan::planning::cost {
@@ -78,7 +78,7 @@ tl::expected<DrivenTimes, motion::EdgeClosed> drive_along(const Sea& sea, const 
 tl::expected<DrivenTimes, motion::EdgeClosed> drive_in_time(const Sea& sea, const DrivenRoute& route,
                                                             core::Seconds depart) {
   const vehicle::Drive first = sea.drives().front();
-  const bool waits = waits_may_help(sea);
+  const bool waits = holds_may_help(sea);
   if (!waits || std::ranges::any_of(route.drives, [&](vehicle::Drive drive) { return drive != first; }))
     return drive_along(sea, route, depart);
   const auto schedule = schedule_along(sea, route.points, depart);

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "engine/graph/interval_search.hpp"
-#include "engine/planning/cost/loiter.hpp"
+#include "engine/planning/cost/hold_times.hpp"
 #include "engine/planning/cost/sea_intervals.hpp"
 
 namespace floeplan::planning::cost {
@@ -60,13 +60,14 @@ std::optional<Schedule> timed(const Sea& sea, const std::vector<geo::PlanePoint>
 
 }  // namespace
 
-core::Seconds longest_hold(const Schedule& schedule, const std::vector<geo::PlanePoint>& route) {
+core::Seconds longest_hold(const Schedule& schedule, const std::vector<geo::PlanePoint>& route,
+                           core::Metres radius) {
   core::Seconds longest{0.0};
   for (std::size_t first = 0; first < route.size(); ++first) {
     if (schedule.waits[first].count() <= 0.0) continue;
     std::size_t last = first;
     for (std::size_t i = first + 1;
-         i < route.size() && geo::distance_m(route[first], route[i]) <= hold_radius.value; ++i) {
+         i < route.size() && geo::distance_m(route[first], route[i]) <= radius.value; ++i) {
       if (schedule.waits[i].count() > 0.0) last = i;
     }
     longest = std::max(longest, schedule.leaves(last) - schedule.arrivals[first]);
@@ -84,7 +85,8 @@ std::optional<Schedule> held_schedule(const Sea& sea, const std::vector<geo::Pla
   const graph::IntervalSearch search = graph::find_earliest_among_intervals(chain, query, model, {}, {});
   if (search.way.empty()) return std::nullopt;
   auto schedule = timed(sea, route, search.way);
-  if (!schedule || longest_hold(*schedule, route) > sea.longest_wait()) return std::nullopt;
+  if (!schedule || longest_hold(*schedule, route, sea.holding().radius) > sea.holding().longest)
+    return std::nullopt;
   return schedule;
 }
 

@@ -17,11 +17,8 @@ namespace floeplan::planning::cost {
                                                     core::Seconds depart);
 
 /// The longest hold of a schedule. A hold lasts from the arrival at a point until the vehicle leaves the circle of
-/// `hold_radius` about it, so that one that is spread over points near to each other is no shorter.
-[[nodiscard]] core::Seconds longest_hold(const Schedule& schedule, const std::vector<geo::PlanePoint>& route);
-
-/// Of the circle that a vehicle keeps to while it holds; metres of the plane. A judgement: a glider that is sent back
-/// to one place dive after dive comes up some hundreds of metres about it.
-inline constexpr core::Metres hold_radius{500.0};
+/// this radius about it, so that one that is spread over points near to each other is no shorter.
+[[nodiscard]] core::Seconds longest_hold(const Schedule& schedule, const std::vector<geo::PlanePoint>& route,
+                                         core::Metres radius);
 
 }  // namespace floeplan::planning::cost

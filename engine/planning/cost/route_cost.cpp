@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "engine/planning/cost/held_schedule.hpp"
-#include "engine/planning/cost/loiter.hpp"
+#include "engine/planning/cost/hold_times.hpp"
 #include "engine/planning/cost/surfacing_wait.hpp"
 
 namespace floeplan::planning::cost {
@@ -61,7 +61,7 @@ struct Stage {
 /// Whether the vehicle that comes first can do all that the other one can: it waits until the other is there.
 bool replaces(const Sea& sea, geo::PlanePoint point, const std::vector<TimeSpan>& closed, const Stage& first,
               const Stage& other) {
-  if (first.arrival > other.arrival || other.arrival - first.arrival > sea.longest_wait()) return false;
+  if (first.arrival > other.arrival || other.arrival - first.arrival > sea.holding().longest) return false;
   if (interval_of(closed, first.arrival) != interval_of(closed, other.arrival)) return false;
   if (!current_lets_stay(sea, point, first.arrival, other.arrival)) return false;
   const auto since_surfacing =
@@ -128,7 +128,7 @@ std::optional<Schedule> with_waits(const Sea& sea, const std::vector<geo::PlaneP
 tl::expected<Schedule, RouteClosed> schedule_along(const Sea& sea, const std::vector<geo::PlanePoint>& route,
                                                    core::Seconds depart, core::Seconds since_surfacing) {
   auto at_once = without_waits(sea, route, depart, since_surfacing);
-  if (at_once || !waits_may_help(sea)) return at_once;
+  if (at_once || !holds_may_help(sea)) return at_once;
   auto waited = sea.overhead().bounds_surfacing() ? with_waits(sea, route, depart, since_surfacing)
                                                   : held_schedule(sea, route, depart);
   if (!waited) return at_once;

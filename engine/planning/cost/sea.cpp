@@ -9,6 +9,7 @@
 #include "engine/planning/cost/sea_layout.hpp"
 #include "engine/planning/cost/surfacing_watch.hpp"
 #include "engine/planning/currents/current_drive.hpp"
+#include "engine/planning/problem/position_error.hpp"
 
 namespace floeplan::planning::cost {
 namespace {
@@ -28,6 +29,19 @@ double steepest_scale(const std::vector<double>& scales, const plane::PlaneBox& 
   return std::hypot(along_x * scale_cells / area.width_m(), along_y * scale_cells / area.height_m());
 }
 
+/// `scale`: metres of the plane for one on the ground.
+Sea::Holding holding_of(const PlanRequest& request, double scale, const currents::PlaneCurrents* currents) {
+  Sea::Holding holding{.longest = request.holds.longest, .radius = scale * request.holds.radius};
+  const UnderIceRules& ice = request.under_ice;
+  if (const auto longest = ice.max_time_without_surfacing) {
+    const core::Metres error = grown_error(ice, request.vehicle.speed_through_water, *longest);
+    holding.radius_below_ice = holding.radius + scale * error;
+  }
+  if (holding.longest.count() > 0.0 && currents != nullptr)
+    holding.calm = std::make_shared<currents::CurrentEnvelope>(*currents, holding.radius);
+  return holding;
+}
+
 }  // namespace
 
 Sea::Sea(const ocean::Environment& environment, const PlanRequest& request,
@@ -44,7 +58,6 @@ Sea::Sea(const ocean::Environment& environment, const PlanRequest& request, obst
       buoyancy_speed_{request.vehicle.speed_through_water},
       thruster_speed_{request.vehicle.thruster ? request.vehicle.thruster->speed : buoyancy_speed_},
       edge_tolerance_{request.edge_tolerance},
-      longest_wait_{request.max_loiter},
       safety_{environment, request.vehicle.least_water(), std::move(zones.standing), projection, area, cell,
               stop},
       timed_zones_{lay_out_timed_zones(zones.timed, request, projection, area)},
@@ -73,6 +86,7 @@ Sea::Sea(const ocean::Environment& environment, const PlanRequest& request, obst
   const core::MetresPerSecond astern{currents_ ? currents_->strongest().value : 0.0};
   // A hair below the bound, because integrated times carry the tolerance as an error.
   least_slowness_s_m_ = (1.0 - request.edge_tolerance) / (fastest_through_water_ + astern).value;
+  holding_ = holding_of(request, largest_scale_, currents_.get());
 }
 
 std::size_t Sea::bytes() const {
@@ -227,12 +241,6 @@ std::optional<core::Seconds> Sea::first_clear_departure(geo::PlanePoint a, geo::
     depart = open;
   }
   return std::nullopt;
-}
-
-bool Sea::holds_against_current(geo::PlanePoint point, core::Seconds time) const {
-  if (!currents_) return true;
-  const auto current = (*currents_)(point, time);
-  return current && std::hypot(current->x_m_s, current->y_m_s) < through_water().value;
 }
 
 std::vector<TimeSpan> Sea::closed_times(geo::PlanePoint point) const {

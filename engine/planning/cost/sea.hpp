@@ -13,6 +13,7 @@
 #include "engine/planning/cost/currents_shelf.hpp"
 #include "engine/planning/cost/energy_meter.hpp"
 #include "engine/planning/cost/overhead.hpp"
+#include "engine/planning/currents/current_envelope.hpp"
 #include "engine/planning/currents/flown_depths.hpp"
 #include "engine/planning/currents/plane_currents.hpp"
 #include "engine/planning/energy/energy_map.hpp"
@@ -80,10 +81,15 @@ class Sea {
                                                                    core::Seconds duration,
                                                                    core::Seconds depart,
                                                                    core::Seconds latest) const;
-  /// How long the vehicle may wait at one place; zero where the request does not allow it.
-  [[nodiscard]] core::Seconds longest_wait() const { return longest_wait_; }
-  /// Whether the current there and then is known and weaker than the vehicle is fast.
-  [[nodiscard]] bool holds_against_current(geo::PlanePoint point, core::Seconds time) const;
+  /// How the vehicle may hold station, metres of the plane; see hold_circle.hpp.
+  struct Holding {
+    core::Seconds longest{};  // at one place; zero: it never holds
+    core::Metres radius{};
+    std::optional<core::Metres> radius_below_ice{};  // empty: it does not hold there
+    std::shared_ptr<const currents::CurrentEnvelope>
+        calm{};  // of a circle; null: nothing is known beforehand
+  };
+  [[nodiscard]] const Holding& holding() const { return holding_; }
   /// The drive along a leg that is open, as even moves one after the other, each within a metre of it.
   [[nodiscard]] std::vector<motion::EvenMove> drive(geo::PlanePoint a, geo::PlanePoint b,
                                                     core::Seconds depart, vehicle::Drive drive) const;
@@ -93,9 +99,10 @@ class Sea {
   [[nodiscard]] std::vector<TimeSpan> closed_times_by_zones(geo::PlanePoint point) const {
     return timed_zones_.closed_times(point);
   }
-  /// By icebergs that move alone.
-  [[nodiscard]] std::vector<TimeSpan> closed_times_by_icebergs(geo::PlanePoint point) const {
-    return icebergs().standing() ? std::vector<TimeSpan>{} : icebergs().closed_times(point);
+  /// By icebergs that move alone, whose discs are grown by so many metres of the plane.
+  [[nodiscard]] std::vector<TimeSpan> closed_times_by_icebergs(geo::PlanePoint point,
+                                                               core::Metres grown = core::Metres{0.0}) const {
+    return icebergs().standing() ? std::vector<TimeSpan>{} : icebergs().closed_times(point, grown);
   }
   /// Travel time of the straight leg for a vehicle that is to be at its end at `arrive`: it leaves that much
   /// earlier. Closed where the vehicle that leaves then finds the leg closed; too_late when it would certainly have
@@ -164,10 +171,10 @@ class Sea {
     driven.drives_ = {drive};
     return driven;
   }
-  /// The same sea for a vehicle that never waits.
-  [[nodiscard]] Sea without_waits() const {
+  /// The same sea for a vehicle that never holds.
+  [[nodiscard]] Sea without_holds() const {
     Sea hurried = *this;
-    hurried.longest_wait_ = core::Seconds{0.0};
+    hurried.holding_.longest = core::Seconds{0.0};
     return hurried;
   }
   /// The same sea for a vehicle that may stay below for as long as it takes.
@@ -236,7 +243,6 @@ class Sea {
   core::MetresPerSecond buoyancy_speed_;
   core::MetresPerSecond thruster_speed_;  // as the buoyancy drive where there is none
   double edge_tolerance_;
-  core::Seconds longest_wait_;
   motion::EdgeAccuracy accuracy_;
   obstacles::SafetyMap safety_;
   obstacles::TimedZones timed_zones_;
@@ -248,6 +254,7 @@ class Sea {
   std::shared_ptr<const currents::PlaneCurrents>
       currents_;  // null: still water; seas laid out alike share it
   energy::EnergyMap energy_;
+  Holding holding_;
   std::vector<double> scales_;  // of the projection, [y][x] on a coarse lattice over the area
   double largest_scale_{1.0};
   double steepest_scale_{};  // change of the scale over a metre of the plane at most

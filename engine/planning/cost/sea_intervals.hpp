@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "engine/graph/interval_search.hpp"
-#include "engine/planning/cost/loiter.hpp"
+#include "engine/planning/cost/hold_times.hpp"
 #include "engine/planning/cost/sea.hpp"
 
 namespace floeplan::planning::cost {

@@ -61,7 +61,7 @@ std::vector<geo::PlanePoint> stops_in_plane(const PlanRequest& request,
 core::Seconds drift_for_the_way(const PlanRequest& request) {
   constexpr double detours = 6.0;
   // It may wait at any number of places.
-  if (request.max_loiter.count() > 0.0) return longest_drift;
+  if (request.holds.longest.count() > 0.0) return longest_drift;
   core::Metres way{0.0};
   geo::LonLat last = request.from;
   for (const geo::LonLat via : request.via) {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include "engine/planning/cost/loiter.hpp"
+#include "engine/planning/cost/hold_times.hpp"
 #include "engine/planning/cost/route_cost.hpp"
 
 namespace floeplan::planning::cost {

@@ -331,77 +331,58 @@ double InputChanges::least_delay(double fails, double helps) {
   return helps;
 }
 
-core::Seconds InputChanges::add_departure(double hours, const std::string& note) {
+void InputChanges::add_departure(double hours) {
   const core::UtcTime later = request_.depart + hours * an_hour;
   add("depart", request_.depart, later, 1.0 + hours / 24.0,
-      "depart " + written("%.0f h later, at ", hours, 0.0) + core::iso8601(later) + note);
+      "depart " + written("%.0f h later, at ", hours, 0.0) + core::iso8601(later));
   found_.back().changed = leaving(hours);
-  return hours * an_hour;
 }
 
-std::optional<core::Seconds> InputChanges::depart_later() {
+void InputChanges::depart_later() {
   trials_.begin_input();
   const bool currents_change = environment_.currents && !environment_.steady_currents;
-  if (!currents_change && environment_.icebergs.empty()) return std::nullopt;
+  if (!currents_change && environment_.icebergs.empty()) return;
   const double end_s = currents_change ? environment_.currents->times_s().back() : INFINITY;
   double too_early = 0.0;
   for (const double hours : {1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 9.0, 12.0, 18.0, 24.0, 48.0}) {
     const core::UtcTime later = request_.depart + hours * an_hour;
-    if (trials_.is_over() || core::unix_seconds(later) >= end_s) return std::nullopt;
+    if (trials_.is_over() || core::unix_seconds(later) >= end_s) return;
     if (!trials_.works(leaving(hours))) {
       too_early = hours;
       continue;
     }
-    return add_departure(least_delay(too_early, hours));
+    add_departure(least_delay(too_early, hours));
+    return;
   }
-  return std::nullopt;
+  return;
 }
 
-void InputChanges::depart_later_or_wait() {
-  if (const auto delay = depart_later()) wait_for(*delay);
+void InputChanges::depart_after(core::Seconds delay) {
+  trials_.begin_input();
+  const double whole_hours = std::ceil(delay / an_hour);
+  double too_early = whole_hours - 1.0;
+  // What is in the way moves on while the vehicle does.
+  for (const double more : {0.0, 2.0, 5.0, 12.0}) {
+    const double hours = whole_hours + more;
+    if (trials_.is_over()) return;
+    if (trials_.works(leaving(hours))) {
+      add_departure(least_delay(too_early, hours));
+      return;
+    }
+    too_early = hours;
+  }
 }
 
-void InputChanges::depart_after(core::Seconds circling) {
-  const auto delays = trials_.shortest_that_helps(
-      circling, core::Seconds{0.0}, [&](core::Seconds later) { return leaving(later / an_hour); });
-  if (!delays) return;
-  if (delays->least < delays->enough)
-    add_departure(delays->least / an_hour, ", and turn in circles for the rest");
-  add_departure(delays->enough / an_hour);
-}
-
-void InputChanges::wait_for(core::Seconds circling) {
-  // Many short waits, a little way from each other, are as good as circles: nobody would want them.
-  wait_up_to(circling, 0.75 * circling);
-}
-
-void InputChanges::wait_for_slack(std::optional<core::Seconds> delay) {
-  constexpr core::Seconds half_a_tide{6.21 * 3600.0};
-  wait_up_to(delay.value_or(half_a_tide), core::Seconds{0.0});
-}
-
-void InputChanges::wait_up_to(core::Seconds most, core::Seconds least) {
-  const double now = request_.max_loiter.count();
-  // The place to hold at may lie well before what opens.
-  static constexpr double more_h[] = {0.0, 5.0, 12.0, 36.0};
-  const auto waiting = [&](core::Seconds longest) {
-    PlanRequest changed = request_;
-    changed.max_loiter = std::max(longest, request_.max_loiter);
-    return changed;
-  };
-  const auto waits = trials_.shortest_that_helps(most, least, waiting, more_h);
-  if (!waits || waits->least <= request_.max_loiter) return;
-  add("max_loiter_s", now, waits->least.count(), 1.0 + waits->least / a_day,
-      written("allow holds of up to %.0f h at one place instead of %.4g h", waits->least / an_hour,
-              now / an_hour.count()));
-}
-
-void InputChanges::move_goal(const Change& move) {
+void InputChanges::allow_holds() {
+  const core::Seconds now = request_.holds.longest;
+  if (now >= longest_hold_allowed) return;
   trials_.begin_input();
   PlanRequest changed = request_;
-  changed.to = std::get<geo::LonLat>(move.to);
+  changed.holds.longest = longest_hold_allowed;
   if (trials_.is_over() || !trials_.works(changed)) return;
-  take_move(move);
+  add("max_loiter_s", now.count(), longest_hold_allowed.count(), 1.0,
+      now.count() > 0.0 ? written("allow holds of any length instead of %.4g h at most", now / an_hour, 0.0)
+                        : std::string{"allow holds"});
 }
 
 void InputChanges::take_move(const Change& move) {

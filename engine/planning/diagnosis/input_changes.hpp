@@ -65,18 +65,12 @@ class InputChanges {
   void refine_the_grid();
 
   /// Within the period of the data, closer ones first: half a tide, then whole tides and days.
-  /// Returns  by how much, where that helps
-  std::optional<core::Seconds> depart_later();
-  /// What closes for a while is past for who departs later, and for who waits as long.
-  void depart_later_or_wait();
-  /// The departure after which nothing has to be circled away, and the first one that may be flown.
-  void depart_after(core::Seconds circling);
-  void wait_for(core::Seconds circling);
-  /// Until a current slackens: as long as it helped to depart later, or half a tide, and less. On the way a current may
-  /// turn where who departs later meets the next one.
-  void wait_for_slack(std::optional<core::Seconds> delay);
+  void depart_later();
+  /// The first whole hour after what closes the way for so long.
+  void depart_after(core::Seconds delay);
+  /// Of any length, where the request allows none or short ones only.
+  void allow_holds();
 
-  void move_goal(const Change& move);
   /// A move of a stop that helps, as was tried before.
   void take_move(const Change& move);
 
@@ -92,7 +86,6 @@ class InputChanges {
   /// The value nearest to `now` that helps, on the way to `extreme`; `set(request, value)` writes it.
   template <class Set>
   std::optional<double> nearest(double now, double extreme, double unit, const Set& set);
-  void wait_up_to(core::Seconds most, core::Seconds least);
   void dive_towards(double extreme);
   /// Whether the thruster so used makes the request possible.
   bool helps_to_use_it(ThrusterUse use);
@@ -104,7 +97,7 @@ class InputChanges {
   /// Returns  whether that helps with any of them
   bool leave_out_a_zone();
   void leave_out_all_zones();
-  core::Seconds add_departure(double hours, const std::string& note = {});
+  void add_departure(double hours);
   /// A change by which the last trial that found a way was made.
   void add(std::string input, Change::Value from, Change::Value to, double effort, std::string text);
 

@@ -4,9 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <optional>
-#include <span>
 #include <stop_token>
-#include <vector>
 
 #include "engine/planning/problem/plan_request.hpp"
 
@@ -72,48 +70,9 @@ class InputTrials {
     return helps;
   }
 
-  struct Times {
-    core::Seconds enough;  // for all that has to be circled away
-    core::Seconds least;   // that helps: a little may be circled
-  };
-
-  /// In whole hours: as long as has to be circled away, or more by one of `more_h`, and then less, but more than
-  /// `least`.
-  template <class With>
-  std::optional<Times> shortest_that_helps(core::Seconds circling, core::Seconds least, const With& with,
-                                           std::span<const double> more_h = somewhat_more_h) {
-    begin_input();
-    std::optional<Times> helps;
-    core::Seconds fails = std::floor(least / an_hour) * an_hour;
-    for (const core::Seconds time : whole_hours_from(circling, more_h)) {
-      if (is_over()) return std::nullopt;
-      if (works(with(time))) {
-        helps = {time, time};
-        break;
-      }
-      fails = std::max(fails, time);
-    }
-    while (helps && helps->least - fails > an_hour && !is_over()) {
-      const core::Seconds middle = std::floor(0.5 * (fails + helps->least) / an_hour) * an_hour;
-      (works(with(middle)) ? helps->least : fails) = middle;
-    }
-    return helps;
-  }
-
  private:
   static constexpr int halvings = 7;  // to a hundredth, with a speed or margin rounded to what one would type
   static constexpr int most_beginnings = 3;  // of a value, where the most generous one tells nothing
-
-  /// What is in the way moves on while the vehicle does.
-  static constexpr double somewhat_more_h[] = {0.0, 2.0, 5.0, 12.0};
-
-  /// What has to be circled away, and somewhat more.
-  static std::vector<core::Seconds> whole_hours_from(core::Seconds circling, std::span<const double> more_h) {
-    const core::Seconds least = std::ceil(circling / an_hour) * an_hour;
-    std::vector<core::Seconds> result;
-    for (const double more : more_h) result.push_back(least + more * an_hour);
-    return result;
-  }
 
   TrialOutcome outcome_of(const Trial& trial, const PlanRequest& request) {
     if (!request.violations().empty()) return TrialOutcome::impossible;

@@ -46,20 +46,16 @@ FoundChanges find_changes(const ocean::Environment& environment, const PlanReque
                           const Infeasible& why, const Trial& trial, const std::stop_token& stop,
                           const Trial& without_stored_zones) {
   InputChanges inputs{environment, request, trial, stop};
-  const auto delay =
-      why.postponed ? std::optional{why.postponed->by} : until_a_zone_ends(environment, request, why);
-  if (delay) {
+  inputs.allow_holds();
+  if (const auto delay = why.postponed ? why.postponed : until_a_zone_ends(environment, request, why))
     inputs.depart_after(*delay);
-    inputs.wait_for(*delay);
-  }
-  if (why.postponed && why.postponed->move) inputs.move_goal(*why.postponed->move);
   for (const Change& move : why.changes) inputs.take_move(move);
   switch (why.binding) {
     case Constraint::current:
       inputs.use_the_thruster();
       inputs.raise_speed();
       inputs.raise_the_thrusters_speed();
-      inputs.wait_for_slack(inputs.depart_later());
+      inputs.depart_later();
       break;
     case Constraint::data_period:
       inputs.use_the_thruster();
@@ -71,7 +67,7 @@ FoundChanges find_changes(const ocean::Environment& environment, const PlanReque
       inputs.allow_for_less_error();
       if (request.icebergs.pass_under) inputs.dive_deeper();
       if (!why.at_a_stop) inputs.refine_the_grid();
-      if (!why.postponed) inputs.depart_later_or_wait();
+      if (!why.postponed) inputs.depart_later();
       break;
     case Constraint::ice:
       inputs.stay_longer_under_ice();

@@ -7,24 +7,21 @@
 #include <vector>
 
 #include "engine/graph/label_setting_search.hpp"
-#include "engine/planning/cost/loiter.hpp"
+#include "engine/planning/cost/hold_times.hpp"
 #include "engine/planning/cost/route_cost.hpp"
 #include "engine/planning/publish/improvement.hpp"
 #include "engine/planning/publish/published_plan.hpp"
 #include "engine/planning/search/bounds/foresight.hpp"
 #include "engine/planning/search/chart.hpp"
 #include "engine/planning/search/grid/grid_travel.hpp"
-#include "engine/planning/search/surfacing/surfacing_search.hpp"
 #include "engine/planning/search/holding/hold_search.hpp"
-#include "engine/planning/search/waiting/later_ways.hpp"
-#include "engine/planning/search/waiting/time_killing.hpp"
+#include "engine/planning/search/surfacing/surfacing_search.hpp"
 
 namespace floeplan::planning::diagnosis {
 namespace {
 
 // Measured on the demonstration data: what sets the pace, not what it takes.
 constexpr std::int64_t work_of_a_leg = 6;
-constexpr std::int64_t work_of_a_look = 12;     // for an open departure on a leg
 constexpr std::int64_t work_of_a_label = 600;   // all legs from it
 constexpr std::int64_t work_of_a_berg = 2000;   // its forecast
 constexpr double work_of_a_vertex = 10.0;       // its part of the maps, and which of its edges are open
@@ -81,20 +78,16 @@ class GridTrial {
                                                   leaves, latest);
     };
     const search::GridTravelTime timed{sea_, open_.grid};
-    if (cost::waits_may_help(sea_)) return way_with_holds(depart, untimed);
+    if (cost::holds_may_help(sea_)) return way_with_holds(depart, untimed);
     if (!sea_.has_timed_closures()) return likely_or_earliest_way(depart, timed).path;
 
     Way way = likely_or_earliest_way(depart, untimed);
     if (way.path.empty() || cost::schedule_along(sea_, way.path, depart)) return std::move(way.path);
-    if (search::end_opens_too_late(sea_, open_.grid.point(open_.grid.goal), depart, way.arrival)) return {};
     // Round what is in the way: seldom much farther, and what is out of reach in that time need not be looked at.
     constexpr double detour = 1.25;
     const core::Seconds soon = depart + detour * (way.arrival - depart);
-    const core::Seconds at_once = way.arrival;
     way = way_by<TowardsAnyWay>(depart, soon, timed);
     if (way.path.empty()) way = way_by<TowardsEarliestWay>(depart, whenever, timed);
-    if (way.path.empty() && left_ > 0) way.path = later_path(depart);
-    if (search::circles_too_long(sea_, open_, way.path, depart, at_once, stop_)) return {};
     return std::move(way.path);
   }
 
@@ -109,7 +102,6 @@ class GridTrial {
                                                                [](double) {}, {affordable, affordable});
     left_ -= work_of_a_leg * found.statistics.edge_evaluations;
     if (found.statistics.cut_short) left_ = std::min<std::int64_t>(left_, 0);
-    if (search::circles_too_long(sea_, open_, found.path, depart, std::nullopt, stop_)) return {};
     return {std::move(found.path), found.since_surfacing};
   }
 
@@ -189,20 +181,12 @@ class GridTrial {
     search::HeldWay held =
         search::search_held_way(sea_, open_, depart, whenever, stop_, {},
                                 {.most_entries = search::limits_of_a_hold_search.most_entries,
-                                 .most_looks = left_ / work_of_a_look});
-    left_ -= work_of_a_look * held.counters.edge_evaluations;
+                                 .most_looks = left_ / (work_of_a_leg * search::leg_times_of_a_look)});
+    left_ -= work_of_a_leg * held.leg_times;
     if (held.full) left_ = std::min<std::int64_t>(left_, 0);
     if (!held.path.empty() || left_ <= 0) return std::move(held.path);
-    const cost::Sea moving = sea_.without_waits();
+    const cost::Sea moving = sea_.without_holds();
     return GridTrial{moving, open_, left_, stop_}.unbounded_way(depart);
-  }
-
-  std::vector<geo::PlanePoint> later_path(core::Seconds depart) {
-    search::LaterWay later =
-        search::search_later_ways(sea_, open_, depart, whenever, whenever, affordable_labels(), stop_);
-    left_ -= work_of_a_leg * later.counters.edge_evaluations;
-    if (later.cut_short) left_ = std::min<std::int64_t>(left_, 0);
-    return std::move(later.path);
   }
 
   const cost::Sea& sea_;

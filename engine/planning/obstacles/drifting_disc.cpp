@@ -109,11 +109,13 @@ std::optional<double> DriftingDisc::gap_m(geo::PlanePoint point, double t_s) con
   return gap_m;
 }
 
-std::optional<TimeSpan> DriftingDisc::covers_from(std::size_t knot, geo::PlanePoint point) const {
+std::optional<TimeSpan> DriftingDisc::covers_from(std::size_t knot, geo::PlanePoint point,
+                                                  double slack_m) const {
   const auto is_inside = [&](const Knot& at) {
     const double x_m = point.x_m - at.centre.x_m;
     const double y_m = point.y_m - at.centre.y_m;
-    return x_m * x_m + y_m * y_m <= at.radius_m * at.radius_m;
+    const double radius_m = at.radius_m + slack_m;
+    return x_m * x_m + y_m * y_m <= radius_m * radius_m;
   };
   const Knot& from = knots_[knot];
   const bool lasts = knot + 1 == knots_.size();
@@ -122,19 +124,21 @@ std::optional<TimeSpan> DriftingDisc::covers_from(std::size_t knot, geo::PlanePo
   if (is_inside(from) && is_inside(to))
     return TimeSpan{core::Seconds{from.t_s}, core::Seconds{lasts ? endless : to.t_s}};
   const motion::EvenMove stay{point, point, from.t_s, lasts ? endless : to.t_s};
-  if (is_far(stay, from, to, 0.0)) return std::nullopt;
-  return time_within(piece(knot), stay);
+  if (is_far(stay, from, to, slack_m)) return std::nullopt;
+  motion::MovingDisc grown = piece(knot);
+  grown.radius0_m += slack_m;
+  return time_within(grown, stay);
 }
 
-std::vector<TimeSpan> DriftingDisc::covers(geo::PlanePoint point) const {
+std::vector<TimeSpan> DriftingDisc::covers(geo::PlanePoint point, double slack_m) const {
   std::vector<TimeSpan> covered;
-  if (!swept_.contains(point)) return covered;
+  if (!swept_.grown(slack_m).contains(point)) return covered;
   for (std::size_t knot = 0; knot < knots_.size(); ++knot) {
-    if (knot % knots_in_a_block == 0 && !blocks_[knot / knots_in_a_block].contains(point)) {
+    if (knot % knots_in_a_block == 0 && !blocks_[knot / knots_in_a_block].grown(slack_m).contains(point)) {
       knot += knots_in_a_block - 1;
       continue;
     }
-    const auto span = covers_from(knot, point);
+    const auto span = covers_from(knot, point, slack_m);
     if (!span) continue;
     // Where the disc covers the point at a knot, two pieces of its drift end and begin there.
     if (!covered.empty() && span->from <= covered.back().until) {

@@ -52,8 +52,8 @@ class DriftingDisc {
   [[nodiscard]] std::optional<double> first_touch(const motion::EvenMove& move, double slack_m = 0.0) const;
   /// From the point to the rim, negative inside; empty before the forecast.
   [[nodiscard]] std::optional<double> gap_m(geo::PlanePoint point, double t_s) const;
-  /// When the disc covers the point: ascending, apart from each other; the last one may never end.
-  [[nodiscard]] std::vector<TimeSpan> covers(geo::PlanePoint point) const;
+  /// When the disc, grown by `slack_m`, covers the point: ascending, apart from each other; the last one may never end.
+  [[nodiscard]] std::vector<TimeSpan> covers(geo::PlanePoint point, double slack_m = 0.0) const;
 
   /// Calls `visit(disc)` for the even pieces that last into the span, in order, until it answers true.
   template <class Visit>
@@ -71,7 +71,8 @@ class DriftingDisc {
  private:
   [[nodiscard]] motion::MovingDisc piece(std::size_t knot) const;
   /// When it covers the point from a knot to the next; empty: never.
-  [[nodiscard]] std::optional<TimeSpan> covers_from(std::size_t knot, geo::PlanePoint point) const;
+  [[nodiscard]] std::optional<TimeSpan> covers_from(std::size_t knot, geo::PlanePoint point,
+                                                    double slack_m) const;
   /// The last knot that is not later; the first one where all are.
   [[nodiscard]] std::size_t last_knot_by(double t_s) const {
     const auto after = std::ranges::upper_bound(knots_, t_s, {}, &Knot::t_s);

@@ -176,10 +176,10 @@ bool IcebergDiscs::touched(const motion::PlaneEdge& edge, const motion::EdgePiec
   return met.has_value();
 }
 
-std::vector<TimeSpan> IcebergDiscs::closed_times(geo::PlanePoint point) const {
+std::vector<TimeSpan> IcebergDiscs::closed_times(geo::PlanePoint point, core::Metres grown) const {
   std::vector<TimeSpan> closed;
   for (const Berg& berg : bergs_) {
-    const std::vector<TimeSpan> covered = berg.disc.covers(point);
+    const std::vector<TimeSpan> covered = berg.disc.covers(point, grown.value);
     if (covered.empty() || (berg.keel && pass_under_->has_room(point, berg.keel->upper_turn))) continue;
     closed.insert(closed.end(), covered.begin(), covered.end());
   }

@@ -54,8 +54,10 @@ class IcebergDiscs {
   [[nodiscard]] std::optional<core::Seconds> first_clear(geo::PlanePoint from, geo::PlanePoint to,
                                                          core::Seconds duration, core::Seconds depart,
                                                          core::Seconds latest) const;
-  /// When a disc covers the point: ascending, apart from each other; the last one may never end.
-  [[nodiscard]] std::vector<TimeSpan> closed_times(geo::PlanePoint point) const;
+  /// When a disc, grown by so many metres of the plane, covers the point: ascending, apart from each other; the last one
+  /// may never end.
+  [[nodiscard]] std::vector<TimeSpan> closed_times(geo::PlanePoint point,
+                                                   core::Metres grown = core::Metres{0.0}) const;
 
   /// The iceberg whose disc is nearest to a place, or reaches farthest over it.
   struct Nearest {

@@ -234,7 +234,7 @@ Result<Plan> search_least_cost_plan(const KnownPlan& known, const Task& task) {
   const auto& [environment, request, stop, progress, clock, wider] = task;
   // Only the fastest plans wait.
   PlanRequest on_the_move = request;
-  on_the_move.max_loiter = core::Seconds{0.0};
+  on_the_move.holds.longest = core::Seconds{0.0};
   const Objective objective = request.objective();
   // Refinement makes up for larger steps, and a search takes a third of the time on them or less. They may close
   // passages, though, that the known plan takes: a way that costs more than that by much, a judgement, is no evidence.

@@ -91,7 +91,7 @@ class DepartureSweep {
                                          const PlanRequest& request, const std::stop_token& stop) {
     // Only the fastest way waits.
     PlanRequest drawn = request;
-    if (!request.energy.objective.is_time()) drawn.max_loiter = core::Seconds{0.0};
+    if (!request.energy.objective.is_time()) drawn.holds.longest = core::Seconds{0.0};
     auto chart = search::draw_chart(environment, drawn, reach, stop);
     if (!chart) return tl::unexpected(chart.error());
     std::vector<search::OpenGrid> grids;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/messages/plan_messages.hpp"
+#include "engine/planning/cost/hold_times.hpp"
 #include "engine/planning/cost/route.hpp"
 #include "engine/planning/cost/route_cost.hpp"
 #include "engine/planning/publish/improvement.hpp"
@@ -80,6 +81,21 @@ class WayFinder {
   std::vector<search::OpenGrid> grids_;  // none for the direct way
 };
 
+/// Whether the vehicle is at the goal as it opens for whoever could go straight from stop to stop with the strongest
+/// current astern.
+bool is_as_early_as_any(const search::Chart& chart, core::Seconds travel_time) {
+  constexpr core::Seconds slack{60.0};  // what holds leave, at most
+  core::Seconds earliest = cost::at_departure;
+  bool opens_later = false;
+  for (std::size_t i = 1; i < chart.layout.points.size(); ++i) {
+    const core::Seconds there =
+        earliest + chart.sea.least_time(chart.layout.points[i - 1], chart.layout.points[i]);
+    earliest = cost::open_from(chart.sea, chart.layout.points[i], there);
+    opens_later = earliest > there;
+  }
+  return opens_later && travel_time <= earliest - cost::at_departure + slack;
+}
+
 /// The pipeline: request, domain, search, refinement, plan.
 Attempt plan_within(cost::GridReach reach, const Task& task) {
   const auto& [environment, request, stop, progress, clock, wider] = task;
@@ -95,13 +111,14 @@ Attempt plan_within(cost::GridReach reach, const Task& task) {
   if (stop.stop_requested()) return {.plan = tl::unexpected(search::explain_cancelled(request))};
   Result<Plan> plan =
       publish::publish(*chart, environment, request, way->improved, way->found.statistics, stop);
+  if (plan) plan->search.none_is_earlier = is_as_early_as_any(*chart, plan->travel_time());
   if (plan && way->found.statistics.cut_short) {
     plan->messages.push_back(what_may_be_better(*plan));
   }
   return {.plan = std::move(plan),
           .chart = std::move(*chart),
           .route = std::move(way->improved.route),
-          .wider_may_help = way->found.touches_rim};
+          .wider_may_help = way->found.touches_rim && !(plan && plan->search.none_is_earlier)};
 }
 
 /// On the nearer grids, and on the wider ones where they may do better.

@@ -25,7 +25,7 @@ Result<Plan> evaluate_on_ground(const search::RouteGround& ground, const std::ve
     Result<Plan> plan = publish_straight_way(*chart, ground.environment(), on_route, stop);
     if (stop.stop_requested()) return tl::unexpected(search::explain_cancelled(request));
     // On the first drive alone the vehicle may wait for what opens later.
-    if (plan || request.max_loiter.count() == 0.0) return plan;
+    if (plan || request.holds.longest.count() == 0.0) return plan;
   }
   publish::Improved given =
       publish::improve(chart->sea, cost::fixed_route(chart->layout.points), on_route, stop, {});

@@ -68,8 +68,8 @@ PlanRequest with_more_directions(PlanRequest request) {
 bool takes_more_than_one_try(const Plan& known, const ocean::Environment& environment,
                              const PlanRequest& request) {
   return known.strongest_current >= through_water(request) && !known.search.cut_short &&
-         known.search.edge_evaluations < much_work && !request.under_ice.max_time_without_surfacing &&
-         !cost::has_uncertain_currents(environment, request);
+         !known.search.none_is_earlier && known.search.edge_evaluations < much_work &&
+         !request.under_ice.max_time_without_surfacing && !cost::has_uncertain_currents(environment, request);
 }
 
 bool is_cheaper(const Plan& a, const Plan& b, const Objective& objective) {

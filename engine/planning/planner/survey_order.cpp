@@ -36,16 +36,16 @@ std::optional<EstimatedOrder> best_via_order(const ocean::Environment& environme
       search::draw_chart(environment, request, cost::reaches(request).back(), stop);
   if (!chart) return std::nullopt;
   TourLegs legs{chart->sea, chart->layout, request, stop};
-  const TourLegTime bearable = leg_times(legs, &TourLegs::bearable_time);
+  const TourLegTime past_closures = leg_times(legs, &TourLegs::time_past_closures);
   auto order =
       best_visiting_order(request.via.size(), at_once, leg_times(legs, &TourLegs::time), stop,
                           [&](std::size_t from, std::size_t to) { return legs.least_time(from, to); });
   if (!order) return std::nullopt;
-  const auto flown = end_of_tour(order->places, at_once, bearable);
+  const auto flown = end_of_tour(order->places, at_once, past_closures);
   const bool is_as_early = flown && *flown <= (1.0 + worth_another_look) * order->arrival;
   if (flown) order->arrival = *flown;
   if (is_as_early) return estimated(*order);
-  const auto orders = best_visiting_orders_without_fifo(request.via.size(), at_once, bearable, 1, stop);
+  const auto orders = best_visiting_orders_without_fifo(request.via.size(), at_once, past_closures, 1, stop);
   const bool is_better = !orders.empty() && (!flown || orders.front().arrival < *flown);
   return estimated(is_better ? orders.front() : *order);
 }
@@ -57,10 +57,10 @@ std::vector<EstimatedOrder> promising_via_orders(const ocean::Environment& envir
       search::draw_chart(environment, request, cost::reaches(request).back(), stop);
   if (!chart) return {};
   TourLegs legs{chart->sea, chart->layout, request, stop};
-  const TourLegTime bearable = leg_times(legs, &TourLegs::bearable_time);
+  const TourLegTime past_closures = leg_times(legs, &TourLegs::time_past_closures);
   std::vector<EstimatedOrder> result;
   for (const VisitingOrder& order :
-       best_visiting_orders_without_fifo(request.via.size(), at_once, bearable, most, stop))
+       best_visiting_orders_without_fifo(request.via.size(), at_once, past_closures, most, stop))
     result.push_back(estimated(order));
   return result;
 }

@@ -8,7 +8,6 @@
 #include "engine/planning/planner/visiting_order.hpp"
 #include "engine/planning/search/grid/grid_travel.hpp"
 #include "engine/planning/search/route_search.hpp"
-#include "engine/planning/search/waiting/time_killing.hpp"
 
 namespace floeplan::planning::planner {
 namespace {
@@ -119,13 +118,14 @@ std::optional<core::Seconds> TourLegs::time(std::size_t from, std::size_t to, co
   return when_open(to, depart + *under_way) - depart;
 }
 
-std::optional<core::Seconds> TourLegs::bearable_time(std::size_t from, std::size_t to, core::Seconds depart) {
+std::optional<core::Seconds> TourLegs::time_past_closures(std::size_t from, std::size_t to,
+                                                          core::Seconds depart) {
   const auto under_way = time_under_way(from, to, depart);
   if (!under_way) return std::nullopt;
   const core::Seconds arrival = depart + *under_way;
   const core::Seconds opens = when_open(to, arrival);
-  const bool may_wait = sea_.longest_wait().count() > 0.0;
-  if (!may_wait && !search::is_bearable(depart, arrival, opens)) return std::nullopt;
+  const bool may_hold = sea_.holding().longest.count() > 0.0;
+  if (!may_hold && opens > arrival) return std::nullopt;
   // Ways that keep a bound on the time without surfacing are searched with what closes and opens.
   if (!sea_.has_timed_closures() || sea_.overhead().bounds_surfacing() || arrival == depart)
     return opens - depart;

@@ -31,11 +31,9 @@ class TourLegs {
   /// Never more than the same at any departure.
   [[nodiscard]] core::Seconds least_time(std::size_t from, std::size_t to);
   /// The time with what closes and opens on the way, the time that is left to leave a place before it closes for
-  /// instance, and empty also where the vehicle would have to circle until the place opens for longer than any pilot
-  /// would let it.
-  /// No FIFO: who leaves later may have less to circle.
-  [[nodiscard]] std::optional<core::Seconds> bearable_time(std::size_t from, std::size_t to,
-                                                           core::Seconds depart);
+  /// instance, and empty also where a vehicle that never holds comes before the place opens.
+  [[nodiscard]] std::optional<core::Seconds> time_past_closures(std::size_t from, std::size_t to,
+                                                                core::Seconds depart);
 
  private:
   using Pair = std::pair<std::size_t, std::size_t>;

@@ -14,8 +14,8 @@
 #include "engine/planning/planner/strategies.hpp"
 #include "engine/planning/search/chart.hpp"
 #include "engine/planning/search/explanation.hpp"
+#include "engine/planning/search/latest_departure.hpp"
 #include "engine/planning/search/voyage_grids.hpp"
-#include "engine/planning/search/waiting/latest_departure.hpp"
 
 namespace floeplan::planning::planner {
 namespace {

@@ -70,13 +70,6 @@ struct Change {
   std::vector<Change> with{};  // to be made as well, for alone it does not help
 };
 
-/// Who goes on at once is stopped by something that opens again.
-struct Postponed {
-  core::Seconds by{};  // what the vehicle would have to spend turning in circles
-  /// A place for the goal that is open when the vehicle can be there, not tried yet.
-  std::optional<Change> move{};
-};
-
 struct Infeasible {
   Reason reason{};
   geo::LonLat at{};                          // where the search or the vehicle stopped
@@ -92,7 +85,8 @@ struct Infeasible {
   bool search_cut_short{false};
   /// The work set aside for finding them was done before all were tried: smaller ones, or others, may help, too.
   bool changes_cut_short{false};
-  std::optional<Postponed> postponed{};
+  /// What stands in the way opens so much later, where that is known.
+  std::optional<core::Seconds> postponed{};
 
   /// For a person: what closes the route, and what else was found, a sentence each.
   [[nodiscard]] std::string explanation() const;

@@ -39,15 +39,6 @@ struct Waypoint {
   core::Seconds wait{};  // here, after the arrival and before the next leg; draws energy as if under way
 };
 
-/// A leg that the current closed when the search came to its start and that opens later: arriving later there
-/// arrives earlier beyond, which a search for earliest arrivals does not see.
-struct LateOpening {
-  geo::LonLat place;  // start of the leg
-  core::UtcTime refused;
-  core::UtcTime opens;                // earliest departure found to get through
-  std::optional<core::Seconds> gain;  // at the leg's end, against the way found there; empty: none was
-};
-
 /// What the search did, for comparison and for honest progress.
 struct SearchStatistics {
   std::int64_t vertices{};
@@ -55,8 +46,11 @@ struct SearchStatistics {
   std::int64_t edge_evaluations{};
   std::int64_t expansions{};
   std::int64_t reinsertions{};
-  std::int64_t fifo_violations{};  // such legs, where the goal might be reached earlier through them
-  std::optional<LateOpening> worst_fifo_violation{};
+  /// Something was closed when the vehicle, which never holds, came to it, and may open in time for a way that is
+  /// earlier.
+  bool holds_may_help{false};
+  /// Nobody is at the goal earlier by any way, whatever the grid: it opens then.
+  bool none_is_earlier{false};
   /// It ended at its bound on arrivals kept: a better way, or where none was found a way, may exist.
   bool cut_short{false};
   /// By how much the better way, on the grid and before refinement, might arrive earlier at most, where that is known.

@@ -15,7 +15,6 @@ namespace {
 /// much.
 constexpr double longest_leg_m = 5e6;
 constexpr double shortest_leg_m = 1.0;
-constexpr core::Seconds longest_loiter{10.0 * 86'400.0};  // forecasts tell nothing of later closures
 
 }  // namespace
 
@@ -70,8 +69,10 @@ core::Violations PlanRequest::violations() const {
           "must be at least 2: the start and the goal");
   require(!max_leg || (max_leg->value >= 100.0 && max_leg->value <= 5e6), "/max_leg_m",
           "must be between 100 m and 5000 km");
-  require(max_loiter.count() >= 0.0 && max_loiter <= longest_loiter, "/max_loiter_s",
+  require(holds.longest.count() >= 0.0 && holds.longest <= longest_hold_allowed, "/max_loiter_s",
           "must be between 0 and 864000, ten days");
+  require(holds.radius.value >= 50.0 && holds.radius.value <= 10'000.0, "/hold_radius_m",
+          "must be between 50 m and 10 km");
   for (std::size_t i = 0; i < zones.size(); ++i) {
     for (const core::Violation& violation : zones[i].violations()) {
       found.push_back({"/zones/" + std::to_string(i) + violation.field, violation.rule});

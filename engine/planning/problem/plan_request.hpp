@@ -9,6 +9,7 @@
 #include "engine/geo/lon_lat.hpp"
 #include "engine/ocean/zone.hpp"
 #include "engine/planning/problem/departure_rules.hpp"
+#include "engine/planning/problem/hold_rules.hpp"
 #include "engine/planning/problem/iceberg_rules.hpp"
 #include "engine/planning/problem/objective.hpp"
 #include "engine/planning/problem/uncertainty_rules.hpp"
@@ -55,10 +56,7 @@ struct PlanRequest {
   bool optimality_gap{true};            // compare the plan with the best way in open water
   std::optional<int> max_waypoints;     // start and goal included
   std::optional<core::Metres> max_leg;  // longer legs are parted
-  /// The longest that the vehicle may wait at one waypoint for something that is closed for a while: icebergs that
-  /// drift, zones with times, currents stronger than it. Zero: it never waits. It keeps its place by making way against
-  /// the current.
-  core::Seconds max_loiter{0.0};
+  HoldRules holds;
   std::vector<ocean::Zone> zones;  // obeyed beside those of the environment
   IcebergRules icebergs;
   UncertaintyRules uncertainty;

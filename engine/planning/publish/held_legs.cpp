@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "engine/planning/cost/loiter.hpp"
+#include "engine/planning/cost/hold_times.hpp"
 
 namespace floeplan::planning::publish {
 namespace {
@@ -45,7 +45,7 @@ tl::expected<core::Seconds, motion::EdgeClosed> HeldLegs::after_hold(geo::PlaneP
                                                                      core::Seconds no_sooner) const {
   const auto at_once = sea_.leg_time(a, b, depart);
   if (at_once && depart >= no_sooner) return at_once;
-  const core::Seconds stays = cost::can_stay_until(sea_, a, depart, depart + sea_.longest_wait());
+  const core::Seconds stays = cost::can_stay_until(sea_, a, depart, depart + sea_.holding().longest);
   core::Seconds from = std::max(depart, no_sooner);
   while (from < stays) {
     const cost::OpenLegLook look = cost::next_open_leg(sea_, a, b, {from, stays}, depart);

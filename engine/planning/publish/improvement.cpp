@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "engine/planning/cost/loiter.hpp"
+#include "engine/planning/cost/hold_times.hpp"
 #include "engine/planning/cost/route.hpp"
 #include "engine/planning/cost/route_cost.hpp"
 #include "engine/planning/cost/straightening.hpp"
@@ -37,7 +37,7 @@ Improved refined(const cost::Sea& sea, const cost::Route& way, const PlanRequest
   if (!on_grid) return {way, std::nullopt};
   auto start = on_grid;
   if (!has_waits(*schedule)) {
-    const cost::Sea moving = sea.without_waits();
+    const cost::Sea moving = sea.without_holds();
     start = legs.timed(cost::drop_needless_points(moving, way, cost::at_departure, stop), cost::at_departure);
     if (!start) return {way, std::nullopt};
   }
@@ -101,7 +101,7 @@ bool stays_open(const cost::Sea& sea, const cost::Route& route) {
 bool is_as_early(const cost::Sea& sea, const cost::Route& route, const cost::Route& other) {
   constexpr double rounding = 1e-4;  // of times, as the fineness of waits
   const auto arrivals = cost::arrivals_along(sea, route.points, cost::at_departure);
-  if (!arrivals || !cost::waits_may_help(sea)) return arrivals.has_value();
+  if (!arrivals || !cost::holds_may_help(sea)) return arrivals.has_value();
   const auto others = cost::arrivals_along(sea, other.points, cost::at_departure);
   return !others || arrivals->back() <= (1.0 + rounding) * others->back();
 }
@@ -164,7 +164,7 @@ cost::Route joined_where_open(const cost::Sea& sea, const cost::Route& way) {
 /// What comes after the waypoints were moved.
 cost::Route finished(const cost::Sea& sea, cost::Route route, const PlanRequest& request,
                      const std::stop_token& stop) {
-  if (request.refine && cost::waits_may_help(sea)) route = with_fewer_points(sea, std::move(route), stop);
+  if (request.refine && cost::holds_may_help(sea)) route = with_fewer_points(sea, std::move(route), stop);
   // Refinement has cut the number already; where it could not, this cannot either.
   if (const auto most = most_legs(request)) route = thinned(sea, route, *most, stop);
   if (request.max_leg) route = cost::part_long_legs(sea, route, *request.max_leg);

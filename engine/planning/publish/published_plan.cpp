@@ -11,8 +11,6 @@
 #include "engine/planning/publish/plan_assembly.hpp"
 #include "engine/planning/search/escape.hpp"
 #include "engine/planning/search/explanation.hpp"
-#include "engine/planning/search/waiting/late_openings.hpp"
-#include "engine/planning/search/waiting/time_killing.hpp"
 
 namespace floeplan::planning::publish {
 
@@ -23,8 +21,13 @@ void add_messages(Plan& plan, const PlanRequest& request) {
   if (request.refine && request.method != Method::direct && !plan.refinement) {
     plan.messages.push_back(messages::plan_message<"route-not-refined">());
   }
-  if (plan.search.worst_fifo_violation)
-    plan.messages.push_back(search::message_of(*plan.search.worst_fifo_violation));
+  constexpr core::Seconds worth_a_note{600.0};
+  if (const core::Seconds later = plan.waypoints.front().wait; later >= worth_a_note) {
+    plan.messages.push_back(
+        messages::plan_message<"may-depart-later">(later.count() / 3600.0, plan.departure + later)
+            .at(plan.waypoints.front().place));
+  }
+  if (plan.search.holds_may_help) plan.messages.push_back(messages::plan_message<"route-without-holds">());
   if (request.max_waypoints && plan.waypoints.size() > static_cast<std::size_t>(*request.max_waypoints)) {
     plan.messages.push_back(messages::plan_message<"more-waypoints-than-asked">());
   }
@@ -59,10 +62,6 @@ Result<Plan> publish(const search::Chart& chart, const ocean::Environment& envir
   if (auto exceeded = check_battery(plan, request)) return tl::unexpected(std::move(*exceeded));
   if (auto none = add_escapes(plan, chart, request, points, schedule->arrivals, drives, stop))
     return tl::unexpected(std::move(*none));
-  if (request.max_loiter.count() == 0.0) {
-    if (const auto killed = search::longest_killing_of_time(sea, improved.route, *schedule))
-      plan.messages.push_back(search::message_of(*killed, plan.waypoints[killed->from].place));
-  }
   add_messages(plan, request);
   return plan;
 }

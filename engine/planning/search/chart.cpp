@@ -8,8 +8,8 @@
 #include <variant>
 #include <vector>
 
-#include "engine/planning/cost/usable_place.hpp"
 #include "engine/planning/search/explanation.hpp"
+#include "engine/planning/search/usable_place.hpp"
 
 namespace floeplan::planning::search {
 namespace {
@@ -55,8 +55,8 @@ std::vector<Change> moves_of(const cost::Sea& sea, const cost::Layout& layout, s
                             : kind == Stop::goal ? "to"
                                                  : "via/" + std::to_string(stop - 1);
   std::vector<Change> moves;
-  for (const auto& place : {cost::nearest_usable_place_towards(sea, layout.points[stop], other, token),
-                            cost::nearest_usable_place(sea, layout.points[stop])}) {
+  for (const auto& place : {nearest_usable_place_towards(sea, layout.points[stop], other, token),
+                            nearest_usable_place(sea, layout.points[stop])}) {
     if (!place || (!moves.empty() && std::get<geo::LonLat>(moves.front().to) == *place)) continue;
     moves.push_back(move_of(input, layout.stops[stop], *place));
   }

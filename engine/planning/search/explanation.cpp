@@ -7,8 +7,6 @@
 
 #include "engine/geo/geodesic.hpp"
 #include "engine/messages/refusal_messages.hpp"
-#include "engine/planning/cost/usable_place.hpp"
-#include "engine/planning/search/waiting/late_openings.hpp"
 
 namespace floeplan::planning::search {
 namespace {
@@ -164,6 +162,28 @@ Infeasible unusable_place(motion::EdgeClosed closed, Stop stop, geo::LonLat plac
   return infeasible(Reason::outside_data, request.depart, messages::refusal<"place-outside-data">(subject));
 }
 
+/// The same, with how much later it opens.
+Infeasible explain_closed_place(motion::EdgeClosed closed, Stop stop, geo::LonLat place, core::Seconds when,
+                                const cost::Sea& sea, const PlanRequest& request) {
+  Infeasible infeasible = unusable_place(closed, stop, place, when, sea, request);
+  const auto closure = closure_at(sea.closed_times(sea.projection().to_plane(place)), when);
+  if (closure && std::isfinite(closure->until.count())) infeasible.postponed = closure->until - when;
+  return infeasible;
+}
+
+/// Of zones and icebergs over a place then what stays there longer, if what stopped a search is among them.
+std::optional<motion::EdgeClosed> closed_for_a_while(const cost::Sea& sea, geo::PlanePoint place,
+                                                     core::Seconds when, motion::EdgeClosed stopped_by) {
+  const auto by_iceberg = closure_at(sea.closed_times_by_icebergs(place), when);
+  const auto by_zone = closure_at(sea.closed_times_by_zones(place), when);
+  const bool is_among_them = (stopped_by == motion::EdgeClosed::obstacle && by_iceberg) ||
+                             (stopped_by == motion::EdgeClosed::in_zone && by_zone);
+  if (!is_among_them) return std::nullopt;
+  if (!by_iceberg) return motion::EdgeClosed::in_zone;
+  return by_zone && by_zone->until > by_iceberg->until ? motion::EdgeClosed::in_zone
+                                                       : motion::EdgeClosed::obstacle;
+}
+
 /// That no way was found, since most of the ways onward from the place nearest to the goal are closed so.
 messages::Message no_way(motion::EdgeClosed binding, bool cut_short, const messages::Message& closed) {
   if (cut_short) return messages::refusal<"no-way-within-memory">(closed.text, closed.hint);
@@ -181,11 +201,7 @@ Infeasible explain_place(motion::EdgeClosed closed, Stop stop, geo::LonLat place
 
 Infeasible explain_start(motion::EdgeClosed closed, geo::LonLat place, core::Seconds after,
                          const cost::Sea& sea, const PlanRequest& request) {
-  Infeasible infeasible = unusable_place(closed, Stop::start, place, after, sea, request);
-  const auto closure = closure_at(sea.closed_times(sea.projection().to_plane(place)), after);
-  if (closure && std::isfinite(closure->until.count()))
-    infeasible.postponed = Postponed{closure->until - after};
-  return infeasible;
+  return explain_closed_place(closed, Stop::start, place, after, sea, request);
 }
 
 Infeasible explain_route(const cost::RouteClosed& closed, const cost::Sea& sea, const PlanRequest& request) {
@@ -198,17 +214,8 @@ Infeasible explain_route(const cost::RouteClosed& closed, const cost::Sea& sea, 
           .binding = constraint_of(closed.reason, closed.out_of_time)};
 }
 
-Infeasible explain_search(const RouteSearch& search, const cost::Sea& sea, const PlanRequest& request) {
-  if (const auto& opening = search.statistics.worst_fifo_violation; opening && !opening->gain) {
-    const std::string closed = message_of(*opening).text;
-    auto why = sea.longest_wait().count() > 0.0 ? messages::refusal<"no-way-within-wait">(closed)
-                                                : messages::refusal<"no-way-before-current-eases">(closed);
-    return {.reason = Reason::current_too_strong,
-            .at = opening->place,
-            .when = opening->refused,
-            .why = std::move(why).at(opening->place),
-            .binding = Constraint::current};
-  }
+Infeasible explain_search(const RouteSearch& search, Stop kind, geo::PlanePoint stop, const cost::Sea& sea,
+                          const PlanRequest& request) {
   // What closes most of the ways onward from the place nearest to the goal binds there; equal counts: the
   // first kind.
   using enum motion::EdgeClosed;
@@ -223,6 +230,13 @@ Infeasible explain_search(const RouteSearch& search, const cost::Sea& sea, const
       binding = kind;
     }
   }
+  const core::Seconds there = search.nearest_arrival + sea.least_time(search.nearest, stop);
+  if (const auto closed = closed_for_a_while(sea, stop, there, binding)) {
+    Infeasible why =
+        explain_closed_place(*closed, kind, sea.projection().to_lon_lat(stop), there, sea, request);
+    if (search.statistics.holds_may_help) why.besides.push_back(messages::refusal<"never-holds">());
+    return why;
+  }
   const Closure closure =
       closure_of(binding, sea, request, search.out_of_time, search.nearest, search.nearest_arrival);
   const bool by_data = binding == outside_data || binding == current_too_strong || binding == under_ice ||
@@ -235,6 +249,7 @@ Infeasible explain_search(const RouteSearch& search, const cost::Sea& sea, const
                         .binding = constraint_of(binding, search.out_of_time),
                         .search_cut_short = search.statistics.cut_short};
   if (infeasible.search_cut_short) infeasible.besides.push_back(messages::refusal<"search-without-end">());
+  if (search.statistics.holds_may_help) infeasible.besides.push_back(messages::refusal<"never-holds">());
   return infeasible;
 }
 
@@ -252,49 +267,6 @@ Infeasible explain_removable(Infeasible why, Constraint constraint) {
   };
   why.besides.push_back(besides());
   return why;
-}
-
-Infeasible explain_circling(const OpensLater& opens_later, Stop kind, geo::PlanePoint stop,
-                            const cost::Sea& sea, const PlanRequest& request) {
-  const cost::RouteClosed& closed = opens_later.closed;
-  const bool in_zone = closed.reason == motion::EdgeClosed::in_zone || sea.icebergs().empty();
-  const std::vector<TimeSpan> closures =
-      in_zone ? sea.closed_times_by_zones(stop) : sea.closed_times_by_icebergs(stop);
-  const auto at_stop = std::ranges::find_if(closures, [&](const TimeSpan& span) {
-    return span.from <= closed.when + sea.least_time(closed.at, stop) && closed.when <= span.until;
-  });
-  const bool is_at_stop = at_stop != closures.end();
-  const core::UtcTime met = clock(request, closed.when);
-  const double circling_h = hours(opens_later.circling);
-  const char* const moved = kind == Stop::goal ? "goal" : "place";
-  const auto iceberg = [&] { return iceberg_text(sea, is_at_stop ? stop : closed.at, closed.when, request); };
-  const auto why = [&]() -> messages::Message {
-    if (!is_at_stop) {
-      return in_zone ? messages::refusal<"way-in-zone-opens-later">(met, circling_h, moved)
-                     : messages::refusal<"way-near-iceberg-opens-later">(iceberg(), circling_h, moved);
-    }
-    const std::string until = std::isfinite(at_stop->until.count())
-                                  ? messages::phrase<"until">(clock(request, at_stop->until))
-                                  : std::string{};
-    return in_zone ? messages::refusal<"place-in-zone-opens-later">(subject_of(kind), met, until, circling_h,
-                                                                    moved)
-                   : messages::refusal<"place-near-iceberg-opens-later">(subject_of(kind), iceberg(), until,
-                                                                         circling_h, moved);
-  };
-  const Reason stop_reason =
-      in_zone ? reason_at(kind, Reason::in_zone, Reason::in_zone, Reason::goal_in_zone)
-              : reason_at(kind, Reason::near_iceberg, Reason::near_iceberg, Reason::goal_near_iceberg);
-  const geo::LonLat at = sea.projection().to_lon_lat(is_at_stop ? stop : closed.at);
-  Infeasible infeasible{.reason = is_at_stop ? stop_reason : Reason::goal_unreachable,
-                        .at = at,
-                        .when = met,
-                        .why = why().at(at),
-                        .binding = constraint_of(closed.reason, closed.out_of_time)};
-  infeasible.postponed = Postponed{.by = opens_later.circling};
-  if (!is_at_stop || kind != Stop::goal) return infeasible;
-  if (const auto place = cost::nearest_usable_place(sea, stop, closed.when))
-    infeasible.postponed->move = move_of("to", request.to, *place);
-  return infeasible;
 }
 
 Infeasible explain_no_escape(const cost::Sea& sea, const PlanRequest& request, geo::PlanePoint place,

@@ -23,17 +23,14 @@ enum class Stop { start, via, goal };
 [[nodiscard]] Infeasible explain_route(const cost::RouteClosed& closed, const cost::Sea& sea,
                                        const PlanRequest& request);
 
-/// Says where a search stopped and what stood in its way.
-[[nodiscard]] Infeasible explain_search(const RouteSearch& search, const cost::Sea& sea,
-                                        const PlanRequest& request);
+/// Says where a search for `stop`, of its kind, stopped and what stood in its way: what is over the stop itself when the
+/// vehicle could be there, or else what closes most of the ways onward from the place nearest to it.
+[[nodiscard]] Infeasible explain_search(const RouteSearch& search, Stop kind, geo::PlanePoint stop,
+                                        const cost::Sea& sea, const PlanRequest& request);
 
 /// Says of a search that there would be a way without all icebergs, all zones, the ice or the currents, whatever closed
 /// most of the ways where the search ended.
 [[nodiscard]] Infeasible explain_removable(Infeasible why, Constraint constraint);
-
-/// Says what keeps the vehicle from `stop`, the goal of a grid, for so long that it would have to turn in circles.
-[[nodiscard]] Infeasible explain_circling(const OpensLater& opens_later, Stop kind, geo::PlanePoint stop,
-                                          const cost::Sea& sea, const PlanRequest& request);
 
 /// Says from which place of a route no way leads to where the vehicle may surface.
 [[nodiscard]] Infeasible explain_no_escape(const cost::Sea& sea, const PlanRequest& request,

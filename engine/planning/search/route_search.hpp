@@ -13,10 +13,11 @@
 
 namespace floeplan::planning::search {
 
-/// Searches the grid for the earliest arrival at its goal with the request's method (not Method::direct). Where
-/// something that is closed for a while opens again before that arrival, also for ways that arrive somewhere later
-/// than they could, but none that circles for too long (time_killing.hpp). Where the time without surfacing is bounded
-/// and the best way does not keep that bound, by search_with_surfacings whatever the method.
+/// Searches the grid for the earliest arrival at its goal with the request's method (not Method::direct), of a vehicle
+/// that holds where that brings it there earlier. For one that never holds it is the earliest arrival at each place that
+/// counts, as in the paper: where something opens later there may be an earlier way, and the statistics say so.
+/// Where the time without surfacing is bounded and the best way does not keep that bound, by search_with_surfacings
+/// whatever the method.
 /// `latest`: when the goal can certainly be reached by then, later ways need not be looked at, nor legs that open
 /// later.
 /// `since_surfacing`: at the start, when that time is bounded.

@@ -9,7 +9,6 @@
 #include "engine/messages/refusal_messages.hpp"
 #include "engine/planning/cost/route_cost.hpp"
 #include "engine/planning/search/explanation.hpp"
-#include "engine/planning/search/waiting/late_openings.hpp"
 
 namespace floeplan::planning::search {
 namespace {
@@ -20,10 +19,9 @@ void add(SearchStatistics& sum, const SearchStatistics& part) {
   sum.edge_evaluations += part.edge_evaluations;
   sum.expansions += part.expansions;
   sum.reinsertions += part.reinsertions;
-  sum.fifo_violations += part.fifo_violations;
+  sum.holds_may_help = sum.holds_may_help || part.holds_may_help;
   sum.possible_gain = part.possible_gain;
   sum.cut_short = sum.cut_short || part.cut_short;
-  sum.worst_fifo_violation = worse_of(sum.worst_fifo_violation, part.worst_fifo_violation);
 }
 
 /// The part of a way between two stops: `part` counts from 0.
@@ -97,7 +95,7 @@ class Parts {
     for (std::size_t i = 0; i < grids_.size(); ++i) {
       RouteSearch search =
           i == 0 && others_.first != nullptr ? *others_.first : search_from(grids_[i], i, end_);
-      if (search.path.empty() && !search.cancelled && is_for_want_of_surfacing(search))
+      if (search.path.empty() && !search.cancelled && is_for_want_of_surfacing())
         search = search_with_more_left(std::move(search), i);
       if (search.cancelled) return explain_cancelled(request_);
       if (search.path.empty()) return why_not(search, i);
@@ -133,9 +131,8 @@ class Parts {
   }
 
   /// Whether the part before, which ends as early as it can, may have left too little of the bound.
-  [[nodiscard]] bool is_for_want_of_surfacing(const RouteSearch& search) const {
-    return sea_.overhead().bounds_surfacing() && !parts_.empty() && end_.since_surfacing.count() > 0.0 &&
-           !search.opens_later;
+  [[nodiscard]] bool is_for_want_of_surfacing() const {
+    return sea_.overhead().bounds_surfacing() && !parts_.empty() && end_.since_surfacing.count() > 0.0;
   }
 
   /// As if the vehicle had just surfaced at the stop: what that way needs until the next surfacing has to be left
@@ -180,18 +177,10 @@ class Parts {
   }
 
   [[nodiscard]] Infeasible why_not(RouteSearch& search, std::size_t i) const {
-    if (search.opens_later) {
-      const cost::RouteGrid& grid = grids_[i].grid;
-      const Stop kind = i + 1 == grids_.size() ? Stop::goal : Stop::via;
-      Infeasible why = explain_circling(*search.opens_later, kind, grid.point(grid.goal), sea_, request_);
-      why.search_cut_short = search.statistics.cut_short || statistics_.cut_short;
-      if (why.search_cut_short) why.besides.push_back(messages::refusal<"search-without-end">());
-      return why;
-    }
     search.statistics.cut_short = search.statistics.cut_short || statistics_.cut_short;
-    Infeasible why = explain_search(search, sea_, request_);
-    if (is_for_want_of_surfacing(search))
-      why.besides.push_back(messages::refusal<"searched-from-stop-to-stop">());
+    Infeasible why = explain_search(search, i + 1 == grids_.size() ? Stop::goal : Stop::via,
+                                    grids_[i].grid.point(grids_[i].grid.goal), sea_, request_);
+    if (is_for_want_of_surfacing()) why.besides.push_back(messages::refusal<"searched-from-stop-to-stop">());
     return why;
   }
 

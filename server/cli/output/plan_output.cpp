@@ -55,10 +55,12 @@ void print_table(const json& plan) {
   }
 }
 
+constexpr double worth_a_line_s = 30.0;  // a hold; of the table's minutes
+
 std::vector<std::string> wait_lines(const json& plan) {
   std::vector<std::string> lines;
   for (const json& waypoint : plan.at("waypoints")) {
-    if (waypoint.value("wait_s", 0.0) <= 0.0) continue;
+    if (waypoint.value("wait_s", 0.0) < worth_a_line_s) continue;
     lines.push_back("hold at waypoint " + label(waypoint.at("index")) + " for " +
                     cell(waypoint.at("wait_s"), "%.2f h", 1.0 / 3600.0));
   }

@@ -200,6 +200,23 @@ struct Said {
   }
 };
 
+/// A flag for a number, and one for none of it where the field has that.
+CLI::Option* add_number(CLI::App& command, const Field& field, const std::string& help,
+                        std::optional<double>& number) {
+  std::string names = flag_of(field);
+  if (!field.former_flag.empty()) names += ",--" + std::string{field.former_flag};
+  CLI::Option* const option = command.add_option(names, number, help);
+  if (field.unit == "s") option->transform(seconds_or_duration());
+  if (field.none_flag.empty()) return option;
+  command
+      .add_flag_callback(
+          "--" + std::string{field.none_flag}, [&number, least = field.least] { number = least; },
+          "The same as " + flag_of(field) + " " + number_text(field.least))
+      ->group(std::string{field.group})
+      ->excludes(option);
+  return option;
+}
+
 /// Sixteen times what the server takes by default: a longer text takes seconds to read before its content is refused.
 constexpr std::size_t most_bytes = 16UL * 1024 * 1024;
 
@@ -257,8 +274,7 @@ void InputFlags::add(CLI::App& command, const std::vector<Field>& list) {
     } else if (field.kind == Kind::whole_number) {
       option = command.add_option(name, flag.given.emplace<std::optional<int>>(), help);
     } else if (field.kind == Kind::number) {
-      option = command.add_option(name, flag.given.emplace<std::optional<double>>(), help);
-      if (field.unit == "s") option->transform(seconds_or_duration());
+      option = add_number(command, field, help, flag.given.emplace<std::optional<double>>());
     } else {
       option = command.add_option(name, flag.given.emplace<std::optional<std::string>>(), help);
     }

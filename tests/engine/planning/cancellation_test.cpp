@@ -13,7 +13,7 @@
 #include "engine/planning/plan_route.hpp"
 #include "engine/planning/plan_window.hpp"
 #include "engine/planning/planner/departure.hpp"
-#include "engine/planning/search/waiting/latest_departure.hpp"
+#include "engine/planning/search/latest_departure.hpp"
 #include "tests/support/small_sea.hpp"
 
 /// Every kind of request is stopped at each of its stages.
@@ -80,7 +80,7 @@ std::vector<Kind> kinds_of_request() {
   kinds.push_back({"a plan with fewer encounters", planned(careful)});
 
   PlanRequest waiting = coarse_request();
-  waiting.max_loiter = core::Seconds{7200.0};
+  waiting.holds.longest = core::Seconds{7200.0};
   kinds.push_back({"a plan that may wait", planned(waiting)});
 
   PlanRequest survey = coarse_request();

@@ -158,7 +158,7 @@ TEST(PlanAmongIcebergs, SaysWhenADiscThatMovesLeavesTheStart) {
   // Half a kilometre of margin and 50 m of hull at 0.2 m/s: 46 minutes.
   PlanRequest request = support::eastward_request();
   request.icebergs.max_inflation = core::Metres{0.0};
-  request.max_loiter = core::Seconds{12.0 * hour_s};
+  request.holds.longest = core::Seconds{12.0 * hour_s};
   ocean::Environment environment;
   environment.icebergs = {drifting_berg(request.from, 100.0, 0.2, 0.0)};
 

@@ -366,7 +366,7 @@ TEST(PlanRoute, SaysThatAPlaceToVisitLiesInsideAnIsland) {
   ASSERT_FALSE(found.has_value());
   EXPECT_EQ(found.error().reason, Reason::too_shallow);
   EXPECT_EQ(found.error().at, request.via.front());
-  EXPECT_NE(found.error().explanation().find("on the way"), std::string::npos);
+  EXPECT_NE(found.error().explanation().find("a via point"), std::string::npos);
 }
 
 TEST(PlanRoute, SaysThatAWallOfLandLeavesNoWay) {

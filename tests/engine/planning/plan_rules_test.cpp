@@ -12,7 +12,7 @@
 #include "engine/planning/plan_route.hpp"
 #include "engine/planning/plan_window.hpp"
 #include "engine/planning/planner/departure.hpp"
-#include "engine/planning/search/waiting/latest_departure.hpp"
+#include "engine/planning/search/latest_departure.hpp"
 #include "tests/engine/planning/drifting_bergs.hpp"
 
 /// Every way of making a plan keeps every rule of the request. The water is still, so that a plan's vehicle moves
@@ -101,7 +101,7 @@ std::vector<Way> ways() {
          with_members(r, e);
          r.energy.objective = energy_objective;
        }},
-      {"with waits", [](PlanRequest& r, Environment&) { r.max_loiter = quarter_of_a_day; }},
+      {"with waits", [](PlanRequest& r, Environment&) { r.holds.longest = quarter_of_a_day; }},
       {"below icebergs", [](PlanRequest& r, Environment&) { r.icebergs.pass_under = true; }},
       {"past a place", [](PlanRequest& r, Environment&) { r.via = {{-53.3, 69.05}}; }},
       {"past places in the best order",
@@ -163,7 +163,8 @@ void add_ice(Environment& environment) {
 std::vector<Rule> rules() {
   const auto always = [](core::UtcTime) { return true; };
   const auto by_day = [](core::UtcTime time) {
-    return time > start + Seconds{10.0 * hour_s} && time < start + Seconds{20.0 * hour_s};
+    return time > start + Seconds{10.0 * hour_s} &&
+           time < start + Seconds{20.0 * hour_s - 1.0};  // who holds enters as it opens
   };
   return {
       {"an area to keep out of",

@@ -73,7 +73,7 @@ TEST(Help, ShowsThePagesOfTheGuide) {
     EXPECT_EQ(shown.exit_code, 0);
     EXPECT_THAT(shown.out, testing::StartsWith(std::string{page.title()} + '\n'));
   }
-  EXPECT_THAT(program.run({"help", "plan"}).out, HasSubstr("--max-loiter"));
+  EXPECT_THAT(program.run({"help", "plan"}).out, HasSubstr("--max-hold"));
 }
 
 TEST(Help, SaysWhatWasMeant) {

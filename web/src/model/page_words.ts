@@ -13,7 +13,7 @@ export const asSentence = (text: string): string => {
   return words.charAt(0).toUpperCase() + words.slice(1) + (isOpen ? '.' : '');
 };
 
-/** A sentence of the server in the words of this page: “Longest hold” where it says --max-loiter. */
+/** A sentence of the server in the words of this page: “Longest hold” where it says --max-hold. */
 export const inPageWords = (text: string): string =>
   text
     .replace(orderOfNumbers, '')

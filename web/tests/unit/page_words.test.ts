@@ -4,7 +4,7 @@ import { inWords } from '../../src/model/ingest_options';
 import { asSentence, inPageWords } from '../../src/model/page_words';
 
 it('flags of the command line become the fields of the page, whole ones only', () => {
-  expect(inPageWords('Allow a hold (--max-loiter), or depart later')).toBe('Allow a hold (“Longest hold”), or depart later');
+  expect(inPageWords('Allow a hold (--max-hold), or depart later')).toBe('Allow a hold (“Longest hold”), or depart later');
   expect(inPageWords('save energy (--objective energy)')).toBe('save energy (“Optimise” energy)');
   expect(inPageWords('--depart-until 12Z')).toBe('“Latest departure” 12Z');
   expect(inPageWords('move it into the water; longitude comes first')).toBe('move it into the water');

@@ -17,15 +17,26 @@ namespace floeplan::planning::search {
 /// Threads    const members may be called from several threads at once
 class FavourableBound {
  public:
+  /// To the goal, or from the start: for searches on the film run backwards.
+  enum class Way { to_goal, from_start };
+
   /// Both are borrowed and outlive this. Once `stop` is requested it must not be used.
-  FavourableBound(const cost::Sea& sea, const OpenGrid& open, const std::stop_token& stop)
-      : to_goal_s_(open.graph.size(), graph::SearchTree::never) {
+  FavourableBound(const cost::Sea& sea, const OpenGrid& open, const std::stop_token& stop,
+                  Way way = Way::to_goal)
+      : left_s_(open.graph.size(), graph::SearchTree::never) {
     const FavourableGrid grid{sea, open};  // its currents are large: what is kept is what a search asks for
-    to_goal_s_[open.grid.goal] = 0.0;
-    lower_times(to_goal_s_, graph::SearchTree::never, stop,
+    const bool to_goal = way == Way::to_goal;
+    left_s_[to_goal ? open.grid.goal : open.grid.start] = 0.0;
+    lower_times(left_s_, graph::SearchTree::never, stop,
                 [&](graph::Vertex v, double time_s, const auto& visit) {
-                  grid.for_each_edge_to(
-                      v, [&](const graph::Edge& edge, double edge_s) { visit(edge.tail, time_s + edge_s); });
+                  const auto lower = [&](const graph::Edge& edge, double edge_s) {
+                    visit(to_goal ? edge.tail : edge.head, time_s + edge_s);
+                  };
+                  if (to_goal) {
+                    grid.for_each_edge_to(v, lower);
+                  } else {
+                    grid.for_each_edge_from(v, lower);
+                  }
                 });
     for (std::size_t step = 0; step < open.graph.offsets().size(); ++step)
       straight_s_.push_back(
@@ -36,13 +47,13 @@ class FavourableBound {
   [[nodiscard]] core::Seconds least_time(const graph::Edge& edge, core::Seconds) const {
     return core::Seconds{straight_s_[edge.step]};
   }
-  [[nodiscard]] core::Seconds remaining(graph::Vertex v) const { return core::Seconds{to_goal_s_[v]}; }
+  [[nodiscard]] core::Seconds remaining(graph::Vertex v) const { return core::Seconds{left_s_[v]}; }
   [[nodiscard]] static core::Seconds latest_use(graph::Vertex) {
     return core::Seconds{graph::SearchTree::never};
   }
 
  private:
-  std::vector<double> to_goal_s_;
+  std::vector<double> left_s_;
   std::vector<double> straight_s_;  // by step of the grid
 };
 

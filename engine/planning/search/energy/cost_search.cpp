@@ -10,8 +10,6 @@
 #include "engine/planning/search/explanation.hpp"
 #include "engine/planning/search/route_search.hpp"
 #include "engine/planning/search/voyage_search.hpp"
-#include "engine/planning/search/waiting/openings.hpp"
-#include "engine/planning/search/waiting/time_killing.hpp"
 
 namespace floeplan::planning::search {
 namespace {
@@ -99,30 +97,6 @@ double least_cost_along(const cost::Sea& sea, const OpenGrid& open, const std::v
   return least;
 }
 
-/// Whether the goal is closed from before anybody can be there until then.
-bool is_closed_until(const cost::Sea& sea, const OpenGrid& open, core::Seconds depart, core::Seconds opens) {
-  const geo::PlanePoint goal = open.grid.point(open.grid.goal);
-  const core::Seconds earliest = depart + sea.least_time(open.grid.point(open.grid.start), goal);
-  return std::ranges::any_of(sea.closed_times(goal), [&](const TimeSpan& closed) {
-    return closed.until == opens && closed.from <= earliest;
-  });
-}
-
-/// Whether no way need be looked for, on whatever drive, where the search for the fastest one found none: nobody
-/// is at the goal before the data end, or it opens too late for the fastest way, which all are measured by, and
-/// nobody is there before it closes.
-bool leaves_no_hope(const RouteSearch& fastest, const cost::Sea& sea, const OpenGrid& open,
-                    core::Seconds depart, CostGuide& guide, const std::stop_token& stop) {
-  if (!fastest.path.empty()) return false;
-  const auto& later = fastest.opens_later;
-  const bool opens_too_late = later && later->end_opens;
-  if (opens_too_late && is_closed_until(sea, open, depart, *later->end_opens)) return true;
-  const auto end = sea.currents() ? sea.currents()->end() : std::nullopt;
-  if (!end) return false;
-  constexpr std::size_t one_rung = 1;
-  return !ArrivalLadder{guide.foresight(), guide.closures(), open, depart, *end, stop, one_rung}.has_hope();
-}
-
 /// What the fastest way over a grid tells a search for the cheapest: no more than its cost need be spent, and no more
 /// time than so much can buy.
 class KnownLimit {
@@ -130,7 +104,6 @@ class KnownLimit {
   KnownLimit(const cost::Sea& sea, const OpenGrid& open, const PlanRequest& request,
              const Beginning& beginning, CostGuide& guide, const std::stop_token& stop) {
     constexpr double rounding = 1e-9;  // of sums of costs
-    if (!guide.foresight().is_useful()) return;
     PlanRequest by_time = request;
     by_time.method = Method::astar;
     const core::Seconds depart = beginning.depart;
@@ -138,16 +111,17 @@ class KnownLimit {
         sea, open, by_time, depart, stop, [](double) {}, core::Seconds{INFINITY}, beginning.since_surfacing,
         &guide.foresight());
     if (stop.stop_requested()) return;
-    is_hopeless_ = leaves_no_hope(*fastest_, sea, open, depart, guide, stop);
-    if (is_hopeless_ || stop.stop_requested()) return;
     double cost = least_cost_along(sea, open, fastest_->path, request.objective(), beginning);
-    if (fastest_->path.empty() && sea.drives().size() > 1) {
+    is_hopeless_ = fastest_->path.empty();
+    if (is_hopeless_ && sea.drives().size() > 1) {
       // A bound on the time without surfacing, or the current, may leave a way to the faster drive alone.
       const RouteSearch faster = search_route(
           sea.driven_by(sea.drives().back()), open, by_time, depart, stop, [](double) {},
           core::Seconds{INFINITY}, beginning.since_surfacing, &guide.foresight());
       cost = least_cost_along(sea, open, faster.path, request.objective(), beginning);
+      is_hopeless_ = faster.path.empty();
     }
+    if (is_hopeless_ || !guide.foresight().is_useful()) return;
     if (!std::isfinite(cost) || stop.stop_requested()) return;
     last_ = depart + core::Seconds{cost / CostVoyage::least_rate(sea, request.objective())};
     const auto end = sea.currents() ? sea.currents()->end() : std::nullopt;
@@ -161,11 +135,9 @@ class KnownLimit {
 
   /// The search for the fastest way by A*; empty where nothing is known beforehand.
   [[nodiscard]] const std::optional<RouteSearch>& fastest() const { return fastest_; }
-  /// Whether no way need be looked for, on whatever drive.
+  /// Whether there is no fastest way, on whatever drive: then there is none at all.
   [[nodiscard]] bool is_hopeless() const { return is_hopeless_; }
   [[nodiscard]] const std::optional<CostVoyage::Limit>& limit() const { return limit_; }
-  /// Null without a limit.
-  [[nodiscard]] const ArrivalLadder* ladder() const { return limit_ ? &*ladder_ : nullptr; }
   /// When a voyage of that cost ends at the latest.
   [[nodiscard]] core::Seconds last() const { return last_; }
   [[nodiscard]] static bool is_steered(const OpenGrid& open) {
@@ -226,16 +198,12 @@ Result<CostWay> search_least_cost(const cost::Sea& sea, const std::vector<OpenGr
     if (i == 0 && request.method == Method::astar) first = known.fastest();
     if (stop.stop_requested()) return tl::unexpected(explain_cancelled(request));
     if (known.is_hopeless()) return earliest_of_all();
-    std::optional<Openings> openings;
-    if (sea.has_timed_closures())
-      openings.emplace(sea, open, core::Seconds{INFINITY}, stop, &guide.closures(), known.ladder());
     const CostOutlook* outlook =
         known.limit() && KnownLimit::is_steered(open)
             ? &guide.outlook(request.objective(), beginning.depart, known.last(), stop)
             : nullptr;
     if (stop.stop_requested()) return tl::unexpected(explain_cancelled(request));
-    CostVoyage voyage{sea,           open,   request.objective(), openings ? &*openings : nullptr,
-                      known.limit(), outlook};
+    CostVoyage voyage{sea, open, request.objective(), known.limit(), outlook};
     const double slack = outlook != nullptr ? near_enough * known.limit()->most_cost : 0.0;
     const std::size_t labels = outlook != nullptr ? labels_of_steered(open) : most_labels;
     const auto report = [&](std::int64_t expansions) {
@@ -253,8 +221,7 @@ Result<CostWay> search_least_cost(const cost::Sea& sea, const std::vector<OpenGr
     found.statistics.edge_evaluations += search.counters.edge_evaluations;
     found.statistics.expansions += search.counters.expansions;
     const auto way = search.goal ? graph::way_to(search, *search.goal) : Way{};
-    if (way.empty() ||
-        circles_too_long(sea, open, points_of(open.grid, way), beginning.depart, std::nullopt, stop)) {
+    if (way.empty()) {
       auto earliest = earliest_of_all();
       if (!earliest) earliest = earliest_on_faster_drive(std::move(earliest));
       if (!earliest) {

@@ -14,21 +14,18 @@ constexpr double parts_of_bound = 6.0;
 }  // namespace
 
 CostVoyage::CostVoyage(const cost::Sea& sea, const OpenGrid& open, const Objective& objective,
-                       const Openings* openings, const std::optional<Limit>& limit,
-                       const CostOutlook* outlook)
+                       const std::optional<Limit>& limit, const CostOutlook* outlook)
     : sea_{sea},
       grid_{open.grid},
       least_after_goal_{open.least_after_goal},
       objective_{objective},
-      openings_{openings},
       limit_{limit},
       outlook_{outlook},
       least_rate_{least_rate(sea, objective)},
       goal_{open.grid.point(open.grid.goal)},
       longest_without_surfacing_{
           sea.overhead().bounds_surfacing() ? sea.overhead().longest_without_surfacing() : std::nullopt},
-      steady_{sea.is_steady()},
-      closures_{sea.has_timed_closures()} {}
+      steady_{sea.is_steady()} {}
 
 double CostVoyage::least_rate(const cost::Sea& sea, const Objective& objective) {
   constexpr core::Seconds second{1.0};

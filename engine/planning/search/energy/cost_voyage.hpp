@@ -10,7 +10,6 @@
 #include "engine/planning/search/bounds/arrival_ladder.hpp"
 #include "engine/planning/search/energy/cost_outlook.hpp"
 #include "engine/planning/search/grid/open_grid.hpp"
-#include "engine/planning/search/waiting/openings.hpp"
 
 namespace floeplan::planning::search {
 
@@ -19,9 +18,9 @@ namespace floeplan::planning::search {
 /// Accuracy  in steady waters exact on the grid; where the time without a possible surfacing is bounded, to ten minutes
 ///           of that time. In waters that change, an arrival gives way to another that
 ///           costs no more and is not in a later span of ten minutes: the cheapest way may be missed where
-///           leaving a place later makes the rest of the way cheaper by more than was lost until then. Where
-///           something near is closed for a while, only within the same span. Where the time without a possible
-///           surfacing is bounded, only to one whose last one lies in the same part of that bound or a later one
+///           leaving a place later makes the rest of the way cheaper, or open, by more than was lost until then. Where
+///           the time without a possible surfacing is bounded, only to one whose last one lies in the same part of that
+///           bound or a later one
 /// Threads   const members may be called from several threads at once
 class CostVoyage {
  public:
@@ -37,12 +36,10 @@ class CostVoyage {
   };
 
   /// `sea` and the grid are borrowed and outlive the voyage.
-  /// `openings`: where and when it matters that something opens again, borrowed likewise; null: everywhere.
   /// `outlook`: steers the search, borrowed likewise. The way is found soon then, and costs more than the least by no
   /// more than the outlook is off.
   CostVoyage(const cost::Sea& sea, const OpenGrid& open, const Objective& objective,
-             const Openings* openings = nullptr, const std::optional<Limit>& limit = std::nullopt,
-             const CostOutlook* outlook = nullptr);
+             const std::optional<Limit>& limit = std::nullopt, const CostOutlook* outlook = nullptr);
 
   /// No second of any voyage costs less.
   [[nodiscard]] static double least_rate(const cost::Sea& sea, const Objective& objective);
@@ -76,8 +73,6 @@ class CostVoyage {
   [[nodiscard]] bool dominates(graph::Vertex v, const graph::Label<State>& a,
                                const graph::Label<State>& b) const {
     if (a.state.cost > b.state.cost) return false;
-    const bool may_open = closures_ && (openings_ == nullptr || openings_->matter(v, b.arrival_s));
-    if (may_open) return surfaced_as_late(a, b) && span(a.arrival_s) == span(b.arrival_s);
     // In steady waters the hour matters for nothing but how long ago the vehicle might have surfaced.
     if (steady_)
       return !longest_without_surfacing_ || span(since_surfacing_s(a)) <= span(since_surfacing_s(b));
@@ -106,14 +101,12 @@ class CostVoyage {
   const cost::RouteGrid& grid_;
   core::Seconds least_after_goal_;
   Objective objective_;
-  const Openings* openings_;
   std::optional<Limit> limit_;
   const CostOutlook* outlook_;
   double least_rate_;
   geo::PlanePoint goal_;
   std::optional<core::Seconds> longest_without_surfacing_;  // where it matters
   bool steady_;                                             // nothing in these waters changes with time
-  bool closures_;  // something opens again, so that arriving later can be the only way through
 };
 
 }  // namespace floeplan::planning::search

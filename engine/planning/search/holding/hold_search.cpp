@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "engine/planning/cost/held_schedule.hpp"
-#include "engine/planning/cost/loiter.hpp"
+#include "engine/planning/cost/hold_times.hpp"
 #include "engine/planning/cost/sea_intervals.hpp"
 #include "engine/planning/search/bounds/favourable_bound.hpp"
 
@@ -17,6 +17,12 @@ constexpr double most_left_s = 60.0;
 
 }  // namespace
 
+core::Seconds slack_of_holds(const cost::Sea& sea, const OpenGrid& open) {
+  const core::Metres straight{
+      geo::distance_m(open.grid.point(open.grid.start), open.grid.point(open.grid.goal))};
+  return core::Seconds{std::min(most_left_s, least_gain_by_holds * (straight / sea.through_water()).count())};
+}
+
 HeldWay search_held_way(const cost::Sea& sea, const OpenGrid& open, core::Seconds depart,
                         core::Seconds latest, const std::stop_token& stop,
                         const graph::ExpansionCallback& report, graph::IntervalLimits limits) {
@@ -27,10 +33,11 @@ HeldWay search_held_way(const cost::Sea& sea, const OpenGrid& open, core::Second
   const FavourableBound bound{sea, open, stop};
   cost::SeaIntervals model{sea, open.grid, bound, open.grid.start, {depart, last}};
   const graph::Query query{open.grid.start, open.grid.goal, depart, last};
-  limits.slack_s = std::min(most_left_s, least_gain_by_holds * (straight / sea.through_water()).count());
+  limits.slack_s = slack_of_holds(sea, open).count();
   const graph::IntervalSearch search =
       graph::find_earliest_among_intervals(open.graph, query, model, limits, stop, report);
   held.counters = search.counters;
+  held.leg_times = leg_times_of_a_look * search.counters.edge_evaluations;
   held.cancelled = search.stopped || stop.stop_requested();
   held.full = search.full;
   if (held.cancelled || search.way.empty()) return held;

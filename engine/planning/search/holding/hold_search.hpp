@@ -16,9 +16,16 @@ struct HeldWay {
   std::vector<geo::PlanePoint> path;  // start and goal included; empty: none with holds as allowed
   core::Seconds arrival{INFINITY};    // at its end
   graph::SearchCounters counters;
+  std::int64_t leg_times{};  // that were worked out, about
   bool cancelled{false};
   bool full{false};  // a bound on memory or work was met: an earlier way may exist
 };
+
+/// Leg times for one look for an open departure, on the average; measured in a tidal strait.
+inline constexpr std::int64_t leg_times_of_a_look = 6;
+
+/// An arrival that is later than the earliest by so much will do.
+[[nodiscard]] core::Seconds slack_of_holds(const cost::Sea& sea, const OpenGrid& open);
 
 /// Of memory: some 300 MB.
 inline constexpr graph::IntervalLimits limits_of_a_hold_search{.most_entries = 3'000'000};

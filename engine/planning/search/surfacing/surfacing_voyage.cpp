@@ -39,7 +39,7 @@ SurfacingVoyage::SurfacingVoyage(const cost::Sea& sea, const OpenGrid& open, con
       before_s_{before.count()},
       aim_{aim},
       weight_{weight},
-      may_wait_{sea.longest_wait().count() > 0.0 && sea.has_timed_closures()},
+      may_wait_{sea.holding().longest.count() > 0.0 && sea.has_timed_closures()},
       indifferent_s_{aim == Aim::any_way && !may_wait_ ? step_s_ : 0.0},
       fronts_{open.graph.size()} {}
 
@@ -78,7 +78,8 @@ bool SurfacingVoyage::may_wait_for(graph::Vertex v, const Label& first, const La
   const core::Seconds from{first.arrival_s};
   const core::Seconds until{other.arrival_s};
   const geo::PlanePoint place = grid_.point(v);
-  if (until - from > sea_.longest_wait() || !cost::current_lets_stay(sea_, place, from, until)) return false;
+  if (until - from > sea_.holding().longest || !cost::current_lets_stay(sea_, place, from, until))
+    return false;
   const auto since = cost::since_surfacing_after_wait(sea_, place, from, until,
                                                       from - core::Seconds{first.state.surfaced_s});
   return since && *since <= until - core::Seconds{other.state.surfaced_s};

@@ -7,14 +7,14 @@
 #include <vector>
 
 #include "engine/graph/label_search.hpp"
-#include "engine/planning/cost/loiter.hpp"
+#include "engine/planning/cost/hold_times.hpp"
 #include "engine/planning/cost/sea.hpp"
 #include "engine/planning/cost/surfacing_wait.hpp"
 #include "engine/planning/search/bounds/arrival_ladder.hpp"
+#include "engine/planning/search/bounds/openings.hpp"
 #include "engine/planning/search/grid/open_grid.hpp"
 #include "engine/planning/search/grid/vertex_closures.hpp"
 #include "engine/planning/search/surfacing/surfacing_reach.hpp"
-#include "engine/planning/search/waiting/openings.hpp"
 
 namespace floeplan::planning::search {
 

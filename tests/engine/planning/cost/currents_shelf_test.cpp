@@ -86,7 +86,7 @@ TEST(CurrentsShelf, GivesWhatWouldBeLaidOut) {
         case 4: half_width_m = support::uniform(rng, 15'000.0, 25'000.0); break;
         case 5: origin.lon_deg = support::uniform(rng, -53.2, -52.8); break;
         case 6: request.icebergs.margin = core::Metres{support::uniform(rng, 0.0, 1000.0)}; break;
-        default: request.max_loiter = core::Seconds{support::uniform(rng, 0.0, 7200.0)};
+        default: request.holds.longest = core::Seconds{support::uniform(rng, 0.0, 7200.0)};
       }
       const geo::LocalProjection projection{origin};
       const plane::PlaneBox area = box_about(half_width_m);
@@ -106,7 +106,7 @@ TEST(CurrentsShelf, LaysThemOutOnceWhereTheRequestsDifferInOtherThings) {
   CurrentsShelf shelf{environment};
   const PlanRequest request = request_in_the_sea();
   PlanRequest patient = request;
-  patient.max_loiter = core::Seconds{7200.0};
+  patient.holds.longest = core::Seconds{7200.0};
   patient.icebergs.margin = core::Metres{100.0};
   patient.vehicle.speed_through_water = {1.0};
   patient.under_ice.max_time_without_surfacing = core::Seconds{7200.0};

@@ -67,7 +67,7 @@ TEST(IcebergsOfASea, DriftUntilAWantedArrival) {
 
 TEST(IcebergsOfASea, DriftWhileTheVehicleMayWait) {
   PlanRequest request = short_request();
-  request.max_loiter = 5.0 * day;
+  request.holds.longest = 5.0 * day;
 
   expect_drift_for(request, 12.0 * day);
 }

@@ -10,7 +10,7 @@
 #include "engine/planning/plan_route.hpp"
 #include "engine/planning/plan_window.hpp"
 #include "engine/planning/planner/departure.hpp"
-#include "engine/planning/search/waiting/latest_departure.hpp"
+#include "engine/planning/search/latest_departure.hpp"
 #include "tests/support/property.hpp"
 #include "tests/support/small_sea.hpp"
 
@@ -268,8 +268,9 @@ TEST(Relaxation, NamesTheThrusterThatIsLeftOff) {
   EXPECT_TRUE(plan(environment, request).has_value());
 }
 
-TEST(Relaxation, NamesTheDepartureAndTheWaitThatATimedAreaLetsPass) {
+TEST(Relaxation, NamesTheDepartureAndTheHoldThatATimedAreaLetsPass) {
   PlanRequest request = eastward_request();
+  request.holds.longest = core::Seconds{0.0};
   request.zones = {
       {.name = "firing",
        .kind = ocean::ZoneKind::no_go,
@@ -285,7 +286,7 @@ TEST(Relaxation, NamesTheDepartureAndTheWaitThatATimedAreaLetsPass) {
   PlanRequest changed = request;
   changed.depart = std::get<core::UtcTime>(later->to);
   EXPECT_TRUE(plan({}, changed).has_value());
-  // The vehicle is 16 hours on its way to the area; it may turn in circles for some of the rest.
+  // The vehicle is 16 hours on its way to the area.
   EXPECT_LE(changed.depart - request.depart, core::Seconds{65.0 * 3600.0});
   ASSERT_NE(change_of(found.error(), "max_loiter_s"), nullptr);
 }
@@ -642,7 +643,7 @@ struct Asked {
     } else if (change.input == "margin_m") {
       request.icebergs.margin = {number()};
     } else if (change.input == "max_loiter_s") {
-      request.max_loiter = core::Seconds{number()};
+      request.holds.longest = core::Seconds{number()};
     } else if (change.input == "spacing_m") {
       request.spacing_along = core::Metres{number()};
     } else if (change.input == "depart") {

@@ -67,6 +67,7 @@ TEST(RobustPlan, LetsIcebergsDriftWithTheWiderCurrentsOfEachMember) {
   environment.icebergs = {support::iceberg_at({-53.0, 68.9}, 300.0)};
   PlanRequest request = coarse_request();
   request.method = Method::direct;
+  request.holds.longest = core::Seconds{0.0};
   request.icebergs.max_inflation = core::Metres{500.0};
 
   const auto found = plan(environment, request);

@@ -12,7 +12,7 @@
 #include "engine/planning/plan_window.hpp"
 #include "engine/planning/planner/departure.hpp"
 #include "engine/planning/planner/strategies.hpp"
-#include "engine/planning/search/waiting/latest_departure.hpp"
+#include "engine/planning/search/latest_departure.hpp"
 #include "tests/support/small_sea.hpp"
 
 namespace floeplan::planning::planner::strong_currents_test {

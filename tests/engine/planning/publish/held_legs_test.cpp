@@ -12,7 +12,7 @@ namespace {
 class LegsWithAHold : public testing::Test {
  protected:
   LegsWithAHold() {
-    request_.max_loiter = core::Seconds{48.0 * hour_s};
+    request_.holds.longest = core::Seconds{48.0 * hour_s};
     request_.icebergs.max_inflation = core::Metres{1000.0};
     environment_.icebergs = {
         drifting_berg(geo::LocalProjection{request_.from}.to_lon_lat({12'000.0, 0.0}), 1000.0, 0.02, 0.0)};

@@ -71,6 +71,16 @@ TEST(InputFlags, TakeSecondsAsADuration) {
   EXPECT_EQ(inputs, (json{{"max_loiter_s", 7200.0}, {"under_ice", {{"surfacing_interval_s", 7200.0}}}}));
 }
 
+TEST(InputFlags, HaveOneForNoneAndKeepTheNameThatTheyHadBefore) {
+  const auto inputs_by = [](const std::vector<std::string>& flags) {
+    return inputs_of(fields::fields_of(Process::plan_route), flags);
+  };
+
+  EXPECT_EQ(inputs_by({"--no-hold"}), (json{{"max_loiter_s", 0.0}}));
+  EXPECT_EQ(inputs_by({"--max-hold", "PT2H"}), inputs_by({"--max-loiter", "PT2H"}));
+  EXPECT_THROW(inputs_by({"--no-hold", "--max-hold", "PT2H"}), CLI::Error);
+}
+
 TEST(InputFlags, AreExplainedWithUnitRangeAndWhatIsUsual) {
   CLI::App app;
   InputFlags flags;
@@ -79,7 +89,7 @@ TEST(InputFlags, AreExplainedWithUnitRangeAndWhatIsUsual) {
   const std::string help = app.help();
 
   EXPECT_THAT(help, HasSubstr("when passing under, metres, 0 to 1000; default 20"));
-  EXPECT_THAT(help, HasSubstr("seconds or as PT2H, 0 to 864000; default 0"));
+  EXPECT_THAT(help, HasSubstr("seconds or as PT2H, 0 to 864000; default 864000"));
   EXPECT_THAT(help, HasSubstr("Do not let icebergs drift"));
   EXPECT_THAT(help, HasSubstr("astar, frozen, direct; default astar"));
 }

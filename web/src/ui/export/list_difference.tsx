@@ -72,7 +72,7 @@ function Lines({ file, other }: { file: MissionFile; other: MissionFile }): VNod
   const [gone, come] = (['other', 'this'] as const).map((side) => changed.filter((line) => line.side === side).length);
   return (
     <>
-      <p role="status">{changed.length === 0 ? 'The vehicle would read the same in both.' : `Lines only in the other file (−): ${gone}; only in this one (+): ${come}. Comments are left out.`}</p>
+      <p role="status">{changed.length === 0 ? 'The vehicle would read the same in both.' : `${gone} lines only in the other file (−), ${come} only in this one (+); comments left out.`}</p>
       {changed.length > 0 && (
         <pre class="difference-lines" tabIndex={0} aria-label={`Difference of ${file.name} to ${other.name}`}>
           {lines.map(({ side, text }, i) => <span key={i} class={side}>{signs[side]} {text}{'\n'}</span>)}

@@ -50,6 +50,7 @@ export function Advanced(): VNode {
         <div class="field-pair">
           <TextField name="max_leg_m" />
           <TextField name="max_loiter_s" />
+          <TextField name="hold_radius_m" />
         </div>
         <CheckField name="refine" />
         {draft.value.refine && <TextField name="refine_seconds" />}

@@ -242,6 +242,7 @@ struct LateScene {
   explicit LateScene(int hours_of_data) {
     std::mt19937_64 rng{13};
     environment = tidal_sea(rng, {{0.1}, {0.1}}, hours_of_data);
+    request.holds.longest = core::Seconds{0.0};  // a search for the least cost never holds
   }
   void close_goal(double from_h, double until_h) {
     const geo::LonLat goal = projection.to_lon_lat({20'000.0, 0.0});

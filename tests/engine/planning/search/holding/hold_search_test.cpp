@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "engine/planning/cost/held_schedule.hpp"
-#include "engine/planning/cost/loiter.hpp"
+#include "engine/planning/cost/hold_times.hpp"
 #include "engine/planning/cost/route_cost.hpp"
 #include "engine/planning/plan_route.hpp"
 #include "tests/engine/planning/drifting_bergs.hpp"
@@ -22,6 +22,7 @@ using support::uniform;
 
 constexpr core::Seconds whenever{INFINITY};
 constexpr core::Seconds at_departure{0.0};
+constexpr core::Metres hold_radius = HoldRules{}.radius;
 const geo::LocalProjection projection{{-53.0, 69.0}};
 
 /// A few kilometres with icebergs that drift, an area that is closed for a while, and a tide across a strait that the
@@ -34,7 +35,7 @@ struct TidalScene {
                                       {.across = 0.4, .beyond = 0.1})};
 
   explicit TidalScene(std::mt19937_64& rng) {
-    request.max_loiter = core::Seconds{100.0 * hour_s};
+    request.holds.longest = core::Seconds{100.0 * hour_s};
     request.icebergs.margin = core::Metres{300.0};
     request.icebergs.max_inflation = core::Metres{uniform(rng, 0.0, 600.0)};
     const double mean_m_s = uniform(rng, -0.1, 0.1);
@@ -54,11 +55,12 @@ struct TidalScene {
     }
     const double west = uniform(rng, -53.08, -52.98);
     const double east = west + 0.03;
-    request.zones = {{.name = "area",
-                      .kind = ocean::ZoneKind::no_go,
-                      .area = {.outer = {{west, 68.5}, {east, 68.5}, {east, 69.5}, {west, 69.5}}, .holes = {}},
-                      .from = start + core::Seconds{uniform(rng, 0.0, 4.0) * hour_s},
-                      .until = start + core::Seconds{uniform(rng, 4.0, 16.0) * hour_s}}};
+    request.zones = {
+        {.name = "area",
+         .kind = ocean::ZoneKind::no_go,
+         .area = {.outer = {{west, 68.5}, {east, 68.5}, {east, 69.5}, {west, 69.5}}, .holes = {}},
+         .from = start + core::Seconds{uniform(rng, 0.0, 4.0) * hour_s},
+         .until = start + core::Seconds{uniform(rng, 4.0, 16.0) * hour_s}}};
   }
   [[nodiscard]] cost::Sea sea() const {
     return {environment, request, projection, grid.bounds().grown(5000.0), core::Metres{500.0}};
@@ -112,7 +114,7 @@ TEST(HoldSearch, IsNeverLaterThanAnyWayThatBruteForceFinds) {
     const auto schedule = cost::schedule_along(sea, held.path, at_departure);
     ASSERT_TRUE(schedule);
     EXPECT_LE(schedule->arrivals.back().count(), held.arrival.count() + 1.0);
-    holds += cost::longest_hold(*schedule, held.path).count() > 600.0 ? 1 : 0;
+    holds += cost::longest_hold(*schedule, held.path, hold_radius).count() > 600.0 ? 1 : 0;
   });
   EXPECT_GT(found, 8);
   EXPECT_GT(holds, 3);
@@ -165,12 +167,13 @@ TEST(HoldSearch, IsNoLaterThanAWayThatIsBegunLater) {
   support::for_each_seed(3, [&](std::mt19937_64& rng) {
     Scene scene = gated_scene(rng);
     PlanRequest patient = scene.request;
-    patient.max_loiter = 2.0 * two_days;
+    patient.holds.longest = 2.0 * two_days;
     const Result<Plan> waiting = plan_route(scene.environment, patient, {}, {});
     for (const double hours : {12.0, 36.0}) {
       const core::Seconds delay{hours * hour_s};
       if (!start_stays_clear(scene, delay)) break;
       PlanRequest later = scene.request;
+      later.holds.longest = core::Seconds{0.0};
       later.depart += delay;
       const Result<Plan> moving = plan_route(scene.environment, later, {}, {});
       if (!moving) continue;
@@ -192,7 +195,7 @@ class HoldBeforeAGoal : public testing::Test {
  protected:
   HoldBeforeAGoal() {
     environment_.icebergs = {drifting_berg(projection.to_lon_lat({12'000.0, 0.0}), 1000.0, 0.02, 0.0)};
-    request_.max_loiter = core::Seconds{48.0 * hour_s};
+    request_.holds.longest = core::Seconds{48.0 * hour_s};
     request_.icebergs.max_inflation = core::Metres{1000.0};
   }
   [[nodiscard]] HeldWay search() const {
@@ -225,12 +228,12 @@ TEST_F(HoldBeforeAGoal, IsNotSpreadOverPlacesWhereItIsLongerThanAllowed) {
   ASSERT_FALSE(held.path.empty());
   const auto schedule = cost::schedule_along(sea(), held.path, at_departure);
   ASSERT_TRUE(schedule);
-  const core::Seconds needed = cost::longest_hold(*schedule, held.path);
+  const core::Seconds needed = cost::longest_hold(*schedule, held.path, hold_radius);
 
-  request_.max_loiter = needed - core::Seconds{600.0};
+  request_.holds.longest = needed - core::Seconds{600.0};
   EXPECT_TRUE(search().path.empty());
 
-  request_.max_loiter = needed + core::Seconds{1.0};
+  request_.holds.longest = needed + core::Seconds{1.0};
   EXPECT_FALSE(search().path.empty());
 }
 
@@ -253,7 +256,7 @@ TEST(LongestHold, CountsPlacesNearToEachOtherAsOne) {
   const cost::Schedule schedule{seconds({0.0, 4600.0, 13'000.0, 23'000.0}),
                                 seconds({3600.0, 3600.0, 5000.0, 0.0})};
 
-  EXPECT_EQ(cost::longest_hold(schedule, route).count(), 4600.0 + 3600.0);
+  EXPECT_EQ(cost::longest_hold(schedule, route, hold_radius).count(), 4600.0 + 3600.0);
 }
 
 TEST(SafeIntervals, LetTheVehicleStayWhereTheCurrentIsWeakAndPassWhereItIsStrong) {
@@ -281,8 +284,8 @@ TEST(SafeIntervals, LetTheVehicleStayWhereTheCurrentIsWeakAndPassWhereItIsStrong
   EXPECT_NEAR(safe[0].until_s, 2.0 * hour_s, 120.0);
   EXPECT_TRUE(safe[1].may_stay);
   EXPECT_NEAR(safe[1].from_s, 3.0 * hour_s, 120.0);
-  // Between the hours the current grows evenly: 0.35 m/s at 5 h and five eighths.
-  EXPECT_NEAR(safe[1].until_s, 5.625 * hour_s, 2.0);
+  // Between the hours the current grows evenly: 0.8 x 0.35 m/s at 5.45 h.
+  EXPECT_NEAR(safe[1].until_s, 5.45 * hour_s, 2.0);
   EXPECT_FALSE(safe[2].may_stay);
   EXPECT_EQ(safe[2].from_s, safe[1].until_s);
   EXPECT_EQ(safe[2].until_s, 20.0 * hour_s);

@@ -1,4 +1,4 @@
-#include "engine/planning/search/waiting/openings.hpp"
+#include "engine/planning/search/bounds/openings.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,10 @@
-#include "engine/planning/cost/loiter.hpp"
+#include "engine/planning/cost/hold_times.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
+
+#include "engine/planning/cost/hold_circle.hpp"
 
 namespace floeplan::planning::cost {
 namespace {
@@ -19,54 +21,50 @@ bool opens_again(motion::EdgeClosed closed) {
   return closed == motion::EdgeClosed::obstacle || closed == motion::EdgeClosed::in_zone;
 }
 
-/// Whether there may ever be ice at a place that the vehicle would have to hold below.
-bool may_hold_below_ice(const Sea& sea, geo::PlanePoint place) {
-  return sea.ice() && sea.ice()->may_be_dense_along(place, place);
+/// Until when the currents are known, no later than `until`.
+core::Seconds known_until(const Sea& sea, core::Seconds until) {
+  return sea.currents() ? std::min(until, sea.currents()->end().value_or(until)) : until;
 }
 
-/// Whether the vehicle can keep its place then, against the current and below the ice.
-bool can_hold(const Sea& sea, geo::PlanePoint place, core::Seconds now, bool below_ice) {
-  return sea.holds_against_current(place, now) && (!below_ice || sea.ice()->may_transit(place, now));
+/// Between two steps of the data a current changes evenly, and is never stronger than at the stronger of both.
+core::Seconds next_look(const Sea& sea, core::Seconds now, core::Seconds until) {
+  return sea.currents() ? std::min(until, sea.currents()->next_step(now)) : until;
 }
 
-/// Last look until which the vehicle keeps its place against the current and below the ice; before `from`: not at all.
-core::Seconds held_until(const Sea& sea, geo::PlanePoint place, core::Seconds from, core::Seconds until) {
-  const bool below_ice = may_hold_below_ice(sea, place);
-  // Between two steps of the data a current changes evenly, and is never stronger than at the stronger of both.
-  const auto next_look = [&](core::Seconds now) {
-    const core::Seconds step = sea.currents() ? sea.currents()->next_step(now) : until;
-    return std::min({now + between_looks, step, until});
-  };
+/// Last look until which the vehicle keeps to the circle; before `from`: not at all.
+core::Seconds held_until(const Sea& sea, const HoldCircle& circle, core::Seconds from, core::Seconds until) {
   core::Seconds held = from - between_looks;
-  for (core::Seconds now = from;; now = next_look(now)) {
-    if (!can_hold(sea, place, now, below_ice)) return held;
+  if (!circle.is_open() || !circle.is_kept(from)) return held;
+  if (circle.is_always_kept()) return known_until(sea, until);
+  for (core::Seconds now = from;; now = std::min(now + between_looks, next_look(sea, now, until))) {
+    if (!circle.is_kept(now)) return held;
     held = now;
     if (now >= until) return held;
   }
 }
 
-/// When it can, within a span.
-std::vector<TimeSpan> times_to_hold(const Sea& sea, geo::PlanePoint place, TimeSpan within) {
+/// When it can, within a span, as if nothing closed and opened in time.
+std::vector<TimeSpan> times_to_hold(const Sea& sea, const HoldCircle& circle, TimeSpan within) {
   constexpr core::Seconds to_a_second{1.0};
-  const bool below_ice = may_hold_below_ice(sea, place);
-  // Between two steps of the data a current changes evenly, and is never stronger than at the stronger of both.
-  const auto next_look = [&](core::Seconds now) {
-    const core::Seconds step = sea.currents() ? sea.currents()->next_step(now) : within.until;
-    return std::min({step, within.until, below_ice ? now + between_looks : within.until});
-  };
+  if (!circle.is_open()) return {};
+  if (circle.is_always_kept()) {
+    if (!circle.is_kept(within.from)) return {};  // no current is known there
+    return {{within.from, known_until(sea, within.until)}};
+  }
   std::vector<TimeSpan> result;
   core::Seconds now = within.from;
   core::Seconds begins = now;
-  bool holds = can_hold(sea, place, now, below_ice);
+  bool holds = circle.is_kept(now);
   while (now < within.until) {
-    const core::Seconds next = next_look(now);
-    const bool holds_then = can_hold(sea, place, next, below_ice);
+    core::Seconds next = next_look(sea, now, within.until);
+    if (circle.is_below_ice()) next = std::min(next, now + between_looks);
+    const bool holds_then = circle.is_kept(next);
     if (holds_then != holds) {
       core::Seconds held = holds ? now : next;
       core::Seconds not_held = holds ? next : now;
       while (std::abs((held - not_held).count()) > to_a_second.count()) {
         const core::Seconds middle = 0.5 * (held + not_held);
-        (can_hold(sea, place, middle, below_ice) ? held : not_held) = middle;
+        (circle.is_kept(middle) ? held : not_held) = middle;
       }
       if (holds) {
         result.push_back({begins, held});
@@ -78,6 +76,22 @@ std::vector<TimeSpan> times_to_hold(const Sea& sea, geo::PlanePoint place, TimeS
     now = next;
   }
   if (holds) result.push_back({begins, within.until});
+  return result;
+}
+
+/// The same, where what closes for a while does not touch the circle.
+std::vector<TimeSpan> clear_times_to_hold(const Sea& sea, const HoldCircle& circle, TimeSpan within) {
+  std::vector<TimeSpan> result;
+  const std::vector<TimeSpan> closures = circle.closed_times();
+  for (const TimeSpan& held : times_to_hold(sea, circle, within)) {
+    core::Seconds from = held.from;
+    for (const TimeSpan& closed : closures) {
+      if (closed.until < from || closed.from > held.until) continue;
+      if (from < closed.from) result.push_back({from, closed.from});
+      from = std::max(from, closed.until);
+    }
+    if (from < held.until) result.push_back({from, held.until});
+  }
   return result;
 }
 
@@ -139,7 +153,7 @@ tl::expected<WaitedLeg, motion::EdgeClosed> leg_when_slack(const Sea& sea, geo::
                                                            core::Seconds latest, core::Seconds not_before) {
   const auto closed = tl::unexpected(motion::EdgeClosed::current_too_strong);
   if (!sea.currents() || !sea.currents()->time_step()) return closed;
-  const core::Seconds stays = can_stay_until(sea, a, arrive, arrive + sea.longest_wait());
+  const core::Seconds stays = can_stay_until(sea, a, arrive, arrive + sea.holding().longest);
   const core::Seconds between = between_tries(sea, stays - arrive);
   core::Seconds refused = arrive;
   while (refused < stays) {
@@ -153,24 +167,29 @@ tl::expected<WaitedLeg, motion::EdgeClosed> leg_when_slack(const Sea& sea, geo::
 
 }  // namespace
 
-bool waits_may_help(const Sea& sea) {
+bool holds_may_help(const Sea& sea) {
   const bool currents_change = sea.currents() && sea.currents()->time_step();
-  return sea.longest_wait().count() > 0.0 && (sea.has_timed_closures() || currents_change);
+  return sea.holding().longest.count() > 0.0 && (sea.has_timed_closures() || currents_change);
 }
 
-core::Seconds next_closure(const Sea& sea, geo::PlanePoint place, core::Seconds from) {
+core::Seconds open_from(const Sea& sea, geo::PlanePoint place, core::Seconds when) {
   for (const TimeSpan& closed : sea.closed_times(place))
-    if (closed.until >= from) return closed.from;
-  return core::Seconds{INFINITY};
+    if (closed.from <= when && when < closed.until) when = closed.until;
+  return when;
 }
 
 core::Seconds can_stay_until(const Sea& sea, geo::PlanePoint place, core::Seconds from, core::Seconds until) {
-  until = std::min(until, next_closure(sea, place, from));
-  return until < from ? until : held_until(sea, place, from, until);
+  const HoldCircle circle{sea, place};
+  for (const TimeSpan& closed : circle.closed_times()) {
+    if (closed.until < from) continue;
+    until = std::min(until, closed.from);
+    break;
+  }
+  return until < from ? until : held_until(sea, circle, from, until);
 }
 
 bool current_lets_stay(const Sea& sea, geo::PlanePoint place, core::Seconds from, core::Seconds until) {
-  return held_until(sea, place, from, until) >= until;
+  return held_until(sea, HoldCircle{sea, place}, from, until) >= until;
 }
 
 core::Seconds between_tries(const Sea& sea, core::Seconds stays) {
@@ -187,15 +206,15 @@ tl::expected<WaitedLeg, motion::EdgeClosed> leg_when_open(const Sea& sea, geo::P
   const core::Seconds earliest = std::max(arrive, not_before);
   const auto at_once = sea.leg_time(a, b, arrive, latest);
   if (at_once && earliest == arrive) return WaitedLeg{core::Seconds{0.0}, *at_once};
-  if (!at_once && at_once.error() == motion::EdgeClosed::current_too_strong && waits_may_help(sea))
+  if (!at_once && at_once.error() == motion::EdgeClosed::current_too_strong && holds_may_help(sea))
     return leg_when_slack(sea, a, b, arrive, latest, earliest);
-  const bool may_wait = sea.longest_wait().count() > 0.0 && sea.has_timed_closures();
+  const bool may_wait = sea.holding().longest.count() > 0.0 && sea.has_timed_closures();
   if (!may_wait || (!at_once && !opens_again(at_once.error())))
     return at_once.map([](core::Seconds time) { return WaitedLeg{core::Seconds{0.0}, time}; });
   const auto closed = tl::unexpected(at_once ? motion::EdgeClosed::too_late : at_once.error());
   if (sea.closed_between(a, b)) return closed;
 
-  const core::Seconds stays = can_stay_until(sea, a, arrive, arrive + sea.longest_wait());
+  const core::Seconds stays = can_stay_until(sea, a, arrive, arrive + sea.holding().longest);
   core::Seconds depart = earliest;
   std::optional<core::Seconds> refused;
   for (int i = 0; i < most_tries && depart <= stays; ++i) {
@@ -277,7 +296,11 @@ OpenLeg open_leg_until(const Sea& sea, geo::PlanePoint a, geo::PlanePoint b, con
                        core::Seconds latest_departure, core::Seconds latest_arrival) {
   constexpr core::Seconds least_step{300.0};
   constexpr int most_steps = 12;
-  const core::Seconds step = std::max(least_step, fineness_of_waits(leg.time));
+  // A disc may pass in minutes; currents close and open as their data change.
+  const bool by_currents_alone = !sea.has_timed_closures() && sea.currents() && sea.currents()->time_step();
+  const core::Seconds step = by_currents_alone
+                                 ? std::max(between_looks, *sea.currents()->time_step() / tries_per_time_step)
+                                 : std::max(least_step, fineness_of_waits(leg.time));
   const auto open_at = [&](core::Seconds depart) -> std::optional<OpenLeg> {
     const auto time = sea.leg_time(a, b, depart);
     if (!time || depart + *time > latest_arrival) return std::nullopt;
@@ -305,7 +328,7 @@ OpenLeg open_leg_until(const Sea& sea, geo::PlanePoint a, geo::PlanePoint b, con
 
 std::vector<graph::SafeInterval> safe_intervals(const Sea& sea, geo::PlanePoint place, TimeSpan within) {
   std::vector<graph::SafeInterval> result;
-  const std::vector<TimeSpan> holds = times_to_hold(sea, place, within);
+  const std::vector<TimeSpan> holds = clear_times_to_hold(sea, HoldCircle{sea, place}, within);
   const auto add = [&](core::Seconds from, core::Seconds until, bool may_stay) {
     if (from < until) result.push_back({from.count(), until.count(), may_stay});
   };

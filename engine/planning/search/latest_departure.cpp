@@ -1,4 +1,4 @@
-#include "engine/planning/search/waiting/latest_departure.hpp"
+#include "engine/planning/search/latest_departure.hpp"
 
 #include <ranges>
 

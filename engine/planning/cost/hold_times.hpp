@@ -22,15 +22,13 @@ struct WaitedLeg {
 
 /// Whether a wait may bring the vehicle through what it could not pass before: it has leave to, and zones, icebergs or
 /// currents are in its way for a while only.
-[[nodiscard]] bool waits_may_help(const Sea& sea);
+[[nodiscard]] bool holds_may_help(const Sea& sea);
 
-/// When a place is next closed for a while, or has been since, for who is there at `from`; infinite: never again.
-[[nodiscard]] core::Seconds next_closure(const Sea& sea, geo::PlanePoint place, core::Seconds from);
+/// From when on nothing that closes for a while is over a place, for who is there at `when`; infinite: never again.
+[[nodiscard]] core::Seconds open_from(const Sea& sea, geo::PlanePoint place, core::Seconds when);
 
-/// Until when the vehicle can stay at a place where it is at `from`, no later than `until`. A glider cannot stand
-/// still: it keeps its place by making way against the current, so it stays only where and as long as the current is
-/// known and weaker than its speed through the water, nothing that is closed for a while comes over it, and there is
-/// room below the ice.
+/// Until when the vehicle can hold at a place where it is at `from`, no later than `until`: as long as it can keep to
+/// its circle (hold_circle.hpp) and nothing that closes for a while touches that.
 /// Accuracy  room below the ice is looked at every quarter of an hour; the current and what closes the place are exact
 [[nodiscard]] core::Seconds can_stay_until(const Sea& sea, geo::PlanePoint place, core::Seconds from,
                                            core::Seconds until);
@@ -117,11 +115,11 @@ void for_each_opening(const Sea& sea, geo::PlanePoint a, geo::PlanePoint b,
   auto leg = leg_when_open(sea, a, b, arrive, latest);
   if (!leg) return;
   emit(*leg);
-  if (sea.longest_wait().count() <= 0.0) return;
+  if (sea.holding().longest.count() <= 0.0) return;
   for (const TimeSpan& closed : closed_at_end) {
     const core::Seconds there = arrive + leg->total();
     if (closed.until <= there) continue;
-    if (closed.until - leg->time > arrive + sea.longest_wait()) return;
+    if (closed.until - leg->time > arrive + sea.holding().longest) return;
     const auto later = leg_when_open(sea, a, b, arrive, latest, closed.until - leg->time);
     if (!later) return;
     if (arrive + later->total() <= closed.until) continue;

@@ -1,4 +1,4 @@
-#include "engine/planning/cost/usable_place.hpp"
+#include "engine/planning/search/usable_place.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,15 +6,15 @@
 #include <limits>
 #include <vector>
 
-namespace floeplan::planning::cost {
+namespace floeplan::planning::search {
 namespace {
 
 constexpr double farthest_m = 100'000.0;  // a place farther away is another mission
 constexpr int most_rings = 400;
 
-bool is_usable(const Sea& sea, geo::PlanePoint point, const TimeSpan& when) {
-  return !sea.closed_between(point, point) && !sea.timed_zones().forbid(point, point, when) &&
-         !sea.icebergs().touched({point, point, when.from.count(), when.until.count()});
+bool is_usable(const cost::Sea& sea, geo::PlanePoint point) {
+  return !sea.closed_between(point, point) && !sea.timed_zones().forbid(point, point, {}) &&
+         !sea.icebergs().touched({point, point, 0.0, 0.0});
 }
 
 /// Places in even steps about one of them.
@@ -62,7 +62,7 @@ class Lattice {
 
 }  // namespace
 
-std::optional<geo::LonLat> nearest_usable_place(const Sea& sea, geo::PlanePoint around, core::Seconds when) {
+std::optional<geo::LonLat> nearest_usable_place(const cost::Sea& sea, geo::PlanePoint around) {
   const double step_m = std::max(sea.safety().cell().value, farthest_m / most_rings);
   std::optional<geo::PlanePoint> nearest;
   double least_m = std::numeric_limits<double>::infinity();
@@ -70,10 +70,7 @@ std::optional<geo::LonLat> nearest_usable_place(const Sea& sea, geo::PlanePoint 
     const double distance_m = step_m * std::hypot(ix, iy);
     if (distance_m >= least_m) return;
     const geo::PlanePoint point{around.x_m + step_m * ix, around.y_m + step_m * iy};
-    const bool later = when.count() > 0.0;
-    const core::Seconds on_the_way =
-        later ? core::Metres{distance_m} / sea.through_water() : core::Seconds{0.0};
-    if (!is_usable(sea, point, {when, when + on_the_way})) return;
+    if (!is_usable(sea, point)) return;
     nearest = point;
     least_m = distance_m;
   };
@@ -90,7 +87,7 @@ std::optional<geo::LonLat> nearest_usable_place(const Sea& sea, geo::PlanePoint 
   return sea.projection().to_lon_lat(*nearest);
 }
 
-std::optional<geo::LonLat> nearest_usable_place_towards(const Sea& sea, geo::PlanePoint around,
+std::optional<geo::LonLat> nearest_usable_place_towards(const cost::Sea& sea, geo::PlanePoint around,
                                                         geo::PlanePoint other, const std::stop_token& stop) {
   constexpr std::size_t between_checks = 1024;  // of whether to stop
   const double reach_m = std::max(farthest_m, geo::distance_m(around, other));
@@ -112,10 +109,10 @@ std::optional<geo::LonLat> nearest_usable_place_towards(const Sea& sea, geo::Pla
     lattice.for_each_beside(joined[next], join_from(here));
     const double distance_m = geo::distance_m(around, here);
     if (distance_m > farthest_m || (nearest && distance_m >= geo::distance_m(around, *nearest))) continue;
-    if (is_usable(sea, here, {})) nearest = here;
+    if (is_usable(sea, here)) nearest = here;
   }
   if (!nearest) return std::nullopt;
   return sea.projection().to_lon_lat(*nearest);
 }
 
-}  // namespace floeplan::planning::cost
+}  // namespace floeplan::planning::search

@@ -5,18 +5,17 @@
 
 #include "engine/planning/cost/sea.hpp"
 
-namespace floeplan::planning::cost {
+namespace floeplan::planning::search {
 
 /// The nearest place that the vehicle may be in at departure, in rings of the safety map's cells around a place
 /// that it may not; empty when there is none within 100 km. The middle of a cell that is open as a whole.
-/// `when`: later than the departure: from then on for as long as the vehicle needs from the one place to the other.
-[[nodiscard]] std::optional<geo::LonLat> nearest_usable_place(const Sea& sea, geo::PlanePoint around,
-                                                              core::Seconds when = core::Seconds{0.0});
+[[nodiscard]] std::optional<geo::LonLat> nearest_usable_place(const cost::Sea& sea, geo::PlanePoint around);
 
 /// The same among the places from which open water leads to `other` in steps of those cells, whatever closes for a
 /// while only; empty when there is none, or once `stop` is requested.
-[[nodiscard]] std::optional<geo::LonLat> nearest_usable_place_towards(const Sea& sea, geo::PlanePoint around,
+[[nodiscard]] std::optional<geo::LonLat> nearest_usable_place_towards(const cost::Sea& sea,
+                                                                      geo::PlanePoint around,
                                                                       geo::PlanePoint other,
                                                                       const std::stop_token& stop);
 
-}  // namespace floeplan::planning::cost
+}  // namespace floeplan::planning::search

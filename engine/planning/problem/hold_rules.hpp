@@ -1,0 +1,20 @@
+#pragma once
+
+#include "engine/core/units.hpp"
+
+namespace floeplan::planning {
+
+/// Forecasts tell nothing of what closes and opens later. A judgement.
+inline constexpr core::Seconds longest_hold_allowed{10.0 * 86'400.0};
+
+/// How the vehicle may hold station: stay near a place by making way against the current.
+struct HoldRules {
+  /// At one place, until something that is closed for a while opens: icebergs that drift, zones with times, currents
+  /// that are too strong. Zero: the vehicle never holds.
+  core::Seconds longest{longest_hold_allowed};
+  /// Of the circle that it keeps to meanwhile. A judgement: a glider that is sent back to one place dive after dive
+  /// comes up some hundreds of metres from it.
+  core::Metres radius{500.0};
+};
+
+}  // namespace floeplan::planning
