@@ -12,21 +12,21 @@
 
 namespace floeplan::planning::ice {
 
-/// What is above a vehicle.
+/// The ice above a vehicle at one place and time.
 struct IceAbove {
-  bool known{false};        // the data tell of the ice here and now
-  bool may_surface{false};  // they do, and it is little enough
-  double draft_m{};         // of the deepest keel; 0 where the vehicle may surface or nothing was ever known
+  bool known{false};        // the data know the ice at this place and time
+  bool may_surface{false};  // the ice is known, and no denser than the request allows
+  double draft_m{};         // of the deepest keel; 0 where the vehicle may surface or no ice was ever known
 };
 
-/// The sea ice of a planning area at the time of passage: what the inner loop asks.
-/// Interpolation  concentration as the data's own: bilinear between its nodes, linear between its times; the draft is
-///                the deepest of the nodes and times around
-/// Coast    a node without data takes the most ice of its neighbours, one ring deep: masks of land are coarse
-/// Time     counted from `epoch`; which steps count for it is what ocean::ice_moment says
-/// Outside  nothing known beyond the nodes with data (and that ring), before and after the period and in long gaps of
-///          it. Keels below dense ice that were known last, at a node or in all, stay to be kept below: that nobody
-///          looked for them since lifts none
+/// The sea ice of a planning area at the time of passage, laid out for the inner loop of a search.
+/// Interpolation  concentration: bilinear between the nodes of the data and linear between their times. Draft: the
+///                deepest one of the nodes and times around
+/// Coast    a node without data takes the most ice of its neighbours, one ring deep, because land masks are coarse
+/// Time     counted from `epoch`; ocean::ice_moment says which steps of the data count for a time
+/// Outside  the ice is unknown beyond the nodes with data and their ring, before and after the period of the data, and
+///          in its long gaps. Dives keep below the keels of dense ice that were known last, because missing data are no
+///          evidence that the ice has gone
 /// Threads  const members may be called from several threads at once
 class IceCover {
  public:
@@ -35,30 +35,30 @@ class IceCover {
            const plane::PlaneBox& area, core::UtcTime epoch, const std::stop_token& stop = {});
 
   [[nodiscard]] IceAbove above(geo::PlanePoint point, core::Seconds time) const;
-  /// What the data tell of this time.
+  /// The steps of the data that count for this time.
   [[nodiscard]] ocean::IceMoment moment(core::Seconds time) const {
     return ocean::ice_moment(times_s_, time.count());
   }
-  /// Whether what is above rests on a node without data that took those of its neighbours.
+  /// Whether the ice above comes from a node without data, which took the ice of its neighbours.
   [[nodiscard]] bool is_extended(geo::PlanePoint point, core::Seconds time) const;
-  /// Of what is above.
+  /// The deepest keel above a place.
   struct Keels {
-    double told_m{};      // the deepest by the thickness that the data tell
-    bool all_told{true};  // none is assumed
+    double told_m{};      // its draft, by the thickness in the data
+    bool all_told{true};  // whether no draft there is assumed
   };
   [[nodiscard]] Keels keels(geo::PlanePoint point, core::Seconds time) const;
   /// First step of the data.
   [[nodiscard]] core::Seconds first_step() const { return core::Seconds{times_s_.front()}; }
   /// Whether there is ice anywhere, at any time, through which the vehicle may not surface.
   [[nodiscard]] bool has_dense_ice() const { return has_dense_ice_; }
-  /// Never more than the way in the plane to where the vehicle may surface, at whatever time; zero beyond the nodes.
-  /// Infinite where that is nowhere.
+  /// A lower bound of the distance in the plane to any place where the vehicle may surface at any time. Zero beyond the
+  /// nodes; infinite where there is no such place.
   [[nodiscard]] core::Metres least_way_to_opening(geo::PlanePoint point) const;
-  /// The same for each point, to where it may surface at some time between these two.
+  /// The same bound for each point, to places where the vehicle may surface at some time from `from` to `until`.
   [[nodiscard]] std::vector<core::Metres> least_ways_to_opening(const std::vector<geo::PlanePoint>& points,
                                                                 core::Seconds from,
                                                                 core::Seconds until) const;
-  /// The same as the first to ice through which it may not surface.
+  /// A lower bound of the distance in the plane to any ice through which the vehicle may not surface at any time.
   [[nodiscard]] core::Metres least_way_to_dense_ice(geo::PlanePoint point) const;
   /// Last step of the data.
   [[nodiscard]] core::Seconds last_step() const { return core::Seconds{times_s_.back()}; }
@@ -72,20 +72,20 @@ class IceCover {
  private:
   struct Node {
     float concentration;  // NaN where nothing is known
-    float draft_m;        // of its keels; there of the dense ice that was known last, 0 for none
+    float draft_m;        // of its keels; where nothing is known, of the dense ice known last, or 0
   };
   [[nodiscard]] bool is_dense(const Node& node) const;
   void keep_last_keels();
   void extend_to_coast();
-  /// To cells of which a node is marked, whatever the rest of it is.
+  /// Distances to the cells that have at least one marked node.
   [[nodiscard]] obstacles::CellDistances distances_to(const std::vector<bool>& marked_nodes) const;
   void measure_distances();
 
   plane::PlaneGrid grid_;
   std::vector<double> times_s_;  // since epoch
   std::vector<Node> nodes_;      // [time][y][x]
-  std::vector<bool> assumed_;    // [time][y][x], whether its draft is
-  std::vector<bool> extended_;   // [time][y][x]
+  std::vector<bool> assumed_;    // [time][y][x], whether the draft of the node is assumed
+  std::vector<bool> extended_;   // [time][y][x], whether the node took the ice of its neighbours
   double limit_;
   bool has_dense_ice_{false};
   core::Metres spacing_;

@@ -11,14 +11,15 @@
 namespace floeplan::planning::ice {
 
 /// The sea ice of all products that an environment holds.
-/// Choice   at each place and time the first of them answers that knows the place and whose own data are of that time,
-///          else the one with the nearest step that speaks for it, else with the nearest that is held for it
-///          (ocean::IceStanding); of each, data of the place before what they are extended by
-/// Keels    where that one tells no thickness, those of the next in this order that does and has dense ice there; only
-///          where none does, the assumed ones
-/// Outside  where the first of all products may be held only for times after the epoch, open water is assumed until
-///          then, as with no product at all. Else nothing is known where none of them knows; the deepest keel that any
-///          of them knew last
+/// Choice   for each place and time one product that knows the place answers: the first whose data are of that time,
+///          otherwise the one with the nearest step that counts for it, otherwise the one with the nearest step that
+///          is held for it (ocean::IceStanding). Within a product, data of the place itself come before those that
+///          were extended to it
+/// Keels    where that product has no thickness, the next one in this order with thickness and dense ice there gives
+///          the keels; where there is none, they are assumed
+/// Outside  where the earliest step of all products may be held only from a time after the epoch on, open water is
+///          assumed until then, as without any product. Otherwise the ice is unknown where no product knows it; the
+///          deepest keel that any product knew last remains
 /// Threads  const members may be called from several threads at once
 class IceCovers {
  public:
@@ -31,7 +32,7 @@ class IceCovers {
     if (open_until_ && time < *open_until_) return {.known = true, .may_surface = true, .draft_m = 0.0};
     return covers_.size() == 1 ? covers_.front().above(point, time) : first_known(point, time);
   }
-  /// As the members of `IceCover` of these names; a bound where several covers are less sharp together.
+  /// As the members of `IceCover` with the same names; bounds are less sharp for several covers together.
   [[nodiscard]] bool has_dense_ice() const { return std::ranges::any_of(covers_, &IceCover::has_dense_ice); }
   [[nodiscard]] core::Metres least_way_to_opening(geo::PlanePoint point) const;
   [[nodiscard]] std::vector<core::Metres> least_ways_to_opening(const std::vector<geo::PlanePoint>& points,
@@ -48,7 +49,7 @@ class IceCovers {
     IceAbove ice;
   };
   [[nodiscard]] IceAbove first_known(geo::PlanePoint point, core::Seconds time) const;
-  /// The first, in the order in which they are asked, that `accept` takes.
+  /// The first product that `accept` takes, in the order of choice.
   template <class Accept>
   [[nodiscard]] std::optional<Answer> first_of(geo::PlanePoint point, core::Seconds time,
                                                const Accept& accept) const;

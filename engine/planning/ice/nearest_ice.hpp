@@ -8,14 +8,14 @@
 
 namespace floeplan::planning::ice {
 
-/// The deepest turn that the ice asks dives for at a place or within a distance of it, as far as looks at rings round
-/// it tell. Zero where there is none, and where nothing is known of the ice.
+/// The deepest upper turn that dives need below the ice within a distance of a place. The ice is sampled on rings round
+/// the place. Zero where there is no such ice, and where the ice is unknown.
 [[nodiscard]] core::Metres deepest_turn_within(core::Metres distance, const UnderIce& ice,
                                                geo::PlanePoint place, core::Seconds when);
 
-/// How far it is to the nearest ice that asks dives to turn below it, to any side, as far as looks at rings round the
-/// place tell; empty where there is none within the distance, and where nothing is known of the ice. Both in metres of
-/// the plane.
+/// The distance from a place to the nearest ice that dives must turn below, in any direction. The ice is sampled on
+/// rings round the place. Empty where there is no such ice within the given distance, and where the ice is unknown.
+/// Distances are in metres of the plane.
 [[nodiscard]] std::optional<core::Metres> nearest_ice_within(core::Metres distance, const UnderIce& ice,
                                                              geo::PlanePoint place, core::Seconds when);
 

@@ -14,23 +14,24 @@
 
 namespace floeplan::planning::ice {
 
-/// Where and when a vehicle may come to the surface, and where it may pass below the ice: two questions, because a
-/// glider can pass under ice that it cannot pass through.
-/// Rules    it may surface where the ice is known and at most as dense as the request allows. Under denser ice its
-///          upper turn stays the margin below the deepest keel, and it needs as much water from there to the sea bed
-///          as it otherwise needs from the surface, with room for a saw-tooth above the altimeter's margin; its dives
-///          must reach that deep. Where nothing is known of the ice it may pass, below the keels that were known last,
-///          but not count on surfacing
-/// Depth    that of the bed all along a way: no sill between two looks is missed
-/// Along a drive  looked at every `step()`, with the deeper of the turns at both ends of a step; the time between two
-///          looks counts as under ice unless the vehicle may surface at both, so that what counts is never shorter
-///          than the truth but for ice narrower than a step
+/// Tells where and when a vehicle may surface, and where it may pass below the ice. These are two questions, because a
+/// glider can pass below ice in which it cannot surface.
+/// Rules    The vehicle may surface where the ice is known and at most as dense as the request allows. Under denser ice
+///          its upper turn lies the margin below the deepest keel. Between that turn and the sea bed it needs as much
+///          water as it otherwise needs below the surface, with room for a saw-tooth above the altimeter's margin, and
+///          its dives must reach that depth. Where the ice is unknown the vehicle may pass below the keels that were
+///          known last, and the plan counts on no surfacing
+/// Depth    the least depth of the sea bed along the whole edge counts, so no sill between two samples is missed
+/// Along a drive  the ice is sampled every `step()`; a step takes the deeper of the turns at its two ends. The time of
+///          a step counts as under ice unless the vehicle may surface at both ends. So the counted time is never too
+///          short, except for ice that is narrower than a step
 /// Threads  const members may be called from several threads at once
 class UnderIce {
  public:
-  /// `cell`  of the safety map; the ice is looked at as closely, or closer where its own data are finer. Once `stop`
-  /// is requested it stays incomplete and must not be used. `environment` must have ice. `bed`  of all the area; null:
-  /// it is laid out here, where there is bathymetry
+  /// `cell`  size of a cell of the safety map; the ice is sampled as closely, or closer where its data are finer
+  /// `bed`   depths of the whole area; null: they are laid out here where there is bathymetry
+  /// `stop`  once it is requested this object stays incomplete and must not be used
+  /// Precondition  `environment` has ice
   UnderIce(const ocean::Environment& environment, const PlanRequest& request,
            const geo::LocalProjection& projection, const plane::PlaneBox& area, core::Metres cell,
            const std::stop_token& stop = {}, std::shared_ptr<const obstacles::BedCells> bed = nullptr);
@@ -45,17 +46,17 @@ class UnderIce {
   /// no ice was ever known.
   [[nodiscard]] core::Metres least_upper_turn(geo::PlanePoint point, core::Seconds time) const;
   [[nodiscard]] bool may_transit(geo::PlanePoint point, core::Seconds time) const;
-  /// Both questions at once.
+  /// The answers to both questions.
   struct Leave {
     bool to_surface{};
     bool to_transit{};
   };
-  /// Never more than the way in the plane to where the vehicle may surface, at whatever time; infinite where that is
-  /// nowhere.
+  /// A lower bound of the distance in the plane to any place where the vehicle may surface at any time; infinite where
+  /// there is no such place.
   [[nodiscard]] core::Metres least_way_to_opening(geo::PlanePoint point) const {
     return cover_.least_way_to_opening(point);
   }
-  /// The same for each point, to where it may surface at some time between these two.
+  /// The same bound for each point, to places where the vehicle may surface at some time from `from` to `until`.
   [[nodiscard]] std::vector<core::Metres> least_ways_to_opening(const std::vector<geo::PlanePoint>& points,
                                                                 core::Seconds from,
                                                                 core::Seconds until) const {
@@ -63,13 +64,13 @@ class UnderIce {
   }
   /// Whether there is ice anywhere, at any time, that the vehicle would have to pass below.
   [[nodiscard]] bool has_dense_ice() const { return cover_.has_dense_ice(); }
-  /// Never more than the way in the plane to ice that the vehicle would have to pass below, at whatever time.
+  /// A lower bound of the distance in the plane to any ice that the vehicle would have to pass below at any time.
   [[nodiscard]] core::Metres least_way_to_dense_ice(geo::PlanePoint point) const {
     return cover_.least_way_to_dense_ice(point);
   }
-  /// Of the data of the ice.
+  /// The last step of the ice data.
   [[nodiscard]] core::Seconds last_step() const { return cover_.last_step(); }
-  /// Whether there may be ice on a line that the vehicle would have to pass below.
+  /// Whether the straight line from a to b may cross ice that the vehicle would have to pass below.
   [[nodiscard]] bool may_be_dense_along(geo::PlanePoint a, geo::PlanePoint b) const {
     return cover_.has_dense_ice() && cover_.least_way_to_dense_ice(a).value <= geo::distance_m(a, b);
   }
@@ -83,26 +84,26 @@ class UnderIce {
   friend class IceWatch;
 
   [[nodiscard]] core::Metres turn_below(const IceAbove& ice) const;
-  /// Whether a turn at this depth leaves room for a dive; zero: nothing is in the way above.
+  /// Whether a dive has room below an upper turn at this depth; a turn of zero means that no ice is above.
   [[nodiscard]] bool has_room_below(core::Metres turn, geo::PlanePoint a, geo::PlanePoint b) const;
 
   UnderIceRules rules_;
   IceCovers cover_;
-  std::shared_ptr<const obstacles::BedCells> bed_;  // null: every depth will do
+  std::shared_ptr<const obstacles::BedCells> bed_;  // null: no depth is checked
   double needed_below_m_;                           // from the upper turn to the sea bed
   double dive_room_m_;                              // from the upper turn to the deepest point of the dives
   double dive_depth_m_;
   double step_m_;
 };
 
-/// Looks at what is above along a drive, one place after the other.
+/// Samples the ice along a drive, one place after the other.
 class IceWatch {
  public:
   /// `ice` is borrowed.
   IceWatch(const UnderIce& ice, geo::PlanePoint start, core::Seconds time)
       : ice_{ice}, last_{start}, last_turn_{ice.least_upper_turn(start, time)} {}
 
-  /// The next look: whether the vehicle may surface there, and whether there is room for it on the way to there.
+  /// The next sample: whether the vehicle may surface there, and whether it has room below the ice up to there.
   [[nodiscard]] UnderIce::Leave look(geo::PlanePoint point, core::Seconds time);
 
  private:
