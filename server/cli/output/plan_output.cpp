@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "api/codec/bytes/document_values.hpp"
+#include "api/fields/process_fields.hpp"
 #include "engine/core/violation_list.hpp"
 #include "engine/messages/sentence.hpp"
 #include "server/cli/program/command.hpp"
@@ -304,6 +305,21 @@ void print_everything(const json& plan) {
   print_departures(plan);
 }
 
+/// The flag of the field that a pointer into the inputs leads to: "--via/0" for "/via/0". The pointer itself where the
+/// field has no flag.
+std::string with_flag(const std::string& pointer) {
+  using fields::Process;
+  for (const Process process : {Process::plan_route, Process::evaluate_route, Process::reach}) {
+    for (const fields::Field& field : fields::fields_of(process)) {
+      const std::string known = fields::pointer_of(field);
+      if (field.flag.empty() || !pointer.starts_with(known)) continue;
+      const std::string rest = pointer.substr(known.size());
+      if (rest.empty() || rest.front() == '/') return "--" + std::string{field.flag} + rest;
+    }
+  }
+  return pointer;
+}
+
 }  // namespace
 
 std::function<PlanOutput()> add_plan_output(CLI::App& command) {
@@ -359,7 +375,9 @@ int print_violations(const core::Violations& violations, bool json_out) {
     }
     std::cout << json{{"status", "invalid"}, {"errors", errors}}.dump(2) << '\n';
   }
-  return complain(bad_data, violations);
+  core::Violations on_the_command_line = violations;
+  for (core::Violation& violation : on_the_command_line) violation.field = with_flag(violation.field);
+  return complain(bad_data, on_the_command_line);
 }
 
 }  // namespace floeplan::cli
