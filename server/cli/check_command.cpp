@@ -86,7 +86,7 @@ tl::expected<std::vector<mission::Document>, core::Violations> judged(const Chec
 
 int run_check(const CheckFlags& flags, const Program& program) {
   const auto documents = judged(flags, program);
-  if (!documents) return print_violations(documents.error(), flags.json_out);
+  if (!documents) return print_violations(documents.error(), flags.json_out, fields::Process::evaluate_route);
   bool rejected = false;
   json answers = json::array();
   for (std::size_t i = 0; i < documents->size(); ++i) {

@@ -27,13 +27,13 @@ int run_evaluate(const std::string& route, const InputFlags& flags, PlanOutput o
     inputs["plan_id"] = route;
   }
   const auto parsed = codec::parse_evaluate_inputs(inputs);
-  if (!parsed) return print_violations(parsed.error(), json_out);
+  if (!parsed) return print_violations(parsed.error(), json_out, fields::Process::evaluate_route);
 
   auto db = open_existing_store(program);
   if (parsed->plan_id && !repository::PlanRepository{db}.find({*parsed->plan_id}))
     return complain_of_no_plan(*parsed->plan_id);
   const auto document = jobs::evaluate_route_document(db, *parsed, {});
-  if (!document) return print_violations(document.error(), json_out);
+  if (!document) return print_violations(document.error(), json_out, fields::Process::evaluate_route);
   return print_plan(*document, output);
 }
 

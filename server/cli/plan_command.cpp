@@ -14,11 +14,11 @@ namespace {
 int run_plan(const InputFlags& flags, PlanOutput output, const Program& program) {
   const bool json_out = output == PlanOutput::json;
   const auto inputs = codec::parse_plan_inputs(flags.inputs());
-  if (!inputs) return print_violations(inputs.error(), json_out);
+  if (!inputs) return print_violations(inputs.error(), json_out, fields::Process::plan_route);
 
   auto db = open_existing_store(program);
   const auto document = jobs::plan_route_document(db, *inputs, {}, terminal_progress(), now());
-  if (!document) return print_violations(document.error(), json_out);
+  if (!document) return print_violations(document.error(), json_out, fields::Process::plan_route);
   return print_plan(*document, output);
 }
 

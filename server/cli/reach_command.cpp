@@ -30,11 +30,11 @@ void print_reach_table(const json& document) {
 
 int run_reach(const InputFlags& flags, bool json_out, const Program& program) {
   const auto inputs = codec::parse_reach_inputs(flags.inputs());
-  if (!inputs) return print_violations(inputs.error(), json_out);
+  if (!inputs) return print_violations(inputs.error(), json_out, fields::Process::reach);
 
   auto db = open_existing_store(program);
   const auto document = jobs::reach_document(db, *inputs, {}, terminal_progress());
-  if (!document) return print_violations(document.error(), json_out);
+  if (!document) return print_violations(document.error(), json_out, fields::Process::reach);
   if (document->at("status") != "ok")
     return print_plan(*document, json_out ? PlanOutput::json : PlanOutput::summary);
   if (json_out) {

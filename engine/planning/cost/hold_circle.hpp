@@ -41,7 +41,7 @@ class HoldCircle {
 };
 
 /// Of its speed through water: the strongest current in which a vehicle can hold.
-/// Source  design page planning.md, section 6: what is left of the speed brings it back to the centre
+/// A judgement: what is left of the speed brings it back to the centre.
 inline constexpr double hold_share = 0.8;
 
 }  // namespace floeplan::planning::cost

@@ -305,17 +305,14 @@ void print_everything(const json& plan) {
   print_departures(plan);
 }
 
-/// The flag of the field that a pointer into the inputs leads to: "--via/0" for "/via/0". The pointer itself where the
-/// field has no flag.
-std::string with_flag(const std::string& pointer) {
-  using fields::Process;
-  for (const Process process : {Process::plan_route, Process::evaluate_route, Process::reach}) {
-    for (const fields::Field& field : fields::fields_of(process)) {
-      const std::string known = fields::pointer_of(field);
-      if (field.flag.empty() || !pointer.starts_with(known)) continue;
-      const std::string rest = pointer.substr(known.size());
-      if (rest.empty() || rest.front() == '/') return "--" + std::string{field.flag} + rest;
-    }
+/// The flag of the process's field that a pointer into its inputs leads to: "--via/0" for "/via/0". The pointer itself
+/// where the field has no flag.
+std::string with_flag(const std::string& pointer, fields::Process process) {
+  for (const fields::Field& field : fields::fields_of(process)) {
+    const std::string known = fields::pointer_of(field);
+    if (field.flag.empty() || !pointer.starts_with(known)) continue;
+    const std::string rest = pointer.substr(known.size());
+    if (rest.empty() || rest.front() == '/') return "--" + std::string{field.flag} + rest;
   }
   return pointer;
 }
@@ -367,7 +364,8 @@ void print_by_rank(const json& sentences) {
                 messages::without_mark(sentence).c_str());
 }
 
-int print_violations(const core::Violations& violations, bool json_out) {
+int print_violations(const core::Violations& violations, bool json_out,
+                     std::optional<fields::Process> flags_of) {
   if (json_out) {
     json errors = json::array();
     for (const core::Violation& violation : core::shortened(violations)) {
@@ -375,9 +373,10 @@ int print_violations(const core::Violations& violations, bool json_out) {
     }
     std::cout << json{{"status", "invalid"}, {"errors", errors}}.dump(2) << '\n';
   }
-  core::Violations on_the_command_line = violations;
-  for (core::Violation& violation : on_the_command_line) violation.field = with_flag(violation.field);
-  return complain(bad_data, on_the_command_line);
+  core::Violations named = violations;
+  if (flags_of)
+    for (core::Violation& violation : named) violation.field = with_flag(violation.field, *flags_of);
+  return complain(bad_data, named);
 }
 
 }  // namespace floeplan::cli

@@ -3,8 +3,10 @@
 #include <CLI/CLI.hpp>
 #include <functional>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 
+#include "api/fields/process_fields.hpp"
 #include "engine/core/violation.hpp"
 
 namespace floeplan::cli {
@@ -26,6 +28,8 @@ int print_plan(const nlohmann::json& document, PlanOutput output);
 void print_by_rank(const nlohmann::json& sentences);
 
 /// Names every violation on stderr, and for scripts on stdout too. Returns the exit code.
-int print_violations(const core::Violations& violations, bool json_out);
+/// `flags_of`: the process whose fields are the command's flags, by which the violations are named on stderr
+int print_violations(const core::Violations& violations, bool json_out,
+                     std::optional<fields::Process> flags_of = std::nullopt);
 
 }  // namespace floeplan::cli
