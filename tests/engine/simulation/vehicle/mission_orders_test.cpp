@@ -41,10 +41,10 @@ TEST(MissionOrders, AreThoseOfTheExportedFiles) {
   ASSERT_THAT(orders->lists, SizeIs(1));
   EXPECT_THAT(orders->lists.front().waypoints, SizeIs(2));
   EXPECT_EQ(orders->lists.front().rows.legs, -2);
-  EXPECT_EQ(orders->yo.dive.depth, core::Metres{196.0});
+  EXPECT_EQ(orders->yo.dive.depth, core::Metres{181.0});
   EXPECT_NEAR(orders->yo.dive.pitch_rad, -0.4538, 1e-9);
   EXPECT_NEAR(orders->yo.climb.buoyancy_m3, 230e-6, 1e-12);
-  EXPECT_THAT(orders->surfaces, SizeIs(4));
+  EXPECT_THAT(orders->surfaces, SizeIs(5));
   EXPECT_TRUE(orders->surfaces[1].ends_mission);
   EXPECT_EQ(orders->overdepth, core::Metres{200.0});
   ASSERT_EQ(orders->notes.size(), 1U);
