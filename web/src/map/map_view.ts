@@ -66,6 +66,7 @@ export function createMap(target: HTMLElement, probe: (place: Position) => void)
   const areas = areaLayer();
   const vehicles = vehicleLayer();
   const flown = flownVehicleLayer();
+  const waypoints = waypointLayer();
   const map = new Map({
     target,
     controls: [],
@@ -78,7 +79,7 @@ export function createMap(target: HTMLElement, probe: (place: Position) => void)
     layers: Object.entries({
       bathymetry: bathymetryLayer(), seaIce: seaIceLayer(), currents: currentsLayer(), coast: coastLayer(), graticule: graticuleLayer(), coverage: coverageLayer(),
       reach: reachLayer(), areas: areas.layer, keepOut: keepOutLayer(), drift: driftLayer(), ghosts: ghostLayer(), tracks: trackLayer(),
-      plans: planLayer(), flight: flightLayer(), icebergs: bergs, surfacings: surfacingLayer(), waypoints: waypointLayer(), trackedGliders: trackedGliderLayer(),
+      plans: planLayer(), flight: flightLayer(), icebergs: bergs, surfacings: surfacingLayer(), waypoints, trackedGliders: trackedGliderLayer(),
       vehicles, flown, edit: route.layer, markers: markerLayer(),
     }).map(([name, layer]) => {
       layer.set('name', name);
@@ -90,7 +91,7 @@ export function createMap(target: HTMLElement, probe: (place: Position) => void)
   map.on('moveend', () => publishView(map, target));
   map.on('change:size', () => publishView(map, target));
   followPointer(map, target, bergs, probe);
-  publishState(map, target, [vehicles, flown]);
+  publishState(map, target, [vehicles, flown], waypoints);
 }
 
 /** Whether the arrow keys move a waypoint rather than the map. */
@@ -303,7 +304,7 @@ function use(map: Map, event: MapBrowserEvent, place: Position, probe: (place: P
 }
 
 /** Counts, motion and readiness as attributes of the map's element, for tests and for the curious. */
-function publishState(map: Map, target: HTMLElement, vehicles: VectorLayer<VectorSource>[]): void {
+function publishState(map: Map, target: HTMLElement, vehicles: VectorLayer<VectorSource>[], waypoints: VectorLayer<VectorSource>): void {
   const inDrawingOrder = map.getAllLayers().sort((a, b) => (a.getZIndex() ?? 0) - (b.getZIndex() ?? 0));
   target.dataset['layers'] = inDrawingOrder.map((layer) => layer.get('name') as string).join(' ');
   effect(() => {
@@ -325,6 +326,7 @@ function publishState(map: Map, target: HTMLElement, vehicles: VectorLayer<Vecto
   });
   const settle = (): void => {
     target.dataset['ready'] = String(opened.value && !isLoading.value);
+    target.dataset['waypoints'] = (waypoints.getSource()?.getFeatures() ?? []).map((waypoint) => waypoint.get('name') as string).join(' ');
     const drawn = vehicles.flatMap((layer) => layer.getSource()?.getFeatures() ?? []);
     target.dataset['vehicles'] = drawn.map((vehicle) => vehicle.getGeometry()?.getExtent().slice(0, 2).map(Math.round).join(',')).join(' ');
   };

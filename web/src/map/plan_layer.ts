@@ -87,6 +87,7 @@ export function waypointLayer(): VectorLayer<VectorSource> {
       const feature = new Feature(new Point(label.at));
       feature.set('waypoint', waypoint.index);
       feature.set('planId', plan_id);
+      feature.set('name', label.text);
       feature.setStyle((_, resolution) => (withRoom(resolution).has(label) ? [...marks, name] : marks));
       source.addFeature(feature);
     });
