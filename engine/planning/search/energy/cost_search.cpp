@@ -104,6 +104,7 @@ class KnownLimit {
   KnownLimit(const cost::Sea& sea, const OpenGrid& open, const PlanRequest& request,
              const Beginning& beginning, CostGuide& guide, const std::stop_token& stop) {
     constexpr double rounding = 1e-9;  // of sums of costs
+    if (!guide.foresight().is_useful() && !sea.has_timed_closures()) return;
     PlanRequest by_time = request;
     by_time.method = Method::astar;
     const core::Seconds depart = beginning.depart;
@@ -112,15 +113,17 @@ class KnownLimit {
         &guide.foresight());
     if (stop.stop_requested()) return;
     double cost = least_cost_along(sea, open, fastest_->path, request.objective(), beginning);
-    is_hopeless_ = fastest_->path.empty();
-    if (is_hopeless_ && sea.drives().size() > 1) {
+    bool has_way = !fastest_->path.empty();
+    if (!has_way && sea.drives().size() > 1) {
       // A bound on the time without surfacing, or the current, may leave a way to the faster drive alone.
       const RouteSearch faster = search_route(
           sea.driven_by(sea.drives().back()), open, by_time, depart, stop, [](double) {},
           core::Seconds{INFINITY}, beginning.since_surfacing, &guide.foresight());
       cost = least_cost_along(sea, open, faster.path, request.objective(), beginning);
-      is_hopeless_ = faster.path.empty();
+      has_way = !faster.path.empty();
     }
+    // Where the time without surfacing is bounded a search may have come to its bound on memory.
+    is_hopeless_ = !has_way && !sea.overhead().bounds_surfacing();
     if (is_hopeless_ || !guide.foresight().is_useful()) return;
     if (!std::isfinite(cost) || stop.stop_requested()) return;
     last_ = depart + core::Seconds{cost / CostVoyage::least_rate(sea, request.objective())};

@@ -27,8 +27,9 @@ inline constexpr std::int64_t leg_times_of_a_look = 6;
 /// An arrival that is later than the earliest by so much will do.
 [[nodiscard]] core::Seconds slack_of_holds(const cost::Sea& sea, const OpenGrid& open);
 
-/// Of memory: some 300 MB.
-inline constexpr graph::IntervalLimits limits_of_a_hold_search{.most_entries = 3'000'000};
+/// Some 300 MB, and in strong tides some fifteen seconds.
+inline constexpr graph::IntervalLimits limits_of_a_hold_search{.most_entries = 3'000'000,
+                                                               .most_looks = 2'000'000};
 
 /// Searches a grid for the earliest arrival at its goal, no later than `latest`, of a vehicle that may hold for as
 /// long as it must. A way that needs a longer hold at one place than the request allows counts as none. Shorter holds
