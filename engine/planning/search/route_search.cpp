@@ -243,6 +243,7 @@ RouteSearch search_unbounded(const cost::Sea& sea, const OpenGrid& open, const P
         return result;
       RouteSearch moving = search_unbounded(sea.without_holds(), open, request, depart, stop, report_fraction,
                                             latest, kept_foresight);
+      moving.statistics.holds_may_help = false;  // they did not
       add_work(moving.statistics, result.statistics);
       moving.statistics.cut_short = moving.statistics.cut_short || result.statistics.cut_short;
       return moving;
@@ -254,7 +255,9 @@ RouteSearch search_unbounded(const cost::Sea& sea, const OpenGrid& open, const P
     tree = search(GridTravelTime{sea, grid, &refused}, true);
     adopt(tree);
   }
-  result.statistics.holds_may_help = is_hindered || may_open_in_time(refused, straight, result.arrival);
+  const bool anything_opens = sea.has_timed_closures() || (sea.currents() && sea.currents()->time_step());
+  result.statistics.holds_may_help = anything_opens && sea.holding().longest.count() == 0.0 &&
+                                     (is_hindered || may_open_in_time(refused, straight, result.arrival));
   if (result.path.empty() && !result.cancelled) describe_end(result, sea, grid, graph, tree);
   return result;
 }
