@@ -66,8 +66,9 @@ struct Visit {
 struct IntervalSearch {
   std::vector<Visit> way;  // from the source to the goal; empty: none
   SearchCounters counters;
-  bool stopped{false};  // the caller asked for it: what is here is not complete
-  bool full{false};     // a bound on memory or work was met: an earlier way may exist
+  bool stopped{false};     // the caller asked for it: what is here is not complete
+  bool full{false};        // a bound on memory or work was met: an earlier way may exist
+  double none_before_s{};  // then: no way arrives earlier
 
   [[nodiscard]] double arrival_s() const { return way.empty() ? SearchTree::never : way.back().arrive_s; }
 };
@@ -102,6 +103,7 @@ class IntervalSearcher {
       if (queue_.size() + arrivals_.size() + stands_.size() > limits_.most_entries ||
           search_.counters.edge_evaluations > limits_.most_looks) {
         search_.full = true;
+        search_.none_before_s = queue_.top().key_s;
         break;
       }
       const Entry entry = queue_.top();

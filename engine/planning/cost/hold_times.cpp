@@ -172,12 +172,6 @@ bool holds_may_help(const Sea& sea) {
   return sea.holding().longest.count() > 0.0 && (sea.has_timed_closures() || currents_change);
 }
 
-core::Seconds open_from(const Sea& sea, geo::PlanePoint place, core::Seconds when) {
-  for (const TimeSpan& closed : sea.closed_times(place))
-    if (closed.from <= when && when < closed.until) when = closed.until;
-  return when;
-}
-
 core::Seconds can_stay_until(const Sea& sea, geo::PlanePoint place, core::Seconds from, core::Seconds until) {
   const HoldCircle circle{sea, place};
   for (const TimeSpan& closed : circle.closed_times()) {

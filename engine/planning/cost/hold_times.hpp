@@ -24,9 +24,6 @@ struct WaitedLeg {
 /// currents are in its way for a while only.
 [[nodiscard]] bool holds_may_help(const Sea& sea);
 
-/// From when on nothing that closes for a while is over a place, for who is there at `when`; infinite: never again.
-[[nodiscard]] core::Seconds open_from(const Sea& sea, geo::PlanePoint place, core::Seconds when);
-
 /// Until when the vehicle can hold at a place where it is at `from`, no later than `until`: as long as it can keep to
 /// its circle (hold_circle.hpp) and nothing that closes for a while touches that.
 /// Accuracy  room below the ice is looked at every quarter of an hour; the current and what closes the place are exact

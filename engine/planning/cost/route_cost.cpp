@@ -135,12 +135,6 @@ tl::expected<Schedule, RouteClosed> schedule_along(const Sea& sea, const std::ve
   return *std::move(waited);
 }
 
-std::optional<RouteClosed> closed_at_once(const Sea& sea, const std::vector<geo::PlanePoint>& route,
-                                          core::Seconds depart) {
-  const auto schedule = without_waits(sea, route, depart, core::Seconds{0.0});
-  return schedule ? std::nullopt : std::optional{schedule.error()};
-}
-
 std::optional<core::Seconds> since_surfacing_at_end(const Sea& sea, const std::vector<geo::PlanePoint>& route,
                                                     core::Seconds depart, core::Seconds since_surfacing,
                                                     core::Seconds latest) {

@@ -16,11 +16,6 @@ namespace floeplan::planning::cost {
     const Sea& sea, const std::vector<geo::PlanePoint>& route, core::Seconds depart,
     core::Seconds since_surfacing = core::Seconds{0.0});
 
-/// Where and when a vehicle that never waits is stopped on the route; empty: nowhere.
-[[nodiscard]] std::optional<RouteClosed> closed_at_once(const Sea& sea,
-                                                        const std::vector<geo::PlanePoint>& route,
-                                                        core::Seconds depart);
-
 /// Its arrivals alone.
 [[nodiscard]] tl::expected<std::vector<core::Seconds>, RouteClosed> arrivals_along(
     const Sea& sea, const std::vector<geo::PlanePoint>& route, core::Seconds depart,

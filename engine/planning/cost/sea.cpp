@@ -29,12 +29,13 @@ double steepest_scale(const std::vector<double>& scales, const plane::PlaneBox& 
   return std::hypot(along_x * scale_cells / area.width_m(), along_y * scale_cells / area.height_m());
 }
 
-/// `scale`: metres of the plane for one on the ground.
-Sea::Holding holding_of(const PlanRequest& request, double scale, const currents::PlaneCurrents* currents) {
+/// `fastest`: on any drive; the error of dead reckoning grows with it. `scale`: metres of the plane for one on the ground.
+Sea::Holding holding_of(const PlanRequest& request, core::MetresPerSecond fastest, double scale,
+                        const currents::PlaneCurrents* currents) {
   Sea::Holding holding{.longest = request.holds.longest, .radius = scale * request.holds.radius};
   const UnderIceRules& ice = request.under_ice;
   if (const auto longest = ice.max_time_without_surfacing) {
-    const core::Metres error = grown_error(ice, request.vehicle.speed_through_water, *longest);
+    const core::Metres error = grown_error(ice, fastest, *longest);
     holding.radius_below_ice = holding.radius + scale * error;
   }
   if (holding.longest.count() > 0.0 && currents != nullptr)
@@ -86,7 +87,7 @@ Sea::Sea(const ocean::Environment& environment, const PlanRequest& request, obst
   const core::MetresPerSecond astern{currents_ ? currents_->strongest().value : 0.0};
   // A hair below the bound, because integrated times carry the tolerance as an error.
   least_slowness_s_m_ = (1.0 - request.edge_tolerance) / (fastest_through_water_ + astern).value;
-  holding_ = holding_of(request, largest_scale_, currents_.get());
+  holding_ = holding_of(request, fastest_through_water_, largest_scale_, currents_.get());
 }
 
 std::size_t Sea::bytes() const {

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "engine/messages/plan_messages.hpp"
-#include "engine/planning/cost/hold_times.hpp"
 #include "engine/planning/cost/route.hpp"
 #include "engine/planning/cost/route_cost.hpp"
 #include "engine/planning/publish/improvement.hpp"
@@ -90,7 +89,7 @@ bool is_as_early_as_any(const search::Chart& chart, core::Seconds travel_time) {
   for (std::size_t i = 1; i < chart.layout.points.size(); ++i) {
     const core::Seconds there =
         earliest + chart.sea.least_time(chart.layout.points[i - 1], chart.layout.points[i]);
-    earliest = cost::open_from(chart.sea, chart.layout.points[i], there);
+    earliest = open_from(chart.sea.closed_times(chart.layout.points[i]), there);
     opens_later = earliest > there;
   }
   return opens_later && travel_time <= earliest - cost::at_departure + slack;

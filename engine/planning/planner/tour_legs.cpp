@@ -115,7 +115,7 @@ std::optional<core::Seconds> TourLegs::time_under_way(std::size_t from, std::siz
 std::optional<core::Seconds> TourLegs::time(std::size_t from, std::size_t to, core::Seconds depart) {
   const auto under_way = time_under_way(from, to, depart);
   if (!under_way) return std::nullopt;
-  return when_open(to, depart + *under_way) - depart;
+  return open_from(closed_[to], depart + *under_way) - depart;
 }
 
 std::optional<core::Seconds> TourLegs::time_past_closures(std::size_t from, std::size_t to,
@@ -123,7 +123,7 @@ std::optional<core::Seconds> TourLegs::time_past_closures(std::size_t from, std:
   const auto under_way = time_under_way(from, to, depart);
   if (!under_way) return std::nullopt;
   const core::Seconds arrival = depart + *under_way;
-  const core::Seconds opens = when_open(to, arrival);
+  const core::Seconds opens = open_from(closed_[to], arrival);
   const bool may_hold = sea_.holding().longest.count() > 0.0;
   if (!may_hold && opens > arrival) return std::nullopt;
   // Ways that keep a bound on the time without surfacing are searched with what closes and opens.
@@ -162,12 +162,6 @@ std::optional<core::Seconds> TourLegs::arrival_past_closures(Pair pair, core::Se
     if (stays_open) return opens;
   }
   return std::nullopt;
-}
-
-core::Seconds TourLegs::when_open(std::size_t place, core::Seconds arrival) const {
-  for (const TimeSpan& closed : closed_[place])
-    if (closed.from <= arrival && arrival < closed.until) arrival = closed.until;
-  return arrival;
 }
 
 }  // namespace floeplan::planning::planner

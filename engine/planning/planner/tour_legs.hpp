@@ -64,9 +64,6 @@ class TourLegs {
                                                                    core::Seconds at_once,
                                                                    core::Seconds opens);
 
-  /// Infinite where the place stays closed.
-  [[nodiscard]] core::Seconds when_open(std::size_t place, core::Seconds arrival) const;
-
   const cost::Sea& sea_;
   const cost::Layout& layout_;
   PlanRequest request_;

@@ -17,4 +17,10 @@ std::vector<TimeSpan> joined(std::vector<TimeSpan> spans) {
   return result;
 }
 
+core::Seconds open_from(const std::vector<TimeSpan>& closed, core::Seconds when) {
+  for (const TimeSpan& span : closed)
+    if (span.from <= when && when < span.until) when = span.until;
+  return when;
+}
+
 }  // namespace floeplan::planning

@@ -139,11 +139,13 @@ bool look_for_holds(RouteSearch& result, const cost::Sea& sea, const OpenGrid& o
       result.path = std::move(held.path);
       result.arrival = held.arrival;
     }
+    if (held.full && std::isfinite(result.arrival.count()))
+      result.statistics.possible_gain = std::max(core::Seconds{0.0}, result.arrival - held.none_before);
   };
   const core::Seconds unhindered{at_once.tree.arrival_s(open.grid.goal)};
   if (std::isfinite(unhindered.count())) {
     // Nobody is at the goal before.
-    const core::Seconds opens = cost::open_from(sea, open.grid.point(open.grid.goal), unhindered);
+    const core::Seconds opens = open_from(sea.closed_times(open.grid.point(open.grid.goal)), unhindered);
     const auto is_best = [&] { return result.arrival <= opens + slack_of_holds(sea, open); };
     if (is_best()) return true;
     take(search_later_departure(sea, open, depart, opens, stop));

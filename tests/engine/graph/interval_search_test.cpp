@@ -277,6 +277,7 @@ TEST(AmongIntervals, ASearchEndsWhenItIsStoppedOrMeetsABound) {
   for (const IntervalSearch& full : {of_memory, of_work}) {
     EXPECT_TRUE(full.full);
     EXPECT_TRUE(full.way.empty());
+    EXPECT_LE(full.none_before_s, Gate::opens_s + Gate::time_s);
   }
 }
 

@@ -27,8 +27,6 @@ class ArrivalLadder {
 
   /// Whether some way may be at the goal by the last arrival.
   [[nodiscard]] bool has_hope() const { return has_hope_; }
-  /// No way is at the goal before.
-  [[nodiscard]] core::Seconds least_arrival() const { return core::Seconds{base_s_}; }
   /// The earliest arrival at the goal for who is at the vertex then; infinite when it is after the last.
   [[nodiscard]] double earliest_s(graph::Vertex v, double t_s) const;
   /// Until when the vertex is of use; minus infinity: never.

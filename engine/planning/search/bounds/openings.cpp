@@ -25,14 +25,13 @@ Openings::Openings(const cost::Sea& sea, const OpenGrid& grid, core::Seconds lat
     const core::Seconds of_use{ladder != nullptr ? ladder->latest_use_s(v)
                                                  : std::numeric_limits<double>::infinity()};
     if (of_use.count() == -std::numeric_limits<double>::infinity()) continue;
-    std::vector<TimeSpan> spans =
+    const std::vector<TimeSpan> spans =
         closures != nullptr ? closures->at(v) : sea.closed_times(grid.grid.point(v));
     for (const TimeSpan& closed : spans) {
       if (closed.until > std::min(latest, of_use) || !std::isfinite(closed.until.count())) continue;
       any = true;
       windows[v].include({closed.from.count() - before_s, closed.until.count()});
     }
-    if (!spans.empty()) closed_.emplace(v, std::move(spans));
   }
   if (!any) return;
   windows_ = std::move(windows);

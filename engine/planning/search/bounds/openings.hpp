@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 #include <stop_token>
-#include <unordered_map>
 #include <vector>
 
 #include "engine/planning/cost/sea.hpp"
@@ -28,13 +27,6 @@ class Openings {
   Openings(const cost::Sea& sea, const OpenGrid& grid, core::Seconds latest, const std::stop_token& stop,
            VertexClosures* closures = nullptr, const ArrivalLadder* ladder = nullptr);
 
-  /// Whether there are none at all.
-  [[nodiscard]] bool empty() const { return windows_.empty(); }
-  /// When the vertex is closed: ascending, apart from each other.
-  [[nodiscard]] const std::vector<TimeSpan>& closed(graph::Vertex v) const {
-    const auto found = closed_.find(v);
-    return found == closed_.end() ? never_ : found->second;
-  }
   [[nodiscard]] bool matter(graph::Vertex v, double arrival_s) const {
     return matter(v, arrival_s, arrival_s);
   }
@@ -56,8 +48,6 @@ class Openings {
   void widen(int nx, int ny);
 
   std::vector<Window> windows_;  // of each vertex; none at all when nothing opens
-  std::unordered_map<graph::Vertex, std::vector<TimeSpan>> closed_;  // of the vertices that ever are
-  std::vector<TimeSpan> never_;
 };
 
 }  // namespace floeplan::planning::search

@@ -40,6 +40,7 @@ HeldWay search_held_way(const cost::Sea& sea, const OpenGrid& open, core::Second
   held.leg_times = leg_times_of_a_look * search.counters.edge_evaluations;
   held.cancelled = search.stopped || stop.stop_requested();
   held.full = search.full;
+  held.none_before = core::Seconds{search.none_before_s};
   if (held.cancelled || search.way.empty()) return held;
   for (const graph::Visit& visit : search.way) held.path.push_back(open.grid.point(visit.vertex));
   const auto schedule = cost::held_schedule(sea, held.path, depart);

@@ -18,7 +18,8 @@ struct HeldWay {
   graph::SearchCounters counters;
   std::int64_t leg_times{};  // that were worked out, about
   bool cancelled{false};
-  bool full{false};  // a bound on memory or work was met: an earlier way may exist
+  bool full{false};             // a bound on memory or work was met: an earlier way may exist
+  core::Seconds none_before{};  // then: no way arrives earlier
 };
 
 /// Leg times for one look for an open departure, on the average; measured in a tidal strait.
