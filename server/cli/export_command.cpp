@@ -112,9 +112,9 @@ std::string check_glider(const std::string& name) {
 }
 
 /// Nothing is written of a plan whose dangers nobody has confirmed.
-int refuse(const routes::PlanCheck& check, bool json_out) {
+int refuse(const std::vector<messages::Message>& to_confirm, bool json_out) {
   std::vector<std::string> dangers;
-  std::ranges::transform(check.dangers, std::back_inserter(dangers), messages::whole_text);
+  std::ranges::transform(to_confirm, std::back_inserter(dangers), messages::whole_text);
   if (json_out) std::cout << json{{"status", "dangerous"}, {"dangers", dangers}}.dump(2) << '\n';
   for (const std::string& danger : dangers) complain(could_not, danger);
   return complain(could_not,
@@ -131,7 +131,8 @@ int run_export(const ExportFlags& flags, const Program& program) {
   std::vector<messages::Message> told = routes::all_of(check);
   auto files = files_of(db, *record, flags, told);
   if (!files) return print_violations(files.error(), flags.json_out);
-  if (!check.dangers.empty() && !flags.accept_dangers) return refuse(check, flags.json_out);
+  const std::vector<messages::Message> dangers = check.to_confirm();
+  if (!dangers.empty() && !flags.accept_dangers) return refuse(dangers, flags.json_out);
   std::ranges::move(files->messages, std::back_inserter(told));
   const std::vector<OutputFile> output = laid_out(*files, *record, flags);
   if (const auto there = first_existing(flags.out, output); there && !flags.force) {

@@ -29,10 +29,16 @@ std::string in_one_line(const core::Violations& violations) {
   return text;
 }
 
-tl::expected<std::string, std::string> result(const char* output,
-                                              const tl::expected<json, core::Violations>& document) {
+/// A list of jobs must not call it done where the answer is that there is no route.
+std::string why_no_route(const json& document) {
+  const bool infeasible = document.contains("explanation") && document.value("status", "") == "infeasible";
+  return infeasible ? "no route: " + document.at("explanation").get<std::string>() : "";
+}
+
+tl::expected<ProcessResult, std::string> result(const char* output,
+                                                const tl::expected<json, core::Violations>& document) {
   if (!document) return tl::unexpected(in_one_line(document.error()));
-  return json{{output, *document}}.dump();
+  return ProcessResult{json{{output, *document}}.dump(), why_no_route(*document)};
 }
 
 /// Counts what the job stored for its owner; documents without an id say that nothing was.
@@ -54,11 +60,11 @@ tl::expected<json, core::Violations> compare_flight_document(const codec::Compar
 
 }  // namespace
 
-tl::expected<std::string, std::string> run_process(sql::Connection& db, const repository::JobRecord& job,
-                                                   const IngestPlace& place, std::size_t workers,
-                                                   KeptWork& kept, const std::stop_token& stop,
-                                                   const core::ProgressCallback& progress,
-                                                   core::UtcTime now) {
+tl::expected<ProcessResult, std::string> run_process(sql::Connection& db, const repository::JobRecord& job,
+                                                     const IngestPlace& place, std::size_t workers,
+                                                     KeptWork& kept, const std::stop_token& stop,
+                                                     const core::ProgressCallback& progress,
+                                                     core::UtcTime now) {
   const json request = json::parse(job.request_json);
   if (job.process == "plan-route") {
     const auto inputs = codec::parse_plan_inputs(request);
@@ -82,7 +88,7 @@ tl::expected<std::string, std::string> run_process(sql::Connection& db, const re
     if (!inputs) return tl::unexpected(in_one_line(inputs.error()));
     const auto report = ingest_document(db, *inputs, place, job.owner, job.attempts > 1, stop, progress, now);
     if (!report) return tl::unexpected(report.error());
-    return json{{"report", *report}}.dump(-1, ' ', false, json::error_handler_t::replace);
+    return ProcessResult{json{{"report", *report}}.dump(-1, ' ', false, json::error_handler_t::replace)};
   }
   if (job.process == "simulate-plan") {
     const auto inputs = codec::parse_simulate_inputs(request);
@@ -104,7 +110,7 @@ tl::expected<std::string, std::string> run_process(sql::Connection& db, const re
   if (job.process == "echo") {
     const auto inputs = codec::parse_echo_inputs(request);
     if (!inputs) return tl::unexpected(in_one_line(inputs.error()));
-    return echo_results(*inputs, stop, progress).dump();
+    return ProcessResult{echo_results(*inputs, stop, progress).dump()};
   }
   return tl::unexpected("this version knows no process " + job.process);
 }

@@ -14,11 +14,17 @@
 
 namespace floeplan::jobs {
 
+/// What a job gave.
+struct ProcessResult {
+  std::string json;       // the results document
+  std::string message{};  // why it holds no route; empty: it holds what was asked for
+};
+
 /// Does the work of a job. A batch of flights is flown with so many `workers` at once.
 /// `kept`   of the store that `db` is connected to
-/// Returns  the results document as JSON text; of no use when `stop` was requested meanwhile
+/// Returns  of no use when `stop` was requested meanwhile
 /// Errors   why it could not be done, for a person; std::exception when the machine or the stored data fail
-[[nodiscard]] tl::expected<std::string, std::string> run_process(
+[[nodiscard]] tl::expected<ProcessResult, std::string> run_process(
     sql::Connection& db, const repository::JobRecord& job, const IngestPlace& place, std::size_t workers,
     KeptWork& kept, const std::stop_token& stop, const core::ProgressCallback& progress, core::UtcTime now);
 

@@ -148,7 +148,7 @@ void WorkerPool::run(sql::Connection& db, const JobRecord& job, const std::strin
   log::info(
       {"job=", job.id.value, " process=", job.process, " attempt=", std::to_string(job.attempts), " begins"});
 
-  tl::expected<std::string, std::string> result;
+  tl::expected<ProcessResult, std::string> result;
   bool put_off = false;
   try {
     result = run_process(
@@ -174,7 +174,7 @@ void WorkerPool::run(sql::Connection& db, const JobRecord& job, const std::strin
     } else if (stopped || put_off) {
       jobs.hand_back(worker, now());  // does nothing for a job that was dismissed
     } else if (result) {
-      jobs.succeed(job.id, worker, *result, now());
+      jobs.succeed(job.id, worker, result->json, now(), result->message);
     } else {
       jobs.fail(job.id, worker, result.error(), now());
     }

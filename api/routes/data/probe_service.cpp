@@ -50,6 +50,14 @@ Source choose(const std::vector<Dataset>& datasets, DatasetKind kind, const std:
   return source;
 }
 
+/// The time at which ice data tell of a time: beyond their period their ends are held, as plans hold them.
+std::optional<core::UtcTime> told_of(const Dataset& ice, core::UtcTime time) {
+  if (covers_time(ice, time)) return time;
+  const core::UtcTime end = ice.time_end && time > *ice.time_end ? *ice.time_end : *ice.time_start;
+  const core::Seconds away = time > end ? time - end : end - time;
+  return away <= ocean::longest_ice_hold ? std::optional{end} : std::nullopt;
+}
+
 /// As `choose`, but of those that cover place and time the first of which the steps tell most of it, as plans ask them:
 /// what lies in a long gap of one may be in another.
 Source choose_ice(sql::Connection& db, const std::vector<Dataset>& datasets,
@@ -59,7 +67,7 @@ Source choose_ice(sql::Connection& db, const std::vector<Dataset>& datasets,
   auto most = ocean::IceStanding::not_begun;
   for (const Dataset& dataset : datasets) {
     if (dataset.kind != DatasetKind::ice || !geo::contains(dataset.bounds, query.place)) continue;
-    if (!covers_time(dataset, query.time)) continue;
+    if (!told_of(dataset, query.time)) continue;
     const auto shape = repository::FieldRepository{db}.shape(dataset.id);
     if (!shape || !shape->times_s) continue;
     const auto standing = ocean::ice_moment(shape->times_s->nodes(), core::unix_seconds(query.time)).standing;
@@ -118,14 +126,15 @@ void read_ice(sql::Connection& db, const Source& source, codec::Probe& probe) {
   ice.dataset_id = dataset.id.value;
   ice.dataset_name = dataset.name;
   ice.run = dataset.run;
-  if (!covers_time(dataset, probe.time)) {
+  const auto time = told_of(dataset, probe.time);
+  if (!time) {
     ice.reason = outside_period(dataset);
     return;
   }
-  read_steps(db, dataset, probe.time, ice);
+  read_steps(db, dataset, *time, ice);
   const auto field = repository::FieldRepository{db}.load_ice(dataset.id, box_at(probe.place),
-                                                              repository::Period{probe.time, probe.time});
-  if (field) ice.state = field->at(probe.place, probe.time);
+                                                              repository::Period{*time, *time});
+  if (field) ice.state = field->at(probe.place, *time);
   if (!ice.state) ice.reason = "no value here: land, a gap of the data, or beyond their area";
 }
 

@@ -1,7 +1,7 @@
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 
+#include "api/codec/features/polygon_rings.hpp"
 #include "api/routes/request/parameters.hpp"
 #include "api/routes/request/reply.hpp"
 #include "api/routes/request/resources.hpp"
@@ -16,24 +16,7 @@ using nlohmann::json;
 /// More than this and the map asks for less than it shows; the largest islands are kept.
 constexpr std::size_t max_vertices = 400'000;
 
-double rounded_degrees(double degrees) { return std::round(degrees * 1e4) / 1e4; }
-
-/// The ring as GeoJSON: closed, and running on past 180 degrees where it crosses the antimeridian.
-json ring_json(const geo::Ring& ring) {
-  json result = json::array();
-  double lon_deg = ring.front().lon_deg;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    if (i > 0) lon_deg += geo::longitude_difference(ring[i - 1].lon_deg, ring[i].lon_deg);
-    json position = json::array({rounded_degrees(lon_deg), rounded_degrees(ring[i].lat_deg)});
-    if (result.empty() || result.back() != position) result.push_back(std::move(position));
-  }
-  result.push_back(result.front());
-  return result;
-}
-
-json polygon_json(const geo::Polygon& polygon) {
-  json rings = json::array({ring_json(polygon.outer)});
-  for (const auto& hole : polygon.holes) rings.push_back(ring_json(hole));
+json polygon_json(json rings) {
   return {{"type", "Feature"},
           {"properties", json::object()},
           {"geometry", {{"type", "Polygon"}, {"coordinates", std::move(rings)}}}};
@@ -65,7 +48,8 @@ Response show_coast(const Context& context, const Request& request, const PathPa
     vertices += polygon.outer.size();
     complete = features.empty() || vertices <= max_vertices;
     if (!complete) break;
-    features.push_back(polygon_json(polygon));
+    json rings = codec::polygon_rings(polygon, {});
+    if (!rings.empty()) features.push_back(polygon_json(std::move(rings)));
   }
   Response response = geojson_reply(
       {{"type", "FeatureCollection"}, {"complete", complete}, {"features", std::move(features)}});

@@ -33,10 +33,9 @@ void add_warnings(Response& response, const std::vector<messages::Message>& told
     response.headers.emplace_back("Floeplan-Warning", mission::comment_text(warning, longest_header));
 }
 
-Response refuse_dangerous(const Request& request, const PlanCheck& check) {
+Response refuse_dangerous(const Request& request, const std::vector<messages::Message>& dangers) {
   core::Violations found;
-  for (const messages::Message& danger : check.dangers)
-    found.push_back({"/plan", messages::whole_text(danger)});
+  for (const messages::Message& danger : dangers) found.push_back({"/plan", messages::whole_text(danger)});
   return problem_reply(request, problems::problem<"dangerous-plan">().with(std::move(found)));
 }
 
@@ -52,7 +51,8 @@ Response with_plan(const Context& context, const Request& request, const PathPar
   if (!reader.violations().empty()) return invalid(request, reader.violations());
 
   const PlanCheck check = check_plan(context.db, *plan);
-  if (!check.dangers.empty() && !accept_dangers) return refuse_dangerous(request, check);
+  const std::vector<messages::Message> dangers = check.to_confirm();
+  if (!dangers.empty() && !accept_dangers) return refuse_dangerous(request, dangers);
   const std::vector<messages::Message> told = all_of(check);
   Response response = answer(*plan, told);
   add_warnings(response, told);

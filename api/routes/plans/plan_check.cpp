@@ -127,22 +127,34 @@ PlanCheck in_newest_data(sql::Connection& db, const repository::PlanRecord& reco
   return check;
 }
 
+/// Whether newer data say the same of the plan, with the values of today. Plans of older versions have words alone.
+bool tells_again(const std::vector<messages::Message>& newest, const messages::Message& message) {
+  return std::ranges::any_of(newest, [&](const messages::Message& other) {
+    return other.code == message.code || messages::whole_text(other) == messages::whole_text(message);
+  });
+}
+
 }  // namespace
+
+std::vector<messages::Message> PlanCheck::to_confirm() const {
+  std::vector<messages::Message> all = dangers;
+  all.insert(all.end(), dangers_of_plan.begin(), dangers_of_plan.end());
+  return all;
+}
 
 PlanCheck check_plan(sql::Connection& db, const repository::PlanRecord& record) {
   const planning::Plan plan = codec::parse_plan_document(json::parse(record.document_json));
   PlanCheck check = in_newest_data(db, record, plan);
-  for (const messages::Message& message : plan.messages) {
-    const bool is_told = std::ranges::find(check.dangers, messages::whole_text(message),
-                                           messages::whole_text) != check.dangers.end();
-    if (messages::is_grave(message) && !is_told) check.besides.push_back(message);
-  }
+  std::ranges::copy_if(plan.messages, std::back_inserter(check.dangers_of_plan),
+                       [&](const messages::Message& message) {
+                         return messages::is_grave(message) && !tells_again(check.dangers, message);
+                       });
   std::ranges::move(gaps_of(plan), std::back_inserter(check.besides));
   return check;
 }
 
 std::vector<messages::Message> all_of(const PlanCheck& check) {
-  std::vector<messages::Message> all = check.dangers;
+  std::vector<messages::Message> all = check.to_confirm();
   all.insert(all.end(), check.besides.begin(), check.besides.end());
   return all;
 }
@@ -158,9 +170,11 @@ json plan_check_document(const repository::PlanRecord& record, const PlanCheck& 
   }
   json dangers = json::array();
   for (const messages::Message& danger : check.dangers) dangers.push_back(messages::whole_text(danger));
+  std::vector<messages::Message> others = check.dangers_of_plan;
+  others.insert(others.end(), check.besides.begin(), check.besides.end());
   return {{"plan_id", record.id.value},         {"stale", check.stale()},
           {"changed_data", std::move(changed)}, {"messages", codec::messages_json(all_of(check))},
-          {"dangers", std::move(dangers)},      {"warnings", messages::sentences(check.besides)}};
+          {"dangers", std::move(dangers)},      {"warnings", messages::sentences(others)}};
 }
 
 }  // namespace floeplan::routes

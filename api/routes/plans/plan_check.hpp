@@ -28,10 +28,15 @@ struct ChangedData {
 struct PlanCheck {
   std::vector<ChangedData> changed_data;   // empty: the same request would give the same plan
   std::vector<messages::Message> dangers;  // the plan must not be flown as it is
-  /// What could not be found out, what the plan knows nothing of, and the dangers that it was made with.
+  /// The dangers that the plan was made with, without those of a code that the newest data tell anew.
+  std::vector<messages::Message> dangers_of_plan;
+  /// What could not be found out, and what the plan knows nothing of.
   std::vector<messages::Message> besides;
 
   [[nodiscard]] bool stale() const { return !changed_data.empty(); }
+  /// What a pilot confirms before any file of the plan is handed out. A danger of the plan stays one although newer data
+  /// do not repeat it: they need not look at what it was found in.
+  [[nodiscard]] std::vector<messages::Message> to_confirm() const;
 };
 
 /// Follows a stored plan once more through the newest data of its choice, from its own departure. A plan whose data are

@@ -51,6 +51,13 @@ Response show_check(const Context& context, const Request& request, const PathPa
   return response;
 }
 
+/// Judged elsewhere than where it was asked for, a plan keeps its own rules.
+Response show_inputs(const Context& context, const Request& request, const PathParameters& path) {
+  const auto plan = PlanRepository{context.db}.find({path.at("plan_id")});
+  if (!plan) return no_such_plan(request, path.at("plan_id"));
+  return json_reply(json::parse(plan->request_json));
+}
+
 Response show_comparison(const Context& context, const Request& request, const PathParameters& path) {
   const PlanRepository plans{context.db};
   const auto first = plans.find({path.at("plan_id")});
@@ -89,6 +96,7 @@ FeatureCollection plan_collection() {
 std::vector<Route> plan_routes() {
   return {{"DELETE", "/collections/plans/items/{plan_id}", {}, remove_plan},
           {"GET", "/collections/plans/items/{plan_id}/check", {}, show_check},
+          {"GET", "/collections/plans/items/{plan_id}/inputs", {}, show_inputs},
           {"GET", "/collections/plans/items/{plan_id}/comparison", {"with"}, show_comparison}};
 }
 

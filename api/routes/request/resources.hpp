@@ -28,6 +28,7 @@ namespace floeplan::routes {
 [[nodiscard]] std::vector<Route> probe_routes();
 [[nodiscard]] std::vector<Route> map_field_routes();  // bathymetry and currents as binary grids
 [[nodiscard]] std::vector<Route> coast_routes();
+[[nodiscard]] std::vector<Route> ice_chart_routes();  // polygons of a chart with their egg codes
 [[nodiscard]] std::vector<Route> health_routes();     // health and version
 [[nodiscard]] std::vector<Route> operation_routes();  // metrics and readiness
 [[nodiscard]] std::vector<Route> session_routes();    // logins from a browser

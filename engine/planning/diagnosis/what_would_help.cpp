@@ -117,7 +117,7 @@ Infeasible with_what_would_help(const ocean::Environment& environment, const Pla
                                 Infeasible why, const std::stop_token& stop,
                                 const core::ProgressCallback& progress) {
   if (why.reason == Reason::cancelled || !why.changes.empty()) return why;
-  if (progress) progress("what would help", 0.95);
+  if (progress) progress("not possible as asked: " + why.explanation(), 0.95);
   // Only the nearest places that a stop could be moved to are tried.
   const bool has_moves = !why.moves.empty();
   if (has_moves) {

@@ -14,7 +14,8 @@ namespace floeplan::planning::diagnosis {
 /// Where no value of any input helps, the sea is tried without its icebergs, without its zones, without its ice and
 /// without its currents. The first of these without which there is a route becomes the binding constraint.
 /// There are no changes where one plan at the request's departure, in the given order of via points, is possible.
-/// `why`    why the request has no plan; changes that it has already are kept
+/// `why`    why the request has no plan; changes that it has already are kept. Its explanation is told as the stage of
+///          the work before anything is tried
 /// Stops    with Reason::cancelled once `stop` is requested
 [[nodiscard]] Infeasible with_what_would_help(const ocean::Environment& environment,
                                               const PlanRequest& request, Infeasible why,

@@ -71,7 +71,8 @@ core::ProgressCallback terminal_progress(const core::SteadyClock& clock) {
   return [clock, line = std::make_shared<Line>(clock())](std::string_view stage, double fraction) {
     line->percent = std::clamp(static_cast<int>(100.0 * fraction), line->percent, 99);
     if (clock() - line->begin < quiet) return;
-    std::string text = std::string{stage} + ' ' + std::to_string(line->percent) + " %";
+    const std::string_view in_short = stage.substr(0, stage.find(':'));  // a longer line would wrap and stay
+    std::string text = std::string{in_short} + ' ' + std::to_string(line->percent) + " %";
     if (text == line->text) return;
     line->text = std::move(text);
     std::cerr << "\r\033[K" << line->text << std::flush;

@@ -370,6 +370,19 @@ CREATE INDEX plan_by_owner ON plan (owner, stored_bytes) WHERE owner IS NOT NULL
 ALTER TABLE simulation ADD COLUMN owner TEXT;
 ALTER TABLE simulation ADD COLUMN stored_bytes INTEGER NOT NULL DEFAULT 0;  -- with the flights that are kept whole
 CREATE INDEX simulation_by_owner ON simulation (owner, stored_bytes) WHERE owner IS NOT NULL;
+)sql",
+                             R"sql(
+CREATE TABLE chart_polygon (  -- of an ice chart, whose grid is what plans obey
+  row INTEGER PRIMARY KEY AUTOINCREMENT,
+  dataset_row INTEGER NOT NULL REFERENCES dataset (row) ON DELETE CASCADE,
+  codes TEXT NOT NULL,  -- as the chart has them, "CT=91 CA=60 SA=87 ..."
+  rings BLOB NOT NULL
+) STRICT;
+CREATE INDEX chart_polygon_by_dataset ON chart_polygon (dataset_row);
+CREATE VIRTUAL TABLE chart_polygon_box USING rtree (row, west_deg, east_deg, south_deg, north_deg);
+CREATE TRIGGER chart_polygon_deleted AFTER DELETE ON chart_polygon BEGIN
+  DELETE FROM chart_polygon_box WHERE row = old.row;
+END;
 )sql"};
 
 }  // namespace

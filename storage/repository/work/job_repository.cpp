@@ -349,13 +349,13 @@ bool JobRepository::renew(const JobId& id, const std::string& worker, const std:
 }
 
 bool JobRepository::succeed(const JobId& id, const std::string& worker, const std::string& result_json,
-                            core::UtcTime now) {
+                            core::UtcTime now, const std::string& message) {
   sql::Statement update{
       db_,
       "UPDATE job SET status = 'successful', result_json = ?3, stage = '', progress = 1.0, worker = NULL, "
-      "lease_until_s = NULL, finished_s = ?4, updated_s = ?4 WHERE id = ?1 AND worker = ?2 AND "
+      "lease_until_s = NULL, finished_s = ?4, updated_s = ?4, message = ?5 WHERE id = ?1 AND worker = ?2 AND "
       "status = 'running'"};
-  update.bind_all(id.value, worker, result_json, now);
+  update.bind_all(id.value, worker, result_json, now, message);
   return update.run() > 0;
 }
 

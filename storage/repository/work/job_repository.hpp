@@ -54,7 +54,7 @@ struct JobRecord {
   std::optional<core::UtcTime> finished;
   core::UtcTime updated;
   std::optional<std::string> result_json;  // when successful
-  std::string message;                     // why it failed or was dismissed
+  std::string message;    // why it failed or was dismissed, or gave no route although it was successful
   std::int64_t change{};  // given by the store: grows over all jobs with every change that a client sees
 };
 
@@ -116,7 +116,9 @@ class JobRepository {
   [[nodiscard]] bool renew(const JobId& id, const std::string& worker, const std::string& stage,
                            double progress, core::UtcTime now, core::Seconds lease);
   /// False when the job is no longer this worker's; the result is then dropped.
-  bool succeed(const JobId& id, const std::string& worker, const std::string& result_json, core::UtcTime now);
+  /// `message`  why the result holds no route; empty: it holds what was asked for
+  bool succeed(const JobId& id, const std::string& worker, const std::string& result_json, core::UtcTime now,
+               const std::string& message = "");
   bool fail(const JobId& id, const std::string& worker, const std::string& message, core::UtcTime now);
   /// Gives back every running job of this worker (a graceful stop), not counted as an attempt.
   void hand_back(const std::string& worker, core::UtcTime now);

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "storage/repository/datasets/dataset_repository.hpp"
+#include "storage/repository/features/ice_chart_repository.hpp"
 #include "storage/repository/fields/field_repository.hpp"
 #include "tests/api/routes/api_fixture.hpp"
 
@@ -73,13 +74,20 @@ TEST_F(IceRoutesTest, AProbeTellsConcentrationAndThicknessBetweenTwoSteps) {
 }
 
 TEST_F(IceRoutesTest, AProbeBeyondAreaOrPeriodHasAReasonAndNoValue) {
-  const json later = json_of(ask("GET", "/probe?lon=-53&lat=69&time=2027-01-18T00:00:00Z&dataset=ice-1"));
+  const json later = json_of(ask("GET", "/probe?lon=-53&lat=69&time=2027-01-20T00:00:00Z&dataset=ice-1"));
   EXPECT_TRUE(later["ice_concentration"].is_null());
   EXPECT_THAT(later["ice_concentration_reason"], testing::HasSubstr("outside the period"));
 
   const json elsewhere = json_of(ask("GET", "/probe?lon=10&lat=69&time=2027-01-15T20:00:00Z"));
   EXPECT_TRUE(elsewhere["ice_concentration"].is_null());
   EXPECT_THAT(elsewhere["ice_concentration_reason"], testing::HasSubstr("no ice data"));
+}
+
+TEST_F(IceRoutesTest, AProbeHoldsTheLastStepAsPlansDo) {
+  const json later = json_of(ask("GET", "/probe?lon=-53&lat=69&time=2027-01-18T00:00:00Z"));
+  EXPECT_NEAR(later["ice_concentration"], 0.6, 1e-6);
+  EXPECT_EQ(later["ice"]["time_before"], "2027-01-16T08:00:00Z");
+  EXPECT_EQ(later["ice"]["time_after"], "2027-01-16T08:00:00Z");
 }
 
 /// The values of a grid of the map, all variables one after the other.
@@ -109,6 +117,45 @@ TEST_F(IceRoutesTest, TheMapHasNoIceBesideTheDataAndNoAnswerAfterTheirEnd) {
   const auto later = ask("GET", "/map/sea-ice?bbox=-54,68,-52,70&nx=2&ny=2&time=2027-01-16T09:00:00Z");
   EXPECT_EQ(later.status, 404);
   EXPECT_THAT(later.body, testing::HasSubstr("No ice data cover this area and time"));
+}
+
+TEST_F(IceRoutesTest, TheMapShowsThePolygonsOfAChartWithTheirEggs) {
+  const auto rectangle = [](double west, double east) {
+    geo::Ring ring;
+    for (double lon_deg = west; lon_deg < east; lon_deg += 0.001) ring.push_back({lon_deg, 68.5});
+    for (double lon_deg = east; lon_deg > west; lon_deg -= 0.001) ring.push_back({lon_deg, 69.5});
+    return geo::Polygon{ring, {}};
+  };
+  repository::IceChartRepository{db_}.insert(
+      {"ice-1"}, {{{{"CT", "91"}, {"CA", "60"}, {"SA", "87"}, {"FA", "04"}, {"CB", "30"}, {"SB", "84"}},
+                   rectangle(-53.5, -53.0)},
+                  {{{"CT", "55"}}, rectangle(-53.0, -52.5)},
+                  {{{"CT", "92"}}, rectangle(-52.3, -52.2999)}});
+
+  const json chart = json_of(ask("GET", "/map/ice-chart?bbox=-54,68,-52,70&nx=200&dataset=ice-1"));
+
+  EXPECT_EQ(chart["complete"], true);
+  EXPECT_EQ(chart["time"], "2027-01-15T08:00:00Z");
+  ASSERT_EQ(chart["features"].size(), 2U) << "a polygon narrower than a pixel is not drawn";
+  const json egg = chart["features"][0]["properties"];
+  EXPECT_EQ(egg["codes"]["SB"], "84");
+  EXPECT_EQ(egg["total"], "9 to 10 tenths");
+  EXPECT_EQ(egg["parts"],
+            json::parse(R"([{"concentration": "6 tenths", "stage": "thin first-year ice, 30 to 70 cm",
+      "form": "medium floes, 100 to 500 m"}, {"concentration": "3 tenths", "stage": "grey ice, 10 to 15 cm",
+      "form": null}])"));
+  EXPECT_EQ(chart["features"][1]["properties"]["total"], "ice free");
+  const json ring = chart["features"][0]["geometry"]["coordinates"][0];
+  EXPECT_EQ(ring.front(), ring.back());
+  EXPECT_LT(ring.size(), 120U) << "one corner a pixel";
+
+  EXPECT_EQ(ask("GET", "/map/ice-chart?bbox=-54,68,-52,70&nx=200&dataset=no").status, 404);
+  EXPECT_EQ(ask("GET", "/map/ice-chart?bbox=-54,68,-52,70&nx=200").status, 400);
+}
+
+TEST_F(IceRoutesTest, TheMapShowsNoPolygonsOfIceThatIsNoChart) {
+  const json chart = json_of(ask("GET", "/map/ice-chart?bbox=-54,68,-52,70&nx=200&dataset=ice-1"));
+  EXPECT_EQ(chart["features"], json::array());
 }
 
 TEST_F(IceRoutesTest, TheListOfDatasetsNamesItsTimes) {

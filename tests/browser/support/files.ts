@@ -72,3 +72,16 @@ export function trackLog([[lon, lat], [lon2, lat2]]: [LonLat, LonLat]): Chosen {
   ];
   return chosen('went_here_nav.csv', rows.join('\n'));
 }
+
+/** An ice chart of two polygons with egg codes, beside each other west and east of a meridian. */
+export function iceChart(name: string, [lon, lat]: LonLat): Chosen {
+  const half = (west: number, codes: Record<string, string>): object => ({
+    type: 'Feature',
+    properties: { POLY_TYPE: 'I', ...codes },
+    geometry: { type: 'Polygon', coordinates: [[[west, lat - 0.2], [west + 0.6, lat - 0.2], [west + 0.6, lat + 0.2], [west, lat + 0.2], [west, lat - 0.2]]] },
+  });
+  const features = [
+    half(lon - 0.6, { CT: '91', CA: '60', SA: '87', FA: '05', CB: '30', SB: '84', FB: '04' }), half(lon, { CT: '46', CA: '40', SA: '84', FA: '03' }),
+  ];
+  return chosen(name, JSON.stringify({ type: 'FeatureCollection', features }));
+}

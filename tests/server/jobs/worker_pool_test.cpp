@@ -25,6 +25,9 @@ using support::wait_until;
 
 constexpr const char* short_plan =
     R"({"from":[-53,69],"to":[-52.9,69.05],"depart":"2026-11-20T06:00:00Z","method":"direct"})";
+constexpr const char* late_plan =  // wanted a minute after its departure
+    R"({"from":[-53,69],"to":[-52.9,69.05],"depart":"2026-11-20T06:00:00Z","method":"direct",)"
+    R"("arrive_by":"2026-11-20T06:01:00Z"})";
 constexpr const char* long_plan =
     R"({"from":[-53,69],"to":[-50,67],"depart":"2026-11-20T06:00:00Z","depart_until":"2026-11-24T06:00:00Z",)"
     R"("spacing_m":400,"sectors":5})";
@@ -61,6 +64,19 @@ TEST_F(WorkerPoolTest, DoesAJobAndStoresItsResult) {
   ASSERT_TRUE(wait_for(job.id, JobStatus::successful)) << JobRepository{db_}.find(job.id)->message;
   const auto result = JobRepository{db_}.find(job.id)->result_json;
   EXPECT_NE(result->find("\"status\":\"ok\""), std::string::npos) << *result;
+}
+
+TEST_F(WorkerPoolTest, SaysOfASuccessfulJobThatThereIsNoRoute) {
+  WorkerPool pool{open_store(), board_, 1};
+  const auto possible = submit("plan-route", short_plan);
+  const auto job = submit("plan-route", late_plan);
+
+  ASSERT_TRUE(wait_for(job.id, JobStatus::successful)) << JobRepository{db_}.find(job.id)->message;
+  const auto ended = JobRepository{db_}.find(job.id);
+  EXPECT_NE(ended->result_json->find("\"status\":\"infeasible\""), std::string::npos) << *ended->result_json;
+  EXPECT_THAT(ended->message, testing::StartsWith("no route: "));
+  ASSERT_TRUE(wait_for(possible.id, JobStatus::successful));
+  EXPECT_EQ(JobRepository{db_}.find(possible.id)->message, "");
 }
 
 TEST_F(WorkerPoolTest, FailsAJobThatCannotBeDoneWithTheReason) {

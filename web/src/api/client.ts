@@ -1,4 +1,4 @@
-import type { Box, CoastFeature, FeaturePage, GliderTrackFeature, IcebergDrift, IcebergFeature, IcebergTrackFeature, IngestInputs, IngestReport, NewFeature, StoredDatasets, Upload, Vehicle, ZoneFeature } from './data_types';
+import type { Box, CoastFeature, FeaturePage, GliderTrackFeature, IceChart, IcebergDrift, IcebergFeature, IcebergTrackFeature, IngestInputs, IngestReport, NewFeature, StoredDatasets, Upload, Vehicle, ZoneFeature } from './data_types';
 import type { EvaluateInputs, EvaluationResults, JobStatus, MissionPreview, PlanFeature, PlanInputs, PlanResults, Probe, Reach, ReachInputs } from './types';
 import type { Flight, SimulateInputs, Simulation, SimulationSummary } from './simulation_types';
 import { decodeGrid, type Grid } from '../geo/grid';
@@ -38,6 +38,10 @@ export const seaIce = (box: Box, nx: number, ny: number, time: string, dataset: 
 
 export const coast = (box: Box, signal: AbortSignal): Promise<{ features: CoastFeature[] }> =>
   json(address('/map/coast', { bbox: box.join(',') }), { signal });
+
+/** `columns`: how fine; corners nearer to each other are one. */
+export const iceChart = (box: Box, columns: number, dataset: string, signal: AbortSignal): Promise<IceChart> =>
+  json(address('/map/ice-chart', { bbox: box.join(','), nx: columns, dataset }), { signal });
 
 const choiceOf = ({ datasets, max_sighting_age_days, departure }: IcebergChoice): Record<string, string | number | undefined> => ({
   dataset: datasets?.join(','), max_sighting_age_days, departure,
@@ -96,7 +100,7 @@ interface DriftQuery {
   currents: string | undefined; // undefined: those that a plan would take
 }
 
-export const drift = ({ box, choice, ...query }: DriftQuery, signal: AbortSignal): Promise<{ bergs: IcebergDrift[] }> =>
+export const drift = ({ box, choice, ...query }: DriftQuery, signal: AbortSignal): Promise<{ bergs: IcebergDrift[]; numberMatched: number }> =>
   json(address('/map/drift', { bbox: box.join(','), ...query, ...choiceOf(choice) }), { signal });
 
 /** All of them: the server lists the oldest first, and the newest matter most. */
@@ -111,6 +115,9 @@ export async function plans(): Promise<PlanFeature[]> {
   } while (after !== undefined);
   return all;
 }
+
+/** What a plan was asked for, by whomever. */
+export const planInputs = (planId: string): Promise<PlanInputs> => json(`/collections/plans/items/${encodeURIComponent(planId)}/inputs`);
 
 export const deletePlan = async (planId: string): Promise<void> => {
   await request(`/collections/plans/items/${encodeURIComponent(planId)}`, { method: 'DELETE', keepalive: true }); // also while the page is left

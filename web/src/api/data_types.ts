@@ -203,6 +203,21 @@ export interface CoastFeature {
   geometry: { type: 'Polygon'; coordinates: Position[][] } | { type: 'MultiPolygon'; coordinates: Position[][][] };
 }
 
+/** A polygon of an ice chart: its egg code, and the same in words; null where the chart leaves it open. */
+export interface IceEgg {
+  codes: Record<string, string>;
+  total: string | null;
+  parts: { concentration: string | null; stage: string | null; form: string | null }[];
+}
+
+export interface IceChart {
+  dataset_id: string;
+  dataset_name: string;
+  time: string | null;
+  complete: boolean; // false: too much for a picture, some polygons were left out
+  features: { type: 'Feature'; properties: IceEgg; geometry: { type: 'Polygon'; coordinates: Position[][] } }[];
+}
+
 export interface AreaProperties {
   kind: 'no_go' | 'stay_in';
   name?: string;

@@ -2,7 +2,7 @@ import { effect, untracked } from '@preact/signals';
 import { around, contains, grown, intersection, rounded, width_deg } from '../geo/boxes';
 import { wrapLongitude } from '../geo/geodesic';
 import { chosenCurrents, currentTimes_ms } from '../model/datasets';
-import { drifts } from '../model/drift';
+import { drifts, driftsLeftOut } from '../model/drift';
 import { draft } from '../model/draft';
 import { icebergs, icebergsAsOf_ms } from '../model/field';
 import { icebergChoice, shownIcebergs, type IcebergChoice } from '../model/iceberg_choice';
@@ -50,6 +50,7 @@ export function followDrift(): void {
         (answer) => {
           const shown = new Set(bergs.map(({ properties }) => keyOf(properties)));
           drifts.value = answer.bergs.filter((berg) => shown.has(keyOf(berg)));
+          driftsLeftOut.value = answer.numberMatched - answer.bergs.length;
         },
         () => {
           drifts.value = []; // asked again with other sightings or another view only

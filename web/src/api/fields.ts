@@ -1,11 +1,12 @@
 import { effect, untracked, type Signal } from '@preact/signals';
 import { contains, grown, intersection, rounded, width_deg } from '../geo/boxes';
 import type { Grid, TimedPair } from '../geo/grid';
-import { bracket, time_ms } from '../model/clock';
+import { bracket, heldStep, time_ms } from '../model/clock';
 import { chosenBathymetry, chosenCoastline, chosenCurrents, chosenSeaIce, currentTimes_ms, seaIceTimes_ms } from '../model/datasets';
 import { bathymetry, coast, currents, currentsFault, seaIce, seaIceFault } from '../model/field';
 import { visible } from '../model/layers';
-import { longestSeaIceGap_ms } from '../model/sea_ice';
+import { longestSeaIceGap_ms, longestSeaIceHold_ms } from '../model/sea_ice';
+import { chosenChart, iceChart } from '../model/ice_chart';
 import { isoOf } from '../model/time';
 import { view, type View } from '../model/view';
 import * as api from './client';
@@ -17,11 +18,12 @@ import type { Box, Dataset } from './data_types';
 export function followFields(): void {
   followBathymetry();
   followCoast();
+  followIceChart();
   followStepped({
     dataset: () => chosenCurrents.value, times_ms: () => currentTimes_ms.value, cell_px: 9, load: api.currents, pair: currents, fault: currentsFault, name: 'current',
   });
   followStepped({
-    dataset: () => chosenSeaIce.value, times_ms: () => seaIceTimes_ms.value, longestGap_ms: longestSeaIceGap_ms,
+    dataset: () => chosenSeaIce.value, times_ms: () => seaIceTimes_ms.value, longestGap_ms: longestSeaIceGap_ms, longestHold_ms: longestSeaIceHold_ms,
     cell_px: 7, load: api.seaIce, pair: seaIce, fault: seaIceFault, name: 'sea ice',
   });
   followIcebergs();
@@ -110,6 +112,41 @@ function followCoast(): void {
   });
 }
 
+/** The polygons of the chart in use for a little more than the view, as fine as the screen shows them. */
+function followIceChart(): void {
+  const latest = new Latest();
+  let loaded: { dataset: string; box: Box; columns: number } | undefined;
+  effect(() => {
+    const chart = chosenChart.value;
+    const seen = view.value;
+    if (!visible.value.iceChart) return;
+    const box = chart && seen && intersection(grown(seen.box, 0.3), chart.bbox);
+    if (!box) {
+      latest.cancel();
+      iceChart.value = undefined;
+      loaded = undefined;
+      return;
+    }
+    // Of a part of the chart as fine as of all of the view.
+    const columns = Math.min(8192, Math.max(64, Math.round((seen.width_px * width_deg(box)) / width_deg(seen.box))));
+    const fine = loaded && width_deg(box) / columns > 0.6 * (width_deg(loaded.box) / loaded.columns);
+    const needed = intersection(seen.box, chart.bbox);
+    if (fine && loaded?.dataset === chart.id && needed && contains(loaded.box, needed)) return;
+    loaded = { dataset: chart.id, box, columns };
+    untracked(() => {
+      latest.run(
+        (signal) => api.iceChart(box, columns, chart.id, signal),
+        (answer) => {
+          iceChart.value = answer;
+        },
+        () => {
+          loaded = undefined;
+        },
+      );
+    });
+  });
+}
+
 const rememberedGrids = 24;
 
 /** A field whose steps are loaded around the clock's time. */
@@ -117,6 +154,7 @@ interface Stepped {
   dataset: () => Dataset | undefined;
   times_ms: () => number[];
   longestGap_ms?: number; // between two steps further apart nothing is known
+  longestHold_ms?: number; // for so long beyond all steps the nearest stands for them
   cell_px: number;
   load: (box: Box, nx: number, ny: number, time: string, dataset: string) => Promise<Grid>;
   pair: Signal<TimedPair | undefined>;
@@ -124,7 +162,7 @@ interface Stepped {
   name: string; // as in "No current data here"
 }
 
-function followStepped({ dataset: chosenDataset, times_ms, longestGap_ms, cell_px, load: ask, pair, fault, name }: Stepped): void {
+function followStepped({ dataset: chosenDataset, times_ms, longestGap_ms, longestHold_ms = 0, cell_px, load: ask, pair, fault, name }: Stepped): void {
   const latest = new Latest();
   const remembered = new Map<string, Promise<Grid>>();
   let window: Window | undefined;
@@ -166,7 +204,7 @@ function followStepped({ dataset: chosenDataset, times_ms, longestGap_ms, cell_p
       untracked(() => clear(undefined));
       return;
     }
-    const steps = bracket(times, now_ms, longestGap_ms);
+    const steps = bracket(times, now_ms, longestGap_ms) ?? heldStep(times, now_ms, longestHold_ms);
     const before = steps && times[steps.before];
     const after = steps && times[steps.after];
     const next = windowFor(dataset, seen, cell_px, 200, window);
@@ -189,7 +227,7 @@ function followStepped({ dataset: chosenDataset, times_ms, longestGap_ms, cell_p
         ([first, second]) => {
           shownKey = key;
           loadingKey = '';
-          const fresh = bracket(times, time_ms.value, longestGap_ms);
+          const fresh = bracket(times, time_ms.value, longestGap_ms) ?? heldStep(times, time_ms.value, longestHold_ms);
           pair.value = { before: first, after: second, share: fresh?.before === steps.before ? fresh.share : steps.share };
           fault.value = undefined;
           const ahead = times[steps.after + 1];

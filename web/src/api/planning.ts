@@ -14,6 +14,7 @@ import { keepUnfinished, unfinished } from '../model/unfinished';
 import { ask } from '../model/view';
 import * as api from './client';
 import { follow } from './following';
+import { learnRequest } from './plan_inputs';
 import type { Position } from './data_types';
 import type { Change, JobStatus, Plan, PlanInputs } from './types';
 
@@ -40,10 +41,11 @@ export async function plan(): Promise<void> {
 
 /** Plans once more for another departure, everything else as a plan was asked for. */
 export async function planAt(planned: Plan, departure: string): Promise<void> {
+  await learnRequest(planned.plan_id);
   await planWith(withDeparture(requestOf(planned.plan_id) ?? guessedRequest(planned), departure));
 }
 
-/** What a plan that was made elsewhere may have been asked for. */
+/** What a plan may have been asked for where the server cannot tell. */
 function guessedRequest(planned: Plan): PlanInputs {
   const places = routeOf(planned);
   const [from = [0, 0], to = [0, 0]] = [places[0], places.at(-1)] as [Position?, Position?];

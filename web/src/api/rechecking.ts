@@ -6,6 +6,7 @@ import { duration, isoOf } from '../model/time';
 import { ask } from '../model/view';
 import { reasonTitle } from '../model/job';
 import * as api from './client';
+import { learnRequest } from './plan_inputs';
 import type { Conditions, Plan } from './types';
 
 /** Of a plan under way also what was sighted since it left, beside all that counted then: the age is counted at its departure. */
@@ -20,6 +21,7 @@ export async function recheck(plan: Plan): Promise<void> {
     rechecks.value = { ...rechecks.value, [plan.plan_id]: verdict };
   };
   tell({ state: 'pending' });
+  await learnRequest(plan.plan_id);
   const renewed = Object.fromEntries(staleness(plan).map(({ kind }) => [kind, kind === 'zones' ? 'all' : 'newest']));
   const { conditions: made } = conditionsOf(plan);
   const conditions: Conditions = { ...made, ...renewed, ...sightingsSince(plan) };

@@ -1,8 +1,8 @@
 import { computed, effect, type ReadonlySignal } from '@preact/signals';
-import type { Position } from '../api/data_types';
+import type { IcebergDrift, Position } from '../api/data_types';
 import { project, scaleFactor, type ProjectionCode } from '../geo/projections';
 import { time_ms } from '../model/clock';
-import { driftLineOf, drifts, expectedAt, plainLineOf, ticksOf } from '../model/drift';
+import { driftLineOf, drifts, errorAt, plainLineOf, stepsAt, ticksOf } from '../model/drift';
 import { crowd, keepOut_m } from '../model/icebergs';
 import { visible } from '../model/layers';
 import { projection } from '../model/settings';
@@ -22,7 +22,10 @@ const lines_m = 300;
 const most = 'b0';
 const half = '80';
 
-const isShown = computed(() => visible.value.drift && visible.value.icebergs && drifts.value.length <= crowd);
+const isShown = computed(() => visible.value.drift && visible.value.icebergs);
+
+/** The lines of a crowd would hide the map; where its bergs are expected is shown all the same. */
+const hasLines = computed(() => isShown.value && drifts.value.length <= crowd);
 
 /** The lines of all bergs in metres from a place amidst them, which a canvas draws more exactly than metres from a pole. */
 interface Lines {
@@ -35,7 +38,7 @@ interface Lines {
 const linesNow = computed<Lines | undefined>(() => {
   const code = projection.value;
   const [first] = drifts.value.flatMap(driftLineOf);
-  if (!isShown.value || !first) return undefined;
+  if (!hasLines.value || !first) return undefined;
   const lines: Lines = { origin: project(code, first), plain: new Path2D(), tidal: new Path2D(), ticks: new Path2D() };
   const [x0, y0] = lines.origin;
   const placed = (places: Position[]): Position[] => toMap(code, places).map(([x, y]) => [x - x0, y - y0]);
@@ -89,18 +92,41 @@ interface Ghost {
   radius: number;
 }
 
+/** The forecast of a berg on the map. Between its hourly steps it drifts in a straight line, which lies within metres of the
+ * geodesic. The projections keep angles: a circle of some kilometres is one on the map, too, but for a thousandth of its radius. */
+interface Track {
+  code: ProjectionCode;
+  places: Position[];
+  scale: number;
+  observed_ms: number;
+}
+
+const tracks = new WeakMap<IcebergDrift, Track>();
+
+/** Projected once: every step of the clock asks every berg. */
+function trackOf(drift: IcebergDrift, code: ProjectionCode): Track {
+  const known = tracks.get(drift);
+  if (known?.code === code) return known;
+  const line = driftLineOf(drift);
+  const track = { code, places: toMap(code, line), scale: scaleFactor(code, line[0] ?? [0, 0]), observed_ms: Date.parse(drift.observed) };
+  tracks.set(drift, track);
+  return track;
+}
+
 const ghostsNow = computed<Ghost[]>(() => {
   if (!isShown.value) return [];
   const code = projection.value;
   const minute = Math.round(time_ms.value / minute_ms) * minute_ms;
   return drifts.value.flatMap((drift) => {
-    const expected = minute > Date.parse(drift.observed) ? expectedAt(drift, minute) : undefined;
-    return expected ? [ghostAt(code, expected.place, keepOut_m(drift.safe_length_m, expected.error_m))] : [];
+    const { places, scale, observed_ms } = trackOf(drift, code);
+    const steps = minute > observed_ms ? stepsAt(drift, minute) : undefined;
+    if (!steps) return [];
+    const [x1, y1] = places[steps.after] ?? [NaN, NaN];
+    const [x0, y0] = places[steps.after - 1] ?? [x1, y1];
+    const at: Position = [x0 + steps.share * (x1 - x0), y0 + steps.share * (y1 - y0)];
+    return [{ at, radius: keepOut_m(drift.safe_length_m, errorAt(drift, steps)) * scale }];
   });
 });
-
-/** The projections keep angles, so that a circle of some kilometres is one on the map, too, but for a thousandth of its radius. */
-const ghostAt = (code: ProjectionCode, place: Position, radius_m: number): Ghost => ({ at: project(code, place), radius: radius_m * scaleFactor(code, place) });
 
 /** Where each berg is expected at the clock's time, in the ring that plans keep out of: it grows with the error of the position. */
 export function ghostLayer(): CanvasLayer {

@@ -19,6 +19,7 @@ import { draft } from '../model/draft';
 import { drifts } from '../model/drift';
 import { safePlaces } from '../model/export_options';
 import { coast, currents, icebergs, isLoading, seaIce } from '../model/field';
+import { drawnChart } from '../model/ice_chart';
 import { zones } from '../model/hand_made';
 import { takePlace } from '../model/placing';
 import { select, selectedWaypoint, shownPlans } from '../model/plans';
@@ -41,6 +42,7 @@ import { editLayer } from './edit_layer';
 import { flightLayer, flownVehicleLayer } from './flight_layer';
 import { trackLayer, trackedGliderLayer } from './track_layer';
 import { graticuleLayer } from './graticule_layer';
+import { iceChartLayer } from './ice_chart_layer';
 import { icebergLayer, keepOutLayer } from './iceberg_layer';
 import { markerLayer } from './marker_layer';
 import { planLayer, vehicleLayer, waypointLayer } from './plan_layer';
@@ -77,7 +79,7 @@ export function createMap(target: HTMLElement, probe: (place: Position) => void)
       new KeyboardPan({ condition: (event) => shiftKeyOnly(event) && !holdsWaypoint(), pixelDelta: fineStep_px }), route.drag, areas.draw,
     ],
     layers: Object.entries({
-      bathymetry: bathymetryLayer(), seaIce: seaIceLayer(), currents: currentsLayer(), coast: coastLayer(), graticule: graticuleLayer(), coverage: coverageLayer(),
+      bathymetry: bathymetryLayer(), seaIce: seaIceLayer(), iceChart: iceChartLayer(), currents: currentsLayer(), coast: coastLayer(), graticule: graticuleLayer(), coverage: coverageLayer(),
       reach: reachLayer(), areas: areas.layer, keepOut: keepOutLayer(), drift: driftLayer(), ghosts: ghostLayer(), tracks: trackLayer(),
       plans: planLayer(), flight: flightLayer(), icebergs: bergs, surfacings: surfacingLayer(), waypoints, trackedGliders: trackedGliderLayer(),
       vehicles, flown, edit: route.layer, markers: markerLayer(),
@@ -322,6 +324,7 @@ function publishState(map: Map, target: HTMLElement, vehicles: VectorLayer<Vecto
     target.dataset['coast'] = String(coast.value.length);
     target.dataset['currents'] = currents.value ? 'shown' : 'none';
     target.dataset['seaIce'] = seaIce.value ? 'shown' : 'none';
+    target.dataset['iceChart'] = drawnChart.value ? String(drawnChart.value.features.length) : 'none';
     target.dataset['loading'] = String(isLoading.value);
   });
   const settle = (): void => {

@@ -107,3 +107,11 @@ export function bracket(times_ms: number[], at_ms: number, longestGap_ms = Infin
   if (beforeTime === undefined || afterTime - beforeTime > longestGap_ms) return undefined;
   return { before: after - 1, after, share: (at_ms - beforeTime) / (afterTime - beforeTime) };
 }
+
+/** Beyond all steps the nearest of them, where it is no further away than that; undefined otherwise. */
+export function heldStep(times_ms: number[], at_ms: number, longestHold_ms: number): { before: number; after: number; share: number } | undefined {
+  const last = times_ms.length - 1;
+  const end = at_ms > (times_ms[last] ?? Infinity) ? last : at_ms < (times_ms[0] ?? -Infinity) ? 0 : undefined;
+  if (end === undefined || Math.abs(at_ms - (times_ms[end] ?? NaN)) > longestHold_ms) return undefined;
+  return { before: end, after: end, share: 0 };
+}

@@ -80,12 +80,14 @@ export const lastSighted = computed<Dataset | undefined>(() =>
   chosenIcebergs.value.reduce<Dataset | undefined>((newest, one) => ((one.time_end ?? '') > (newest?.time_end ?? '') ? one : (newest ?? one)), undefined),
 );
 export const chosenCoastline = computed(() => chosen('coastline'));
-/** Of the sea ice that plans may take the newest that tells of the clock's time; the newest of all where none does. */
+/** Of the sea ice that plans may take the newest that tells of the clock's time; where none does the nearest in time. */
 export const chosenSeaIce = computed(() => {
   const candidates = draft.value.ice === 'newest' ? ofKind('ice') : chosenAll('ice');
   const tellsOf = ({ time_start, time_end }: Dataset): boolean =>
     time_start !== null && time_end !== null && Date.parse(time_start) <= time_ms.value && time_ms.value <= Date.parse(time_end);
-  return candidates.find(tellsOf) ?? candidates[0];
+  const away_ms = ({ time_start, time_end }: Dataset): number =>
+    Math.max(Date.parse(time_start ?? '') - time_ms.value, time_ms.value - Date.parse(time_end ?? ''));
+  return candidates.find(tellsOf) ?? candidates.reduce<Dataset | undefined>((best, one) => (best && !(away_ms(one) < away_ms(best)) ? best : one), undefined);
 });
 
 /** The part of the Earth to open on: where currents and depths are both known, else whichever is; else where there is ice, or a glider was. */

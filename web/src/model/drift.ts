@@ -5,6 +5,9 @@ import { destination, inverse } from '../geo/geodesic';
 /** Where the bergs in view are expected, from their last sightings on. */
 export const drifts = signal<IcebergDrift[]>([]);
 
+/** Of how many more the server forecasts nothing at once. */
+export const driftsLeftOut = signal(0);
+
 export interface Expected {
   place: Position;
   error_m: number;
@@ -30,24 +33,34 @@ function firstFrom(moments_ms: number[], at_ms: number): number {
   return low;
 }
 
-/** Where a berg is expected at a moment; undefined before its sighting and after the end of its forecast. */
-export function expectedAt(drift: IcebergDrift, at_ms: number): Expected | undefined {
-  const { lon, lat, error_m } = drift;
+/** Between which two steps of its forecast a moment lies: the later one, and the share of the way to it. Undefined before the
+ * sighting and after the end. */
+export function stepsAt(drift: IcebergDrift, at_ms: number): { after: number; share: number } | undefined {
   const moments_ms = momentsOf(drift);
   const after = firstFrom(moments_ms, at_ms);
   const [before_ms, after_ms] = [moments_ms[after - 1], moments_ms[after]];
   if (after_ms === undefined) return undefined;
+  if (after_ms === at_ms) return { after, share: 1 };
+  return before_ms === undefined ? undefined : { after, share: (at_ms - before_ms) / (after_ms - before_ms) };
+}
+
+/** How far from where it is expected a berg may be. */
+export function errorAt({ error_m }: IcebergDrift, { after, share }: { after: number; share: number }): number {
+  const most_m = error_m[after] ?? NaN;
+  return share === 1 ? most_m : (1 - share) * (error_m[after - 1] ?? NaN) + share * most_m;
+}
+
+/** Where a berg is expected at a moment. */
+export function expectedAt(drift: IcebergDrift, at_ms: number): Expected | undefined {
+  const { lon, lat } = drift;
+  const steps = stepsAt(drift, at_ms);
+  if (!steps) return undefined;
   const placeOf = (i: number): Position => [lon[i] ?? NaN, lat[i] ?? NaN];
-  if (after_ms === at_ms) return { place: placeOf(after), error_m: error_m[after] ?? NaN };
-  if (before_ms === undefined) return undefined;
-  const share = (at_ms - before_ms) / (after_ms - before_ms);
-  const [from, to] = [placeOf(after - 1), placeOf(after)];
+  const error_m = errorAt(drift, steps);
+  if (steps.share === 1) return { place: placeOf(steps.after), error_m };
+  const [from, to] = [placeOf(steps.after - 1), placeOf(steps.after)];
   const leg = inverse(from, to);
-  const [least, most] = [error_m[after - 1] ?? NaN, error_m[after] ?? NaN];
-  return {
-    place: leg.distance_m === 0 ? from : destination(from, leg.azimuth_deg, share * leg.distance_m),
-    error_m: least + share * (most - least),
-  };
+  return { place: leg.distance_m === 0 ? from : destination(from, leg.azimuth_deg, steps.share * leg.distance_m), error_m };
 }
 
 /** The line that a berg is forecast to drift along. */

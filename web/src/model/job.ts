@@ -1,5 +1,6 @@
 import { signal } from '@preact/signals';
 import type { Infeasible, JobStatus } from '../api/types';
+import { asSentence } from './page_words';
 
 /** The planning job under way, if any. */
 export interface RunningJob {
@@ -19,14 +20,24 @@ const stages: Record<string, string> = {
   search: 'Searching the route',
   environment: 'Preparing the sea',
   refinement: 'Refining the route',
-  'what would help': 'Not possible as asked. Looking for what would help',
   done: 'Storing the plan',
 };
+
+const impossible = 'not possible as asked: ';
+
+/** Why the route of a running job is not possible as asked, while the server looks for what would help. */
+export const causeIn = (status: JobStatus | undefined): string | undefined =>
+  status?.stage.startsWith(impossible) ? asSentence(status.stage.slice(impossible.length)) : undefined;
+
+/** How a job ended, in a list; one that was done may have found that there is no route. */
+export const outcomeTitle = ({ status, message }: JobStatus): string =>
+  status === 'successful' && message.startsWith('no route') ? 'no route' : status;
 
 /** A job's stage in words. */
 export function stageTitle(status: JobStatus | undefined): string {
   if (!status) return 'Handing in the request';
   if (status.status === 'accepted') return 'Waiting for a worker';
+  if (causeIn(status)) return 'Not possible as asked. Looking for what would help';
   const stage = status.stage;
   return stages[stage] ?? (stage ? stage.charAt(0).toUpperCase() + stage.slice(1).replaceAll('_', ' ') : 'Working');
 }

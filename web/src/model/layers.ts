@@ -13,6 +13,7 @@ export const layerTitles = {
   graticule: 'Graticule',
   coast: 'Coast',
   currents: 'Currents',
+  iceChart: 'Ice chart',
   seaIce: 'Sea ice',
   bathymetry: 'Depth tints',
 } as const;
@@ -21,7 +22,7 @@ export type LayerName = keyof typeof layerTitles;
 export const layerNames = Object.keys(layerTitles) as LayerName[];
 
 export const visible = signal<Record<LayerName, boolean>>({
-  plans: true, surfacings: true, areas: true, tracks: true, reach: true, icebergs: true, keepOut: true, drift: true, graticule: true, coast: true, currents: true, seaIce: true, bathymetry: true,
+  plans: true, surfacings: true, areas: true, tracks: true, reach: true, icebergs: true, keepOut: true, drift: true, graticule: true, coast: true, currents: true, iceChart: true, seaIce: true, bathymetry: true,
 });
 
 export function toggleLayer(name: LayerName): void {

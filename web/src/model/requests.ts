@@ -3,7 +3,7 @@ import { isCondition } from './fields';
 import { draft, numberIn } from './draft';
 import { staleness } from './stale';
 
-/** The requests that plans came from, by plan id, as far as they were made in this browser: a stored plan does not say. */
+/** The requests that plans came from, by plan id: of those made in this browser, and of those that the server was asked about. */
 const key = 'floeplan.requests';
 const most = 100;
 
@@ -65,7 +65,7 @@ export const withDeparture = (inputs: PlanInputs, departure: string): PlanInputs
 });
 
 /**
- * What a plan's route is judged under: its own request where this browser made it, else its vehicle and the margin of
+ * What a plan's route is judged under: its own request where it is known, else its vehicle and the margin of
  * the set-up; at its departure and on its data in either case.
  */
 export function conditionsOf(plan: Plan): { conditions: Conditions; known: boolean } {

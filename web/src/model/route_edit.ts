@@ -17,7 +17,7 @@ export type Verdict =
 export interface RouteEdit {
   origin: Plan;
   conditions: Conditions;
-  conditionsKnown: boolean; // false: the plan's own request is not known here, and the set-up's margin stands in
+  conditionsKnown: boolean; // false: the plan's own request could not be had, and the set-up's margin stands in
   route: Position[];
   number: number; // of the route as it now is; an answer to an earlier number is ignored
   verdict: Verdict;

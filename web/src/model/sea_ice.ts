@@ -1,6 +1,6 @@
 import { computed } from '@preact/signals';
 import { requestFields } from '../contract/request_fields';
-import { setSpan, setTime, time_ms } from './clock';
+import { heldStep, setSpan, setTime, time_ms } from './clock';
 import { seaIceTimes_ms } from './datasets';
 import { draft, numberIn } from './draft';
 import { factorOf } from './fields';
@@ -9,6 +9,9 @@ import { none } from './units';
 
 /** Between two steps further apart the server tells nothing (ocean::longest_ice_gap): charts come once a week. */
 export const longestSeaIceGap_ms = 8 * day_ms;
+
+/** For so long before its first step and after its last plans hold the ice of that step (ocean::longest_ice_hold). */
+export const longestSeaIceHold_ms = 3 * day_ms;
 
 /** Where concentration is drawn denser. The first is the ice edge; then open, close and very close ice (WMO No. 259). */
 export const seaIceLevels = [0.15, 0.4, 0.7, 0.9] as const;
@@ -30,6 +33,13 @@ export const nearestSeaIceStep_ms = computed<number | undefined>(() =>
     undefined,
   ),
 );
+
+/** The step that is held at the clock's time, beyond all of them; undefined where the data tell of it, or nothing does. */
+export const heldSeaIceStep_ms = computed<number | undefined>(() => {
+  const times = seaIceTimes_ms.value;
+  const held = heldStep(times, time_ms.value, longestSeaIceHold_ms);
+  return held && times[held.before];
+});
 
 /** Sets the clock to that step, and lets it reach there. */
 export function goToSeaIce(): void {

@@ -136,5 +136,8 @@ export const seaIceHatches: readonly [Hatch, Hatch, Hatch, Hatch] = [
 /** Where the data have no value: the dash that stands for it in tables, too. */
 export const unknownHatch: Hatch = { tile_px: 18, marks: 'M2 5 h5 M11 14 h5', width: 1 };
 
+/** Of the outlines of an ice chart. */
+export const chartDash = [9, 3, 2, 3] as const;
+
 /** Of the line beyond which the vehicle may not surface. */
 export const surfacingDash = [7, 4] as const;

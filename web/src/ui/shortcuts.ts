@@ -1,3 +1,4 @@
+import { editCopy } from '../api/plan_inputs';
 import { plan } from '../api/planning';
 import { probeAt } from '../api/session';
 import { range, setTime, stepHours, togglePlay } from '../model/clock';
@@ -5,7 +6,7 @@ import { openBergId } from '../model/berg_card';
 import { drawByKey } from '../model/drawing';
 import { forbids } from '../model/login';
 import { routeOf, select, selectedPlan, selectedWaypoint, shownPlans } from '../model/plans';
-import { openEdit, startEdit } from '../model/route_edit';
+import { openEdit } from '../model/route_edit';
 import { dialog, drawer, leftTab } from '../model/screen';
 import { settings } from '../model/settings';
 import { ask, tool, view, type Tool } from '../model/view';
@@ -45,8 +46,7 @@ const actions: Record<string, () => void> = {
   d: () => {
     const chosen = selectedPlan.peek();
     if (!chosen || openEdit.peek() || forbids('pilot', 'Changing a plan')) return;
-    startEdit(chosen);
-    ask({ do: 'fit', places: routeOf(chosen) });
+    void editCopy(chosen);
   },
   i: () => {
     const seen = view.peek();

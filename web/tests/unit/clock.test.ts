@@ -1,5 +1,5 @@
 import { beforeEach, describe, expect, it } from 'vitest';
-import { advance, bracket, playing, range, setSpan, setTime, slider, spans, speed, stepHours, time_ms, togglePlay, zoomSlider } from '../../src/model/clock';
+import { advance, bracket, heldStep, playing, range, setSpan, setTime, slider, spans, speed, stepHours, time_ms, togglePlay, zoomSlider } from '../../src/model/clock';
 import { duration, fieldOf, hour_ms, isoOf, parseTime, shortTime } from '../../src/model/time';
 
 const start = Date.UTC(2026, 10, 20, 0);
@@ -99,5 +99,15 @@ describe('times', () => {
     expect(shortTime(start, start - 300 * 24 * hour_ms)).toBe('20 Nov 2026 00:00Z');
     expect(duration(100 * 3600)).toBe('4 d 04 h');
     expect(duration(3600 * 5 + 1200)).toBe('5 h 20 min');
+  });
+});
+
+describe('a step that is held', () => {
+  it('is the first or the last, for so long beyond them and no longer', () => {
+    expect(heldStep([10, 20], 22, 3)).toEqual({ before: 1, after: 1, share: 0 });
+    expect(heldStep([10, 20], 24, 3)).toBeUndefined();
+    expect(heldStep([10, 20], 8, 3)).toEqual({ before: 0, after: 0, share: 0 });
+    expect(heldStep([10, 20], 15, 3)).toBeUndefined();
+    expect(heldStep([], 15, 3)).toBeUndefined();
   });
 });

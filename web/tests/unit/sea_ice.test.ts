@@ -23,12 +23,14 @@ describe('the sea ice shown', () => {
     datasets.value = [chart('forecast', 48, 72), chart('analysis', 0, 24)];
   });
 
-  it('is the newest that tells of the clock’s time', () => {
+  it('is the newest that tells of the clock’s time, and between them the nearer one', () => {
     time_ms.value = start_ms + 12 * hour_ms;
     expect(chosenSeaIce.value?.id).toBe('analysis');
     time_ms.value = start_ms + 60 * hour_ms;
     expect(chosenSeaIce.value?.id).toBe('forecast');
     time_ms.value = start_ms + 30 * hour_ms;
+    expect(chosenSeaIce.value?.id).toBe('analysis');
+    time_ms.value = start_ms + 40 * hour_ms;
     expect(chosenSeaIce.value?.id).toBe('forecast');
     edit({ ice: 'analysis' });
     expect(chosenSeaIce.value?.id).toBe('analysis');

@@ -91,6 +91,11 @@ Checked<double> most_thickness(const OGRFeature& feature) {
   return named ? most_m : unbounded;
 }
 
+/// Of the exchange format; some charts write the first three of them alone.
+constexpr auto egg_names = std::to_array<std::string_view>(
+    {"CT", "CA", "SA", "FA", "CB", "SB", "FB", "CC", "SC", "FC", "SO", "SD", "CN", "CD", "CF"});
+constexpr std::size_t longest_code = 4;  // CF names two forms
+
 }  // namespace
 
 bool states_ice_codes(const OGRFeature& feature) {
@@ -119,6 +124,17 @@ Checked<std::optional<IceOfPolygon>> read_ice_codes(const OGRFeature& feature) {
   const auto thickness_m = most_thickness(feature);
   if (!thickness_m) return refuse(thickness_m.error());
   return IceOfPolygon{*stated, std::isinf(*thickness_m) ? std::nullopt : std::optional{*thickness_m}};
+}
+
+std::vector<repository::IceCode> egg_code(const OGRFeature& feature) {
+  std::vector<repository::IceCode> codes;
+  for (const std::string_view name : egg_names) {
+    const std::string code = code_of(feature, core::plain_word(name));
+    const bool is_code = !code.empty() && code.size() <= longest_code &&
+                         std::ranges::all_of(code, [](char c) { return c >= '0' && c <= '9'; });
+    if (is_code) codes.push_back({std::string{name}, code});
+  }
+  return codes;
 }
 
 }  // namespace floeplan::ingest

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "storage/ingest/common/refusal.hpp"
+#include "storage/repository/features/ice_chart_repository.hpp"
 
 class OGRFeature;
 
@@ -28,5 +30,9 @@ inline constexpr double ice_shelf_thickness_m = 1000.0;
 /// Returns  nothing of land and of what was not looked at
 /// Errors   codes that the tables do not have
 [[nodiscard]] Checked<std::optional<IceOfPolygon>> read_ice_codes(const OGRFeature& feature);
+
+/// The egg code of a polygon as the chart has it: concentration, stage of development and form of all the ice and of its
+/// parts, in the order of the egg, without those that the chart leaves open.
+[[nodiscard]] std::vector<repository::IceCode> egg_code(const OGRFeature& feature);
 
 }  // namespace floeplan::ingest

@@ -48,13 +48,23 @@ Checked<std::optional<IceOfPolygon>> plain_ice(const OGRFeature& feature) {
 /// Polygons as they are gathered, and everything that is wrong with them.
 struct ChartGathering {
   std::vector<IcePolygon> polygons;
+  std::vector<repository::ChartPolygon> outlines;  // of those that have codes
   Messages faults;
   bool coded{false};
   bool uncoded{false};
 };
 
+/// What is drawn of a polygon. One whose outline is no area on the Earth is not drawn: its ice lies on the grid all the
+/// same.
+void gather_outlines(ChartGathering& all, const OGRFeature& feature, const PolygonShapes& shapes) {
+  auto outlines = shapes.polygons(feature.GetGeometryRef());
+  if (!outlines) return;
+  const std::vector<repository::IceCode> codes = egg_code(feature);
+  for (geo::Polygon& outline : *outlines) all.outlines.push_back({codes, std::move(outline)});
+}
+
 void gather_ice(ChartGathering& all, const OGRFeature& feature, const std::string& label,
-                OGRSpatialReference& crs) {
+                OGRSpatialReference& crs, const PolygonShapes& shapes) {
   const OGRGeometry* const geometry = feature.GetGeometryRef();
   const bool coded = states_ice_codes(feature);
   (coded ? all.coded : all.uncoded) = true;
@@ -64,6 +74,7 @@ void gather_ice(ChartGathering& all, const OGRFeature& feature, const std::strin
   if (OGR_GT_IsSubClassOf(wkbFlatten(geometry->getGeometryType()), wkbSurface) == 0 &&
       OGR_GT_IsSubClassOf(wkbFlatten(geometry->getGeometryType()), wkbMultiSurface) == 0)
     return all.faults.push_back(about(label, messages::ingest_ice_message<"ice-not-a-polygon">()));
+  if (coded) gather_outlines(all, feature, shapes);
   std::unique_ptr<OGRGeometry> area{geometry->getLinearGeometry()};
   area->assignSpatialReference(&crs);
   all.polygons.push_back({std::move(area), **ice});
@@ -75,12 +86,14 @@ Checked<ChartGathering> gather_polygons(GDALDataset& dataset, const IngestOption
     if (layer->GetFeatureCount() == 0) continue;
     const auto crs = crs_of(*layer, options.crs);
     if (!crs) return refuse(crs.error());
+    const auto shapes = PolygonShapes::in(*crs);
+    if (!shapes) return refuse(shapes.error());
     const std::unique_ptr<OGRSpatialReference, void (*)(OGRSpatialReference*)> counted{
         crs->Clone(), [](OGRSpatialReference* reference) { reference->Release(); }};  // geometries keep it
     int number_of_feature = 0;
     layer->ResetReading();
     for (const auto& feature : *layer)
-      gather_ice(all, *feature, "polygon " + std::to_string(++number_of_feature), *counted);
+      gather_ice(all, *feature, "polygon " + std::to_string(++number_of_feature), *counted, *shapes);
   }
   if (all.coded && all.uncoded) all.faults.push_back(messages::ingest_ice_message<"ice-codes-mixed">());
   if (all.polygons.empty() && all.faults.empty())
@@ -110,12 +123,13 @@ Checked<PreparedDataset> read_ice_polygons(GDALDataset& dataset, const std::file
   data.rows_accepted = static_cast<std::int64_t>(raster->grid.size());
   data.time_start = *time;
   data.time_end = *time;
-  data.write = [raster = std::move(*raster), time = *time](sql::Connection& db,
-                                                           const repository::DatasetId& id) -> Checked<void> {
+  data.write = [raster = std::move(*raster), outlines = std::move(gathered->outlines), time = *time](
+                   sql::Connection& db, const repository::DatasetId& id) -> Checked<void> {
     repository::FieldRepository fields{db};
     fields.create(id, {raster.grid, std::nullopt, ocean::Axis{{core::unix_seconds(time)}}});
     fields.write_slice(id, "concentration", 0, 0, raster.concentration);
     fields.write_slice(id, "thickness_m", 0, 0, raster.thickness_m);
+    repository::IceChartRepository{db}.insert(id, outlines);
     return {};
   };
   return data;

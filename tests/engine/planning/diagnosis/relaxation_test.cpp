@@ -446,6 +446,19 @@ TEST(Relaxation, NamesNoChangeOfARequestThatHasASinglePlan) {
   EXPECT_TRUE(why.changes.empty());
 }
 
+TEST(Relaxation, TellsTheCauseBeforeItLooksForWhatWouldHelp) {
+  Infeasible refusal;
+  refusal.reason = Reason::goal_unreachable;
+  refusal.why.text = "an area closes every route";
+  std::vector<std::string> stages;
+
+  (void)with_what_would_help({}, eastward_request(), refusal, {},
+                             [&](std::string_view stage, double) { stages.emplace_back(stage); });
+
+  ASSERT_FALSE(stages.empty());
+  EXPECT_EQ(stages.front(), "not possible as asked: an area closes every route");
+}
+
 TEST(Relaxation, DivesNoLessDeepForAreasThatAreClosedAtAllDepths) {
   PlanRequest request = eastward_request();
   const geo::LonLat goal = request.to;

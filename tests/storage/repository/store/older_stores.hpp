@@ -4,8 +4,12 @@
 
 namespace floeplan::repository {
 
-/// Goes on from a pragma; for stores that are older than the owners of plans and simulations.
+/// Goes on from a pragma; for stores that are older than the polygons of ice charts.
+inline const std::string before_ice_charts = "; DROP TABLE chart_polygon_box; DROP TABLE chart_polygon";
+
+/// For stores that are older than the owners of plans and simulations.
 inline const std::string before_owners_of_plans =
+    before_ice_charts +
     "; DROP INDEX plan_by_owner; ALTER TABLE plan DROP COLUMN owner; ALTER TABLE plan DROP COLUMN "
     "stored_bytes; "
     "DROP INDEX simulation_by_owner; ALTER TABLE simulation DROP COLUMN owner; ALTER TABLE simulation DROP "

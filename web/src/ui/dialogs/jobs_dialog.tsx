@@ -2,8 +2,9 @@ import type { VNode } from 'preact';
 import { useEffect, useState } from 'preact/hooks';
 import { dismissJob, jobs } from '../../api/client';
 import type { JobStatus } from '../../api/types';
-import { stageTitle } from '../../model/job';
+import { outcomeTitle, stageTitle } from '../../model/job';
 import { may } from '../../model/login';
+import { asSentence } from '../../model/page_words';
 import { duration, shortTime } from '../../model/time';
 import { Modal } from '../common/modal';
 
@@ -65,9 +66,9 @@ function JobLine({ job }: { job: JobStatus }): VNode {
       <td>{shortTime(Date.parse(job.created))}</td>
       <td>{job.processID.replaceAll('-', ' ')}</td>
       <td>
-        {live ? `${stageTitle(job)} · ${job.progress} %` : job.status}
+        {live ? `${stageTitle(job)} · ${job.progress} %` : outcomeTitle(job)}
         {live && <progress max={100} value={job.progress} aria-label="Progress" />}
-        {job.status === 'failed' && job.message && <span class="row-warning">{job.message}</span>}
+        {!live && job.message && <span class="row-warning">{asSentence(job.message)}</span>}
       </td>
       <td>{tookText(job)}</td>
       <td>{live && may('pilot') && <button type="button" onClick={() => void dismissJob(job.jobID).catch(() => undefined)}>Cancel</button>}</td>

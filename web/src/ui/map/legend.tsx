@@ -3,12 +3,13 @@ import type { VNode } from 'preact';
 import { time_ms } from '../../model/clock';
 import { chosenBathymetry, chosenCurrents, chosenSeaIce, ofKind, vehicles } from '../../model/datasets';
 import { draft } from '../../model/draft';
-import { drifts } from '../../model/drift';
+import { drifts, driftsLeftOut } from '../../model/drift';
 import { icebergs, seaIce, seaIceFault } from '../../model/field';
+import { chartInWords, drawnChart } from '../../model/ice_chart';
 import { choiceInWords } from '../../model/iceberg_choice';
 import { crowd, validity_h } from '../../model/icebergs';
 import { visible } from '../../model/layers';
-import { goToSeaIce, iceEdge, nearestSeaIceStep_ms, seaIceLevels, surfacingLimit } from '../../model/sea_ice';
+import { goToSeaIce, heldSeaIceStep_ms, iceEdge, nearestSeaIceStep_ms, seaIceLevels, surfacingLimit } from '../../model/sea_ice';
 import { shortTime } from '../../model/time';
 import { gliderTracks } from '../../model/tracks';
 import { speedFigure, speedUnit } from '../../model/units';
@@ -29,13 +30,15 @@ export function Legend(): VNode | null {
   const ice = shown.seaIce && chosenSeaIce.value;
   const bergs = shown.icebergs && ofKind('icebergs').length > 0;
   const tracks = shown.tracks && gliderTracks.value.length > 0;
-  if (!depths && !currents && !ice && !bergs && !tracks) return null;
+  const chart = shown.iceChart && drawnChart.value;
+  if (!depths && !currents && !ice && !chart && !bergs && !tracks) return null;
   return (
     <details class="legend" open={open.value} onToggle={(event) => { open.value = event.currentTarget.open; }}>
       <summary>Legend</summary>
       {depths && <Depths />}
       {currents && <Currents />}
       {ice && <SeaIce />}
+      {chart && <Chart chart={chart} />}
       {bergs && <Icebergs circles={shown.keepOut} drift={shown.drift && drifts.value.length > 0} />}
       {tracks && <Tracks />}
     </details>
@@ -123,6 +126,7 @@ function SeaIce(): VNode {
         <svg width="22" height="14" aria-hidden="true"><path class="no-ice-data" d="M3 4 h6 M13 10 h6" /></svg> no data
       </p>
       <p><b class="sounding">0.6</b> thickness in m; ? unknown</p>
+      {heldSeaIceStep_ms.value !== undefined && <p class="caution">held as of {shortTime(heldSeaIceStep_ms.value)}</p>}
       {seaIceFault.value && (
         <p class="caution">
           {seaIceFault.value}.{' '}
@@ -135,6 +139,17 @@ function SeaIce(): VNode {
   );
 }
 
+function Chart({ chart }: { chart: NonNullable<typeof drawnChart.value> }): VNode {
+  return (
+    <div class="legend-part">
+      <h3>Ice chart <span class="unit">tenths</span></h3>
+      <p><svg width="22" height="14" aria-hidden="true"><path class="chart-line" d="M1 7 H21" /></svg> {chartInWords(chart)}</p>
+      {!chart.isHeld && <p class="caution">too old for plans</p>}
+      {!chart.complete && <p class="caution">not all of it; zoom in</p>}
+    </div>
+  );
+}
+
 function Icebergs({ circles, drift }: { circles: boolean; drift: boolean }): VNode {
   const margin = draft.value.margin_m;
   return (
@@ -143,6 +158,8 @@ function Icebergs({ circles, drift }: { circles: boolean; drift: boolean }): VNo
       {choiceInWords.value !== undefined && <p class="caution">{choiceInWords.value}</p>}
       <p><svg width="22" height="14" aria-hidden="true"><path class="berg" d="M11 1 L19 12 H3 Z" /></svg> by size; grey after {validity_h} h</p>
       {drift && <p><svg width="22" height="14" aria-hidden="true"><path class="ghost" d="M11 1 L19 12 H3 Z" /></svg> expected, in its keep-out ring</p>}
+      {drift && driftsLeftOut.value > 0 && <p class="caution">not expected for {driftsLeftOut.value} more; zoom in</p>}
+      {drift && drifts.value.length > crowd && <p>no drift lines of so many</p>}
       {circles && (
         <>
           <p><svg width="22" height="14" aria-hidden="true"><circle class="ring" cx="11" cy="7" r="6" /></svg> hull + {margin || '0'} m margin</p>

@@ -1,7 +1,9 @@
 import type { VNode } from 'preact';
+import type { Position } from '../../api/data_types';
 import type { Probe } from '../../api/types';
 import { formatPosition } from '../../geo/coordinates';
 import { directionTowards_deg } from '../../geo/vectors';
+import { chartInWords, drawnChart, eggAt, partInWords } from '../../model/ice_chart';
 import { sizeTitle } from '../../model/icebergs';
 import { probed } from '../../model/screen';
 import { seaIceInWords } from '../../model/sea_ice';
@@ -47,12 +49,37 @@ function Answer({ answer }: { answer: Probe }): VNode {
         {answer.ice_concentration_reason && <small>{answer.ice_concentration_reason}</small>}
         {answer.ice.dataset_name && <Source name={answer.ice.dataset_name} from={answer.ice.time_before} to={answer.ice.time_after} />}
       </dd>
+      <Egg place={[answer.lon, answer.lat]} />
       <dt>Nearest iceberg</dt>
       <dd>
         {berg ? `${distance(berg.distance_m)}: ${berg.berg_id}` : 'none within 50 km'}
         {berg && <small>{sizeTitle(berg.size)}, seen {shortTime(Date.parse(berg.observed))}</small>}
       </dd>
     </dl>
+  );
+}
+
+/** The egg code of the chart there, as charts draw it, and in words. */
+function Egg({ place }: { place: Position }): VNode | null {
+  const chart = drawnChart.value;
+  const egg = chart && eggAt(place);
+  if (!egg) return null;
+  const row = (kind: string): string[] => ['A', 'B', 'C'].flatMap((part) => egg.codes[`${kind}${part}`] ?? []);
+  const rows = [egg.codes['CT'] ? [egg.codes['CT']] : [], row('C'), row('S'), row('F')].filter((codes) => codes.length > 0);
+  return (
+    <>
+      <dt>Ice chart</dt>
+      <dd>
+        {rows.length > 0 && (
+          <div class="egg" role="img" aria-label="Egg code">
+            {rows.map((codes, i) => <span key={i}>{codes.join(' ')}</span>)}
+          </div>
+        )}
+        {egg.total ?? 'concentration not stated'}
+        {egg.parts.map((part, i) => <small key={i}>{partInWords(part)}</small>)}
+        <small class={chart.isHeld ? undefined : 'caution'}>{chart.dataset_name}, {chartInWords(chart)}{chart.isHeld ? '' : ', too old for plans'}</small>
+      </dd>
+    </>
   );
 }
 

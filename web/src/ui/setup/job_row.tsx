@@ -1,8 +1,9 @@
 import type { VNode } from 'preact';
 import { useEffect, useState } from 'preact/hooks';
 import { cancelPlanning } from '../../api/planning';
-import { stageTitle, type RunningJob } from '../../model/job';
+import { causeIn, stageTitle, type RunningJob } from '../../model/job';
 import { duration } from '../../model/time';
+import { Icon } from '../common/icon';
 
 /** The job under way: stage, percent, time gone by, and a way out. */
 export function JobRow({ job }: { job: RunningJob }): VNode {
@@ -12,6 +13,7 @@ export function JobRow({ job }: { job: RunningJob }): VNode {
     return () => clearInterval(timer);
   }, []);
   const percent = job.status?.progress ?? 0;
+  const cause = causeIn(job.status);
   const elapsed_s = Math.max(0, Math.floor((now_ms - job.started_ms) / 1000));
   return (
     <div class="job" role="group" aria-label="Planning">
@@ -21,6 +23,7 @@ export function JobRow({ job }: { job: RunningJob }): VNode {
           {percent} % · {elapsed_s < 60 ? `${elapsed_s} s` : duration(elapsed_s)}
         </span>
       </div>
+      {cause && <p class="job-cause" role="status"><Icon name="warning" size={14} /> {cause}</p>}
       <progress max={100} value={percent} aria-label="Progress of planning" />
       <button type="button" onClick={cancelPlanning}>Cancel</button>
     </div>

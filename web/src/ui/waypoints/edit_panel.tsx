@@ -40,7 +40,7 @@ export function EditPanel({ edit, shown }: { edit: RouteEdit; shown: ShownPlan }
         Shift 1 km, with Alt 10 m; <kbd>Ins</kbd> <kbd>Del</kbd> <kbd>Tab</kbd>.
       </p>
       {!edit.conditionsKnown && (
-        <p class="hint">The plan was not made in this browser: it is judged with its vehicle and data and the set-up’s margin.</p>
+        <p class="hint">The server did not say what this plan was asked for: it is judged with its vehicle and data and the set-up’s margin.</p>
       )}
     </div>
   );

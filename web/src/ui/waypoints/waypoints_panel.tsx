@@ -1,11 +1,12 @@
 import type { VNode } from 'preact';
 import { deletePlan } from '../../api/deleting';
+import { editCopy } from '../../api/plan_inputs';
 import type { Plan } from '../../api/types';
 import { edit, emptyDraft } from '../../model/draft';
 import { editablePosition } from '../../geo/coordinates';
 import { may } from '../../model/login';
 import { routeOf, selectedShown, titleOf } from '../../model/plans';
-import { startEdit, openEdit } from '../../model/route_edit';
+import { openEdit } from '../../model/route_edit';
 import { dialog, leftTab, rightTab } from '../../model/screen';
 import { fieldOf } from '../../model/time';
 import { ask } from '../../model/view';
@@ -54,7 +55,7 @@ export function WaypointsPanel(): VNode {
       <Messages of={plan} />
       <RoleNote role="pilot" what="Changing a plan" />
       <div class="edit-save">
-        <button type="button" disabled={!may('pilot')} onClick={() => editCopy(plan)}><Icon name="edit" /> Edit copy</button>
+        <button type="button" disabled={!may('pilot')} onClick={() => void editCopy(plan)}><Icon name="edit" /> Edit copy</button>
         <button
           type="button" class="export-button"
           onClick={() => {
@@ -88,11 +89,6 @@ export function WaypointsPanel(): VNode {
       </details>
     </div>
   );
-}
-
-function editCopy(plan: Plan): void {
-  startEdit(plan);
-  ask({ do: 'fit', places: routeOf(plan) });
 }
 
 function Tabs({ plan }: { plan: Plan }): VNode {

@@ -8,6 +8,7 @@
 #include "storage/ingest/common/gdal_guard.hpp"
 #include "storage/ingest/readers/ice/chart_time.hpp"
 #include "storage/repository/features/coastline_repository.hpp"
+#include "storage/repository/features/ice_chart_repository.hpp"
 #include "storage/repository/fields/field_repository.hpp"
 #include "tests/storage/ingest/support/store_fixture.hpp"
 #include "tests/support/property.hpp"
@@ -97,6 +98,37 @@ TEST_F(IceCharts, KeepTheUpperEndOfEachRangeOfTheirCodes) {
   EXPECT_FALSE(near(-57.0, 66.5)) << "not looked at";
   EXPECT_NEAR(near(-59.0, 66.5)->concentration, 1.0, 1e-6);
   EXPECT_GE(near(-59.0, 66.5)->thickness->value, 1000.0) << "closed to every glider";
+}
+
+TEST_F(IceCharts, KeepTheirPolygonsWithTheirEggCodes) {
+  const Part part{square(-60, 65, -58, 66),
+                  {{"POLY_TYPE", "I"},
+                   {"CT", "91"},
+                   {"CA", "60"},
+                   {"SA", "87"},
+                   {"FA", "4"},
+                   {"CB", "-9"},
+                   {"CF", "0403"}}};
+  const auto report = ingest(write("cis_SGRDADA_20261120T1800Z_pl_a.shp", {part, water, land}));
+
+  ASSERT_EQ(report.status, IngestStatus::stored) << words(report);
+  const auto polygons = repository::IceChartRepository{db_}.load(report.dataset->id, around);
+  ASSERT_THAT(polygons, SizeIs(2)) << "land has no egg";
+  using repository::IceCode;
+  EXPECT_THAT(polygons[0].codes, ElementsAre(IceCode{"CT", "91"}, IceCode{"CA", "60"}, IceCode{"SA", "87"},
+                                             IceCode{"FA", "04"}, IceCode{"CF", "0403"}));
+  EXPECT_TRUE(geo::contains(polygons[0].area, {-59.0, 65.5}));
+  EXPECT_FALSE(geo::contains(polygons[0].area, {-57.0, 65.5}));
+  EXPECT_THAT(polygons[1].codes, ElementsAre(IceCode{"CT", "55"}));
+}
+
+TEST_F(IceCharts, OfAreasWithoutCodesHaveNoPolygonsToDraw) {
+  const auto report = ingest(
+      write("fast_ice_20261120.gpkg", {{square(-60, 65, -58, 66), {{"name", "fast ice"}}}}, 4326, "GPKG"),
+      {.kind = repository::DatasetKind::ice});
+
+  ASSERT_EQ(report.status, IngestStatus::stored) << words(report);
+  EXPECT_THAT(repository::IceChartRepository{db_}.load(report.dataset->id, around), SizeIs(0));
 }
 
 TEST_F(IceCharts, NeverTellLessIceThanThePolygonsRoundAPlaceHold) {

@@ -1,0 +1,25 @@
+import { routeOf, selectedId } from '../model/plans';
+import { rememberRequest, requestOf } from '../model/requests';
+import { startEdit } from '../model/route_edit';
+import { ask } from '../model/view';
+import * as api from './client';
+import type { Plan } from './types';
+
+/** A plan from elsewhere is judged by its own rules: they are learnt from the server before it is. Where they cannot be had,
+ * they are guessed, which the edit panel says. */
+export async function learnRequest(planId: string): Promise<void> {
+  if (requestOf(planId)) return;
+  try {
+    rememberRequest(planId, await api.planInputs(planId));
+  } catch {
+    // Deleted meanwhile, or the server does not answer.
+  }
+}
+
+/** Opens a copy of a plan for changes and shows all of it, unless another plan was selected meanwhile. */
+export async function editCopy(plan: Plan): Promise<void> {
+  await learnRequest(plan.plan_id);
+  if (selectedId.peek() !== plan.plan_id) return;
+  startEdit(plan);
+  ask({ do: 'fit', places: routeOf(plan) });
+}

@@ -1,0 +1,22 @@
+import { describe, expect, it } from 'vitest';
+import type { JobStatus } from '../../src/api/types';
+import { causeIn, outcomeTitle, stageTitle } from '../../src/model/job';
+
+const job = (part: Partial<JobStatus>): JobStatus => ({
+  jobID: 'a', type: 'process', processID: 'plan-route', status: 'running', message: '', progress: 10, stage: 'search', created: '', updated: '', links: [], ...part,
+});
+
+describe('a job in words', () => {
+  it('tells why its route is not possible while it looks for what would help', () => {
+    const refused = job({ stage: 'not possible as asked: the goal lies on land' });
+    expect(causeIn(refused)).toBe('The goal lies on land.');
+    expect(stageTitle(refused)).toBe('Not possible as asked. Looking for what would help');
+    expect(causeIn(job({}))).toBeUndefined();
+  });
+
+  it('is not called successful in a list where it found no route', () => {
+    expect(outcomeTitle(job({ status: 'successful', message: 'no route: the goal lies on land' }))).toBe('no route');
+    expect(outcomeTitle(job({ status: 'successful' }))).toBe('successful');
+    expect(outcomeTitle(job({ status: 'failed', message: 'no route: to the server' }))).toBe('failed');
+  });
+});
