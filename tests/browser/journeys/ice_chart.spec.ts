@@ -18,7 +18,11 @@ test('an ice chart is drawn with its tenths, and tells its egg code and its age'
 
   const legend = page.locator('.legend');
   await expect(legend).toContainText(/Ice chart tenths.*22 Nov 06:00Z, \d+ h old/s);
+  await page.getByRole('button', { name: 'Set-up', exact: true }).click();
+  await page.locator('summary', { hasText: /^Data/ }).click();
+  await page.getByLabel('Sea ice', { exact: true }).selectOption({ label: 'chart_20261122T0600Z' });
   await expect(legend).toContainText('held as of 22 Nov 06:00Z');
+  await settled(page);
   const { x, y } = await pixelOf(page, west);
   await page.mouse.move(x, y);
   await expect(page.locator('.readout')).toContainText('sea ice 100 %');

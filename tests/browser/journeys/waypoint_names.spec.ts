@@ -1,4 +1,6 @@
+import type { APIRequestContext } from '@playwright/test';
 import { expect, open, settled, test, type LonLat } from '../support/page';
+import { textsOf } from '../support/pdf_text';
 import { findPlaces } from '../support/places';
 
 interface Waypoint {
@@ -11,6 +13,7 @@ interface Waypoint {
 interface Plan {
   plan_id: string;
   waypoints: Waypoint[];
+  messages: { text: string; place?: { lon: number; lat: number } }[];
 }
 
 const depart = '2026-11-22T12:00:00Z';
@@ -25,7 +28,7 @@ function minutesOf(value: number): RegExp {
 
 const found = (text: string, row: RegExp): string[][] => [...text.matchAll(row)].map(([, ...parts]) => parts.map((part) => part.trim()));
 
-test('a waypoint has one name on the map, in the table, GPX, KML, the brief and on the command line', async ({ page, request, server }) => {
+test('a waypoint has one name on the map, in the table, GPX, KML, both briefs and on the command line', async ({ page, request, server }) => {
   const { start, goal } = await findPlaces(request);
   const inputs = { from: start, to: goal, depart, spacing_m: 2500, max_leg_m: 4000, refine: false, name: 'Named' };
   const answer = await request.post('/processes/plan-route/execution', { data: { inputs }, headers: { Prefer: 'respond-sync' } });
@@ -53,6 +56,7 @@ test('a waypoint has one name on the map, in the table, GPX, KML, the brief and 
   const marks = found(await file('kml'), /<Placemark><name>([^<]+)<\/name><TimeStamp><when>([^<]+)</g);
   expect(marks).toEqual(plan.waypoints.map((waypoint) => [nameOf(waypoint), waypoint.eta]));
   expectRows(found(await file('html'), /<tr><td>(S|\d+)<\/td><td>([^<]+)<\/td><td>([^<]+)<\/td><td>([^<]+)<\/td>/g), plan);
+  expectRows(found((await pdfOf(request, plan)).join('\n'), /^(S|\d+)\t(\d+ [\d.]+ [NS])\t(\d+ [\d.]+ [EW])\t([^\t]+Z)/gm), plan);
 
   const lonLat = ([lon, lat]: LonLat): string => `${lon},${lat}`;
   const printed = server.run('plan', `--from=${lonLat(start)}`, `--to=${lonLat(goal)}`, '--depart', depart, '--spacing', '2500', '--max-leg', '4000', '--no-refine', '--verbose');
@@ -60,6 +64,33 @@ test('a waypoint has one name on the map, in the table, GPX, KML, the brief and 
 
   await request.delete(`/collections/plans/items/${plan.plan_id}`);
 });
+
+test('a message names a waypoint as the map, the panel and the brief do', async ({ page, request }) => {
+  const inputs = {
+    from: [-53.1, 68.96], to: [-51.85, 68.96], depart: '2026-11-22T00:00:00Z', spacing_m: 2500, refine: false, icebergs: 'none', name: 'Below ice',
+    under_ice: { escape_plan: true, surfacing_interval_s: 7200 },
+  };
+  const answer = await request.post('/processes/plan-route/execution', { data: { inputs }, headers: { Prefer: 'respond-sync' } });
+  const { plan } = (await answer.json()) as { plan: Plan };
+  const message = plan.messages.find(({ text, place }) => place && /\bwaypoint \d+/.test(text));
+  const [, name = ''] = /\bwaypoint (\d+)/.exec(message?.text ?? '') ?? [];
+  const named = plan.waypoints.find((waypoint) => nameOf(waypoint) === name);
+  expect(message?.place?.lon, JSON.stringify(plan.messages)).toBeCloseTo(named?.lon ?? NaN, 5);
+  expect(message?.place?.lat).toBeCloseTo(named?.lat ?? NaN, 5);
+
+  expect((await pdfOf(request, plan)).join(' ')).toContain(`waypoint ${name}`);
+  await open(page);
+  await page.getByRole('button', { name: /^Plans/ }).click();
+  await page.locator('.plan-choose', { hasText: 'Below ice' }).click();
+  await expect(page.getByRole('region', { name: 'Cautions' })).toContainText(`waypoint ${name}`);
+  await expect(page.locator('#map')).toHaveAttribute('data-waypoints', plan.waypoints.map(nameOf).join(' '));
+  await request.delete(`/collections/plans/items/${plan.plan_id}`);
+});
+
+async function pdfOf(request: APIRequestContext, { plan_id }: Plan): Promise<string[]> {
+  const answer = await request.get(`/collections/plans/items/${plan_id}/mission.pdf?accept_dangers=true`);
+  return textsOf(await answer.body());
+}
 
 /** Rows of name, latitude, longitude and ETA are those of the plan. */
 function expectRows(rows: string[][], { waypoints }: Plan): void {

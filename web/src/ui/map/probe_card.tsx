@@ -69,13 +69,13 @@ function Egg({ place }: { place: Position }): VNode | null {
   return (
     <>
       <dt>Ice chart</dt>
-      <dd>
+      <dd>{egg.total ?? 'concentration not stated'}</dd>
+      <dd class="whole-row">
         {rows.length > 0 && (
           <div class="egg" role="img" aria-label="Egg code">
             {rows.map((codes, i) => <span key={i}>{codes.join(' ')}</span>)}
           </div>
         )}
-        {egg.total ?? 'concentration not stated'}
         {egg.parts.map((part, i) => <small key={i}>{partInWords(part)}</small>)}
         <small class={chart.isHeld ? undefined : 'caution'}>{chart.dataset_name}, {chartInWords(chart)}{chart.isHeld ? '' : ', too old for plans'}</small>
       </dd>
