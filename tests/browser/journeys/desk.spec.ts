@@ -103,8 +103,10 @@ test('plans are compared, and one of them is the baseline', async ({ page, reque
   await expect(table.getByRole('columnheader', { name: /Travel time/ })).toHaveAttribute('aria-sort', 'ascending');
 });
 
-test('the jobs of the server are listed', { tag: '@long' }, async ({ page, request }) => {
-  const { start, goal } = await findPlaces(request);
+test('the jobs of the server are listed, and one that found no route is not called successful', { tag: '@long' }, async ({ page, request }) => {
+  const { start, goal, land } = await findPlaces(request);
+  const inputs = { from: start, to: land, depart: '2026-11-22T12:00:00Z' };
+  await request.post('/processes/plan-route/execution', { data: { inputs }, headers: { Prefer: 'respond-sync' } });
   await open(page);
   await planByTyping(page, start, goal);
   await page.getByRole('button', { name: 'Jobs', exact: true }).focus();
@@ -112,6 +114,9 @@ test('the jobs of the server are listed', { tag: '@long' }, async ({ page, reque
   const jobs = page.getByRole('region', { name: 'Jobs' });
   await expect(jobs).toContainText('plan route');
   await expect(jobs).toContainText('successful');
+  const refused = jobs.getByRole('row', { name: /no route/ });
+  await expect(refused).toContainText(/No route: .*land/);
+  await expect(refused).not.toContainText('successful');
   const { violations } = await new AxeBuilder({ page }).analyze();
   expect(violations.filter(({ impact }) => impact === 'serious' || impact === 'critical')).toEqual([]);
 });

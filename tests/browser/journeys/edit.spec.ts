@@ -76,6 +76,23 @@ test('a copy of a plan is changed with the mouse, judged anew, taken back and st
   await expect(page.getByRole('heading', { name: /\(edited\)/ })).toBeVisible();
 });
 
+test('a plan from another browser is judged by its own rules', async ({ page, request }) => {
+  const inputs = { from: [-52.6, 69.15], to: [-52.2, 69.13], depart: '2026-11-22T12:00:00Z', name: 'From elsewhere', margin_m: 870, dive_depth_m: 120 };
+  const answer = await request.post('/processes/plan-route/execution', { data: { inputs }, headers: { Prefer: 'respond-sync' } });
+  const { plan } = (await answer.json()) as { plan: { plan_id: string } };
+  await open(page);
+  await page.getByRole('button', { name: /^Plans/ }).click();
+  await page.locator('.plan-choose', { hasText: 'From elsewhere' }).click();
+  const asked = page.waitForRequest(evaluations);
+  await page.getByRole('button', { name: 'Edit copy' }).click();
+  expect((await asked).postDataJSON()).toMatchObject({ inputs: { margin_m: 870, dive_depth_m: 120 } });
+  await expect(page.getByText('The server did not say what this plan was asked for')).toBeHidden();
+  await page.getByRole('button', { name: 'Insert a waypoint after S' }).click();
+  await evaluated(page);
+  await page.keyboard.press('Escape');
+  await request.delete(`/collections/plans/items/${plan.plan_id}`);
+});
+
 test('a copy of a plan is changed with the keyboard alone', { tag: '@long' }, async ({ page, request }) => {
   const { start, goal } = await findPlaces(request);
   await open(page);

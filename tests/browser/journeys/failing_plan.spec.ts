@@ -18,6 +18,27 @@ test('a goal on land is explained, marked on the map and answered with a suggest
   await expect(failure).toBeHidden();
 });
 
+test('the cause is told while the server still looks for what would help', async ({ page, request }) => {
+  const { start, land } = await findPlaces(request);
+  let isHeld = true;
+  await page.route('**/jobs/*', async (route) => {
+    const answer = await route.fetch();
+    const job = (await answer.json()) as { stage: string };
+    const looking = { ...job, status: 'running', progress: 95, stage: 'not possible as asked: the goal lies on land' };
+    await route.fulfill({ response: answer, json: isHeld ? looking : job });
+  });
+  await open(page);
+  await page.getByLabel('Start', { exact: true }).fill(typed(start));
+  await page.getByLabel('Goal', { exact: true }).fill(typed(land));
+  await page.getByRole('button', { name: /^Plan / }).click();
+  const job = page.getByRole('group', { name: 'Planning' });
+  await expect(job).toContainText('Not possible as asked. Looking for what would help');
+  await expect(job.getByRole('status')).toHaveText('The goal lies on land.');
+  isHeld = false;
+  await expect(page.getByRole('alert', { name: 'No plan is possible' })).toBeVisible();
+  await expect(job).toBeHidden();
+});
+
 test('a change that the server proposes is made by its button', { tag: '@long' }, async ({ page, request }) => {
   const { start, land } = await findPlaces(request);
   await open(page);
