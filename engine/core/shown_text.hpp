@@ -2,6 +2,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 /// What may be shown of text that came from outside, in logs, answers and lists.
 namespace floeplan::core {
@@ -18,5 +19,8 @@ namespace floeplan::core {
 /// The text with every word that is too long to be read cut to its beginning and its length, and cut itself where it is
 /// longer than a page.
 [[nodiscard]] std::string excerpt(std::string_view text);
+
+/// The first ten names, with commas between them, and how many more there are.
+[[nodiscard]] std::string shortened_list(const std::vector<std::string>& names);
 
 }  // namespace floeplan::core

@@ -117,6 +117,18 @@ inline constexpr auto plan_kinds = std::to_array<Kind>({
              "{departure} ({names}). Each may still be near the route, and the plan avoids none of them",
      .hint = "Depart earlier, ingest newer sightings, or raise the maximum sighting age (--max-sighting-age)",
      .slots = {{{"ignored", 2}, {"departure", "2027-01-12T06:00:00Z"}, {"names", "B-17, B-18"}}}},
+    {.code = "drift-unknown-near-route",
+     .rank = Rank::caution,
+     .text = "{near} of {icebergs} {icebergs:iceberg|icebergs} may come near the route after drifting for a "
+             "time without known currents ({names}). During that time each keeps its last observed drift, "
+             "drifts with the wind, or stays put",
+     .hint = "Ingest newer sightings, or currents that begin earlier and cover a wider area",
+     .slots = {{{"near", 3}, {"icebergs", 60}, {"names", "B-17, B-18, B-19"}}}},
+    {.code = "drift-unknown-elsewhere",
+     .rank = Rank::note,
+     .text = "{elsewhere} of {icebergs} {icebergs:iceberg|icebergs} {elsewhere:drifts|drift} for a time "
+             "without known currents, but too far away to come near the route",
+     .slots = {{{"elsewhere", 57}, {"icebergs", 60}}}},
     // Asked for, and safe when flown as planned: whoever flies it has to know which yo to send.
     {.code = "passes-under-iceberg",
      .rank = Rank::caution,
@@ -161,6 +173,11 @@ inline constexpr auto plan_kinds = std::to_array<Kind>({
      .text = "currents in the area are as fast as the vehicle, so small differences close or open a route. "
              "This plan is the best of several grids",
      .hint = "Another grid spacing (--spacing) or a via point (--via) may give a better one"},
+    {.code = "several-grids-agree",
+     .rank = Rank::note,
+     .text = "currents in the area are as fast as the vehicle, but the plans on several grids differ by less "
+             "than {agreement_pct:.0f} %. This plan is the best of them",
+     .slots = {{{"agreement_pct", 1.0}}}},
     {.code = "may-depart-later",
      .rank = Rank::note,
      .text = "the vehicle may depart {later_h:.1f} h later, at {time}: it arrives no later",

@@ -194,6 +194,30 @@ bool is_current_known(const Iceberg& iceberg, const Environment& environment, co
   });
 }
 
+DriftBasis drift_basis(const Iceberg& iceberg, const Environment& environment, core::UtcTime until,
+                       const std::stop_token& stop) {
+  const Drift drift{iceberg, environment};
+  const std::vector<IcebergFix> fixes = forecast_drift(iceberg, environment, until, stop);
+  DriftBasis basis;
+  std::vector<IcebergFix> part;
+  const auto end_part = [&] {
+    if (part.size() > basis.known.size()) basis.known = part;
+    part.clear();
+  };
+  for (std::size_t i = 1; i < fixes.size(); ++i) {
+    const IcebergFix& from = fixes[i - 1];
+    if (drift.is_aground(from.place) || drift.knows_the_current(from)) {
+      if (part.empty()) part.push_back(from);
+      part.push_back(fixes[i]);
+    } else {
+      basis.unknown += std::min(fixes[i].time, until) - from.time;
+      end_part();
+    }
+  }
+  end_part();
+  return basis;
+}
+
 core::Metres expected_error(const Iceberg& iceberg, core::UtcTime time) {
   const double stated_m = iceberg.position_uncertainty.value_or(core::Metres{0.0}).value;
   const core::Seconds age = time - iceberg.observed;

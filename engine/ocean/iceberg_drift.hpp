@@ -36,6 +36,18 @@ namespace floeplan::ocean {
                                     core::UtcTime from, core::UtcTime until,
                                     const std::stop_token& stop = {});
 
+/// On what an iceberg's forecast rests.
+struct DriftBasis {
+  core::Seconds unknown{0.0};  // without a known current, and not aground
+  std::vector<IcebergFix>
+      known;  // the longest part of the forecast with a known current all along, or aground
+};
+
+/// From the sighting to `until` or a little later, hour by hour. A current that is known when an hour begins counts as
+/// known in that hour.
+[[nodiscard]] DriftBasis drift_basis(const Iceberg& iceberg, const Environment& environment,
+                                     core::UtcTime until, const std::stop_token& stop = {});
+
 /// How far from its forecast an iceberg may be expected: what the source states, and 0.75 km more for each hour
 /// before or after the sighting.
 /// Source   C-CORE hindcast of 340 displacements on the Grand Banks 2023-24: mean error 8.8 km after 12 h,

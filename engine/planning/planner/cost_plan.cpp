@@ -99,7 +99,7 @@ Result<Plan> publish(const search::Chart& chart, const ocean::Environment& envir
     return tl::unexpected(search::explain_route(closed, sea, request));
   }
   const cost::Schedule schedule{times->arrivals, std::vector<core::Seconds>(times->arrivals.size())};
-  Plan plan = publish::assemble_plan(sea, environment, request, route.points, schedule, route.drives);
+  Plan plan = publish::assemble_plan(sea, environment, request, route.points, schedule, route.drives, stop);
   plan.search = statistics;
   plan.refinement = improved.refinement;
   if (plan.refinement) {

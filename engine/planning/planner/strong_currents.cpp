@@ -27,6 +27,10 @@ constexpr core::Metres least_room{50'000.0};  // for eddies are no smaller where
 constexpr core::Metres most_room{250'000.0};
 constexpr double most_samples = 3.2e7;  // of the currents of an area with room: a quarter of a gigabyte
 
+/// Plans on several grids agree if their costs differ by no more: about as much as those of one sea on grids of other
+/// spacings. A judgement.
+constexpr double agreement = 0.01;
+
 /// Legs that were timed for a plan; a few seconds.
 constexpr std::int64_t much_work = 5'000'000;
 
@@ -136,12 +140,16 @@ Result<Plan> best_of_more_grids(Result<Plan> known, const Task& task, const Plan
                                  : more_room_may_help(known.error(), environment, request, stop);
   if (!is_worth_it) return known;
   Result<Plan> best = std::move(known);
+  const bool is_known = best.has_value();
+  bool all_found = is_known;
+  double highest = is_known ? cost_of(*best, request.objective()) : 0.0;
   const auto consider = [&](const ocean::Environment& sea, const PlanRequest& other) {
     if (stop.stop_requested()) return;
     Result<Plan> plan = plan_once(task.in(sea).with(other));
+    all_found = all_found && plan.has_value();
+    if (plan) highest = std::max(highest, cost_of(*plan, request.objective()));
     if (plan && (!best || is_cheaper(*plan, *best, request.objective()))) best = std::move(plan);
   };
-  const bool is_known = best.has_value();
   const PlanRequest dense = with_more_directions(request);
   const auto roomy = with_more_room(environment, request, wider);
   if (roomy) consider(roomy->sea, roomy->request);
@@ -150,7 +158,10 @@ Result<Plan> best_of_more_grids(Result<Plan> known, const Task& task, const Plan
   if (stop.stop_requested()) return tl::unexpected(search::explain_cancelled(request));
   if (!best)
     return tl::unexpected(with_area_searched(std::move(best.error()), roomy ? roomy->request : request));
-  best->messages.insert(best->messages.begin(), messages::plan_message<"several-grids-tried">());
+  const bool agree = all_found && highest <= (1.0 + agreement) * cost_of(*best, request.objective());
+  best->messages.insert(best->messages.begin(),
+                        agree ? messages::plan_message<"several-grids-agree">(100.0 * agreement)
+                              : messages::plan_message<"several-grids-tried">());
   return best;
 }
 

@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 
+#include "engine/core/shown_text.hpp"
 #include "engine/core/violation_list.hpp"
 #include "engine/geo/coarse_outline.hpp"
 #include "engine/geo/geodesic.hpp"
@@ -14,7 +15,9 @@
 #include "engine/planning/cost/surfacing.hpp"
 #include "engine/planning/plane/coast_lines.hpp"
 #include "engine/planning/plane/plane_distance.hpp"
+#include "engine/planning/publish/drift_warnings.hpp"
 #include "engine/planning/publish/ice_dangers.hpp"
+#include "engine/planning/publish/route_moves.hpp"
 #include "engine/planning/publish/water_warnings.hpp"
 #include "engine/planning/publish/zone_warnings.hpp"
 #include "engine/vehicle/dive_band.hpp"
@@ -37,21 +40,6 @@ void for_each_sample(const std::vector<geo::PlanePoint>& route, Visit&& visit) {
       const double share = static_cast<double>(piece) / pieces;
       visit(geo::PlanePoint{a.x_m + share * (b.x_m - a.x_m), a.y_m + share * (b.y_m - a.y_m)});
     }
-  }
-}
-
-/// The waits and drives of the plan's vehicle as even moves, leg by leg: `visit(leg, move)`.
-template <class Visit>
-void for_each_move(const cost::Sea& sea, const std::vector<geo::PlanePoint>& route,
-                   const cost::Schedule& schedule, const std::vector<vehicle::Drive>& drives, Visit&& visit) {
-  for (std::size_t i = 1; i < route.size(); ++i) {
-    const core::Seconds leaves = schedule.leaves(i - 1);
-    if (schedule.waits[i - 1].count() > 0.0) {
-      visit(i,
-            motion::EvenMove{route[i - 1], route[i - 1], schedule.arrivals[i - 1].count(), leaves.count()});
-    }
-    for (const motion::EvenMove& move : sea.drive(route[i - 1], route[i], leaves, drives[i - 1]))
-      visit(i, move);
   }
 }
 
@@ -171,19 +159,14 @@ std::optional<core::Metres> land_clearance(const cost::Sea& sea, const ocean::En
 
 /// Names the icebergs that count for an earlier departure only.
 void warn_of_old_sightings(Plan& plan, const ocean::Environment& environment, const PlanRequest& request) {
-  constexpr std::size_t most_names = 10;
-  std::size_t dropped = 0;
-  std::string names;
+  std::vector<std::string> names;
   for (const ocean::Iceberg& iceberg : environment.icebergs) {
-    if (!ocean::is_too_old(iceberg, request.depart)) continue;
-    if (dropped < most_names)
-      names += (dropped > 0 ? ", " : "") + (iceberg.id.empty() ? "one without a name" : iceberg.id);
-    ++dropped;
+    if (ocean::is_too_old(iceberg, request.depart))
+      names.push_back(iceberg.id.empty() ? "one without a name" : iceberg.id);
   }
-  if (dropped == 0) return;
-  if (dropped > most_names) names += " and " + std::to_string(dropped - most_names) + " more";
-  plan.messages.push_back(
-      messages::plan_message<"sightings-too-old-at-departure">(dropped, request.depart, names));
+  if (names.empty()) return;
+  plan.messages.push_back(messages::plan_message<"sightings-too-old-at-departure">(
+      names.size(), request.depart, core::shortened_list(names)));
 }
 
 /// Of those that are planned; a vehicle that has an interval of its own counts them already.
@@ -275,7 +258,7 @@ void add_surfacings(Plan& plan, const cost::Sea& sea, const PlanRequest& request
 
 Plan assemble_plan(const cost::Sea& sea, const ocean::Environment& environment, const PlanRequest& request,
                    const std::vector<geo::PlanePoint>& route, const cost::Schedule& schedule,
-                   const std::vector<vehicle::Drive>& drives) {
+                   const std::vector<vehicle::Drive>& drives, const std::stop_token& stop) {
   const std::vector<core::Seconds>& arrivals = schedule.arrivals;
   Plan plan;
   plan.method = request.method;
@@ -316,8 +299,10 @@ Plan assemble_plan(const cost::Sea& sea, const ocean::Environment& environment, 
   plan.optimality_gap_reason = "not asked for";
   if (sea.currents()) plan.strongest_current = sea.currents()->strongest();
   plan.datasets = environment.datasets;
-  plan.messages = environment.messages;
+  plan.messages = messages_beside_drift(environment);
   warn_of_old_sightings(plan, environment, request);
+  std::ranges::move(drift_warnings(sea, environment, request, route, schedule, drives, stop),
+                    std::back_inserter(plan.messages));
   std::ranges::move(water_warnings(sea, environment, request, route, schedule, drives),
                     std::back_inserter(plan.messages));
   if (auto message = zone_warning(sea, request, route, schedule, drives))

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <stop_token>
 #include <vector>
 
 #include "engine/ocean/environment.hpp"
@@ -12,8 +13,10 @@ namespace floeplan::planning::publish {
 
 /// Makes a plan of a route and its arrivals: waypoints with legs, clearances, messages, the data used.
 /// Precondition  as many arrivals as points, at least two, and a drive for each leg
+/// Stops    early, with a plan that must not be used, once `stop` is requested
 [[nodiscard]] Plan assemble_plan(const cost::Sea& sea, const ocean::Environment& environment,
                                  const PlanRequest& request, const std::vector<geo::PlanePoint>& route,
-                                 const cost::Schedule& schedule, const std::vector<vehicle::Drive>& drives);
+                                 const cost::Schedule& schedule, const std::vector<vehicle::Drive>& drives,
+                                 const std::stop_token& stop);
 
 }  // namespace floeplan::planning::publish

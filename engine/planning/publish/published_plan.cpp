@@ -55,7 +55,7 @@ Result<Plan> publish(const search::Chart& chart, const ocean::Environment& envir
   const auto schedule = cost::schedule_along(sea, points, cost::at_departure);
   if (!schedule) return tl::unexpected(search::explain_route(schedule.error(), sea, request));
   const std::vector<vehicle::Drive> drives(improved.route.legs(), sea.drives().front());
-  Plan plan = assemble_plan(sea, environment, request, points, *schedule, drives);
+  Plan plan = assemble_plan(sea, environment, request, points, *schedule, drives, stop);
   plan.search = statistics;
   plan.refinement = improved.refinement;
   if (plan.refinement) plan.refinement->after = plan.travel_time();  // what came after it may have cost time

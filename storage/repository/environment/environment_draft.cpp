@@ -118,12 +118,4 @@ core::UtcTime drift_start(const EnvironmentDraft& draft) {
   return start;
 }
 
-std::string shortened_list(const std::vector<std::string>& names) {
-  constexpr std::size_t most = 10;
-  std::string text;
-  for (std::size_t i = 0; i < std::min(names.size(), most); ++i) text += (i > 0 ? ", " : "") + names[i];
-  if (names.size() > most) text += " and " + std::to_string(names.size() - most) + " more";
-  return text;
-}
-
 }  // namespace floeplan::repository

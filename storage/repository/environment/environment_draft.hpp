@@ -84,8 +84,6 @@ void cite_joined(EnvironmentDraft& draft, const std::vector<JoinedPart>& parts);
 /// Says what the plan goes without: that the kind was left out, if that was the choice, else that none is stored here.
 void tell_of_gap(EnvironmentDraft& draft, const DatasetChoice& choice, messages::Message left_out,
                  messages::Message missing);
-/// The first ten names and how many more there are.
-[[nodiscard]] std::string shortened_list(const std::vector<std::string>& names);
 
 /// Whether `holds(place)` at all nodes of a lattice that cuts the area into `pieces` along either side, its edges
 /// included.

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/core/shown_text.hpp"
 #include "engine/messages/data_messages.hpp"
 #include "engine/ocean/ice/iceberg_draft.hpp"
 #include "engine/ocean/iceberg_drift.hpp"
@@ -76,7 +77,7 @@ void tell_of_unknown_drift(EnvironmentDraft& draft) {
   if (observed_before > 0)
     draft.tell(messages::data_message<"earlier-sightings-before-currents">(observed_before, all, begin));
   if (!names.empty())
-    draft.tell(messages::data_message<"icebergs-beyond-currents">(names.size(), all, shortened_list(names)));
+    draft.tell(messages::data_message<"icebergs-beyond-currents">(names.size(), all, core::shortened_list(names)));
 }
 
 }  // namespace floeplan::repository

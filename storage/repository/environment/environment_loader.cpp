@@ -6,6 +6,7 @@
 #include <memory>
 #include <utility>
 
+#include "engine/core/shown_text.hpp"
 #include "engine/core/utc_text.hpp"
 #include "engine/messages/data_messages.hpp"
 #include "storage/repository/datasets/dataset.hpp"
@@ -39,8 +40,8 @@ void tell_of_old_sightings(EnvironmentDraft& draft, const KnownIcebergs& known) 
     lists.push_back(title(dataset));
   }
   if (dropped.empty()) return;
-  draft.tell(messages::data_message<"sightings-too-old">(dropped.size(), all, shortened_list(lists),
-                                                         known.oldest, shortened_list(dropped)));
+  draft.tell(messages::data_message<"sightings-too-old">(dropped.size(), all, core::shortened_list(lists),
+                                                         known.oldest, core::shortened_list(dropped)));
 }
 
 /// Says which bergs were only seen later than counts: they may have been there before, and nobody avoids them. Where the
@@ -56,7 +57,7 @@ void tell_of_later_sightings(EnvironmentDraft& draft, const KnownIcebergs& known
                       core::iso8601(berg.observed));
     last = std::max(last, berg.observed);
   }
-  const std::string names = shortened_list(dropped);
+  const std::string names = core::shortened_list(dropped);
   if (draft.query.icebergs_as_of)
     return draft.tell(messages::data_message<"sightings-left-out">(dropped.size(), as_of, names));
   const core::UtcTime let_count = std::chrono::ceil<std::chrono::seconds>(last);
@@ -146,7 +147,7 @@ void tell_of_icebergs_on_land(EnvironmentDraft& draft) {
   std::vector<std::string> names;
   for (std::size_t i = 0; i < on_land.size(); ++i)
     if (on_land[i]) names.push_back(icebergs[i].id);
-  draft.tell(messages::data_message<"icebergs-on-land">(names.size(), shortened_list(names))
+  draft.tell(messages::data_message<"icebergs-on-land">(names.size(), core::shortened_list(names))
                  .at(places[static_cast<std::size_t>(first - on_land.begin())]));
 }
 

@@ -5,6 +5,7 @@
 #include <memory>
 #include <utility>
 
+#include "engine/core/shown_text.hpp"
 #include "engine/core/utc_text.hpp"
 #include "engine/messages/data_messages.hpp"
 #include "storage/repository/environment/environment_draft.hpp"
@@ -129,7 +130,7 @@ void refuse_other_waters(EnvironmentDraft& draft) {
   }
   if (elsewhere.empty()) return;
   draft.refuse(DatasetKind::currents, "no stored dataset reaches " + bounds_text(draft.query.area) + ": " +
-                                          shortened_list(elsewhere) +
+                                          core::shortened_list(elsewhere) +
                                           ". Ingest some for this water, or plan without (--currents none)");
 }
 

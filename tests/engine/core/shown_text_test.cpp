@@ -68,5 +68,12 @@ TEST(Excerpt, CutsWordsThatNobodyReads) {
   EXPECT_LT(excerpt(words).size(), 2100U);
 }
 
+TEST(ShortenedList, NamesTenAndCountsTheOthers) {
+  EXPECT_EQ(shortened_list({}), "");
+  EXPECT_EQ(shortened_list({"B-1", "B-2"}), "B-1, B-2");
+  EXPECT_EQ(shortened_list({"1", "2", "3", "4", "5", "6", "7", "8", "9", "10", "11", "12"}),
+            "1, 2, 3, 4, 5, 6, 7, 8, 9, 10 and 2 more");
+}
+
 }  // namespace
 }  // namespace floeplan::core::shown_text_test

@@ -77,6 +77,29 @@ TEST(IcebergDrift, TellsWhetherTheCurrentIsKnownAllTheWay) {
   EXPECT_FALSE(is_current_known(sighted_berg(), {}, after_hours(0.0), after_hours(0.0)));
 }
 
+TEST(IcebergDrift, CountsHowLongAForecastRestsOnKnownCurrents) {
+  const auto sea = sea_with(std::nullopt, 25, [](SampleIndex) { return 0.2F; });
+  Iceberg seen_before = sighted_berg();
+  seen_before.observed = after_hours(-2.5);
+  Iceberg outside = sighted_berg();
+  outside.place.lon_deg = -55.0;
+
+  const DriftBasis followed = drift_basis(sighted_berg(), sea, after_hours(4.5));
+  const DriftBasis before = drift_basis(seen_before, sea, after_hours(4.5));
+  const DriftBasis beyond = drift_basis(outside, sea, after_hours(4.5));
+
+  EXPECT_EQ(followed.unknown.count(), 0.0);
+  ASSERT_EQ(followed.known.size(), 6U);
+  EXPECT_EQ(followed.known.front().time, after_hours(0.0));
+  EXPECT_EQ(followed.known.back().time, after_hours(5.0)) << "whole hours";
+  EXPECT_NEAR(before.unknown.count(), 2.5 * hour_s, 1e-6);
+  ASSERT_EQ(before.known.size(), 6U);
+  EXPECT_EQ(before.known.front().place, seen_before.place) << "it stays until the currents begin";
+  EXPECT_NEAR(beyond.unknown.count(), 4.5 * hour_s, 1e-6);
+  EXPECT_TRUE(beyond.known.empty());
+  EXPECT_TRUE(drift_basis(sighted_berg(), sea, after_hours(-1.0)).known.empty()) << "before the sighting";
+}
+
 TEST(IcebergDrift, AveragesTheCurrentOverTheDraft) {
   // Nothing moves above 20 m, everything below 40 m; a growler floats above, half of a deep berg is below 40 m.
   const auto sea =

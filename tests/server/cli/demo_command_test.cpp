@@ -83,6 +83,20 @@ TEST_F(DemoCli, KnowsCurrentsIceAndIcebergsOfThisHour) {
   EXPECT_GT(*last_seen, now - std::chrono::days{2});
 }
 
+TEST_F(DemoCli, PlansWhatItProposesWithoutACaution) {
+  if (!std::filesystem::exists("/usr/share/gmt-gshhg/binned_GSHHS_f.nc"))
+    GTEST_SKIP() << "install the package gmt-gshhg-full to run this test";
+  const json written = write({"--start", "2026-11-22"}).json();
+  ingest(written);
+  auto words = written["example"].get<std::vector<std::string>>();
+  words.push_back("--json");
+
+  const Outcome outcome = program_.run(words);
+
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  for (const json& message : outcome.json()["messages"]) EXPECT_EQ(message["rank"], "note") << message;
+}
+
 TEST_F(DemoCli, TakesADateOrATimeWithItsZoneAndNothingElse) {
   EXPECT_EQ(write({"--scenario", "river", "--start", "2026-11-22"}).json()["start"], "2026-11-22T00:00:00Z");
   EXPECT_EQ(write({"--scenario", "river", "--start", "2026-11-22T02:00:00+02:00"}).json()["start"],

@@ -18,6 +18,7 @@
 namespace floeplan::planning::planner::strong_currents_test {
 namespace {
 
+using testing::AllOf;
 using testing::Contains;
 using testing::Each;
 using testing::HasSubstr;
@@ -113,6 +114,26 @@ TEST(StrongCurrents, HaveTheBestPlanOfSeveralGridsTaken) {
 
   ASSERT_TRUE(plan);
   EXPECT_LE(plan->arrival, on_usual_grids->arrival);
+}
+
+TEST(StrongCurrents, AreACautionOnlyWhereThePlansOfSeveralGridsDiffer) {
+  const auto codes = [](const ocean::Environment& sea) {
+    const auto plan = plan_route(sea, across_the_stream(), {}, {});
+    EXPECT_TRUE(plan);
+    std::vector<std::string> found;
+    for (const messages::Message& message : plan->messages) found.push_back(message.code);
+    return found;
+  };
+  ocean::Environment fast_elsewhere;
+  fast_elsewhere.steady_currents = true;
+  fast_elsewhere.currents = support::currents_from(
+      [](geo::LonLat place, double) { return geo::VelocityEn{{place.lat_deg > 69.06 ? 1.0 : 0.1}, {0.0}}; },
+      1);
+
+  EXPECT_THAT(codes(fast_elsewhere),
+              AllOf(Contains("several-grids-agree"), Not(Contains("several-grids-tried"))));
+  EXPECT_THAT(codes(stream(1.0)),
+              AllOf(Contains("several-grids-tried"), Not(Contains("several-grids-agree"))));
 }
 
 TEST(StrongCurrents, AreWhatMakesAllTheDifference) {
