@@ -317,6 +317,31 @@ std::string with_flag(const std::string& pointer, fields::Process process) {
   return pointer;
 }
 
+/// Which stop of the route an input of a request is; empty: none.
+std::string stop_of(const std::string& input) {
+  if (input == "from") return "start: ";
+  if (input == "to") return "goal: ";
+  if (!input.starts_with("via/")) return "";
+  return "via point " + std::to_string(std::stoi(input.substr(4)) + 1) + ": ";
+}
+
+/// Where and why, what to do, and line by line the changes with which there is a plan.
+std::string why_no_plan(const json& document) {
+  const json& at = document.at("at");
+  std::string text = document.at("explanation").get<std::string>() +
+                     "\n  where: " + degrees_minutes(at.at("lat"), 'N', 'S') + ' ' +
+                     degrees_minutes(at.at("lon"), 'E', 'W');
+  if (const std::string hint = document.at("suggestion"); !hint.empty()) text += "\n  what to do: " + hint;
+  for (const json& change : document.at("changes")) {
+    text += "\n  would help: " + stop_of(change.at("input")) + change.at("text").get<std::string>();
+  }
+  if (document.at("changes_cut_short") == true) {
+    text += document.at("changes").empty() ? "\n  The search for changes that would help was cut short."
+                                           : "\n  The search for smaller changes was cut short.";
+  }
+  return text;
+}
+
 }  // namespace
 
 std::function<PlanOutput()> add_plan_output(CLI::App& command) {
@@ -341,21 +366,7 @@ int print_plan(const json& document, PlanOutput output) {
     print_summary(document);
   }
   if (ok) return done;
-  const json& at = document.at("at");
-  std::string helps;
-  for (const json& change : document.at("changes")) {
-    helps +=
-        (helps.empty() ? "; it would be possible to " : ", or to ") + change.at("text").get<std::string>();
-  }
-  if (document.at("changes_cut_short") == true) {
-    helps += helps.empty() ? "; what would help was looked for only in part"
-                           : "; whether less would do was looked for only in part";
-  }
-  return complain(could_not, "no plan: " + document.at("explanation").get<std::string>() + " (at " +
-                                 degrees_minutes(at.at("lat"), 'N', 'S') + ' ' +
-                                 degrees_minutes(at.at("lon"), 'E', 'W') + "); " +
-                                 document.at("reason").get<std::string>() + "; " +
-                                 document.at("suggestion").get<std::string>() + helps);
+  return complain(could_not, "no plan: " + why_no_plan(document));
 }
 
 void print_by_rank(const json& sentences) {

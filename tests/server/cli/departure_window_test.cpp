@@ -102,6 +102,21 @@ TEST_F(DemoStore, RefusesAWindowThatIsReversedEndlessOrOutsideTheData) {
   EXPECT_THAT(refused({"--arrive-by", "2031-01-01T00:00:00Z"}), HasSubstr("--arrive-by: "));
 }
 
+TEST_F(DemoStore, SaysLineByLineWhyThereIsNoPlan) {
+  const std::string goal_on_land = "-53.00,69.50";  // Disko island
+
+  const support::Outcome refused =
+      program_->run({"plan", "--from", from, "--to", goal_on_land, "--depart", time(6)});
+
+  EXPECT_EQ(refused.exit_code, 1);
+  EXPECT_THAT(refused.err, testing::MatchesRegex("floeplan: no plan: the goal lies on land[^\n]*\n"
+                                                 "  where: +69 30.000 N +53 00.000 W\n"
+                                                 "  what to do: [^\n]*\n"
+                                                 "(  would help: goal: move it by [^\n]*\n)?"
+                                                 "[^/_]*"))
+      << "neither a pointer nor a name of the code";
+}
+
 TEST_F(DemoStore, DrawsWhatCanBeReachedAndFromWhere) {
   const auto there =
       program_->run({"reach", "--from", from, "--depart", time(0), "--hours", "3,6", "--json"});
