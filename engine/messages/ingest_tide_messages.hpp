@@ -212,6 +212,26 @@ inline constexpr auto ingest_tide_kinds = std::to_array<Kind>({
      .rank = Rank::note,
      .text = "{places} {places:place|places} outside the model left out",
      .slots = {{{"places", 3}}}},
+    {.code = "tcd-damaged",
+     .rank = Rank::caution,
+     .text = "the database of tides (TCD) is damaged or of a version that cannot be read",
+     .hint = "Copy or download it again"},
+    {.code = "tcd-without-levels",
+     .rank = Rank::caution,
+     .text =
+         "the database of tides (TCD) holds no station with a place and harmonic constants of the water "
+         "level, which alone are read: its stations are of currents, or stated as differences from others",
+     .hint = "Give another file"},
+    {.code = "tcd-stations-left-out",
+     .rank = Rank::note,
+     .text = "stations left out: {currents} of tidal currents, {differences} that are stated as differences "
+             "from another station, {incomplete} without a place or a known constituent",
+     .slots = {{{"currents", 2626}, {"differences", 4453}, {"incomplete", 0}}}},
+    {.code = "tcd-constituents-left-out",
+     .rank = Rank::caution,
+     .text = "constituents left out, because they are not known or have another speed here: {constituents}. "
+             "The greatest of them has {metres} m, at {station}",
+     .slots = {{{"constituents", "SA-IOS"}, {"metres", "0.02"}, {"station", "Victoria"}}}},
 });
 
 /// The message of this code; it is told its values in the order of the catalogue.

@@ -167,13 +167,41 @@ constexpr std::array compounds{
 };
 
 /// Other names of the same line.
-constexpr std::array<std::pair<const char*, const char*>, 28> aliases{{
-    {"NO1", "M1"},        {"RHO", "RHO1"},      {"LAMBDA2", "LAM2"}, {"LDA2", "LAM2"},   {"LA2", "LAM2"},
-    {"LABDA2", "LAM2"},   {"SIGMA1", "SIG1"},   {"THETA1", "THE1"},  {"ALPHA1", "ALP1"}, {"BETA1", "BET1"},
-    {"UPSILON1", "UPS1"}, {"EPSILON2", "EPS2"}, {"GAMMA2", "GAM2"},  {"ALPHA2", "H1"},   {"MA2", "H1"},
-    {"ALP2", "H1"},       {"M2A", "H1"},        {"BETA2", "H2"},     {"MB2", "H2"},      {"BET2", "H2"},
-    {"M2B", "H2"},        {"MT", "MTM"},        {"MSQ", "MSQM"},     {"MQM", "MSQM"},    {"MST", "MSTM"},
-    {"KQ1", "UPS1"},      {"E2", "EPS2"},       {"PHI", "PHI1"},
+constexpr std::array<std::pair<const char*, const char*>, 33> aliases{{
+    {"NO1", "M1"},
+    {"RHO", "RHO1"},
+    {"LAMBDA2", "LAM2"},
+    {"LDA2", "LAM2"},
+    {"LA2", "LAM2"},
+    {"LABDA2", "LAM2"},
+    {"SIGMA1", "SIG1"},
+    {"THETA1", "THE1"},
+    {"ALPHA1", "ALP1"},
+    {"BETA1", "BET1"},
+    {"UPSILON1", "UPS1"},
+    {"EPSILON2", "EPS2"},
+    {"GAMMA2", "GAM2"},
+    {"ALPHA2", "H1"},
+    {"MA2", "H1"},
+    {"ALP2", "H1"},
+    {"M2A", "H1"},
+    {"BETA2", "H2"},
+    {"MB2", "H2"},
+    {"BET2", "H2"},
+    {"M2B", "H2"},
+    {"MT", "MTM"},
+    {"MSQ", "MSQM"},
+    {"MQM", "MSQM"},
+    {"MST", "MSTM"},
+    {"KQ1", "UPS1"},
+    {"E2", "EPS2"},
+    {"PHI", "PHI1"},
+    // As XTide writes what NOAA does without brackets.
+    {"2MNLS6", "2MLNS6"},
+    {"2(MS)8", "2MS8"},
+    {"2(MN)8", "2MN8"},
+    {"2KM(SN)2", "2KMSN2"},
+    {"M2(KS)2", "M2KS2"},
 }};
 
 /// A line as the catalogue keeps it.

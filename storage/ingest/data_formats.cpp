@@ -8,8 +8,10 @@
 #include "storage/ingest/formats/s100/s100_coverage.hpp"
 #include "storage/ingest/formats/slocum/slocum_header.hpp"
 #include "storage/ingest/formats/slocum/slocum_log.hpp"
+#include "storage/ingest/formats/tcd/tcd_file.hpp"
 #include "storage/ingest/formats/vector/geojson_file.hpp"
 #include "storage/ingest/formats/vector/kml_file.hpp"
+#include "storage/ingest/formats/vector/s411_file.hpp"
 #include "storage/ingest/formats/vector/vector_file.hpp"
 #include "storage/ingest/formats/zarr/zarr_store.hpp"
 #include "storage/ingest/netcdf_contents.hpp"
@@ -30,6 +32,7 @@
 #include "storage/ingest/readers/icebergs/iceberg_geojson_reader.hpp"
 #include "storage/ingest/readers/icebergs/iceberg_own_table.hpp"
 #include "storage/ingest/readers/icebergs/iceberg_table_reader.hpp"
+#include "storage/ingest/readers/tides/tcd_stations.hpp"
 #include "storage/ingest/readers/tides/tide_table.hpp"
 #include "storage/ingest/readers/tracks/slocum_reader.hpp"
 #include "storage/ingest/readers/zones/feature_kind.hpp"
@@ -224,6 +227,14 @@ std::vector<DataFormat> all_formats() {
        .digest = [](const FileGroup& files) { return sha256_of_files(without_sensor_caches(files)); },
        .together = Together::glider_log},
 
+      {.name = "TCD",
+       .reads = "harmonic constants of stations, as XTide and TICON have them",
+       .kinds = {tides},
+       .writing = Writing::binary,
+       .is_it = [](const FileStart& start) { return is_tcd(start.bytes); },
+       .read = [](const Reading& r) { return read_tcd_stations(r.file.path); },
+       .check = is_whole_tcd},
+
       {.name = "GeoJSON",
        .reads = "points that are icebergs; polygons that are zones, land, ice shelves or sea ice (SIGRID-3)",
        .kinds = {icebergs, zones, coastline, ice},
@@ -261,6 +272,18 @@ std::vector<DataFormat> all_formats() {
        .look_into =
            [](RecognisedFile& file, const Expectation& expected) {
              return look_into_features(file, open_kml(file.path), expected);
+           }},
+
+      {.name = "S-411",
+       .reads =
+           "sea ice of an ice service: concentration and thickest stage of each area, GML of edition 1.1",
+       .kinds = {ice},
+       .writing = Writing::xml,
+       .is_it = [](const FileStart& start) { return is_s411(start.bytes); },
+       .read = read_features,
+       .look_into =
+           [](RecognisedFile& file, const Expectation& expected) {
+             return look_into_features(file, open_s411(file.path, file.warnings), expected);
            }},
 
       {.name = "ESRI ASCII",

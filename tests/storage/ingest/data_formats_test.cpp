@@ -26,9 +26,13 @@ const std::map<std::string, std::string>& beginnings() {
       {"GeoPackage", "SQLite format 3" + std::string(53, '\0') + "GPKG\0"s},
       {"shapefile", "\x00\x00\x27\x0a"s},
       {"S-57", "015623LE1 0900201 ! 34040000"},
+      {"TCD",
+       "[VERSION] = PFM Software - libtcd v2.2.7\n[NUMBER OF RECORDS] = 1\n[CONSTITUENTS] = 37\n[END OF "
+       "FILE] = 90\n"},
       {"GeoJSON", R"({"type": "FeatureCollection", "features": []})"},
       {"NOAA's JSON", R"({"HarmonicConstituents": []})"},
       {"KML", "<?xml version=\"1.0\"?><kml xmlns=\"http://www.opengis.net/kml/2.2\"/>"},
+      {"S-411", "<?xml version=\"1.0\"?><ice:IceDataSet xmlns:ice=\"http://www.jcomm.info/ice\"/>"},
       {"ESRI ASCII", "ncols 1\nnrows 1\nxllcorner 0\nyllcorner 0\ncellsize 1\n5\n"},
       {"International Ice Patrol",
        "ICEBERG_YEAR,ICEBERG_NUMBER,SIGHTING_DATE,SIGHTING_TIME,SIGHTING_LATITUDE,SIGHTING_LONGITUDE,"

@@ -53,7 +53,6 @@ INSTANTIATE_TEST_SUITE_P(
                     Refused{"tides/ttide_constituents_const.nc", "neither currents of the sea"},
                     Refused{"tides/ttide_constituents_sat.nc", "neither currents of the sea"},
                     Refused{"tides/ttide_constituents_shallow.nc", "neither currents of the sea"},
-                    Refused{"tides/harmonics-dwf-20210110-free.tcd", "unrecognised"},
                     Refused{"tides/uhslc_h820_nuuk_hourly.nc", "neither currents of the sea"}));
 
 INSTANTIATE_TEST_SUITE_P(S100, SampleWithoutData,

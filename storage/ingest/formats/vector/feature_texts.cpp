@@ -1,16 +1,13 @@
 #include "storage/ingest/formats/vector/feature_texts.hpp"
 
-#include <cpl_conv.h>
-#include <cpl_string.h>
 #include <ogr_feature.h>
 
 #include <array>
 #include <cstdio>
 #include <cstdlib>
-#include <memory>
 
 #include "engine/core/letter_case.hpp"
-#include "storage/ingest/notation/text.hpp"
+#include "storage/ingest/notation/table_text.hpp"
 
 namespace floeplan::ingest {
 namespace {
@@ -43,13 +40,6 @@ std::string iso_of_field(const OGRFeature& feature, int index) {
 }
 
 }  // namespace
-
-std::string table_text(const char* text) {
-  if (CPLIsUTF8(text, -1) != 0) return trimmed(text);
-  const std::unique_ptr<char, decltype(&VSIFree)> recoded{CPLRecode(text, CPL_ENC_ISO8859_1, CPL_ENC_UTF8),
-                                                          &VSIFree};
-  return trimmed(recoded.get());
-}
 
 std::string text_of_field(const OGRFeature& feature, int index) {
   if (feature.IsFieldSetAndNotNull(index) == 0) return {};

@@ -9,9 +9,6 @@ class OGRFeature;
 
 namespace floeplan::ingest {
 
-/// Text of a table as UTF-8, without blanks around it; tables without a stated encoding hold Latin-1 as a rule.
-[[nodiscard]] std::string table_text(const char* text);
-
 /// The value of an attribute: numbers and texts as the file writes them, dates and times in ISO 8601 and not as GDAL
 /// spells them, which no file holds; a time without a zone stays without one. Empty where it has none.
 [[nodiscard]] std::string text_of_field(const OGRFeature& feature, int index);

@@ -10,6 +10,7 @@
 #include "engine/messages/ingest_tide_messages.hpp"
 #include "storage/ingest/notation/stated_place.hpp"
 #include "storage/ingest/notation/text.hpp"
+#include "storage/ingest/readers/tides/station_rows.hpp"
 #include "storage/json/json.hpp"
 #include "storage/repository/fields/tide_repository.hpp"
 
@@ -21,7 +22,6 @@ using repository::TideStation;
 
 constexpr std::size_t max_bytes = 50'000'000;
 constexpr std::size_t max_stations = 100'000;
-constexpr double highest_amplitude_m = 20.0;
 
 std::vector<std::string> split_line(std::string_view line, std::string_view separators) {
   std::vector<std::string> parts;
@@ -39,89 +39,6 @@ Checked<std::string> text_of_file(const std::filesystem::path& file) {
     return refuse(messages::ingest_tide_message<"station-list-too-long">());
   std::ifstream in{file, std::ios::binary};
   return std::string{std::istreambuf_iterator<char>{in}, {}};
-}
-
-/// A row as its file gives it.
-struct ConstituentRow {
-  std::string name;
-  double amplitude{};
-  double phase_deg{};
-  std::optional<double> speed_deg_h;
-};
-
-/// Collects the constants of one station.
-class StationRows {
- public:
-  Checked<bool> add(const ConstituentRow& row, double metres) {
-    if (!std::isfinite(row.amplitude) || row.amplitude < 0.0 || row.amplitude * metres > highest_amplitude_m)
-      return refuse(
-          messages::ingest_tide_message<"amplitude-impossible">(row.name, number(row.amplitude * metres)));
-    if (!std::isfinite(row.phase_deg) || std::abs(row.phase_deg) > 720.0)
-      return refuse(messages::ingest_tide_message<"phase-impossible">(row.name, number(row.phase_deg)));
-    if (row.amplitude == 0.0) return true;
-    const auto line = tide::find_constituent(row.name);
-    if (!line) {
-      unknown_.push_back(row.name);
-      unknown_m_ += row.amplitude * metres;
-      return true;
-    }
-    const double speed_deg_h = core::radians_to_degrees(tide::angular_speed(*line)) * 3600.0;
-    if (row.speed_deg_h && std::abs(*row.speed_deg_h - speed_deg_h) > 0.001)
-      return refuse(messages::ingest_tide_message<"constituent-speed-differs">(
-          row.name, number(*row.speed_deg_h, 9), number(speed_deg_h, 9)));
-    if (std::ranges::find(constants_, *line, &tide::HarmonicConstant::constituent) != constants_.end())
-      return refuse(messages::ingest_tide_message<"constituent-twice">(row.name));
-    constants_.push_back({*line, tide::harmonic_value(row.amplitude * metres, row.phase_deg)});
-    return true;
-  }
-
-  [[nodiscard]] std::vector<tide::HarmonicConstant> constants() && { return std::move(constants_); }
-  void warn(Messages& warnings) const {
-    if (!unknown_.empty())
-      warnings.push_back(messages::ingest_tide_message<"station-constituents-left-out">(
-          enumeration(unknown_), number(unknown_m_, 3)));
-  }
-
- private:
-  std::vector<tide::HarmonicConstant> constants_;
-  std::vector<std::string> unknown_;
-  double unknown_m_{};
-};
-
-Checked<PreparedDataset> prepared_stations(std::vector<TideStation> stations, Messages warnings) {
-  PreparedDataset data;
-  data.kind = repository::DatasetKind::tides;
-  std::vector<geo::LonLat> places;
-  for (const TideStation& station : stations) {
-    if (station.constants.empty())
-      return refuse(messages::ingest_tide_message<"station-without-constituents">());
-    places.push_back(station.place);
-    for (const tide::HarmonicConstant& constant : station.constants) {
-      const std::string& name = tide::constituent_name(constant.constituent);
-      if (std::ranges::find(data.variables, name) == data.variables.end()) data.variables.push_back(name);
-    }
-  }
-  if (stations.empty()) return refuse(messages::ingest_tide_message<"stations-missing">());
-  data.bounds = geo::bounding_box(places);
-  data.rows_accepted = static_cast<std::int64_t>(stations.size());
-  data.warnings = std::move(warnings);
-  data.write = [stations = std::move(stations)](sql::Connection& db,
-                                                const repository::DatasetId& id) -> Checked<void> {
-    repository::TideRepository{db}.insert(id, stations);
-    return {};
-  };
-  return data;
-}
-
-/// Metres in one of a unit.
-std::optional<double> metres_of(const std::string& unit) {
-  constexpr std::array units{
-      std::pair{"m", 1.0},      std::pair{"meters", 1.0},  std::pair{"metres", 1.0},
-      std::pair{"metric", 1.0}, std::pair{"cm", 0.01},     std::pair{"mm", 0.001},
-      std::pair{"ft", 0.3048},  std::pair{"feet", 0.3048}, std::pair{"english", 0.3048}};
-  for (const auto& [name, metres] : units)
-    if (lower(unit) == name) return metres;
-  return std::nullopt;
 }
 
 Checked<double> unit_of(const std::string& stated, const IngestOptions& options) {

@@ -14,6 +14,7 @@
 #include "storage/ingest/notation/stated_depth.hpp"
 #include "storage/ingest/notation/stated_period.hpp"
 #include "storage/ingest/notation/stated_rule.hpp"
+#include "storage/ingest/notation/table_text.hpp"
 #include "storage/ingest/notation/text.hpp"
 
 namespace floeplan::ingest {

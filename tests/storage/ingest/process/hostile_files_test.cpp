@@ -27,6 +27,7 @@
 #include "tests/storage/ingest/support/netcdf_writer.hpp"
 #include "tests/storage/ingest/support/s100_writer.hpp"
 #include "tests/storage/ingest/support/store_fixture.hpp"
+#include "tests/storage/ingest/support/tcd_writer.hpp"
 #include "tests/support/places.hpp"
 #include "tests/support/property.hpp"
 
@@ -87,6 +88,10 @@ class HostileFiles : public StoreFixture {
         return std::pair{0.5F + 0.1F * static_cast<float>(column), 60.0F * static_cast<float>(row)};
       }).write(path(name));
     if (name == "bed.h5") s102_sample({10.0F, 20.0F, 30.0F, 40.0F, 50.0F, 60.0F}, 2.0F).write(path(name));
+    if (name == "tides.tcd")
+      write_tcd(
+          path(name),
+          {{.name = "Nuuk", .place = {-51.7, 64.2}, .zone = -300, .constants = {{"M2", {1.5, 120.0}}}}});
     if (name == "log.csv") write_file(name, slocum_log());
     if (name == "bed.asc")
       write_file(name,
@@ -96,6 +101,15 @@ class HostileFiles : public StoreFixture {
                  "<?xml version=\"1.0\"?><kml xmlns=\"http://www.opengis.net/kml/2.2\"><Document><Placemark>"
                  "<name>A99</name><TimeStamp><when>2026-11-20T06:30:00Z</when></TimeStamp><Point>"
                  "<coordinates>-49.5,-60.25,0</coordinates></Point></Placemark></Document></kml>");
+    if (name == "chart_20261120.gml")
+      write_file(
+          name,
+          "<?xml version=\"1.0\"?><ice:IceDataSet xmlns:gml=\"http://www.opengis.net/gml/3.2\" "
+          "xmlns:ice=\"http://www.jcomm.info/ice\"><ice:IceFeatureMember><ice:seaice gml:id=\"a\">"
+          "<ice:iceact>91</ice:iceact><ice:icesod>[87, 85]</ice:icesod>"
+          "<gml:Polygon srsName=\"http://www.opengis.net/def/crs/EPSG/0/4326\"><gml:exterior>"
+          "<gml:LinearRing><gml:posList>66 -60 66 -59 67 -59 67 -60 66 -60</gml:posList></gml:LinearRing>"
+          "</gml:exterior></gml:Polygon></ice:seaice></ice:IceFeatureMember></ice:IceDataSet>\n");
     if (name == "bergs.geojson")
       write_file(name, R"({"type": "FeatureCollection", "features": [{"type": "Feature", "properties":
                           {"id": "a", "observed": "2026-11-20T06:00:00Z", "length_m": 120},
@@ -162,7 +176,8 @@ class HostileFiles : public StoreFixture {
       EXPECT_EQ(report.dataset.has_value(), report.status != IngestStatus::refused);
       EXPECT_EQ(report.errors.empty(), report.dataset.has_value());
       ++(report.dataset ? tally_.stored : tally_.refused);
-      if (words(report).find("stopped the process that reads it") != std::string::npos) ++tally_.broken_readers;
+      if (words(report).find("stopped the process that reads it") != std::string::npos)
+        ++tally_.broken_readers;
       if (words(report).find("reading took more than") != std::string::npos ||
           words(report).find("reading needs more than") != std::string::npos)
         ++tally_.out_of_bounds;
@@ -267,9 +282,9 @@ INSTANTIATE_TEST_SUITE_P(
     Of, HostileFormat,
     testing::Values("US4MD81M.000", "gutils_profile.nc", "gnome_gridded_current.nc", "sample-2.0.1.bag",
                     "comet-2019-222-02-154.dbd", "currents.nc", "bed.tif", "bergs.gpkg", "bergs.shp",
-                    "bergs.zip", "currents.grb", "currents.h5", "bed.h5", "log.csv", "bed.asc", "bergs.kml",
-                    "bergs.geojson", "nw_atlantic_etopo1_4min.xyz", "cis_beacon_1997_12995.csv",
-                    "byu_latest_20260818.json", "noaa_anchorage-knik-arm.json",
+                    "bergs.zip", "currents.grb", "currents.h5", "bed.h5", "tides.tcd", "log.csv", "bed.asc",
+                    "bergs.kml", "chart_20261120.gml", "bergs.geojson", "nw_atlantic_etopo1_4min.xyz",
+                    "cis_beacon_1997_12995.csv", "byu_latest_20260818.json", "noaa_anchorage-knik-arm.json",
                     "otps_tpxo9v2a_extract_HC_sample_out.txt"),
     [](const testing::TestParamInfo<const char*>& format) {
       std::string name = format.param;
