@@ -3,7 +3,7 @@ import { editablePosition } from '../geo/coordinates';
 import { readPosition } from './position';
 import { isoOf, parseTime } from './time';
 
-/** An area to keep out of or to stay in, as a person gives it: texts, and its corners without the closing one. */
+/** An area to keep out of or to stay in, as a person types it. The first corner is not repeated at the end. */
 export interface Area {
   kind: AreaProperties['kind'];
   name: string;
@@ -11,14 +11,14 @@ export interface Area {
   from: string;
   until: string;
   top_m?: string; // empty: from the surface
-  bottom_m?: string; // empty: to the bed
+  bottom_m?: string; // empty: to the sea bed
 }
 
 export const newArea = (corners: Position[], number: number): Area => ({
   kind: 'no_go', name: `Area ${number}`, corners, from: '', until: '',
 });
 
-/** Corners as text, one on each line, and back. */
+/** Writes corners as text, one on each line, and reads them back. */
 export const cornersText = (corners: Position[]): string => corners.map(editablePosition).join('\n');
 
 export function cornersIn(text: string): { corners: Position[] } | { fault: string } {

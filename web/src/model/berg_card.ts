@@ -5,17 +5,17 @@ import { datasets } from './datasets';
 import { drifts, expectedAt, type Expected } from './drift';
 import { icebergs } from './field';
 
-/** The iceberg whose card is open, by name: newer sightings of it take the place of older ones. */
+/** The name of the iceberg whose card is open. The card shows the newest sighting of that name. */
 export const openBergId = signal<string | undefined>(undefined);
 
 export const openBerg = computed<IcebergFeature | undefined>(() => icebergs.value.find(({ properties }) => properties.berg_id === openBergId.value));
 
-/** How often the server knows it to have been seen; undefined until it has answered. */
+/** How many sightings of it the server holds; undefined until it has answered. */
 export const bergHistory = signal<{ berg_id: string; sightings: number; from: string } | undefined>(undefined);
 
 const openDrift = computed(() => drifts.value.find(({ berg_id }) => berg_id === openBergId.value));
 
-/** Where it is expected at the clock's time; undefined where its forecast does not reach. */
+/** Where it is expected at the clock's time; undefined outside the time of its forecast. */
 export const expectedNow = computed<Expected | undefined>(() => openDrift.value && expectedAt(openDrift.value, time_ms.value));
 
 export const forecastEnd_ms = computed<number | undefined>(() => {

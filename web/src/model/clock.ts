@@ -14,12 +14,12 @@ export interface Span {
   end_ms: number;
 }
 
-/** Spans the clock should cover, by who asks for it: the currents, each plan shown. */
+/** Periods that the clock should cover, by what needs them: the currents, each plan on the map. */
 export const spans = signal<Record<string, Span>>({});
 
 const emptyStart_ms = time_ms.peek();
 
-/** What the clock covers, on whole hours; a day around it when nobody asks for more. */
+/** The period that the clock covers, in whole hours; a day around its time where nothing needs more. */
 export const range = computed<Span>(() => {
   const all = Object.values(spans.value);
   if (all.length === 0) return { start_ms: emptyStart_ms, end_ms: emptyStart_ms + 24 * hour_ms };
@@ -27,7 +27,7 @@ export const range = computed<Span>(() => {
   const end = Math.max(...all.map((span) => span.end_ms));
   return { start_ms: Math.floor(start / hour_ms) * hour_ms, end_ms: Math.max(Math.ceil(end / hour_ms) * hour_ms, start + hour_ms) };
 });
-/** The slider spans no more until a person zooms out: never the years that a track or a model may have. */
+/** The slider spans at most this until a person zooms out, although a track or a model may last for years. */
 const usual_ms = 31 * day_ms;
 const narrowest_ms = 6 * hour_ms;
 
@@ -41,7 +41,7 @@ export const slider = computed<Span>(() => {
   return { start_ms: left_ms, end_ms: left_ms + width_ms };
 });
 
-/** Lets the slider span more or less time, with the clock's time where it was on it. */
+/** Makes the slider span more or less time. The clock's time keeps its place on it. */
 export function zoomSlider(factor: number): void {
   const [{ start_ms, end_ms }, whole] = [slider.peek(), range.peek()];
   const now_ms = time_ms.peek();
@@ -52,7 +52,7 @@ export function zoomSlider(factor: number): void {
   bringIntoSlider();
 }
 
-/** Moves the slider where the clock's time has left it, with most of its length ahead in the direction taken. */
+/** Moves the slider when the clock's time has left it. Most of its length then lies ahead, in the direction of the move. */
 function bringIntoSlider(): void {
   const [now_ms, { start_ms, end_ms }] = [time_ms.peek(), slider.peek()];
   if (now_ms >= start_ms && now_ms <= end_ms) return;
@@ -94,8 +94,8 @@ export function togglePlay(): void {
 }
 
 /**
- * The stored steps on either side of a moment and the share of the later one; undefined outside the stored period and between
- * two steps further apart than `longestGap_ms`.
+ * The stored steps before and after a moment, and the weight of the later one. Undefined outside the stored period and between two
+ * steps that are further apart than `longestGap_ms`.
  */
 export function bracket(times_ms: number[], at_ms: number, longestGap_ms = Infinity): { before: number; after: number; share: number } | undefined {
   const after = times_ms.findIndex((time) => time >= at_ms);
@@ -108,7 +108,7 @@ export function bracket(times_ms: number[], at_ms: number, longestGap_ms = Infin
   return { before: after - 1, after, share: (at_ms - beforeTime) / (afterTime - beforeTime) };
 }
 
-/** Beyond all steps the nearest of them, where it is no further away than that; undefined otherwise. */
+/** The first or last step, for a moment outside the steps that is no further from it than `longestHold_ms`; undefined otherwise. */
 export function heldStep(times_ms: number[], at_ms: number, longestHold_ms: number): { before: number; after: number; share: number } | undefined {
   const last = times_ms.length - 1;
   const end = at_ms > (times_ms[last] ?? Infinity) ? last : at_ms < (times_ms[0] ?? -Infinity) ? 0 : undefined;

@@ -1,18 +1,18 @@
 /**
- * A choice of several datasets in a field of the set-up: a word and their ids, in the order of their rank. Currents are then
- * the members of an ensemble, the first of depths has priority, and of icebergs, tides and zones all count.
+ * A choice of several datasets in a field of the set-up: a word and the ids, in order of priority. Several currents are the members
+ * of an ensemble. Of several depths the first has priority. Of icebergs, tides and zones all count.
  */
 const word = 'several';
 
 export const severalOf = (ids: string[]): string => [word, ...ids].join(' ');
 
-/** The ids of a choice of several; undefined where the choice is a word of the server's or one id. */
+/** The ids of a choice of several datasets; undefined where the choice is one id or a word such as "newest". */
 export function severalIn(choice: string): string[] | undefined {
   const [first, ...ids] = choice.split(' ');
   return first === word ? ids : undefined;
 }
 
-/** With a dataset ticked or not; what is ticked last ranks last. */
+/** The choice after a dataset is ticked or unticked. A newly ticked dataset comes last. */
 export function ticked(choice: string, id: string, on: boolean): string {
   const others = (severalIn(choice) ?? []).filter((other) => other !== id);
   return severalOf(on ? [...others, id] : others);
@@ -24,7 +24,7 @@ export const choiceInputs = (choice: string): string | string[] => {
   return ids?.length === 1 ? (ids[0] ?? choice) : (ids ?? choice);
 };
 
-/** The choice without the datasets that are no longer stored; undefined where nothing of it is left. */
+/** The choice without the datasets that are no longer stored; undefined where none is left. */
 export function withoutMissing(choice: string, isStored: (id: string) => boolean): string | undefined {
   const ids = severalIn(choice);
   if (!ids) return ['newest', 'none', 'all'].includes(choice) || isStored(choice) ? choice : undefined;

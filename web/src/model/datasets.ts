@@ -11,7 +11,7 @@ import { hour_ms } from './time';
 export const datasets = signal<Dataset[] | undefined>(undefined);
 export const vehicles = signal<Vehicle[]>([]);
 
-/** What the store says of datasets that it can no longer read; the other list lacks them. */
+/** Datasets that the store can no longer read, with the reason. The list of all datasets lacks them. */
 export const damagedDatasets = signal<DamagedThing[]>([]);
 
 export function takeStored(stored: StoredDatasets): void {
@@ -19,7 +19,7 @@ export function takeStored(stored: StoredDatasets): void {
   damagedDatasets.value = stored.damaged ?? [];
 }
 
-/** Why the server could not be read at start, if so. */
+/** Why the server could not be read at start; empty where it could. */
 export const connectionFault = signal<string | undefined>(undefined);
 
 export const isEmptyStore = computed(() => datasets.value?.length === 0 && damagedDatasets.value.length === 0);
@@ -28,16 +28,16 @@ export const ofKind = (kind: DatasetKind): Dataset[] => (datasets.value ?? []).f
 
 const kinds: PlanningKind[] = ['bathymetry', 'currents', 'ice', 'icebergs', 'coastline', 'tides', 'wind', 'zones'];
 
-/** The id of what people made by hand of a kind: a dataset of its own, which plans obey beside those of files. */
+/** The id of the dataset that holds the manual entries of a kind. Plans obey it together with the datasets from files. */
 export const byHand = (kind: 'icebergs' | 'zones'): string => `${kind}-by-hand`;
 
-/** Nodes in a square degree: what tells a fine grid from a coarse one. */
+/** Nodes in a square degree, by which a fine grid is told from a coarse one. */
 export const nodesPerDegree2 = ({ bbox: [west, south, east, north], rows_accepted }: Dataset): number =>
   rows_accepted / (Math.max(1e-9, east >= west ? east - west : east - west + 360) * Math.max(1e-9, north - south));
 
 /**
- * The datasets of a kind that the draft asks for, in their rank: the newest unless others were chosen; of icebergs, which plans
- * join, every one, and of depths, too, the finest first.
+ * The datasets of a kind that the draft asks for, in order of priority. Where none was chosen, that is the newest; of icebergs and
+ * depths it is all of them, and the finest depths come first.
  */
 export function chosenAll(kind: PlanningKind): Dataset[] {
   const wish = draft.value[kind];
@@ -53,14 +53,14 @@ export function chosenAll(kind: PlanningKind): Dataset[] {
 /** The first of them, which the map shows. */
 export const chosen = (kind: PlanningKind): Dataset | undefined => chosenAll(kind)[0];
 
-/** Whether the set-up makes use of a dataset: of icebergs where it is named, or has the last word on one now. */
+/** Whether the set-up uses a dataset. Icebergs are used where the dataset is named, or holds the newest sighting of a berg. */
 export function isInUse({ id, kind }: Dataset): boolean {
   const isJoined = kind === 'icebergs' && draft.value.icebergs === 'newest';
   if (isJoined) return icebergs.value.some(({ properties }) => properties.dataset_id === id);
   return kinds.some((known) => known === kind && chosenAll(known).some((one) => one.id === id));
 }
 
-/** Lets go of datasets that are no longer stored, but not of damaged ones, without which nobody may plan unawares; the kinds of those that the set-up had asked for by name. */
+/** Drops chosen datasets that are no longer stored, and returns the kinds of those that were named. Damaged datasets stay chosen: nobody shall plan without them unawares. */
 export function forgetMissing(): PlanningKind[] {
   const lost: PlanningKind[] = [];
   for (const kind of kinds) {
@@ -75,12 +75,12 @@ export function forgetMissing(): PlanningKind[] {
 export const chosenBathymetry = computed(() => chosen('bathymetry'));
 export const chosenCurrents = computed(() => chosen('currents'));
 export const chosenIcebergs = computed(() => chosenAll('icebergs'));
-/** Of the icebergs chosen the dataset with the newest sighting. */
+/** The dataset with the newest sighting, of the chosen icebergs. */
 export const lastSighted = computed<Dataset | undefined>(() =>
   chosenIcebergs.value.reduce<Dataset | undefined>((newest, one) => ((one.time_end ?? '') > (newest?.time_end ?? '') ? one : (newest ?? one)), undefined),
 );
 export const chosenCoastline = computed(() => chosen('coastline'));
-/** Of the sea ice that plans may take the newest that tells of the clock's time; where none does the nearest in time. */
+/** The newest sea ice that covers the clock's time, of those that plans may use; where none does, the nearest in time. */
 export const chosenSeaIce = computed(() => {
   const candidates = draft.value.ice === 'newest' ? ofKind('ice') : chosenAll('ice');
   const tellsOf = ({ time_start, time_end }: Dataset): boolean =>
@@ -90,7 +90,7 @@ export const chosenSeaIce = computed(() => {
   return candidates.find(tellsOf) ?? candidates.reduce<Dataset | undefined>((best, one) => (best && !(away_ms(one) < away_ms(best)) ? best : one), undefined);
 });
 
-/** The part of the Earth to open on: where currents and depths are both known, else whichever is; else where there is ice, or a glider was. */
+/** The area to open on: where currents and depths are both known, else where one of them is, else where there is ice or a glider was. */
 export const homeBox = computed<Box>(() => {
   const currents = chosenCurrents.value?.bbox;
   const bathymetry = chosenBathymetry.value?.bbox;
@@ -98,7 +98,7 @@ export const homeBox = computed<Box>(() => {
   return both ?? currents ?? bathymetry ?? chosenIcebergs.value[0]?.bbox ?? ofKind('glider-tracks')[0]?.bbox ?? [-75, 58, -15, 84];
 });
 
-/** Moments for which a dataset has steps, ascending; whole hours where the server keeps its list to itself. */
+/** The times of a dataset's steps, ascending; whole hours where the server does not list them. */
 function timesOf(dataset: Dataset | undefined): number[] {
   if (dataset?.times?.length) return dataset.times.map((time) => Date.parse(time));
   if (!dataset?.time_start || !dataset.time_end) return [];
@@ -111,7 +111,7 @@ function timesOf(dataset: Dataset | undefined): number[] {
 export const currentTimes_ms = computed(() => timesOf(chosenCurrents.value));
 export const seaIceTimes_ms = computed(() => timesOf(chosenSeaIce.value));
 
-/** Whether any data in use call themselves made up. */
+/** Whether any data in use are marked as synthetic. */
 export const isSynthetic = computed(() =>
   [chosenBathymetry.value, chosenCurrents.value, chosenCoastline.value, chosenSeaIce.value, ...chosenIcebergs.value.filter(isInUse)].some(
     (used) => used && [used.name, used.file_name, ...used.warnings].some((text) => /synthetic|invented|made.up/i.test(text)),

@@ -2,8 +2,9 @@ import type { Departure, Plan } from '../api/types';
 import { duration } from './time';
 
 /**
- * What the plan made of its departure's way, or nothing where both show the same time. The curve has each way as the grid gives it.
- * Refinement mostly shortens it; a limit on the waypoints, or an objective other than time, can also make the plan the longer one.
+ * How the plan's travel time differs from that of its departure on the curve; empty where both show the same. The curve shows routes
+ * on the grid, before refinement. Refinement mostly shortens a route. A limit on the waypoints, or an objective other than time, can
+ * also make the plan longer.
  */
 export function afterCurve(plan: Pick<Plan, 'travel_time_s' | 'refinement'>, { travel_time_s }: Pick<Departure, 'travel_time_s'>): string {
   if (travel_time_s === null) return '';

@@ -8,19 +8,19 @@ import { checkFields, formOf, isUsual, numberFields, timeFields, type CheckField
 import { remember } from './undo';
 
 /**
- * The set-up as a person types it: texts until they are sent, in the units of the form. Numbers left empty take the server's
- * default. A name with a dot is a member of a member of the request.
+ * The set-up as a person types it: texts in the units of the form, until they are sent. An empty number takes the server's default. A
+ * name with a dot is a member of an object of the request.
  */
 export type Draft = Record<NumberField, string> & Record<CheckField, boolean> & Record<TimeField, string> & Others;
 
-/** What is neither a number nor a switch nor an instant. */
+/** The fields that are no number, no switch and no instant. */
 interface Others {
   from: string;
   to: string;
   via: string;
   via_order: 'given' | 'best';
-  goals_file: RouteFile; // without a name there is none; else it takes the place of `to` and `via`
-  route_name: string; // the one to take from that file
+  goals_file: RouteFile; // an empty name: no file; else it replaces `to` and `via`
+  route_name: string; // which route of that file to take
   depart_step: string; // hours
   vehicle: string;
   name: string;
@@ -60,11 +60,11 @@ export type Faults = Partial<Record<Field, string>>;
 const now = signal(emptyDraft);
 export const draft = computed(() => now.value);
 
-/** What is wrong, beside the field it is wrong in; `generalFaults` belong to no field. */
+/** Faults by the field that they belong to; `generalFaults` belong to none. */
 export const faults = signal<Faults>({});
 export const generalFaults = signal<string[]>([]);
 
-/** How often a request was found faulty: each time the focus goes to the first fault. */
+/** How many requests were found faulty. Each time it grows the focus moves to the first fault. */
 export const faultyAttempts = signal(0);
 
 export function refuse(found: Faults, general: string[] = []): void {
@@ -73,7 +73,7 @@ export function refuse(found: Faults, general: string[] = []): void {
   faultyAttempts.value += 1;
 }
 
-/** Changes fields, whose faults are then no longer known. `typing`: the text field that somebody is typing in. */
+/** Changes fields and clears their faults. `typing`: the text field that somebody is typing in. */
 export function edit(part: Partial<Draft>, typing?: string): void {
   const before = draft.peek();
   const old = Object.fromEntries(fieldsIn(part).map((field) => [field, before[field]]));
@@ -96,12 +96,12 @@ function titleOfEdit(part: Partial<Draft>, { areas }: Draft): string {
   return `${more > 0 ? 'adding' : more < 0 ? 'removing' : 'changing'} an area`;
 }
 
-/** Fills in what a person has not asked for: nothing to undo. */
+/** Fills in fields that a person has not set. This cannot be undone. */
 export function fill(part: Partial<Draft>): void {
   now.value = { ...draft.peek(), ...part };
 }
 
-/** The place in a position field, where it can be read. */
+/** The position in a field; undefined where it cannot be read. */
 export function placeIn(text: string): Position | undefined {
   const parsed = readPosition(text);
   return parsed.ok ? parsed.value : undefined;

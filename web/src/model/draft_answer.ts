@@ -7,7 +7,7 @@ import { fieldOf, isoOf } from './time';
 const fieldNames = Object.keys(emptyDraft) as Field[];
 const aliases: Record<string, Field> = { departure: 'depart', start: 'from', goal: 'to', iceberg_margin: 'margin_m', uncertainty: 'uncertainty.members' };
 
-/** The field that holds what a JSON pointer (or the name of an input) names. */
+/** The field that a JSON pointer, or the name of an input, belongs to. */
 function fieldAt(pointer: string): Field | undefined {
   const words = pointer.split('/').filter((word) => word !== '' && word !== 'inputs');
   const [outer = '', inner = ''] = words;
@@ -59,7 +59,7 @@ function viaEdit(input: string, to: unknown, form: Draft): Partial<Draft> | unde
   return { via: lines.map((line, i) => (i === index ? exact(to) : line)).join('\n') };
 }
 
-/** Without the area that the input names, or without any. */
+/** The areas without the one that the input names; none where it names them all. */
 function areasEdit(input: string, form: Draft): Partial<Draft> | undefined {
   if (input === 'areas') return { areas: [] };
   const index = Number(input.split('/')[2]);
@@ -77,5 +77,5 @@ const isNumber = (field: Field): field is NumberField => (numberFields as readon
 const isPosition = (value: unknown): value is Position =>
   Array.isArray(value) && value.length === 2 && value.every((part) => typeof part === 'number');
 
-/** To the centimetre: a place moved just clear of something must not fall back into it. */
+/** To the centimetre: rounding must not move a place back into what it was moved out of. */
 const exact = ([lon, lat]: Position): string => `${Number(lat.toFixed(7))}, ${Number(lon.toFixed(7))}`;

@@ -10,10 +10,10 @@ import { isoOf, parseTime } from './time';
 /** Fields that are sent only where they differ from what the server takes anyway. */
 const sentWhenChanged: Field[] = ['via_order', 'objective', 'thruster', 'wind', ...checkFields.filter((name) => name !== 'refine' && name !== 'steady')];
 
-/** Fields that choose data of which several may be named. */
+/** Fields in which several datasets may be named. */
 const severalFields = ['currents', 'tides', 'bathymetry', 'icebergs', 'zones'] as const;
 
-/** The request a draft stands for, or every fault that keeps it from being sent. */
+/** The request of a draft, or all faults that prevent it. */
 export function inputsOf(form: Draft): { inputs: PlanInputs } | { faults: Faults } {
   const found: Faults = {};
   const places = placesOf(form, found);
@@ -71,7 +71,7 @@ export function inputsOf(form: Draft): { inputs: PlanInputs } | { faults: Faults
   };
 }
 
-/** From where to where: typed, or from a file; undefined, with the faults noted, where a place cannot be read. */
+/** Start, goal and via points, typed or from a file. Where one cannot be read: undefined, and the faults are noted. */
 function placesOf(form: Draft, found: Faults): Pick<PlanInputs, 'from' | 'to' | 'via' | 'goals_file' | 'route_name'> | undefined {
   const isFromFile = hasGoalsFile(form);
   const from = readPosition(form.from);
@@ -91,7 +91,7 @@ function placesOf(form: Draft, found: Faults): Pick<PlanInputs, 'from' | 'to' | 
   return { ...start, to: rounded(to.value), ...(via.places.length > 0 ? { via: via.places.map(rounded) } : {}) };
 }
 
-/** Whether a field is about what is not asked for. */
+/** Whether a field has no effect on what is asked for. */
 function isLeftOut(field: Field, form: Draft): boolean {
   if (field.startsWith('objective.')) return form.objective !== 'both';
   if (!field.startsWith('uncertainty.')) return false;
@@ -100,7 +100,7 @@ function isLeftOut(field: Field, form: Draft): boolean {
   return isEnsemble(form) ? !isAim : form['uncertainty.members'].trim() === '';
 }
 
-/** Which data are used; rare kinds only where they were chosen. */
+/** The choices of data. Rare kinds are stated only where they were chosen. */
 function dataInputs(form: Draft): Partial<PlanInputs> {
   return {
     currents: choiceInputs(form.currents),
@@ -113,7 +113,7 @@ function dataInputs(form: Draft): Partial<PlanInputs> {
   };
 }
 
-/** A distance, or two parted by a sign of multiplication; undefined for none, null where it cannot be read. */
+/** A distance, or two with × between them; undefined where the field is empty, null where it cannot be read. */
 function spacingIn(text: string): PlanInputs['spacing_m'] | null {
   if (text.trim() === '') return undefined;
   const [along, across, ...rest] = text.split(/[x×]/).map(numberIn);
@@ -122,7 +122,7 @@ function spacingIn(text: string): PlanInputs['spacing_m'] | null {
   return across === undefined ? null : [along, across];
 }
 
-/** Fields with a dot as members of members. */
+/** Puts fields with a dot in their name into the objects that they belong to. */
 function nested(values: Partial<Record<Field, number | string | boolean>>): Record<string, unknown> {
   const inputs: Record<string, unknown> = {};
   for (const [field, value] of Object.entries(values)) {

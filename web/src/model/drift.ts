@@ -2,10 +2,10 @@ import { signal } from '@preact/signals';
 import type { IcebergDrift, Position } from '../api/data_types';
 import { destination, inverse } from '../geo/geodesic';
 
-/** Where the bergs in view are expected, from their last sightings on. */
+/** Forecasts of the icebergs in view, from their last sightings on. */
 export const drifts = signal<IcebergDrift[]>([]);
 
-/** Of how many more the server forecasts nothing at once. */
+/** How many more icebergs are in view than the server forecasts in one answer. */
 export const driftsLeftOut = signal(0);
 
 export interface Expected {
@@ -15,14 +15,14 @@ export interface Expected {
 
 const known = new WeakMap<IcebergDrift, number[]>();
 
-/** The moments of a forecast; read once, because every step of the clock asks every berg. */
+/** The times of a forecast. They are kept, because each step of the clock asks for those of every iceberg. */
 function momentsOf(drift: IcebergDrift): number[] {
   const moments_ms = known.get(drift) ?? drift.time.map((text) => Date.parse(text));
   known.set(drift, moments_ms);
   return moments_ms;
 }
 
-/** The first of ascending moments that is not before another; as many as there are when all are. */
+/** The index of the first of ascending times that is not before a moment; their number where all are before it. */
 function firstFrom(moments_ms: number[], at_ms: number): number {
   let [low, high] = [0, moments_ms.length];
   while (low < high) {
@@ -33,8 +33,8 @@ function firstFrom(moments_ms: number[], at_ms: number): number {
   return low;
 }
 
-/** Between which two steps of its forecast a moment lies: the later one, and the share of the way to it. Undefined before the
- * sighting and after the end. */
+/** Between which two steps of a forecast a moment lies: the later step, and the share of the time that has passed up to it. Undefined
+ * before the sighting and after the end. */
 export function stepsAt(drift: IcebergDrift, at_ms: number): { after: number; share: number } | undefined {
   const moments_ms = momentsOf(drift);
   const after = firstFrom(moments_ms, at_ms);
@@ -44,7 +44,7 @@ export function stepsAt(drift: IcebergDrift, at_ms: number): { after: number; sh
   return before_ms === undefined ? undefined : { after, share: (at_ms - before_ms) / (after_ms - before_ms) };
 }
 
-/** How far from where it is expected a berg may be. */
+/** The position error of an iceberg at a moment. */
 export function errorAt({ error_m }: IcebergDrift, { after, share }: { after: number; share: number }): number {
   const most_m = error_m[after] ?? NaN;
   return share === 1 ? most_m : (1 - share) * (error_m[after - 1] ?? NaN) + share * most_m;
@@ -66,7 +66,7 @@ export function expectedAt(drift: IcebergDrift, at_ms: number): Expected | undef
 /** The line that a berg is forecast to drift along. */
 export const driftLineOf = ({ lon, lat }: IcebergDrift): Position[] => lon.map((x, i) => [x, lat[i] ?? NaN]);
 
-/** The same without the swing of the tide, for maps of a small scale: its first and last place, and those a period of M2 apart. */
+/** The same without the tide, for maps of a small scale: the first and last place, and places one period of M2 apart. */
 export function plainLineOf(drift: IcebergDrift): Position[] {
   const line = driftLineOf(drift);
   const moments_ms = momentsOf(drift);
@@ -80,7 +80,7 @@ const tide_ms = 44_714_000;
 
 const tick_ms = 6 * 3_600_000;
 
-/** Its places every six hours after the sighting. */
+/** The places of a forecast every six hours after the sighting. */
 export const ticksOf = (drift: IcebergDrift): Position[] => placesEvery(tick_ms, drift, Date.parse(drift.observed), Date.parse(drift.time.at(-1) ?? ''));
 
 function placesEvery(step_ms: number, drift: IcebergDrift, start_ms: number, end_ms: number): Position[] {

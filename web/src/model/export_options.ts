@@ -4,10 +4,10 @@ import { placesIn } from './draft';
 import { selectedId, waypointLabel } from './plans';
 import { remember } from './undo';
 
-/** Which files of a plan a vehicle shall get. */
+/** Which mission files of a plan are wanted. */
 export type FileSet = 'lists' | 'full' | 'seaglider';
 
-/** What is asked for the mission files, as a person types it; empty takes the server's default. */
+/** The options of the mission files, as a person types them. An empty one takes the server's default. */
 export interface ExportOptions {
   set: FileSet;
   number: string;
@@ -21,7 +21,7 @@ export interface ExportOptions {
 
 export const usualExport: ExportOptions = { set: 'lists', number: '10', mission: '', firmware: '', glider: '', safe: '', iceberg_depth_m: '', science: '' };
 
-/** Of the plan whose export was opened last: a place is picked on the map, which the dialog covers. */
+/** The options of the plan whose export was opened last. They are kept here because the dialog closes while a place is picked on the map. */
 export const exportOptions = signal<{ plan_id: string; options: ExportOptions }>({ plan_id: '', options: usualExport });
 
 export const exportOptionsOf = (plan_id: string): ExportOptions => (exportOptions.value.plan_id === plan_id ? exportOptions.value.options : usualExport);
@@ -50,7 +50,7 @@ export const exportLabels = {
   safe: 'Safe places under ice', iceberg_depth_m: 'Deepest iceberg', science: 'Science bands',
 } as const satisfies Record<keyof ExportOptions, string>;
 
-/** What a refusal of the server may speak of, by its name there. */
+/** The labels of what a refusal may speak of, by the server's names. */
 const labels: Partial<Record<string, string>> = {
   ...exportLabels,
   under_ice: 'A full mission for work under ice', format: exportLabels.set, plan_id: 'This plan', waypoints: 'Waypoints', dive_depth_m: 'The dive depth of the vehicle',
@@ -65,20 +65,20 @@ export function exportLabelOf(place: string): string {
   return labels[name] ?? place;
 }
 
-/** The numbers above it belong to the vehicle's firmware. */
+/** Larger numbers belong to the vehicle's firmware. */
 export const lastList = 97;
 
 export type ExportQuery = Record<string, string | number | boolean | undefined>;
 
 export interface ExportWish {
-  query: ExportQuery; // of the files' text
-  folder: ExportQuery; // of the archive besides
+  query: ExportQuery; // what the text of the files depends on
+  folder: ExportQuery; // what the archive depends on besides
   faults: Partial<Record<keyof ExportOptions, string>>;
 }
 
 const stated = (text: string): string | undefined => (text.trim() === '' ? undefined : text.trim());
 
-/** The parameters of the request, as far as the chosen files have them. What is wrong with a value, the server says of the rest. */
+/** The parameters of the request that the chosen files have. The server refuses wrong values. */
 export function exportWish({ set, number, mission, firmware, glider, safe, iceberg_depth_m, science }: ExportOptions): ExportWish {
   const faults: ExportWish['faults'] = {};
   const folder = { glider: stated(glider) };

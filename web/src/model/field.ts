@@ -2,7 +2,7 @@ import { computed, signal } from '@preact/signals';
 import type { CoastFeature, IcebergFeature, Position } from '../api/data_types';
 import { sample, samplePair, type Grid, type TimedPair } from '../geo/grid';
 
-/** What has been loaded of the sea for the area in view. */
+/** The data that are loaded for the area in view. */
 export const bathymetry = signal<Grid | undefined>(undefined);
 export const coast = signal<CoastFeature[]>([]);
 
@@ -10,15 +10,15 @@ export const coast = signal<CoastFeature[]>([]);
 export const currents = signal<TimedPair | undefined>(undefined);
 export const currentsFault = signal<string | undefined>(undefined);
 
-/** Sea ice likewise: share of the sea surface that is covered, and thickness of level ice in metres. */
+/** Sea ice around the clock's time: the share of the sea that it covers, and the thickness of level ice in metres. */
 export const seaIce = signal<TimedPair | undefined>(undefined);
 export const seaIceFault = signal<string | undefined>(undefined);
 
-/** Newest sighting of each berg, as a plan that leaves at the clock's time obeys them; and the first moment they were asked for. */
+/** The newest sighting of each iceberg that counts for a departure at the clock's time, and the first moment they were asked for. */
 export const icebergs = signal<IcebergFeature[]>([]);
 export const icebergsAsOf_ms = signal<number | undefined>(undefined);
 
-/** How many loads are under way. */
+/** How many requests for data are under way. */
 export const loading = signal(0);
 
 export const isLoading = computed(() => loading.value > 0);
@@ -33,7 +33,7 @@ export interface Reading {
 
 const known = (value: number): number | undefined => (Number.isFinite(value) ? value : undefined);
 
-/** Depth, current and sea ice at a place, from what is loaded. */
+/** Depth, current and sea ice at a place, from the loaded data. */
 export function readingAt([lon, lat]: Position): Reading {
   const grid = bathymetry.value;
   const pair = currents.value;

@@ -15,7 +15,7 @@ interface Telling {
   group?: string; // the part of the set-up that it stands in
   label?: string;
   unit?: string;
-  factor?: number; // how many of the request's units make one of the form's
+  factor?: number; // how many units of the request make one unit of the form
   blank?: string; // what an empty field means
   hint?: string;
 }
@@ -28,10 +28,10 @@ export const numberFields = namesOf('number', 'whole_number') as NumberField[];
 export const checkFields = namesOf('boolean') as CheckField[];
 export const timeFields = namesOf('time') as TimeField[];
 
-/** How many of the request's units make one of the form's. */
+/** How many units of the request make one unit of the form. */
 export const factorOf = (name: NumberField): number => fields[name]?.factor ?? 1;
 
-/** Whether a switch is on where nobody turns it. */
+/** Whether a switch is on by default. */
 export const isUsual = (name: CheckField): boolean => fields[name]?.usual === true;
 
 export interface FormTexts {
@@ -42,7 +42,7 @@ export interface FormTexts {
   inputMode: 'text' | 'decimal' | 'numeric';
 }
 
-/** How a form asks for a field: what its empty input means is its placeholder. */
+/** How a form asks for a field: its label, unit and hint. The placeholder says what an empty input means. */
 export function formOf(name: string): FormTexts {
   const { kind, usual, label = '', unit, factor = 1, blank, hint } = fields[name] ?? { kind: 'text' };
   const usualText = typeof usual === 'number' ? String(Number((usual / factor).toPrecision(12))) : undefined;
@@ -61,8 +61,8 @@ export const labelsOfFlags: Record<string, string> = Object.fromEntries(
 const ofConditions = new Set<string>(namesOfConditions.map((name) => name.split('.')[0] ?? ''));
 const ofReach = new Set<string>(namesOfReach);
 
-/** Whether a member of a plan's request is a condition that a route is judged under. */
+/** Whether a field of a plan's request is also one of a given route's. */
 export const isCondition = (name: string): boolean => ofConditions.has(name) && name !== 'name';
 
-/** Whether isochrones are asked for with a field. */
+/** Whether a request for isochrones has the field. */
 export const isOfReach = (name: string): boolean => ofReach.has(name);

@@ -4,7 +4,7 @@ import type { Plan } from '../api/types';
 import { destination, inverse } from '../geo/geodesic';
 import { routeOf } from './plans';
 
-/** Where a simulated vehicle is, and where it believes to be. */
+/** Where a simulated vehicle is, and where its dead reckoning puts it. */
 export interface Moment {
   place: Position;
   believed: Position;
@@ -104,10 +104,10 @@ export function stretchesOf(modes: FlightMode[]): Stretch[] {
   return stretches;
 }
 
-/** For as long a ping counts as the present: tracks have a row each minute unless asked otherwise. */
+/** How long a ping is shown as the present one. Tracks have a row each minute by default. */
 export const sonarShown_s = 120;
 
-/** What the sonar saw last, when that is no longer ago than `window_s`. */
+/** The last ping of the sonar, unless it is older than `window_s`. */
 export function sonarAt(flight: Flight, at_ms: number, window_s: number): { nearest_m: number; returns: number } | undefined {
   const { time_s, nearest_m, returns } = flight.sensors.sonar;
   const now_s = secondsOf(flight, at_ms);
@@ -118,13 +118,13 @@ export function sonarAt(flight: Flight, at_ms: number, window_s: number): { near
 }
 
 /**
- * So many returns in one ping are an echo: of its sonar's false alarms, one in fifty pings unless asked otherwise, three fall
- * into one ping once in a million.
+ * At least so many returns in one ping are an echo. False alarms come in one of fifty pings by default; three of them fall into one
+ * ping once in a million.
  */
 const sure_returns = 3;
 export const isEcho = (returns: number): boolean => returns >= sure_returns;
 
-/** The nearest returns of pings, those of echoes apart from lone ones that may be false alarms. */
+/** The nearest return of each ping. Echoes are kept apart from single returns, which may be false alarms. */
 export function returnsOf({ sensors: { sonar } }: Flight): { echoes: (number | null)[]; lone: (number | null)[] } {
   const kept = (wanted: boolean): (number | null)[] => sonar.nearest_m.map((nearest_m, i) => (isEcho(sonar.returns[i] ?? 0) === wanted ? nearest_m : null));
   return { echoes: kept(true), lone: kept(false) };
@@ -134,7 +134,7 @@ export const modeTitles: Record<FlightMode, string> = {
   mission: 'on its mission', path: 'around an obstacle', reactive: 'evading', 'given up': 'given up',
 };
 
-/** How many flights of a simulation ended so. */
+/** How many flights of a simulation ended in this way. */
 export const endedSo = ({ statistics }: Pick<SimulationSummary, 'statistics'>, end: FlightEnd): number => statistics.ends.find((one) => one.end === end)?.runs ?? 0;
 
 export const endTitles: Record<FlightEnd, string> = {

@@ -1,4 +1,4 @@
-/** What the guide says of a part of the screen: its address below /guide, and what it is about. */
+/** The page of the guide for a part of the screen: its address below /guide, and its subject. */
 export interface GuidePage {
   address: string;
   about: string;
@@ -23,7 +23,7 @@ export const guidePages = {
 
 export type GuideTopic = keyof typeof guidePages;
 
-/** Of the folded parts of the set-up, by their titles. */
+/** The pages for the folded parts of the set-up, by their titles. */
 export const guidePagesOfParts: Record<string, GuidePage> = {
   'Places and areas': { address: 'planning#areas-and-via-points', about: 'areas and via points' },
   'Departure window': { address: 'planning#departure-and-arrival', about: 'departures' },

@@ -7,13 +7,13 @@ import { time_ms } from './clock';
 import { byHand } from './datasets';
 import { fieldOf, isoOf, parseTime } from './time';
 
-/** What people report themselves, beside what files say: icebergs and zones, each a feature that can be changed. */
+/** Manual entries: icebergs and zones that people report themselves. Each is a feature that can be changed. */
 export type HandMadeKind = 'icebergs' | 'zones';
 export type HandMade = IcebergFeature | ZoneFeature;
 
 export const bergsByHand = signal<IcebergFeature[]>([]);
 
-/** Every stored zone, those of files included: plans obey them all. */
+/** Every stored zone, those from files included. Plans obey all of them. */
 export const zones = signal<ZoneFeature[]>([]);
 export const zonesByHand = computed(() => zones.value.filter(({ properties }) => properties.dataset_id === byHand('zones')));
 
@@ -28,7 +28,7 @@ export interface BergForm {
   position_uncertainty_m: string;
 }
 
-/** What is being made or changed. `tag` is the entity tag of what the change began from: the server refuses it when it is another's by now. */
+/** The entry that is made or changed. `tag` is the entity tag of the version that the change began from. The server refuses the change if somebody else has changed the entry since. */
 export interface OpenForm {
   kind: HandMadeKind;
   before?: HandMade;
@@ -65,7 +65,7 @@ export const bergForm = ({ geometry, properties }: IcebergFeature): BergForm => 
   position_uncertainty_m: textOf(properties.position_uncertainty_m),
 });
 
-/** A berg seen now, or at the clock's time where that is past. */
+/** A new iceberg, seen now, or at the clock's time where that lies in the past. */
 export const newBerg = (place = ''): OpenForm => ({
   kind: 'icebergs', faults: {}, state: 'typing',
   berg: {
@@ -84,7 +84,7 @@ function freeName(): string {
   return `sighted-${Math.max(0, ...numbers) + 1}`;
 }
 
-/** A stored zone as the form shows it; its holes are not shown, and stay as they are while its corners do. */
+/** A stored zone as the form shows it. Holes are not shown; they stay as long as the corners do not change. */
 export function areaOf({ geometry, properties }: ZoneFeature): Area {
   const { bottom_m, from, kind, name, top_m, until } = properties;
   const time = (text: string | null): string => (text ? fieldOf(Date.parse(text)) : '');
@@ -133,7 +133,7 @@ function bergFeature(form: BergForm, before: IcebergFeature | undefined): { feat
   }
   if (!place.ok || observed_ms === undefined || Object.keys(faults).length > 0) return { faults };
 
-  // What was not touched stays exactly as it is: a field shows a place to 2 m and a moment to the minute.
+  // Values that were not touched are sent as they were stored: a field shows a place only to 2 m and a moment to the minute.
   const old = before && bergForm(before);
   return {
     feature: {
@@ -150,7 +150,7 @@ function bergFeature(form: BergForm, before: IcebergFeature | undefined): { feat
   };
 }
 
-/** A change that was made, with what undoes it: no `before` where it added, no `after` where it removed. */
+/** A change that was made, and how to undo it: `before` is empty where it added something, `after` where it removed something. */
 export interface HandChange {
   kind: HandMadeKind;
   id: string;
@@ -162,7 +162,7 @@ export interface HandChange {
 
 export const handChanges = signal<{ done: HandChange[]; undone: HandChange[] }>({ done: [], undone: [] });
 
-/** The same feature under the id that it has since it was stored anew. */
+/** The same feature under its new id, after it was stored again. */
 export function renumber(changes: HandChange[], from: string, to: string, kind: HandMadeKind, tag: string | undefined): HandChange[] {
   return changes.map((change) => (change.kind === kind && change.id === from ? { ...change, id: to, tag } : change));
 }

@@ -12,7 +12,7 @@ export const ranks: readonly Rank[] = ['danger', 'caution', 'note'];
 /** How the server marks a danger where nothing else shows the rank. */
 const mark = /^Danger: /;
 
-/** A sentence whose code nobody knows, as it stands in answers that were stored before messages had codes. */
+/** A sentence without a known code. Answers that were stored before messages had codes hold such sentences. */
 export const bareMessage = (rank: Rank, text: string): Message => ({ code: '', rank, place: null, values: {}, text: text.replace(mark, '') });
 
 /** What an answer of the server tells the pilot, the gravest first. */
@@ -37,10 +37,10 @@ export function warnedOf(told: Told): string {
 
 export const placeOf = ({ place }: Message): Position | undefined => (place ? [place.lon, place.lat] : undefined);
 
-/** The message whose place was last asked for; the map marks it. */
+/** The message whose place was asked for last. The map marks the place. */
 export const shownMessage = signal<Message | undefined>(undefined);
 
-/** How much round the place of a message comes into view. */
+/** The size of the area that comes into view around the place of a message. */
 const around_m = 5000;
 
 /** Moves the map to the place of a message. */

@@ -3,10 +3,10 @@ import { shortTime } from './time';
 
 const instant = /\d{4}-\d\d-\d\dT\d\d:\d\d:\d\dZ/g;
 
-/** The order of the request's numbers; on this page latitude comes first, and letters may say which is which. */
+/** What the server says of the order of the numbers in a position. On this page latitude comes first. */
 const orderOfNumbers = /; longitude comes first$/;
 
-/** Words of the server that follow on from nothing, as a sentence. */
+/** Makes a sentence of the server's words: a capital at the beginning, a full stop at the end. */
 export const asSentence = (text: string): string => {
   const words = inPageWords(text);
   const isOpen = words !== '' && !/[.!?…]$/.test(words);

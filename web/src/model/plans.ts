@@ -21,7 +21,7 @@ export interface ShownPlan {
 
 const letterOf = (index: number): string => String.fromCharCode(65 + (index % 26));
 
-/** The place in the alphabet of each plan on the map: it keeps it as long as it is shown, whatever else comes and goes. */
+/** The letter of each plan on the map. A plan keeps its letter as long as it is shown. */
 const places = new Map<string, number>();
 
 function placeOf(id: string): number {
@@ -45,7 +45,7 @@ export const shownPlans = computed<ShownPlan[]>(() => {
 export const selectedPlan = computed(() => plans.value.find((plan) => plan.plan_id === selectedId.value));
 export const selectedShown = computed(() => shownPlans.value.find(({ plan }) => plan.plan_id === selectedId.value));
 
-/** The plan others are compared with: the chosen one, else the first shown. */
+/** The plan that others are compared with: the chosen one, else the first on the map. */
 export const baseline = computed(
   () => shownPlans.value.find(({ plan }) => plan.plan_id === baselineId.value)?.plan ?? shownPlans.value[0]?.plan,
 );
@@ -73,7 +73,7 @@ export function forget(id: string): void {
   show(id, false);
 }
 
-/** Undoes that a plan was forgotten: at its place in the list, on the map and selected as it was. */
+/** Brings back a forgotten plan: in its place in the list, on the map and selected as before. */
 export function bringBack(plan: Plan, index: number, isShown: boolean, isSelected: boolean): void {
   plans.value = [...plans.value.slice(0, index), plan, ...plans.value.slice(index)];
   if (isShown) show(plan.plan_id, true);
@@ -99,7 +99,7 @@ export function vehicleAt(plan: Plan, at_ms: number): OnTheWay | undefined {
   return { place, course_deg: leg.azimuth_deg, leg: next };
 }
 
-/** Which leg the selected plan is on at the clock's time; it changes once a leg, not with each tick. */
+/** Which leg the selected plan is on at the clock's time. It changes once a leg, not at each tick. */
 export const legUnderWay = computed(() => selectedPlan.value && vehicleAt(selectedPlan.value, time_ms.value)?.leg);
 
 /** What a waypoint is called everywhere: S for the start, then 1, 2, ... by row, which are the JSON indices and the counting of mission files. */

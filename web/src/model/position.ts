@@ -3,10 +3,10 @@ import type { Box, Position } from '../api/data_types';
 import { contains } from '../geo/boxes';
 import { parsePosition, type Parsed } from '../geo/coordinates';
 
-/** Where data are stored that a plan needs; undefined: not known yet, or nowhere. */
+/** The area of the stored data that a plan needs; undefined where it is not known yet, or there are none. */
 export const dataArea = signal<Box | undefined>(undefined);
 
 const isNear = ([lon, lat]: Position): boolean => !dataArea.value || contains(dataArea.value, [lon, lat, lon, lat]);
 
-/** A position typed into a field, with a question where its figures seem to stand in the wrong order. */
+/** Reads a position from a field. Asks whether latitude and longitude are swapped where they seem to be. */
 export const readPosition = (text: string): Parsed<Position> => parsePosition(text, isNear);

@@ -8,7 +8,7 @@ export interface ProfilePoint {
   place: Position;
   course_deg: number;
   speed_over_ground_m_s: number | null;
-  turn_m: number | null; // where its dives end below the surface at least
+  turn_m: number | null; // the least depth at which its dives turn
   probe: Probe | undefined; // undefined where the server could not be asked
 }
 

@@ -2,21 +2,21 @@ import { signal } from '@preact/signals';
 import type { Conditions, Reach } from '../api/types';
 import { isOfReach } from './fields';
 
-/** How far the vehicle comes from the start: hours as typed, and the server's answer for the map. */
+/** Isochrones from the start: the hours as typed, and the server's answer for the map. */
 export const reachHours = signal('6, 12, 24');
 
 export type ReachState = { state: 'pending' } | { state: 'ok'; answer: Reach } | { state: 'failed'; detail: string };
 
 export const reach = signal<ReachState | undefined>(undefined);
 
-/** Hours as people list them; undefined where one cannot be read. */
+/** Reads a list of hours; undefined where one cannot be read. */
 export function hoursIn(text: string): number[] | undefined {
   const words = text.split(/[\s,;]+/).filter((word) => word !== '');
   const hours = words.map(Number);
   return hours.length > 0 && hours.every((hour) => hour > 0) ? [...new Set(hours)].sort((a, b) => a - b) : undefined;
 }
 
-/** Of what a plan is made under, that which matters to where the vehicle comes. */
+/** The conditions of a plan that also matter to isochrones. */
 export function conditionsOfReach({ under_ice, ...others }: Conditions): Conditions {
   const kept: Conditions = Object.fromEntries(Object.entries(others).filter(([name]) => isOfReach(name)));
   const passing = Object.fromEntries(Object.entries(under_ice ?? {}).filter(([name]) => isOfReach(`under_ice.${name}`)));

@@ -3,7 +3,7 @@ import { isCondition } from './fields';
 import { draft, numberIn } from './draft';
 import { staleness } from './stale';
 
-/** The requests that plans came from, by plan id: of those made in this browser, and of those that the server was asked about. */
+/** The requests of plans, by plan id: of plans made in this browser, and of plans whose request was asked of the server. */
 const key = 'floeplan.requests';
 const most = 100;
 
@@ -18,7 +18,7 @@ function stored(): Remembered {
   }
 }
 
-/** The oldest give way where the browser's room, of which files with goals may take much, ends. */
+/** The oldest are dropped when the browser's storage is full. Files with goals may take much of it. */
 export function rememberRequest(planId: string, inputs: PlanInputs): void {
   const others = stored().filter(([id]) => id !== planId);
   for (let kept: Remembered = [[planId, inputs] as Remembered[number], ...others].slice(0, most); kept.length > 0; kept = kept.slice(0, Math.floor(kept.length / 2))) {
@@ -37,9 +37,9 @@ const kinds = ['currents', 'bathymetry', 'ice', 'icebergs', 'coastline'] as cons
 const several = new Set<string>(['currents', 'bathymetry', 'icebergs']);
 
 /**
- * The very data that a plan was computed on, and none of a kind that it did without. What the server joins by itself it is left
- * to join again: runs of one product, which by name would be members of an ensemble, and sightings as long as none are newer,
- * because those of a file that has nothing near a route cannot be named for it.
+ * The choice of data that gives a plan's own data again, and no data of a kind that the plan did not use. Two kinds are not named, and
+ * the server joins them again: runs of one product, which named one by one would be members of an ensemble; and sightings as long as
+ * none are newer, because a file without a sighting near the route cannot be named.
  */
 export function dataOf(plan: Plan, icebergs: PlanInputs['icebergs'] = 'newest'): Pick<PlanInputs, (typeof kinds)[number]> {
   const choiceOf = (kind: (typeof kinds)[number]): string | string[] => {
@@ -52,7 +52,7 @@ export function dataOf(plan: Plan, icebergs: PlanInputs['icebergs'] = 'newest'):
   return Object.fromEntries(kinds.map((kind) => [kind, choiceOf(kind)]));
 }
 
-/** Everything of a request but the way: what a route is judged under. */
+/** A request without its start, goal and via points: the conditions under which a route is evaluated. */
 export const conditionsIn = (inputs: PlanInputs): Conditions =>
   Object.fromEntries(Object.entries(inputs).filter(([name]) => isCondition(name)));
 
@@ -65,8 +65,8 @@ export const withDeparture = (inputs: PlanInputs, departure: string): PlanInputs
 });
 
 /**
- * What a plan's route is judged under: its own request where it is known, else its vehicle and the margin of
- * the set-up; at its departure and on its data in either case.
+ * The conditions under which a plan's route is evaluated: those of its own request, or, where that is not known, its vehicle and the
+ * margin of the set-up. In both cases with its departure and its data.
  */
 export function conditionsOf(plan: Plan): { conditions: Conditions; known: boolean } {
   const inputs = requestOf(plan.plan_id);

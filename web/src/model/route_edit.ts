@@ -6,7 +6,7 @@ import { routeOf, select, selectedId, selectedWaypoint, titleOf, waypointLabel }
 import { conditionsOf } from './requests';
 import { forgetChanges, remember } from './undo';
 
-/** What the server says of the route as it now is. */
+/** What the server says of the present route. */
 export type Verdict =
   | { state: 'pending' }
   | { state: 'ok'; plan: Plan }
@@ -17,9 +17,9 @@ export type Verdict =
 export interface RouteEdit {
   origin: Plan;
   conditions: Conditions;
-  conditionsKnown: boolean; // false: the plan's own request could not be had, and the set-up's margin stands in
+  conditionsKnown: boolean; // false: the plan's own request is not known, and the margin of the set-up counts
   route: Position[];
-  number: number; // of the route as it now is; an answer to an earlier number is ignored
+  number: number; // grows with each change of the route; an answer to an earlier number is ignored
   verdict: Verdict;
   figures: Plan; // of the last route that could be evaluated, perhaps not this one
 }
@@ -29,10 +29,10 @@ export const routeEdit = signal<RouteEdit | undefined>(undefined);
 /** The edit in view: that of the selected plan. */
 export const openEdit = computed(() => (routeEdit.value?.origin.plan_id === selectedId.value ? routeEdit.value : undefined));
 
-/** To what the changes of its route belong. */
+/** What undo knows the changes of an edit by. */
 const changesOf = ({ origin }: RouteEdit): string => `route of ${origin.plan_id}`;
 
-/** Opens the edit of a plan in place of the one before, which undo brings back. */
+/** Opens the edit of a plan and closes the one before. Undo brings that back. */
 export function startEdit(plan: Plan): void {
   discardEdit();
   const { conditions, known } = conditionsOf(plan);
@@ -41,7 +41,7 @@ export function startEdit(plan: Plan): void {
   };
 }
 
-/** Gives the changes up; undo brings them back. */
+/** Discards the changes. Undo brings them back. */
 export function discardEdit(): void {
   const edit = routeEdit.peek();
   if (!edit) return;
@@ -57,14 +57,14 @@ export function discardEdit(): void {
   remember({ title: `discarding the changes of ${titleOf(edit.origin)}`, of: changesOf(edit), back, again });
 }
 
-/** The changes have become a plan of their own: they are no longer taken back. */
+/** Ends an edit that was stored as a plan of its own. Its changes can no longer be undone. */
 export function closeSavedEdit(): void {
   const edit = routeEdit.peek();
   if (edit) forgetChanges(changesOf(edit));
   routeEdit.value = undefined;
 }
 
-/** The edit with another route, in view. */
+/** Shows the edit with another route. */
 function become(origin: Plan, route: Position[]): void {
   const edit = routeEdit.value;
   if (edit?.origin.plan_id !== origin.plan_id) return;
@@ -107,7 +107,7 @@ export function removeWaypoint(index: number): void {
   if (canRemove()) change(`removing waypoint ${waypointLabel(index)}`, (route) => route.filter((_, i) => i !== index));
 }
 
-/** Takes an answer in, unless the route has changed since it was asked for. */
+/** Stores an answer, unless the route has changed since it was asked for. */
 export function deliver(number: number, verdict: Verdict): boolean {
   const edit = routeEdit.value;
   if (edit?.number !== number) return false;

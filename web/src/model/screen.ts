@@ -10,12 +10,12 @@ export const drawer = signal<'left' | 'right' | undefined>(undefined);
 /** The answer to the last click of the probe tool. */
 export const probed = signal<{ lon: number; lat: number; answer: Probe | undefined; fault: string | undefined } | undefined>(undefined);
 
-/** A word on what was just done, for a few seconds on the screen. */
+/** A short text about what was just done. It is shown for a few seconds. */
 export const notice = signal('');
 const notice_ms = 4000;
 let noticeTimer: ReturnType<typeof setTimeout> | undefined;
 
-/** Says it on the screen and to screen readers. */
+/** Shows a text on the screen and gives it to screen readers. */
 export function tell(text: string): void {
   announce(text);
   notice.value = text;
@@ -25,7 +25,7 @@ export function tell(text: string): void {
   }, notice_ms);
 }
 
-/** Spoken politely to screen readers. */
+/** Text for screen readers, which they speak after what they are saying. */
 export const announcement = signal('');
 export const announce = (text: string): void => {
   announcement.value = text;

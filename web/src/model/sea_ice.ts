@@ -7,19 +7,19 @@ import { factorOf } from './fields';
 import { day_ms } from './time';
 import { none } from './units';
 
-/** Between two steps further apart the server tells nothing (ocean::longest_ice_gap): charts come once a week. */
+/** The longest gap between two steps that the server fills (ocean::longest_ice_gap). Ice charts come once a week. */
 export const longestSeaIceGap_ms = 8 * day_ms;
 
-/** For so long before its first step and after its last plans hold the ice of that step (ocean::longest_ice_hold). */
+/** How long before the first step and after the last one plans hold the ice of that step (ocean::longest_ice_hold). */
 export const longestSeaIceHold_ms = 3 * day_ms;
 
-/** Where concentration is drawn denser. The first is the ice edge; then open, close and very close ice (WMO No. 259). */
+/** Concentrations at which the colour changes: the ice edge, then open, close and very close ice (WMO No. 259). */
 export const seaIceLevels = [0.15, 0.4, 0.7, 0.9] as const;
 export const iceEdge = seaIceLevels[0];
 
 const surfacingField = 'under_ice.max_concentration_to_surface';
 
-/** Up to which share of ice the vehicle of the set-up may surface. */
+/** The largest concentration in which the vehicle of the set-up may surface. */
 export const surfacingLimit = computed<number>(() => {
   const stated = numberIn(draft.value[surfacingField]);
   const share = stated === undefined ? NaN : stated * factorOf(surfacingField);
@@ -34,14 +34,14 @@ export const nearestSeaIceStep_ms = computed<number | undefined>(() =>
   ),
 );
 
-/** The step that is held at the clock's time, beyond all of them; undefined where the data tell of it, or nothing does. */
+/** The step that is held at a clock's time outside the data; undefined inside the data, and where nothing is held. */
 export const heldSeaIceStep_ms = computed<number | undefined>(() => {
   const times = seaIceTimes_ms.value;
   const held = heldStep(times, time_ms.value, longestSeaIceHold_ms);
   return held && times[held.before];
 });
 
-/** Sets the clock to that step, and lets it reach there. */
+/** Sets the clock to that step, and extends the period of the clock to it. */
 export function goToSeaIce(): void {
   const step_ms = nearestSeaIceStep_ms.peek();
   if (step_ms === undefined) return;

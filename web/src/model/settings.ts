@@ -2,7 +2,7 @@ import { computed, effect, signal } from '@preact/signals';
 import type { CoordinateStyle } from '../geo/coordinates';
 import { projectionCodes, type ProjectionCode } from '../geo/projections';
 
-/** What a person chose about the looks; remembered in this browser. */
+/** How a person wants the screen to look; kept in this browser. */
 export interface Settings {
   projection: ProjectionCode;
   distance: 'km' | 'nm';
@@ -40,6 +40,6 @@ effect(() => {
   try {
     localStorage.setItem(key, text);
   } catch {
-    // A browser that refuses storage only forgets the choice.
+    // Without storage the browser only forgets the choice.
   }
 });

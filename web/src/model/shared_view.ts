@@ -6,13 +6,13 @@ import { selectedId, shown } from './plans';
 import { change, projection } from './settings';
 import { view } from './view';
 
-/** What the address asked for when the page was opened. */
+/** What the address of the page asked for when it was opened. */
 export const opening: Link = readLink(location.hash);
 
 const pause_ms = 300;
 let timer: ReturnType<typeof setTimeout> | undefined;
 
-/** Takes from the address what needs no data, and keeps the address in step with the view from then on. Call once. */
+/** Applies the parts of the address that need no data. From then on the address follows the view. Call once. */
 export function followAddress(): void {
   if (opening.projection) change({ projection: opening.projection });
   const hidden = opening.hidden ?? [];
@@ -24,13 +24,13 @@ export function followAddress(): void {
     clearTimeout(timer);
     if (link && !playing.value) timer = setTimeout(() => write(link), pause_ms);
   });
-  // Written here without an event: what comes with one is a link that somebody has put into the address of an open page.
+  // The page itself changes the address without an event. An event means that somebody has put a link into the address bar.
   addEventListener('hashchange', () => {
     if (Object.keys(readLink(location.hash)).length > 0) location.reload();
   });
 }
 
-/** The address of what is seen at this moment, which the address bar may still be waiting to show. */
+/** The address of the present view. The address bar may show it a moment later. */
 export function addressOfView(): string {
   clearTimeout(timer);
   const link = linkToView();
@@ -38,7 +38,7 @@ export function addressOfView(): string {
   return location.href;
 }
 
-/** Nothing before the map knows what it shows. */
+/** Empty until the map knows what it shows. */
 function linkToView(): Link | undefined {
   const seen = view.value;
   const link: Link = {

@@ -6,7 +6,7 @@ import { selectedId } from './plans';
 /** Stored simulations by plan id, newest first; absent until the server has answered. */
 export const stored = signal<Record<string, SimulationSummary[]>>({});
 
-/** What a person asks to be flown: texts until they are sent. */
+/** The form of a simulation: texts until they are sent. */
 export interface FlightForm {
   runs: string;
   current_error_m_s: string;

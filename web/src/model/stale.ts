@@ -7,13 +7,13 @@ import { datasets } from './datasets';
 import { routeOf } from './plans';
 import { oldestThatCounts_ms, sighting_days } from './sighting_age';
 
-/** What changes from day to day; depths and coastlines do not go stale. */
+/** Kinds of data that change from day to day. Depths and coastlines do not become stale. */
 const changing: DatasetKind[] = ['icebergs', 'currents', 'ice', 'zones'];
 
-/** How far a berg may drift into the way of a plan from outside, as the planner reckons: a hundred kilometres. */
+/** How far outside the area of a plan the planner takes icebergs into account: a hundred kilometres. */
 const drift_deg = 0.9;
 
-/** Whether a plan of that time heeds this dataset: sightings neither too old nor later than its departure, currents of its hours. */
+/** Whether a dataset matters to a plan of that time: sightings that are neither too old nor later than the departure, currents of its hours. */
 function speaksThen({ kind, time_start, time_end }: Dataset, plan: Plan): boolean {
   if (kind === 'currents') {
     return (!time_start || Date.parse(time_start) <= Date.parse(plan.arrival)) && (!time_end || Date.parse(time_end) >= Date.parse(plan.departure));
@@ -23,14 +23,14 @@ function speaksThen({ kind, time_start, time_end }: Dataset, plan: Plan): boolea
   return (!time_start || Date.parse(time_start) <= newest_ms) && (!time_end || Date.parse(time_end) >= oldest_ms);
 }
 
-/** From when till when sightings count: to the departure, and to now for a plan under way. */
+/** The period whose sightings count. It ends at the departure, or now for a plan under way. */
 export function sightingsFor({ departure, arrival, sightings }: Plan, now_ms = Date.now()): [oldest_ms: number, newest_ms: number] {
   const depart_ms = Date.parse(departure);
   const isUnderWay = now_ms > depart_ms && now_ms < Date.parse(arrival);
   return [oldestThatCounts_ms(depart_ms, sightings?.max_age_days ?? sighting_days), isUnderWay ? now_ms : depart_ms];
 }
 
-/** The box of a dataset; of bergs with the water that they may drift into. */
+/** The area of a dataset; for icebergs together with the water that they may drift into. */
 function reachOf({ bbox: [west, south, east, north], kind }: Dataset): Box {
   if (kind !== 'icebergs') return [west, south, east, north];
   const aside_deg = drift_deg / Math.cos((Math.min(89, Math.max(Math.abs(south), Math.abs(north))) * Math.PI) / 180);
@@ -38,8 +38,8 @@ function reachOf({ bbox: [west, south, east, north], kind }: Dataset): Box {
 }
 
 /**
- * Datasets that came in or were changed by hand after a plan was made, of a kind that it used and where it goes; of zones and of
- * icebergs, which close ways that were open, also the first ones.
+ * Datasets of the plan's area that were stored, or changed by hand, after the plan was made, of the kinds that it used. Zones and
+ * icebergs close routes, so they count also where the plan used none.
  */
 export function newerThan(plan: Plan, stored: Dataset[]): Dataset[] {
   const around = boxAround(routeOf(plan));
@@ -58,7 +58,7 @@ export function newerThan(plan: Plan, stored: Dataset[]): Dataset[] {
 
 export const staleness = (plan: Plan): Dataset[] => newerThan(plan, datasets.value ?? []);
 
-/** What came of checking a plan against the newest data, by plan id. */
+/** Results of checking plans against the newest data, by plan id. */
 export type Recheck = { state: 'pending' } | { state: 'ok'; plan: Plan } | { state: 'infeasible'; answer: Infeasible } | { state: 'failed'; detail: string };
 
 export const rechecks = signal<Record<string, Recheck>>({});

@@ -3,13 +3,13 @@ import { draft, emptyDraft, fill, type Draft } from './draft';
 
 const key = 'floeplan.draft';
 
-/** Brings back the set-up that was left unfinished, and keeps what is typed from now on. Call once. */
+/** Restores the unfinished set-up of the last visit, and stores what is typed from now on. Call once. */
 export function keepDraft(): void {
   try {
     const read: unknown = JSON.parse(localStorage.getItem(key) ?? 'null');
     if (read !== null && typeof read === 'object') fill(known(read));
   } catch {
-    // What cannot be read was not ours, or is of no use.
+    // A text that cannot be read was not written by this page, or is damaged.
   }
   effect(() => {
     const text = JSON.stringify(draft.value);
@@ -21,7 +21,7 @@ export function keepDraft(): void {
   });
 }
 
-/** The members that a set-up has today, each of the kind that it has. */
+/** The members that a set-up has in this version, if their types are right. */
 function known(read: Partial<Record<keyof Draft, unknown>>): Partial<Draft> {
   const fields = (Object.keys(emptyDraft) as (keyof Draft)[]).filter((name) => {
     const value = read[name];

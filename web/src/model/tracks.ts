@@ -2,17 +2,17 @@ import { computed, signal } from '@preact/signals';
 import type { GliderTrackFeature, Position } from '../api/data_types';
 import { destination, inverse } from '../geo/geodesic';
 
-/** Where gliders have been, as far as it is stored. */
+/** The stored tracks of gliders. */
 export const gliderTracks = signal<GliderTrackFeature[]>([]);
 
-/** The track that a person asked to see, which the clock then covers however long ago it was. */
+/** The track that a person asked to see. The clock then covers its period, however long ago that is. */
 export const chosenTrackId = signal<GliderTrackFeature['id'] | undefined>(undefined);
 export const chosenTrack = computed(() => gliderTracks.value.find(({ id }) => id === chosenTrackId.value));
 
-/** The track whose glider or way the pointer is at. */
+/** The track under the pointer. */
 export const hoveredTrack = signal<GliderTrackFeature | undefined>(undefined);
 
-/** A place of the track for each of its times: where it crosses the antimeridian the two places on the edge are none of its own. */
+/** One place for each time of the track. The two places that are added where it crosses the antimeridian are left out. */
 export function placesOf({ geometry }: GliderTrackFeature): Position[] {
   const lines = geometry.type === 'LineString' ? [geometry.coordinates] : geometry.coordinates;
   return lines.flatMap((line, i) => line.slice(i > 0 ? 1 : 0, i + 1 < lines.length ? -1 : undefined)).map(([lon = NaN, lat = NaN]) => [lon, lat]);

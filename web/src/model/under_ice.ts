@@ -1,17 +1,17 @@
 import type { Position } from '../api/data_types';
 import type { Plan, Waypoint } from '../api/types';
 
-/** Whether the dives on the leg that leads to a waypoint must turn below ice or icebergs somewhere; unknown of plans without ice data. */
+/** Whether dives on the leg to a waypoint must turn below ice or icebergs; unknown for plans without ice data. */
 export const isLegBelowIce = ({ leg_upper_turn_m }: Waypoint): boolean | undefined =>
   typeof leg_upper_turn_m === 'number' ? leg_upper_turn_m > 0 : undefined;
 
-/** Legs one after the other that are all below ice, or all not. */
+/** Consecutive legs that are all below ice, or all in open water. */
 export interface Run {
   places: Position[];
   isBelowIce: boolean;
 }
 
-/** A route in as few runs as it has, each beginning where the one before ends. */
+/** Divides a route into such runs, as few as possible. Each begins where the one before ends. */
 export function runsOf({ waypoints }: Plan): Run[] {
   const runs: Run[] = [];
   waypoints.slice(1).forEach((to, i) => {

@@ -1,15 +1,15 @@
 import { computed, signal } from '@preact/signals';
 
-/** Something that a person has done to the work on the desk, with the way back and forth. */
+/** A change that a person made, with the functions that undo it and make it again. */
 export interface Change {
   title: string; // after "Undo": "moving waypoint 3"
   back: () => void | Promise<void>;
   again: () => void | Promise<void>;
-  typing?: string; // the field that is being typed in: letters that follow on from each other are one change
-  of?: string; // what it belongs to, and is forgotten with
+  typing?: string; // the field that is being typed in: consecutive letters are one change
+  of?: string; // what it belongs to; the change is forgotten together with that
 }
 
-/** All changes since the page was opened, of the set-up, of routes, of plans and of what is made by hand, in one line. */
+/** All changes since the page was opened, in one list: of the set-up, routes, plans and manual entries. */
 interface Changes {
   past: readonly Change[];
   future: readonly Change[];
@@ -18,14 +18,14 @@ interface Changes {
 const remembered = 200;
 const changes = signal<Changes>({ past: [], future: [] });
 
-/** What undo would take back, and redo make again. */
+/** The titles of the changes that undo and redo would act on. */
 export const lastDone = computed(() => changes.value.past.at(-1));
 export const lastUndone = computed(() => changes.value.future[0]);
 
-/** Typing goes on in the change before until something is undone or done again. */
+/** Whether typing continues the change before. It ends when something is undone or redone. */
 let typingIsOpen = false;
 
-/** Takes in what has just been done. What had been undone is forgotten. */
+/** Adds a change that was just made. Changes that had been undone are forgotten. */
 export function remember(change: Change): void {
   const { past } = changes.peek();
   const before = past.at(-1);
@@ -35,7 +35,7 @@ export function remember(change: Change): void {
   typingIsOpen = true;
 }
 
-/** The end of those that the server takes part in: each begins when the one before it is over. */
+/** The end of the changes that need the server. They run one after the other. */
 let pending: Promise<void> | undefined;
 
 function turn(way: () => void | Promise<void>): void {
@@ -48,7 +48,7 @@ function turn(way: () => void | Promise<void>): void {
   pending = over;
 }
 
-/** Takes the last change back; which one, if any. */
+/** Undoes the last change. Returns it, or undefined where there is none. */
 export function undo(): Change | undefined {
   const { past, future } = changes.peek();
   const change = past.at(-1);
@@ -58,7 +58,7 @@ export function undo(): Change | undefined {
   return change;
 }
 
-/** Makes again what was last taken back; which change, if any. */
+/** Makes the change again that was undone last. Returns it, or undefined where there is none. */
 export function redo(): Change | undefined {
   const { past, future } = changes.peek();
   const change = future[0];
@@ -68,7 +68,7 @@ export function redo(): Change | undefined {
   return change;
 }
 
-/** What has gone for good takes its changes with it. */
+/** Forgets the changes of something that no longer exists. */
 export function forgetChanges(of: string): void {
   const { past, future } = changes.peek();
   const isKept = (change: Change): boolean => change.of !== of;

@@ -1,6 +1,6 @@
 import type { PlanInputs } from '../api/types';
 
-/** The job that this tab waits for, kept where a reload of the page does not lose it and other tabs do not see it. */
+/** The job that this tab waits for. It is kept in the session storage: a reload keeps it, and other tabs do not see it. */
 export interface Unfinished {
   job_id: string;
   inputs: PlanInputs;
@@ -24,6 +24,6 @@ export function keepUnfinished(job: Unfinished | undefined): void {
     if (job) sessionStorage.setItem(key, JSON.stringify(job));
     else sessionStorage.removeItem(key);
   } catch {
-    // A browser that refuses storage only loses the job from sight when the page is left; its plan is stored all the same.
+    // Without storage the job is only lost from sight when the page is left. Its plan is stored all the same.
   }
 }

@@ -1,7 +1,7 @@
 import { signal } from '@preact/signals';
 import type { Box, IcebergFeature, Position } from '../api/data_types';
 
-/** What the map shows now, told by the map. */
+/** What the map shows now. The map itself sets it. */
 export interface View {
   box: Box; // around everything in view
   centre: Position;
@@ -20,7 +20,7 @@ export const hoveredBerg = signal<IcebergFeature | undefined>(undefined);
 export type Tool = 'pan' | 'from' | 'to' | 'via' | 'area' | 'berg' | 'zone' | 'probe' | 'safe';
 export const tool = signal<Tool>('pan');
 
-/** A wish to the map; each new object is carried out once. */
+/** An order to the map. Each new object is carried out once. */
 export type Command =
   | { do: 'fit'; places: Position[] }
   | { do: 'centre'; place: Position }
