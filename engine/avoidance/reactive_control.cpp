@@ -17,7 +17,7 @@ constexpr int headings = 72;
 constexpr double step_rad = 2.0 * std::numbers::pi / headings;
 constexpr int widest_sweep = 60;  // of the headings: beyond 300 degrees the other side is nearer
 
-/// What is asked of the headings: no contact within a time, at a distance.
+/// A demand on headings: no contact within a time, at a distance.
 struct Look {
   double horizon_s;
   double clearance_m;

@@ -3,8 +3,8 @@
 #include "engine/messages/kind.hpp"
 
 /// What a pilot is told of any file that is read into the store: what it is, whether it can be opened, what it holds.
-/// Ranks, also of the other ingest_*_messages  caution: the file or a row is refused, or a stored value may be wrong for
-/// a plan. Note: what was assumed, converted or left out, and what the data are
+/// Ranks  (of all ingest_*_messages) Caution: the file or a row is refused, or a stored value may be wrong for a plan. Note:
+///        something was assumed, converted or left out, or the message says what the data are
 namespace floeplan::messages {
 
 inline constexpr auto ingest_file_kinds = std::to_array<Kind>({

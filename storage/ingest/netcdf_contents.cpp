@@ -131,7 +131,7 @@ struct DataGroup {
   std::string path;
   std::shared_ptr<const NetcdfFile> seen;
   std::vector<DatasetKind> kinds;
-  bool has_own_data{false};  // not only what it sees of the groups round it
+  bool has_own_data{false};  // and not only data of the groups around it
 };
 
 bool holds_wanted(const std::vector<DatasetKind>& kinds, const Expectation& expected) {

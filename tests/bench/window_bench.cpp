@@ -14,8 +14,8 @@ constexpr int departures = 121;      // every hour of five days
 constexpr int hours = 12 * 24;       // of currents: the last departure must arrive, too
 constexpr int one_by_one_step = 12;  // every twelfth departure is planned alone: planning all takes minutes
 
-/// A tide that turns twice a day, stronger at springs, and drifting eddies of 30 km: of 60 km from one to the next of
-/// its kind.
+/// A tide that turns twice a day and is stronger at springs, and drifting eddies of 30 km. Eddies of one sense of rotation are
+/// 60 km apart.
 geo::VelocityEn tide_and_eddies(geo::LonLat place, double hour) {
   const double springs = 1.0 + 0.3 * std::cos(2.0 * std::numbers::pi * hour / (14.76 * 24.0));
   const double tide = 0.1 * springs * std::sin(2.0 * std::numbers::pi * hour / 12.42 + place.lon_deg);

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double settled = 1e-3;
 
-/// The limit of durations whose error falls to a quarter with each doubling.
+/// The limit of durations whose errors fall to a quarter with each doubling of the legs.
 core::Seconds limit(core::Seconds coarse, core::Seconds fine) { return fine - (coarse - fine) / 3.0; }
 
 constexpr std::size_t coarsest = 64;
@@ -36,7 +36,7 @@ TimedWay find_rough_free_way(const TimedWay& start, const LegTimer& leg_timer, c
 
 bool lead_to_one_way(const TimedWay& a, const TimedWay& b) {
   if (a.points.size() != rough_legs + 1 || b.points.size() != rough_legs + 1) return false;
-  // Beside each other: where along the way the points lie follows from where a descent began.
+  // Only the distance across the way counts: where along it the points lie depends on the start of the descent.
   const auto is_near_b = [&](geo::PlanePoint point, double near_m) {
     for (std::size_t i = 1; i < b.points.size(); ++i)
       if (plane::distance_to_line(point, b.points[i - 1], b.points[i]) <= near_m) return true;

@@ -10,7 +10,7 @@
 
 namespace floeplan::planning::optimal_control {
 
-/// The travel times of straight legs in a plane current, exact enough for `descend`; the current is borrowed.
+/// Times straight legs in a plane current, accurately enough for `descend`. Borrows the current.
 template <motion::PlaneCurrent Current>
 LegTimer legs_in(const Current& current, core::MetresPerSecond through_water) {
   constexpr double tolerance = 1e-6;
@@ -23,10 +23,10 @@ LegTimer legs_in(const Current& current, core::MetresPerSecond through_water) {
   };
 }
 
-/// The earliest of the extremals near these routes, which lead from start to goal through different
-/// corridors. Each is first bent by `descend` until the Newton method of `solve_extremal` can take it up.
+/// The earliest of the extremals near some routes, which lead from start to goal through different corridors. `descend`
+/// first moves each route close enough to an extremal for the Newton method of `solve_extremal`.
 /// Accuracy 1e-6 of the duration or better in a current that is smooth over 1/512 of the way
-/// Errors   why the last start led to no extremal, when none did
+/// Errors   where no route led to an extremal: why the last one did not
 /// Stops    with NoExtremal::cancelled once `stop` is requested
 template <motion::SlopedPlaneCurrent Current>
 tl::expected<Extremal, NoExtremal> find_extremal(const Crossing& crossing, const Current& current,

@@ -10,7 +10,8 @@ namespace floeplan::planning::optimal_control {
 namespace {
 
 constexpr double tolerance = 1e-6;  // of a leg's time: the descent compares ways that differ little
-/// Of legs, for all sections together: about two seconds. A count, not a clock: the same on every machine.
+/// The most legs that are timed for all sections together; about two seconds. A count instead of a clock gives the same
+/// result on every machine.
 constexpr std::int64_t most_evaluations = 1'000'000;
 
 constexpr const char* took_too_long = "the search for the best possible route took too long";
@@ -44,7 +45,7 @@ std::string describe(NoFreeWay none) {
   return "cancelled";
 }
 
-/// Times legs in the currents alone, and counts.
+/// Times legs in the currents alone, and counts them.
 class OpenWater {
  public:
   explicit OpenWater(const cost::Sea& sea)
@@ -79,8 +80,8 @@ std::vector<std::vector<geo::PlanePoint>> sections_of(const cost::Route& route) 
   return sections;
 }
 
-/// Fastest ways of a section, from its own points and from the straight way, of the legs that a search begins with; the
-/// fastest first.
+/// The fastest ways near a section's own points and near the straight line, with as many legs as a search begins with. The
+/// fastest is the first.
 tl::expected<std::vector<TimedWay>, NoFreeWay> coarse_ways(const std::vector<geo::PlanePoint>& section,
                                                            core::Seconds depart, const LegTimer& timer,
                                                            const std::stop_token& stop) {
@@ -110,7 +111,7 @@ tl::expected<std::vector<TimedWay>, NoFreeWay> coarse_ways(const std::vector<geo
   return ways;
 }
 
-/// The fastest that settles.
+/// The fastest way whose search settles.
 tl::expected<FreeWay, NoFreeWay> settled_way(const std::vector<TimedWay>& starts, const LegTimer& timer,
                                              const std::stop_token& stop) {
   tl::expected<FreeWay, NoFreeWay> way = tl::unexpected(NoFreeWay::closed);
@@ -121,7 +122,8 @@ tl::expected<FreeWay, NoFreeWay> settled_way(const std::vector<TimedWay>& starts
   return way;
 }
 
-/// What of the sea closes the way, if anything does. `since_surfacing`: at its start, and then at its end.
+/// What closes the way, if anything does.
+/// `since_surfacing` the time since the last place to surface: at the start of the way, afterwards at its end
 std::optional<motion::EdgeClosed> closure(const cost::Sea& sea, const TimedWay& way,
                                           core::Seconds& since_surfacing) {
   for (std::size_t i = 1; i < way.points.size(); ++i) {
@@ -147,8 +149,8 @@ Optimality rate_route(const cost::Sea& sea, const cost::Route& route, const std:
     const auto starts = coarse_ways(section, least, timer, stop);
     if (water.is_exhausted()) return {std::nullopt, took_too_long};
     if (!starts) return {std::nullopt, describe(starts.error())};
-    // Where few legs lead over land or ice, so would more of them: what they cut off is far less than such obstacles
-    // measure.
+    // Where a way of few legs crosses land or ice, a way of more legs crosses it, too: the two differ by far less than
+    // the size of such obstacles.
     core::Seconds till_there = since_surfacing;
     if (const auto closed = closure(sea, starts->front(), till_there))
       return {std::nullopt, describe(*closed)};

@@ -12,8 +12,8 @@ struct RiverCrossing {
   double duration_s;
 };
 
-/// The extremal with this constant, by Simpson's rule: the integrand is smooth, its error falls with the
-/// fourth power.
+/// The extremal with this constant, by Simpson's rule. The integrand is smooth, so the error falls with the fourth power of
+/// the step.
 RiverCrossing cross(const currents::RiverCurrent& river, double v, double k) {
   constexpr int intervals = 4000;
   const double h = river.width_m / intervals;

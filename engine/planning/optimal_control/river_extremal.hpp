@@ -10,8 +10,7 @@ namespace floeplan::planning::optimal_control {
 /// extremal, so its heading phi (from the x axis) obeys sin(phi) = k V / (1 - k c(x)). The constant k is the
 /// one that ends at the same y.
 /// Accuracy 1e-9 s for the paper's river
-/// Errors   std::invalid_argument when the vehicle is not faster than the
-///          river's peak
+/// Errors   std::invalid_argument when the vehicle is not faster than the river's peak
 /// Source   Zermelo 1931, doi:10.1002/zamm.19310110205; Eichhorn 2009, equation (6)
 [[nodiscard]] core::Seconds river_crossing_by_optimal_control(const currents::RiverCurrent& river,
                                                               core::MetresPerSecond through_water);

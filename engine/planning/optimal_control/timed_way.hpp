@@ -9,7 +9,7 @@
 
 namespace floeplan::planning::optimal_control {
 
-/// Travel time of a straight leg that is left at `depart`; empty: it cannot be travelled then.
+/// The travel time of a straight leg for a departure at `depart`; empty: the leg cannot be travelled then.
 using LegTimer = std::function<std::optional<core::Seconds>(geo::PlanePoint from, geo::PlanePoint to,
                                                             core::Seconds depart)>;
 
@@ -19,7 +19,8 @@ struct TimedWay {
   std::vector<core::Seconds> times;
 
   [[nodiscard]] core::Seconds duration() const { return times.back() - times.front(); }
-  /// Where the vehicle is at a time, held to the ends of the way; at a steady pace along each leg.
+  /// The place of the vehicle at a time, at a steady pace along each leg. Before the departure and after the arrival it is
+  /// at the ends of the way.
   [[nodiscard]] geo::PlanePoint at(core::Seconds time) const;
 };
 
@@ -27,7 +28,7 @@ struct TimedWay {
 [[nodiscard]] std::optional<TimedWay> time_way(std::vector<geo::PlanePoint> points, core::Seconds depart,
                                                const LegTimer& leg_timer);
 
-/// Points on the way at equal steps of time, both ends included: that many legs, which cut corners.
+/// Points on the way at equal steps of time, both ends included. The legs between them cut the corners of the way.
 [[nodiscard]] std::vector<geo::PlanePoint> cut_evenly(const TimedWay& way, std::size_t legs);
 
 }  // namespace floeplan::planning::optimal_control

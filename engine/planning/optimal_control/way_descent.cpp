@@ -6,31 +6,31 @@ namespace floeplan::planning::optimal_control {
 namespace {
 
 constexpr int most_iterations = 40;
-/// Share of the duration: a smaller gain drowns in the errors of the legs' times.
+/// Share of the duration. A smaller gain cannot be told from the errors of the legs' times.
 constexpr double least_gain = 1e-7;
-/// Where only a start for more legs is wanted, each step of which costs as much.
+/// The same for a start with more legs, where each step costs as much.
 constexpr double rough_gain = 1e-4;
-/// Of a leg, for difference quotients: small beside the bends of a way, large beside the errors of its time.
+/// Share of a leg, the step of difference quotients: small against the bends of a way, large against the errors of times.
 constexpr double difference_step = 0.02;
 constexpr double least_step = 1e-3;  // share of Newton's step that is still tried
-// Levenberg's weight, in units of the stiffness of a straight leg: least, factor, and when to give up.
+// Levenberg's weight, in units of the stiffness of a straight leg: the least, the factor between tries, the greatest.
 constexpr double least_weight = 1e-4;
 constexpr double weight_factor = 8.0;
 constexpr double most_weight = 1e6;
 
-/// Slopes and bends of a leg's end time over the offsets a and b of its two ends and its departure t.
+/// First and second derivatives of a leg's end time by the offsets a and b of its two ends and its departure t.
 struct LegSlopes {
   double a{}, b{}, t{};
   double aa{}, ab{}, bb{}, at{}, bt{}, tt{};
 };
 
-/// Quadratic model of the arrival at the goal over the offset q of a point and the time t there.
+/// Quadratic model of the arrival at the goal, as a function of the offset q of a point and the time t there.
 struct ArrivalModel {
   double q{}, t{1.0};
   double qq{}, qt{}, tt{};
 };
 
-/// How a point's offset shall follow from the offset before it and the time there.
+/// The best offset of a point, as a linear function of the offset before it and the time there.
 struct Policy {
   double constant{};
   double by_offset{};
@@ -39,7 +39,7 @@ struct Policy {
 
 struct Policies {
   std::vector<Policy> of_point;
-  double gain{};  // by the model, for the full step
+  double gain{};  // of the full step, by the model
 };
 
 geo::PlanePoint unit_across(geo::PlanePoint from, geo::PlanePoint to) {
@@ -75,7 +75,7 @@ class Neighbourhood {
   [[nodiscard]] std::optional<LegSlopes> slopes(std::size_t leg) const {
     const double h = difference_step * length(leg);
     const double s = difference_step * duration(leg);
-    const bool may_start_late = leg > 0;  // not the first: the data may begin at the departure
+    const bool may_start_late = leg > 0;  // before the first leg there may be no data
     bool open = true;
     const auto end = [&](int a, int b, int t) {
       const core::Seconds depart = way_.times[leg] + core::Seconds{may_start_late ? s * t : 0.0};
@@ -104,7 +104,7 @@ class Neighbourhood {
     return result;
   }
 
-  /// Follows the policies, `share` of their constant part.
+  /// The way that follows the policies, with a share of their constant part.
   [[nodiscard]] std::optional<TimedWay> follow(const std::vector<Policy>& policies, double share) const {
     TimedWay next{.points = {way_.points.front()}, .times = {way_.times.front()}};
     double offset = 0.0;
@@ -125,15 +125,15 @@ class Neighbourhood {
  private:
   const TimedWay& way_;
   const LegTimer& leg_timer_;
-  std::vector<geo::PlanePoint> across_;  // nothing at the ends, which stay
+  std::vector<geo::PlanePoint> across_;  // zero at the ends, which stay
 };
 
-/// Backwards from the goal: the best offset of every point for each state before it; empty when the model has
-/// no minimum with this weight.
+/// The best offset of every point for each state before it, found backwards from the goal; empty where the model has no
+/// minimum with this weight.
 std::optional<Policies> best_policies(const Neighbourhood& near, const std::vector<LegSlopes>& slopes,
                                       double weight) {
   Policies result{.of_point = std::vector<Policy>(slopes.size() + 1)};
-  ArrivalModel after;  // of the leg's end
+  ArrivalModel after;  // at the leg's end
   for (std::size_t leg = slopes.size(); leg-- > 0;) {
     const LegSlopes& f = slopes[leg];
     ArrivalModel here{.q = after.t * f.a,
@@ -172,7 +172,7 @@ std::optional<std::vector<LegSlopes>> all_slopes(const Neighbourhood& near) {
   return slopes;
 }
 
-/// The first shorter way on the way to what the policies aim at.
+/// The first faster way between the present one and the one that the policies lead to.
 std::optional<TimedWay> shorter_way(const Neighbourhood& near, const Policies& policies,
                                     core::Seconds duration) {
   for (double share = 1.0; share >= least_step; share *= 0.5) {
@@ -182,15 +182,15 @@ std::optional<TimedWay> shorter_way(const Neighbourhood& near, const Policies& p
   return std::nullopt;
 }
 
-/// A step down from a way and the weight that it took.
+/// A step to a faster way, and the weight that it needed.
 struct Step {
-  std::optional<TimedWay> next;  // empty: none was found
+  std::optional<TimedWay> next;  // empty: no faster way was found
   double weight{};
-  bool at_minimum{false};  // none was looked for because too little is left to gain
-  bool closed{false};      // none was found because a neighbouring way cannot be travelled
+  bool at_minimum{false};  // no step was tried, because too little can be gained
+  bool closed{false};      // no step was found, because a neighbouring way cannot be travelled
 };
 
-/// Raises the weight, which shortens the step, until the way does become shorter.
+/// Raises the weight, which shortens the step, until the way becomes faster.
 Step step_down(const TimedWay& way, const LegTimer& leg_timer, double weight, double worthwhile_gain) {
   const Neighbourhood near{way, leg_timer};
   Step step{.next = {}, .weight = weight};

@@ -14,7 +14,7 @@ using Vector = Eigen::VectorXd;
 constexpr int most_newton_steps = 100;
 constexpr double converged = 1e-11;
 constexpr double least_damping = 1e-5;
-/// Of an unknown's own scale, for central differences: the cube root of the rounding error.
+/// Share of an unknown's scale, the step of central differences: the cube root of the rounding error.
 constexpr double newton_difference = 6e-6;
 
 /// The boundary value problem in unknowns without units: lengths in distances from start to goal, times in
@@ -40,14 +40,14 @@ class Shooting {
     return core::Seconds{z[3 * pieces_ - 2] * time_s_};
   }
 
-  /// The start of a piece.
+  /// The place and the heading at the start of a piece.
   [[nodiscard]] SteeredPoint point(const Vector& z, Eigen::Index piece) const {
     if (piece == 0) return {crossing_.from.x_m, crossing_.from.y_m, z[0]};
     const Eigen::Vector3d at = z.segment<3>(3 * piece - 2);
     return {at[0] * length_m_, at[1] * length_m_, at[2]};
   }
 
-  /// By how much the pieces fail to join; empty where the current is not known.
+  /// The gaps between the pieces; empty where the current is not known.
   [[nodiscard]] std::optional<Vector> gaps(const Vector& z) const {
     Vector result(3 * pieces_ - 1);
     for (Eigen::Index i = 0; i < pieces_; ++i) {
@@ -144,7 +144,7 @@ tl::expected<Vector, NoExtremal> solve(const Shooting& shooting, Vector z, const
     if (!std::isfinite(distance)) return tl::unexpected(NoExtremal::not_converged);
     if (distance < converged) return z;
 
-    // Each step must come nearer, measured by the step that would follow with the same slopes.
+    // Each step must come nearer to the solution. The measure is the step that would follow with the same slopes.
     damping = std::min(1.0, 4.0 * damping);
     for (;; damping *= 0.5) {
       if (damping < least_damping) return tl::unexpected(NoExtremal::not_converged);
@@ -153,7 +153,7 @@ tl::expected<Vector, NoExtremal> solve(const Shooting& shooting, Vector z, const
       const auto gaps_there = shooting.gaps(trial);
       if (!gaps_there) continue;
       const double distance_there = solver.solve(*gaps_there).norm();
-      // Near the solution rounding ends the descent.
+      // Near the solution rounding errors end the descent.
       const bool at_rounding = damping == 1.0 && distance_there < converged;
       if (!at_rounding && !(distance_there <= (1.0 - 0.25 * damping) * step.norm())) continue;
       z = trial;
@@ -180,7 +180,7 @@ std::optional<ExtremalGuess> guess_along(
     const geo::PlanePoint at = route.at(time);
     const auto c = current(at, time);
     if (!c) return std::nullopt;
-    // Over the ground between the steps before and after, which smooths the corners of the route.
+    // The course between the steps before and after smooths the corners of the route.
     const core::Seconds from = std::max(time - step, route.times.front());
     const core::Seconds to = std::min(time + step, route.times.back());
     const geo::PlanePoint a = route.at(from);

@@ -12,7 +12,7 @@
 
 namespace floeplan::planning::optimal_control {
 
-/// From where to where and when, at a constant speed through the water; all headings allowed, no obstacles.
+/// The problem: from one place to another at a constant speed through the water, with any heading and without obstacles.
 struct Crossing {
   geo::PlanePoint from;
   geo::PlanePoint to;
@@ -20,23 +20,23 @@ struct Crossing {
   core::MetresPerSecond through_water;
 };
 
-/// Where the vehicle is and where its nose points: radians counter-clockwise from the plane's x axis, not
-/// wrapped.
+/// The place and the heading of the vehicle. The heading is in radians, counter-clockwise from the plane's x axis, and is
+/// not wrapped.
 struct SteeredPoint {
   double x_m{};
   double y_m{};
   double heading{};
 };
 
-/// A way that no small change of its headings makes shorter in time, by first order.
+/// A way whose duration no small change of its headings lowers, to first order.
 struct Extremal {
   core::Seconds duration{};
   std::vector<SteeredPoint> points;  // at equal steps of time, start and goal included
 };
 
-/// Why there is no extremal to show.
+/// Why no extremal was found.
 enum class NoExtremal {
-  outside_data,   // the first guess leads where the current is not known
+  outside_data,   // the first guess leads to where the current is not known
   not_converged,  // the equations were not solved to the tolerance
   cancelled
 };
@@ -90,7 +90,7 @@ class ZermeloFlow {
   core::Seconds longest_step_;
 };
 
-/// A first guess for an extremal: a route cut into equal steps of time, with the headings that hold it against
+/// A first guess for an extremal: a route cut into equal steps of time, with the headings that keep the vehicle on it in
 /// the current.
 struct ExtremalGuess {
   core::Seconds duration{};
@@ -104,12 +104,12 @@ struct ExtremalGuess {
     const std::function<std::optional<motion::CurrentXy>(geo::PlanePoint, core::Seconds)>& current,
     std::size_t pieces);
 
-/// Solves for the extremal near the guess by multiple shooting: the points between the pieces, the headings
-/// and the duration are unknowns, the pieces shall join and the last shall end at the goal; Newton's method,
-/// damped so that each step comes nearer to the solution. Plain shooting fails in a current that parts
-/// neighbouring ways exponentially.
-/// Accuracy the equations are solved to 1e-11 of the distance and of the duration; the flow's error adds to it
-/// Returns  an extremal, which is a candidate for the fastest way only: others may be faster
+/// Solves for the extremal near the guess by multiple shooting. The unknowns are the points between the pieces, the headings
+/// and the duration. The equations demand that the pieces join and that the last one ends at the goal. Newton's method is
+/// damped so that each step comes nearer to the solution. Single shooting fails where the current drives neighbouring ways
+/// apart exponentially.
+/// Accuracy the equations are solved to 1e-11 of the distance and of the duration; the flow's error adds to that
+/// Returns  an extremal. It is only a candidate for the fastest way: other extremals may be faster
 /// Source   Stoer and Bulirsch 2002, Introduction to Numerical Analysis, section 7.3.5 (multiple shooting);
 ///          Deuflhard 2004, Newton Methods for Nonlinear Problems, section 3.3 (natural monotonicity)
 /// Stops    with NoExtremal::cancelled once `stop` is requested

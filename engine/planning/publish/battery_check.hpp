@@ -8,11 +8,11 @@
 
 namespace floeplan::planning::publish {
 
-/// Whether the battery carries the plan. If it does not: a message in the plan, or, where the request insists on
-/// it, why there is no plan. Says where the battery would be empty and how much is missing.
+/// Checks whether the battery carries the plan. If it does not, the plan gets a message; where the request insists on the
+/// battery, the result is why there is no plan. Both say where the battery would be empty and how much is missing.
 [[nodiscard]] std::optional<Infeasible> check_battery(Plan& plan, const PlanRequest& request);
 
-/// Whether what is left in the battery at each waypoint carries the escape from there; told in the same two ways.
+/// Checks whether the energy left at each waypoint carries the escape route from there; the result is told likewise.
 /// Precondition  the plan has its escapes, one for each waypoint
 [[nodiscard]] std::optional<Infeasible> check_escapes(Plan& plan, const PlanRequest& request);
 

@@ -12,11 +12,11 @@
 namespace floeplan::planning::publish {
 namespace {
 
-/// Share of the cost that all points must save which a longer refinement might have taken out: of the size of what
-/// twice as many legs must gain.
+/// Share of the cost. Points that together save less are needless: a longer refinement might have removed them. As large as
+/// the gain that doubling the legs must bring.
 constexpr double worth_points = 1e-3;
 
-/// What asks the sea, in the shape that refinement wants.
+/// Answers the questions of refinement from the sea.
 class CheapestLeg {
  public:
   /// `sea` is borrowed.
@@ -28,7 +28,7 @@ class CheapestLeg {
     return cheapest;
   }
 
-  /// The drive on which the leg costs least, the first one where all are closed.
+  /// The drive on which the leg costs least; the first drive where the leg is closed to all.
   [[nodiscard]] vehicle::Drive drive(geo::PlanePoint a, geo::PlanePoint b, core::Seconds depart) const {
     vehicle::Drive best = sea_.drives().front();
     std::optional<cost::LegCost> cheapest;
@@ -86,7 +86,7 @@ RefinedDrive refine_drive(const cost::Sea& sea, const cost::DrivenRoute& route, 
   const bool had_too_many = most_legs && route.drives.size() > *most_legs;
   cost::DrivenRoute moved = on_cheapest_drives(leg, refined.itinerary);
   if (refined.report.end == RefinementEnd::evaluations || refined.report.end == RefinementEnd::time) {
-    // It had no time left to see which points are needed.
+    // Refinement had no time left to find needless points.
     const double most_cost =
         std::min(before->cost(objective), (1.0 + worth_points) * refined.itinerary.cost());
     moved = cost::drop_cheap_points(sea, moved, objective, cost::at_departure, most_cost, budget.stop);

@@ -9,17 +9,17 @@
 
 namespace floeplan::planning::publish {
 
-/// A driven route after its points were moved and what that did.
+/// A driven route after refinement, and what refinement did.
 struct RefinedDrive {
   cost::DrivenRoute route;
   RefinementReport report;
 };
 
-/// Moves the free points of a route off the grid until what it costs by the objective stops falling, each leg on the
-/// drive on which it costs least.
-/// `most_legs`  of the result; empty: as many as serve
-/// Returns  a route that is open as a whole and costs no more than the one that came, unless `most_legs` forces it; the
-///          one that came where there is none
+/// Moves the free points of a route off the grid until its cost by the objective stops falling. Each leg takes the drive on
+/// which it costs least.
+/// `most_legs`  the largest number of legs of the result; empty: as many as lower the cost
+/// Returns  a route that is open as a whole. It costs no more than the given one, unless `most_legs` forces it to. Where
+///          there is none, the given route
 /// Stops    when the budget ends, with the best found until then
 [[nodiscard]] RefinedDrive refine_drive(const cost::Sea& sea, const cost::DrivenRoute& route,
                                         const Objective& objective, std::optional<std::size_t> most_legs,

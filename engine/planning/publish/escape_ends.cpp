@@ -10,11 +10,11 @@
 namespace floeplan::planning::publish {
 namespace {
 
-/// An escape as it is flown from its waypoint, where the vehicle is at `arrives`.
+/// An escape route as the vehicle flies it from its waypoint, which it reaches at `arrives`.
 struct Flight {
-  CarriedWay carried;  // by the currents
-  core::Metres grown;  // the error of position by the rules
-  core::Seconds ends;  // when it comes up
+  CarriedWay carried;  // the drift by errors of the currents
+  core::Metres grown;  // the growth of the position error by the rules
+  core::Seconds ends;  // when the vehicle surfaces
 };
 
 Flight flown(const EscapeWay& escape, const cost::Sea& sea, const UnderIceRules& rules,

@@ -6,9 +6,9 @@
 
 namespace floeplan::planning::publish {
 
-/// Warns of escapes that come up where the error of the position, grown on their way, may have the vehicle below the
-/// ice. On an escape it reckons with the current that it reckons with at the waypoint.
-/// Precondition  the plan has its surfacings, of this run and not of a store
+/// Warns of escape routes that end so close to ice that the position error may put the vehicle below it. On an escape
+/// route the vehicle navigates with the same estimate of the current as at the waypoint.
+/// Precondition  the plan has its surfacings from this run, not from a store
 void warn_of_escapes_to_the_edge(Plan& plan, const cost::Sea& sea, const PlanRequest& request);
 
 }  // namespace floeplan::planning::publish

@@ -10,15 +10,15 @@
 
 namespace floeplan::planning::publish {
 
-/// Times the legs of a route with holds, and of routes like it, in the shape that refinement wants: whoever leaves from
-/// about a place of a hold leaves about when the hold ends, and nobody waits anywhere else. So each leg stands for
-/// itself, although a hold may serve what opens several legs further on.
+/// Times the legs of a route with holds, and of similar routes, for refinement. A leg that begins near the place of a hold
+/// begins when the hold ends; no other leg waits. So each leg can be timed on its own, although a hold may be needed for
+/// something that reopens several legs further on.
 class HeldLegs {
  public:
-  /// `schedule`: the earliest one of the route. Both of these are not needed afterwards, the sea is borrowed.
+  /// `schedule`: the earliest one of the route. Route and schedule are not kept; the sea is borrowed.
   HeldLegs(const cost::Sea& sea, const cost::Route& route, const cost::Schedule& schedule);
 
-  /// From the departure to the end, with the hold.
+  /// The time from the departure to the end, with the holds.
   [[nodiscard]] tl::expected<core::Seconds, motion::EdgeClosed> operator()(geo::PlanePoint a,
                                                                            geo::PlanePoint b,
                                                                            core::Seconds depart) const;
@@ -26,14 +26,14 @@ class HeldLegs {
  private:
   struct Hold {
     geo::PlanePoint place;
-    core::Metres about;       // the places that count as this one
-    core::Seconds no_sooner;  // left
+    core::Metres about;       // places so near count as this one
+    core::Seconds no_sooner;  // the earliest departure from the place
   };
   [[nodiscard]] tl::expected<core::Seconds, motion::EdgeClosed> after_hold(geo::PlanePoint a,
                                                                            geo::PlanePoint b,
                                                                            core::Seconds depart,
                                                                            core::Seconds no_sooner) const;
-  /// Whether the vehicle is at the end when the schedule says.
+  /// Whether the vehicle reaches the end at the time of the schedule.
   [[nodiscard]] bool keeps(const cost::Route& route, const cost::Schedule& schedule) const;
 
   const cost::Sea& sea_;

@@ -10,7 +10,7 @@
 namespace floeplan::planning::publish {
 namespace {
 
-/// What is not known, and was open when last known, is not.
+/// A place does not lie under ice if its ice is unknown now and it was open when last known.
 bool lies_under_ice(const SurfacingState& state) {
   return !state.may_surface && state.least_upper_turn.value > 0.0;
 }
@@ -30,7 +30,7 @@ void tell_of_start_and_goal(Plan& plan) {
   }
 }
 
-/// Via points are waypoints of the route.
+/// Via points are waypoints of the route, so their states are known.
 void tell_of_vias_under_ice(Plan& plan, const PlanRequest& request) {
   constexpr core::Metres same_place{1.0};
   constexpr std::size_t most_named = 10;
@@ -54,12 +54,12 @@ void tell_of_vias_under_ice(Plan& plan, const PlanRequest& request) {
       messages::plan_message<"vias-under-ice">(count, request.via.size(), under).at(*first));
 }
 
-/// The longest that the missions in use let a glider be out of contact: no surfacing for want of communication is
-/// ordered later than this.
+/// The longest time without contact that missions in use allow: they order a surfacing for want of communication at the
+/// latest after this time.
 /// Source   when_secs of the surface behaviors for start_when 12 in the missions published for deep Slocums, 5 to 12 h
 constexpr core::Seconds longest_out_of_contact{43200.0};
 
-/// A pilot who bounds that time has said how long it may be.
+/// Says nothing where the pilot bounds that time, and so has decided how long it may be.
 void tell_of_long_below_ice(Plan& plan, const PlanRequest& request) {
   const core::Seconds longest = plan.surfacing->longest_without;
   const bool below_ice = std::ranges::any_of(plan.surfacing->waypoints, [](const SurfacingState& state) {

@@ -26,7 +26,7 @@ std::optional<std::size_t> most_legs(const PlanRequest& request) {
   return static_cast<std::size_t>(*request.max_waypoints) - 1;
 }
 
-/// The way of a grid after refinement; as it is when it is closed, for publishing to tell why.
+/// The way on the grid after refinement. A closed way stays as it is: publishing tells why it is closed.
 Improved refined(const cost::Sea& sea, const cost::Route& way, const PlanRequest& request,
                  const std::stop_token& stop, const core::SteadyClock& clock) {
   const auto schedule = cost::schedule_along(sea, way.points, cost::at_departure);
@@ -61,11 +61,11 @@ cost::Route thinned(const cost::Sea& sea, const cost::Route& route, std::size_t 
   return timed ? refinement::shorten_to(legs, std::move(*timed), most).route : route;
 }
 
-/// The route with a straight leg for each part that such a leg can replace so that the vehicle is at the end no later:
-/// where an opening sets the arrival, refinement leaves detours that a hold makes needless, and one hold is easier to
-/// fly than many short ones.
+/// The route with straight legs in the place of its parts, where the vehicle then arrives no later. Where something that
+/// reopens sets the arrival, refinement leaves detours that a hold makes needless. One hold is easier to fly than many short
+/// ones.
 cost::Route with_fewer_points(const cost::Sea& sea, cost::Route route, const std::stop_token& stop) {
-  constexpr double as_early = 1e-4;  // of the travel time: the fineness of waits
+  constexpr double as_early = 1e-4;  // share of the travel time: the accuracy of waits
   const auto schedule = cost::schedule_along(sea, route.points, cost::at_departure);
   if (!schedule) return route;
   const core::Seconds latest = (1.0 + as_early) * (schedule->arrivals.back() - cost::at_departure);
@@ -88,26 +88,26 @@ cost::Route with_fewer_points(const cost::Sea& sea, cost::Route route, const std
   return route;
 }
 
-/// Whether the route is open as a whole, for what is right of each leg alone need not be of all. Where the time without
-/// a possible surfacing is bounded, the drive along other legs is looked at in other places, which may count a little
-/// more time under ice; where the vehicle waits, there must be places to wait at; and a leg that was joined is followed
-/// in longer pieces, which keep somewhat more from icebergs.
+/// Whether the route is open as a whole. Legs that are open one by one may be closed together: where the time without
+/// surfacing is bounded, the drive along other legs is sampled at other places, and may count a little more time under ice;
+/// a vehicle that waits needs a place to hold at; and a joined leg is followed in longer pieces, which keep farther from
+/// icebergs.
 bool stays_open(const cost::Sea& sea, const cost::Route& route) {
   return cost::arrivals_along(sea, route.points, cost::at_departure).has_value();
 }
 
-/// Whether it is, and the vehicle is at the end no later than by the other one: a little later, and it may be shut in
-/// until something opens again.
+/// Whether it is open and the vehicle arrives no later than by the other route. Even a little later it may have to wait
+/// until something reopens.
 bool is_as_early(const cost::Sea& sea, const cost::Route& route, const cost::Route& other) {
-  constexpr double rounding = 1e-4;  // of times, as the fineness of waits
+  constexpr double rounding = 1e-4;  // share of times: the accuracy of waits
   const auto arrivals = cost::arrivals_along(sea, route.points, cost::at_departure);
   if (!arrivals || !cost::holds_may_help(sea)) return arrivals.has_value();
   const auto others = cost::arrivals_along(sea, other.points, cost::at_departure);
   return !others || arrivals->back() <= (1.0 + rounding) * others->back();
 }
 
-/// The route with fixed points where it comes out of the ice and where it goes below it: what moves between them leaves
-/// the places to surface where they are, and can only shorten the time without one.
+/// The route with fixed points where it leaves the ice and where it goes below it. Moves between them do not change the
+/// places to surface, and can only shorten the time without one.
 cost::Route held_at_the_ice(const cost::Sea& sea, const cost::Route& route) {
   const auto schedule = cost::schedule_along(sea, route.points, cost::at_departure);
   if (!schedule) return route;
@@ -137,7 +137,7 @@ cost::Route held_at_the_ice(const cost::Sea& sea, const cost::Route& route) {
   return held;
 }
 
-/// A route that was held at more points than `way`, with the freedom of that one.
+/// A route that has more fixed points than `way`, with only the fixed points of `way`.
 cost::Route released(cost::Route route, const cost::Route& way) {
   std::size_t next = 0;
   for (std::size_t i = 0; i < route.points.size(); ++i) {
@@ -153,7 +153,7 @@ cost::Route released(cost::Route route, const cost::Route& way) {
   return route;
 }
 
-/// The way with as few of its points as keep it open.
+/// The way with as few of its points as possible, if it stays open.
 cost::Route joined_where_open(const cost::Sea& sea, const cost::Route& way) {
   cost::Route joined = cost::join_collinear(way);
   for (std::size_t most = std::bit_floor(way.legs()); most > 1 && !stays_open(sea, joined); most /= 2)
@@ -161,11 +161,11 @@ cost::Route joined_where_open(const cost::Sea& sea, const cost::Route& way) {
   return stays_open(sea, joined) ? joined : way;
 }
 
-/// What comes after the waypoints were moved.
+/// The steps after refinement.
 cost::Route finished(const cost::Sea& sea, cost::Route route, const PlanRequest& request,
                      const std::stop_token& stop) {
   if (request.refine && cost::holds_may_help(sea)) route = with_fewer_points(sea, std::move(route), stop);
-  // Refinement has cut the number already; where it could not, this cannot either.
+  // Refinement has already reduced the number of legs. Where it could not, this cannot do it either.
   if (const auto most = most_legs(request)) route = thinned(sea, route, *most, stop);
   if (request.max_leg) route = cost::part_long_legs(sea, route, *request.max_leg);
   return route;

@@ -10,16 +10,16 @@
 
 namespace floeplan::planning::publish {
 
-/// The route to publish and what its refinement did.
+/// The route to publish, and what refinement did to it.
 struct Improved {
   cost::Route route;
   std::optional<RefinementReport> refinement;
 };
 
-/// What is done to the way of a grid before it is published: needless points dropped, the others moved, their
-/// number cut and long legs parted as the request has it.
-/// A refined route that is closed as a whole is given up for the straightened one, and that for the way itself.
-/// Stops  refinement once `clock` has gone on by the request's `refine_time` or `stop` is requested
+/// Improves the way on the grid before it is published: drops needless points, moves the others, reduces their number and
+/// divides long legs as the request demands. Where the refined route is closed as a whole, the straightened one is taken;
+/// where that is closed, too, the way itself.
+/// Stops  refinement after the request's `refine_time` by `clock`, or once `stop` is requested
 [[nodiscard]] Improved improve(const cost::Sea& sea, const cost::Route& way, const PlanRequest& request,
                                const std::stop_token& stop, const core::SteadyClock& clock);
 

@@ -26,7 +26,7 @@ namespace floeplan::planning::publish {
 namespace {
 
 constexpr double sample_step_m =
-    250.0;  // along the route, for clearances: about the finest bathymetry in use
+    250.0;  // along the route, for clearances: about the cells of the finest bathymetry in use
 
 /// Calls `visit(point)` at both ends of every leg and between them.
 template <class Visit>
@@ -43,7 +43,7 @@ void for_each_sample(const std::vector<geo::PlanePoint>& route, Visit&& visit) {
   }
 }
 
-/// From the hulls where they are forecast to be as the vehicle passes.
+/// The least distance from the hulls at their forecast places when the vehicle passes.
 std::optional<core::Metres> iceberg_clearance(const cost::Sea& sea, const std::vector<geo::PlanePoint>& route,
                                               const cost::Schedule& schedule,
                                               const std::vector<vehicle::Drive>& drives) {
@@ -72,7 +72,7 @@ void add_iceberg_encounters(Plan& plan, const cost::Sea& sea, const std::vector<
   plan.iceberg_encounters = all;
 }
 
-/// Where the vehicle is below icebergs; two stays in one disc that follow each other are one.
+/// Where and when the vehicle is below icebergs. Two stays in one disc without a gap between them count as one.
 void add_passages_under(Plan& plan, const cost::Sea& sea, const std::vector<geo::PlanePoint>& route,
                         const cost::Schedule& schedule, const std::vector<vehicle::Drive>& drives) {
   constexpr core::Seconds apart{1.0};
@@ -117,13 +117,14 @@ std::optional<core::Metres> bottom_clearance(const cost::Sea& sea, const ocean::
   return least;
 }
 
-/// Least distance from the route to the lines of the coast. Looked for ever further out, so that what is far away is
-/// hardly looked at.
+/// Least distance from the route to the lines of the coast. The search widens step by step, so that distant coasts cost
+/// little.
 std::optional<core::Metres> land_clearance(const cost::Sea& sea, const ocean::Environment& environment,
                                            const std::vector<geo::PlanePoint>& route) {
   constexpr core::Metres first_look{4000.0};
   constexpr core::Metres round_the_globe{2.1e7};
-  // Of the plane's to the ground's distances: polar stereographic ones have 0.933 at the pole, the others at least 1.
+  // Ratio of distances in the plane to those on the ground: 0.933 for polar stereographic planes at the pole, at least 1
+  // for the others.
   constexpr double least_scale = 0.9;
   if (environment.land.empty()) return std::nullopt;
   std::vector<geo::PlanePoint> samples;
@@ -157,7 +158,7 @@ std::optional<core::Metres> land_clearance(const cost::Sea& sea, const ocean::En
   return core::Metres{least};
 }
 
-/// Names the icebergs that count for an earlier departure only.
+/// Names the icebergs whose sightings are too old for this departure, though not for an earlier one.
 void warn_of_old_sightings(Plan& plan, const ocean::Environment& environment, const PlanRequest& request) {
   std::vector<std::string> names;
   for (const ocean::Iceberg& iceberg : environment.icebergs) {
@@ -169,7 +170,7 @@ void warn_of_old_sightings(Plan& plan, const ocean::Environment& environment, co
       names.size(), request.depart, core::shortened_list(names)));
 }
 
-/// Of those that are planned; a vehicle that has an interval of its own counts them already.
+/// Adds the energy of planned surfacings. A vehicle with a surfacing interval of its own has counted it already.
 void add_energy_of_surfacings(Plan& plan, const PlanRequest& request) {
   if (request.vehicle.energy.surfacing_interval) return;
   for (const PlannedSurfacing& surfacing : plan.surfacing->surfacings) {
@@ -180,7 +181,8 @@ void add_energy_of_surfacings(Plan& plan, const PlanRequest& request) {
   }
 }
 
-/// Under ice the currents are those of the dives flown there; under icebergs, which are small and drift, they are not.
+/// Under sea ice the currents are means over the dives that are flown there. Under icebergs, which are small and drift, they
+/// are not.
 void warn_of_deep_turns(Plan& plan, const PlanRequest& request) {
   core::Metres deepest{0.0};
   for (const PassedUnder& passed : plan.passed_under) deepest = std::max(deepest, passed.keel.upper_turn);
@@ -189,7 +191,7 @@ void warn_of_deep_turns(Plan& plan, const PlanRequest& request) {
       std::ceil(deepest.value), request.vehicle.climb_to.value));
 }
 
-/// Ice that a vehicle may come below that is off its way by no more than the error of its position.
+/// Warns of ice beside the route that the vehicle may come below because of its position error.
 void warn_of_ice_beside(Plan& plan, const PlanRequest& request) {
   const IceBeside& beside = plan.surfacing->ice_beside;
   core::Metres deepest = request.vehicle.climb_to;
@@ -226,7 +228,7 @@ void warn_of_surfacings_near_ice(Plan& plan) {
                               .at(first->place));
 }
 
-/// Of openings in the ice that the bound counts on and the vehicle may miss.
+/// Warns of leads that the bound counts on and the vehicle may miss.
 void warn_of_openings_missed(Plan& plan, const PlanRequest& request) {
   const auto& bound = request.under_ice.max_time_without_surfacing;
   const core::Seconds sure = plan.surfacing->longest_without_sure;

@@ -58,7 +58,7 @@ Result<Plan> publish(const search::Chart& chart, const ocean::Environment& envir
   Plan plan = assemble_plan(sea, environment, request, points, *schedule, drives, stop);
   plan.search = statistics;
   plan.refinement = improved.refinement;
-  if (plan.refinement) plan.refinement->after = plan.travel_time();  // what came after it may have cost time
+  if (plan.refinement) plan.refinement->after = plan.travel_time();  // later steps may have cost time
   if (auto exceeded = check_battery(plan, request)) return tl::unexpected(std::move(*exceeded));
   if (auto none = add_escapes(plan, chart, request, points, schedule->arrivals, drives, stop))
     return tl::unexpected(std::move(*none));

@@ -10,12 +10,12 @@
 namespace floeplan::planning::publish {
 namespace {
 
-/// Of the speed through the water. A forecast of currents is hardly ever as true as this. A judgement.
+/// Share of the speed through the water. Forecasts of currents are hardly ever so accurate. A judgement.
 constexpr double hardly_enough = 0.95;
-/// Of the depths flown: with less below the currents that are known, their mean is hardly another. A judgement.
+/// Share of the depths flown. If less than this lies below the known currents, the mean hardly changes. A judgement.
 constexpr double most_unknown = 0.25;
 
-/// Points along a route for what changes as slowly as a model's cells.
+/// Calls `visit(point, length)` for stretches of a route that are shorter than the cells of current models.
 template <class Visit>
 void for_each_stretch_of(const std::vector<geo::PlanePoint>& route, const Visit& visit) {
   constexpr double step_m = 500.0;
@@ -43,8 +43,8 @@ std::optional<messages::Message> of_extended(const cost::Sea& sea,
   return messages::plan_message<"currents-of-nearest-water">(std::max(1.0, 100.0 * extended_m / all_m));
 }
 
-/// How deep the currents of a column are known, half way to the first level without any; empty where they are known
-/// as deep as the data go, and where there is no water.
+/// The depth to which the currents of a column are known: half way to the first level without a current. Empty where they
+/// are known to the last level, and where there is no water.
 std::optional<core::Metres> known_down_to(const ocean::CurrentGrid& currents, geo::LonLat place) {
   const ocean::CurrentGrid::Samples& samples = currents.samples();
   const auto at = samples.depths_m ? samples.grid.locate(place) : std::nullopt;
@@ -104,7 +104,7 @@ std::optional<messages::Message> of_hardly_enough_speed(const cost::Sea& sea, co
                                                         const std::vector<geo::PlanePoint>& route,
                                                         const cost::Schedule& schedule,
                                                         const std::vector<vehicle::Drive>& drives) {
-  constexpr double looks = 16.0;  // along a leg, chosen: currents change little from one to the next
+  constexpr double looks = 16.0;  // along a leg; chosen so that currents change little between them
   std::size_t legs = 0;
   double most = 0.0;
   cost::Sea::Passage where{};

@@ -10,8 +10,8 @@
 
 namespace floeplan::planning::publish {
 
-/// What a pilot has to know of the currents that a route rests on: where they are those of other water, where dives go
-/// deeper than they are known, and where they leave the vehicle hardly any speed to hold its course with.
+/// Warnings about the currents of a route: where they are those of the nearest water, where dives go below the known
+/// currents, and where the vehicle needs nearly all its speed to hold the course.
 /// `drives` one for each leg
 [[nodiscard]] std::vector<messages::Message> water_warnings(const cost::Sea& sea,
                                                             const ocean::Environment& environment,

@@ -8,20 +8,20 @@
 namespace floeplan::planning::publish {
 namespace {
 
-/// How far the speed through the water of a glider is from what it is taken for, one sigma.
+/// Standard deviation of a glider's true speed through the water, as a share of the assumed speed.
 /// Source  Claus and Bachmayer 2015, Terrain-aided navigation for an underwater glider, J. Field Robotics 32,
 ///         doi:10.1002/rob.21563, as for simulated flights (NavigationErrors)
 constexpr double unknown_share_of_speed = 0.05;
 constexpr core::Metres between_looks{100.0};  // areas narrower than that may be overlooked
 
-/// A place of the route, and when the areas there change their rule next to the passage.
+/// A place of the route, and the time nearest to the passage when an area there opens or closes.
 struct Passing {
   cost::Sea::Passage at;
   core::Seconds changes;
 
   [[nodiscard]] bool opens() const { return changes <= at.time; }
   [[nodiscard]] core::Seconds spare() const { return opens() ? at.time - changes : changes - at.time; }
-  /// Of the time under way.
+  /// Share of the time under way.
   [[nodiscard]] double share() const { return spare() / at.time; }
 };
 

@@ -10,8 +10,8 @@
 
 namespace floeplan::planning::publish {
 
-/// Where a route passes an area so soon after it opens, or so shortly before it closes, that a vehicle somewhat faster
-/// or slower than planned would break its rule: the place with the least time to spare. Empty: there is none.
+/// Warns where a route passes an area so soon after it opens, or so shortly before it closes, that a vehicle somewhat faster
+/// or slower than planned would break its rule. Names the place with the least time to spare; empty: there is none.
 /// `drives` one for each leg
 [[nodiscard]] std::optional<messages::Message> zone_warning(const cost::Sea& sea, const PlanRequest& request,
                                                             const std::vector<geo::PlanePoint>& route,

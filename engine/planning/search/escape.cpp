@@ -12,9 +12,9 @@
 namespace floeplan::planning::search {
 namespace {
 
-constexpr int most_steps = 200;  // in every direction: a search of some tenths of a second
+constexpr int most_steps = 200;  // in every direction: a search takes some tenths of a second
 
-/// A grid around a point with the steps of another one; the point is its start and, for want of one, its goal.
+/// A grid around a point, with the steps of another grid. The point is its start; as there is no goal, it is that, too.
 cost::RouteGrid grid_around(geo::PlanePoint point, const cost::RouteGrid& steps) {
   cost::RouteGrid grid = steps;
   grid.nx = 2 * most_steps + 1;
@@ -26,7 +26,7 @@ cost::RouteGrid grid_around(geo::PlanePoint point, const cost::RouteGrid& steps)
   return grid;
 }
 
-/// Points of a way, when the vehicle is there, and how it gets to each after the first.
+/// Points of a way, the times there, and the drive to each after the first.
 struct TimedWay {
   std::vector<geo::PlanePoint> points;
   std::vector<core::Seconds> arrivals;
@@ -65,13 +65,13 @@ EscapeWay describe(const cost::Sea& sea, const TimedWay& timed) {
   return escape;
 }
 
-/// Along the route from one of its points to where the vehicle may first surface, by `latest`; empty where it may not,
-/// or where the route is not driven at once.
+/// The way along the route from one of its points to the first place where the vehicle may surface, by `latest`. Empty where
+/// there is none, and where the vehicle holds on the way.
 std::optional<TimedWay> way_onwards(const cost::Sea& sea, const std::vector<geo::PlanePoint>& route,
                                     const std::vector<core::Seconds>& arrivals,
                                     const std::vector<vehicle::Drive>& drives, std::size_t from,
                                     core::Seconds latest) {
-  constexpr core::Seconds rounding{1.0};  // of legs timed whole and in pieces
+  constexpr core::Seconds rounding{1.0};  // between legs timed whole and in pieces
   TimedWay way{{route[from]}, {arrivals[from]}};
   for (std::size_t i = from; i + 1 < route.size(); ++i) {
     const auto time = sea.leg_time(route[i], route[i + 1], arrivals[i], core::Seconds{INFINITY}, drives[i]);

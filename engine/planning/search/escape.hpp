@@ -11,10 +11,10 @@
 
 namespace floeplan::planning::search {
 
-/// The fastest way from each point of a route to a place where the vehicle may surface when it gets there, by a
-/// search of its own on the grid's steps around the point, at most 200 of them in every direction; going on along the
-/// route where that is no slower. Where the time without surfacing is bounded, the way keeps what is left of it.
-/// Drives   along the route those of its legs, elsewhere the sea's first
+/// The fastest way from each point of a route to a place where the vehicle may surface when it arrives. Each has a search of
+/// its own, on at most 200 steps of the grid in every direction. Where the route itself is no slower, the way follows it.
+/// Where the time without surfacing is bounded, the way keeps within what is left of it.
+/// Drives   along the route those of its legs, elsewhere the sea's first drive
 /// Precondition  `arrivals`, `drives` and `waypoints` are those of the route
 /// Errors   Reason::no_escape at the first point without such a way; Reason::cancelled once `stop` is requested
 [[nodiscard]] Result<std::vector<EscapeWay>> plan_escapes(const cost::Sea& sea, const cost::Layout& layout,

@@ -17,7 +17,7 @@ core::UtcTime clock(const PlanRequest& request, core::Seconds since_departure) {
   return request.depart + since_departure;
 }
 
-/// What closes a leg and what would help.
+/// What closes a leg, and what would help.
 struct Closure {
   Reason reason;
   messages::Message why;
@@ -37,14 +37,14 @@ std::string iceberg_text(const cost::Sea& sea, geo::PlanePoint place, core::Seco
                                                            error.value);
 }
 
-/// Of the times when a place is closed, the one that holds then.
+/// The span of a place's closed times that contains a moment.
 std::optional<TimeSpan> closure_at(const std::vector<TimeSpan>& times, core::Seconds when) {
   for (const TimeSpan& closed : times)
     if (closed.from <= when && when <= closed.until) return closed;
   return std::nullopt;
 }
 
-/// Until when a place is closed that is closed then.
+/// When a place that is closed at a moment reopens.
 std::string opening_text(const std::vector<TimeSpan>& times, core::Seconds when, const PlanRequest& request) {
   const auto closed = closure_at(times, when);
   if (!closed) return "";
@@ -102,7 +102,7 @@ Constraint constraint_of(motion::EdgeClosed closed, bool out_of_time) {
   throw std::logic_error{"EdgeClosed without a constraint"};
 }
 
-/// The reason by the kind of stop: start, via, goal.
+/// The reason for a kind of stop: start, via point, goal.
 Reason reason_at(Stop stop, Reason at_start, Reason on_the_way, Reason at_goal) {
   switch (stop) {
     case Stop::start: return at_start;
@@ -162,7 +162,7 @@ Infeasible unusable_place(motion::EdgeClosed closed, Stop stop, geo::LonLat plac
   return infeasible(Reason::outside_data, request.depart, messages::refusal<"place-outside-data">(subject));
 }
 
-/// The same, with how much later it opens.
+/// The same, and how much later it reopens.
 Infeasible explain_closed_place(motion::EdgeClosed closed, Stop stop, geo::LonLat place, core::Seconds when,
                                 const cost::Sea& sea, const PlanRequest& request) {
   Infeasible infeasible = unusable_place(closed, stop, place, when, sea, request);
@@ -171,7 +171,7 @@ Infeasible explain_closed_place(motion::EdgeClosed closed, Stop stop, geo::LonLa
   return infeasible;
 }
 
-/// Of zones and icebergs over a place then what stays there longer, if what stopped a search is among them.
+/// The zone or iceberg over a place that stays there longest, if what stopped a search is a zone or an iceberg.
 std::optional<motion::EdgeClosed> closed_for_a_while(const cost::Sea& sea, geo::PlanePoint place,
                                                      core::Seconds when, motion::EdgeClosed stopped_by) {
   const auto by_iceberg = closure_at(sea.closed_times_by_icebergs(place), when);
@@ -184,7 +184,7 @@ std::optional<motion::EdgeClosed> closed_for_a_while(const cost::Sea& sea, geo::
                                                        : motion::EdgeClosed::obstacle;
 }
 
-/// That no way was found, since most of the ways onward from the place nearest to the goal are closed so.
+/// Says that no way was found, and what closes most of the ways onward from the place nearest to the goal.
 messages::Message no_way(motion::EdgeClosed binding, bool cut_short, const messages::Message& closed) {
   if (cut_short) return messages::refusal<"no-way-within-memory">(closed.text, closed.hint);
   if (binding == motion::EdgeClosed::current_too_strong)
@@ -216,10 +216,10 @@ Infeasible explain_route(const cost::RouteClosed& closed, const cost::Sea& sea, 
 
 Infeasible explain_search(const RouteSearch& search, Stop kind, geo::PlanePoint stop, const cost::Sea& sea,
                           const PlanRequest& request) {
-  // What closes most of the ways onward from the place nearest to the goal binds there; equal counts: the
+  // The kind that closes most of the ways onward from the place nearest to the goal binds there; of equal counts the
   // first kind.
   using enum motion::EdgeClosed;
-  // Where each of them is open by itself, it is the time without a surfacing that ran out before their ends.
+  // If each of them is open, the bound on the time without surfacing ended the search.
   motion::EdgeClosed binding = sea.overhead().bounds_surfacing() ? no_surfacing : on_land;
   std::ptrdiff_t most = 0;
   for (const motion::EdgeClosed kind :

@@ -45,8 +45,8 @@ struct SystemOnBoard {
                                              const MissionOrders& orders, const SonarSettings& sonar);
 
 /// A vehicle with altimeter and, where a system on board is given, sonar, ADCP and that system.
-/// Log      of each sensor one reading a minute at most, and a profile of currents every ten: what a pilot looks
-///          through
+/// Log      at most one reading a minute of each sensor, and a profile of currents every ten minutes: as much as a pilot
+///          reads
 /// Chance   each sensor has its own stream of the flight's seed
 /// Threads  one flight at a time
 class EquippedVehicle {

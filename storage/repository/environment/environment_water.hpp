@@ -4,8 +4,8 @@
 
 namespace floeplan::repository {
 
-/// Adds the currents, one dataset or an ensemble, with tides where they are asked for. The icebergs are to be there
-/// already: the oldest sighting says from when on currents are needed.
+/// Adds the currents, one dataset or an ensemble, with tides if they are asked for.
+/// Precondition  the icebergs have been added: currents are needed from their oldest sighting on
 /// Errors   are among the draft's violations
 void add_water(EnvironmentDraft& draft);
 

@@ -118,7 +118,7 @@ std::optional<std::string> active_part_of_statement(const std::string& sql) {
   const Words words{sql};
   const std::string what = words.at(0) == "CREATE" ? words.at(1) : "";
   if (what == "INDEX" || what == "UNIQUE" || what == "TRIGGER") return std::nullopt;
-  if (what == "TABLE")  // "total REAL AS (...)"; a cast has a type there
+  if (what == "TABLE")  // "total REAL AS (...)" is a generated column; AS in a cast is followed by a type
     return words.follow_each_other("AS", "(") ? std::optional{"a computed column"} : std::nullopt;
   if (what == "VIEW") return "a view";
   if (what != "VIRTUAL") return "something that is no table";

@@ -15,13 +15,13 @@
 #include "tests/support/property.hpp"
 #include "tests/support/small_sea.hpp"
 
-/// Icebergs that drift, and a simulation of its own to judge plans among them.
+/// Icebergs that drift, and an independent simulation that checks plans among them.
 namespace floeplan::planning {
 
 inline const core::UtcTime start = core::from_unix_seconds(support::sea_start_s);
 inline constexpr double hour_s = 3600.0;
 
-/// Seen twice, half a day apart, so that its drift is known where no current is.
+/// An iceberg that was seen twice, half a day apart. So its drift is known without currents.
 inline ocean::Iceberg drifting_berg(geo::LonLat place, double length_m, double speed_m_s,
                                     double towards_deg) {
   ocean::Iceberg berg = support::iceberg_at(place, length_m);
@@ -40,9 +40,9 @@ inline bool is_under(const Plan& plan, const std::string& berg, core::UtcTime ti
   });
 }
 
-/// Least distance of the plan's vehicle from the rim of any disc, by a simulation of its own in steps of a second:
-/// the vehicle moves evenly between its waypoints and stays there while it waits, each berg evenly along its observed
-/// drift. Bergs are seen at the start.
+/// Least distance of the plan's vehicle from the rim of any disc, simulated second by second. The vehicle moves evenly between
+/// its waypoints and stays there while it holds. Each berg moves evenly along its observed drift. All bergs are seen at the
+/// start.
 inline double least_gap_m(const Plan& plan, const ocean::Environment& environment,
                           const IcebergRules& rules) {
   const geo::LocalProjection projection{plan.waypoints.front().place};
@@ -89,10 +89,10 @@ inline double least_gap_m(const Plan& plan, const ocean::Environment& environmen
   return least_m;
 }
 
-/// A course held is straight in the plane only near the equator, where the random scenes are.
+/// A constant course is straight in the plane only near the equator. The random scenes lie there.
 inline constexpr double tolerance_m = 3.0;
 
-/// Shallow water all along 53 W, but for a gap of about 10 km at 69 N.
+/// A wall of shallow water along 53 W with a gap of about 10 km at 69 N.
 inline std::shared_ptr<const ocean::Bathymetry> wall_with_a_gap() {
   return support::bathymetry_from([](geo::LonLat p) {
     const bool in_wall = std::abs(p.lon_deg + 53.0) < 0.15;
@@ -101,13 +101,13 @@ inline std::shared_ptr<const ocean::Bathymetry> wall_with_a_gap() {
   });
 }
 
-/// What one random scene holds.
+/// A request and its sea.
 struct Scene {
   PlanRequest request;
   ocean::Environment environment;
 };
 
-/// About 13 km eastwards near the equator among one to six bergs.
+/// A route of about 13 km eastwards near the equator, among one to six bergs.
 inline Scene random_scene(std::mt19937_64& rng) {
   using support::uniform;
   PlanRequest request = support::eastward_request();
@@ -128,7 +128,7 @@ inline Scene random_scene(std::mt19937_64& rng) {
   return {request, environment};
 }
 
-/// A quarter of 500 random scenes, 0 to 3: four tests that may run beside each other.
+/// One of four quarters, 0 to 3, of 500 random scenes. Four tests can so run at the same time.
 class IcebergScenes : public testing::TestWithParam<int> {
  protected:
   static constexpr int scenes = 125;

@@ -70,7 +70,7 @@ TEST(Isochrones, IsACircleInStillWaterBothWays) {
   }
 }
 
-/// An eddy of 30 km about the place's east, as fast as the vehicle and more where `m_s` says so.
+/// An eddy of 30 km east of the place. Its speed is `m_s`, which may be more than the vehicle's.
 ocean::Environment eddy(double m_s) {
   ocean::Environment sea;
   sea.currents = support::currents_from(

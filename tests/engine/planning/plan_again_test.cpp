@@ -14,7 +14,7 @@ using support::eastward_request;
 using support::uniform;
 using support::uniform_int;
 
-/// The route as documents hold it (1e-7 degrees) or mission files (a ten-thousandth of a minute).
+/// The route, rounded as in documents (1e-7 degrees) or in mission files (1e-4 minutes).
 std::vector<geo::LonLat> written(const Plan& plan, double parts_of_a_degree) {
   const auto round = [&](double degrees) {
     return std::round(degrees * parts_of_a_degree) / parts_of_a_degree;
@@ -25,7 +25,7 @@ std::vector<geo::LonLat> written(const Plan& plan, double parts_of_a_degree) {
   return route;
 }
 
-/// Icebergs strewn over the way, many of which a fast route just touches.
+/// Icebergs scattered over the route. A fast route touches many of their discs.
 ocean::Environment strewn(std::mt19937_64& rng, const PlanRequest& request) {
   ocean::Environment environment;
   for (int i = uniform_int(rng, 1, 6); i > 0; --i) {
@@ -51,7 +51,7 @@ geo::Polygon corners_about(std::mt19937_64& rng, geo::LonLat place, double size_
   return polygon;
 }
 
-/// Areas closed for a while on the way, whose corners a fast route rounds, or one to stay in with such a bite in it.
+/// Areas that are closed for a while, whose corners a fast route rounds; or an area to stay in with such a notch.
 std::vector<ocean::Zone> timed_zones(std::mt19937_64& rng, const PlanRequest& request) {
   const auto in_force = [&](ocean::ZoneKind kind, geo::Polygon area) {
     return ocean::Zone{.name = "",
@@ -111,7 +111,7 @@ TEST(PlanAgain, APlanRoundAreasThatAreClosedForAWhileIsTheSameWhereItIsWritten) 
 
     const auto again = evaluate_route(environment, written(*found, 1e7), request);
     ASSERT_TRUE(again.has_value()) << again.error().explanation();
-    // Each leg through currents is integrated to the tolerance of an edge, in another plane.
+    // In currents each leg is integrated in another plane, to the tolerance of an edge.
     const double agreement = flows ? 0.5 * request.edge_tolerance : 1e-6;
     EXPECT_NEAR(again->travel_time().count(), found->travel_time().count(),
                 agreement * found->travel_time().count());

@@ -15,7 +15,7 @@ Result<Plan> plan(const ocean::Environment& environment, const PlanRequest& requ
   return plan_route(environment, request, {}, {});
 }
 
-/// A berg beside the straight way whose place is known to three kilometres only, and does not widen its disc.
+/// A berg beside the straight line. Its position error is 3 km, and does not widen its disc.
 Scene badly_known_berg() {
   PlanRequest request = support::eastward_request();
   request.icebergs.drift = false;

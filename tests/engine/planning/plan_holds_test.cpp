@@ -13,7 +13,7 @@ namespace floeplan::planning::plan_holds_test {
 namespace {
 
 constexpr core::Seconds half_a_day{12.0 * hour_s};
-/// Rather than to kill time under way the vehicle waits, if that is as good as searches can tell.
+/// The vehicle holds instead of taking a detour, if the search finds the hold no worse.
 constexpr double just_as_good = 1.002;
 
 Result<Plan> plan(const ocean::Environment& environment, const PlanRequest& request) {
@@ -31,7 +31,7 @@ PlanRequest without_holds(PlanRequest request) {
   return request;
 }
 
-/// A berg drifts eastwards through the only gap in a wall and closes all of it meanwhile.
+/// A berg drifts eastwards through the only gap in a wall, and closes the whole gap for a while.
 Scene closed_gap() {
   PlanRequest request = support::eastward_request();
   request.icebergs.margin = core::Metres{5500.0};
@@ -49,7 +49,7 @@ ocean::Zone closed_at_first(double until_h) {
           .until = start + core::Seconds{until_h * hour_s}};
 }
 
-/// Three minutes at the full hour: looks at even times could miss them.
+/// The current is too strong for three minutes at the full hour: samples at regular times could miss that.
 TEST(Holds, EndsBeforeACurrentThatIsTooStrongForMinutesOnly) {
   const auto currents = [](geo::LonLat, double hour) {
     return geo::VelocityEn{{hour == 5.0 ? 0.36 : 0.0}, {0.0}};
@@ -93,7 +93,7 @@ TEST(Holds, AreAtTheStartWhereDepartingLaterLosesNothing) {
 }
 
 TEST(Holds, IsNotWorthwhileWhereGoingRoundIsFaster) {
-  // A berg comes slowly along the straight way: it would take a day to pass, and a little more way leads round.
+  // A berg comes slowly along the straight line. To wait for it would take a day; a small detour leads round it.
   PlanRequest request = support::eastward_request();
   request.icebergs.max_inflation = core::Metres{0.0};
   ocean::Environment environment;
@@ -125,8 +125,8 @@ TEST_P(HoldsInAScene, NeverArrivesLaterOnAGrid) {
   });
 }
 
-/// Of two ways that differ by less than a grid can tell, refinement gets the one that the search takes for the better,
-/// which need not be the one of a vehicle that may not wait.
+/// Where two ways differ by less than the error of the grid, refinement gets the one that the search prefers. For a vehicle
+/// that may not hold, that may be the other one.
 TEST_P(HoldsInAScene, NeverLeadsIntoADiscAndHardlyEverArrivesLater) {
   constexpr int most_later = 2;
   int found = 0;
@@ -197,7 +197,7 @@ TEST(Holds, DrawsEnergyAsIfUnderWay) {
 }
 
 TEST(Holds, IsPossibleOnlyInACurrentThatLeavesTheVehicleAFifthOfItsSpeed) {
-  // Slack for five hours, then half a metre a second; the vehicle makes 0.35.
+  // Slack water for five hours, then 0.5 m/s. The vehicle makes 0.35 m/s.
   const ocean::Environment environment{
       .currents = support::currents_from(
           [](geo::LonLat, double hour) { return geo::VelocityEn{{hour <= 5.0 ? 0.1 : 0.5}, {0.0}}; }, 48)};
@@ -239,7 +239,7 @@ TEST(Holds, EndsBeforeADiscTouchesItsCircle) {
 TEST(Holds, IsFoundForAGivenRouteToo) {
   auto [request, environment] = closed_gap();
   EXPECT_FALSE(evaluate_route(environment, {request.from, request.to}, without_holds(request)));
-  // The vehicle would catch up with the berg: it sets out when the berg, at 0.12 m/s, will be past the goal in time.
+  // The vehicle would catch up with the berg. It leaves so late that the berg, at 0.12 m/s, will have passed the goal.
   request.holds.longest = 6.0 * half_a_day;
 
   const Result<Plan> result = evaluate_route(environment, {request.from, request.to}, request);

@@ -22,7 +22,7 @@ Result<Plan> plan(const ocean::Environment& environment, const PlanRequest& requ
 }
 
 TEST(PlanAmongIcebergs, FindsTheOnlyWayThroughWhenItOpensLater) {
-  // A berg drifts eastwards through the gap at a third of the vehicle's speed and closes all of it meanwhile.
+  // A berg drifts eastwards through the gap at a third of the vehicle's speed, and closes the whole gap for a while.
   PlanRequest request = support::eastward_request();
   request.icebergs.margin = core::Metres{5500.0};
   request.icebergs.max_inflation = core::Metres{0.0};
@@ -85,7 +85,7 @@ Scene tidal_scene(std::mt19937_64& rng) {
   return scene;
 }
 
-/// Law: legs of a way that the search found open are not joined to one that counts as closed.
+/// Law: open legs are never joined into a leg that is closed.
 TEST(PlanAmongIcebergs, ComesOfAnyWayThatTheSearchFinds) {
   int found = 0;
   int refused = 0;
@@ -155,7 +155,7 @@ TEST(PlanAmongIcebergs, CannotBeginInsideADiscAndNamesTheBerg) {
 }
 
 TEST(PlanAmongIcebergs, SaysWhenADiscThatMovesLeavesTheStart) {
-  // Half a kilometre of margin and 50 m of hull at 0.2 m/s: 46 minutes.
+  // A margin of 500 m and 50 m of hull at 0.2 m/s take 46 minutes.
   PlanRequest request = support::eastward_request();
   request.icebergs.max_inflation = core::Metres{0.0};
   request.holds.longest = core::Seconds{12.0 * hour_s};
@@ -172,7 +172,7 @@ TEST(PlanAmongIcebergs, SaysWhenADiscThatMovesLeavesTheStart) {
 }
 
 TEST(PlanAmongIcebergs, MayEndWhereABergIsGoneByThen) {
-  // At the departure the goal lies inside the disc; when the vehicle comes, the berg is far to the north.
+  // At the departure the goal lies inside the disc. When the vehicle arrives, the berg is far to the north.
   PlanRequest request = support::eastward_request();
   request.icebergs.max_inflation = core::Metres{0.0};
   ocean::Environment environment;

@@ -34,7 +34,7 @@ struct Passage {
   core::UtcTime time;
 };
 
-/// The plan's vehicle a hundred times on each leg.
+/// The place of the plan's vehicle at a hundred times on each leg.
 std::vector<Passage> follow(const Plan& plan) {
   std::vector<Passage> passages;
   for (std::size_t i = 1; i < plan.waypoints.size(); ++i) {
@@ -63,7 +63,7 @@ struct Way {
 
 const Seconds quarter_of_a_day{6.0 * hour_s};
 
-/// The plan's route once more, as a pilot's copy of it is judged.
+/// Evaluates the plan's route again, as a pilot's copy of it would be.
 Result<Plan> plan_and_judge(const Environment& environment, const PlanRequest& request) {
   const Result<Plan> plan = plan_route(environment, request, {}, {});
   if (!plan) return plan;
@@ -128,7 +128,7 @@ std::vector<Way> ways() {
   };
 }
 
-/// A rule of the request, and what a plan has wrong that breaks it; empty: nothing.
+/// A rule of the request, and what in a plan breaks it; empty: nothing.
 struct Rule {
   std::string name;
   std::function<void(PlanRequest&, Environment&)> ask;
@@ -208,7 +208,7 @@ std::vector<Rule> rules() {
                        drifting_berg({-52.8, 68.98}, 200.0, 0.0, 0.0)};
        },
        [](const Plan& plan, const PlanRequest& r, const Environment& e) -> std::string {
-         // A course held bends away from the straight line in the simulation's plane by some metres so far north.
+         // So far north a constant course bends away from the straight line of the simulation's plane by some metres.
          const double gap_m = least_gap_m(plan, e, r.icebergs);
          return gap_m > -30.0 ? "" : "inside a disc by " + std::to_string(-gap_m) + " m";
        }},
@@ -284,7 +284,7 @@ TEST_P(EveryWayOfPlanning, KeepsTheRule) {
   std::size_t plans = 0;
   for (const Way& way : ways()) {
     Environment environment;
-    // Some way from the straight line pumping is dearer, so that energy and time do not agree.
+    // At some distance from the straight line pumping costs more, so that least energy and least time differ.
     environment.bathymetry =
         support::bathymetry_from([](geo::LonLat p) { return p.lat_deg > 69.1 ? 90.0 : 300.0; });
     PlanRequest request = support::eastward_request();

@@ -71,7 +71,7 @@ TEST(PlanSurvey, VisitsAPlaceBesideAnIcebergOnceItHasDriftedAway) {
   })) << "it comes back to its start because it has places to visit";
 }
 
-/// Closed about a place for some time, which begins while the vehicle may be there.
+/// An area around a place that closes while the vehicle may be there.
 ocean::Zone closed_about(std::mt19937_64& rng, geo::LonLat place, core::UtcTime depart) {
   const core::UtcTime from = depart + core::Seconds{3600.0 * support::uniform(rng, 0.0, 10.0)};
   const geo::Polygon area{{{place.lon_deg - 0.06, place.lat_deg - 0.03},
@@ -155,7 +155,7 @@ TEST(PlanSurvey, IsMadePossibleByEachChangeThatARefusalNames) {
   EXPECT_GT(named, 0);
 }
 
-/// Whoever comes there first is shut in: the way on from there is closed before it has left the area.
+/// A vehicle that goes there first cannot leave: the area closes before the vehicle is out of it.
 TEST(PlanSurvey, DoesNotCallAtAPlaceThatItCannotLeaveInTime) {
   PlanRequest request = survey();
   request.from = {-53.5, 69.0};

@@ -74,7 +74,7 @@ Plan planned(const ocean::Environment& environment, const PlanRequest& request) 
 }
 
 TEST(PlanUnderIce, WarnsOfDeeperIceWithinTheErrorOfPosition) {
-  // Ice over all but the ends of the way; in one half of the sea its keels are deep.
+  // Ice covers everything except the ends of the route. In one half of the sea its keels are deep.
   const auto sea_with = [](double dense_from_lat) {
     ocean::Environment sea;
     sea.ice = support::ice_from(
@@ -98,7 +98,7 @@ TEST(PlanUnderIce, WarnsOfDeeperIceWithinTheErrorOfPosition) {
 }
 
 TEST(PlanUnderIce, WarnsOfOpeningsThatKeepTheBoundAndMayBeMissed) {
-  // 15 km of ice on either side of an opening whose middle lies 2.4 km from it: the position is off by 3 km then.
+  // 15 km of ice on either side of a lead, whose middle is 2.4 km from the ice. The position error is 3 km there.
   const ocean::Environment sea{.ice = support::ice_from(
                                    [](geo::LonLat place, double) {
                                      if (std::abs(place.lon_deg + 52.95) < 0.06) return 0.0;
@@ -211,7 +211,7 @@ TEST(PlanUnderIce, TellsHowFarBeyondTheIceItsWaypointsLie) {
   EXPECT_LT(goal.position_error.value, goal.error_without_fix->value);
 }
 
-/// Law: below ice everywhere the vehicle draws what it draws in open water when its dives turn as deep.
+/// Law: under ice everywhere the vehicle needs the same energy as in open water with dives that turn at the same depth.
 TEST(PlanUnderIce, DrawsWhatDivesDrawThatTurnBelowTheIce) {
   const ocean::Environment thick{.ice =
                                      support::ice_from([](geo::LonLat, double) { return 1.0; }, {0.0}, 6.0)};
@@ -231,7 +231,7 @@ TEST(PlanUnderIce, DrawsWhatDivesDrawThatTurnBelowTheIce) {
   EXPECT_THAT(messages::sentences(below.messages), Not(Contains(HasSubstr("dives turn as deep"))));
 }
 
-/// Law: below ice everywhere it is carried as in open water when its dives turn as deep.
+/// Law: under ice everywhere the current carries it as in open water with dives that turn at the same depth.
 TEST(PlanUnderIce, DriftsWithTheCurrentsOfDivesThatTurnBelowTheIce) {
   ocean::Environment sheared{.currents = support::sheared_currents(), .steady_currents = true};
   const PlanRequest request = support::eastward_request();
@@ -309,7 +309,7 @@ TEST(PlanUnderIce, BlamesTheIceWhereAPlaceToPassLeavesNoTimeToGoOn) {
   EXPECT_EQ(plan.error().binding, Constraint::ice);
 }
 
-/// The best way to the place to pass, straight on, comes there with too little time left for the rest of the voyage.
+/// The best way to the via point is straight on. It leaves too little of the bound for the rest of the voyage.
 TEST(PlanUnderIce, SurfacesBeforeAPlaceToPassWhereItMustGoOnBelowTheIce) {
   const geo::LonLat hole{-53.25, 69.06};
   ocean::Environment holed{.ice = support::ice_from(
@@ -334,8 +334,8 @@ TEST(PlanUnderIce, SurfacesBeforeAPlaceToPassWhereItMustGoOnBelowTheIce) {
   }
 }
 
-/// What the way on from the place to pass takes at least, with the tide's strongest current astern, is much less than
-/// it does take.
+/// The lower bound of the way on from the via point, with the strongest current from astern, is much less than its true
+/// time.
 TEST(PlanUnderIce, LeavesAsMuchOfTheBoundAtAPlaceToPassAsTheWayOnTakesInATide) {
   const geo::LonLat hole{-53.25, 69.06};
   const auto tide = [](geo::LonLat, double hour) {
@@ -362,7 +362,7 @@ TEST(PlanUnderIce, LeavesAsMuchOfTheBoundAtAPlaceToPassAsTheWayOnTakesInATide) {
   }
 }
 
-/// On 400 m, the default there, the search runs out of memory long before it knows the best way.
+/// With a spacing of 400 m, the default there, the search reaches its limit long before it finds the best way.
 TEST(PlanUnderIce, SearchesACoarserGridWhereTheOneLeftOpenTakesTooMuchMemory) {
   const ocean::Environment environment = ice_with_holes(3, 14);
   PlanRequest request = support::eastward_request();
@@ -381,7 +381,7 @@ TEST(PlanUnderIce, SearchesACoarserGridWhereTheOneLeftOpenTakesTooMuchMemory) {
   EXPECT_LE(plan.surfacing->longest_without.count(), 3600.0 * 24.0);
 }
 
-/// On a grid that finds a way within seconds.
+/// A grid on which a way is found within seconds.
 PlanRequest from_hole_to_hole(double most_hours_below_ice) {
   PlanRequest request = support::eastward_request();
   request.optimality_gap = false;
@@ -390,7 +390,7 @@ PlanRequest from_hole_to_hole(double most_hours_below_ice) {
   return request;
 }
 
-/// Ways from hole to hole: what moves must leave the places to surface where they are.
+/// Routes from lead to lead: refinement must not move the places to surface.
 TEST(PlanUnderIce, MovesWaypointsOffTheGridWhereTheTimeBelowTheIceIsBounded) {
   const ocean::Environment environment = ice_with_holes(3, 40);
   PlanRequest request = from_hole_to_hole(10.0);
@@ -444,7 +444,7 @@ TEST(PlanUnderIce, TheStraightWayIsHeldToTheSameBound) {
 
 TEST(PlanUnderIce, EveryObjectiveKeepsTheBoundAndHasItsEscapes) {
   ocean::Environment environment = band_of_ice();
-  // Pumping is dearer over the bank in the north: energy is not even, and draws the way through the ice.
+  // Pumping costs more over the bank in the north, so the cheapest route leads through the ice.
   environment.bathymetry =
       support::bathymetry_from([](geo::LonLat p) { return p.lat_deg > 69.1 ? 60.0 : 400.0; });
   environment.icebergs = {support::iceberg_at({-53.0, 69.2}, 200.0)};
@@ -531,7 +531,7 @@ TEST(PlanUnderIce, TheErrorDoesNotCountACurrentThatWasMeasuredBeforeTheDive) {
   EXPECT_GT(against_m, 0.75 * carried_m) << "it turns between two nodes of the data, not at once";
 }
 
-/// A floe of 2 km is as near whichever way it bears.
+/// A floe of 2 km is equally near in every direction.
 TEST(PlanUnderIce, FindsSmallIceToAnySide) {
   const geo::LocalProjection projection{{-53.0, 69.0}};
   PlanRequest request = support::eastward_request();
@@ -565,7 +565,7 @@ TEST(PlanUnderIce, FindsSmallIceToAnySide) {
   }
 }
 
-/// How far a vehicle may be off at the end of a list no plan knows: ice far beyond its own error counts as well.
+/// No plan knows the position error at the end of a list. So ice far beyond the error at the waypoint counts as well.
 TEST(PlanUnderIce, TellsOfIceThatIsFarFromItsWaypoints) {
   const ocean::Environment in_the_east{
       .ice = support::ice_from([](geo::LonLat p, double) { return p.lon_deg > -52.25 ? 0.9 : 0.0; }, {0.0},
@@ -715,7 +715,7 @@ TEST(PlanUnderIce, SurfacesAtIntervalsInOpenWaterAndBeforeAndAfterTheIce) {
   EXPECT_EQ(gaps, 1U);
 }
 
-/// In a lead that is narrower than the position is off there is no better place than its middle.
+/// In a lead that is narrower than the position error the middle is the best place.
 TEST(PlanUnderIce, SurfacesWithMostRoomWhereItIsNowhereClearOfTheIce) {
   const ocean::Environment lead{
       .ice = support::ice_from(
@@ -740,7 +740,7 @@ TEST(PlanUnderIce, SurfacesWithMostRoomWhereItIsNowhereClearOfTheIce) {
               Contains(HasSubstr("the position error exceeds the distance to ice")));
 }
 
-/// What was held at the ice while waypoints moved is free afterwards, and the places to visit are not.
+/// Points that were fixed at the ice during refinement are free afterwards. Via points stay fixed.
 TEST(PlanUnderIce, VisitsItsPlacesWhereFewWaypointsAndABoundAreAskedFor) {
   const ocean::Environment environment = ice_with_holes(3, 40);
   PlanRequest request = from_hole_to_hole(12.0);
@@ -784,7 +784,7 @@ TEST(PlanUnderIce, GoingOnIsAnEscapeWhereNothingElseIsInTime) {
     PlanRequest request = support::eastward_request();
     request.via = {{lon_deg, 69.01}};
     const Plan unbounded = planned(band_of_ice(), request);
-    // The way keeps this bound to the second; the vertices of a grid do not lie where the ice ends.
+    // The way just keeps this bound. The vertices of a grid do not lie at the edge of the ice.
     request.under_ice.max_time_without_surfacing = unbounded.surfacing->longest_without + core::Seconds{1.0};
     request.under_ice.escape_plan = true;
 

@@ -28,7 +28,7 @@ core::Seconds waited(const Plan& plan) {
   return sum;
 }
 
-/// Some 10 km to a goal that a berg leaves at a tenth of the vehicle's speed, in a disc that grows to 5 km about it.
+/// A goal at about 10 km. A berg leaves it at a tenth of the vehicle's speed, and its disc grows to 5 km.
 Scene goal_in_a_growing_disc() {
   PlanRequest request = support::eastward_request();
   request.to = {-53.25, 69.0};
@@ -41,7 +41,7 @@ Scene goal_in_a_growing_disc() {
   return {request, environment};
 }
 
-/// When the disc, at its largest, has left the goal, with a minute for the earth not being flat.
+/// The time when the disc, at its largest, has left the goal, with a minute for the curvature of the Earth.
 core::Seconds opening(const PlanRequest& request) {
   return core::Seconds{(50.0 + (request.icebergs.margin + request.icebergs.max_inflation).value) / 0.035};
 }
@@ -149,7 +149,7 @@ TEST(WithoutHolds, ADepartureOfAWindowMayBeTooEarly) {
 }
 
 TEST(WithoutHolds, TheVehicleGoesRoundWhatOpensLaterAndThePlanSaysSo) {
-  // Half a day across the straight way lies a no-go area: round it takes longer than to hold until it opens.
+  // A no-go area lies across the straight line for half a day. To go round it takes longer than to hold until it reopens.
   PlanRequest request = support::eastward_request();
   request.to = {-53.3, 69.0};
   request.spacing_along = core::Metres{500.0};

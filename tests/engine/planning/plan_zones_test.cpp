@@ -29,7 +29,7 @@ Result<Plan> plan(const PlanRequest& request, const ocean::Environment& environm
   return plan_route(environment, request, {}, {});
 }
 
-/// Whether any of many points of the plan's legs lies in the area, some room inside its border left out.
+/// Whether any of many points on the plan's legs lies in the area, and not close to its border.
 bool enters(const Plan& found, const geo::Polygon& area) {
   for (std::size_t i = 1; i < found.waypoints.size(); ++i) {
     const geo::LonLat a = found.waypoints[i - 1].place;
@@ -158,7 +158,7 @@ TEST(PlanZones, CrossAnAreaOutsideItsTimeAndGoRoundItWithin) {
 TEST(PlanZones, KeepTheWayInsideAnAreaToStayIn) {
   PlanRequest request = eastward_request();
   const double middle = 0.5 * (request.from.lon_deg + request.to.lon_deg);
-  // A horseshoe: from the start up, across and down to the goal.
+  // A horseshoe: up from the start, across, and down to the goal.
   const double south = request.from.lat_deg - 0.02;
   const double north = request.from.lat_deg + 0.12;
   geo::Polygon horseshoe = box(request.from.lon_deg - 0.1, south, request.to.lon_deg + 0.1, north);
@@ -261,7 +261,7 @@ TEST(PlanLegs, AreNoLongerThanAskedForAndTheWayStaysTheSame) {
             static_cast<std::size_t>(std::ceil(whole->distance.value / 3000.0)) + 1);
 }
 
-/// All between a parallel and a pole: along the parallel all the way round, and back along the pole.
+/// The area between a parallel and a pole. Its outline follows the parallel round the Earth and returns along the pole.
 geo::Polygon cap(double lat_deg) {
   geo::Polygon area;
   for (int lon_deg = -180; lon_deg <= 180; lon_deg += 60)
@@ -307,7 +307,7 @@ TEST(PlanZones, MayReachFarBeyondWhatThePlaneShows) {
   }
 }
 
-/// What an iceberg closes for a while is no time at which the zone ends.
+/// The zone never reopens, so the refusal names no time, although an iceberg over the goal leaves it.
 TEST(PlanZones, ThatHoldForEverAreNotSaidToOpenWhenAnIcebergIsGone) {
   PlanRequest request = eastward_request();
   request.zones = {stay_in(box(-53.6, 68.9, -52.8, 69.1))};

@@ -31,7 +31,7 @@ std::string text_of(const fs::path& file) {
   return text.str();
 }
 
-/// Whether the file comes to hold the text within ten seconds. It is there already.
+/// Whether the text appears in the file within ten seconds. The file exists already.
 bool comes_to_hold(const fs::path& file, const std::string& text) {
   using Clock = std::chrono::steady_clock;
   const auto end = Clock::now() + std::chrono::seconds{10};

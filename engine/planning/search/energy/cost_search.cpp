@@ -15,17 +15,17 @@ namespace floeplan::planning::search {
 namespace {
 
 constexpr std::size_t most_labels = 200'000;  // some seconds, and about 20 MB with their lists and the queue
-/// On larger grids a search for the least cost is steered: one that is not would mostly meet its bound on labels.
+/// On larger grids a search for the least cost is steered. Without that it would mostly reach its bound on labels.
 constexpr std::int64_t few_vertices = 2'500;
-/// A steered search that has looked so often at each place on the average looks in vain, mostly where things open and
-/// close.
+/// A steered search that has looked so often at each place, on the average, ends without a way; mostly where things close
+/// and reopen.
 constexpr std::int64_t labels_a_vertex = 4;
 constexpr std::int64_t fewest_labels = 50'000;
-/// On still larger ones an outlook takes too long between looks at a stop, and keeps too few times in its memory.
+/// On still larger grids an outlook takes too long between two looks at the stop token, and its memory holds too few times.
 constexpr std::int64_t many_vertices = 500'000;
-/// Of the cost of the fastest way: what a steered search may leave, far less than its outlook is off.
+/// Share of the cost of the fastest way that a steered search may leave. Far less than the error of its outlook.
 constexpr double near_enough = 2e-4;
-/// An outlook serves voyages that end so much after its last slice, from which on its water stays as it is.
+/// How long after its last slice an outlook may be used. After that slice its water stays as it is.
 constexpr core::Seconds beyond_outlook{3600.0};
 
 using Way = std::vector<graph::Label<CostVoyage::State>>;
@@ -36,7 +36,7 @@ std::vector<geo::PlanePoint> points_of(const cost::RouteGrid& grid, const Way& w
   return points;
 }
 
-/// Adds the way over one grid; answers whether it keeps to the grid's rim.
+/// Adds the way over one grid, and returns whether it follows the grid's rim.
 bool append(cost::DrivenRoute& route, const cost::Sea& sea, const cost::RouteGrid& grid, const Way& way) {
   const std::vector<geo::PlanePoint> points = points_of(grid, way);
   for (std::size_t i = 1; i < way.size(); ++i) {
@@ -47,13 +47,13 @@ bool append(cost::DrivenRoute& route, const cost::Sea& sea, const cost::RouteGri
   return touches_rim(points, grid);
 }
 
-/// When a search begins, and how long ago the vehicle might have surfaced then.
+/// When a search begins, and how long before that the vehicle could last surface.
 struct Beginning {
   core::Seconds depart;
   core::Seconds since_surfacing{};
 };
 
-/// The way of the earliest arrival, all on the first drive.
+/// The way of the earliest arrival, on the first drive all along.
 Result<CostWay> earliest_way(const cost::Sea& sea, const std::vector<OpenGrid>& grids,
                              const PlanRequest& request, core::Seconds depart, const std::stop_token& stop,
                              const std::function<void(double)>& report_fraction,
@@ -73,8 +73,8 @@ std::size_t labels_of_steered(const OpenGrid& open) {
   return static_cast<std::size_t>(std::clamp(labels_a_vertex * open.vertices, fewest_labels, most));
 }
 
-/// What the way costs at once and without waits; infinite where it is closed then, or leaves less of the bound on the
-/// time without surfacing than what comes after needs.
+/// The cost of the way without waits. Infinite where it is closed then, or where it leaves less of the bound on the time
+/// without surfacing than the rest of the voyage needs.
 double cost_along(const cost::Sea& sea, const OpenGrid& open, const std::vector<geo::PlanePoint>& path,
                   const Objective& objective, const Beginning& beginning, vehicle::Drive drive) {
   if (path.empty()) return INFINITY;
@@ -88,7 +88,7 @@ double cost_along(const cost::Sea& sea, const OpenGrid& open, const std::vector<
   return times->cost(objective);
 }
 
-/// The same on the drive that makes it the cheapest.
+/// The same on the drive with the least cost.
 double least_cost_along(const cost::Sea& sea, const OpenGrid& open, const std::vector<geo::PlanePoint>& path,
                         const Objective& objective, const Beginning& beginning) {
   double least = INFINITY;
@@ -97,13 +97,13 @@ double least_cost_along(const cost::Sea& sea, const OpenGrid& open, const std::v
   return least;
 }
 
-/// What the fastest way over a grid tells a search for the cheapest: no more than its cost need be spent, and no more
-/// time than so much can buy.
+/// What a search for the least cost learns from the fastest way over a grid: an upper bound of the cost, and of the time
+/// that so much cost allows.
 class KnownLimit {
  public:
   KnownLimit(const cost::Sea& sea, const OpenGrid& open, const PlanRequest& request,
              const Beginning& beginning, CostGuide& guide, const std::stop_token& stop) {
-    constexpr double rounding = 1e-9;  // of sums of costs
+    constexpr double rounding = 1e-9;  // relative, of sums of costs
     if (!guide.foresight().is_useful() && !sea.has_timed_closures()) return;
     PlanRequest by_time = request;
     by_time.method = Method::astar;
@@ -115,14 +115,14 @@ class KnownLimit {
     double cost = least_cost_along(sea, open, fastest_->path, request.objective(), beginning);
     bool has_way = !fastest_->path.empty();
     if (!has_way && sea.drives().size() > 1) {
-      // A bound on the time without surfacing, or the current, may leave a way to the faster drive alone.
+      // Because of the current, or the bound on the time without surfacing, a way may be open to the faster drive alone.
       const RouteSearch faster = search_route(
           sea.driven_by(sea.drives().back()), open, by_time, depart, stop, [](double) {},
           core::Seconds{INFINITY}, beginning.since_surfacing, &guide.foresight());
       cost = least_cost_along(sea, open, faster.path, request.objective(), beginning);
       has_way = !faster.path.empty();
     }
-    // Where the time without surfacing is bounded a search may have come to its bound on memory.
+    // Where the time without surfacing is bounded, a search may have reached its bound on labels.
     is_hopeless_ = !has_way && !sea.overhead().bounds_surfacing();
     if (is_hopeless_ || !guide.foresight().is_useful()) return;
     if (!std::isfinite(cost) || stop.stop_requested()) return;
@@ -136,12 +136,12 @@ class KnownLimit {
   KnownLimit(const KnownLimit&) = delete;
   KnownLimit& operator=(const KnownLimit&) = delete;
 
-  /// The search for the fastest way by A*; empty where nothing is known beforehand.
+  /// The search for the fastest way by A*; empty where no lower bound is known.
   [[nodiscard]] const std::optional<RouteSearch>& fastest() const { return fastest_; }
-  /// Whether there is no fastest way, on whatever drive: then there is none at all.
+  /// Whether there is no fastest way on any drive: then there is no way at all.
   [[nodiscard]] bool is_hopeless() const { return is_hopeless_; }
   [[nodiscard]] const std::optional<CostVoyage::Limit>& limit() const { return limit_; }
-  /// When a voyage of that cost ends at the latest.
+  /// The latest end of a voyage of that cost.
   [[nodiscard]] core::Seconds last() const { return last_; }
   [[nodiscard]] static bool is_steered(const OpenGrid& open) {
     return open.vertices > few_vertices && open.vertices <= many_vertices;
@@ -182,11 +182,11 @@ Result<CostWay> search_least_cost(const cost::Sea& sea, const std::vector<OpenGr
   found.route.points.push_back(grids.front().grid.point(grids.front().grid.start));
   found.route.fixed.push_back(true);
   Beginning beginning{depart};
-  std::optional<RouteSearch> first;  // on the first grid, as the earliest way has it
+  std::optional<RouteSearch> first;  // the earliest way on the first grid
   const auto earliest_of_all = [&] {
     return earliest_way(sea, grids, request, depart, stop, report_fraction, first ? &*first : nullptr);
   };
-  // A bound on the time without surfacing, or the current, may leave a way to it alone.
+  // Because of the current, or the bound on the time without surfacing, a way may be open to that drive alone.
   const auto earliest_on_faster_drive = [&](Result<CostWay> failed) {
     if (sea.drives().size() == 1 || stop.stop_requested()) return failed;
     auto earliest =

@@ -15,14 +15,14 @@
 
 namespace floeplan::planning::search {
 
-/// The way of least cost by the request's objective, from stop to stop as the grids give it.
+/// The way of least cost by the request's objective, from stop to stop on the grids.
 struct CostWay {
   cost::DrivenRoute route;
   SearchStatistics statistics;
-  bool touches_rim{false};  // it keeps to the rim of a grid, beyond which a better way may lie
+  bool touches_rim{false};  // it follows the rim of a grid, and a better way may lie beyond
 };
 
-/// What searches for the least cost over one grid know of it, kept from one departure to the next.
+/// What searches for the least cost know of one grid. It is kept from one departure to the next.
 /// Threads  one at a time
 class CostGuide {
  public:
@@ -32,8 +32,8 @@ class CostGuide {
 
   [[nodiscard]] Foresight& foresight() { return foresight_; }
   [[nodiscard]] VertexClosures& closures() { return closures_; }
-  /// For voyages from `depart` to `last`; made when it is first asked for, and again for voyages that it does not
-  /// cover.
+  /// The outlook for voyages from `depart` to `last`. It is made when it is first asked for, and again for voyages that it
+  /// does not cover.
   /// Precondition: the foresight is useful. Once `stop` is requested the guide must not be used.
   [[nodiscard]] const CostOutlook& outlook(const Objective& objective, core::Seconds depart,
                                            core::Seconds last, const std::stop_token& stop);
@@ -49,12 +49,12 @@ class CostGuide {
   core::Seconds until_{};
 };
 
-/// Searches grid after grid for the least cost to the next stop, each from the arrival at the last: between two
-/// stops the best, over several stops as good as it gets without looking ahead. Where a search comes to no way, it is
-/// that of the earliest arrival, each leg on its best drive.
-/// Accuracy as CostVoyage on grids of few vertices; on others the search is steered by an outlook, and mostly within a
+/// Searches grid after grid for the least cost to the next stop, from the arrival at the stop before. The result is the best
+/// between two stops; over several stops no search looks ahead to the next. Where a search finds no way, the way of the
+/// earliest arrival is taken, each leg on its best drive.
+/// Accuracy on grids of few vertices as CostVoyage. On others an outlook steers the search, and the cost is mostly within a
 ///          hundredth of that
-/// `guides` of these grids, one each; null: made and not kept.
+/// `guides` one for each of these grids; null: they are made and not kept
 /// Errors   where and why there is no way
 /// Stops    with Reason::cancelled once `stop` is requested
 [[nodiscard]] Result<CostWay> search_least_cost(const cost::Sea& sea, const std::vector<OpenGrid>& grids,

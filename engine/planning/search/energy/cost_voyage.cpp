@@ -7,8 +7,8 @@
 namespace floeplan::planning::search {
 namespace {
 
-/// Parts of the bound on the time without surfacing that arrivals are told apart by: a way loses no more than one of
-/// them from one surfacing to the next.
+/// Into so many parts the bound on the time without surfacing is divided to distinguish arrivals. A way loses at most one
+/// part from one surfacing to the next.
 constexpr double parts_of_bound = 6.0;
 
 }  // namespace

@@ -13,35 +13,34 @@
 
 namespace floeplan::planning::search {
 
-/// A voyage on which energy counts: the model of `graph::find_best_labels`. Each edge is travelled on every
-/// drive that the request allows; the choice of a label is the drive's index in the sea's list.
-/// Accuracy  in steady waters exact on the grid; where the time without a possible surfacing is bounded, to ten minutes
-///           of that time. In waters that change, an arrival gives way to another that
-///           costs no more and is not in a later span of ten minutes: the cheapest way may be missed where
-///           leaving a place later makes the rest of the way cheaper, or open, by more than was lost until then. Where
-///           the time without a possible surfacing is bounded, only to one whose last one lies in the same part of that
-///           bound or a later one
+/// A voyage on which energy counts, as a model for `graph::find_best_labels`. Each edge is travelled on every drive that the
+/// request allows. The choice of a label is the drive's index in the sea's list.
+/// Accuracy  In steady water the result is exact on the grid; where the time without surfacing is bounded, to ten minutes of
+///           that time. In water that changes, an arrival is dropped for another one that costs no more and does not lie
+///           in a later span of ten minutes. So the cheapest way may be missed where a later departure from a place makes
+///           the rest of the way cheaper, or open, by more than it cost. Where the time without surfacing is bounded, an
+///           arrival is dropped only for one whose last surfacing lies in the same part of that bound or a later one
 /// Threads   const members may be called from several threads at once
 class CostVoyage {
  public:
   struct State {
     double cost{};        // by the objective, since the departure
-    double surfaced_s{};  // when the vehicle might have surfaced last, where that is bounded
+    double surfaced_s{};  // when the vehicle could last surface, where that is bounded
   };
 
-  /// What is known beforehand of the voyage; changes no result.
+  /// Bounds that are known before the search. They change no result.
   struct Limit {
-    double most_cost{};       // that of a way known to be possible
-    ArrivalLadder* ladder{};  // as far as that cost may last; borrowed
+    double most_cost{};       // the cost of a way that is known to be possible
+    ArrivalLadder* ladder{};  // as long as a voyage of that cost may last; borrowed
   };
 
   /// `sea` and the grid are borrowed and outlive the voyage.
-  /// `outlook`: steers the search, borrowed likewise. The way is found soon then, and costs more than the least by no
-  /// more than the outlook is off.
+  /// `outlook`: steers the search; borrowed likewise. The search is then quick, and its cost exceeds the least by at most the
+  /// error of the outlook.
   CostVoyage(const cost::Sea& sea, const OpenGrid& open, const Objective& objective,
              const std::optional<Limit>& limit = std::nullopt, const CostOutlook* outlook = nullptr);
 
-  /// No second of any voyage costs less.
+  /// The least cost of a second of any voyage.
   [[nodiscard]] static double least_rate(const cost::Sea& sea, const Objective& objective);
 
   void extend(const graph::Edge& edge, double arrival_s, const State& state, auto&& emit) const {
@@ -73,14 +72,14 @@ class CostVoyage {
   [[nodiscard]] bool dominates(graph::Vertex v, const graph::Label<State>& a,
                                const graph::Label<State>& b) const {
     if (a.state.cost > b.state.cost) return false;
-    // In steady waters the hour matters for nothing but how long ago the vehicle might have surfaced.
+    // In steady water the time matters only to how long ago the vehicle could last surface.
     if (steady_)
       return !longest_without_surfacing_ || span(since_surfacing_s(a)) <= span(since_surfacing_s(b));
     return surfaced_as_late(a, b) && span(a.arrival_s) <= span(b.arrival_s);
   }
 
  private:
-  /// The least that the rest of the way costs.
+  /// Lower bound of the cost of the rest of the way.
   [[nodiscard]] double rest(graph::Vertex v, double arrival_s) const;
   [[nodiscard]] bool is_worthwhile(graph::Vertex v, double arrival_s, double cost) const {
     return cost + rest(v, arrival_s) <= limit_->most_cost;

@@ -12,19 +12,19 @@
 
 namespace floeplan::planning::search {
 
-/// An edge that the current closed when a search came to its tail.
+/// An edge that the current closed at the time when a search reached its tail.
 struct RefusedEdge {
   graph::Edge edge;
   core::Seconds when{};
 };
 
-/// The edges refused in one search, in its order; bounded, the rest are not kept.
+/// The edges that one search found closed, in its order. At most `most` are kept.
 struct RefusedEdges {
   static constexpr std::size_t most = 1'000'000;  // 24 MB
   std::vector<RefusedEdge> edges;
 };
 
-/// Adds an edge that the current closed to the list, if there is one, and hands its time on.
+/// Returns the time of an edge; if the current closes it, adds it to the list, where there is one.
 inline tl::expected<core::Seconds, motion::EdgeClosed> note_refusal(
     RefusedEdges* refused, const graph::Edge& edge, core::Seconds depart,
     tl::expected<core::Seconds, motion::EdgeClosed> time) {
@@ -48,7 +48,7 @@ struct GridTravelTime {
   }
 };
 
-/// The same as if nothing closed and opened in time.
+/// The same with everything that closes or reopens in time left out.
 struct UntimedTravelTime {
   const cost::Sea& sea;
   const cost::RouteGrid& grid;
@@ -62,8 +62,8 @@ struct UntimedTravelTime {
   }
 };
 
-/// GridTravelTime on the film run backwards, whose clock shows -t: an edge from tail to head there is the leg that ends
-/// at the tail at the time -depart.
+/// GridTravelTime for the time-reversed search, whose clock shows -t. An edge from tail to head there is the leg that ends at
+/// the tail at the time -depart.
 struct GridTravelTimeBack {
   const cost::Sea& sea;
   const cost::RouteGrid& grid;
@@ -74,12 +74,12 @@ struct GridTravelTimeBack {
   }
 };
 
-/// Straight to a vertex with the strongest current astern all the way.
+/// Lower bound: straight to a vertex with the strongest current from astern all the way.
 struct StraightBound {
   const cost::Sea& sea;
   const cost::RouteGrid& grid;
   graph::Vertex target;
-  std::vector<core::Seconds> least_times;  // of an edge, by its step
+  std::vector<core::Seconds> least_times;  // of edges, by their steps
 
   StraightBound(const cost::Sea& the_sea, const cost::RouteGrid& the_grid, const graph::GridGraph& graph,
                 graph::Vertex the_target)
@@ -91,7 +91,7 @@ struct StraightBound {
     }
   }
 
-  /// Whatever the hour.
+  /// At any time.
   [[nodiscard]] core::Seconds least_time(const graph::Edge& edge, core::Seconds = {}) const {
     return least_times[edge.step];
   }
@@ -101,7 +101,7 @@ struct StraightBound {
   [[nodiscard]] static core::Seconds latest_use(graph::Vertex) { return core::Seconds{INFINITY}; }
 };
 
-/// The same knowledge of edges, none of the way to the goal: Dijkstra's search.
+/// The same bounds of edges, but none of the way to the goal: for Dijkstra's search.
 struct EdgeBound {
   const StraightBound& straight;
 

@@ -10,7 +10,8 @@ namespace {
 using graph::Edge;
 using graph::Vertex;
 
-constexpr Vertex vertices_between_looks = 256;  // at the stop token: some milliseconds among icebergs
+constexpr Vertex vertices_between_looks =
+    256;  // between two looks at the stop token; takes some milliseconds among icebergs
 
 std::vector<std::uint8_t> open_vertices(const cost::Sea& sea, const cost::RouteGrid& grid,
                                         const std::stop_token& stop) {

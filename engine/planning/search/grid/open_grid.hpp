@@ -11,26 +11,27 @@
 
 namespace floeplan::planning::search {
 
-/// Of sums of the times of edges: bounds leave it room.
+/// The rounding error of sums of edge times. Bounds leave room for it.
 inline constexpr double rounding_of_times_s = 1e-3;
 
-/// A grid laid into a sea with what is open of it at any time: made once, searched for any departure.
+/// A grid in a sea, with its vertices that are ever open. It is made once and searched for any departure.
 struct OpenGrid {
   cost::RouteGrid grid;
   graph::GridGraph graph;
   std::int64_t vertices{};  // in deep enough water and clear of icebergs
   std::int64_t edges{};     // directed, between them
-  /// From the goal to where the vehicle may surface or has come to its last stop, at least; where that is bounded.
+  /// Least time from the goal to a place where the vehicle may surface, or to its last stop; where the time without
+  /// surfacing is bounded.
   core::Seconds least_after_goal{};
-  /// Of the bound on the time without surfacing, how much has to be left at the goal for the way on from there; minded
-  /// by searches for the earliest arrival.
+  /// How much of the bound on the time without surfacing must be left at the goal for the way on from there. Searches for
+  /// the earliest arrival obey it.
   core::Seconds left_at_goal{};
 
-  /// How much of that bound whoever comes to the goal must have left.
+  /// How much of that bound must be left at the goal.
   [[nodiscard]] core::Seconds needed_after_goal() const { return std::max(least_after_goal, left_at_goal); }
 };
 
-/// How far an edge goes along either axis of the plane.
+/// The extent of an edge along either axis of the plane.
 [[nodiscard]] core::Metres reach_of(const cost::RouteGrid& grid, const graph::GridGraph& graph);
 
 /// Stops    early once `stop` is requested; the grid must then not be used

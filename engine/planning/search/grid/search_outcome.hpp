@@ -12,13 +12,13 @@ namespace floeplan::planning::search {
 /// What a search over one grid found.
 struct RouteSearch {
   std::vector<geo::PlanePoint> path;  // start and goal included; empty when the goal was not reached
-  core::Seconds arrival{INFINITY};    // at its end
+  core::Seconds arrival{INFINITY};    // at the end of the path
   SearchStatistics statistics;
   bool cancelled{false};
   geo::PlanePoint nearest;  // the reached point nearest to the goal: where the search stopped
   core::Seconds nearest_arrival{};
   core::Seconds since_surfacing{};  // at the goal, where the time without surfacing is bounded
-  bool out_of_time{false};          // some way onward has data now, but they end before it does
+  bool out_of_time{false};          // the data of some way onward end before the vehicle reaches its end
   std::vector<motion::EdgeClosed> closed_at_nearest;  // why its outgoing edges were closed, one entry each
 };
 

@@ -9,8 +9,8 @@
 
 namespace floeplan::planning::search {
 
-/// When the vertices of a grid are closed for a while, by timed zones or icebergs that move; worked out when it is
-/// first asked.
+/// The times when vertices of a grid are closed by timed zones or moving icebergs. They are computed when they are first
+/// asked for.
 /// Threads  one at a time
 class VertexClosures {
  public:
@@ -18,7 +18,7 @@ class VertexClosures {
   VertexClosures(const cost::Sea& sea, const cost::RouteGrid& grid)
       : sea_{sea}, grid_{grid}, kept_(sea.has_timed_closures() ? count(grid) : 0, not_asked) {}
 
-  /// Ascending, apart from each other. Borrowed from this.
+  /// Spans in ascending order, with gaps between them. Borrowed from this object.
   [[nodiscard]] const std::vector<TimeSpan>& at(graph::Vertex v) {
     if (kept_.empty()) return spans_.front();
     if (kept_[v] == not_asked) {

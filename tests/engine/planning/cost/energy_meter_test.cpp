@@ -23,7 +23,7 @@ PlanRequest hybrid_request() {
   return request;
 }
 
-/// Banks of some kilometres below a current that is strong over them, and turns with a tide or not.
+/// Banks of some kilometres. The current is strong over them, and may turn with a tide.
 ocean::Environment random_sea(std::mt19937_64& rng) {
   const double seed = support::uniform(rng, 0.0, 100.0);
   const double strongest_m_s = support::uniform(rng, 0.1, 0.25);
@@ -54,7 +54,7 @@ geo::PlanePoint between(const RandomLeg& leg, double share) {
   return {leg.a.x_m + share * (leg.b.x_m - leg.a.x_m), leg.a.y_m + share * (leg.b.y_m - leg.a.y_m)};
 }
 
-/// Drawn in a second over the sea bed at a place.
+/// The power over the sea bed at a place.
 core::Watts power_at(const PlanRequest& request, const currents::FlownDepths& depths, geo::PlanePoint place,
                      Drive drive) {
   const vehicle::GliderProfile& profile = request.vehicle;
@@ -67,7 +67,7 @@ core::Watts power_at(const PlanRequest& request, const currents::FlownDepths& de
          (on_thruster ? profile.thruster->power : core::Watts{0.0});
 }
 
-/// In steps of a second, straight on at the speed over ground that the current there and then leaves.
+/// The energy along a straight line, summed second by second at the speed over ground that the current allows.
 core::Joules stepped_energy(const Sea& sea, const PlanRequest& request, const currents::FlownDepths& depths,
                             const RandomLeg& leg, Drive drive) {
   const double way_m = geo::distance_m(leg.a, leg.b);

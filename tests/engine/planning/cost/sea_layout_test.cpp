@@ -12,14 +12,14 @@ namespace {
 constexpr core::Seconds hour{hour_s};
 constexpr core::Seconds day = 24.0 * hour;
 
-/// A way of three hours, so that drift is followed for two days without anything else.
+/// A route of three hours. The drift of icebergs is then followed for two days.
 PlanRequest short_request() {
   PlanRequest request = support::eastward_request();
   request.to = {-53.4, 69.0};
   return request;
 }
 
-/// How far the berg is from where it is seen at the start.
+/// The distance of the berg from its place at the start.
 core::Metres drifted(const PlanRequest& request, const ocean::Environment& environment, core::Seconds time) {
   const geo::LocalProjection projection{request.from};
   const ocean::Iceberg& berg = environment.icebergs.front();

@@ -23,7 +23,7 @@ ocean::Axis even_axis(double first, std::size_t count) {
   return ocean::Axis{std::move(nodes)};
 }
 
-/// Each node has water down to a level of its own, or none.
+/// A grid whose nodes have water down to different levels, or no water.
 ocean::CurrentGrid random_currents(std::mt19937_64& rng) {
   constexpr float missing = std::numeric_limits<float>::quiet_NaN();
   constexpr std::size_t slice = columns * rows;
@@ -43,7 +43,7 @@ ocean::CurrentGrid random_currents(std::mt19937_64& rng) {
   return ocean::CurrentGrid{std::move(samples)};
 }
 
-/// A window without the grid's outermost nodes, whose vectors are each turned by an angle of their own.
+/// A window without the grid's outermost nodes. The vectors of each node are turned by an angle of their own.
 struct Scene {
   ocean::CurrentGrid currents;
   plane::NodeWindow window{
@@ -67,7 +67,7 @@ struct Scene {
                              mean.east.value * turn.sine + mean.north.value * turn.cosine};
   }
 
-  /// Its own, or the mean of those beside it.
+  /// The vector of the node, or the mean of its neighbours.
   [[nodiscard]] std::optional<motion::CurrentXy> at_node(std::size_t ix, std::size_t iy,
                                                          const vehicle::DiveBand& band) const {
     if (const auto here = own(ix, iy, band)) return here;

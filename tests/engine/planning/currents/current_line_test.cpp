@@ -19,7 +19,7 @@ const FlownDepths dive{{}, nullptr};
 const geo::LocalProjection projection{{-53.0, 69.0}};
 const plane::PlaneBox area{{-60'000.0, -60'000.0}, {60'000.0, 60'000.0}};
 
-/// Currents without any order, up to this strength in each component, and an island without water.
+/// Random currents up to this strength in each component, and an island without water.
 PlaneCurrents random_currents(std::mt19937_64& rng, double strongest_m_s, bool steady = false) {
   const auto field = [&](geo::LonLat place, double) -> geo::VelocityEn {
     if (std::hypot(place.lon_deg + 52.0, 2.8 * (place.lat_deg - 69.2)) < 0.5) return {{NAN}, {NAN}};
@@ -59,7 +59,7 @@ TEST(CurrentLine, IsTheCurrentOfEveryPlaceOnTheEdgeAtEveryTime) {
                                         edge.from.y_m + part * (edge.to.y_m - edge.from.y_m)},
                                        core::Seconds{at_s});
 
-        // A four thousandth of a cell, where neighbours differ by up to 0.6 m/s.
+        // An error of 1/4000 of a cell, between neighbours that differ by up to 0.6 m/s.
         ASSERT_TRUE(expected.has_value());
         EXPECT_NEAR(stretch.at(at_m, at_s)->along_m_s, direction(*expected).along_m_s, 4e-4);
         EXPECT_NEAR(stretch.at(at_m, at_s)->across_m_s, direction(*expected).across_m_s, 4e-4);

@@ -27,7 +27,7 @@ double sheared_at(double depth_m) {
   return shear_east_m_s[std::size(shear_level_m) - 1];
 }
 
-/// A bank of 40 m in a sea of 400 m, hardly wider than a cell of the currents unless told.
+/// A bank of 40 m depth in a sea of 400 m; by default hardly wider than a cell of the currents.
 double bank_m(geo::LonLat place, double half_width_deg = 0.06) {
   const double away = std::abs(place.lon_deg + 53.05) / half_width_deg;
   return 400.0 - 360.0 * std::exp(-away * away);
@@ -56,7 +56,7 @@ PlaneCurrents over(std::shared_ptr<const ocean::Bathymetry> bed) {
 
 PlaneCurrents over_the_bank() { return over(fine_bathymetry()); }
 
-/// Mean of the current over the time of a saw-tooth that stays at one place.
+/// Mean of the current over the time of one dive and climb at one place.
 double mean_of_a_yo(double top_m, double bottom_m) {
   double sum = 0.0;
   constexpr int samples = 20'000;
@@ -81,7 +81,7 @@ TEST(FlownCurrents, AreTheMeanOfAYoOverTheSeaBedAtEveryNodeOfTheCutCells) {
   }
 }
 
-/// A sill a quarter as wide as a cell of the currents, which four parts of it would miss.
+/// A sill a quarter as wide as a cell of the currents. Four samples of the cell would miss it.
 TEST(FlownCurrents, FeelABankMuchNarrowerThanACellOfTheData) {
   constexpr double half_width_deg = 0.012;
   const PlaneCurrents currents = over(fine_bathymetry(half_width_deg, 0.0025));

@@ -32,7 +32,7 @@ const Change* change_of(const Infeasible& infeasible, const std::string& input) 
   return nullptr;
 }
 
-/// From north to south, 500 m to either side of a meridian.
+/// An area along a meridian, 500 m wide on either side.
 ocean::Zone zone_across(std::string name, double lon_deg) {
   return {.name = std::move(name),
           .kind = ocean::ZoneKind::no_go,
@@ -45,7 +45,7 @@ ocean::Zone zone_across(std::string name, double lon_deg) {
           .until = {}};
 }
 
-/// A stream against the way everywhere, strong until the given hour, weak afterwards.
+/// A current against the route everywhere, strong until the given hour and weak afterwards.
 ocean::Environment headwind_until(double hour_of_change, double m_s = 0.6) {
   return {.currents = currents_from(
               [=](geo::LonLat, double hour) {
@@ -71,7 +71,7 @@ TEST(Relaxation, NamesTheSpeedThatIsJustEnoughAgainstACurrent) {
 }
 
 TEST(Relaxation, NamesTheNextDepartureThatACurrentLetsPass) {
-  // So long and strong that the vehicle, which may drift back and come again, would drift out of every grid.
+  // The current is so long and strong that the vehicle would drift out of every grid before it could come back.
   const ocean::Environment environment = headwind_until(26.0, 2.0);
   PlanRequest request = eastward_request();
 
@@ -88,7 +88,7 @@ TEST(Relaxation, NamesTheNextDepartureThatACurrentLetsPass) {
 TEST(Relaxation, NamesTheMarginThatLetsTheVehicleThroughBetweenIcebergs) {
   PlanRequest request = eastward_request();
   ocean::Environment environment;
-  // A picket line across every way, bergs of 200 m 2.2 km apart: 1 km free to either side of the middle.
+  // A line of bergs of 200 m, 2.2 km apart, crosses every way: in the middle between two, 1 km is free to either side.
   for (int i = -60; i <= 60; ++i) {
     environment.icebergs.push_back(support::iceberg_at({-53.0, 69.0 + 0.0198 * i}, 200.0));
     environment.icebergs.back().id = std::to_string(i);
@@ -172,7 +172,7 @@ TEST(Relaxation, MovesAStopThatIsNotUsableToTheNearestPlaceThatIs) {
   EXPECT_TRUE(plan(environment, request).has_value());
 }
 
-/// A goal on a bank in a basin that a ring of shallow water closes in: the nearest deep water is no use.
+/// A goal on a bank in a basin inside a ring of shallow water: the nearest deep water cannot be reached.
 TEST(Relaxation, MovesAStopOnlyToWhereAWayLeads) {
   PlanRequest request = eastward_request();
   const auto depth = [&](geo::LonLat p) {
@@ -286,7 +286,7 @@ TEST(Relaxation, NamesTheDepartureAndTheHoldThatATimedAreaLetsPass) {
   PlanRequest changed = request;
   changed.depart = std::get<core::UtcTime>(later->to);
   EXPECT_TRUE(plan({}, changed).has_value());
-  // The vehicle is 16 hours on its way to the area.
+  // The vehicle reaches the area after 16 hours.
   EXPECT_LE(changed.depart - request.depart, core::Seconds{65.0 * 3600.0});
   ASSERT_NE(change_of(found.error(), "max_loiter_s"), nullptr);
 }
@@ -342,7 +342,7 @@ TEST(Relaxation, NamesWhatMakesADepartureOfAWindowPossible) {
 }
 
 TEST(Relaxation, NamesDivesAboveAnAreaWhereShallowerOnesAreCarriedAway) {
-  // Against the way, 0.5 m/s near the surface and hardly anything in the mean down to 60 m.
+  // A current against the route: 0.5 m/s near the surface, nearly zero in the mean down to 60 m.
   const ocean::Environment environment{.currents = support::sheared_currents(), .steady_currents = true};
   PlanRequest request = eastward_request();
   std::swap(request.from, request.to);
@@ -428,7 +428,7 @@ TEST(Relaxation, NamesHowHighToClimbWhereDivesTurnTooDeepForTheWater) {
   EXPECT_FALSE(plan(environment, request).has_value());
 }
 
-/// The refusal lies with what a trial of a single plan does not know of.
+/// The refusal comes from a rule that a trial of a single plan does not know.
 TEST(Relaxation, NamesNoChangeOfARequestThatHasASinglePlan) {
   PlanRequest request = eastward_request();
   request.zones = {{.name = "out of the way",
@@ -516,7 +516,7 @@ TEST(Relaxation, NamesTheIcebergThatClosesAGapInLand) {
   request.icebergs.drift = false;
   ASSERT_TRUE(plan(environment, request).has_value());
   environment.icebergs = {support::iceberg_at({-53.0, 69.0}, 200.0)};
-  // The place nearest to the goal is beside the iceberg, or so far off that there is land only.
+  // The place nearest to the goal lies beside the iceberg, or so far away that only land surrounds it.
   for (const double margin_m : {6000.0, 8000.0, 15'000.0}) {
     request.icebergs.margin = core::Metres{margin_m};
 
@@ -643,7 +643,7 @@ TEST(Relaxation, LeavesOutAllAreasWhereNoneIsInTheWayAlone) {
   EXPECT_TRUE(plan({}, request).has_value());
 }
 
-/// A request, and the sea for it, as a change would have them.
+/// A request and its sea after a change.
 struct Asked {
   ocean::Environment environment;
   PlanRequest request;
@@ -676,7 +676,7 @@ struct Asked {
   }
 };
 
-/// Land or a sill across the way, an iceberg, areas that close or are closed: any of them, or several.
+/// Random obstacles: land or a sill across the route, an iceberg, areas that are closed or will close; one or several.
 Asked random_obstruction(std::mt19937_64& rng) {
   const auto one_of_two = [&] { return support::uniform_int(rng, 0, 1) == 1; };
   Asked asked{.environment = {}, .request = eastward_request()};

@@ -15,7 +15,7 @@ namespace {
 using support::currents_from;
 using support::eastward_request;
 
-/// An eddy field that no slow vehicle crosses everywhere, turning with a tide.
+/// Eddies that turn with a tide. A slow vehicle cannot cross them everywhere.
 ocean::Environment eddies(std::mt19937_64& rng) {
   const double strength = support::uniform(rng, 0.1, 0.5);
   const double phase = support::uniform(rng, 0.0, 6.0);
@@ -74,7 +74,7 @@ TEST(WayTrials, NeverDoMoreWorkThanTheyMay) {
 }
 
 TEST(WayTrials, LayOutNoSeaThatTakesMoreThanTheirShare) {
-  // Ten steps of 100 km to either side: the few places of the grid lie far apart, but data are looked up in between.
+  // Ten steps of 100 km to either side. The grid has few places, far apart, but the data between them are used.
   std::mt19937_64 rng{7};
   ocean::Environment environment = eddies(rng);
   environment.bathymetry = support::bathymetry_from([](geo::LonLat) { return 300.0; });

@@ -21,7 +21,7 @@ obstacles::PlaneBed bed_of(const std::shared_ptr<const ocean::Bathymetry>& bathy
   return {bathymetry, projection, area, {}};
 }
 
-/// Turns for each metre of depth, the mean of many places from one share of a line to the other.
+/// The number of dive turns per metre of depth, averaged over many places between two shares of a line.
 double stepped_turns_m(const obstacles::PlaneBed& bed, geo::PlanePoint a, geo::PlanePoint b, double from,
                        double until, core::Metres upper_turn) {
   constexpr int steps = 20'000;

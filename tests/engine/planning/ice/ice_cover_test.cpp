@@ -51,7 +51,7 @@ TEST(IceCover, AgreesWithTheFieldItIsMadeOf) {
         ice->at(projection.to_lon_lat(point), core::from_unix_seconds(support::sea_start_s) + time)
             ->concentration;
 
-    // The table of coordinates inside the cover is good to a metre, here less than 1e-4 of a concentration.
+    // The cover's table of coordinates is accurate to a metre, which changes the concentration by less than 1e-4 here.
     UnderIceRules rules;
     rules.max_concentration_to_surface = concentration + 1e-4;
     EXPECT_TRUE(cover_of(ice, rules).above(point, time).may_surface);
@@ -101,7 +101,7 @@ TEST(IceCover, TellsOfWhichKeelsTheDraftIsAssumed) {
   EXPECT_EQ(assumed.told_m, 0.0);
 }
 
-/// A gap in a later step lifts no keel: nobody looked.
+/// A gap in a later step removes no keel: it only means that nothing was observed.
 TEST(IceCover, KeepsTheKeelsThatALaterStepDoesNotTellOf) {
   const IceCover cover = cover_of(support::ice_from(
       [](geo::LonLat, double hour) { return hour < 1.0 ? 0.9 : unknown; }, {0.0, 24.0}, 1.0));

@@ -21,7 +21,7 @@ using Field = std::shared_ptr<const ocean::IceField>;
 
 core::Seconds hours(double count) { return core::Seconds{3600.0 * count}; }
 
-/// The same everywhere, from one hour to another.
+/// Ice of one concentration everywhere, from one hour to another.
 Field even_ice(double concentration, double from_hour, double until_hour) {
   return support::ice_from([=](geo::LonLat, double) { return concentration; }, {from_hour, until_hour}, 1.0);
 }
@@ -32,7 +32,7 @@ IceCovers covers_of(Field first, std::vector<Field> others) {
           core::from_unix_seconds(support::sea_start_s)};
 }
 
-/// Open water that was ingested last and begins two days later is no news of today.
+/// Open water in data that were ingested last but begin two days later says nothing about today.
 TEST(IceCovers, AskThoseThatSpeakForTheTimeBeforeNewerOnesThatAreHeld) {
   const IceCovers covers =
       covers_of(even_ice(0.0, 48.0, 96.0), {even_ice(concentration_that_closes, -24.0, 96.0)});
@@ -62,7 +62,7 @@ TEST(IceCovers, AskTheNextWhereTheFirstKnowsNothing) {
   EXPECT_TRUE(covers.above({30'000.0, 0.0}, hours(1.0)).known);
 }
 
-/// Beside its last node a product goes by that node; one that has data there knows better.
+/// Outside its last node a product uses that node. A product that has data there takes precedence.
 TEST(IceCovers, AskForDataBeforeWhatIsExtendedToACoast) {
   const Field in_the_west = support::ice_from(
       [](geo::LonLat p, double) { return p.lon_deg < -53.05 ? 0.0 : unknown; }, {0.0, 24.0}, 1.0);
@@ -74,7 +74,7 @@ TEST(IceCovers, AskForDataBeforeWhatIsExtendedToACoast) {
                    .may_surface);
 }
 
-/// A chart that was filled in later lies beside daily data of the whole time.
+/// A chart that was added later lies among daily data of the whole period.
 TEST(IceCovers, AskDataOfTheTimeItselfBeforeANewerStepThatIsNear) {
   const Field daily = support::ice_from([](geo::LonLat, double) { return concentration_that_closes; },
                                         {-48.0, -24.0, 0.0, 24.0, 48.0}, 1.0);
@@ -86,7 +86,7 @@ TEST(IceCovers, AskDataOfTheTimeItselfBeforeANewerStepThatIsNear) {
     EXPECT_FALSE(covers.above({0.0, 0.0}, hours(hour)).may_surface) << hour;
 }
 
-/// In whichever order charts of single days were stored.
+/// The order in which charts of single days were stored does not matter.
 TEST(IceCovers, AskTheNearestOfTheChartsOfSingleDays) {
   const Field first_day = support::ice_from([](geo::LonLat, double) { return 0.0; }, {-18.0}, 1.0);
   const Field next_day =
@@ -109,7 +109,7 @@ TEST(IceCovers, AskOthersInALongGapOfTheFirst) {
   EXPECT_FALSE(covers_of(with_gap, {}).above({0.0, 0.0}, hours(1.0)).known);
 }
 
-/// As where no ice is stored at all, but for the time for which its first step is held.
+/// The result is the same as without stored ice, except for the time for which the first step is held.
 TEST(IceCovers, TakeTheWaterToBeOpenUntilTheFirstOfThemMayBeHeld) {
   const Field later = even_ice(concentration_that_closes, 96.0, 120.0);
   const IceCovers alone = covers_of(later, {});

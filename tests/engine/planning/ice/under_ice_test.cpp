@@ -15,7 +15,7 @@ const geo::LocalProjection projection{{-53.0, 69.0}};
 constexpr plane::PlaneBox area{{-40'000.0, -40'000.0}, {40'000.0, 40'000.0}};
 constexpr core::Seconds at_once{0.0};
 
-/// The glider of 200 m: 20 m of water, 10 m of them above the sea bed.
+/// The glider of 200 m needs 20 m of water, 10 m of them above the sea bed.
 PlanRequest request_in_ice() {
   PlanRequest request = support::eastward_request();
   request.under_ice.margin_below_ice = core::Metres{10.0};
@@ -56,7 +56,7 @@ TEST(UnderIce, PassesWhereAsMuchWaterIsLeftAsTheVehicleNeedsBelowTheSurface) {
 }
 
 TEST(UnderIce, SeesASillBetweenTwoLooks) {
-  // One row of the bathymetry leaves 25 m of water where 38 m are needed; half a look beside it are 47 m.
+  // One row of the bathymetry has 25 m of water where 38 m are needed. Half a sample beside it the water is 47 m deep.
   const auto sea_over = [](double sill_m) {
     return ocean::Environment{.bathymetry = support::bathymetry_from([=](geo::LonLat p) {
                                 return std::abs(p.lat_deg - 69.0) < 1e-6 ? sill_m : 200.0;

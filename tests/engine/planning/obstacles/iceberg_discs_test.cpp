@@ -81,7 +81,7 @@ TEST(IcebergDiscs, ThatStandKeepHalfTheLengthTheStatedErrorAndTheMargin) {
   EXPECT_NEAR(discs.distance_from_hulls({eastwards(901.0), eastwards(2000.0), 0.0, 1.0})->value, 801.0, 0.1);
 }
 
-/// What is told to pilots are metres on the ground, wherever the iceberg has drifted to on the plane.
+/// Pilots are told metres on the ground, wherever the iceberg has drifted to on the plane.
 TEST(IcebergDiscs, HaveTheScaleOfThePlaneWhereTheyAre) {
   const DriftingDisc disc{{{.t_s = 0.0, .centre = {}, .error = {}, .scale = 1.0},
                            {.t_s = 3600.0, .centre = {0.0, 5000.0}, .error = {}, .scale = 1.02}},
@@ -182,7 +182,7 @@ TEST(IcebergDiscs, TellTheTimesAtWhichAPlaceIsClosed) {
 }
 
 TEST(IcebergEncounters, AreTheShareOfTheErrorsThatPutTheBergOntoTheWay) {
-  // Past a berg that stands, on a line as good as endless: the error across the line is normal.
+  // The vehicle passes a standing berg on a practically endless line: the error across the line is normally distributed.
   support::for_each_seed(100, [](std::mt19937_64& rng) {
     const double length_m = uniform(rng, 20.0, 300.0);
     const double error_m = uniform(rng, 3000.0, 6000.0);

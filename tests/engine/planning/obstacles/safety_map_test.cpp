@@ -87,7 +87,7 @@ TEST(SafetyMap, ClosesAnIslandSmallerThanACell) {
   EXPECT_FALSE(map.closed_between({-5000.0, 3000.0}, {5000.0, 3000.0}).has_value());
 }
 
-/// Law: a coast that mostly lies beyond the map closes what it covers there and no place that it does not.
+/// Law: a coast that lies mostly beyond the map closes exactly the places of the map that it covers.
 TEST(SafetyMap, KnowsTheCoastOfAContinentWhereItLooks) {
   support::for_each_seed(40, [](std::mt19937_64& rng) {
     const double half_turn = std::numbers::pi;
@@ -174,7 +174,7 @@ TEST(SafetyMap, JudgesAGivenRouteByWhereItRuns) {
       << "the leg beside the island must not open the way over it";
 }
 
-/// What is open along a route after open_along is open in the data themselves, whatever cells are shared.
+/// What is open along a route after open_along is open in the data, whichever cells are shared.
 TEST(SafetyMap, NeverOpensARouteThatTheDataClose) {
   const ocean::Environment environment{
       .bathymetry = support::bathymetry_from([](geo::LonLat p) {

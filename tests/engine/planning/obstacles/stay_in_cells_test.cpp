@@ -164,7 +164,7 @@ TEST(StayInCells, HoldNoCellOfWhichAnyPartLiesInNoArea) {
   });
 }
 
-/// Half a million corners each, a few centimetres from each other: more than all of them can be compared.
+/// Areas of half a million corners each, a few centimetres apart: too many to compare each with each.
 TEST(StayInCells, AreDecidedInBoundedTimeForOutlinesOfVeryManyCorners) {
   geo::Ring cut;
   constexpr int corners = 500'000;

@@ -18,7 +18,7 @@ const geo::LocalProjection projection{{-53.0, 69.0}};
 const plane::PlaneBox area{{-3000.0, -4000.0}, {4000.0, 3000.0}};  // less than what is asked about
 const core::UtcTime epoch = core::UtcTime{Seconds{1.7e9}};
 
-/// Sides of the square in metres of the plane around its middle.
+/// A square around a middle, in metres of the plane.
 geo::Polygon square(geo::PlanePoint middle, double half_side_m) {
   geo::Polygon polygon;
   for (const auto& [x, y] : {std::pair{-1.0, -1.0}, {1.0, -1.0}, {1.0, 1.0}, {-1.0, 1.0}}) {
@@ -53,7 +53,7 @@ std::vector<Zone> random_zones(std::mt19937_64& rng) {
   return zones;
 }
 
-/// The rules, read from the zones themselves, at one place and time.
+/// Whether the zones themselves close a place at a time.
 bool breaks_a_rule(const std::vector<Zone>& zones, geo::PlanePoint point, Seconds time) {
   bool confined = false;
   bool inside = false;

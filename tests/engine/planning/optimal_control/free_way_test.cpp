@@ -8,7 +8,7 @@
 namespace floeplan::planning::optimal_control::free_way_test {
 namespace {
 
-/// The jet as stored data have it: known at nodes, bilinear between them, linear between its times.
+/// The jet as stored data give it: bilinear between nodes, linear between times.
 class GriddedJet {
  public:
   GriddedJet() {
@@ -82,7 +82,7 @@ TEST(FreeWay, TakesTheTimeOfTheExtremalThroughTheJet) {
   }
 }
 
-/// Law: rough ways that lead to one way do so: what is found from either takes the same time.
+/// Law: if two rough ways are said to lead to one way, the ways found from both have the same duration.
 TEST(FreeWay, IsOneFromRoughWaysThatLieTogether) {
   const currents::RiverCurrent river;
   const LegTimer timer = legs_in(river, over_the_river.through_water);

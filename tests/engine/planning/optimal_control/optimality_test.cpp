@@ -19,7 +19,7 @@ geo::VelocityEn tide(geo::LonLat place, double hour) {
   return {{0.15 * std::cos(phase)}, {0.2 * std::sin(phase + place.lon_deg)}};
 }
 
-/// The paper's river on the equator, where degrees are as good as metres: its nodes lie 560 m apart.
+/// The paper's river on the equator, where degrees are proportional to metres. Its nodes lie 560 m apart.
 struct EquatorialRiver {
   geo::LonLat from{0.0, 0.0};
   geo::LonLat to{0.3, 0.0};

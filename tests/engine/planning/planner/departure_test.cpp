@@ -38,13 +38,13 @@ PlanRequest alone(const PlanRequest& request, core::UtcTime depart) {
   return result;
 }
 
-/// The curve has for each departure what a plan for it alone has.
+/// Law: the curve shows for each departure the result of a plan for it alone.
 void expect_brute_force(const ocean::Environment& environment, const PlanRequest& request) {
   for (const DepartureOutcome& outcome : curve(environment, request)) {
     const auto plan = plan_route(environment, alone(request, outcome.departure), {}, {});
     ASSERT_EQ(outcome.travel_time.has_value(), plan.has_value());
     if (plan) {
-      // Straight runs of legs are joined in the plan: the same way, integrated in fewer pieces.
+      // The plan joins straight runs of legs: it is the same way, integrated in fewer pieces.
       EXPECT_NEAR(outcome.travel_time->count(), plan->travel_time().count(),
                   2e-4 * plan->travel_time().count());
       EXPECT_NEAR(outcome.energy->value, plan->energy->use.total().value,
@@ -109,7 +109,7 @@ TEST(CompareDepartures, EqualsPlanningAloneWhileABergGoesByForDays) {
     request.to = {-53.0, 68.985};
     request.spacing_along = core::Metres{250.0};
     request.icebergs.max_inflation = core::Metres{500.0};
-    // It crosses the way some time after the two days for which drift would be followed without the window.
+    // The berg crosses the route after the two days for which drift would be followed without the window.
     const double speed_m_s = support::uniform(rng, 0.02, 0.06);
     const core::Metres upstream{speed_m_s * 3600.0 * support::uniform(rng, 54.0, 96.0)};
     const geo::LonLat seen = geo::geodesic_destination({-53.0, 69.0}, geo::Bearing::degrees(270.0), upstream);
@@ -257,7 +257,7 @@ TEST(PlanWindow, PlansTheBestDepartureAsForItAlone) {
 }
 
 TEST(PlanWindow, OfARobustObjectiveTakesTheDepartureWhosePlanIsBestAndNotWhoseMembersAre) {
-  // At first each member has a stream of its own, which helps whoever knows it; later all have the same weak one.
+  // At first each member has a different helpful current. Later all have the same weak one.
   const auto stream = [](double middle_lat) {
     return currents_from(
         [=](geo::LonLat place, double hour) {

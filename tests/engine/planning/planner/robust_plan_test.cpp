@@ -58,7 +58,7 @@ TEST(RobustPlan, SaysHowTheRouteFaresInEveryMember) {
 }
 
 TEST(RobustPlan, LetsIcebergsDriftWithTheWiderCurrentsOfEachMember) {
-  // The second member carries the berg on to the way, the first keeps it where it is.
+  // The second member carries the berg onto the route. In the first it stays where it is.
   ocean::Environment environment = ensemble({stream(69.0, 0.0), stream(69.0, 0.0)});
   environment.drift_members = {
       environment.currents,
@@ -115,7 +115,7 @@ TEST(RobustPlan, IsNeverWorseInItsObjectiveThanThePlanOfTheFirstMember) {
 }
 
 TEST(RobustPlan, FindsTheWayBetweenThoseThatTheMembersTake) {
-  // Each member has a strong stream along one side and one against the vehicle on the other: the middle is never bad.
+  // Each member has a strong helpful current on one side and an adverse one on the other. The middle is never bad.
   const auto either = [](double side) {
     return currents_from(
         [=](geo::LonLat p, double) {

@@ -54,7 +54,7 @@ TEST(StrongCurrents, CarryAVehicleFurtherThanTheWayIsLongAndLetItComeBack) {
 
   const auto plan = plan_route(sea, request, {}, {});
 
-  // Who holds a course across 1 m/s with 0.35 m/s of its own is carried 2.7 km along for each across.
+  // A vehicle of 0.35 m/s that crosses a current of 1 m/s is carried 2.7 km downstream for each km across.
   ASSERT_TRUE(plan);
   EXPECT_GT(plan->distance.value, 60'000.0);
   EXPECT_THAT(messages::sentences(plan->messages), Contains(HasSubstr("as fast as the vehicle")));

@@ -19,8 +19,8 @@ struct Place {
   double y;
 };
 
-/// Places in the plane, a vehicle of speed 1 and a tide that helps or hinders by the hour: leaving later never arrives
-/// earlier, because the tide changes a leg's time by less than the time that passes.
+/// Places in the plane, a vehicle of speed 1, and a tide that changes with the time. A later departure never arrives earlier:
+/// the tide changes a leg's time by less than the delay.
 TourLegTime swinging_tour(std::mt19937_64& rng, std::size_t places) {
   std::uniform_real_distribution<double> coordinate{0.0, 100.0};
   std::uniform_real_distribution<double> phase{0.0, 6.28};
@@ -71,7 +71,7 @@ TEST(VisitingOrder, EndsAsEarlyAsTheBestOfAllOrders) {
   });
 }
 
-/// Law: a bound on the legs' times spares looks at them and changes no order.
+/// Law: a lower bound of the legs' times saves work and does not change the order.
 TEST(VisitingOrder, IsTheSameWithABoundOnTheTimesOfLegs) {
   int looks_without = 0;
   int looks_with = 0;
@@ -155,7 +155,7 @@ TEST(VisitingOrder, GivesUpOnceItIsToStop) {
   EXPECT_FALSE(best_visiting_order(40, Seconds{0.0}, one, source.get_token()).has_value());
 }
 
-/// The same tour on which some legs have a way in some hours only: who leaves later may get further.
+/// The same tour with legs that are open only at some times: a later departure may get further.
 TourLegTime opening_tour(std::mt19937_64& rng, std::size_t places) {
   const double phase = support::uniform(rng, 0.0, 100.0);
   return [tour = swinging_tour(rng, places), phase](std::size_t from, std::size_t to,

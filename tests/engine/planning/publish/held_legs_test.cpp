@@ -8,7 +8,7 @@
 namespace floeplan::planning::publish::held_legs_test {
 namespace {
 
-/// A straight way on which a berg that drifts across lets the vehicle through after a while.
+/// A straight route. A berg drifts across it and lets the vehicle pass after a while.
 class LegsWithAHold : public testing::Test {
  protected:
   LegsWithAHold() {

@@ -15,7 +15,7 @@ namespace {
 
 using Leg = tl::expected<core::Seconds, motion::EdgeClosed>;
 
-/// Slower to the north, so that a leg does not cost its length, and closed where it would be steep.
+/// Legs are slower to the north, so that their cost is not their length. Steep legs are closed.
 Leg in_a_shear(geo::PlanePoint a, geo::PlanePoint b, core::Seconds) {
   if (std::abs(b.y_m - a.y_m) > 3.0 * (b.x_m - a.x_m)) return tl::unexpected(motion::EdgeClosed::obstacle);
   return core::Seconds{geo::distance_m(a, b) * (1.0 + 0.001 * (a.y_m + b.y_m))};

@@ -17,7 +17,7 @@ using Leg = tl::expected<core::Seconds, motion::EdgeClosed>;
 
 double distance(geo::PlanePoint a, geo::PlanePoint b) { return std::hypot(b.x_m - a.x_m, b.y_m - a.y_m); }
 
-/// Columns and rows of points; start and goal.
+/// A grid of points with a start and a goal.
 struct Lattice {
   geo::PlanePoint low;
   double dx;
@@ -78,8 +78,8 @@ const InCurrent<currents::MeanderingJet> jet{{}, core::MetresPerSecond{0.5}, 1e-
 const Lattice jet_lattice{{-10.0, -5.0}, 0.5, 0.5, 41, 21, 4, 6, 40, 12};
 constexpr double jet_optimum_s = 17.1588;
 
-/// A leg timer whose answers differ by a few last bits, as those of another processor's functions do; the same arguments
-/// give the same answer.
+/// A leg timer whose results differ in the last bits, as on another processor. The same arguments always give the same
+/// result.
 template <class Timer>
 struct WithOtherLastBits {
   Timer timer;
@@ -95,7 +95,7 @@ struct WithOtherLastBits {
   }
 };
 
-/// How far above the optimum a route of at most `legs` legs stays, in per cent.
+/// By how many per cent the best route of at most `legs` legs is slower than the optimum.
 template <class Timer>
 double deviation_pct(const Timer& leg_time, const Lattice& lattice, double optimum_s, std::size_t legs) {
   const Refined refined = refine_route(leg_time, timed(leg_time, *way_on(lattice, leg_time)),
@@ -275,7 +275,7 @@ TEST(Refinement, GoesTightlyRoundADisc) {
     return core::Seconds{length};
   };
   const Lattice lattice{{-3000.0, -2000.0}, 100.0, 100.0, 61, 41, 0, 20, 60, 20};
-  // Two tangents of sqrt(3000^2 - 1000^2) and the arc between them.
+  // The shortest way: two tangents of sqrt(3000^2 - 1000^2) and the arc between them.
   const double shortest = 2.0 * std::sqrt(8.0e6) + 1000.0 * 2.0 * std::asin(1.0 / 3.0);
 
   const Refined refined =

@@ -14,7 +14,7 @@ namespace {
 
 using Leg = tl::expected<core::Seconds, motion::EdgeClosed>;
 
-/// A metre a second, but nothing passes a square of 200 m around (500, 0).
+/// Legs take a second per metre. A square of 200 m around (500, 0) is closed.
 Leg around_a_square(geo::PlanePoint a, geo::PlanePoint b, core::Seconds) {
   constexpr int looks = 500;
   for (int i = 0; i <= looks; ++i) {
@@ -27,7 +27,7 @@ Leg around_a_square(geo::PlanePoint a, geo::PlanePoint b, core::Seconds) {
   return core::Seconds{geo::distance_m(a, b)};
 }
 
-/// Round the square by its upper corners, close by.
+/// A way that passes the upper corners of the square closely.
 cost::Route round_two_corners(double off_m) {
   return {{{0.0, 0.0}, {400.0 - off_m, 100.0 + off_m}, {600.0 + off_m, 100.0 + off_m}, {1000.0, 0.0}},
           {true, false, false, true}};

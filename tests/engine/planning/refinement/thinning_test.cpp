@@ -13,7 +13,7 @@ namespace {
 
 using Leg = tl::expected<core::Seconds, motion::EdgeClosed>;
 
-/// A metre a second, but nothing passes within 100 m of (500, 0).
+/// Legs take a second per metre. The disc of 100 m around (500, 0) is closed.
 Leg around_a_disc(geo::PlanePoint a, geo::PlanePoint b, core::Seconds) {
   const double dx = b.x_m - a.x_m;
   const double dy = b.y_m - a.y_m;

@@ -88,7 +88,7 @@ TEST(RouteGround, GivesTheSameFiguresWhicheverRouteItWasLaidOutFor) {
     const auto anew = evaluate_route(environment, second, request);
     expect_same(evaluate_route(**ground, second, request), anew);
     if (anew) ++open;
-    // A route that was judged on it leaves nothing behind.
+    // The evaluation of a route does not change it.
     expect_same(evaluate_route(**ground, first, request), evaluate_route(environment, first, request));
   });
   EXPECT_GT(shared, tries / 2) << "a waypoint that is moved by some hundred metres seldom changes the site";
@@ -136,7 +136,7 @@ TEST(RouteGround, OfAnotherSiteIsRefused) {
                std::invalid_argument);
 }
 
-/// What is kept for later is kept by its memory: what is not told of would go beyond what is set aside.
+/// Law: the stated size covers all memory that is kept; otherwise the cache would exceed its limit.
 TEST(RouteGround, TellsOfTheMemoryThatEachPartOfTheSeaTakes) {
   const std::vector<geo::LonLat> route{{-53.5, 69.0}, {-52.5, 69.0}};
   const PlanRequest on_route = request_along(route, support::eastward_request());

@@ -18,7 +18,7 @@ const methods: Choice[] = [
   { value: 'direct', title: 'Straight line' },
 ];
 
-/** What has a good default, by what it is about; a part opens by itself when a fault lies within. */
+/** Fields with a good default, in parts by subject. A part opens by itself when a field in it has a fault. */
 export function Advanced(): VNode {
   return (
     <div class="parts">

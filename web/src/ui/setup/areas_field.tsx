@@ -40,7 +40,7 @@ export function AreasField(): VNode {
   );
 }
 
-/** A quarter of what is in view, for a start. */
+/** A first outline: a quarter of the area in view. */
 function squareInView(): Area['corners'] {
   const [west, south, east, north] = view.value?.box ?? [-52, 69, -51, 69.2];
   const [x, y] = view.value?.centre ?? [(west + east) / 2, (south + north) / 2];
@@ -50,13 +50,13 @@ function squareInView(): Area['corners'] {
 
 interface AreaFieldsProps {
   area: Area;
-  id: string; // of its fields in the page
+  id: string; // prefix of the ids of its fields in the page
   called: string;
   onChange: (part: Partial<Area>) => void;
   onRemove?: () => void;
 }
 
-/** An area in words: its name and rule, and folded its corners, times and depths. */
+/** The form of an area: its name and rule, and, folded, its corners, times and depths. */
 export function AreaFields({ area, id, called, onChange, onRemove }: AreaFieldsProps): VNode {
   const extent = (name: 'from' | 'until' | 'top_m' | 'bottom_m', label: string, unit: string, placeholder: string): VNode => (
     <div class="field">
@@ -90,7 +90,7 @@ export function AreaFields({ area, id, called, onChange, onRemove }: AreaFieldsP
   );
 }
 
-/** Corners as text; what cannot be read stays in the field, with its fault, and changes nothing. */
+/** The corners as text. A text that cannot be read stays in the field with its fault, and the area does not change. */
 function Corners({ area, id, onChange }: Pick<AreaFieldsProps, 'area' | 'id' | 'onChange'>): VNode {
   const [typed, setTyped] = useState<string | undefined>(undefined);
   const read = typed === undefined ? undefined : cornersIn(typed);

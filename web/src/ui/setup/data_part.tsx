@@ -7,7 +7,7 @@ import { formOf } from '../../model/fields';
 import { SelectField, type Choice } from './field';
 import { Part } from './part';
 
-/** Which data are used. Kinds that few stores hold are offered where there are any. */
+/** The choice of data. Rare kinds are offered only where the store holds some. */
 export function DataPart(): VNode {
   return (
     <Part title="Data">
@@ -28,8 +28,8 @@ export function DataPart(): VNode {
 
 interface DataFieldProps {
   kind: PlanningKind;
-  all?: boolean; // all that are stored count unless others are chosen
-  several?: string; // what several of them are
+  all?: boolean; // by default all stored datasets count
+  several?: string; // what several chosen datasets mean
 }
 
 function DataField({ kind, all = false, several }: DataFieldProps): VNode | null {
@@ -40,7 +40,7 @@ function DataField({ kind, all = false, several }: DataFieldProps): VNode | null
   const none = { value: 'none', title: 'None' };
   if (!several || stored.length < 2) return <SelectField name={kind} choices={[usual, ...stored, none]} />;
   const isSeveral = severalIn(draft.value[kind]) !== undefined;
-  // What is ticked is part of the choice; asked for anew it begins with what was in use.
+  // A new choice of several begins with the datasets that were in use.
   const begin = severalOf(chosenAll(kind).slice(0, kind === 'icebergs' ? undefined : 1).map(({ id }) => id));
   const choices = [usual, ...stored, { value: isSeveral ? draft.value[kind] : begin, title: `Several: ${several}` }, none];
   return (
@@ -51,7 +51,7 @@ function DataField({ kind, all = false, several }: DataFieldProps): VNode | null
   );
 }
 
-/** What counts where nobody chooses, with its word in the request. */
+/** The default choice, with its word in the request. */
 function usualOf(kind: PlanningKind, stored: Choice[], all: boolean): Choice {
   if (all) return { value: 'all', title: stored.length === 1 ? 'The stored one' : `All ${stored.length} stored` };
   const [first] = stored;
@@ -61,7 +61,7 @@ function usualOf(kind: PlanningKind, stored: Choice[], all: boolean): Choice {
   return { value: 'newest', title: isJoined ? `Newest of each berg (${stored.length} stored)` : `Newest (${first.title})` };
 }
 
-/** The stored datasets of a kind to be ticked; a figure says which rank each has. */
+/** The stored datasets of a kind with boxes to tick. A number shows the priority of each. */
 function Ticks({ kind, stored }: { kind: PlanningKind; stored: Choice[] }): VNode {
   const choice = draft.value[kind];
   const ids = severalIn(choice) ?? [];

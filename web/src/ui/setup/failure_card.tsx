@@ -13,7 +13,7 @@ import { ask } from '../../model/view';
 import { Icon, IconButton } from '../common/icon';
 import { Messages } from '../common/messages';
 
-/** Changes, each of which helps alone, as buttons that make them and plan again. */
+/** Changes that each make a plan possible, as buttons that make the change and plan again. */
 function Changes({ possible }: { possible: Change[] }): VNode {
   return (
     <div class="changes" role="group" aria-label="Changes that help">
@@ -34,11 +34,11 @@ function titleOfChange({ input, text }: Change): string {
   return said.charAt(0).toUpperCase() + said.slice(1);
 }
 
-/** Why there is no plan: what, where (marked on the map), and what would help. */
+/** Why there is no plan: the cause, the place (marked on the map), and what would help. */
 export function FailureCard(): VNode | null {
   const fault = failure.value;
   const card = useRef<HTMLElement>(null);
-  // On a low screen the card lies below the fold, and a failure must never go unseen.
+  // On a low screen the card may lie below the visible part. A failure must always be seen.
   useEffect(() => card.current?.scrollIntoView({ block: 'nearest' }), [fault]);
   if (!fault) return null;
   const close = (): void => {

@@ -10,7 +10,7 @@ interface FieldProps extends Partial<FormTexts> {
   children?: ComponentChildren; // buttons beside the field
 }
 
-/** A labelled text field of the set-up, with its fault under it. Its texts are those of the table of request fields where none are given. */
+/** A labelled text field of the set-up, with its fault below. Texts that are not given come from the table of request fields. */
 export function TextField({ name, children, ...given }: FieldProps): VNode {
   const { label, unit, placeholder, hint, inputMode } = { ...formOf(name), ...given };
   const fault = faults.value[name];

@@ -7,7 +7,7 @@ import { IconButton } from '../common/icon';
 import { TextField } from './field';
 import { PickButton } from './pick_button';
 
-/** Where to: typed, picked on the map, or the places of a mission file. */
+/** The goal: typed, picked on the map, or from a mission file. */
 export function GoalField(): VNode {
   if (hasGoalsFile(draft.value)) return <GoalsFromFile />;
   return (
@@ -42,7 +42,7 @@ function GoalsFromFile(): VNode {
   );
 }
 
-/** What the server takes at most. */
+/** The largest file that the server accepts. */
 const most_bytes = 1 << 20;
 
 async function take(file: File | undefined): Promise<void> {

@@ -3,7 +3,7 @@ import { draft } from '../../model/draft';
 import { CheckField, TextField } from './field';
 import { Part } from './part';
 
-/** What is kept from icebergs, and the rules under sea ice. */
+/** The keep-out distance of icebergs, and the rules under sea ice. */
 export function IcePart(): VNode {
   const passesUnder = draft.value.pass_under_icebergs;
   return (

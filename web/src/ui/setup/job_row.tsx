@@ -5,7 +5,7 @@ import { causeIn, stageTitle, type RunningJob } from '../../model/job';
 import { duration } from '../../model/time';
 import { Icon } from '../common/icon';
 
-/** The job under way: stage, percent, time gone by, and a way out. */
+/** The job under way: its stage, percentage and running time, and a button that cancels it. */
 export function JobRow({ job }: { job: RunningJob }): VNode {
   const [now_ms, setNow] = useState(Date.now());
   useEffect(() => {

@@ -4,17 +4,17 @@ import { namesInGroup } from '../../model/fields';
 import { guidePagesOfParts } from '../../model/guide_pages';
 import { GuideLink } from '../common/guide_link';
 
-/** What was opened is read from its top: the panel is low, and a part below its edge would seem empty. */
+/** Scrolls an opened part to the top of the panel. Below the panel's edge it would seem empty. */
 function showWhole({ currentTarget }: Event): void {
   if (!(currentTarget instanceof HTMLDetailsElement) || !currentTarget.open) return;
   const panel = currentTarget.closest('.left-scroll');
   if (panel && currentTarget.getBoundingClientRect().bottom > panel.getBoundingClientRect().bottom - planButton_px) currentTarget.scrollIntoView();
 }
 
-/** The button that plans stands over the panel's lower edge. */
+/** The height of the button that plans, which covers the lower edge of the panel. */
 const planButton_px = 50;
 
-/** A part of the set-up that can be folded, with the fields of the group of its title; says how much in it was changed. */
+/** A part of the set-up that can be folded, with the fields of its group. Its title shows how many fields were changed. */
 export function Part({ title, children }: { title: string; children: ComponentChildren }): VNode {
   const fields = namesInGroup(title) as Field[];
   const faulty = fields.some((field) => faults.value[field]);

@@ -6,8 +6,8 @@ import { IconButton } from '../common/icon';
 import { goOnByKey } from '../placing_keys';
 
 /**
- * Picks a place on the map; pressed again it gives up. Where the map has gone on to this place by itself, as from the start to the
- * goal, a first press is no second one.
+ * Picks a place on the map; a second press cancels that. Where the map has moved on to this place by itself, as from the start to
+ * the goal, the first press of this button does not cancel.
  */
 export function PickButton({ which, label }: { which: Tool; label: string }): VNode {
   const [isPressed, setPressed] = useState(false);

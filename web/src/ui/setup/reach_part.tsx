@@ -6,7 +6,7 @@ import { reach, reachHours } from '../../model/reach';
 import { GuideLink } from '../common/guide_link';
 import { Icon } from '../common/icon';
 
-/** How far the vehicle comes from the start in so many hours. */
+/** Isochrones: where the vehicle can be after some hours. */
 export function ReachPart(): VNode {
   const shown = reach.value;
   return (

@@ -19,7 +19,7 @@ import { GoalField } from './goal_field';
 import { JobRow } from './job_row';
 import { PickButton } from './pick_button';
 
-/** The server's profiles; until they are known, the one that was chosen on an earlier visit. */
+/** The server's vehicle profiles; until they are known, the profile that was chosen on an earlier visit. */
 const vehicleChoices = computed<Choice[]>(() => {
   if (vehicles.value.length > 0) return vehicles.value.map(({ name, title }) => ({ value: name, title: title || name }));
   const { vehicle } = draft.value;
@@ -28,7 +28,7 @@ const vehicleChoices = computed<Choice[]>(() => {
 
 const canPlan = computed(() => datasets.value !== undefined && !isEmptyStore.value && may('pilot'));
 
-/** What is asked for: start, goal, departure, vehicle, margin, and the button that plans. */
+/** The request: start, goal, departure, vehicle, margin, and the button that plans. */
 export function SetupPanel(): VNode {
   const form = useRef<HTMLFormElement>(null);
   const attempts = faultyAttempts.value;
@@ -76,7 +76,7 @@ export function SetupPanel(): VNode {
   );
 }
 
-/** Everything back to its default; the vehicle and the departure stay. */
+/** Resets everything except the vehicle and the departure. */
 function clear(): void {
   const { vehicle, depart } = draft.value;
   edit({ ...emptyDraft, vehicle, depart });

@@ -4,7 +4,7 @@ import { draft, isEnsemble } from '../../model/draft';
 import { SelectField, TextField } from './field';
 import { Part } from './part';
 
-/** How certain the currents are, and what is optimised over their members: drawn from an error model, or chosen under Data. */
+/** The uncertainty of the currents, and what is optimised over their members. Members are drawn from an error model or chosen under Data. */
 export function UncertaintyPart(): VNode {
   return (
     <Part title="Uncertainty of currents">

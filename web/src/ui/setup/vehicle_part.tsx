@@ -6,7 +6,7 @@ import { factorOf, formOf, type NumberField } from '../../model/fields';
 import { CheckField, SelectField, TextField } from './field';
 import { Part } from './part';
 
-/** What is optimised, how the vehicle flies, and what differs in this one from the others of its kind. */
+/** The objective, how the vehicle flies, and how this vehicle differs from its profile. */
 export function VehiclePart(): VNode {
   return (
     <Part title="Vehicle">
@@ -54,7 +54,7 @@ export function VehiclePart(): VNode {
 
 type Built = { [K in keyof Vehicle]-?: NonNullable<Vehicle[K]> extends number ? K : never }[keyof Vehicle];
 
-/** A number that is as the profile of the vehicle has it where none is typed. */
+/** A number whose default is that of the vehicle profile. */
 function ProfileField({ name }: { name: NumberField }): VNode {
   const vehicle = vehicles.value.find((known) => known.name === draft.value.vehicle) ?? vehicles.value[0];
   const value = vehicle?.[name.replace('vehicle.', '') as Built];

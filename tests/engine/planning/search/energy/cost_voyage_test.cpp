@@ -32,7 +32,7 @@ PlanRequest hybrid_request(const Objective& objective) {
   return request;
 }
 
-/// Every simple way with every choice of drives, one after the other.
+/// Calls a function for every simple way and every choice of drives.
 struct BruteForce {
   const cost::Sea& sea;
   const OpenGrid& open;
@@ -145,7 +145,7 @@ TEST(CostVoyage, KeepsTheDearerDriveWhereTheCheaperOneIsBelowIceForTooLong) {
   EXPECT_TRUE(voyage.dominates(4, at_half_way(11'000.0, 0.9), on_buoyancy));
 }
 
-/// What the search with its limits costs, as a share of what a search without any does.
+/// The cost found by the search with its limits, relative to that of a search without limits.
 double share_of_plain_cost(const ocean::Environment& environment, const Objective& objective) {
   const PlanRequest request = hybrid_request(objective);
   const cost::RouteGrid grid = cost::lay_grid({-20'000.0, 0.0}, {20'000.0, 3000.0},
@@ -178,7 +178,7 @@ TEST(SearchLeastCost, FindsWithItsLimitsWhatASearchWithoutThemFinds) {
   });
 }
 
-/// A way of 40 km over random depths below a tide, on a grid of more vertices than a plain search is meant for.
+/// A route of 40 km over random depths in a tide, on a grid with more vertices than an unsteered search is meant for.
 struct LargeGrid {
   ocean::Environment environment;
   PlanRequest request;
@@ -231,7 +231,7 @@ TEST(SearchLeastCost, IsSteeredOverLargeGridsToAboutTheLeastCost) {
   EXPECT_LT(10 * found->statistics.expansions, plain.counters.expansions);
 }
 
-/// Some 40 km at up to 0.25 m/s with a current and 0.51 m/s by thruster, on a grid of 2 km.
+/// A route of about 40 km on a grid of 2 km. The vehicle makes up to 0.25 m/s with a current, 0.51 m/s by thruster.
 struct LateScene {
   ocean::Environment environment;
   PlanRequest request{hybrid_request(energy_objective)};

@@ -136,7 +136,7 @@ TEST(SurfacingSearch, FindsAnArrivalAsEarlyAsAnyWalkThatKeepsABoundShorterByAHun
 }
 
 TEST(SurfacingSearch, GoesBackAndForthToOpenWaterWhenNothingElseKeepsTheBound) {
-  // A corridor under ice with open water beside its middle: the way east leads there and back.
+  // A corridor under ice with open water beside its middle: the way east visits it and returns.
   const ocean::Environment environment{.ice = support::ice_from(
                                            [](geo::LonLat p, double) {
                                              const bool start = p.lon_deg < -53.35;
@@ -225,7 +225,7 @@ TEST(SurfacingSearch, FindsTheWayPastABergThatLeavesTheGapLater) {
 }
 
 TEST(SurfacingSearch, ReturnsTheBestWayItKnowsWhenItIsCutShort) {
-  // Patches of open water, which leave many ways to come to each place.
+  // Patches of open water: many ways lead to each place.
   const ocean::Environment environment{.ice = support::ice_from(
                                            [](geo::LonLat p, double) {
                                              return std::clamp(0.45 + 0.5 * std::sin(9.0 * p.lon_deg) +
