@@ -59,14 +59,21 @@ void tell_of_vias_under_ice(Plan& plan, const PlanRequest& request) {
 /// Source   when_secs of the surface behaviors for start_when 12 in the missions published for deep Slocums, 5 to 12 h
 constexpr core::Seconds longest_out_of_contact{43200.0};
 
-/// Says nothing where the pilot bounds that time, and so has decided how long it may be.
+/// Says nothing where the pilot bounds that time, and so has decided how long it may be. The place is the beginning of the
+/// first leg below ice.
 void tell_of_long_below_ice(Plan& plan, const PlanRequest& request) {
   const core::Seconds longest = plan.surfacing->longest_without;
-  const bool below_ice = std::ranges::any_of(plan.surfacing->waypoints, [](const SurfacingState& state) {
+  const auto& states = plan.surfacing->waypoints;
+  const auto first = std::ranges::find_if(states, [](const SurfacingState& state) {
     return state.leg_upper_turn.value_or(core::Metres{0.0}).value > 0.0;
   });
-  if (request.under_ice.max_time_without_surfacing || !below_ice || longest <= longest_out_of_contact) return;
-  plan.messages.push_back(messages::plan_message<"long-below-ice">(longest.count() / 3600.0));
+  if (request.under_ice.max_time_without_surfacing || first == states.end() ||
+      longest <= longest_out_of_contact)
+    return;
+  const auto arrives = static_cast<std::size_t>(first - states.begin());
+  const Waypoint& begin = plan.waypoints[arrives > 0 ? arrives - 1 : 0];
+  plan.messages.push_back(
+      messages::plan_message<"long-below-ice">(longest.count() / 3600.0).at(begin.place));
 }
 
 }  // namespace

@@ -629,6 +629,9 @@ TEST(PlanUnderIce, TellsOfALongTimeBelowIceAsADangerUnlessThePilotBoundsIt) {
   ASSERT_GT(long_below.surfacing->longest_without.count(), 12.0 * 3600.0);
   EXPECT_THAT(messages::dangers_among(long_below.messages),
               testing::ElementsAre(HasSubstr("without a place to surface")));
+  const auto told = std::ranges::find(long_below.messages, "long-below-ice", &messages::Message::code);
+  ASSERT_TRUE(told->place);
+  EXPECT_LT(told->place->lon_deg, -53.35) << "where the first leg below ice begins";
 
   request.under_ice.max_time_without_surfacing = core::Seconds{200.0 * 3600.0};
   EXPECT_THAT(messages::dangers_among(planned(ice, request).messages), testing::IsEmpty());

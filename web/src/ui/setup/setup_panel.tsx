@@ -8,6 +8,8 @@ import { draft, edit, emptyDraft, faultyAttempts, generalFaults } from '../../mo
 import { whyNotPlanned } from '../../model/drawing';
 import { failure, running } from '../../model/job';
 import { may } from '../../model/login';
+import { placesOfText } from '../../model/pasted_places';
+import { announce } from '../../model/screen';
 import { fieldOf } from '../../model/time';
 import { Icon, IconButton } from '../common/icon';
 import { RoleNote } from '../common/role_note';
@@ -41,7 +43,7 @@ export function SetupPanel(): VNode {
     void plan();
   };
   return (
-    <form ref={form} class="setup" onSubmit={submit} noValidate aria-label="Set-up">
+    <form ref={form} class="setup" onSubmit={submit} onPaste={pastePlaces} noValidate aria-label="Set-up">
       <div class="setup-head">
         <h2>New plan</h2>
         <UndoButtons />
@@ -74,6 +76,17 @@ export function SetupPanel(): VNode {
       <FailureCard />
     </form>
   );
+}
+
+/** A list of positions that is pasted into start or goal fills both and the via points between. */
+function pastePlaces(event: ClipboardEvent): void {
+  const isOfPlaces = event.target instanceof HTMLInputElement && ['field-from', 'field-to'].includes(event.target.id);
+  const places = isOfPlaces ? placesOfText(event.clipboardData?.getData('text/plain') ?? '') : undefined;
+  if (!places) return;
+  event.preventDefault();
+  edit({ ...places, goals_file: emptyDraft.goals_file, route_name: '' });
+  const between = places.via === '' ? 0 : places.via.split('\n').length;
+  announce(`Start${between > 0 ? `, ${between} via point${between === 1 ? '' : 's'}` : ''} and goal were filled in from the list.`);
 }
 
 /** Resets everything except the vehicle and the departure. */
