@@ -3,7 +3,7 @@ import Feature from 'ol/Feature.js';
 import type { ColorLike } from 'ol/colorlike.js';
 import Polygon from 'ol/geom/Polygon.js';
 import { Draw } from 'ol/interaction.js';
-import VectorLayer from 'ol/layer/Vector.js';
+import type VectorLayer from 'ol/layer/Vector.js';
 import VectorSource from 'ol/source/Vector.js';
 import { Circle, Fill, Stroke, Style, Text } from 'ol/style.js';
 import type { Position } from '../api/data_types';
@@ -20,6 +20,7 @@ import { projection } from '../model/settings';
 import { tool } from '../model/view';
 import { palette, type Palette } from '../theme/palette';
 import { toMap } from './projections';
+import { StillLayer } from './still_layer';
 
 /**
  * Stored zones and the areas of the set-up, hatched where they are closed, and the tool that draws one; in outline those that the set-up
@@ -27,7 +28,7 @@ import { toMap } from './projections';
  */
 export function areaLayer(): { layer: VectorLayer<VectorSource>; draw: Draw } {
   const source = new VectorSource();
-  const layer = new VectorLayer({ source, zIndex: 4 });
+  const layer = new StillLayer({ source, zIndex: 4 });
   effect(() => {
     const code = projection.value;
     const colours = palette.value;

@@ -2,7 +2,7 @@ import { effect } from '@preact/signals';
 import Feature from 'ol/Feature.js';
 import Point from 'ol/geom/Point.js';
 import Polygon from 'ol/geom/Polygon.js';
-import VectorLayer from 'ol/layer/Vector.js';
+import type VectorLayer from 'ol/layer/Vector.js';
 import VectorSource from 'ol/source/Vector.js';
 import { Fill, Stroke, Style, Text } from 'ol/style.js';
 import type { Box } from '../api/data_types';
@@ -13,6 +13,7 @@ import { coveredDatasets } from '../model/coverage';
 import { projection } from '../model/settings';
 import { palette } from '../theme/palette';
 import { toMap } from './projections';
+import { StillLayer } from './still_layer';
 
 /** Farther south a polar map is torn apart, and no mission goes there. */
 const southernmost_deg = 35;
@@ -20,7 +21,7 @@ const southernmost_deg = 35;
 /** Where chosen datasets have values: their borders, with their names. */
 export function coverageLayer(): VectorLayer<VectorSource> {
   const source = new VectorSource();
-  const layer = new VectorLayer({ source, zIndex: 4 });
+  const layer = new StillLayer({ source, zIndex: 4 });
   effect(() => {
     const code = projection.value;
     const { reach, reachFill, halo } = palette.value;

@@ -1,7 +1,7 @@
 import { effect } from '@preact/signals';
 import Feature from 'ol/Feature.js';
 import Polygon from 'ol/geom/Polygon.js';
-import VectorLayer from 'ol/layer/Vector.js';
+import type VectorLayer from 'ol/layer/Vector.js';
 import VectorSource from 'ol/source/Vector.js';
 import { Fill, Stroke, Style, Text } from 'ol/style.js';
 import { drawnChart, iceChart, shortTotal } from '../model/ice_chart';
@@ -9,11 +9,12 @@ import { visible } from '../model/layers';
 import { projection } from '../model/settings';
 import { chartDash, palette } from '../theme/palette';
 import { toMap } from './projections';
+import { StillLayer } from './still_layer';
 
 /** The polygons of the ice chart in outline, each with its tenths where there is room; the probe shows the whole egg. */
 export function iceChartLayer(): VectorLayer<VectorSource> {
   const source = new VectorSource();
-  const layer = new VectorLayer({ source, zIndex: 1 });
+  const layer = new StillLayer({ source, zIndex: 1 });
   effect(() => {
     const code = projection.value;
     const { seaIce, halo } = palette.value;

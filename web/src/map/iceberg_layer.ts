@@ -2,7 +2,7 @@ import { computed, effect } from '@preact/signals';
 import Feature from 'ol/Feature.js';
 import Point from 'ol/geom/Point.js';
 import Polygon from 'ol/geom/Polygon.js';
-import VectorLayer from 'ol/layer/Vector.js';
+import type VectorLayer from 'ol/layer/Vector.js';
 import VectorSource from 'ol/source/Vector.js';
 import { Fill, RegularShape, Stroke, Style, Text } from 'ol/style.js';
 import type { IcebergFeature, IcebergProperties } from '../api/data_types';
@@ -17,11 +17,12 @@ import { projection } from '../model/settings';
 import { sighting_days } from '../model/sighting_age';
 import { palette, type Palette } from '../theme/palette';
 import { toMap } from './projections';
+import { StillLayer } from './still_layer';
 
 /** Keep-out circles: a solid one around a known position, a dashed one with the position error added. */
 export function keepOutLayer(): VectorLayer<VectorSource> {
   const source = new VectorSource();
-  const layer = new VectorLayer({ source, zIndex: 5 });
+  const layer = new StillLayer({ source, zIndex: 5 });
   effect(() => {
     const code = projection.value;
     const ringed = icebergs.value.filter((berg) => icebergs.value.length <= crowd || symbolSize_px(berg.properties.size) >= 6);
@@ -51,7 +52,7 @@ export function keepOutLayer(): VectorLayer<VectorSource> {
 /** A triangle for each berg, its size by size class; paler the older the sighting is, and grey when it is a day old. */
 export function icebergLayer(): VectorLayer<VectorSource> {
   const source = new VectorSource();
-  const layer = new VectorLayer({ source, zIndex: 7 });
+  const layer = new StillLayer({ source, zIndex: 7 });
   const features = new Map<IcebergFeature, Feature<Point>>();
   effect(() => {
     const code = projection.value;

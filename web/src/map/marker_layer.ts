@@ -1,7 +1,7 @@
 import { effect } from '@preact/signals';
 import Feature from 'ol/Feature.js';
 import Point from 'ol/geom/Point.js';
-import VectorLayer from 'ol/layer/Vector.js';
+import type VectorLayer from 'ol/layer/Vector.js';
 import VectorSource from 'ol/source/Vector.js';
 import { Circle, Fill, RegularShape, Stroke, Style, Text } from 'ol/style.js';
 import type { Position } from '../api/data_types';
@@ -17,6 +17,7 @@ import { probed } from '../model/screen';
 import { projection } from '../model/settings';
 import { rechecks } from '../model/stale';
 import { palette, type Palette } from '../theme/palette';
+import { StillLayer } from './still_layer';
 
 /**
  * Start, goal and places between of the set-up, the safe places of an export (R for recovery), the berg that is being reported, the place where planning failed, those that
@@ -24,7 +25,7 @@ import { palette, type Palette } from '../theme/palette';
  */
 export function markerLayer(): VectorLayer<VectorSource> {
   const source = new VectorSource();
-  const layer = new VectorLayer({ source, zIndex: 10 });
+  const layer = new StillLayer({ source, zIndex: 10 });
   effect(() => {
     const code = projection.value;
     const colours = palette.value;

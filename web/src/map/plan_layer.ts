@@ -18,6 +18,7 @@ import { runsOf } from '../model/under_ice';
 import { belowIceDash, palette, planColour, planDash, tunnelDash, type Palette } from '../theme/palette';
 import { labelsWithRoom } from './label_room';
 import { toMap } from './projections';
+import { StillLayer } from './still_layer';
 
 /**
  * Lines of the plans: a white casing, then colour and dash pattern; the selected one uppermost and thicker. Legs below ice are
@@ -25,7 +26,7 @@ import { toMap } from './projections';
  */
 export function planLayer(): VectorLayer<VectorSource> {
   const source = new VectorSource();
-  const layer = new VectorLayer({ source, zIndex: 6, updateWhileInteracting: true, updateWhileAnimating: true });
+  const layer = new StillLayer({ source, zIndex: 6, updateWhileInteracting: true, updateWhileAnimating: true });
   effect(() => {
     const code = projection.value;
     const selected = selectedId.value;
@@ -65,7 +66,7 @@ const holdRing_px = 11;
  */
 export function waypointLayer(): VectorLayer<VectorSource> {
   const source = new VectorSource();
-  const layer = new VectorLayer({ source, zIndex: 8 });
+  const layer = new StillLayer({ source, zIndex: 8 });
   effect(() => {
     const code = projection.value;
     const colours = palette.value;

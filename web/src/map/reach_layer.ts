@@ -2,7 +2,7 @@ import { effect } from '@preact/signals';
 import Feature from 'ol/Feature.js';
 import MultiPolygon from 'ol/geom/MultiPolygon.js';
 import Point from 'ol/geom/Point.js';
-import VectorLayer from 'ol/layer/Vector.js';
+import type VectorLayer from 'ol/layer/Vector.js';
 import VectorSource from 'ol/source/Vector.js';
 import { Fill, Stroke, Style, Text } from 'ol/style.js';
 import type { Position } from '../api/data_types';
@@ -13,11 +13,12 @@ import { projection } from '../model/settings';
 import { palette } from '../theme/palette';
 import { labelsWithRoom, type Label } from './label_room';
 import { toMap } from './projections';
+import { StillLayer } from './still_layer';
 
 /** Where the vehicle can be after so many hours: a line around each, the later the thinner, named at its northern end. */
 export function reachLayer(): VectorLayer<VectorSource> {
   const source = new VectorSource();
-  const layer = new VectorLayer({ source, zIndex: 3 });
+  const layer = new StillLayer({ source, zIndex: 3 });
   effect(() => {
     const code = projection.value;
     const { reach: color, reachFill, halo } = palette.value;

@@ -3,6 +3,7 @@ import { addAreaAbove, addLineAt, addUnknown, type Lattice } from '../geo/contou
 import { sample, type Grid, type TimedPair } from '../geo/grid';
 import { PlaceLattice } from '../geo/place_lattice';
 import type { ProjectionCode } from '../geo/projections';
+import { playing } from '../model/clock';
 import { chosenSeaIce } from '../model/datasets';
 import { seaIce } from '../model/field';
 import { visible } from '../model/layers';
@@ -39,7 +40,27 @@ export function seaIceLayer(): CanvasLayer {
   effect(() => {
     layer.setVisible(visible.value.seaIce && chosenSeaIce.value !== undefined);
   });
-  for (const cause of [staged, palette, projection, surfacingLimit]) cause.subscribe(() => layer.changed());
+  for (const cause of [palette, projection, surfacingLimit]) cause.subscribe(() => layer.changed());
+  let underWay = false;
+  const makeParts = (): void => {
+    underWay = !stand.makePart(staged.peek(), surfacingLimit.peek());
+    if (underWay) {
+      requestAnimationFrame(makeParts);
+      return;
+    }
+    layer.changed();
+    follow();
+  };
+  const follow = (): void => {
+    if (!playing.peek()) {
+      layer.changed();
+    } else if (!underWay && !stand.isOf(staged.peek())) {
+      underWay = true;
+      requestAnimationFrame(makeParts);
+    }
+  };
+  staged.subscribe(follow);
+  playing.subscribe(follow);
   return layer;
 }
 
@@ -72,7 +93,10 @@ interface Shapes {
 
 type Drawn = Omit<Shapes, 'figures'>;
 
-/** What is kept from frame to frame: places change with the view, values with the data, shapes with the clock. */
+/**
+ * What is kept from frame to frame: places change with the view, values with the data, shapes with the clock. While the clock plays
+ * each frame makes a part of the next shapes, and the last ones are painted until all parts are there.
+ */
 class Stand {
   private nodes: Nodes | undefined;
   private lons = new Float64Array(0);
@@ -82,6 +106,7 @@ class Stand {
   private before: Float32Array = new Float32Array(0);
   private after: Float32Array = new Float32Array(0);
   private drawn: { pair: TimedPair | undefined; limit: number; shapes: Shapes } | undefined;
+  private making: { pair: TimedPair | undefined; limit: number; parts: Generator<undefined, Shapes> } | undefined;
 
   at(frame: Frame, code: ProjectionCode): Nodes {
     const step = 2 ** (Math.ceil(2 * Math.log2(spacing_px * frame.resolution)) / 2);
@@ -103,9 +128,29 @@ class Stand {
 
   shapesOf(nodes: Nodes, now: TimedPair | undefined, limit: number): Shapes {
     const { drawn } = this;
-    if (drawn && drawn.limit === limit && drawn.pair === now) return drawn.shapes;
-    const shapes = this.shaped(nodes, now, limit);
-    this.drawn = { pair: now, limit, shapes };
+    if (drawn && drawn.limit === limit && (drawn.pair === now || playing.peek())) return drawn.shapes;
+    const parts = this.shaped(nodes, now, limit);
+    for (;;) {
+      const { done, value } = parts.next();
+      if (done) return this.take(now, limit, value);
+    }
+  }
+
+  isOf = (now: TimedPair | undefined): boolean => this.drawn !== undefined && this.drawn.pair === now;
+
+  /** Makes one more part of the shapes of a moment; true when there is nothing more to make before they are painted. */
+  makePart(now: TimedPair | undefined, limit: number): boolean {
+    if (!this.nodes || !this.drawn) return true;
+    this.making ??= { pair: now, limit, parts: this.shaped(this.nodes, now, limit) };
+    const { pair, limit: of, parts } = this.making;
+    const { done, value } = parts.next();
+    if (done) this.take(pair, of, value);
+    return done === true;
+  }
+
+  private take(pair: TimedPair | undefined, limit: number, shapes: Shapes): Shapes {
+    this.making = undefined;
+    this.drawn = { pair, limit, shapes };
     return shapes;
   }
 
@@ -125,22 +170,27 @@ class Stand {
     }
     this.grids = undefined;
     this.drawn = undefined;
+    this.making = undefined;
   }
 
-  private shaped({ nx, ny }: Nodes, pair: TimedPair | undefined, limit: number): Shapes {
+  private *shaped({ nx, ny }: Nodes, pair: TimedPair | undefined, limit: number): Generator<undefined, Shapes> {
     const concentration = pair ? this.blended(pair) : new Float32Array(nx * ny).fill(NaN);
     const lattice: Lattice = { nx, ny, values: concentration };
     const shapes: Shapes = { areas: [], unknown: new Path2D(), edge: new Path2D(), limit: new Path2D(), figures: [] };
+    yield;
     addUnknown(lattice, shapes.unknown);
     const most = concentration.reduce((high, value) => (value > high ? value : high), 0);
-    seaIceLevels.forEach((level, k) => {
+    for (const [k, level] of seaIceLevels.entries()) {
       const hatch = seaIceHatches[k];
-      if (most < level || !hatch) return;
+      if (most < level || !hatch) continue;
+      yield;
       const path = new Path2D();
       addAreaAbove(lattice, level, path);
       shapes.areas.push({ path, hatch });
-    });
+    }
+    yield;
     addLineAt(lattice, iceEdge, shapes.edge);
+    yield;
     addLineAt(lattice, limit, shapes.limit);
     if (pair) shapes.figures = this.figures(pair, lattice);
     return shapes;

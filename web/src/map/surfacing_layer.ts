@@ -3,7 +3,7 @@ import Feature from 'ol/Feature.js';
 import type Geometry from 'ol/geom/Geometry.js';
 import LineString from 'ol/geom/LineString.js';
 import Point from 'ol/geom/Point.js';
-import VectorLayer from 'ol/layer/Vector.js';
+import type VectorLayer from 'ol/layer/Vector.js';
 import VectorSource from 'ol/source/Vector.js';
 import { Circle, Fill, Stroke, Style, Text } from 'ol/style.js';
 import type { Surfacing } from '../api/types';
@@ -15,11 +15,12 @@ import { openEdit } from '../model/route_edit';
 import { projection } from '../model/settings';
 import { palette, type Palette } from '../theme/palette';
 import { toMap } from './projections';
+import { StillLayer } from './still_layer';
 
 /** Where the selected plan surfaces, and from its waypoints the ways to open water: that of the chosen waypoint is drawn thicker. */
 export function surfacingLayer(): VectorLayer<VectorSource> {
   const source = new VectorSource();
-  const layer = new VectorLayer({ source, zIndex: 7 });
+  const layer = new StillLayer({ source, zIndex: 7 });
   effect(() => {
     const code = projection.value;
     const colours = palette.value;

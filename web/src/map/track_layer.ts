@@ -14,6 +14,7 @@ import { projection } from '../model/settings';
 import { gliderTracks, placeAt, placesOf } from '../model/tracks';
 import { palette, type Palette } from '../theme/palette';
 import { toMap } from './projections';
+import { StillLayer } from './still_layer';
 
 /** Pixels of an arrow for each metre a second, and how many of them a track carries at most. */
 const px_per_m_s = 90;
@@ -22,7 +23,7 @@ const most_arrows = 150;
 /** Where gliders have been, and the depth-averaged currents that they met on the way. */
 export function trackLayer(): VectorLayer<VectorSource> {
   const source = new VectorSource();
-  const layer = new VectorLayer({ source, zIndex: 5 });
+  const layer = new StillLayer({ source, zIndex: 5 });
   effect(() => {
     const [code, colours] = [projection.value, palette.value];
     source.clear(true);
