@@ -18,11 +18,14 @@ test('a plan that ignores icebergs for their age says so as a danger, and is exp
   await page.locator('.plan-choose', { hasText: 'Ignores bergs' }).click();
   const panel = page.getByRole('region', { name: 'Dangers' });
   await expect(panel).toContainText(/ignored: not seen since/);
+  await expect(panel.getByRole('listitem')).toHaveCount(1);
 
   await page.getByRole('button', { name: 'Export mission' }).click();
   const dialog = page.getByRole('dialog');
   const closed = dialog.getByRole('button', { name: 'Mission files (.zip)' });
   await expect(closed).toBeDisabled();
+  await expect(dialog.getByRole('region', { name: 'Dangers' }).getByRole('listitem')).toHaveCount(1);
+  await expect(dialog.getByRole('checkbox')).toHaveCount(1);
   await expect(dialog.locator('pre')).toHaveCount(0);
   await dialog.getByLabel('I have read this; export all the same').check();
   await expect(dialog.locator('pre').first()).toContainText('<start:waypoints>');

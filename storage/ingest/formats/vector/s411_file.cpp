@@ -3,6 +3,7 @@
 #include <gdal_priv.h>
 #include <ogrsf_frmts.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <fstream>
@@ -29,12 +30,17 @@ constexpr const char* undetermined_total = "99";
 
 /// Partial stages in the order of icesod: three of the egg, traces, and the rest.
 constexpr std::array stage_names{"SA", "SB", "SC", "CN", "CD"};
+/// Partial concentrations and forms in the order of iceapc and iceflz, which people are shown: those of the egg.
+constexpr std::array part_names{"CA", "CB", "CC"};
+constexpr std::array form_names{"FA", "FB", "FC"};
 
 struct IceArea {
   std::unique_ptr<OGRPolygon> shape;
   std::string crs;  // as the file has it
   std::string total;
   std::vector<std::string> stages;
+  std::vector<std::string> parts;
+  std::vector<std::string> forms;
 };
 
 std::string line_words(const Element& element) { return "line " + std::to_string(element.line); }
@@ -125,6 +131,8 @@ Checked<IceArea> area_of(const Element& feature) {
   area.shape = std::move(*shape);
   area.total = total_of(feature.text_of("iceact"));
   area.stages = codes_in(feature.text_of("icesod"));
+  area.parts = codes_in(feature.text_of("iceapc"));
+  area.forms = codes_in(feature.text_of("iceflz"));
   if (area.stages.size() > stage_names.size())
     return refuse(about(line_words(feature), messages::ingest_format_message<"ice-gml-stages-too-many">()));
   return area;
@@ -134,7 +142,8 @@ std::shared_ptr<GDALDataset> dataset_of_areas(std::vector<IceArea> areas, OGRSpa
   GDALDriver& driver = *GetGDALDriverManager()->GetDriverByName("Memory");
   std::shared_ptr<GDALDataset> dataset{driver.Create("", 0, 0, 0, GDT_Unknown, nullptr)};
   OGRLayer& layer = *dataset->CreateLayer("seaice", &crs, wkbPolygon, nullptr);
-  for (const char* const name : {"POLY_TYPE", "CT", "SA", "SB", "SC", "CN", "CD"}) {
+  for (const char* const name :
+       {"POLY_TYPE", "CT", "SA", "SB", "SC", "CN", "CD", "CA", "CB", "CC", "FA", "FB", "FC"}) {
     OGRFieldDefn field{name, OFTString};
     layer.CreateField(&field);
   }
@@ -144,6 +153,10 @@ std::shared_ptr<GDALDataset> dataset_of_areas(std::vector<IceArea> areas, OGRSpa
     feature.SetField("CT", area.total.c_str());
     for (std::size_t i = 0; i < area.stages.size(); ++i)
       feature.SetField(stage_names.at(i), stage_of(area.stages[i]).c_str());
+    for (std::size_t i = 0; i < std::min(area.parts.size(), part_names.size()); ++i)
+      feature.SetField(part_names.at(i), area.parts[i].c_str());
+    for (std::size_t i = 0; i < std::min(area.forms.size(), form_names.size()); ++i)
+      feature.SetField(form_names.at(i), area.forms[i].c_str());
     feature.SetGeometryDirectly(area.shape.release());
     if (layer.CreateFeature(&feature) != OGRERR_NONE)
       throw std::runtime_error{"an area of ice found no room in memory"};

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/core/utc_text.hpp"
+#include "storage/repository/features/ice_chart_repository.hpp"
 #include "storage/repository/fields/field_repository.hpp"
 #include "tests/storage/ingest/support/store_fixture.hpp"
 
@@ -60,6 +61,17 @@ TEST_F(S411, KeepsTheMostIceThatItsCodesAllow) {
   EXPECT_NEAR(ice_of("[85, 92]", "84")->concentration, 1.0, 1e-6) << "two totals are none";
   EXPECT_NEAR(ice_of("99", "84")->concentration, 1.0, 1e-6);
   EXPECT_NEAR(ice_of("", "84")->concentration, 1.0, 1e-6);
+}
+
+TEST_F(S411, KeepsItsAreasWithTheirEggCodes) {
+  ASSERT_TRUE(ice_of("91", "[87, 85]"));
+  const auto polygons =
+      repository::IceChartRepository{db_}.load(report_.dataset->id, {-70.0, 60.0, -40.0, 89.0});
+  ASSERT_EQ(polygons.size(), 1U);
+  using repository::IceCode;
+  EXPECT_THAT(polygons[0].codes,
+              testing::ElementsAre(IceCode{"CT", "91"}, IceCode{"SA", "87"}, IceCode{"FA", "07"},
+                                   IceCode{"SB", "85"}, IceCode{"FB", "06"}));
 }
 
 TEST_F(S411, CountsEveryNameOfNearlyOpenWaterAsLessThanATenth) {
