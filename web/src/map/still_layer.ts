@@ -14,9 +14,11 @@ export class StillLayer extends VectorLayer<VectorSource> {
     super({ ...options, className: `still-layer-${++made}` }); // a class of its own keeps other layers off its canvas
   }
 
-  /** Without features it needs no canvas. */
+  /** Without features it needs no canvas; but nothing that was there is found under the pointer any more. */
   override render(state: FrameState | null, target: HTMLElement): HTMLElement | null {
-    return this.getSource()?.isEmpty() === false ? super.render(state, target) : null;
+    if (this.getSource()?.isEmpty() === false) return super.render(state, target);
+    if (state) this.getRenderer()?.prepareFrame(state);
+    return null;
   }
 
   override createRenderer(): CanvasVectorLayerRenderer {
