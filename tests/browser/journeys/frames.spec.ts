@@ -64,6 +64,6 @@ test('the scripts of a frame stay within their time', async ({ page, request }) 
   }));
   const inOrder = taken_ms.sort((a, b) => a - b);
   const quantile = (part: number): number => inOrder[Math.floor(part * inOrder.length)] ?? NaN;
-  console.log(`scripts in a frame: median ${quantile(0.5).toFixed(1)} ms (${budget_ms}), p95 ${quantile(0.95).toFixed(1)} ms, of ${inOrder.length} frames`);
-  expect(quantile(0.5)).toBeLessThanOrEqual(budget_ms);
+  console.log(`scripts in a frame: median ${quantile(0.5).toFixed(1)} ms, p95 ${quantile(0.95).toFixed(1)} ms (${budget_ms}), of ${inOrder.length} frames`);
+  expect(quantile(0.95)).toBeLessThanOrEqual(budget_ms);
 });
