@@ -59,7 +59,7 @@ namespace floeplan::fields {
 [[nodiscard]] const Table<vehicle::Thruster>& thruster_fields();
 [[nodiscard]] const Table<repository::EnvironmentQuery>& data_fields();
 
-// Of people and programs.
+// Names, which only people and programs read.
 [[nodiscard]] const std::vector<Field>& name_fields();
 [[nodiscard]] const std::vector<Field>& remark_fields();
 

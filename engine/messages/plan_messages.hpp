@@ -257,7 +257,7 @@ inline constexpr auto plan_kinds = std::to_array<Kind>({
                 {"under_way_h", 12.2},
                 {"error_pct", 5.0}}}},
 
-    // The battery. Cautions: the reserve, which is kept for a recovery, is left out of what it gives.
+    // The battery. These are cautions, not dangers, because the reserve that is kept for a recovery is not counted.
     {.code = "battery-too-small",
      .rank = Rank::caution,
      .text = "the plan draws {drawn_mj:.2f} MJ, {missing_mj:.2f} MJ more than the {usable_mj:.2f} MJ above "

@@ -76,8 +76,7 @@ RunSummary fly_field(std::uint64_t seed, bool avoidance, const simulation::Equip
   return summary;
 }
 
-/// Those that full knowledge could not have saved, or that did not arrive for another reason than a collision: listed
-/// one by one.
+/// A list of the runs for which `is` holds, each with its seed and its reason.
 template <class Is>
 json listed(const std::vector<RunSummary>& runs, const Is& is) {
   json list = json::array();

@@ -6,7 +6,7 @@
 
 namespace floeplan::sandbox {
 
-/// What keeps a process in its place.
+/// The layers of a confinement that are in force.
 struct Layers {
   bool system_calls{false};  // a filter of system calls (seccomp)
   int landlock{};            // version in force; 0: none

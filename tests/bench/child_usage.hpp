@@ -8,7 +8,7 @@
 
 namespace floeplan::bench {
 
-/// What work took in a process of its own and in those that it started.
+/// The time and memory that work took in a process of its own and in the processes that it started.
 struct ChildUsage {
   double cpu_s{};
   double largest_mb{};  // resident memory of the largest of the processes

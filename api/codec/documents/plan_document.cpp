@@ -81,7 +81,7 @@ std::optional<Quantity> stored_quantity(const json& object, const char* key) {
   return number ? std::optional{Quantity{*number}} : std::nullopt;
 }
 
-/// Likewise; of the start, which no leg leads to, there is none.
+/// The drive that a plan document stores for the leg to a waypoint; empty for the start, to which no leg leads.
 std::optional<vehicle::Drive> stored_drive(const json& object) {
   const auto name = object.find("propulsion");
   if (name == object.end() || name->is_null()) return std::nullopt;

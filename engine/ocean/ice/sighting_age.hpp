@@ -12,11 +12,11 @@ inline constexpr core::Seconds max_sighting_age{3.0 * 86400.0};
 /// moment that counts; older ones where nothing newer is known. Chosen: daily lists name a lasting berg again and again.
 inline constexpr core::Seconds left_out_are_told{30.0 * 86400.0};
 
-/// The one rule of when a sighting is too old, for plans, checks, the map, probes and exports. Of each berg the newest
-/// sighting by a moment `as_of` speaks; it counts for a vehicle that leaves at `depart`, however long that is under way,
-/// when it is no earlier than `oldest_that_counts(as_of, depart, max_age)`. The age is that at the departure, or at
-/// `as_of` where nothing later is to be known. By whole UTC days: feeds often give the day of a sighting alone, so the
-/// whole day on which the longest age falls is taken.
+/// The one rule for the age of sightings, in plans, checks, the map, probes and exports. Of each iceberg the newest sighting up
+/// to the moment `as_of` is used. It counts for a departure at `depart`, however long the mission is, if it is not earlier
+/// than `oldest_that_counts(as_of, depart, max_age)`. The age is that at the departure, or at `as_of` where that is earlier.
+/// Ages count in whole UTC days, because feeds often give only the day of a sighting: the whole day on which the largest age
+/// falls still counts.
 [[nodiscard]] core::UtcTime oldest_that_counts(core::UtcTime as_of, core::UtcTime depart,
                                                core::Seconds max_age);
 

@@ -9,11 +9,11 @@
 namespace floeplan::planning::energy {
 namespace {
 
-/// The mean of 1/x from one x to the other, both positive, without the loss of digits where they are nearly the same.
+/// The mean of 1/x between two positive values of x. It keeps its accuracy where they are nearly equal.
 double mean_inverse(double a, double b) {
   constexpr double nearly_the_same = 0.05;
   const double off = (b - a) / (a + b);
-  // ln(b / a) = 2 atanh(off), by its series: what is left out is below 1e-11 of it.
+  // ln(b / a) = 2 atanh(off), by its series. The terms left out are below 1e-11 of the result.
   if (std::abs(off) < nearly_the_same) {
     const double square = off * off;
     return 2.0 * (1.0 + square * (1.0 / 3.0 + square * (1.0 / 5.0 + square / 7.0))) / (a + b);
@@ -30,7 +30,7 @@ DiveLine::DiveLine(const vehicle::DiveLimits& limits, const obstacles::PlaneBed*
     : top_{limits.climb_to} {
   const core::Metres shoalest = top_ + vehicle::lowest_tooth;
   const core::Metres deepest = std::max(limits.dive_to, shoalest);
-  // Where the bed alone would turn the dives.
+  // The depth at which the sea bed alone would turn the dives.
   const auto turn = [&](double share) {
     const auto depth = bed != nullptr ? bed->depth(plane::place_between(a, b, share)) : std::nullopt;
     return depth ? *depth - limits.altimeter_margin : deepest;
@@ -60,7 +60,7 @@ DiveLine::DiveLine(const vehicle::DiveLimits& limits, const obstacles::PlaneBed*
 }
 
 void DiveLine::add_bend(double from, double until, const Bend& bend, const Bounds& bounds) {
-  constexpr double near_enough = 0.005;  // of the thickness of the dives
+  constexpr double near_enough = 0.005;  // share of the thickness of the dives
   constexpr double most_parts = 16.0;
   const core::Metres off_straight = bend.middle - 0.5 * (bend.first + bend.last);
   const core::Metres lowest =

@@ -8,7 +8,7 @@ namespace {
 
 constexpr double most_cells_a_side = 256.0;
 constexpr core::Metres least_look{
-    1.0};  // along a line: no smaller cells of a bathymetry are worth telling apart
+    1.0};  // between samples along a line; smaller cells of a bathymetry are not resolved
 constexpr double looks_in_cell[] = {0.25, 0.75};  // of the raster, along either axis
 
 /// One cell where no sea bed is known.
@@ -18,7 +18,7 @@ core::Metres cell_of(const currents::FlownDepths& depths, const plane::PlaneBox&
   return {std::max(extent_m / most_cells_a_side, depths.bathymetry()->grid().spacing().value)};
 }
 
-/// Pump energy for each metre of depth climbed or dived.
+/// Pump energy per metre of depth climbed or dived.
 double pump_j_m(const vehicle::EnergyModel& model, core::CubicMetres buoyancy,
                 const vehicle::DiveBand& band) {
   constexpr core::MetresPerSecond metre_a_second{1.0};
@@ -34,7 +34,7 @@ EnergyMap::EnergyMap(const vehicle::GliderProfile& profile, const currents::Flow
       buoyancy_volume_{profile.buoyancy},
       limits_{depths.limits()},
       raster_{area, cell_of(depths, area)},
-      // The deeper the band, the less is pumped for each metre: the fixed costs of a turn weigh less.
+      // The deeper the band, the less energy the pump needs per metre: the fixed costs of a turn matter less.
       least_pump_j_m_{
           pump_j_m(profile.energy, profile.buoyancy, vehicle::flown_band(depths.limits(), std::nullopt))},
       buoyancy_{.vertical = profile.vertical_speed(profile.speed_through_water),
@@ -142,7 +142,7 @@ DiveLine EnergyMap::dives_along(geo::PlanePoint a, geo::PlanePoint b) const {
 
 core::Watts EnergyMap::least_power(vehicle::Drive drive) const {
   const DriveCost& drive_cost = cost(drive);
-  // A hair below, because places keep their costs as floats.
+  // Slightly lower, because the costs of places are stored as floats.
   return {drive_cost.power.value + drive_cost.thruster.value +
           (1.0 - 1e-6) * least_pump_j_m_ * drive_cost.vertical.value};
 }

@@ -16,7 +16,8 @@ constexpr core::Seconds span{1200.0};
 constexpr int headings = 36;
 constexpr double heading_step = 2.0 * std::numbers::pi / headings;
 constexpr std::array changes_s{60.0, 180.0, 360.0};
-/// Bed and ice are within range all the time: as long as a berg at the speed of the vehicle is before it is met.
+/// How long before a collision the sea bed or ice counts as seen, for both are always within range: as long as an iceberg is
+/// in range of a vehicle at its speed.
 constexpr core::Seconds bed_is_seen_before{600.0};
 
 /// The ways that lie open at a moment of a flight.

@@ -13,7 +13,7 @@
 namespace floeplan::ingest {
 namespace {
 
-/// Hands the four nodes around a place to `take`; none of a place beyond the grid.
+/// Calls `take` with the four nodes around a place; not at all for a place outside the grid.
 template <class Take>
 void for_each_node_around(const ocean::HorizontalGrid& grid, geo::LonLat place, const Take& take) {
   if (!geo::is_valid(place)) return;

@@ -44,7 +44,7 @@ class Ogr2ogr : public testing::Test {
     ASSERT_EQ(program_.run({"ingest", file.string()}).exit_code, 0);
   }
 
-  /// What is read of the collection, as GeoJSON.
+  /// The collection as ogr2ogr reads it, in GeoJSON.
   [[nodiscard]] json read(const std::string& collection, const std::string& flags) const {
     const support::ServedProgram served{program_.folder() / "store"};
     const std::filesystem::path out = program_.folder() / "out.geojson";

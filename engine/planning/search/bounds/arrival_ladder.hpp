@@ -8,30 +8,28 @@
 
 namespace floeplan::planning::search {
 
-/// Bounds on when a vehicle that left the start at a given time is at the goal, by where it is and when: for one
-/// arrival after the other, the rungs, a sweep of the foresight tells until when each vertex is of use, and who is
-/// there later is not at the goal by then. So the bound knows the hour, where a bound on the rest of the way alone
-/// would have to hold in every current to come.
-/// Law      never later than the arrival of any way of open legs; later at a place, never an earlier bound
+/// Lower bounds of the arrival at the goal, by the place of the vehicle and the time. For each of several arrivals, the rungs,
+/// a sweep of the foresight gives the latest useful time at each vertex: a vehicle that is there later arrives after that
+/// rung. So the bound depends on the time. A bound of the rest of the way alone would have to hold for all later currents.
+/// Law      never later than the arrival of any way of open legs; a later time at a place never gives an earlier bound
 /// Threads  one at a time
 class ArrivalLadder {
  public:
-  /// `foresight` is borrowed and outlives the ladder; precondition: it is useful. `last`: an arrival after which
-  /// nothing is of use. Once `stop` is requested the ladder stays incomplete and must not be used.
-  /// `closures`: of the grid's vertices. `rungs`: at most so many, a sweep each; with one alone the ladder tells until
-  /// when a vertex is of use, and little else.
+  /// `foresight` is borrowed and outlives the ladder; precondition: it is useful. `last`: later arrivals are of no use.
+  /// `closures`: of the grid's vertices. `rungs`: their largest number, a sweep each; a single rung gives only the latest
+  /// useful time of each vertex. Once `stop` is requested the ladder stays incomplete and must not be used.
   ArrivalLadder(Foresight& foresight, VertexClosures& closures, const OpenGrid& open, core::Seconds depart,
                 core::Seconds last, const std::stop_token& stop, std::size_t rungs = most_rungs);
 
   static constexpr std::size_t most_rungs = 24;
 
-  /// Whether some way may be at the goal by the last arrival.
+  /// Whether some way may reach the goal by the last arrival.
   [[nodiscard]] bool has_hope() const { return has_hope_; }
-  /// The earliest arrival at the goal for who is at the vertex then; infinite when it is after the last.
+  /// Lower bound of the arrival at the goal from the vertex at that time; infinite if it is after the last.
   [[nodiscard]] double earliest_s(graph::Vertex v, double t_s) const;
-  /// Until when the vertex is of use; minus infinity: never.
+  /// The latest useful time at the vertex; minus infinity: never.
   [[nodiscard]] double latest_use_s(graph::Vertex v) const { return until_s_[(v + 1) * rungs_s_.size() - 1]; }
-  /// Never more than the time of an edge for who leaves its tail then.
+  /// Lower bound of the time of an edge for a departure from its tail at that time.
   [[nodiscard]] double least_time_s(const graph::Edge& edge, double depart_s) {
     return foresight_.least_time(edge, core::Seconds{depart_s}).count();
   }
@@ -39,9 +37,9 @@ class ArrivalLadder {
  private:
   Foresight& foresight_;
   bool has_hope_{false};
-  double base_s_;                // no way is at the goal before
+  double base_s_;                // no way reaches the goal earlier
   std::vector<double> rungs_s_;  // ascending
-  std::vector<double> until_s_;  // [vertex][rung]: until when it is of use
+  std::vector<double> until_s_;  // [vertex][rung]: the latest useful time
 };
 
 }  // namespace floeplan::planning::search

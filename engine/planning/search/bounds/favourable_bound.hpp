@@ -10,21 +10,21 @@
 
 namespace floeplan::planning::search {
 
-/// What is known of the times on a grid before any search: what is left to its goal at the best hour of every edge.
-/// Worth its making where many departures are searched on one grid.
-/// Satisfies  graph::TravelTimeBound, but that `remaining` is consistent with the edges' true times and not with the
-///            lesser ones that `least_time` gives
+/// Lower bounds of times on a grid that need no search: the remaining time to the goal if every edge is travelled at its best
+/// time. They pay where many departures are searched on one grid.
+/// Satisfies  graph::TravelTimeBound, except that `remaining` is consistent with the true times of edges and not with the
+///            smaller ones of `least_time`
 /// Threads    const members may be called from several threads at once
 class FavourableBound {
  public:
-  /// To the goal, or from the start: for searches on the film run backwards.
+  /// To the goal, or, for time-reversed searches, from the start.
   enum class Way { to_goal, from_start };
 
   /// Both are borrowed and outlive this. Once `stop` is requested it must not be used.
   FavourableBound(const cost::Sea& sea, const OpenGrid& open, const std::stop_token& stop,
                   Way way = Way::to_goal)
       : left_s_(open.graph.size(), graph::SearchTree::never) {
-    const FavourableGrid grid{sea, open};  // its currents are large: what is kept is what a search asks for
+    const FavourableGrid grid{sea, open};  // it is large, so only the results are kept
     const bool to_goal = way == Way::to_goal;
     left_s_[to_goal ? open.grid.goal : open.grid.start] = 0.0;
     lower_times(left_s_, graph::SearchTree::never, stop,
@@ -43,7 +43,7 @@ class FavourableBound {
           grid.straight_s({open.grid.start, open.grid.start, static_cast<std::uint8_t>(step)}));
   }
 
-  /// With the strongest current anywhere astern: less than what `remaining` counts for the edge, and as right.
+  /// With the strongest current of the whole sea from astern. A lower bound, too, but below that used by `remaining`.
   [[nodiscard]] core::Seconds least_time(const graph::Edge& edge, core::Seconds) const {
     return core::Seconds{straight_s_[edge.step]};
   }

@@ -14,11 +14,11 @@
 
 namespace floeplan::planning::search {
 
-/// The time of a vertex that no way leads to.
+/// The time of a vertex that cannot be reached.
 inline constexpr double never_s = std::numeric_limits<double>::infinity();
 
-/// A grid as the fastest vehicle finds it with the strongest current about each place astern, at whatever hour: no edge
-/// takes less time than here.
+/// Lower bounds of the times of a grid's edges at any time: the fastest drive, with the strongest current near each place from
+/// astern.
 /// Threads  const members may be called from several threads at once
 class FavourableGrid {
  public:
@@ -26,7 +26,7 @@ class FavourableGrid {
   FavourableGrid(const cost::Sea& sea, const OpenGrid& open);
 
   [[nodiscard]] const OpenGrid& open() const { return open_; }
-  /// Of any edge as long as this one, with the strongest current anywhere astern.
+  /// The least time of any edge of this length, with the strongest current of the whole sea from astern.
   [[nodiscard]] double straight_s(const graph::Edge& edge) const {
     return steps_[edge.step].least_time.count();
   }
@@ -44,7 +44,7 @@ class FavourableGrid {
   template <class Visit>
   void for_each_edge_to(graph::Vertex head, const Visit& visit) const {
     open_.graph.for_each_edge(head, [&](const graph::Edge& back) {
-      // The steps go round the compass, so that the one the other way is half of them away.
+      // The steps go round the compass, so the opposite step is half of them away.
       const auto step = static_cast<std::uint8_t>((back.step + steps_.size() / 2) % steps_.size());
       visit(graph::Edge{back.head, head, step}, least_time_s(box_about(back.head), steps_[step]));
     });
@@ -74,8 +74,8 @@ class FavourableGrid {
   std::optional<currents::CurrentEnvelope> envelope_;  // empty: still water
 };
 
-/// Lowers the times of vertices by those of others, until nothing is lowered any more: each vertex that has a time
-/// hands it on by for_each_next(vertex, time_s, visit), which calls visit(next, its_time_s).
+/// Lowers the times of vertices from those of their neighbours until none falls any more. Each vertex with a time passes it on
+/// by for_each_next(vertex, time_s, visit), which calls visit(next, its_time_s).
 /// Stops  early once `stop` is requested; the times must then not be used
 template <class ForEachNext>
 void lower_times(std::vector<double>& times_s, double latest_s, const std::stop_token& stop,

@@ -9,14 +9,14 @@
 namespace floeplan::planning::search {
 namespace {
 
-constexpr double slowest_share = 0.6;  // of the speed through water: slower drives are not told apart
+constexpr double slowest_share = 0.6;  // share of the speed through water; slower drives count as this
 constexpr double least_share =
     0.1;  // likewise of drives that are estimated: the longest edge on a closed course
 constexpr double most_share = 0.95;  // likewise of a current that leaves room on every course
-/// Times that are integrated may be short of the true ones by their tolerance; what an edge is short of shifts the
-/// departures of those before it by no more than a few times as much.
+/// Integrated times may be shorter than the true ones by their tolerance. An error of one edge shifts the departures of the
+/// edges before it by at most a few times as much.
 constexpr double tolerances = 5.0;
-/// By so much closures are taken to be shorter than they are: more than integrated times are in error by.
+/// How much shorter closures are taken to be than they are: more than the error of integrated times.
 constexpr core::Seconds border{5.0};
 
 std::vector<geo::PlanePoint> edges_of(const OpenGrid& open) {
@@ -28,7 +28,7 @@ std::vector<geo::PlanePoint> edges_of(const OpenGrid& open) {
   return edges;
 }
 
-/// A travel time for a search: asks for all edges of a vertex when it is asked for the first.
+/// A travel time for a search. It computes all edges of a vertex when the first of them is asked for.
 template <class TimeFan>
 class FanTravelTime {
  public:
@@ -46,7 +46,7 @@ class FanTravelTime {
   mutable graph::Vertex tail_{Foresight::no_vertex};
 };
 
-/// On the film run backwards, whose clock shows -t: nobody is at a vertex before the earliest arrival there.
+/// For the time-reversed search, whose clock shows -t: no vehicle is at a vertex before its earliest arrival there.
 struct NotBefore {
   const StraightBound& straight;
   const graph::SearchTree& earliest;
@@ -210,7 +210,7 @@ graph::SearchTree Foresight::sweep_back(core::Seconds depart, core::Seconds arri
                                         const std::stop_token& stop, VertexClosures* closures,
                                         const Bound& bound) {
   const cost::RouteGrid& grid = open_.grid;
-  // On the film a closed vertex is come to when its closure begins.
+  // In the time-reversed search a closed vertex is reached when its closure begins.
   const auto when_open = [&](graph::Vertex v, core::Seconds film_time) {
     if (closures == nullptr) return film_time;
     for (const TimeSpan& closed : closures->at(v)) {

@@ -13,52 +13,52 @@
 
 namespace floeplan::planning::search {
 
-/// What a search over a grid can know before an edge is timed exactly, from times of all edges out of a vertex at
-/// once. Two sweeps, each at many times the speed of the exact search: one forwards on estimates, whose way is all
-/// but the best; one backwards on proven bounds, which tells of each vertex until when it is of use.
+/// Bounds and estimates for a search over a grid, without exact times of edges. All edges out of a vertex are timed at once.
+/// There are two sweeps, each many times faster than the exact search. The forward one uses estimates and finds a nearly best
+/// way. The backward one uses proven bounds and gives the latest useful time of each vertex.
 /// Threads  one at a time
 class Foresight {
  public:
   static constexpr graph::Vertex no_vertex = std::numeric_limits<graph::Vertex>::max();
 
-  /// `sea` and `open` are borrowed and outlive this. `ahead`: what is found for an arrival is made to serve for those
-  /// up to so much later, too: less sharp, but found once.
+  /// `sea` and `open` are borrowed and outlive this. `ahead`: the result for an arrival also holds for arrivals up to so much
+  /// later. The bounds are then less sharp, but are computed only once.
   Foresight(const cost::Sea& sea, const OpenGrid& open, core::Seconds ahead = core::Seconds{0.0});
 
-  /// Whether the bounds say more than a straight line with the strongest current astern.
+  /// Whether the bounds are better than those of a straight line with the strongest current from astern.
   [[nodiscard]] bool is_useful() const { return !nearby_ || nearby_->is_useful(); }
 
-  /// What an estimated way minds besides what is closed at all times.
+  /// What an estimated way avoids in addition to places that are always closed.
   struct Minding {
-    bool timed_closures{false};         // as far as an even drive along each edge meets them
+    bool timed_closures{false};         // where an even drive along an edge meets them
     std::vector<graph::Edge> barred{};  // edges not to be taken, a few
   };
-  /// A way from start to goal that is likely to be about the best, edge by edge; empty where none is seen or once
-  /// `stop` is requested. Not proven open.
+  /// A way from start to goal, edge by edge, that is probably close to the best. Empty where none is found, and once `stop` is
+  /// requested. It is not proven to be open.
   [[nodiscard]] std::vector<graph::Edge> likely_way(core::Seconds depart, const std::stop_token& stop,
                                                     const Minding& minding);
 
-  /// Until when a vertex is of use to who leaves the start at `depart` and is to be at the goal by `arrive`, on the
-  /// film run backwards: the tree's arrival at the vertex is the time -t. Not reached: it is of no use.
-  /// Law      no way of open legs that is at the goal in time is at a vertex later than that. So far as the legs'
-  ///          own currents go: a leg that is closed for a while counts as if it were open
-  /// Returns  borrowed, until it is asked for again
+  /// The latest useful times at vertices for a vehicle that leaves the start at `depart` and must reach the goal by `arrive`.
+  /// The tree is that of a time-reversed search: its arrival at a vertex is -t. A vertex that is not reached is of no use.
+  /// Law      no way of open legs that reaches the goal in time is at a vertex later. Only currents count: a leg that is closed
+  ///          for a while counts as open
+  /// Returns  borrowed until the next call
   [[nodiscard]] const graph::SearchTree& until_when_of_use(core::Seconds depart, core::Seconds arrive,
                                                            const std::stop_token& stop);
 
-  /// No vehicle that leaves the start at `depart` is at a vertex before the tree's arrival there, and none is of use to
-  /// the goal by `arrive` at one that is not reached. Nobody is at a vertex while it is closed; otherwise as above.
+  /// The earliest arrivals at vertices after leaving the start at `depart`. A vertex that is not reached is of no use for an
+  /// arrival at the goal by `arrive`. Vertices cannot be entered while they are closed; otherwise as above.
   [[nodiscard]] graph::SearchTree sweep_forth(core::Seconds depart, core::Seconds arrive,
                                               const std::stop_token& stop, VertexClosures& closures);
-  /// As `until_when_of_use` for these two times exactly, not kept, and nobody is at a vertex while it is closed: who
-  /// comes to one too late for the last opening in time has to be there before the closure.
+  /// As `until_when_of_use`, for exactly these two times, and not kept. Vertices cannot be entered while they are closed: a
+  /// vehicle that would come too late for the last open time must come before the closure.
   /// `earliest`: of a sweep forth from the same departure to the same arrival or a later one
   [[nodiscard]] graph::SearchTree sweep_back(core::Seconds depart, core::Seconds arrive,
                                              const std::stop_token& stop, VertexClosures& closures,
                                              const graph::SearchTree& earliest);
 
-  /// About how long each edge out of a vertex takes, by its step, for who leaves then on this drive; on a closed one
-  /// long.
+  /// Estimated times of the edges out of a vertex, by their steps, for a departure at that time on this drive. Those of closed
+  /// edges are long.
   /// Returns  borrowed, until the next question of any kind; null where nothing is known of the water
   [[nodiscard]] const motion::FanTimes* estimates(graph::Vertex v, core::Seconds depart,
                                                   vehicle::Drive drive);

@@ -21,14 +21,14 @@ namespace floeplan::planning::search {
 /// Threads   const members may be called from several threads at once
 class CostOutlook {
  public:
-  /// For voyages between `depart` and `last`. `foresight` and `closures` are of the same grid, the first useful. `use`:
-  /// until when the vertices are of use at most. None of them is needed afterwards. Once `stop` is requested
-  /// the outlook must not be used.
+  /// For voyages between `depart` and `last`. `foresight`, which must be useful, and `closures` are of the same grid. `use`
+  /// gives the latest useful times of the vertices. None of these is kept. Once `stop` is requested the outlook must not be
+  /// used.
   CostOutlook(const cost::Sea& sea, const OpenGrid& open, const Objective& objective, Foresight& foresight,
               VertexClosures& closures, const ArrivalLadder& use, core::Seconds depart, core::Seconds last,
               const std::stop_token& stop);
 
-  /// Infinite where no way was seen.
+  /// Infinite where no way was found.
   [[nodiscard]] double rest(graph::Vertex v, double t_s) const { return between(slices_.at(t_s), v); }
 
  private:

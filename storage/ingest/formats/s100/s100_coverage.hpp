@@ -32,7 +32,7 @@ struct S100Coverage {
 
   /// The table of a record, which has as many rows and columns as the file says, and these values.
   [[nodiscard]] Checked<Hdf5Table> table(std::size_t record) const;
-  /// One value in so many rows of a record from one on, NaN where there is none.
+  /// One value of each of a number of consecutive rows of a record; NaN where there is none.
   /// Shape  [row][column] of the grid
   [[nodiscard]] Checked<std::vector<float>> read(const Hdf5Table& table, const std::string& value,
                                                  std::size_t first_row, std::size_t rows) const;

@@ -53,7 +53,7 @@ struct Level {
 /// What the depth of the currents counts from, or that it is the thickness of a layer below the surface.
 enum class Reference : std::uint8_t { layer, surface, datum, bed, unknown };
 
-/// Of the product specification, "INT.IHO.S-111.1.2": 1.2. A file that does not say counts as one of today.
+/// The edition of the product specification: 1.2 of "INT.IHO.S-111.1.2". A file that states none counts as of the newest one.
 double edition_of(const Hdf5Group& file) {
   constexpr double today = 2.0;
   constexpr std::size_t digits = 3;  // "1.2"
