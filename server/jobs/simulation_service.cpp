@@ -43,6 +43,7 @@ struct FlownPlan {
   vehicle::GliderProfile vehicle;
   repository::EnvironmentQuery data;
   planning::UnderIceRules ice;
+  core::Metres hold_radius;
 };
 
 /// Faults of mission files are those of the input that holds them.
@@ -75,17 +76,23 @@ tl::expected<FlownPlan, core::Violations> plan_of(sql::Connection& db, const Sim
   planned->data.depart = plan.departure;
   planned->data.until = repository::CoveredUntil{"plan_id", plan.arrival};
   planned->data.may_begin_later = false;
-  return FlownPlan{std::move(*record), std::move(plan), vehicle, std::move(planned->data),
-                   planned->request.under_ice};
+  return FlownPlan{std::move(*record),
+                   std::move(plan),
+                   vehicle,
+                   std::move(planned->data),
+                   planned->request.under_ice,
+                   planned->request.holds.radius};
 }
 
 /// The files that were given, or those that the plan is exported as.
-tl::expected<std::vector<codec::SimulatedFile>, core::Violations> files_of(const SimulateInputs& inputs,
-                                                                           const FlownPlan& flown) {
+tl::expected<std::vector<codec::SimulatedFile>, core::Violations> files_of(
+    const SimulateInputs& inputs, const FlownPlan& flown, const ocean::Environment& environment) {
   if (!inputs.mission_files.empty()) return inputs.mission_files;
   mission::MissionSetOptions options;
   options.vehicle = flown.vehicle;
   options.lists.max_waypoints = flown.vehicle.max_waypoints_per_list;
+  options.lists.holds = {.radius = flown.hold_radius,
+                         .currents = mission::hold_currents(environment, flown.plan, flown.vehicle)};
   options.lists.may_end_below_ice = true;  // nobody is lost in a simulation, which flies on from there
   options.lists.origin = {flown.record.id.value, flown.record.name, flown.plan.departure, "floeplan"};
   // Below ice the files ask for open water to recover to, which nobody recovers to here: the start is such a place.
@@ -118,7 +125,7 @@ void fly_on_below_ice(simulation::MissionOrders& orders, const planning::Plan& p
   bool flies_on = false;
   std::size_t waypoint = 0;
   for (simulation::GotoOrders& list : orders.lists) {
-    waypoint += list.waypoints.size();
+    if (!list.hold) waypoint += list.waypoints.size();
     list.next_on_board =
         waypoint < plan.surfacing->waypoints.size() && !plan.surfacing->waypoints[waypoint].may_surface;
     flies_on = flies_on || (list.next_on_board && &list != &orders.lists.back());
@@ -325,13 +332,13 @@ tl::expected<json, core::Violations> simulate_plan_document(sql::Connection& db,
   if (progress) progress("loading data", 0.0);
   const auto flown = plan_of(db, inputs);
   if (!flown) return tl::unexpected(flown.error());
-  const auto files = files_of(inputs, *flown);
+  const auto environment = repository::load_environment(db, flown->data, {stop});
+  if (!environment) return tl::unexpected(environment.error());
+  const auto files = files_of(inputs, *flown, *environment);
   if (!files) return tl::unexpected(files.error());
   auto orders = orders_of(*files, flown->vehicle);
   if (!orders) return tl::unexpected(orders.error());
   if (inputs.mission_files.empty()) fly_on_below_ice(*orders, flown->plan);
-  const auto environment = repository::load_environment(db, flown->data, {stop});
-  if (!environment) return tl::unexpected(environment.error());
 
   json cancelled{{"status", "cancelled"}, {"plan_id", inputs.plan_id}};
   const Batch batch{inputs, *flown, *orders, *environment, stop};

@@ -57,6 +57,25 @@ std::vector<std::optional<mission::Shoal>> shoals_of(sql::Connection& db,
   return mission::shoals_along(*sea->bathymetry, plan);
 }
 
+mission::HoldOptions holds_of(sql::Connection& db, const repository::PlanRecord& record,
+                              const planning::Plan& plan) {
+  mission::HoldOptions holds;
+  const auto inputs = inputs_of(record);
+  if (!inputs) return holds;
+  holds.radius = inputs->request.holds.radius;
+  holds.vehicle = inputs->request.vehicle;
+  if (!mission::has_holds(plan)) return holds;
+  EnvironmentQuery query = inputs->data;
+  const DatasetChoice none{DatasetChoice::How::none, {}};
+  for (DatasetChoice* choice :
+       {&query.bathymetry, &query.ice, &query.coastline, &query.icebergs, &query.zones})
+    *choice = none;
+  query.depart = plan.departure;
+  const auto sea = repository::load_environment(db, query);
+  if (sea) holds.currents = mission::hold_currents(*sea, plan, holds.vehicle);
+  return holds;
+}
+
 std::vector<mission::SafePlace> safe_places_of(sql::Connection& db, const repository::PlanRecord& record,
                                                const planning::Plan& plan,
                                                const std::vector<geo::LonLat>& places) {

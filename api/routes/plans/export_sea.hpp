@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "api/codec/inputs/plan_inputs.hpp"
+#include "engine/mission/writing/hold_lists.hpp"
 #include "engine/mission/writing/safe_places.hpp"
 #include "engine/mission/writing/shoals.hpp"
 #include "engine/planning/problem/plan.hpp"
@@ -25,6 +26,11 @@ namespace floeplan::routes {
 [[nodiscard]] std::vector<std::optional<mission::Shoal>> shoals_of(sql::Connection& db,
                                                                    const repository::PlanRecord& record,
                                                                    const planning::Plan& plan);
+
+/// How the holds of a stored plan are flown: by the circle that was asked for, in the newest of the currents that it
+/// chose; where those cannot be read any more, in the mean currents of its legs.
+[[nodiscard]] mission::HoldOptions holds_of(sql::Connection& db, const repository::PlanRecord& record,
+                                            const planning::Plan& plan);
 
 /// The places with what the newest stored depths, coastlines, ice, icebergs and areas say of them while the plan lasts.
 /// Which sightings count says the request of the plan.

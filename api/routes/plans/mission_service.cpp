@@ -12,6 +12,7 @@
 #include "engine/mission/checking/yo_flight.hpp"
 #include "engine/mission/document/line_words.hpp"
 #include "engine/mission/reading/read_document.hpp"
+#include "engine/mission/writing/flight_files.hpp"
 #include "engine/mission/writing/ice_files.hpp"
 #include "engine/mission/writing/safe_places.hpp"
 #include "storage/json/json.hpp"
@@ -69,6 +70,7 @@ mission::MissionSetOptions set_options(sql::Connection& db, const repository::Pl
   options.lists.first_number = request.number;
   options.lists.max_waypoints = options.vehicle.max_waypoints_per_list;
   options.lists.origin = origin_of(record, generated);
+  options.lists.holds = holds_of(db, record, plan);
   options.shoals = shoals_of(db, record, plan);
   return options;
 }
@@ -99,7 +101,7 @@ mission::YoFlight judge_yo(sql::Connection& db, const repository::PlanRecord& re
 tl::expected<mission::MissionFiles, core::Violations> lists_of(const planning::Plan& plan,
                                                                const mission::MissionSetOptions& options,
                                                                const mission::YoFlight& flight) {
-  auto lists = mission::write_goto_lists(plan, options.lists);
+  auto lists = mission::write_goto_lists(plan, mission::list_options(options));
   if (!lists) return lists;
   for (const core::Violation& violation : flight.violations)
     lists->messages.push_back(messages::export_message<"yo-cannot-fly-plan">(violation.rule));

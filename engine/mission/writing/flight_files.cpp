@@ -143,6 +143,13 @@ core::Seconds time_between_surfacings(const MissionSetOptions& options) {
       core::Seconds{is_shallow(options.vehicle) ? regular_shallow_s : regular_deep_s});
 }
 
+GotoListOptions list_options(const MissionSetOptions& options) {
+  GotoListOptions lists = options.lists;
+  lists.holds.vehicle = options.vehicle;
+  lists.holds.between_surfacings = time_between_surfacings(options);
+  return lists;
+}
+
 std::vector<Surfacing> surfacings_of(const MissionSetOptions& options) {
   std::vector<Surfacing> surfacings;
   for (const SurfacingKind& kind : kinds_of(options)) {

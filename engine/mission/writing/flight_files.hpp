@@ -32,6 +32,9 @@ struct Surfacing {
 /// How often the vehicle comes up in open water, whatever else happens.
 [[nodiscard]] core::Seconds time_between_surfacings(const MissionSetOptions& options);
 
+/// The lists of the set, its holds flown by the vehicle and the surfacings of the mission.
+[[nodiscard]] GotoListOptions list_options(const MissionSetOptions& options);
+
 /// The argument files of yo, surface, sample and prepare_to_dive.
 [[nodiscard]] std::vector<MissionFile> flight_files(const planning::Plan& plan,
                                                     const MissionSetOptions& options);

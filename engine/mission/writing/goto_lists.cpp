@@ -8,6 +8,7 @@
 
 #include "engine/geo/geodesic.hpp"
 #include "engine/messages/export_messages.hpp"
+#include "engine/mission/document/hold_order.hpp"
 #include "engine/mission/document/printed_text.hpp"
 #include "engine/mission/writing/argument_lines.hpp"
 #include "engine/mission/writing/below_ice.hpp"
@@ -44,13 +45,46 @@ ListRules rules_of(const GotoListOptions& options) {
 
 core::Metres radius_of(const planning::Plan& plan, const ListPart& part, const GotoListOptions& options) {
   if (options.radius) return {std::floor(options.radius->value)};
-  const core::Metres usual = default_waypoint_radius(plan);
+  core::Metres usual = default_waypoint_radius(plan);
+  if (is_held_at(plan, part.last)) usual = std::min(usual, turning_radius(options.holds.radius));
   const auto end = end_of(plan, part);
   if (!end) return usual;
   const bool is_sure = end->sure_room().value > smallest_radius_m;
   core::Metres room = is_sure ? end->sure_room() : end->room();
   if (end->from_ice) room = std::min(room, *end->from_ice);
   return {std::clamp(std::ceil(room.value) - 1.0, smallest_radius_m, usual.value)};
+}
+
+/// A file of the set: some of the plan's waypoints and the radius in which one is reached, or what keeps the vehicle at
+/// the last of them.
+struct List {
+  std::string file_name;
+  ListPart part;
+  core::Metres radius;
+  std::optional<HoldLegs> hold{};
+};
+
+/// Where a plan of several lists begins.
+const List& first_with_waypoints(const std::vector<List>& lists) {
+  return lists.front().hold ? lists[1] : lists.front();
+}
+
+std::vector<List> lists_of_plan(const planning::Plan& plan, const GotoListOptions& options) {
+  std::vector<List> lists;
+  const auto next_name = [&] {
+    return argument_file_name("goto_list", options.first_number + static_cast<int>(lists.size()));
+  };
+  const auto hold_at = [&](std::size_t waypoint) {
+    if (!is_held_at(plan, waypoint)) return;
+    if (const auto legs = hold_legs(hold_flight(plan, waypoint, options.holds)))
+      lists.push_back({next_name(), {waypoint, waypoint}, legs->radius, legs});
+  };
+  hold_at(0);
+  for (const ListPart& part : part_into_lists(plan, rules_of(options))) {
+    lists.push_back({next_name(), part, radius_of(plan, part, options)});
+    hold_at(part.last);
+  }
+  return lists;
 }
 
 core::Violations violations_of_options(const planning::Plan& plan, const GotoListOptions& options) {
@@ -72,39 +106,25 @@ core::Violations violations_of_options(const planning::Plan& plan, const GotoLis
   }
   if (!found.empty()) return found;
 
-  const ListRules rules = rules_of(options);
-  if (!options.may_end_below_ice) found = list_end_violations(plan, rules);
-  if (!found.empty()) return found;
+  if (!options.may_end_below_ice) found = list_end_violations(plan, rules_of(options));
+  return found;
+}
 
-  const std::vector<ListPart> parts = part_into_lists(plan, rules);
-  const auto lists = static_cast<int>(parts.size());
-  const auto rows_of_first = static_cast<int>(parts.front().last);
-  if (options.first_number < 0 || options.first_number + lists - 1 > last_free_number) {
+/// Of the numbers that the lists take.
+core::Violations violations_of_numbers(const std::vector<List>& lists, const GotoListOptions& options) {
+  core::Violations found;
+  const auto count = static_cast<int>(lists.size());
+  if (options.first_number < 0 || options.first_number + count - 1 > last_free_number) {
     found.push_back(
-        {"/number", "the plan takes " + std::to_string(lists) +
+        {"/number", "the plan takes " + std::to_string(count) +
                         " list(s), numbered from the given number on; all numbers must lie between 0 and 97 "
                         "(98 and 99 belong to the firmware)"});
   }
+  const auto rows_of_first = static_cast<int>(first_with_waypoints(lists).part.last);
   if (options.initial_waypoint < -2 || options.initial_waypoint >= rows_of_first) {
     found.push_back({"/initial_waypoint", "must be -2, -1 or a row of the first list, counted from 0"});
   }
   return found;
-}
-
-/// A file of the set: some of the plan's waypoints, and the radius in which one is reached.
-struct List {
-  std::string file_name;
-  ListPart part;
-  core::Metres radius;
-};
-
-std::vector<List> lists_of_plan(const planning::Plan& plan, const GotoListOptions& options) {
-  std::vector<List> lists;
-  for (const ListPart& part : part_into_lists(plan, rules_of(options))) {
-    const int number = options.first_number + static_cast<int>(lists.size());
-    lists.push_back({argument_file_name("goto_list", number), part, radius_of(plan, part, options)});
-  }
-  return lists;
 }
 
 /// Whether the plan passes below ice or icebergs, or knows of ice near one of its waypoints.
@@ -174,9 +194,37 @@ std::optional<messages::Message> message_of_unknown_currents(const planning::Pla
 /// Before it has come up once a vehicle knows nothing of the current; empty where it passes below no ice.
 std::optional<messages::Message> message_of_first_dives(const planning::Plan& plan, const List& first) {
   if (!passes_below(plan, {1, plan.waypoints.size() - 1})) return std::nullopt;
-  const core::Seconds time = plan.waypoints[first.part.last].eta - plan.departure;
+  const planning::Waypoint& start = plan.waypoints.front();
+  const core::Seconds time = plan.waypoints[first.part.last].eta - (start.eta + start.wait);
   return messages::export_message<"long-before-first-surfacing">(first.file_name, time.count() / 3600.0,
                                                                  0.1 * time.count() / 1000.0);
+}
+
+/// How the hold at a waypoint is flown, and what the pilot has to do for it; empty: there is none to speak of.
+std::optional<messages::Message> message_of_hold(const planning::Plan& plan, const std::vector<List>& lists,
+                                                 std::size_t waypoint) {
+  const planning::Waypoint& place = plan.waypoints[waypoint];
+  if (place.wait < least_listed_hold) return std::nullopt;
+  const double wait_h = place.wait.count() / 3600.0;
+  const core::UtcTime release = place.eta + place.wait;
+  const auto list =
+      std::ranges::find_if(lists, [&](const List& each) { return each.hold && each.part.last == waypoint; });
+  const auto told = [&] {
+    if (list == lists.end()) {
+      const bool ends_there = waypoint == 0 || std::ranges::any_of(lists, [&](const List& each) {
+                                return each.part.last == waypoint;
+                              });
+      return ends_there ? messages::export_message<"hold-shorter-than-list">(wait_h, waypoint, release)
+                        : messages::export_message<"hold-not-in-lists">(wait_h, waypoint);
+    }
+    const std::string& next = std::next(list)->file_name;
+    if (list->hold->legs < 0)
+      return messages::export_message<"hold-list-without-end">(list->file_name, waypoint, wait_h, next,
+                                                               release);
+    return messages::export_message<"hold-list">(list->file_name, waypoint, list->hold->legs,
+                                                 list->hold->expected.count() / 3600.0, next, release);
+  };
+  return told().at(place.place);
 }
 
 std::vector<messages::Message> messages_for(const planning::Plan& plan, const GotoListOptions& options,
@@ -186,20 +234,27 @@ std::vector<messages::Message> messages_for(const planning::Plan& plan, const Go
   const auto tell = [&](std::optional<messages::Message> message) {
     if (message) told.push_back(std::move(*message));
   };
-  if (lists.size() > 1) {
+  const auto holds = std::ranges::count_if(lists, [](const List& list) { return list.hold.has_value(); });
+  if (holds > 0) {
+    tell(messages::export_message<"lists-with-holds">(lists.size(), holds, lists.front().file_name,
+                                                      lists.back().file_name));
+  } else if (lists.size() > 1) {
     tell(messages::export_message<"several-lists">(options.max_waypoints, lists.size(),
                                                    lists.front().file_name, lists.back().file_name));
   }
   tell(message_of_thruster(plan, options));
   tell(message_of_unknown_currents(plan));
-  tell(message_of_first_dives(plan, lists.front()));
+  tell(message_of_first_dives(plan, first_with_waypoints(lists)));
   for (const List& list : lists) {
+    if (list.hold) continue;
     tell(message_of_end(plan, list));
     tell(message_of_delay(plan, list));
   }
   if (options.max_waypoints > documented_max_waypoints)
     tell(messages::export_message<"lists-longer-than-documented">(options.max_waypoints));
-  const double radius_m = std::ranges::max(lists, {}, &List::radius).radius.value;
+  double radius_m = 0.0;
+  for (const List& list : lists)
+    if (!list.hold) radius_m = std::max(radius_m, list.radius.value);
   const core::Metres shortest = *std::min_element(legs.begin(), legs.end());
   if (radius_m >= shortest.value / 2.0)
     tell(messages::export_message<"waypoint-radius-too-large">(radius_m, shortest.value));
@@ -218,17 +273,59 @@ std::vector<messages::Message> messages_for(const planning::Plan& plan, const Go
                                                               std::ceil(under.keel.upper_turn.value)));
   }
   std::ranges::move(warnings_below_ice(plan), std::back_inserter(told));
-  for (std::size_t i = 0; i < plan.waypoints.size(); ++i) {
-    const planning::Waypoint& waypoint = plan.waypoints[i];
-    if (waypoint.wait.count() <= 0.0) continue;
-    tell(messages::export_message<"wait-not-in-list">(waypoint.wait.count() / 3600.0, i).at(waypoint.place));
-  }
+  for (std::size_t i = 0; i + 1 < plan.waypoints.size(); ++i) tell(message_of_hold(plan, lists, i));
   const auto beyond_utm = std::ranges::find_if(plan.waypoints, [](const planning::Waypoint& w) {
     return w.place.lat_deg > utm_north_end_deg || w.place.lat_deg < utm_south_end_deg;
   });
   if (beyond_utm != plan.waypoints.end())
     tell(messages::export_message<"beyond-utm">().at(beyond_utm->place));
   return told;
+}
+
+/// Without the hold before it, in which the pilot has contact.
+core::Seconds time_of(const planning::Plan& plan, const ListPart& part) {
+  const planning::Waypoint& from = plan.waypoints[part.first - 1];
+  return plan.waypoints[part.last].eta - (from.eta + from.wait);
+}
+
+std::string goto_list_text(const std::string& comments, int legs, core::Metres radius, int initial,
+                           const std::vector<geo::LonLat>& places) {
+  return argument_file("goto_list", comments,
+                       {{"num_legs_to_run", whole(legs)},
+                        {"start_when", "0"},
+                        {"list_stop_when", "7"},
+                        {"list_when_wpt_dist", whole(radius.value)},
+                        {"initial_wpt", whole(initial)},
+                        {"num_waypoints", whole(static_cast<double>(places.size()))}}) +
+         waypoint_section(places);
+}
+
+std::string list_text(const planning::Plan& plan, const List& list, const std::string& head, int initial,
+                      const GotoListOptions& options) {
+  constexpr int once = -2;
+  const ListPart& part = list.part;
+  const std::string comments =
+      head + print("waypoints %zu to %zu of %zu\n", part.first, part.last, plan.waypoints.size() - 1) +
+      origin_comments(plan, options.origin) +
+      "# The start of the plan is left out: the vehicle is there and heads for the first row.\n";
+  std::vector<geo::LonLat> places;
+  for (std::size_t row = part.first; row <= part.last; ++row) places.push_back(plan.waypoints[row].place);
+  return goto_list_text(comments, once, list.radius, initial, places);
+}
+
+std::string hold_list_text(const planning::Plan& plan, const List& list, const std::string& head,
+                           const GotoListOptions& options) {
+  const HoldLegs& hold = *list.hold;
+  const planning::Waypoint& place = plan.waypoints[list.part.last];
+  const std::string comments =
+      head + print("hold at waypoint %zu of %zu\n", list.part.last, plan.waypoints.size() - 1) +
+      hold_comment({place.eta, place.eta + place.wait}) +
+      (hold.legs < 0 ? "# goes round until the next list is sent\n"
+                     : print("# %d legs, expected to take %.1f h from the arrival to the departure,\n"
+                             "# with a surfacing of 6 minutes at its begin, its end and every turn\n",
+                             hold.legs, hold.expected.count() / 3600.0)) +
+      origin_comments(plan, options.origin);
+  return goto_list_text(comments, hold.legs, list.radius, 0, hold_rows(place.place, hold));
 }
 
 }  // namespace
@@ -242,7 +339,7 @@ core::Metres default_waypoint_radius(const planning::Plan& plan) {
 core::Seconds longest_list_time(const planning::Plan& plan, const GotoListOptions& options) {
   core::Seconds longest{0.0};
   for (const ListPart& part : part_into_lists(plan, rules_of(options)))
-    longest = std::max(longest, plan.waypoints[part.last].eta - plan.waypoints[part.first - 1].eta);
+    longest = std::max(longest, time_of(plan, part));
   return longest;
 }
 
@@ -250,30 +347,22 @@ tl::expected<MissionFiles, core::Violations> write_goto_lists(const planning::Pl
                                                               const GotoListOptions& options) {
   if (core::Violations found = violations_of_options(plan, options); !found.empty())
     return tl::unexpected(std::move(found));
-
-  const std::vector<core::Metres> legs = leg_lengths(plan);
   const std::vector<List> lists = lists_of_plan(plan, options);
+  if (core::Violations found = violations_of_numbers(lists, options); !found.empty())
+    return tl::unexpected(std::move(found));
+  const std::vector<core::Metres> legs = leg_lengths(plan);
 
   MissionFiles written;
+  int initial = options.initial_waypoint;  // of the first list with waypoints
   for (std::size_t i = 0; i < lists.size(); ++i) {
-    const auto& [name, part, radius] = lists[i];
-    const std::string comments =
-        print("# %s, list %zu of %zu: waypoints %zu to %zu of %zu\n", name.c_str(), i + 1, lists.size(),
-              part.first, part.last, plan.waypoints.size() - 1) +
-        origin_comments(plan, options.origin) +
-        "# The start of the plan is left out: the vehicle is there and heads for the first row.\n";
-    std::vector<geo::LonLat> places;
-    for (std::size_t row = part.first; row <= part.last; ++row) places.push_back(plan.waypoints[row].place);
-    const int initial = i == 0 ? options.initial_waypoint : 0;
-    written.files.push_back(
-        {name, argument_file("goto_list", comments,
-                             {{"num_legs_to_run", "-2"},
-                              {"start_when", "0"},
-                              {"list_stop_when", "7"},
-                              {"list_when_wpt_dist", whole(radius.value)},
-                              {"initial_wpt", whole(initial)},
-                              {"num_waypoints", whole(static_cast<double>(places.size()))}}) +
-                   waypoint_section(places)});
+    const List& list = lists[i];
+    const std::string head = print("# %s, list %zu of %zu: ", list.file_name.c_str(), i + 1, lists.size());
+    if (list.hold) {
+      written.files.push_back({list.file_name, hold_list_text(plan, list, head, options)});
+    } else {
+      written.files.push_back({list.file_name, list_text(plan, list, head, initial, options)});
+      initial = 0;
+    }
   }
   written.messages = messages_for(plan, options, legs, lists);
   return written;

@@ -6,6 +6,7 @@
 #include "engine/core/units.hpp"
 #include "engine/core/violation.hpp"
 #include "engine/mission/writing/file_origin.hpp"
+#include "engine/mission/writing/hold_lists.hpp"
 #include "engine/mission/writing/mission_file.hpp"
 #include "engine/planning/problem/plan.hpp"
 
@@ -22,6 +23,7 @@ struct GotoListOptions {
   int initial_waypoint{0};  // of the first list: its row from 0, -1 after the last achieved, -2 the closest
   bool may_end_below_ice{false};  // of lists that no vehicle flies
   bool thruster_in_yo{false};     // the yo that they are flown with turns it on for every leg
+  HoldOptions holds{};
   FileOrigin origin{};
 };
 
@@ -44,6 +46,9 @@ struct GotoListOptions {
 ///          where nothing is known of the ice, with a warning; never below ice or an iceberg, nor within the radius
 ///          of them, unless `may_end_below_ice`. A list that ends near them gets a smaller radius than the usual one,
 ///          and a warning where its error of position may still bring it up below ice
+/// Holds    of ten minutes or more where the vehicle may come up: the list ends there, and a list of two rows follows
+///          that keeps it near the place by hold_legs, with a warning that says when the next one is to be sent. Where
+///          no such list is as short as the hold, the warning alone
 /// Errors   every violation at once: a place beyond 89 degrees of latitude, fewer than two waypoints, more
 ///          waypoints in a row below ice or icebergs than a list holds beside its end, a plan or a list that ends
 ///          below them or too near to them, options out of range

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "engine/mission/writing/below_ice.hpp"
+#include "engine/mission/writing/hold_lists.hpp"
 #include "engine/motion/speed_over_ground.hpp"
 
 namespace floeplan::mission {
@@ -43,7 +44,8 @@ std::optional<core::Metres> beyond_iceberg(const planning::Plan& plan, const Lis
 }
 
 core::Seconds planned_time(const planning::Plan& plan, std::size_t leg) {
-  return plan.waypoints[leg].eta - plan.waypoints[leg - 1].eta;
+  const planning::Waypoint& from = plan.waypoints[leg - 1];
+  return plan.waypoints[leg].eta - (from.eta + from.wait);
 }
 
 /// How long the vehicle is under way on a leg, at least as the plan has it, by its own reckoning if that is longer.
@@ -60,13 +62,14 @@ core::Seconds time_under_way(const planning::Plan& plan, std::size_t number, geo
 geo::VelocityEn mean_current(const planning::Plan& plan, std::size_t from, std::size_t to) {
   double east_m = 0.0;
   double north_m = 0.0;
+  double all_s = 0.0;
   for (std::size_t i = from + 1; i <= to; ++i) {
     const geo::VelocityEn current = plan.waypoints[i].current.value_or(geo::VelocityEn{});
     const double time_s = planned_time(plan, i).count();
     east_m += current.east.value * time_s;
     north_m += current.north.value * time_s;
+    all_s += time_s;
   }
-  const double all_s = (plan.waypoints[to].eta - plan.waypoints[from].eta).count();
   if (all_s <= 0.0) return {};
   return {{east_m / all_s}, {north_m / all_s}};
 }
@@ -102,7 +105,11 @@ bool has_room(const planning::Plan& plan, const ListPart& part, core::Metres (Li
 /// Of the list that begins with this waypoint.
 std::size_t last_of_list(const planning::Plan& plan, std::size_t first, std::size_t before,
                          const ListRules& rules) {
-  const std::size_t farthest = std::min(first + rules.max_waypoints, plan.waypoints.size()) - 1;
+  const std::size_t longest = std::min(first + rules.max_waypoints, plan.waypoints.size()) - 1;
+  std::size_t farthest = first;
+  while (farthest < longest && !is_held_at(plan, farthest)) ++farthest;
+  if (is_held_at(plan, farthest) && has_room(plan, {first, farthest, before}, &ListEnd::room, rules.radius))
+    return farthest;
   const auto farthest_where = [&](const auto& suits) -> std::optional<std::size_t> {
     for (std::size_t last = farthest; last >= first; --last)
       if (suits(last)) return last;

@@ -63,7 +63,8 @@ struct ListEnd {
 /// The plan's waypoints after the start in lists of at most `max_waypoints` rows, each as long as it can be and still
 /// end where the vehicle may surface: there the list is flown, and the mission brings the vehicle up. Farther from ice
 /// and icebergs than it may be off where such a waypoint is within reach, else farther than the radius; else where
-/// nothing is known of the ice, and nearer to it or below it only where list_end_violations says so.
+/// nothing is known of the ice, and nearer to it or below it only where list_end_violations says so. Where the vehicle
+/// holds and may come up, a list ends, too.
 [[nodiscard]] std::vector<ListPart> part_into_lists(const planning::Plan& plan, const ListRules& rules);
 
 /// Where the plan cannot be parted so: more waypoints in a row below ice or icebergs than a list holds beside its end,

@@ -166,7 +166,7 @@ tl::expected<MissionFiles, core::Violations> write_mission_set(const planning::P
   core::Violations found = violations_of(plan, options);
   std::ranges::move(violations_below_ice(plan, options), std::back_inserter(found));
   std::ranges::move(violations_of_yo(plan, options), std::back_inserter(found));
-  GotoListOptions of_lists = options.lists;
+  GotoListOptions of_lists = list_options(options);
   of_lists.thruster_in_yo = thruster_of_yo(plan, options.vehicle).has_value();
   auto lists = write_goto_lists(plan, of_lists);
   if (!lists) std::ranges::copy(lists.error(), std::back_inserter(found));

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/motion/waypoint_heading.hpp"
 #include "engine/vehicle/dive_band.hpp"
 
 namespace floeplan::simulation {
@@ -266,12 +267,10 @@ ActuatorTargets MissionPilot::targets(const Known& known, const avoidance::Guida
     return targets;
   }
   const Vector goal = this->goal();
-  const double east_m = goal.east - known.place.east;
-  const double north_m = goal.north - known.place.north;
-  const double gap_m = std::hypot(east_m, north_m);
-  if (gap_m == 0.0) return targets;
-  targets.heading_rad = std::atan2(known.speed_m_s * east_m / gap_m - known.current.east,
-                                   known.speed_m_s * north_m / gap_m - known.current.north);
+  const auto heading_rad =
+      motion::waypoint_heading(goal.east - known.place.east, goal.north - known.place.north, known.speed_m_s,
+                               known.current.east, known.current.north);
+  targets.heading_rad = heading_rad.value_or(targets.heading_rad);
   return targets;
 }
 

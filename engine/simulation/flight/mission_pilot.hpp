@@ -21,8 +21,7 @@ namespace floeplan::simulation {
 ///          looks for a lead for half an hour and then goes back to where it last was at the surface
 /// Lists    at the end of a list the vehicle comes up, by the surfacing for it or by an abort for want of a heading;
 ///          there the pilot sends the next one, where there is one, and the mission begins anew
-/// Aim      along the course to the waypoint at the vehicle's speed less the current it reckons with: so steers comet
-///          in its log of 21 August 2019, also where no heading would hold the course
+/// Aim      motion::waypoint_heading
 class MissionPilot {
  public:
   enum class Phase { at_surface, diving, climbing, surfacing, done };

@@ -202,6 +202,7 @@ class Reader {
                                             arguments.known("initial_wpt"), list.waypoints.size());
     if (!flown) return refuse("/files/" + arguments.where() + "/" + flown.error().field, flown.error().rule);
     list.rows = *flown;
+    list.hold = mission::hold_order(rows);
     orders_.lists.push_back(std::move(list));
   }
 

@@ -11,6 +11,7 @@
 #include "engine/geo/lon_lat.hpp"
 #include "engine/mission/document/document.hpp"
 #include "engine/mission/document/flown_rows.hpp"
+#include "engine/mission/document/hold_order.hpp"
 #include "engine/vehicle/glider_profile.hpp"
 
 namespace floeplan::simulation {
@@ -21,6 +22,7 @@ struct GotoOrders {
   core::Metres radius{10.0};                           // in which a waypoint counts as reached
   mission::ListOrders rows{.legs = -2, .initial = 0};  // which of them are flown
   bool next_on_board{};                                // the next list follows without a time at the surface
+  std::optional<mission::HoldOrder> hold{};            // of a list that keeps the vehicle at a place
 };
 
 /// Half of a yo: what the vehicle does to get to its next turn.

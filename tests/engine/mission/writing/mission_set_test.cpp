@@ -8,6 +8,7 @@
 #include "engine/messages/sentence.hpp"
 #include "engine/mission/document/document_text.hpp"
 #include "engine/mission/reading/read_document.hpp"
+#include "engine/mission/writing/flight_files.hpp"
 #include "tests/engine/mission/random_plan.hpp"
 
 namespace floeplan::mission::mission_set_test {
@@ -500,14 +501,18 @@ TEST(MissionSet, ExpectsIcebergsAsDeepAsWhatThePlanPassesBelow) {
               ElementsAre(Field(&core::Violation::field, "/iceberg_depth_m")));
 }
 
-TEST(MissionSet, SaysWhereAPlanWaits) {
+TEST(MissionSet, TimesItsHoldsByTheVehicleAndItsSurfacings) {
   planning::Plan plan = two_legs();
-  plan.waypoints[1].wait = core::Seconds{5400.0};
+  plan.waypoints[1].wait = core::Seconds{3.0 * 3600.0};
+  MissionSetOptions options = options_for("slocum-g3-200");
 
-  const auto set = write_mission_set(plan, options_for("slocum-g3-200"));
+  const auto set = write_mission_set(plan, options);
 
   ASSERT_TRUE(set.has_value());
-  EXPECT_THAT(messages::sentences(set->messages), Contains(HasSubstr("holds for 1.5 h at waypoint 1")));
+  EXPECT_THAT(set->files, Contains(Field(&MissionFile::name, "goto_l12.ma")));
+  const auto lists = write_goto_lists(plan, list_options(options));
+  ASSERT_TRUE(lists.has_value());
+  for (const MissionFile& list : lists->files) EXPECT_THAT(set->files, Contains(list));
 }
 
 TEST(MissionSet, RefusesEveryBadOptionAtOnce) {
