@@ -20,8 +20,8 @@ inline constexpr auto ingest_area_kinds = std::to_array<Kind>({
              "or ice shelf) or --kind ice (sea ice), or put each into a file of its own"},
     {.code = "points-and-polygons",
      .rank = Rank::caution,
-     .text = "the file holds neither only points (icebergs) nor only polygons (zones, land, ice), so what "
-             "it means is not known",
+     .text = "the file holds neither only points (icebergs) nor only polygons (zones, land, ice). It is not "
+             "known what it means",
      .hint = "Put each kind into a file of its own"},
     {.code = "zone-kind-unknown",
      .rank = Rank::caution,
@@ -72,7 +72,7 @@ inline constexpr auto ingest_area_kinds = std::to_array<Kind>({
      .slots = {{{"stated", "\"bottom_m\" is \"-5\""}}}},
     {.code = "zone-ends-above-its-top",
      .rank = Rank::caution,
-     .text = "ends above {top} m, where it begins: depths count downwards",
+     .text = "ends above {top} m, where it begins. Depths count downwards",
      .slots = {{{"top", "100"}}}},
     {.code = "zone-time-unreadable",
      .rank = Rank::caution,
@@ -157,8 +157,8 @@ inline constexpr auto ingest_area_kinds = std::to_array<Kind>({
      .slots = {{{"geometry", "Line String"}}}},
     {.code = "outline-round-the-earth",
      .rank = Rank::caution,
-     .text = "an outline leads round the Earth on both sides of the equator, so which side is inside is not "
-             "known"},
+     .text = "an outline leads round the Earth on both sides of the equator. It is not known which side is "
+             "inside"},
     // Coastlines.
     {.code = "land-unusable",
      .rank = Rank::caution,

@@ -175,20 +175,21 @@ inline constexpr auto ingest_current_kinds = std::to_array<Kind>({
      .slots = {{{"what", "the currents point"}, {"turn", "28.4"}}}},
     {.code = "mesh-has-no-axes",
      .rank = Rank::caution,
-     .text = "\"{first}\" and \"{second}\" are called components along a grid, but a mesh has no axes, so "
-             "which way they point is not known",
+     .text = "\"{first}\" and \"{second}\" are called components along a grid, but a mesh has no axes. It is "
+             "not known which way they point",
      .hint = "Ask the producer",
      .slots = {{{"first", "u"}, {"second", "v"}}}},
     {.code = "mesh-components-apart",
      .rank = Rank::caution,
-     .text = "\"{first}\" and \"{second}\" do not both lie on the nodes or both in the faces of the mesh: "
-             "they cannot be put together",
+     .text =
+         "\"{first}\" and \"{second}\" lie at different places of the mesh, one on the nodes and one in the "
+         "faces: they cannot be combined",
      .hint = "Ask the producer",
      .slots = {{{"first", "u"}, {"second", "v"}}}},
     {.code = "staggered-plain-axes",
      .rank = Rank::caution,
      .text = "the components \"{first}\" and \"{second}\" lie on different points of a staggered grid with "
-             "plain axes, so which is beside which is not known",
+             "plain axes. It is not known which is beside which",
      .hint = "Interpolate both to the same points first",
      .slots = {{{"first", "uo"}, {"second", "vo"}}}},
     {.code = "along-bent-axes",
@@ -222,8 +223,8 @@ inline constexpr auto ingest_current_kinds = std::to_array<Kind>({
      .hint = "Give one grid a file"},
     {.code = "grib-component-twice",
      .rank = Rank::caution,
-     .text = "the GRIB file holds a component of the {what} twice for one time and place, so which of them "
-             "holds is not known",
+     .text = "the GRIB file holds a component of the {what} twice for one time and place. It is not known "
+             "which of them holds",
      .hint = "Remove one of them",
      .slots = {{{"what", "current"}}}},
     {.code = "grib-depths-impossible",
@@ -253,8 +254,8 @@ inline constexpr auto ingest_current_kinds = std::to_array<Kind>({
      .slots = {{{"how", "its fields are not counted alike by two readers"}}}},
     {.code = "grib-layers-overlap",
      .rank = Rank::caution,
-     .text = "the currents in the GRIB file are means over layers that overlap ({layers}), so which of them "
-             "holds at a depth is not known",
+     .text = "the currents in the GRIB file are means over layers that overlap ({layers}). It is not known "
+             "which of them holds at a depth",
      .hint = "Give a file with one set of layers",
      .slots = {{{"layers", "0 to 10 m and 5 to 20 m"}}}},
     {.code = "grib-layers",
@@ -297,7 +298,7 @@ inline constexpr auto ingest_current_kinds = std::to_array<Kind>({
     {.code = "s-depth-from-the-bed",
      .rank = Rank::caution,
      .text = "the depth of the currents in the S-111 file does not count from the surface or a datum of "
-             "charts, so where in the water they are is not known",
+             "charts. It is not known where in the water they are",
      .hint = "Ask its producer for currents below the surface"},
     {.code = "s-speed-unit-unknown",
      .rank = Rank::caution,
@@ -339,7 +340,7 @@ inline constexpr auto ingest_current_kinds = std::to_array<Kind>({
     {.code = "current-above-the-surface",
      .rank = Rank::caution,
      .text = "the levels of \"{first}\" and \"{second}\" lie above the surface of the sea (heights of up to "
-             "{height} m), so where in the water these currents run is not known",
+             "{height} m). It is not known where in the water these currents run",
      .hint = "Ask for depths below the surface",
      .slots = {{{"first", "uo"}, {"second", "vo"}, {"height", "10"}}}},
     // Wind.
@@ -439,8 +440,8 @@ inline constexpr auto ingest_current_kinds = std::to_array<Kind>({
      .slots = {{{"held", "\"u10_std\" holds a standard deviation"}}}},
     {.code = "same-component-twice",
      .rank = Rank::caution,
-     .text = "\"{first}\" and \"{second}\" both say that they are the {component} component, so which of "
-             "them is the other one is not known. A wrong guess would turn the drift",
+     .text = "\"{first}\" and \"{second}\" both say that they are the {component} component. It is not known "
+             "which of them is the other one. A wrong guess would turn the drift",
      .hint = "Correct the attributes of the one that is wrong",
      .slots = {{{"first", "u"}, {"second", "v"}, {"component", "eastward"}}}},
     {.code = "components-described-differently",
@@ -453,7 +454,7 @@ inline constexpr auto ingest_current_kinds = std::to_array<Kind>({
     {.code = "components-do-not-belong",
      .rank = Rank::caution,
      .text = "the components {variables} do not belong together by their names, and the file holds no "
-             "others. A pair of two models or times is no current",
+             "others. Components of two models or times are no current",
      .hint = "Name both with --variable, with a comma between, if they are one pair all the same",
      .slots = {{{"variables", "\"u1\" and \"v2\""}}}},
     {.code = "component-missing",
@@ -474,7 +475,7 @@ inline constexpr auto ingest_current_kinds = std::to_array<Kind>({
      .hint = "Give a file with, for example, the variables u10 and v10"},
     {.code = "several-pairs",
      .rank = Rank::caution,
-     .text = "the file holds several pairs of components, {pairs}, and which of them is meant is not known",
+     .text = "the file holds several pairs of components, {pairs}. It is not known which of them is meant",
      .hint = "{advice}",
      .slots = {{{"pairs", "\"u1\" and \"v1\", or \"u2\" and \"v2\""},
                 {"advice", "Name one component with --variable, for example --variable u1"}}}},

@@ -175,8 +175,8 @@ inline constexpr auto ingest_depth_kinds = std::to_array<Kind>({
     // S-102.
     {.code = "depths-of-several-records",
      .rank = Rank::caution,
-     .text = "the S-102 file holds {records} records of depths for one area, so which of them counts is not "
-             "known",
+     .text = "the S-102 file holds {records} records of depths for one area. It is not known which of them "
+             "counts",
      .hint = "Ask its producer",
      .slots = {{{"records", 2}}}},
     // Charts of S-57.

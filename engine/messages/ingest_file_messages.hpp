@@ -111,7 +111,7 @@ inline constexpr auto ingest_file_kinds = std::to_array<Kind>({
      .slots = {{{"reason", "truncated ZIP file data"}}}},
     {.code = "archive-name-twice",
      .rank = Rank::caution,
-     .text = "the archive holds the name {name} twice, so which of them counts is not known",
+     .text = "the archive holds the name {name} twice. It is not known which of them counts",
      .hint = "Unpack it and give the right file",
      .slots = {{{"name", "ice.shp"}}}},
     {.code = "archive-with-gaps",
@@ -253,8 +253,8 @@ inline constexpr auto ingest_file_kinds = std::to_array<Kind>({
      .slots = {{{"product", "INT.IHO.S-104.1.0"}}}},
     {.code = "thickness-without-concentration",
      .rank = Rank::caution,
-     .text = "the file holds a thickness of sea ice but no concentration, so how much of the sea is covered "
-             "is not known",
+     .text = "the file holds a thickness of sea ice but no concentration. It is not known how much of the "
+             "sea is covered",
      .hint = "Put the concentration of the same grid and time into the same file, as siconc, for example "
              "with ncks -A"},
     {.code = "called-as-currents",
@@ -287,7 +287,7 @@ inline constexpr auto ingest_file_kinds = std::to_array<Kind>({
      .slots = {{{"groups", "/model (currents)"}, {"first", "/model"}}}},
     {.code = "several-groups",
      .rank = Rank::caution,
-     .text = "the file holds data in several groups: {groups}; which of them is meant is not known",
+     .text = "the file holds data in several groups: {groups}. It is not known which of them is meant",
      .hint = "Take one out, for example with ncks -G : -g {first} IN.nc OUT.nc",
      .slots = {{{"groups", "/a (currents) and /b (currents)"}, {"first", "/a"}}}},
     {.code = "data-in-group",

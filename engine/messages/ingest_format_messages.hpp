@@ -15,7 +15,8 @@ inline constexpr auto ingest_format_kinds = std::to_array<Kind>({
      .slots = {{{"part", "/SurfaceCurrent"}}}},
     {.code = "hdf-leads-elsewhere",
      .rank = Rank::caution,
-     .text = "\"{part}\" {reason}. It would be read unseen, and what is missing would count as no data",
+     .text = "\"{part}\" {reason}. That file would be read unchecked, and if it is missing its values would "
+             "count as no data",
      .hint = "Copy everything into one file, for example with nccopy, and give that",
      .slots = {{{"part", "uo"}, {"reason", "has its values in another file"}}}},
     {.code = "hdf-hides-something",
@@ -26,8 +27,8 @@ inline constexpr auto ingest_format_kinds = std::to_array<Kind>({
     // NetCDF: means and axes.
     {.code = "means-out-of-order",
      .rank = Rank::caution,
-     .text = "the intervals \"{bounds}\" of the means are not in the order of their times (\"{axis}\"), so "
-             "when the means hold is not known",
+     .text = "the intervals \"{bounds}\" of the means are not in the order of their times (\"{axis}\"). It "
+             "is not known when the means hold",
      .hint = "Ask the producer",
      .slots = {{{"bounds", "time_bnds"}, {"axis", "time"}}}},
     {.code = "means-placed-in-the-middle",
@@ -43,7 +44,7 @@ inline constexpr auto ingest_format_kinds = std::to_array<Kind>({
     {.code = "axis-empty",
      .rank = Rank::caution,
      .text = "{axis} is empty: the file holds no data",
-     .hint = "Ask for another",
+     .hint = "Ask for another file",
      .slots = {{{"axis", "the coordinate \"lon\""}}}},
     {.code = "axis-with-gaps",
      .rank = Rank::caution,
@@ -69,7 +70,7 @@ inline constexpr auto ingest_format_kinds = std::to_array<Kind>({
      .slots = {{{"axis", "y"}, {"range", "0 to 900000"}}}},
     {.code = "times-twice",
      .rank = Rank::caution,
-     .text = "two steps of the time axis \"{axis}\" have the same time, so which of them holds is not known",
+     .text = "two steps of the time axis \"{axis}\" have the same time. It is not known which of them holds",
      .hint = "Remove one of them",
      .slots = {{{"axis", "time"}}}},
     {.code = "depth-axis-without-length",
@@ -84,7 +85,8 @@ inline constexpr auto ingest_format_kinds = std::to_array<Kind>({
      .slots = {{{"what", "depth axis"}, {"axis", "depth"}}}},
     {.code = "depths-impossible",
      .rank = Rank::caution,
-     .text = "the depth axis \"{axis}\" runs from {range}, as no ocean does: its unit or direction is wrong",
+     .text =
+         "the depth axis \"{axis}\" runs from {range}, deeper than any ocean: its unit or direction is wrong",
      .hint = "Ask the producer",
      .slots = {{{"axis", "depth"}, {"range", "0 to 900000 m"}}}},
     {.code = "times-without-units",
@@ -113,14 +115,14 @@ inline constexpr auto ingest_format_kinds = std::to_array<Kind>({
      .slots = {{{"axis", "x"}, {"unit", "degree"}}}},
     {.code = "levels-above-the-bed",
      .rank = Rank::caution,
-     .text = "the levels of \"{variable}\" (\"{axis}\") are heights above the sea bed, so how deep below "
-             "the surface they lie is not known",
+     .text = "the levels of \"{variable}\" (\"{axis}\") are heights above the sea bed. It is not known how "
+             "deep below the surface they lie",
      .hint = "Ask for depths below the surface",
      .slots = {{{"variable", "uo"}, {"axis", "height"}}}},
     {.code = "levels-without-depths",
      .rank = Rank::caution,
-     .text = "the levels of \"{variable}\" (\"{axis}\") are {what}, so how deep in the sea or how high "
-             "above it they lie is not known",
+     .text = "the levels of \"{variable}\" (\"{axis}\") are {what}. It is not known how deep in the sea or "
+             "how high above it they lie",
      .hint = "Ask for levels in metres",
      .slots = {{{"variable", "uo"}, {"axis", "lev"}, {"what", "numbers of the model's levels"}}}},
     // NetCDF: grids.
@@ -171,7 +173,7 @@ inline constexpr auto ingest_format_kinds = std::to_array<Kind>({
     {.code = "dimension-empty",
      .rank = Rank::caution,
      .text = "the dimension \"{dimension}\" is empty: the file holds no data",
-     .hint = "Ask for another",
+     .hint = "Ask for another file",
      .slots = {{{"dimension", "time"}}}},
     {.code = "dimension-too-long",
      .rank = Rank::caution,
@@ -233,7 +235,7 @@ inline constexpr auto ingest_format_kinds = std::to_array<Kind>({
      .slots = {{{"variable", "uo"}, {"reason", "NetCDF: HDF error"}}}},
     {.code = "coordinate-too-long",
      .rank = Rank::caution,
-     .text = "the variable \"{variable}\" has {size} values along \"{dimension}\", as no coordinate has: "
+     .text = "the variable \"{variable}\" has {size} values along \"{dimension}\", more than any coordinate: "
              "the file is damaged",
      .hint = "Copy or download it again",
      .slots = {{{"variable", "lon"}, {"size", 90000000}, {"dimension", "x"}}}},
@@ -530,7 +532,7 @@ inline constexpr auto ingest_format_kinds = std::to_array<Kind>({
     {.code = "grid-mirrored",
      .rank = Rank::caution,
      .text = "the grid of the currents is mirrored or badly bent: its second axis does not lie to the left "
-             "of its first, so to which side its components point is not known",
+             "of its first. It is not known to which side its components point",
      .hint = "Ask the producer for the model's own output"},
     {.code = "grid-angle-contradicts",
      .rank = Rank::caution,
@@ -576,14 +578,14 @@ inline constexpr auto ingest_format_kinds = std::to_array<Kind>({
      .text = "the file does not give the surface of the sea; its levels were placed below the mean surface"},
     {.code = "surface-impossible",
      .rank = Rank::caution,
-     .text = "the surface of the sea in \"{variable}\" rises to {height} m, as no tide does: its unit is "
+     .text = "the surface of the sea in \"{variable}\" rises to {height} m, more than any tide: its unit is "
              "wrong or the file is damaged",
      .hint = "Ask the producer",
      .slots = {{{"variable", "zeta"}, {"height", "99"}}}},
     {.code = "bed-impossible",
      .rank = Rank::caution,
-     .text = "the sea in \"{variable}\" is {depth} m deep, as no ocean is: its unit is wrong or the file is "
-             "damaged",
+     .text = "the sea in \"{variable}\" is {depth} m deep, deeper than any ocean: its unit is wrong or the "
+             "file is damaged",
      .hint = "Ask the producer",
      .slots = {{{"variable", "h"}, {"depth", "99999"}}}},
     {.code = "mesh-of-many-corners",
@@ -725,7 +727,7 @@ inline constexpr auto ingest_format_kinds = std::to_array<Kind>({
      .hint = "Convert it first, for example with wgrib2 -new_grid or cdo remapbil"},
     {.code = "grib-mercator-turned",
      .rank = Rank::caution,
-     .text = "the Mercator grid of the GRIB file is turned against north",
+     .text = "the Mercator grid of the GRIB file is rotated against north",
      .hint = "Convert it first, for example with wgrib2 -new_grid or cdo remapbil"},
     {.code = "grib-mercator-ends-elsewhere",
      .rank = Rank::caution,

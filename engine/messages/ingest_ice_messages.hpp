@@ -24,7 +24,7 @@ inline constexpr auto ingest_ice_kinds = std::to_array<Kind>({
     {.code = "ice-not-a-polygon", .rank = Rank::caution, .text = "it is no polygon", .hint = "Leave it out"},
     {.code = "ice-codes-mixed",
      .rank = Rank::caution,
-     .text = "some polygons have the codes of SIGRID-3 and some have none, so what these mean is not known",
+     .text = "some polygons have the codes of SIGRID-3 and some have none. It is not known what these mean",
      .hint = "Put them into a file of their own"},
     {.code = "chart-of-land-only",
      .rank = Rank::caution,
@@ -145,8 +145,8 @@ inline constexpr auto ingest_ice_kinds = std::to_array<Kind>({
      .slots = {{{"variable", "sithick"}}}},
     {.code = "thickness-off-scale",
      .rank = Rank::caution,
-     .text = "the thickness \"{variable}\" runs from {range} {unit}, as no sea ice does. The unit is wrong, "
-             "or missing values are not declared",
+     .text = "the thickness \"{variable}\" runs from {range} {unit}, thicker than any sea ice. The unit is "
+             "wrong, or missing values are not declared",
      .hint = "Ask the producer, or name their marker with --missing",
      .slots = {{{"variable", "sithick"}, {"range", "0 to 9999"}, {"unit", "m"}}}},
     {.code = "ice-variable-not-found",

@@ -126,7 +126,7 @@ inline constexpr auto ingest_iceberg_kinds = std::to_array<Kind>({
      .slots = {{{"column", "id"}}}},
     {.code = "iceberg-without-name", .rank = Rank::caution, .text = "it has no name"},
     {.code = "iceberg-not-an-object", .rank = Rank::caution, .text = "it is not a JSON object"},
-    {.code = "beacon-missing", .rank = Rank::caution, .text = "it has no beacon"},
+    {.code = "beacon-missing", .rank = Rank::caution, .text = "it names no beacon"},
     {.code = "iceberg-day-unusable",
      .rank = Rank::caution,
      .text = "\"{text}\" is not a date {form}",

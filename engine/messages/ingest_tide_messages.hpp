@@ -21,7 +21,7 @@ inline constexpr auto ingest_tide_kinds = std::to_array<Kind>({
      .slots = {{{"variable", "hRe"}}}},
     {.code = "tide-dimension-too-long",
      .rank = Rank::caution,
-     .text = "the dimension \"{dimension}\" has {size} values, as no tide model has: the file is damaged",
+     .text = "the dimension \"{dimension}\" has {size} values, more than any tide model: the file is damaged",
      .hint = "Download it again",
      .slots = {{{"dimension", "nx"}, {"size", 90000000}}}},
     {.code = "tide-too-large",
@@ -114,7 +114,7 @@ inline constexpr auto ingest_tide_kinds = std::to_array<Kind>({
     // Stations.
     {.code = "station-list-too-long",
      .rank = Rank::caution,
-     .text = "the list of harmonic constants is longer than 50 MB, as no station needs",
+     .text = "the list of harmonic constants is longer than 50 MB, more than any station needs",
      .hint = "Give another file"},
     {.code = "amplitude-impossible",
      .rank = Rank::caution,

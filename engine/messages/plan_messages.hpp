@@ -282,15 +282,15 @@ inline constexpr auto plan_kinds = std::to_array<Kind>({
     // How the way was looked for.
     {.code = "search-cut-short",
      .rank = Rank::note,
-     .text = "the search reached its memory limit: a better route may exist"},
+     .text = "the search reached the limit of its work: a better route may exist"},
     {.code = "search-cut-short-near-the-best",
      .rank = Rank::note,
-     .text = "the search reached its memory limit: a better route may exist, faster by at most "
+     .text = "the search reached the limit of its work: a better route may exist, faster by at most "
              "{gain_min:.0f} min ({gain_pct:.1f} %) before refinement",
      .slots = {{{"gain_min", 4.0}, {"gain_pct", 0.3}}}},
     {.code = "cost-search-cut-short",
      .rank = Rank::note,
-     .text = "the search reached its memory limit: a plan of lower cost may exist"},
+     .text = "the search reached the limit of its work: a plan of lower cost may exist"},
     {.code = "refinement-out-of-time",
      .rank = Rank::note,
      .text = "refinement reached its time limit",
