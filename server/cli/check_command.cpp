@@ -9,6 +9,7 @@
 #include "engine/mission/document/file_text.hpp"
 #include "engine/mission/reading/read_document.hpp"
 #include "server/cli/output/plan_output.hpp"
+#include "server/cli/output/violation_output.hpp"
 #include "server/cli/program/command.hpp"
 #include "server/cli/program/flag_values.hpp"
 #include "server/cli/program/input_flags.hpp"
@@ -76,7 +77,8 @@ tl::expected<std::vector<mission::Document>, core::Violations> judged(const Chec
   if (flags.from) {
     start = parse_place(*flags.from);
     if (!start)
-      throw CLI::ValidationError{"--from", *flags.from + " is not LON,LAT in degrees; as --from=-53.2,69.2"};
+      throw CLI::ValidationError{"--from",
+                                 *flags.from + " is not LON,LAT in degrees; write it as --from=-53.2,69.2"};
   }
   auto db = repository::open_store(program.store);
   const core::Violations faults = routes::check_flight(db, inputs, start, documents);
@@ -86,7 +88,8 @@ tl::expected<std::vector<mission::Document>, core::Violations> judged(const Chec
 
 int run_check(const CheckFlags& flags, const Program& program) {
   const auto documents = judged(flags, program);
-  if (!documents) return print_violations(documents.error(), flags.json_out, fields::Process::evaluate_route);
+  if (!documents)
+    return print_violations(documents.error(), flags.json_out, flags_of(fields::Process::evaluate_route));
   bool rejected = false;
   json answers = json::array();
   for (std::size_t i = 0; i < documents->size(); ++i) {

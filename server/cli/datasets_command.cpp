@@ -34,6 +34,8 @@ int list_datasets(const DatasetsFlags& flags, const Program& program) {
     std::cout << json{{"datasets", documents}}.dump(2) << '\n';
     return done;
   }
+  if (!datasets.empty())
+    std::cout << std::left << std::setw(22) << "id" << " west,south,east,north  period  name\n";
   for (const auto& dataset : datasets) {
     std::cout << std::left << std::setw(22) << dataset.id.value << ' ' << std::fixed << std::setprecision(2)
               << dataset.bounds.west_deg << ',' << dataset.bounds.south_deg << ',' << dataset.bounds.east_deg

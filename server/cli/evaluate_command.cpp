@@ -4,6 +4,7 @@
 #include "api/codec/inputs/plan_inputs.hpp"
 #include "api/fields/process_fields.hpp"
 #include "server/cli/output/plan_output.hpp"
+#include "server/cli/output/violation_output.hpp"
 #include "server/cli/program/command.hpp"
 #include "server/cli/program/input_flags.hpp"
 #include "server/jobs/plan_service.hpp"
@@ -27,13 +28,14 @@ int run_evaluate(const std::string& route, const InputFlags& flags, PlanOutput o
     inputs["plan_id"] = route;
   }
   const auto parsed = codec::parse_evaluate_inputs(inputs);
-  if (!parsed) return print_violations(parsed.error(), json_out, fields::Process::evaluate_route);
+  if (!parsed) return print_violations(parsed.error(), json_out, flags_of(fields::Process::evaluate_route));
 
   auto db = open_existing_store(program);
   if (parsed->plan_id && !repository::PlanRepository{db}.find({*parsed->plan_id}))
     return complain_of_no_plan(*parsed->plan_id);
   const auto document = jobs::evaluate_route_document(db, *parsed, {});
-  if (!document) return print_violations(document.error(), json_out, fields::Process::evaluate_route);
+  if (!document)
+    return print_violations(document.error(), json_out, flags_of(fields::Process::evaluate_route));
   return print_plan(*document, output);
 }
 

@@ -11,6 +11,7 @@
 #include "engine/messages/sentence.hpp"
 #include "server/cli/output/file_set.hpp"
 #include "server/cli/output/plan_output.hpp"
+#include "server/cli/output/violation_output.hpp"
 #include "server/cli/program/command.hpp"
 #include "server/cli/program/flag_values.hpp"
 #include "storage/json/json.hpp"
@@ -61,7 +62,8 @@ routes::MissionRequest mission_request(const ExportFlags& flags) {
   for (const std::string& text : flags.safe) {
     const auto place = parse_place(text);
     if (!place)
-      throw CLI::ValidationError{"--safe", text + " is not LON,LAT in degrees; as --safe=-53.2,69.2"};
+      throw CLI::ValidationError{"--safe",
+                                 text + " is not LON,LAT in degrees; write it as --safe=-53.2,69.2"};
     request.under_ice->safe_places.push_back(*place);
   }
   if (flags.iceberg_depth_m)
@@ -149,8 +151,7 @@ int run_export(const ExportFlags& flags, const Program& program) {
     std::cout << document.dump(2) << '\n';
   }
   for (const messages::Message& message : told)
-    std::cerr << (messages::is_grave(message) ? "danger: " : "warning: ") << messages::whole_text(message)
-              << '\n';
+    std::cerr << messages::rank_name(message.rank) << ": " << messages::whole_text(message) << '\n';
   return done;
 }
 

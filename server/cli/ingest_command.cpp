@@ -43,7 +43,7 @@ void print_report(const ingest::IngestReport& report) {
   }
   std::cout << '\n';
   for (const messages::Message& warning : report.warnings)
-    std::cout << "  warning: " << messages::sentence(warning) << '\n';
+    std::cout << "  " << messages::rank_name(warning.rank) << ": " << messages::sentence(warning) << '\n';
   std::cout.flush();
   complain_of(report);
 }
@@ -62,7 +62,8 @@ int run_ingest(const IngestFlags& flags, const Program& program) {
   if (flags.at) {
     options.at = parse_place(*flags.at);
     if (!options.at || !geo::is_valid(*options.at))
-      return complain(wrong_usage, "--at " + *flags.at + " is not LON,LAT in degrees; as --at=-53.2,69.2");
+      return complain(wrong_usage,
+                      "--at " + *flags.at + " is not LON,LAT in degrees; write it as --at=-53.2,69.2");
   }
   if (flags.kind != "auto") options.kind = repository::parse_kind(flags.kind);
 

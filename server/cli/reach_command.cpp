@@ -5,6 +5,7 @@
 #include "api/codec/inputs/reach_inputs.hpp"
 #include "api/fields/process_fields.hpp"
 #include "server/cli/output/plan_output.hpp"
+#include "server/cli/output/violation_output.hpp"
 #include "server/cli/program/command.hpp"
 #include "server/cli/program/input_flags.hpp"
 #include "server/jobs/reach_service.hpp"
@@ -25,16 +26,16 @@ void print_reach_table(const json& document) {
                 feature.at("geometry").at("coordinates").size());
   }
   std::printf("--json gives the polygons as GeoJSON\n");
-  print_by_rank(document.at("warnings"));
+  print_messages(document);
 }
 
 int run_reach(const InputFlags& flags, bool json_out, const Program& program) {
   const auto inputs = codec::parse_reach_inputs(flags.inputs());
-  if (!inputs) return print_violations(inputs.error(), json_out, fields::Process::reach);
+  if (!inputs) return print_violations(inputs.error(), json_out, flags_of(fields::Process::reach));
 
   auto db = open_existing_store(program);
   const auto document = jobs::reach_document(db, *inputs, {}, terminal_progress());
-  if (!document) return print_violations(document.error(), json_out, fields::Process::reach);
+  if (!document) return print_violations(document.error(), json_out, flags_of(fields::Process::reach));
   if (document->at("status") != "ok")
     return print_plan(*document, json_out ? PlanOutput::json : PlanOutput::summary);
   if (json_out) {

@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "api/routes/plans/plan_check.hpp"
+#include "engine/messages/sentence.hpp"
 #include "server/cli/plan_commands.hpp"
 #include "storage/json/json.hpp"
 
@@ -15,16 +16,14 @@ struct RecheckFlags {
   bool json_out{false};
 };
 
-void print_lines(const json& document) {
+void print_lines(const json& document, const routes::PlanCheck& check) {
   if (!document.at("stale")) std::cout << "The plan's data are those of today.\n";
   for (const json& dataset : document.at("changed_data"))
     std::cout << dataset.at("change").get<std::string>() << "  " << dataset.at("kind").get<std::string>()
               << "  " << dataset.at("name").get<std::string>() << " (" << dataset.at("id").get<std::string>()
               << ")\n";
-  for (const json& danger : document.at("dangers"))
-    std::cout << "danger: " << danger.get<std::string>() << '\n';
-  for (const json& warning : document.at("warnings"))
-    std::cout << "warning: " << warning.get<std::string>() << '\n';
+  for (const messages::Message& message : messages::by_rank(routes::all_of(check)))
+    std::cout << messages::rank_name(message.rank) << ": " << messages::whole_text(message) << '\n';
 }
 
 int run_recheck(const RecheckFlags& flags, const Program& program) {
@@ -36,7 +35,7 @@ int run_recheck(const RecheckFlags& flags, const Program& program) {
   if (flags.json_out) {
     std::cout << document.dump(2) << '\n';
   } else {
-    print_lines(document);
+    print_lines(document, check);
   }
   return check.dangers.empty() ? done : could_not;
 }

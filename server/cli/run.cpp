@@ -12,7 +12,7 @@
 #include "server/cli/serving/serve.hpp"
 #include "server/manual/help_format.hpp"
 #include "server/manual/manual_commands.hpp"
-#include "server/manual/near_words.hpp"
+#include "server/manual/usage_fault.hpp"
 
 namespace floeplan::cli {
 namespace {
@@ -102,8 +102,7 @@ int run(int argc, char** argv, const std::string& version) {
   } catch (const CLI::CallForVersion& call) {
     return app.exit(call);
   } catch (const CLI::ParseError& error) {
-    const std::string other = std::string{error.what()} + "; floeplan --help lists commands and flags";
-    return complain(wrong_usage, manual::unknown_word(app).value_or(other));
+    return complain(wrong_usage, manual::usage_fault(app, error));
   } catch (const BadDataError& error) {
     return complain(bad_data, error.what());
   } catch (const std::exception& error) {

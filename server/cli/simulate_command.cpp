@@ -13,6 +13,7 @@
 #include "api/routes/plans/simulation_exports.hpp"
 #include "server/cli/output/file_set.hpp"
 #include "server/cli/output/plan_output.hpp"
+#include "server/cli/output/violation_output.hpp"
 #include "server/cli/program/command.hpp"
 #include "server/cli/program/input_flags.hpp"
 #include "server/cli/program/interruption.hpp"
@@ -49,6 +50,21 @@ struct SimulateFlags {
   bool force{false};
   bool json_out{false};
 };
+
+const std::vector<InputFlag> input_flags{{"/plan_id", "PLAN"},
+                                         {"/runs", "--runs"},
+                                         {"/seed", "--seed"},
+                                         {"/tracks", "--tracks"},
+                                         {"/vehicle", "--vehicle"},
+                                         {"/record_every_s", "--record-every"},
+                                         {"/currents", "--currents"},
+                                         {"/bathymetry", "--bathymetry"},
+                                         {"/ice", "--ice"},
+                                         {"/icebergs", "--icebergs"},
+                                         {"/name", "--name"},
+                                         {"/avoidance", "--no-avoidance"},
+                                         {"/current_error/rms_m_s", "--current-error"},
+                                         {"/mission_files", "--mission"}};
 
 template <class Value>
 void set(json& inputs, const char* key, const std::optional<Value>& value) {
@@ -136,7 +152,7 @@ void print_simulate_table(const json& document) {
   print_statistics(document);
   print_not_there(document.at("flights"));
   std::printf("planned travel time %.2f h\n", document.at("planned_travel_time_s").get<double>() / 3600.0);
-  print_by_rank(document.at("warnings"));
+  print_messages(document);
 }
 
 /// Simulated time of all runs over the time that they took.
@@ -168,7 +184,7 @@ int complain_of_interruption() {
 
 int run_simulate(const SimulateFlags& flags, const Program& program) {
   const auto inputs = codec::parse_simulate_inputs(inputs_of(flags));
-  if (!inputs) return print_violations(inputs.error(), flags.json_out);
+  if (!inputs) return print_violations(inputs.error(), flags.json_out, input_flags);
   if (flags.out && inputs->tracks == 0)
     return complain(wrong_usage, "--out writes the flights that are kept, of which --tracks 0 leaves none");
 
@@ -178,7 +194,7 @@ int run_simulate(const SimulateFlags& flags, const Program& program) {
   const Interruption interruption;
   auto document = jobs::simulate_plan_document(db, *inputs, flags.workers, interruption.token(),
                                                terminal_progress(), now());
-  if (!document) return print_violations(document.error(), flags.json_out);
+  if (!document) return print_violations(document.error(), flags.json_out, input_flags);
   if (was_interrupted(*document)) return complain_of_interruption();
   (*document)["real_time_factor"] = real_time_factor(*document, begin);
   if (flags.json_out) {

@@ -76,6 +76,12 @@ std::string help_of(const CLI::Option& option) {
   return option.get_default_str().empty() ? help : help + "; default " + option.get_default_str();
 }
 
+const CLI::App& last_command(const CLI::App& app) {
+  const CLI::App* last = &app;
+  while (!last->get_subcommands().empty()) last = last->get_subcommands().back();
+  return *last;
+}
+
 std::string path_of(const CLI::App& command) {
   const CLI::App* parent = command.get_parent();
   if (parent == nullptr) return "";

@@ -32,6 +32,9 @@ struct Command {
 /// What a flag or an argument is for, with its range and what counts where it is left out.
 [[nodiscard]] std::string help_of(const CLI::Option& option);
 
+/// The command that the words of a command line have led to.
+[[nodiscard]] const CLI::App& last_command(const CLI::App& app);
+
 /// The name of the command with those above it.
 [[nodiscard]] std::string path_of(const CLI::App& command);
 

@@ -40,13 +40,6 @@ std::vector<std::string> flag_names(const CLI::App& app) {
   return flags;
 }
 
-/// The command that the words have led to so far.
-const CLI::App& last_command(const CLI::App& app) {
-  const CLI::App* last = &app;
-  while (!last->get_subcommands().empty()) last = last->get_subcommands().back();
-  return *last;
-}
-
 /// `list`  the help that lists the words
 std::string meant(const std::string& written, const std::vector<std::string>& words,
                   const std::string& list) {

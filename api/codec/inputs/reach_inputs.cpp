@@ -45,7 +45,7 @@ void read_direction(InputReader& reader, IsochroneRequest& request) {
 }
 
 void read_hours(InputReader& reader, IsochroneRequest& request) {
-  reader.require("hours", "is required: one number of hours or an array of them, as [6, 12, 24]");
+  reader.require("hours", "is required: one number of hours or several, as [6, 12, 24]");
   const json* value = reader.member("hours");
   if (value == nullptr) return;
   const json hours = value->is_array() ? *value : json::array({*value});

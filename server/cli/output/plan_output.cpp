@@ -9,9 +9,6 @@
 #include <vector>
 
 #include "api/codec/bytes/document_values.hpp"
-#include "api/fields/process_fields.hpp"
-#include "engine/core/violation_list.hpp"
-#include "engine/messages/sentence.hpp"
 #include "server/cli/program/command.hpp"
 #include "storage/json/json.hpp"
 
@@ -305,18 +302,6 @@ void print_everything(const json& plan) {
   print_departures(plan);
 }
 
-/// The flag of the process's field that a pointer into its inputs leads to: "--via/0" for "/via/0". The pointer itself
-/// where the field has no flag.
-std::string with_flag(const std::string& pointer, fields::Process process) {
-  for (const fields::Field& field : fields::fields_of(process)) {
-    const std::string known = fields::pointer_of(field);
-    if (field.flag.empty() || !pointer.starts_with(known)) continue;
-    const std::string rest = pointer.substr(known.size());
-    if (rest.empty() || rest.front() == '/') return "--" + std::string{field.flag} + rest;
-  }
-  return pointer;
-}
-
 /// Which stop of the route an input of a request is; empty: none.
 std::string stop_of(const std::string& input) {
   if (input == "from") return "start: ";
@@ -369,25 +354,11 @@ int print_plan(const json& document, PlanOutput output) {
   return complain(could_not, "no plan: " + why_no_plan(document));
 }
 
-void print_by_rank(const json& sentences) {
-  for (const std::string& sentence : messages::dangers_first(sentences.get<std::vector<std::string>>()))
-    std::printf("%s: %s\n", messages::is_danger(sentence) ? "danger" : "warning",
-                messages::without_mark(sentence).c_str());
-}
-
-int print_violations(const core::Violations& violations, bool json_out,
-                     std::optional<fields::Process> flags_of) {
-  if (json_out) {
-    json errors = json::array();
-    for (const core::Violation& violation : core::shortened(violations)) {
-      errors.push_back({{"pointer", violation.field}, {"detail", violation.rule}});
-    }
-    std::cout << json{{"status", "invalid"}, {"errors", errors}}.dump(2) << '\n';
+void print_messages(const json& document) {
+  for (const json& message : document.at("messages")) {
+    std::printf("%s: %s\n", message.at("rank").get<std::string>().c_str(),
+                message.at("text").get<std::string>().c_str());
   }
-  core::Violations named = violations;
-  if (flags_of)
-    for (core::Violation& violation : named) violation.field = with_flag(violation.field, *flags_of);
-  return complain(bad_data, named);
 }
 
 }  // namespace floeplan::cli

@@ -3,11 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <functional>
 #include <nlohmann/json_fwd.hpp>
-#include <optional>
 #include <string>
-
-#include "api/fields/process_fields.hpp"
-#include "engine/core/violation.hpp"
 
 namespace floeplan::cli {
 
@@ -24,12 +20,7 @@ enum class PlanOutput {
 /// Prints a plan or infeasible document. Returns the exit code.
 int print_plan(const nlohmann::json& document, PlanOutput output);
 
-/// Prints an array of sentences for the pilot, each behind its rank, the dangers first.
-void print_by_rank(const nlohmann::json& sentences);
-
-/// Names every violation on stderr, and for scripts on stdout too. Returns the exit code.
-/// `flags_of`: the process whose fields are the command's flags, by which the violations are named on stderr
-int print_violations(const core::Violations& violations, bool json_out,
-                     std::optional<fields::Process> flags_of = std::nullopt);
+/// Prints the messages of a document, each behind its rank, the dangers first.
+void print_messages(const nlohmann::json& document);
 
 }  // namespace floeplan::cli

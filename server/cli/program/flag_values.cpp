@@ -59,7 +59,7 @@ CLI::Validator seconds_or_duration() {
     }
     const auto numbers = parse_numbers(text);
     if (numbers && numbers->size() == 1) return "";
-    return text + " is neither a number of seconds nor a duration as PT1H";
+    return text + " is neither a number of seconds nor a duration; write it as 72000 or PT20H";
   };
   return CLI::Validator{to_seconds, ""};
 }

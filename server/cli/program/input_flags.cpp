@@ -26,7 +26,8 @@ std::string flag_of(const Field& field) { return "--" + std::string{field.flag};
 json place_of(const std::string& flag, const std::string& text) {
   const auto place = parse_place(text);
   if (!place)
-    throw CLI::ValidationError{flag, text + " is not LON,LAT in degrees; as " + flag + "=-53.2,69.2"};
+    throw CLI::ValidationError{flag,
+                               text + " is not LON,LAT in degrees; write it as " + flag + "=-53.2,69.2"};
   return json::array({place->lon_deg, place->lat_deg});
 }
 
@@ -41,7 +42,7 @@ void set_inside(json& inputs, const std::string& object, const std::string& key,
 void set_robust(json& inputs, const std::string& text) {
   const auto numbers = parse_numbers(text);
   if (text != "mean" && (!numbers || numbers->size() != 1)) {
-    throw CLI::ValidationError{"--robust", text + " is neither mean nor a share such as 0.9"};
+    throw CLI::ValidationError{"--robust", text + " is neither mean nor a share of the members such as 0.9"};
   }
   set_inside(inputs, "uncertainty", "objective", numbers ? "quantile" : "mean");
   if (numbers) set_inside(inputs, "uncertainty", "quantile", numbers->front());
@@ -54,7 +55,7 @@ void set_objective(json& inputs, const std::string& text) {
   if (!text.starts_with(weighted)) return;
   const auto weight = parse_numbers(text.substr(weighted.size()));
   if (!weight || weight->size() != 1) {
-    throw CLI::ValidationError{"--objective", text + " has no weight; as weighted:0.5"};
+    throw CLI::ValidationError{"--objective", text + " has no weight; write it as weighted:0.5"};
   }
   inputs["objective"] = {{"time", 1.0}, {"energy", weight->front()}};
 }
@@ -62,14 +63,16 @@ void set_objective(json& inputs, const std::string& text) {
 void set_spacing(json& inputs, const std::string& text) {
   const auto numbers = parse_numbers(text);
   if (!numbers || numbers->size() > 2) {
-    throw CLI::ValidationError{"--spacing", text + " is not metres; as 1000 or 1000,500"};
+    throw CLI::ValidationError{"--spacing",
+                               text + " is not a distance in metres; write it as 1000 or 1000,500"};
   }
   inputs["spacing_m"] = numbers->size() == 1 ? json((*numbers)[0]) : json(*numbers);
 }
 
 void set_hours(json& inputs, const std::string& text) {
   const auto numbers = parse_numbers(text);
-  if (!numbers) throw CLI::ValidationError{"--hours", text + " is not hours; as 6 or 6,12,24"};
+  if (!numbers)
+    throw CLI::ValidationError{"--hours", text + " is not a number of hours; write it as 6 or 6,12,24"};
   inputs["hours"] = *numbers;
 }
 

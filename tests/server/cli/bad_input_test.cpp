@@ -120,7 +120,7 @@ TEST(BadInput, ASpeedThatIsNotFiniteIsNamedAsSuch) {
       plan({"--from=-53,69", "--to=-52,69", "--depart", "2026-11-22T06:00:00Z", "--speed", "inf"}));
 
   EXPECT_EQ(outcome.exit_code, 3);
-  EXPECT_THAT(outcome.err, HasSubstr("--speed: "));
+  EXPECT_THAT(outcome.err, HasSubstr("floeplan: --speed"));
   EXPECT_THAT(outcome.err, HasSubstr("not finite"));
 }
 
@@ -129,7 +129,7 @@ TEST(BadInput, ALatitudeOf95NamesItsFlagAndTheOrder) {
       Program{}.run(plan({"--from=-53,95", "--to=-52,69", "--depart", "2026-11-22T06:00:00Z"}));
 
   EXPECT_EQ(outcome.exit_code, 3);
-  EXPECT_THAT(outcome.err, HasSubstr("--from: "));
+  EXPECT_THAT(outcome.err, HasSubstr("floeplan: --from"));
   EXPECT_EQ(outcome.json()["status"], "invalid");
 }
 
@@ -138,7 +138,7 @@ TEST(BadInput, AStartThatIsTheGoalIsRefused) {
       Program{}.run(plan({"--from=-53,69", "--to=-53,69", "--depart", "2026-11-22T06:00:00Z"}));
 
   EXPECT_EQ(outcome.exit_code, 3);
-  EXPECT_THAT(outcome.err, HasSubstr("--to: "));
+  EXPECT_THAT(outcome.err, HasSubstr("floeplan: --to"));
 }
 
 TEST(BadInput, EveryViolationIsNamedAtOnce) {
@@ -257,7 +257,7 @@ TEST(Options, MayComeFromAFile) {
   const Outcome outcome = program.run({"--config", (program.folder() / "floeplan.toml").string(), "plan"});
 
   EXPECT_EQ(outcome.exit_code, 3);
-  EXPECT_THAT(outcome.err, HasSubstr("--from: "));
+  EXPECT_THAT(outcome.err, HasSubstr("floeplan: --from"));
   EXPECT_THAT(outcome.err, Not(HasSubstr("--depart")));
 }
 

@@ -74,7 +74,7 @@ TEST(Check, WithADepartureFollowsTheRouteThroughTheStoredData) {
   EXPECT_EQ(clear.exit_code, 0) << clear.err;
   EXPECT_THAT(clear.json()[0]["messages"].dump(), HasSubstr("route_clear"));
   EXPECT_EQ(wrong.exit_code, 3);
-  EXPECT_THAT(wrong.err, HasSubstr("--depart: "));
+  EXPECT_THAT(wrong.err, HasSubstr("floeplan: --depart"));
 }
 
 }  // namespace

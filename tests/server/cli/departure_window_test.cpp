@@ -91,15 +91,15 @@ TEST_F(DemoStore, RefusesAWindowThatIsReversedEndlessOrOutsideTheData) {
     EXPECT_EQ(outcome.exit_code, 3);
     return outcome.err;
   };
-  EXPECT_THAT(refused({"--depart", time(6), "--depart-until", time(0)}), HasSubstr("--depart-until: "));
+  EXPECT_THAT(refused({"--depart", time(6), "--depart-until", time(0)}), HasSubstr("floeplan: --depart-until"));
   EXPECT_THAT(refused({"--depart", time(0), "--depart-until", time(6), "--depart-step", "PT0S"}),
-              HasSubstr("--depart-step: "));
+              HasSubstr("floeplan: --depart-step"));
   EXPECT_THAT(refused({"--depart", time(0), "--depart-until", time(6), "--depart-step", "PT1S"}),
               HasSubstr("1000 departures"));
   EXPECT_THAT(
       refused({"--depart", time(0), "--depart-until", "2027-11-22T00:00:00Z", "--depart-step", "P1D"}),
-      HasSubstr("--depart-until: "));
-  EXPECT_THAT(refused({"--arrive-by", "2031-01-01T00:00:00Z"}), HasSubstr("--arrive-by: "));
+      HasSubstr("floeplan: --depart-until"));
+  EXPECT_THAT(refused({"--arrive-by", "2031-01-01T00:00:00Z"}), HasSubstr("floeplan: --arrive-by"));
 }
 
 TEST_F(DemoStore, SaysLineByLineWhyThereIsNoPlan) {

@@ -108,9 +108,9 @@ TEST_F(UnderIceCli, SimulatesWhatAGliderCouldNotBeSent) {
 
 TEST_F(UnderIceCli, NamesWhatIsWrongWithTheInput) {
   EXPECT_THAT(plan({"--max-concentration-to-surface", "15"}).err,
-              HasSubstr("--max-concentration-to-surface: "));
+              HasSubstr("floeplan: --max-concentration-to-surface"));
   EXPECT_EQ(plan({"--max-concentration-to-surface", "15"}).exit_code, 3);
-  EXPECT_THAT(plan({"--ice", "ice-00000000"}).err, HasSubstr("--ice: "));
+  EXPECT_THAT(plan({"--ice", "ice-00000000"}).err, HasSubstr("floeplan: --ice"));
   EXPECT_EQ(plan({"--ice", "ice-00000000"}).exit_code, 3);
   const Outcome without = plan({"--ice", "none"});
   EXPECT_EQ(without.exit_code, 0);

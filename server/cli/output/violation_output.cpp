@@ -1,0 +1,88 @@
+#include "server/cli/output/violation_output.hpp"
+
+#include <algorithm>
+#include <array>
+#include <iostream>
+#include <regex>
+
+#include "engine/core/violation_list.hpp"
+#include "server/cli/program/command.hpp"
+#include "storage/json/json.hpp"
+
+namespace floeplan::cli {
+namespace {
+
+using nlohmann::json;
+
+void replace_all(std::string& text, const std::string& from, const std::string& to) {
+  for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
+    text.replace(at, from.size(), to);
+}
+
+/// The flag of a pointer, with what is below it: "/via/2" becomes "--via 3".
+std::string with_flag(const std::string& pointer, const std::vector<InputFlag>& flags) {
+  for (const InputFlag& known : flags) {
+    if (!pointer.starts_with(known.pointer)) continue;
+    const std::string rest = pointer.substr(known.pointer.size());
+    if (rest.empty()) return known.flag;
+    if (rest.front() != '/') continue;
+    const std::string number = rest.substr(1);
+    const bool counts = !number.empty() && number.size() < 9 &&
+                        std::ranges::all_of(number, [](char c) { return c >= '0' && c <= '9'; });
+    return known.flag + (counts ? ' ' + std::to_string(std::stoul(number) + 1) : rest);
+  }
+  return pointer;
+}
+
+/// Whether the rule is the rest of a sentence that the flag begins.
+bool is_predicate(const std::string& rule) {
+  constexpr std::array verbs{"is",    "must", "has",     "needs", "takes",
+                             "holds", "lies", "belongs", "does",  "cannot"};
+  const std::string first = rule.substr(0, rule.find(' '));
+  return std::ranges::any_of(verbs, [&](const char* verb) { return first == verb; });
+}
+
+}  // namespace
+
+std::vector<InputFlag> flags_of(fields::Process process) {
+  std::vector<InputFlag> flags;
+  for (const fields::Field& field : fields::fields_of(process))
+    if (!field.flag.empty()) flags.push_back({fields::pointer_of(field), "--" + std::string{field.flag}});
+  return flags;
+}
+
+std::string in_words_of_flags(const core::Violation& violation, const std::vector<InputFlag>& flags) {
+  if (flags.empty()) return (violation.field.empty() ? "" : violation.field + ": ") + violation.rule;
+  // What was given stands at the end, and may itself be a word in quotes.
+  const std::size_t given = std::min(violation.rule.find(", not \""), violation.rule.size());
+  std::string rule = violation.rule.substr(0, given);
+  for (const InputFlag& known : flags) {
+    const std::string member = known.pointer.substr(known.pointer.rfind('/') + 1);
+    replace_all(rule, '"' + member + '"', known.flag);
+  }
+  replace_all(rule, "[longitude, latitude]", "LON,LAT");
+  static const std::regex array{R"(\[([^\[\],]+), ([^\[\],]+)(?:, ([^\[\],]+))?\])"};
+  for (std::smatch found; std::regex_search(rule, found, array);) {
+    const std::string third = found[3].matched ? ',' + found[3].str() : "";
+    rule = found.prefix().str() + found[1].str() + ',' + found[2].str() + third + found.suffix().str();
+  }
+  rule += violation.rule.substr(given);
+  const std::string flag = with_flag(violation.field, flags);
+  if (flag.empty()) return rule;
+  return flag + (is_predicate(rule) ? " " : ": ") + rule;
+}
+
+int print_violations(const core::Violations& violations, bool json_out, const std::vector<InputFlag>& flags) {
+  if (json_out) {
+    json errors = json::array();
+    for (const core::Violation& violation : core::shortened(violations)) {
+      errors.push_back({{"pointer", violation.field}, {"detail", violation.rule}});
+    }
+    std::cout << json{{"status", "invalid"}, {"errors", errors}}.dump(2) << '\n';
+  }
+  for (const core::Violation& violation : core::shortened(violations))
+    complain(bad_data, in_words_of_flags(violation, flags));
+  return bad_data;
+}
+
+}  // namespace floeplan::cli

@@ -1,0 +1,79 @@
+#include "server/manual/usage_fault.hpp"
+
+#include <regex>
+#include <vector>
+
+#include "server/manual/command_list.hpp"
+#include "server/manual/near_words.hpp"
+
+namespace floeplan::manual {
+namespace {
+
+/// "a", "a or b", "a, b or c".
+std::string alternatives(const std::vector<std::string>& words) {
+  std::string text;
+  for (std::size_t i = 0; i < words.size(); ++i)
+    text += (i == 0 ? "" : i + 1 == words.size() ? " or " : ", ") + words[i];
+  return text;
+}
+
+std::vector<std::string> split(const std::string& text) {
+  static const std::regex comma{","};
+  return {std::sregex_token_iterator{text.begin(), text.end(), comma, -1}, std::sregex_token_iterator{}};
+}
+
+/// As a person writes it: the parser has "0.050000".
+std::string plain_number(const std::string& text) {
+  static const std::regex zeros{R"(\.?0+$)"};
+  return text.find('.') == std::string::npos ? text : std::regex_replace(text, zeros, "");
+}
+
+std::string kind_of_number(const CLI::App& command, const std::string& flag) {
+  const CLI::Option* option = command.get_option_no_throw(flag);
+  return option != nullptr && option->get_type_name().find("INT") != std::string::npos ? "a whole number"
+                                                                                       : "a number";
+}
+
+/// The parser's own sentence (CLI11 2.1) in ours; one that is not known here stays.
+std::string plain(const CLI::App& command, const std::string& said) {
+  const std::string path = path_of(command);
+  const std::string who = path.empty() ? "floeplan" : path;
+  std::smatch found;
+  static const std::regex conversion{R"(Could not convert: (\S+) = ([^]*))"};
+  if (std::regex_match(said, found, conversion))
+    return found[1].str() + " must be " + kind_of_number(command, found[1]) + ", not \"" + found[2].str() +
+           '"';
+  static const std::regex range{R"((\S+): Value ([^]*) not in range (\S+) to (\S+))"};
+  if (std::regex_match(said, found, range)) {
+    return found[1].str() + " must be from " + plain_number(found[3]) + " to " + plain_number(found[4]) +
+           ", not " + found[2].str();
+  }
+  static const std::regex member{R"((\S+): ([^]*) not in \{(.*)\})"};
+  if (std::regex_match(said, found, member))
+    return found[1].str() + " must be " + alternatives(split(found[3])) + ", not \"" + found[2].str() + '"';
+  if (said == "A subcommand is required") {
+    for (const Command& known : commands_of(command))
+      if (known.path == path) return who + " needs a command: " + alternatives(known.commands);
+  }
+  static const std::regex required{R"((\S+) is required)"};
+  if (std::regex_match(said, found, required)) return who + " needs " + found[1].str();
+  static const std::regex unexpected{R"(The following arguments? w(?:as|ere) not expected: ([^]*))"};
+  if (std::regex_match(said, found, unexpected)) return who + " takes no argument \"" + found[1].str() + '"';
+  static const std::regex missing{R"((\S+): \d+ required (.*) missing)"};
+  if (std::regex_match(said, found, missing)) return found[1].str() + " needs a value";
+  static const std::regex excludes{R"((\S+) excludes (\S+))"};
+  if (std::regex_match(said, found, excludes))
+    return found[1].str() + " and " + found[2].str() + " exclude each other; give one of them";
+  return said;
+}
+
+}  // namespace
+
+std::string usage_fault(const CLI::App& app, const CLI::ParseError& error) {
+  if (auto unknown = unknown_word(app)) return *unknown;
+  const CLI::App& command = last_command(app);
+  const std::string path = path_of(command);
+  return plain(command, error.what()) + "; see floeplan " + (path.empty() ? "" : path + ' ') + "--help";
+}
+
+}  // namespace floeplan::manual
