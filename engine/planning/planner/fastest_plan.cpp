@@ -162,12 +162,14 @@ std::optional<PlanRequest> without_leave(const ocean::Environment& environment, 
 
 Result<Plan> plan_fastest(const Task& task, const Planning&) {
   const auto& [environment, request, stop, progress, clock, wider] = task;
-  Attempt best = plan_on_grids(task);
   const std::optional<PlanRequest> strict = without_leave(environment, request);
+  const core::ProgressCallback as_asked = core::part_of(progress, "", 0.0, strict ? 0.5 : 1.0);
+  Attempt best = plan_on_grids(task.telling(as_asked));
   if (strict && !stop.stop_requested()) {
     // Refinement finds other ways where less is allowed: a leave must never make a plan later.
     best.chart.reset();  // of no use any longer, and large
-    Attempt without = plan_on_grids(task.with(*strict));
+    const core::ProgressCallback without_leave_too = core::part_of(progress, "", 0.5, 1.0);
+    Attempt without = plan_on_grids(task.with(*strict).telling(without_leave_too));
     if (stop.stop_requested()) return tl::unexpected(search::explain_cancelled(request));
     const bool is_no_later = without.plan && (!best.plan || without.plan->arrival <= best.plan->arrival);
     if (is_no_later) best = std::move(without);

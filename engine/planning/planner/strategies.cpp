@@ -14,6 +14,14 @@
 namespace floeplan::planning::planner {
 namespace {
 
+/// The request on the usual grids, and on more of them where currents are as fast as the vehicle.
+Result<Plan> plan_on_more_grids(const Task& task, const Planning& rest) {
+  const double share = share_of_usual_grids(task.environment, task.request, task.stop);
+  const core::ProgressCallback usual = core::part_of(task.progress, "", 0.0, share);
+  const core::ProgressCallback more = core::part_of(task.progress, "", share, 1.0);
+  return best_of_more_grids(rest(task.telling(usual)), task.telling(more), rest);
+}
+
 bool is_uncertain(const Task& task) { return cost::has_uncertain_currents(task.environment, task.request); }
 
 bool asks_for_members(const Task& task) {
@@ -61,7 +69,7 @@ Result<Plan> plan_surfacing_more_often(const Task& task, const Planning& rest) {
 constexpr Strategy strategies[] = {
     // Currents as fast as the vehicle: the request on other grids, with more directions and with more room.
     {"more grids", [](const Task& task) { return task.request.method != Method::direct; },
-     [](const Task& task, const Planning& rest) { return best_of_more_grids(rest(task), task, rest); }},
+     plan_on_more_grids},
     // The vias in the orders that promise to end earliest.
     {"order of visits", [](const Task& task) { return task.request.via_in_best_order; }, plan_survey},
     // Nothing else; says what became of the members.

@@ -69,11 +69,17 @@ PlanRequest with_more_directions(PlanRequest request) {
   return request;
 }
 
+/// Whether more grids may be tried for the request at all.
+bool allows_more_grids(const ocean::Environment& environment, const PlanRequest& request) {
+  return request.method != Method::direct && !request.under_ice.max_time_without_surfacing &&
+         !cost::has_uncertain_currents(environment, request);
+}
+
 bool takes_more_than_one_try(const Plan& known, const ocean::Environment& environment,
                              const PlanRequest& request) {
   return known.strongest_current >= through_water(request) && !known.search.cut_short &&
          !known.search.none_is_earlier && known.search.edge_evaluations < much_work &&
-         !request.under_ice.max_time_without_surfacing && !cost::has_uncertain_currents(environment, request);
+         allows_more_grids(environment, request);
 }
 
 bool is_cheaper(const Plan& a, const Plan& b, const Objective& objective) {
@@ -133,6 +139,13 @@ Infeasible with_area_searched(Infeasible why, const PlanRequest& looked_for) {
   return why;
 }
 
+double share_of_usual_grids(const ocean::Environment& environment, const PlanRequest& request,
+                            const std::stop_token& stop) {
+  const bool may_try_more = environment.currents && allows_more_grids(environment, request) &&
+                            any_current_may_close(*environment.currents, request, stop);
+  return may_try_more ? 0.5 : 1.0;
+}
+
 Result<Plan> best_of_more_grids(Result<Plan> known, const Task& task, const Planning& plan_once) {
   const auto& [environment, request, stop, progress, clock, wider] = task;
   if (request.method == Method::direct || stop.stop_requested()) return known;
@@ -143,9 +156,11 @@ Result<Plan> best_of_more_grids(Result<Plan> known, const Task& task, const Plan
   const bool is_known = best.has_value();
   bool all_found = is_known;
   double highest = is_known ? cost_of(*best, request.objective()) : 0.0;
+  core::PartsOfProgress parts{progress, "more grids"};
   const auto consider = [&](const ocean::Environment& sea, const PlanRequest& other) {
     if (stop.stop_requested()) return;
-    Result<Plan> plan = plan_once(task.in(sea).with(other));
+    const core::ProgressCallback part = parts.next();
+    Result<Plan> plan = plan_once(task.in(sea).with(other).telling(part));
     all_found = all_found && plan.has_value();
     if (plan) highest = std::max(highest, cost_of(*plan, request.objective()));
     if (plan && (!best || is_cheaper(*plan, *best, request.objective()))) best = std::move(plan);

@@ -39,6 +39,11 @@ struct Roomy {
 /// `looked_for`  the request with the most room that was tried
 [[nodiscard]] Infeasible with_area_searched(Infeasible why, const PlanRequest& looked_for);
 
+/// The share of the work that a plan on the usual grids is expected to be: half of it where currents may call for more
+/// grids, else all.
+[[nodiscard]] double share_of_usual_grids(const ocean::Environment& environment, const PlanRequest& request,
+                                          const std::stop_token& stop);
+
 /// Where currents are as fast as the vehicle whole legs are closed, so that ways that one grid has are missing on
 /// another, and the way may lead far round: the best of the plan that is known and of those with more directions, with
 /// more room and on coarser grids. Anywhere else the plan that is known.

@@ -30,7 +30,8 @@ ViaOrder order_given(const PlanRequest& request) {
 /// Plans one order after the other, and keeps the earliest plan.
 class SurveyPlans {
  public:
-  SurveyPlans(const Task& task, const Planning& plan_in_order) : task_{task}, plan_in_order_{plan_in_order} {}
+  SurveyPlans(const Task& task, const Planning& plan_in_order)
+      : task_{task}, plan_in_order_{plan_in_order}, parts_{task.progress, "order of visits"} {}
 
   /// Unless it was planned before.
   void plan(const ViaOrder& order) {
@@ -40,7 +41,8 @@ class SurveyPlans {
     PlanRequest ordered = task_.request;
     ordered.via_in_best_order = false;
     for (std::size_t i = 0; i < order.vias.size(); ++i) ordered.via[i] = task_.request.via[order.vias[i]];
-    Result<Plan> plan = plan_in_order_(task_.with(ordered));
+    const core::ProgressCallback part = parts_.next();
+    Result<Plan> plan = plan_in_order_(task_.with(ordered).telling(part));
     if (plan) plan->via_order = order;
     if (plan && best_ && best_->arrival <= plan->arrival) return;
     if (plan) {
@@ -66,6 +68,7 @@ class SurveyPlans {
  private:
   const Task& task_;
   const Planning& plan_in_order_;
+  core::PartsOfProgress parts_;
   std::vector<std::vector<std::size_t>> tried_;
   std::optional<Plan> best_;
   Infeasible why_not_as_given_;

@@ -92,7 +92,7 @@ class LatestDeparture {
         request_{request},
         wanted_{*request.departures.arrive_by},
         stop_{stop},
-        progress_{progress},
+        parts_{progress, "latest departure"},
         clock_{clock} {}
 
   Result<Plan> find() {
@@ -128,15 +128,9 @@ class LatestDeparture {
            binds_ == Constraint::memory;
   }
 
-  /// The progress of the next plan. The number of plans is not known before, so each is given half of what is left.
-  core::ProgressCallback next_part() {
-    const double from = std::exchange(done_, 0.5 * (1.0 + done_));
-    return core::part_of(progress_, "latest departure", from, done_);
-  }
-
   /// A whole plan; kept as the best if it arrives in time.
   std::optional<core::Seconds> try_at(core::UtcTime depart) {
-    auto plan = try_to_plan(environment_, leaving_at(request_, depart), stop_, next_part(), clock_);
+    auto plan = try_to_plan(environment_, leaving_at(request_, depart), stop_, parts_.next(), clock_);
     if (!plan) {
       binds_ = plan.error().binding;
       return std::nullopt;
@@ -179,7 +173,7 @@ class LatestDeparture {
     window.departures = {.until = wanted_ - least, .step = (wanted_ - least - window.depart) / samples};
     if (window.departures.step < close_enough) return;
     window.uncertainty.objective = RobustObjective::none;  // whole plans are asked about the members
-    const auto curve = compare_departures(environment_, window, stop_, next_part());
+    const auto curve = compare_departures(environment_, window, stop_, parts_.next());
     if (!curve) return;
     std::optional<core::UtcTime> fails;
     for (std::size_t i = curve->size(); i-- > 0 && !is_cancelled();) {
@@ -212,7 +206,7 @@ class LatestDeparture {
   /// Why nothing is in time.
   Result<Plan> explained() {
     auto earliest =
-        try_to_plan(environment_, leaving_at(request_, request_.depart), stop_, next_part(), clock_);
+        try_to_plan(environment_, leaving_at(request_, request_.depart), stop_, parts_.next(), clock_);
     if (earliest && left(*earliest).count() >= 0.0) return earliest;
     if (earliest) return tl::unexpected(too_early(request_, *earliest));
     return earliest;
@@ -222,8 +216,7 @@ class LatestDeparture {
   const PlanRequest& request_;
   core::UtcTime wanted_;  // or the last moment before it at which the goal is open
   const std::stop_token& stop_;
-  const core::ProgressCallback& progress_;
-  double done_{};  // the share that was given to what has been done
+  core::PartsOfProgress parts_;
   const core::SteadyClock& clock_;
   std::optional<Plan> best_;         // the latest departure that is in time
   bool some_arrive_{false};          // in time or not

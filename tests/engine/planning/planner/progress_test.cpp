@@ -117,5 +117,32 @@ TEST(Progress, OfAWantedArrivalNeverFalls) {
   EXPECT_FALSE(told.of_stage.empty());
 }
 
+TEST(Progress, OfOrdersOfVisitsNeverFalls) {
+  PlanRequest request = coarse_request();
+  request.via = {{-53.3, 69.05}, {-52.9, 68.95}, {-53.1, 69.02}};
+  request.via_in_best_order = true;
+  Told told;
+
+  ASSERT_TRUE(
+      plan_route({.currents = eastward(0.1)}, request, {}, told.listener("order of visits")).has_value());
+
+  expect_never_falling(told);
+  EXPECT_FALSE(told.of_stage.empty());
+}
+
+TEST(Progress, OfMoreGridsNeverFallsAndLeavesThemHalf) {
+  ocean::Environment fast_elsewhere;
+  fast_elsewhere.currents = support::currents_from(
+      [](geo::LonLat place, double) { return geo::VelocityEn{{place.lat_deg > 69.06 ? 1.0 : 0.1}, {0.0}}; },
+      120);
+  Told told;
+
+  ASSERT_TRUE(plan_route(fast_elsewhere, coarse_request(), {}, told.listener("more grids")).has_value());
+
+  expect_never_falling(told);
+  ASSERT_FALSE(told.of_stage.empty()) << "more grids were tried";
+  EXPECT_GE(told.of_stage.front(), 0.5);
+}
+
 }  // namespace
 }  // namespace floeplan::planning::planner::progress_test
