@@ -230,7 +230,7 @@ inline constexpr auto export_kinds = std::to_array<Kind>({
     {.code = "surfacings-not-in-files",
      .rank = Rank::caution,
      .text = "{surfacings} planned {surfacings:surfacing is|surfacings are} not in the files: below ice the "
-             "vehicle surfaces only at the end of each list. Its position error grows as without them.",
+             "vehicle surfaces only at the end of each list. Its position error grows as if they were not planned.",
      .slots = {{{"surfacings", 3}}}},
     {.code = "bed-unknown-below-ice",
      .rank = Rank::caution,

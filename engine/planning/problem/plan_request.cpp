@@ -48,9 +48,8 @@ core::Violations PlanRequest::violations() const {
       const double length_m = geo::geodesic_between(last, next).length.value;
       require(length_m >= shortest_leg_m, field, "is the same place as the one before it; choose another");
       require(length_m <= longest_leg_m, field,
-              "is more than 5000 km from the place before it. Longitude comes first: are the two numbers "
-              "swapped? "
-              "If not, plan in parts");
+              "is more than 5000 km from the place before it: plan in parts, or check the order of the two "
+              "numbers; longitude comes first");
       last = next;
     }
   }

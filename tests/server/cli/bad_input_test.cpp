@@ -145,7 +145,7 @@ TEST(BadInput, EveryViolationIsNamedAtOnce) {
   const Outcome outcome = Program{}.run(plan({"--from=-53,69", "--sectors", "9", "--method", "guess"}));
 
   EXPECT_EQ(outcome.exit_code, 3);
-  for (const char* field : {"--to: ", "--depart: ", "--sectors: ", "--method: "})
+  for (const char* field : {"--to is ", "--depart is ", "--sectors must ", "--method must "})
     EXPECT_THAT(outcome.err, HasSubstr(field));
 }
 

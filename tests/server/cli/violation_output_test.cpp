@@ -42,7 +42,7 @@ TEST(WordsOfFlags, HoldNoJson) {
   std::vector<std::string> sentences;
   for (const char* text :
        {"{}", R"({"from": [1], "to": 2, "via": [3]})", R"({"uncertainty": {"members": 3}})",
-        R"({"uncertainty": {"current_error_m_s": 0.1}})", R"({"spacing_m": [1, 2, 3], "max_leg_m": "x"})",
+        R"({"uncertainty": {"current_error_m_s": 0.1}})", R"({"spacing_m": 1, "max_leg_m": "x"})",
         R"({"goals_file": {"name": "a.gpx", "text": ""}, "to": [1, 2], "depart": 5})",
         R"({"from": [69, -53], "to": [-52, 69], "depart": "2026-11-22T06:00:00Z"})"}) {
     const auto inputs = codec::parse_plan_inputs(json::parse(text));

@@ -40,7 +40,7 @@ TEST(UsageFault, NamesTheFlagAndWhatItTakes) {
             "--positive must be up or down, not \"left\"; see floeplan plan --help");
   EXPECT_EQ(told({"plan", "--margin"}), "--margin needs a value; see floeplan plan --help");
   EXPECT_EQ(told({"plan", "--from", "a", "--to", "b"}),
-            "--to and --from exclude each other; give one of them; see floeplan plan --help");
+            "--from and --to exclude each other; give one of them; see floeplan plan --help");
 }
 
 TEST(UsageFault, NamesWhatTheCommandNeedsOrDoesNotTake) {
