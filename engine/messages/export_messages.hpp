@@ -161,7 +161,7 @@ inline constexpr auto export_kinds = std::to_array<Kind>({
      .text = "The plan holds for {wait_h:.1f} h at waypoint {waypoint}, where the vehicle may not surface. "
              "No list "
              "ends there, so that the vehicle flies on at once:",
-     .hint = "plan again without holds (--no-hold), or depart later.",
+     .hint = "plan again without holds (--max-hold 0), or depart later.",
      .slots = {{{"wait_h", 1.5}, {"waypoint", 4}}}},
     {.code = "beyond-utm",
      .rank = Rank::caution,
@@ -230,7 +230,8 @@ inline constexpr auto export_kinds = std::to_array<Kind>({
     {.code = "surfacings-not-in-files",
      .rank = Rank::caution,
      .text = "{surfacings} planned {surfacings:surfacing is|surfacings are} not in the files: below ice the "
-             "vehicle surfaces only at the end of each list. Its position error grows as if they were not planned.",
+             "vehicle surfaces only at the end of each list. Its position error grows as if they were not "
+             "planned.",
      .slots = {{{"surfacings", 3}}}},
     {.code = "bed-unknown-below-ice",
      .rank = Rank::caution,
