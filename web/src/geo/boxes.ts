@@ -1,4 +1,4 @@
-import type { Box, Position } from '../api/data_types';
+import type { Box, Position } from '../contract/data_types';
 import { wrapLongitude } from './geodesic';
 
 /** Boxes run from west eastwards: one across the antimeridian has a west greater than its east. */

@@ -1,4 +1,4 @@
-import type { Position } from '../api/data_types';
+import type { Position } from '../contract/data_types';
 
 /** How positions are written on the screen. */
 export type CoordinateStyle = 'dm' | 'decimal';

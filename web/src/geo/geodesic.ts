@@ -1,4 +1,4 @@
-import type { Position } from '../api/data_types';
+import type { Position } from '../contract/data_types';
 
 /**
  * Geodesics on WGS84 by Vincenty's formulae, good to a millimetre over the distances of a mission.

@@ -2,7 +2,7 @@ import proj4 from 'proj4/lib/core';
 import defs from 'proj4/lib/defs';
 import Proj from 'proj4/lib/Proj';
 import stere from 'proj4/lib/projections/stere';
-import type { Position } from '../api/data_types';
+import type { Position } from '../contract/data_types';
 
 /** The projections a view may have. Coordinates are metres; `lon0_deg` is the meridian that points up the screen. */
 export const projections = {

@@ -1,5 +1,5 @@
 import { northAngle, type ProjectionCode } from './projections';
-import type { Position } from '../api/data_types';
+import type { Position } from '../contract/data_types';
 
 /** Turns a velocity given as true east and north into the projection's x and y, keeping its strength. */
 export function rotateToView(code: ProjectionCode, place: Position, east: number, north: number): [x: number, y: number] {

@@ -6,7 +6,7 @@ import { Draw } from 'ol/interaction.js';
 import type VectorLayer from 'ol/layer/Vector.js';
 import VectorSource from 'ol/source/Vector.js';
 import { Circle, Fill, Stroke, Style, Text } from 'ol/style.js';
-import type { Position } from '../api/data_types';
+import type { Position } from '../contract/data_types';
 import { densify } from '../geo/geodesic';
 import { unproject } from '../geo/projections';
 import { newArea, type Area } from '../model/area';

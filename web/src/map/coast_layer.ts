@@ -1,5 +1,5 @@
 import { effect } from '@preact/signals';
-import type { CoastFeature, Position } from '../api/data_types';
+import type { CoastFeature, Position } from '../contract/data_types';
 import { clipSouth } from '../geo/boxes';
 import { mercatorNorthLimit_deg, polarSouthLimit_deg, projections, type ProjectionCode } from '../geo/projections';
 import { coast } from '../model/field';

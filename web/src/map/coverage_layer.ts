@@ -5,7 +5,7 @@ import Polygon from 'ol/geom/Polygon.js';
 import type VectorLayer from 'ol/layer/Vector.js';
 import VectorSource from 'ol/source/Vector.js';
 import { Fill, Stroke, Style, Text } from 'ol/style.js';
-import type { Box } from '../api/data_types';
+import type { Box } from '../contract/data_types';
 import { borderOf, width_deg } from '../geo/boxes';
 import { wrapLongitude } from '../geo/geodesic';
 import { project, projections } from '../geo/projections';

@@ -5,7 +5,7 @@ import { rotateByNorth } from '../geo/vectors';
 import { currents } from '../model/field';
 import { visible } from '../model/layers';
 import { projection } from '../model/settings';
-import type { Position } from '../api/data_types';
+import type { Position } from '../contract/data_types';
 import { currentLimits_m_s, palette } from '../theme/palette';
 import { CanvasLayer, type Frame } from './canvas_layer';
 

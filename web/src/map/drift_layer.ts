@@ -1,5 +1,5 @@
 import { computed, effect, type ReadonlySignal } from '@preact/signals';
-import type { IcebergDrift, Position } from '../api/data_types';
+import type { IcebergDrift, Position } from '../contract/data_types';
 import { project, scaleFactor, type ProjectionCode } from '../geo/projections';
 import { time_ms } from '../model/clock';
 import { driftLineOf, drifts, errorAt, plainLineOf, stepsAt, ticksOf } from '../model/drift';

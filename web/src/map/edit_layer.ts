@@ -6,7 +6,7 @@ import { Translate } from 'ol/interaction.js';
 import VectorLayer from 'ol/layer/Vector.js';
 import VectorSource from 'ol/source/Vector.js';
 import { Circle, Fill, Stroke, Style, Text } from 'ol/style.js';
-import type { Position } from '../api/data_types';
+import type { Position } from '../contract/data_types';
 import { densify } from '../geo/geodesic';
 import { project, unproject } from '../geo/projections';
 import { selectedWaypoint, shownPlans, waypointLabel } from '../model/plans';

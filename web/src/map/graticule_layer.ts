@@ -1,5 +1,5 @@
 import { effect } from '@preact/signals';
-import type { Box, Position } from '../api/data_types';
+import type { Box, Position } from '../contract/data_types';
 import { width_deg } from '../geo/boxes';
 import { wrapLongitude } from '../geo/geodesic';
 import { project, projections } from '../geo/projections';

@@ -5,7 +5,7 @@ import Polygon from 'ol/geom/Polygon.js';
 import type VectorLayer from 'ol/layer/Vector.js';
 import VectorSource from 'ol/source/Vector.js';
 import { Fill, RegularShape, Stroke, Style, Text } from 'ol/style.js';
-import type { IcebergFeature, IcebergProperties } from '../api/data_types';
+import type { IcebergFeature, IcebergProperties } from '../contract/data_types';
 import { circle } from '../geo/geodesic';
 import { project } from '../geo/projections';
 import { time_ms } from '../model/clock';

@@ -8,7 +8,7 @@ import { noModifierKeys, shiftKeyOnly } from 'ol/events/condition.js';
 import { boundingExtent } from 'ol/extent.js';
 import type VectorSource from 'ol/source/Vector.js';
 import { DoubleClickZoom, DragPan, DragRotate, DragZoom, KeyboardPan, MouseWheelZoom, PinchZoom } from 'ol/interaction.js';
-import type { Box, GliderTrackFeature, IcebergFeature, Position } from '../api/data_types';
+import type { Box, GliderTrackFeature, IcebergFeature, Position } from '../contract/data_types';
 import { boxAround } from '../geo/boxes';
 import { densify } from '../geo/geodesic';
 import { northAngle, project, projections, scaleFactor, unproject, type ProjectionCode } from '../geo/projections';

@@ -5,7 +5,7 @@ import Point from 'ol/geom/Point.js';
 import VectorLayer from 'ol/layer/Vector.js';
 import VectorSource from 'ol/source/Vector.js';
 import { Circle, Fill, Icon, RegularShape, Stroke, Style, Text } from 'ol/style.js';
-import type { Waypoint } from '../api/types';
+import type { Waypoint } from '../contract/types';
 import { densify } from '../geo/geodesic';
 import { northAngle, project, type ProjectionCode } from '../geo/projections';
 import { time_ms } from '../model/clock';

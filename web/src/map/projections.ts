@@ -1,6 +1,6 @@
 import { addCoordinateTransforms, addProjection, get } from 'ol/proj.js';
 import Projection from 'ol/proj/Projection.js';
-import type { Position } from '../api/data_types';
+import type { Position } from '../contract/data_types';
 import { project, projectionCodes, projections, unproject, type ProjectionCode } from '../geo/projections';
 
 const polarExtent = [-6e6, -6e6, 6e6, 6e6];

@@ -5,7 +5,7 @@ import Point from 'ol/geom/Point.js';
 import type VectorLayer from 'ol/layer/Vector.js';
 import VectorSource from 'ol/source/Vector.js';
 import { Fill, Stroke, Style, Text } from 'ol/style.js';
-import type { Position } from '../api/data_types';
+import type { Position } from '../contract/data_types';
 import { project } from '../geo/projections';
 import { visible } from '../model/layers';
 import { reach } from '../model/reach';

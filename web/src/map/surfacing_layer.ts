@@ -6,7 +6,7 @@ import Point from 'ol/geom/Point.js';
 import type VectorLayer from 'ol/layer/Vector.js';
 import VectorSource from 'ol/source/Vector.js';
 import { Circle, Fill, Stroke, Style, Text } from 'ol/style.js';
-import type { Surfacing } from '../api/types';
+import type { Surfacing } from '../contract/types';
 import { densify } from '../geo/geodesic';
 import { project } from '../geo/projections';
 import { visible } from '../model/layers';

@@ -5,7 +5,7 @@ import Point from 'ol/geom/Point.js';
 import VectorLayer from 'ol/layer/Vector.js';
 import VectorSource from 'ol/source/Vector.js';
 import { Fill, RegularShape, Stroke, Style } from 'ol/style.js';
-import type { GliderTrackFeature } from '../api/data_types';
+import type { GliderTrackFeature } from '../contract/data_types';
 import { project, type ProjectionCode } from '../geo/projections';
 import { rotateToView } from '../geo/vectors';
 import { time_ms } from '../model/clock';

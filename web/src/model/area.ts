@@ -1,4 +1,4 @@
-import type { AreaProperties, Areas, Position } from '../api/data_types';
+import type { AreaProperties, Areas, Position } from '../contract/data_types';
 import { editablePosition } from '../geo/coordinates';
 import { readPosition } from './position';
 import { isoOf, parseTime } from './time';

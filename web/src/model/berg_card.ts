@@ -1,5 +1,5 @@
 import { computed, signal } from '@preact/signals';
-import type { IcebergFeature } from '../api/data_types';
+import type { IcebergFeature } from '../contract/data_types';
 import { time_ms } from './clock';
 import { datasets } from './datasets';
 import { drifts, expectedAt, type Expected } from './drift';

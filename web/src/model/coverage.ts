@@ -1,5 +1,5 @@
 import { computed, signal } from '@preact/signals';
-import type { Dataset } from '../api/data_types';
+import type { Dataset } from '../contract/data_types';
 import { datasets } from './datasets';
 
 /** Datasets whose coverage is drawn on map and clock, by id. */

@@ -1,5 +1,5 @@
 import { computed, signal } from '@preact/signals';
-import type { Box, DamagedThing, Dataset, DatasetKind, PlanningKind, StoredDatasets, Vehicle } from '../api/data_types';
+import type { Box, DamagedThing, Dataset, DatasetKind, PlanningKind, StoredDatasets, Vehicle } from '../contract/data_types';
 import { intersection } from '../geo/boxes';
 import { time_ms } from './clock';
 import { severalIn, withoutMissing } from './data_choice';

@@ -1,4 +1,4 @@
-import type { Departure, Plan } from '../api/types';
+import type { Departure, Plan } from '../contract/types';
 import { duration } from './time';
 
 /**

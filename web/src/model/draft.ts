@@ -1,6 +1,6 @@
 import { computed, signal } from '@preact/signals';
-import type { Position } from '../api/data_types';
-import type { Method, RouteFile } from '../api/types';
+import type { Position } from '../contract/data_types';
+import type { Method, RouteFile } from '../contract/types';
 import { readPosition } from './position';
 import type { Area } from './area';
 import { severalIn } from './data_choice';

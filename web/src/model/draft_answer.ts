@@ -1,5 +1,5 @@
-import type { Position } from '../api/data_types';
-import type { Change, Violation } from '../api/types';
+import type { Position } from '../contract/data_types';
+import type { Change, Violation } from '../contract/types';
 import { emptyDraft, hasGoalsFile, type Draft, type Faults, type Field } from './draft';
 import { factorOf, numberFields, timeFields, type NumberField } from './fields';
 import { fieldOf, isoOf } from './time';

@@ -1,5 +1,5 @@
-import type { Position } from '../api/data_types';
-import type { PlanInputs } from '../api/types';
+import type { Position } from '../contract/data_types';
+import type { PlanInputs } from '../contract/types';
 import { readPosition } from './position';
 import { areasInputs, faultOfAreas } from './area';
 import { choiceInputs, severalIn } from './data_choice';

@@ -1,5 +1,5 @@
 import { computed, signal } from '@preact/signals';
-import type { Position } from '../api/data_types';
+import type { Position } from '../contract/data_types';
 import { openForm } from './hand_made';
 import { tool } from './view';
 

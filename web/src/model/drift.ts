@@ -1,5 +1,5 @@
 import { signal } from '@preact/signals';
-import type { IcebergDrift, Position } from '../api/data_types';
+import type { IcebergDrift, Position } from '../contract/data_types';
 import { destination, inverse } from '../geo/geodesic';
 
 /** Forecasts of the icebergs in view, from their last sightings on. */

@@ -1,5 +1,5 @@
 import { computed, signal } from '@preact/signals';
-import type { Position } from '../api/data_types';
+import type { Position } from '../contract/data_types';
 import { placesIn } from './draft';
 import { selectedId, waypointLabel } from './plans';
 import { remember } from './undo';

@@ -1,5 +1,5 @@
 import { computed, signal } from '@preact/signals';
-import type { CoastFeature, IcebergFeature, Position } from '../api/data_types';
+import type { CoastFeature, IcebergFeature, Position } from '../contract/data_types';
 import { sample, samplePair, type Grid, type TimedPair } from '../geo/grid';
 
 /** The data that are loaded for the area in view. */

@@ -1,6 +1,6 @@
-import type { Flight, FlightEnd, FlightMode, SimulationSummary } from '../api/simulation_types';
-import type { Position } from '../api/data_types';
-import type { Plan } from '../api/types';
+import type { Flight, FlightEnd, FlightMode, SimulationSummary } from '../contract/simulation_types';
+import type { Position } from '../contract/data_types';
+import type { Plan } from '../contract/types';
 import { destination, inverse } from '../geo/geodesic';
 import { routeOf } from './plans';
 

@@ -1,5 +1,5 @@
 import { computed, signal } from '@preact/signals';
-import type { IcebergFeature, NewFeature, Position, ZoneFeature } from '../api/data_types';
+import type { IcebergFeature, NewFeature, Position, ZoneFeature } from '../contract/data_types';
 import { editablePosition } from '../geo/coordinates';
 import { readPosition } from './position';
 import { areasInputs, faultOfAreas, newArea, type Area } from './area';

@@ -1,4 +1,4 @@
-import type { Plan, Waypoint } from '../api/types';
+import type { Plan, Waypoint } from '../contract/types';
 import { waypointLabel } from './plans';
 import { duration } from './time';
 

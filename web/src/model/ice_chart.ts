@@ -1,5 +1,5 @@
 import { computed, signal } from '@preact/signals';
-import type { Dataset, IceChart, IceEgg, Position } from '../api/data_types';
+import type { Dataset, IceChart, IceEgg, Position } from '../contract/data_types';
 import { wrapLongitude } from '../geo/geodesic';
 import { time_ms } from './clock';
 import { chosenAll, ofKind } from './datasets';

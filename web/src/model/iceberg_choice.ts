@@ -1,6 +1,6 @@
 import { computed } from '@preact/signals';
-import type { Dataset } from '../api/data_types';
-import type { Plan } from '../api/types';
+import type { Dataset } from '../contract/data_types';
+import type { Plan } from '../contract/types';
 import { time_ms } from './clock';
 import { severalIn } from './data_choice';
 import { ofKind } from './datasets';

@@ -1,4 +1,4 @@
-import type { IcebergProperties } from '../api/data_types';
+import type { IcebergProperties } from '../contract/data_types';
 import { requestFields } from '../contract/request_fields';
 import { draft, numberIn } from './draft';
 import { day_ms, hour_ms } from './time';

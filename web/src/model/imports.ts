@@ -1,6 +1,6 @@
 import { computed, signal } from '@preact/signals';
-import type { FileReport, Upload } from '../api/data_types';
-import type { JobStatus } from '../api/types';
+import type { FileReport, Upload } from '../contract/data_types';
+import type { JobStatus } from '../contract/types';
 
 /** A file on its way into the store. */
 export interface SentFile {

@@ -1,4 +1,4 @@
-import type { IngestOptions, Position } from '../api/data_types';
+import type { IngestOptions, Position } from '../contract/data_types';
 import { parsePosition } from '../geo/coordinates';
 
 /** What a person says about files beyond the files themselves: texts until they are sent; empty where the file decides. */

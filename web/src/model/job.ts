@@ -1,5 +1,5 @@
 import { signal } from '@preact/signals';
-import type { Infeasible, JobStatus } from '../api/types';
+import type { Infeasible, JobStatus } from '../contract/types';
 import { asSentence } from './page_words';
 
 /** The planning job under way, if any. */

@@ -1,4 +1,4 @@
-import type { Position } from '../api/data_types';
+import type { Position } from '../contract/data_types';
 import { projectionCodes, type ProjectionCode } from '../geo/projections';
 import { isoOf } from './time';
 

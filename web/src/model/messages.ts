@@ -1,6 +1,6 @@
 import { signal } from '@preact/signals';
-import type { Message, Told } from '../api/types';
-import type { Position } from '../api/data_types';
+import type { Message, Told } from '../contract/types';
+import type { Position } from '../contract/data_types';
 import { circle } from '../geo/geodesic';
 import { ask } from './view';
 

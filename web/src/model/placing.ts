@@ -1,4 +1,4 @@
-import type { Position } from '../api/data_types';
+import type { Position } from '../contract/data_types';
 import { editablePosition } from '../geo/coordinates';
 import { draft, edit } from './draft';
 import { addSafePlace } from './export_options';

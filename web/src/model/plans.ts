@@ -1,6 +1,6 @@
 import { computed, signal } from '@preact/signals';
-import type { Position } from '../api/data_types';
-import type { Plan } from '../api/types';
+import type { Position } from '../contract/data_types';
+import type { Plan } from '../contract/types';
 import { inverse, destination } from '../geo/geodesic';
 import { time_ms } from './clock';
 

@@ -1,5 +1,5 @@
 import { signal } from '@preact/signals';
-import type { Box, Position } from '../api/data_types';
+import type { Box, Position } from '../contract/data_types';
 import { contains } from '../geo/boxes';
 import { parsePosition, type Parsed } from '../geo/coordinates';
 

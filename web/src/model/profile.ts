@@ -1,5 +1,5 @@
-import type { Position } from '../api/data_types';
-import type { Plan, Probe } from '../api/types';
+import type { Position } from '../contract/data_types';
+import type { Plan, Probe } from '../contract/types';
 import { destination, inverse } from '../geo/geodesic';
 
 /** What the vehicle meets along a plan, at moments spread over it. */

@@ -1,5 +1,5 @@
 import { signal } from '@preact/signals';
-import type { Conditions, Reach } from '../api/types';
+import type { Conditions, Reach } from '../contract/types';
 import { isOfReach } from './fields';
 
 /** Isochrones from the start: the hours as typed, and the server's answer for the map. */

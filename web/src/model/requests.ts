@@ -1,4 +1,4 @@
-import type { Conditions, Plan, PlanInputs } from '../api/types';
+import type { Conditions, Plan, PlanInputs } from '../contract/types';
 import { isCondition } from './fields';
 import { draft, numberIn } from './draft';
 import { staleness } from './stale';

@@ -1,6 +1,6 @@
 import { computed, signal } from '@preact/signals';
-import type { Position } from '../api/data_types';
-import type { Conditions, Infeasible, Plan } from '../api/types';
+import type { Position } from '../contract/data_types';
+import type { Conditions, Infeasible, Plan } from '../contract/types';
 import { destination, inverse } from '../geo/geodesic';
 import { routeOf, select, selectedId, selectedWaypoint, titleOf, waypointLabel } from './plans';
 import { conditionsOf } from './requests';

@@ -1,5 +1,5 @@
 import { signal } from '@preact/signals';
-import type { Probe } from '../api/types';
+import type { Probe } from '../contract/types';
 
 /** What is open on the screen apart from the map. */
 export const leftTab = signal<'setup' | 'plans' | 'data'>('setup');

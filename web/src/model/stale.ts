@@ -1,6 +1,6 @@
 import { signal } from '@preact/signals';
-import type { Box, Dataset, DatasetKind } from '../api/data_types';
-import type { Infeasible, Plan } from '../api/types';
+import type { Box, Dataset, DatasetKind } from '../contract/data_types';
+import type { Infeasible, Plan } from '../contract/types';
 import { boxAround, intersection } from '../geo/boxes';
 import { wrapLongitude } from '../geo/geodesic';
 import { datasets } from './datasets';

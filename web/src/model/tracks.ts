@@ -1,5 +1,5 @@
 import { computed, signal } from '@preact/signals';
-import type { GliderTrackFeature, Position } from '../api/data_types';
+import type { GliderTrackFeature, Position } from '../contract/data_types';
 import { destination, inverse } from '../geo/geodesic';
 
 /** The stored tracks of gliders. */

@@ -1,5 +1,5 @@
-import type { Position } from '../api/data_types';
-import type { Plan, Waypoint } from '../api/types';
+import type { Position } from '../contract/data_types';
+import type { Plan, Waypoint } from '../contract/types';
 
 /** Whether dives on the leg to a waypoint must turn below ice or icebergs; unknown for plans without ice data. */
 export const isLegBelowIce = ({ leg_upper_turn_m }: Waypoint): boolean | undefined =>

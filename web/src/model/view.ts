@@ -1,5 +1,5 @@
 import { signal } from '@preact/signals';
-import type { Box, IcebergFeature, Position } from '../api/data_types';
+import type { Box, IcebergFeature, Position } from '../contract/data_types';
 
 /** What the map shows now. The map itself sets it. */
 export interface View {

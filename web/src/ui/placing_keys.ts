@@ -1,5 +1,5 @@
 import { effect, untracked } from '@preact/signals';
-import { probeAt } from '../api/session';
+import { probeAt } from '../actions/session';
 import { formatPosition } from '../geo/coordinates';
 import { drawingWish, isDrawing } from '../model/drawing';
 import { takePlace } from '../model/placing';

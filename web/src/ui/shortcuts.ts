@@ -1,6 +1,6 @@
-import { editCopy } from '../api/plan_inputs';
-import { plan } from '../api/planning';
-import { probeAt } from '../api/session';
+import { editCopy } from '../actions/plan_inputs';
+import { plan } from '../actions/planning';
+import { probeAt } from '../actions/session';
 import { range, setTime, stepHours, togglePlay } from '../model/clock';
 import { openBergId } from '../model/berg_card';
 import { drawByKey } from '../model/drawing';

@@ -1,5 +1,5 @@
 import { expect, it } from 'vitest';
-import type { Box, Dataset } from '../../src/api/data_types';
+import type { Box, Dataset } from '../../src/contract/data_types';
 import { chosen, chosenAll, damagedDatasets, datasets, forgetMissing, isEmptyStore, isInUse, takeStored } from '../../src/model/datasets';
 import { draft, fill } from '../../src/model/draft';
 

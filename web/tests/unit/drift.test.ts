@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import type { IcebergDrift } from '../../src/api/data_types';
+import type { IcebergDrift } from '../../src/contract/data_types';
 import { driftLineOf, expectedAt, plainLineOf, ticksOf } from '../../src/model/drift';
 
 const start_ms = Date.parse('2026-11-20T06:00:00Z');

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import type { Flight } from '../../src/api/simulation_types';
-import type { Position } from '../../src/api/data_types';
+import type { Flight } from '../../src/contract/simulation_types';
+import type { Position } from '../../src/contract/data_types';
 import { destination } from '../../src/geo/geodesic';
 import { crossTrackOf, momentOf, returnsOf, sonarAt, stretchesOf } from '../../src/model/flight';
 

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import type { Position } from '../../src/api/data_types';
+import type { Position } from '../../src/contract/data_types';
 import { circle, densify, destination, inverse, wrapLongitude } from '../../src/geo/geodesic';
 
 describe('geodesics', () => {

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import type { IcebergFeature, ZoneFeature } from '../../src/api/data_types';
+import type { IcebergFeature, ZoneFeature } from '../../src/contract/data_types';
 import type { Area } from '../../src/model/area';
 import { featureOf, formOf, newBerg, newZone, renumber, type BergForm, type HandChange, type OpenForm } from '../../src/model/hand_made';
 

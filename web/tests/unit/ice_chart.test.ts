@@ -1,5 +1,5 @@
 import { beforeEach, describe, expect, it } from 'vitest';
-import type { Dataset, IceChart, IceEgg, Position } from '../../src/api/data_types';
+import type { Dataset, IceChart, IceEgg, Position } from '../../src/contract/data_types';
 import { setSpan, setTime } from '../../src/model/clock';
 import { datasets } from '../../src/model/datasets';
 import { chosenChart, drawnChart, eggAt, iceChart, partInWords, shortTotal } from '../../src/model/ice_chart';

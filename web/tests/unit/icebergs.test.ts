@@ -1,5 +1,5 @@
 import { beforeEach, describe, expect, it } from 'vitest';
-import type { IcebergProperties } from '../../src/api/data_types';
+import type { IcebergProperties } from '../../src/contract/data_types';
 import { edit } from '../../src/model/draft';
 import { keepOut_m, strengthOf } from '../../src/model/icebergs';
 

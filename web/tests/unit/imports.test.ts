@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import type { FileReport, Upload } from '../../src/api/data_types';
+import type { FileReport, Upload } from '../../src/contract/data_types';
 import { beginImport, changeFile, changeImport, distinct, forgetImport, importing, importOf, uploadsOf } from '../../src/model/imports';
 
 const upload = (name: string): Upload => ({ id: `id of ${name}`, name, bytes: 1, sha256: '', created: '', expires: '' });

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import type { JobStatus } from '../../src/api/types';
+import type { JobStatus } from '../../src/contract/types';
 import { causeIn, outcomeTitle, stageTitle } from '../../src/model/job';
 
 const job = (part: Partial<JobStatus>): JobStatus => ({

@@ -1,5 +1,5 @@
-import type { Position } from '../../src/api/data_types';
-import type { Plan } from '../../src/api/types';
+import type { Position } from '../../src/contract/data_types';
+import type { Plan } from '../../src/contract/types';
 
 /** A plan along a route, an hour a leg. */
 export function makePlan(id: string, route: Position[]): Plan {

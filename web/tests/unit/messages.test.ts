@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import type { Message } from '../../src/api/types';
+import type { Message } from '../../src/contract/types';
 import { messagesOf, ofRank, showMessage, warnedOf } from '../../src/model/messages';
 import { command } from '../../src/model/view';
 

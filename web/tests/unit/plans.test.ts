@@ -1,5 +1,5 @@
 import { beforeEach, describe, expect, it } from 'vitest';
-import type { Plan } from '../../src/api/types';
+import type { Plan } from '../../src/contract/types';
 import { inverse } from '../../src/geo/geodesic';
 import { hueOf, planDash } from '../../src/theme/palette';
 import { add, nextName, plans, select, selectedPlan, show, shown, shownPlans, vehicleAt } from '../../src/model/plans';

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import type { Position } from '../../src/api/data_types';
+import type { Position } from '../../src/contract/data_types';
 import { northAngle, project, projectionCodes, projections, scaleFactor, unproject } from '../../src/geo/projections';
 import { directionTowards_deg, rotateToView } from '../../src/geo/vectors';
 

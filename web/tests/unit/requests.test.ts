@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import type { DatasetRef } from '../../src/api/types';
+import type { DatasetRef } from '../../src/contract/types';
 import { datasets } from '../../src/model/datasets';
 import { dataOf } from '../../src/model/requests';
 import { makePlan } from './make_plan';

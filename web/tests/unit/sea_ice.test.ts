@@ -1,5 +1,5 @@
 import { beforeEach, describe, expect, it } from 'vitest';
-import type { Dataset } from '../../src/api/data_types';
+import type { Dataset } from '../../src/contract/data_types';
 import { range, spans, time_ms } from '../../src/model/clock';
 import { chosenSeaIce, datasets } from '../../src/model/datasets';
 import { draft, edit } from '../../src/model/draft';

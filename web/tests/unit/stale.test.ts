@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import type { Dataset } from '../../src/api/data_types';
+import type { Dataset } from '../../src/contract/data_types';
 import { newerThan, sightingsFor } from '../../src/model/stale';
 import { makePlan } from './make_plan';
 

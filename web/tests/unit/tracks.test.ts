@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import type { GliderTrackFeature } from '../../src/api/data_types';
+import type { GliderTrackFeature } from '../../src/contract/data_types';
 import { placeAt, placesOf } from '../../src/model/tracks';
 
 const track = (geometry: GliderTrackFeature['geometry'], times: string[]): GliderTrackFeature => ({

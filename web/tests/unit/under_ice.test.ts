@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import type { Plan, Surfacing } from '../../src/api/types';
+import type { Plan, Surfacing } from '../../src/contract/types';
 import { belowIce_m, isLegBelowIce, maySurface, runsOf } from '../../src/model/under_ice';
 import { makePlan } from './make_plan';
 

@@ -1,7 +1,7 @@
 import type { VNode } from 'preact';
 import { useMemo, useState } from 'preact/hooks';
-import { planAt } from '../../api/planning';
-import type { Departure, Plan } from '../../api/types';
+import { planAt } from '../../actions/planning';
+import type { Departure, Plan } from '../../contract/types';
 import { afterCurve } from '../../model/departures';
 import { running } from '../../model/job';
 import { may } from '../../model/login';

@@ -1,7 +1,7 @@
 import type { VNode } from 'preact';
 import { useEffect, useMemo, useState } from 'preact/hooks';
-import { profileOf } from '../../api/profile';
-import type { Plan } from '../../api/types';
+import { profileOf } from '../../actions/profile';
+import type { Plan } from '../../contract/types';
 import { setTime, time_ms } from '../../model/clock';
 import { vehicles } from '../../model/datasets';
 import { currentAlong_m_s, iceDraft_m, iceKeel_m, nearestBerg_m, type ProfilePoint } from '../../model/profile';

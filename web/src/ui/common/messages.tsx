@@ -1,5 +1,5 @@
 import type { VNode } from 'preact';
-import type { Message, Told } from '../../api/types';
+import type { Message, Told } from '../../contract/types';
 import { formatPosition } from '../../geo/coordinates';
 import { countOf, messagesOf, placeOf, showMessage, type Rank } from '../../model/messages';
 import { inPageWords } from '../../model/page_words';

@@ -1,5 +1,5 @@
 import type { VNode } from 'preact';
-import type { GliderTrackFeature } from '../../api/data_types';
+import type { GliderTrackFeature } from '../../contract/data_types';
 import { directionTowards_deg } from '../../geo/vectors';
 import { shortTime } from '../../model/time';
 import { course, depth, speed } from '../../model/units';

@@ -1,5 +1,5 @@
 import type { VNode } from 'preact';
-import { refresh } from '../../api/session';
+import { refresh } from '../../actions/session';
 import { imports } from '../../model/imports';
 import { Icon } from '../common/icon';
 import { DatasetList } from './dataset_list';

@@ -1,7 +1,7 @@
 import type { VNode } from 'preact';
 import { useState } from 'preact/hooks';
-import { deleteDataset } from '../../api/session';
-import type { Dataset } from '../../api/data_types';
+import { deleteDataset } from '../../actions/session';
+import type { Dataset } from '../../contract/data_types';
 import { covered, toggleCoverage } from '../../model/coverage';
 import { byHand, connectionFault, damagedDatasets, datasets, isEmptyStore, isInUse } from '../../model/datasets';
 import { may } from '../../model/login';

@@ -1,7 +1,7 @@
 import { signal } from '@preact/signals';
 import type { VNode } from 'preact';
 import { useRef } from 'preact/hooks';
-import { importFiles } from '../../api/importing';
+import { importFiles } from '../../actions/importing';
 import { ingestOptions, emptyForm, optionsOf } from '../../model/ingest_options';
 import { forbids, may } from '../../model/login';
 import { drawer, leftTab } from '../../model/screen';

@@ -1,5 +1,5 @@
 import type { VNode } from 'preact';
-import { closeForm, openExisting, saveForm, saveOverTheirs } from '../../api/hand_made';
+import { closeForm, openExisting, saveForm, saveOverTheirs } from '../../actions/hand_made';
 import type { Area } from '../../model/area';
 import { changeBerg, changeForm, nameOf, type BergForm, type OpenForm } from '../../model/hand_made';
 import { sizeTitle } from '../../model/icebergs';

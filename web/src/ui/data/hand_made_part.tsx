@@ -1,6 +1,6 @@
 import type { VNode } from 'preact';
-import { openExisting, retire } from '../../api/hand_made';
-import type { ZoneFeature } from '../../api/data_types';
+import { openExisting, retire } from '../../actions/hand_made';
+import type { ZoneFeature } from '../../contract/data_types';
 import { formatPosition } from '../../geo/coordinates';
 import { bergsByHand, handFault, isBerg, nameOf, newBerg, newZone, openForm, zonesByHand, type HandMade, type HandMadeKind, type OpenForm } from '../../model/hand_made';
 import { sizeTitle } from '../../model/icebergs';

@@ -1,5 +1,5 @@
 import type { VNode } from 'preact';
-import { cancelImport, dismissImport, maySendAgain, sendAgain } from '../../api/importing';
+import { cancelImport, dismissImport, maySendAgain, sendAgain } from '../../actions/importing';
 import { isLive, type Import, type SentFile } from '../../model/imports';
 import { stageTitle } from '../../model/job';
 import { fileSize } from '../../model/units';

@@ -1,7 +1,7 @@
 import type { VNode } from 'preact';
 import { useState } from 'preact/hooks';
-import { readAgain } from '../../api/importing';
-import type { FileReport } from '../../api/data_types';
+import { readAgain } from '../../actions/importing';
+import type { FileReport } from '../../contract/data_types';
 import { toggleCoverage, covered } from '../../model/coverage';
 import { askedFor, emptyForm, ingestOptions, inWords, optionNames, optionsOf, type IngestForm, type OptionName } from '../../model/ingest_options';
 import { Icon } from '../common/icon';

@@ -1,5 +1,5 @@
 import type { VNode } from 'preact';
-import type { GliderTrackFeature } from '../../api/data_types';
+import type { GliderTrackFeature } from '../../contract/data_types';
 import { visible } from '../../model/layers';
 import { chosenTrackId, gliderTracks, placesOf } from '../../model/tracks';
 import { ask } from '../../model/view';

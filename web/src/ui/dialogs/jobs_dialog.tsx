@@ -1,7 +1,7 @@
 import type { VNode } from 'preact';
 import { useEffect, useState } from 'preact/hooks';
-import { dismissJob, jobs } from '../../api/client';
-import type { JobStatus } from '../../api/types';
+import { dismissJob, jobs } from '../../actions/client';
+import type { JobStatus } from '../../contract/types';
 import { outcomeTitle, stageTitle } from '../../model/job';
 import { may } from '../../model/login';
 import { asSentence } from '../../model/page_words';

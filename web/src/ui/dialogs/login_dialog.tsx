@@ -1,6 +1,6 @@
 import type { VNode } from 'preact';
 import { useState } from 'preact/hooks';
-import { signIn, signOut } from '../../api/login';
+import { signIn, signOut } from '../../actions/login';
 import { locked, rights, signedIn, type Caller } from '../../model/login';
 import { dialog } from '../../model/screen';
 import { shortTime } from '../../model/time';

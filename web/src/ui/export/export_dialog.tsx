@@ -1,7 +1,7 @@
 import { useEffect, useState } from 'preact/hooks';
 import type { VNode } from 'preact';
-import { dangersIn, downloadAddress, faultsOf, mission, type ExportFormat } from '../../api/client';
-import type { Message, MissionPreview, Plan } from '../../api/types';
+import { dangersIn, downloadAddress, faultsOf, mission, type ExportFormat } from '../../actions/client';
+import type { Message, MissionPreview, Plan } from '../../contract/types';
 import { exportLabelOf, exportLabels, exportOptions, exportOptionsOf, exportWish, lastList, type ExportOptions, type ExportQuery, type ExportWish } from '../../model/export_options';
 import { listRows } from '../../model/list_rows';
 import { bareMessage, countOf, messagesOf } from '../../model/messages';

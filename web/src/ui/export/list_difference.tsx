@@ -1,7 +1,7 @@
 import type { VNode } from 'preact';
 import { useEffect, useRef, useState } from 'preact/hooks';
-import { mission, wordsOf } from '../../api/client';
-import type { MissionPreview, Plan } from '../../api/types';
+import { mission, wordsOf } from '../../actions/client';
+import type { MissionPreview, Plan } from '../../contract/types';
 import type { ExportQuery } from '../../model/export_options';
 import { textOf } from '../../model/file_text';
 import { differenceOf } from '../../model/list_difference';

@@ -1,7 +1,7 @@
 import type { VNode } from 'preact';
 import { useMemo } from 'preact/hooks';
-import type { Flight } from '../../api/simulation_types';
-import type { Plan } from '../../api/types';
+import type { Flight } from '../../contract/simulation_types';
+import type { Plan } from '../../contract/types';
 import { setTime, time_ms } from '../../model/clock';
 import { crossTrackErrors_m, crossTrackOf, endTitles, isEcho, modeTitles, momentOf, returnsOf, sonarAt, sonarShown_s, stretchesOf } from '../../model/flight';
 import { routeOf } from '../../model/plans';

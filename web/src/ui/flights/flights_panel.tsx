@@ -1,8 +1,8 @@
 import type { VNode } from 'preact';
 import { useEffect } from 'preact/hooks';
-import { cancelFlight, fly, listSimulations, openSimulation, removeSimulation } from '../../api/simulating';
-import type { SimulationSummary } from '../../api/simulation_types';
-import type { Plan } from '../../api/types';
+import { cancelFlight, fly, listSimulations, openSimulation, removeSimulation } from '../../actions/simulating';
+import type { SimulationSummary } from '../../contract/simulation_types';
+import type { Plan } from '../../contract/types';
 import { endedSo, endTitles } from '../../model/flight';
 import { stageTitle } from '../../model/job';
 import { may } from '../../model/login';

@@ -1,7 +1,7 @@
 import type { VNode } from 'preact';
-import { tracksAddress } from '../../api/client';
-import { playFlight } from '../../api/simulating';
-import type { Distribution, Interval, Run, Simulation } from '../../api/simulation_types';
+import { tracksAddress } from '../../actions/client';
+import { playFlight } from '../../actions/simulating';
+import type { Distribution, Interval, Run, Simulation } from '../../contract/simulation_types';
 import { endTitles } from '../../model/flight';
 import { playedFlight } from '../../model/simulations';
 import { duration } from '../../model/time';

@@ -1,5 +1,5 @@
 import type { VNode } from 'preact';
-import type { Dataset } from '../../api/data_types';
+import type { Dataset } from '../../contract/data_types';
 import { projectionCodes, projections, type ProjectionCode } from '../../geo/projections';
 import { chosenBathymetry, chosenCoastline, chosenCurrents, chosenSeaIce, connectionFault, datasets, isSynthetic, lastSighted } from '../../model/datasets';
 import { locked, signedIn } from '../../model/login';

@@ -1,9 +1,9 @@
 import type { VNode } from 'preact';
-import { refresh } from '../../api/session';
+import { refresh } from '../../actions/session';
 import { connectionFault, datasets, isEmptyStore } from '../../model/datasets';
 import { locked } from '../../model/login';
 import { dialog } from '../../model/screen';
-import { silence } from '../../api/http';
+import { silence } from '../../actions/http';
 import { Icon } from '../common/icon';
 import { FileChooser } from '../data/file_chooser';
 

@@ -1,6 +1,6 @@
 import type { VNode } from 'preact';
-import type { Position } from '../../api/data_types';
-import type { Probe } from '../../api/types';
+import type { Position } from '../../contract/data_types';
+import type { Probe } from '../../contract/types';
 import { formatPosition } from '../../geo/coordinates';
 import { directionTowards_deg } from '../../geo/vectors';
 import { chartInWords, drawnChart, eggAt, partInWords } from '../../model/ice_chart';

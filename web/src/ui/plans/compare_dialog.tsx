@@ -1,7 +1,7 @@
 import { signal } from '@preact/signals';
 import type { VNode } from 'preact';
-import type { DatasetKind } from '../../api/data_types';
-import type { Plan } from '../../api/types';
+import type { DatasetKind } from '../../contract/data_types';
+import type { Plan } from '../../contract/types';
 import { ofRank } from '../../model/messages';
 import { baseline, baselineId, shownPlans, titleOf } from '../../model/plans';
 import { duration, shortTime } from '../../model/time';

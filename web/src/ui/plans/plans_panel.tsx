@@ -1,6 +1,6 @@
 import { signal } from '@preact/signals';
 import type { VNode } from 'preact';
-import type { Plan } from '../../api/types';
+import type { Plan } from '../../contract/types';
 import { countOf, ofRank, type Rank } from '../../model/messages';
 import { plans, select, selectedId, show, shown, shownPlans, titleOf } from '../../model/plans';
 import { routeEdit } from '../../model/route_edit';

@@ -1,5 +1,5 @@
 import type { VNode } from 'preact';
-import type { PlanningKind } from '../../api/data_types';
+import type { PlanningKind } from '../../contract/data_types';
 import { severalIn, severalOf, ticked } from '../../model/data_choice';
 import { chosenAll, ofKind } from '../../model/datasets';
 import { draft, edit } from '../../model/draft';

@@ -1,7 +1,7 @@
 import type { VNode } from 'preact';
 import { useEffect, useRef } from 'preact/hooks';
-import { planWithChange, planWithoutCurrents } from '../../api/planning';
-import type { Change } from '../../api/types';
+import { planWithChange, planWithoutCurrents } from '../../actions/planning';
+import type { Change } from '../../contract/types';
 import { formatPosition } from '../../geo/coordinates';
 import { draft } from '../../model/draft';
 import { editFor } from '../../model/draft_answer';

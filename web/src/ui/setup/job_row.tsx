@@ -1,6 +1,6 @@
 import type { VNode } from 'preact';
 import { useEffect, useState } from 'preact/hooks';
-import { cancelPlanning } from '../../api/planning';
+import { cancelPlanning } from '../../actions/planning';
 import { causeIn, stageTitle, type RunningJob } from '../../model/job';
 import { duration } from '../../model/time';
 import { Icon } from '../common/icon';

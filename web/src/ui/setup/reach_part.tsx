@@ -1,5 +1,5 @@
 import type { VNode } from 'preact';
-import { hideReach, showReach } from '../../api/reaching';
+import { hideReach, showReach } from '../../actions/reaching';
 import { guidePages } from '../../model/guide_pages';
 import { may } from '../../model/login';
 import { reach, reachHours } from '../../model/reach';

@@ -1,7 +1,7 @@
 import { computed } from '@preact/signals';
 import { useEffect, useRef } from 'preact/hooks';
 import type { VNode } from 'preact';
-import { plan } from '../../api/planning';
+import { plan } from '../../actions/planning';
 import { time_ms } from '../../model/clock';
 import { connectionFault, datasets, isEmptyStore, vehicles } from '../../model/datasets';
 import { draft, edit, emptyDraft, faultyAttempts, generalFaults } from '../../model/draft';

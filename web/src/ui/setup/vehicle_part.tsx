@@ -1,5 +1,5 @@
 import type { VNode } from 'preact';
-import type { Vehicle } from '../../api/data_types';
+import type { Vehicle } from '../../contract/data_types';
 import { vehicles } from '../../model/datasets';
 import { draft } from '../../model/draft';
 import { factorOf, formOf, type NumberField } from '../../model/fields';

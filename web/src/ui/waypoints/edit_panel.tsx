@@ -1,6 +1,6 @@
 import type { VNode } from 'preact';
 import { useState } from 'preact/hooks';
-import { editedName, saveEdit } from '../../api/evaluating';
+import { editedName, saveEdit } from '../../actions/evaluating';
 import { formatPosition } from '../../geo/coordinates';
 import { reasonTitle } from '../../model/job';
 import { asSentence } from '../../model/page_words';

@@ -1,7 +1,7 @@
 import type { VNode } from 'preact';
 import { useState } from 'preact/hooks';
-import type { Position } from '../../api/data_types';
-import type { Waypoint } from '../../api/types';
+import type { Position } from '../../contract/data_types';
+import type { Waypoint } from '../../contract/types';
 import { editablePosition } from '../../geo/coordinates';
 import { readPosition } from '../../model/position';
 import { selectedWaypoint, waypointLabel } from '../../model/plans';

@@ -1,5 +1,5 @@
 import type { VNode } from 'preact';
-import type { Plan } from '../../api/types';
+import type { Plan } from '../../contract/types';
 import { allHolds_s, holdsOf } from '../../model/holds';
 import { duration, shortTime } from '../../model/time';
 import { belowIce_m } from '../../model/under_ice';

@@ -1,6 +1,6 @@
 import type { VNode } from 'preact';
-import { recheck } from '../../api/rechecking';
-import type { Plan } from '../../api/types';
+import { recheck } from '../../actions/rechecking';
+import type { Plan } from '../../contract/types';
 import { reasonTitle } from '../../model/job';
 import { may } from '../../model/login';
 import { asSentence } from '../../model/page_words';

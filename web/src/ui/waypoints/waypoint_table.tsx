@@ -1,5 +1,5 @@
 import { Fragment, type VNode } from 'preact';
-import type { Plan } from '../../api/types';
+import type { Plan } from '../../contract/types';
 import { formatLat, formatLon } from '../../geo/coordinates';
 import { setTime } from '../../model/clock';
 import { hold_s, holdText } from '../../model/holds';

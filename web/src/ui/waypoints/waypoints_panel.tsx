@@ -1,7 +1,7 @@
 import type { VNode } from 'preact';
-import { deletePlan } from '../../api/deleting';
-import { editCopy } from '../../api/plan_inputs';
-import type { Plan } from '../../api/types';
+import { deletePlan } from '../../actions/deleting';
+import { editCopy } from '../../actions/plan_inputs';
+import type { Plan } from '../../contract/types';
 import { edit, emptyDraft } from '../../model/draft';
 import { editablePosition } from '../../geo/coordinates';
 import { may } from '../../model/login';

@@ -12,7 +12,7 @@ import { view, type View } from '../model/view';
 import * as api from './client';
 import { Latest } from './latest';
 import { followIcebergs } from './sightings';
-import type { Box, Dataset } from './data_types';
+import type { Box, Dataset } from '../contract/data_types';
 
 /** Keeps what is loaded of the sea in step with the view, the clock and the chosen data. Call once. */
 export function followFields(): void {

@@ -15,8 +15,8 @@ import { ask } from '../model/view';
 import * as api from './client';
 import { follow } from './following';
 import { learnRequest } from './plan_inputs';
-import type { Position } from './data_types';
-import type { Change, JobStatus, Plan, PlanInputs } from './types';
+import type { Position } from '../contract/data_types';
+import type { Change, JobStatus, Plan, PlanInputs } from '../contract/types';
 
 let cancelled: AbortController | undefined;
 

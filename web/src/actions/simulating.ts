@@ -4,8 +4,8 @@ import { closeSimulation, flightForm, flying, flyingFault, opened, playedFlight,
 import { announce } from '../model/screen';
 import * as api from './client';
 import { follow } from './following';
-import type { SimulateInputs } from './simulation_types';
-import type { Plan } from './types';
+import type { SimulateInputs } from '../contract/simulation_types';
+import type { Plan } from '../contract/types';
 
 let cancelled: AbortController | undefined;
 

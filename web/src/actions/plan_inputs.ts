@@ -3,7 +3,7 @@ import { rememberRequest, requestOf } from '../model/requests';
 import { startEdit } from '../model/route_edit';
 import { ask } from '../model/view';
 import * as api from './client';
-import type { Plan } from './types';
+import type { Plan } from '../contract/types';
 
 /** A plan from elsewhere is judged by its own rules: they are learnt from the server before it is. Where they cannot be had,
  * they are guessed, which the edit panel says. */

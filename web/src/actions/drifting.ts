@@ -11,7 +11,7 @@ import { isoOf } from '../model/time';
 import { view } from '../model/view';
 import * as api from './client';
 import { Latest } from './latest';
-import type { Box, IcebergFeature } from './data_types';
+import type { Box, IcebergFeature } from '../contract/data_types';
 
 /** What the server forecasts at once. */
 const widest_deg = 10;

@@ -1,5 +1,5 @@
 import * as api from './client';
-import type { JobStatus } from './types';
+import type { JobStatus } from '../contract/types';
 
 const pollWait_s = 1;
 

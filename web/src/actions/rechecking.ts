@@ -7,7 +7,7 @@ import { ask } from '../model/view';
 import { reasonTitle } from '../model/job';
 import * as api from './client';
 import { learnRequest } from './plan_inputs';
-import type { Conditions, Plan } from './types';
+import type { Conditions, Plan } from '../contract/types';
 
 /** Of a plan under way also what was sighted since it left, beside all that counted then: the age is counted at its departure. */
 function sightingsSince(plan: Plan): Conditions {

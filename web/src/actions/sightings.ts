@@ -5,7 +5,7 @@ import { icebergChoice, knownAt_ms, shownIcebergs } from '../model/iceberg_choic
 import { hour_ms, isoOf } from '../model/time';
 import * as api from './client';
 import { Latest } from './latest';
-import type { IcebergFeature } from './data_types';
+import type { IcebergFeature } from '../contract/data_types';
 
 /** While the clock runs the sightings of its whole hour are shown; once it rests so long, those of its very moment. */
 const rest_ms = 200;

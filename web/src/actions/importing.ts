@@ -4,7 +4,7 @@ import { Sha256 } from '../model/sha256';
 import { takeStored } from '../model/datasets';
 import * as api from './client';
 import { follow } from './following';
-import type { FileReport, IngestOptions, Upload } from './data_types';
+import type { FileReport, IngestOptions, Upload } from '../contract/data_types';
 
 /** Small enough that the page stays lively between two pieces. */
 const piece_bytes = 1 << 20;

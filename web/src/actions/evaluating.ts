@@ -7,7 +7,7 @@ import { closeSavedEdit, deliver, routeEdit, whyNotSaved, type RouteEdit, type V
 import { announce } from '../model/screen';
 import { duration } from '../model/time';
 import * as api from './client';
-import type { Plan, PlanInputs } from './types';
+import type { Plan, PlanInputs } from '../contract/types';
 
 /** A single change is asked about at once; held keys and quick clicks are answered once, when they pause this long. */
 const pause_ms = 80;

@@ -13,7 +13,7 @@ import { chosenTrack, gliderTracks } from '../model/tracks';
 import { announce, probed, tell } from '../model/screen';
 import { fieldOf, hour_ms, isoOf } from '../model/time';
 import { time_ms } from '../model/clock';
-import type { Position } from './data_types';
+import type { Position } from '../contract/data_types';
 import * as api from './client';
 import { withoutDeleted } from './deleting';
 

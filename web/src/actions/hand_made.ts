@@ -9,7 +9,7 @@ import { announce } from '../model/screen';
 import { remember } from '../model/undo';
 import { tool } from '../model/view';
 import * as api from './client';
-import type { NewFeature } from './data_types';
+import type { NewFeature } from '../contract/data_types';
 
 const gone = 404;
 const changedMeanwhile = 412;

@@ -2,7 +2,7 @@ import { countedAt_ms } from '../model/iceberg_choice';
 import { momentsOf, type ProfilePoint } from '../model/profile';
 import { isoOf } from '../model/time';
 import * as api from './client';
-import type { Plan } from './types';
+import type { Plan } from '../contract/types';
 
 const moments = 60;
 const atOnce = 4;

@@ -1,6 +1,6 @@
 /** The server's documents on plans, jobs and probes, field for field. Positions are decimal degrees, longitude first; times are ISO 8601 in UTC. */
 
-import type { namesOfConditions, requestFields } from '../contract/request_fields';
+import type { namesOfConditions, requestFields } from './request_fields';
 import type { Areas, DatasetKind, Link, Position } from './data_types';
 
 type RequestFields = typeof requestFields;
@@ -286,6 +286,8 @@ export interface Probe {
 export interface Violation {
   pointer: string;
   detail: string;
+  code?: string; // of the rule, in the catalogue of messages
+  values?: Record<string, number | string>;
 }
 
 /** RFC 9457. */

@@ -1,4 +1,4 @@
-import type { Plan } from './types';
+import type { Plan } from '../contract/types';
 import { bringBack, forget, plans, selectedId, shown, titleOf } from '../model/plans';
 import { tell } from '../model/screen';
 import { forgetChanges, remember } from '../model/undo';

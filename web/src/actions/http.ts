@@ -1,5 +1,5 @@
 import { lock } from '../model/login';
-import type { Problem } from './types';
+import type { Problem } from '../contract/types';
 
 /** The server refused or could not be reached; `problem` is what it said, or a description of the silence. */
 export class ApiError extends Error {

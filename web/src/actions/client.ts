@@ -1,6 +1,6 @@
-import type { Box, CoastFeature, FeaturePage, GliderTrackFeature, IceChart, IcebergDrift, IcebergFeature, IcebergTrackFeature, IngestInputs, IngestReport, NewFeature, StoredDatasets, Upload, Vehicle, ZoneFeature } from './data_types';
-import type { EvaluateInputs, EvaluationResults, JobStatus, MissionPreview, PlanFeature, PlanInputs, PlanResults, Probe, Reach, ReachInputs } from './types';
-import type { Flight, SimulateInputs, Simulation, SimulationSummary } from './simulation_types';
+import type { Box, CoastFeature, FeaturePage, GliderTrackFeature, IceChart, IcebergDrift, IcebergFeature, IcebergTrackFeature, IngestInputs, IngestReport, NewFeature, StoredDatasets, Upload, Vehicle, ZoneFeature } from '../contract/data_types';
+import type { EvaluateInputs, EvaluationResults, JobStatus, MissionPreview, PlanFeature, PlanInputs, PlanResults, Probe, Reach, ReachInputs } from '../contract/types';
+import type { Flight, SimulateInputs, Simulation, SimulationSummary } from '../contract/simulation_types';
 import { decodeGrid, type Grid } from '../geo/grid';
 import type { IcebergChoice } from '../model/iceberg_choice';
 import type { Caller } from '../model/login';
