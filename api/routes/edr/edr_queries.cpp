@@ -13,7 +13,7 @@ namespace {
 
 using nlohmann::json;
 
-/// One of `places`, all of which make up the answer.
+/// The coverage at one of `places`. The answer consists of the coverages of all of them.
 tl::expected<json, Response> coverage_at(const EdrCollection& collection, const Context& context,
                                          const Request& request, const EdrRequest& query,
                                          const Wanted& wanted, const codec::WktPlace& at,

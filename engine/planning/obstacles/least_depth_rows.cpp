@@ -12,7 +12,7 @@ namespace {
 
 constexpr float unknown = std::numeric_limits<float>::quiet_NaN();
 
-/// Where a box ends, or a line of the data through it.
+/// A line at an edge of a box, or a line of the data through the box.
 struct Line {
   double at;
   std::optional<std::size_t> node{};

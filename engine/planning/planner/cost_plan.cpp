@@ -35,8 +35,8 @@ cost::DrivenRoute straight_way(const cost::Layout& layout, vehicle::Drive drive)
           .drives = std::vector<vehicle::Drive>(points - 1, drive)};
 }
 
-/// The straight way on the drives that make the whole cost least, begun from each drive on all legs: on one of them
-/// alone it may be closed.
+/// The straight way on the drives with the least total cost. The choice begins once from each drive on all legs, because the
+/// way may be closed to one of them.
 cost::DrivenRoute best_straight_way(const cost::Sea& sea, const cost::Layout& layout,
                                     const Objective& objective, const std::stop_token& stop) {
   cost::DrivenRoute best = straight_way(layout, sea.drives().front());
@@ -52,7 +52,7 @@ cost::DrivenRoute best_straight_way(const cost::Sea& sea, const cost::Layout& la
   return best;
 }
 
-/// The way of the grid with its points moved.
+/// The way on the grid after refinement.
 publish::RefinedDrive refined(const cost::Sea& sea, const cost::DrivenRoute& way, const PlanRequest& request,
                               const std::stop_token& stop, const core::SteadyClock& clock) {
   const Objective objective = request.objective();
@@ -70,7 +70,7 @@ publish::RefinedDrive refined(const cost::Sea& sea, const cost::DrivenRoute& way
   return result;
 }
 
-/// What is done to the way of the grid before it is published.
+/// Improves the way on the grid before it is published.
 ImprovedDrive improve(const cost::Sea& sea, const cost::DrivenRoute& way, const PlanRequest& request,
                       const std::stop_token& stop, const core::SteadyClock& clock) {
   const Objective objective = request.objective();
@@ -104,7 +104,7 @@ Result<Plan> publish(const search::Chart& chart, const ocean::Environment& envir
   plan.refinement = improved.refinement;
   if (plan.refinement) {
     plan.refinement->after = plan.travel_time();
-    // The planned surfacings, which the search knows nothing of, belong to both.
+    // The energy of planned surfacings belongs to both. The search does not know it.
     const core::Joules of_surfacings = plan.energy->use.total() - times->energy.total();
     if (plan.refinement->energy_before)
       plan.refinement->energy_before = *plan.refinement->energy_before + of_surfacings;
@@ -122,7 +122,7 @@ Result<Plan> publish(const search::Chart& chart, const ocean::Environment& envir
   return plan;
 }
 
-/// A plan on grids of one reach and whether a larger reach may do better.
+/// A plan in a search area of one size, and whether a larger area may give a better one.
 struct CostAttempt {
   Result<Plan> plan;
   bool wider_may_help{false};
@@ -150,7 +150,7 @@ CostAttempt plan_cost_within(cost::GridReach reach, const Task& task) {
     }
     way = std::move(*found);
   }
-  // Who came to no end on these grids comes to none on wider ones.
+  // A search that was cut short on these grids is also cut short on wider ones.
   const bool wider_may_help = way.touches_rim && !way.statistics.cut_short;
   progress("refinement", 0.7);
   const ImprovedDrive improved = improve(sea, way.route, request, stop, clock);
@@ -166,7 +166,7 @@ bool costs_less(const Result<Plan>& a, const Result<Plan>& b, const Objective& o
   return a && (!b || cost_of(*a, objective) < cost_of(*b, objective));
 }
 
-/// On the nearer grids, and on the wider ones where they may do better.
+/// The plan in the smaller search area, and in the larger one where that may give a better plan.
 Result<Plan> plan_on_either_reach(const Task& task) {
   const std::vector<cost::GridReach> to_try = cost::reaches(task.request);
   CostAttempt attempt = plan_cost_within(to_try.front(), task);
@@ -181,15 +181,15 @@ bool was_cut_short(const Result<Plan>& plan) {
   return plan ? plan->search.cut_short : plan.error().search_cut_short;
 }
 
-/// The known plan or, if it costs less, what a search found; a search that came to no end leaves its message.
+/// The known plan, or the result of a search if it costs less. A search that was cut short adds its message.
 Result<Plan> better_of(Result<Plan> known, Result<Plan> found, const Objective& objective) {
   if (costs_less(found, known, objective) || !known) return found;
   if (was_cut_short(found)) known->messages.push_back(messages::plan_message<"cost-search-cut-short">());
   return known;
 }
 
-/// What searches on the request's grids find: for all drives, and for some by themselves, which takes little and is
-/// often better where a search for all does not look at everything.
+/// The results of searches on the request's grids, with all drives and with single drives. Those with single drives take little
+/// time, and are often better where the search with all drives is cut short.
 Result<Plan> best_on_grids(const Task& task, const std::vector<vehicle::Drive>& alone) {
   const PlanRequest& request = task.request;
   Result<Plan> best = plan_on_either_reach(task);
@@ -232,12 +232,12 @@ Result<Plan> publish_straight_way(const search::Chart& chart, const ocean::Envir
 
 Result<Plan> search_least_cost_plan(const KnownPlan& known, const Task& task) {
   const auto& [environment, request, stop, progress, clock, wider] = task;
-  // Only the fastest plans wait.
+  // Only the fastest plans hold.
   PlanRequest on_the_move = request;
   on_the_move.holds.longest = core::Seconds{0.0};
   const Objective objective = request.objective();
-  // Refinement makes up for larger steps, and a search takes a third of the time on them or less. They may close
-  // passages, though, that the known plan takes: a way that costs more than that by much, a judgement, is no evidence.
+  // Refinement makes up for larger steps, with which a search takes a third of the time or less. But they may close
+  // passages that the known plan takes. So a way that costs much more than the known plan is no evidence. A judgement.
   constexpr double much = 0.01;
   const bool may_be_coarse =
       known.plan && request.refine && request.method != Method::direct && !request.spacing_along;
@@ -246,7 +246,7 @@ Result<Plan> search_least_cost_plan(const KnownPlan& known, const Task& task) {
     Result<Plan> coarse = best_on_grids(task.with(cost::on_coarser_grids(on_the_move)), known.on_drives);
     const bool is_near =
         coarse && cost_of(*coarse, objective) <= (1.0 + much) * cost_of(*known.plan, objective);
-    const bool is_evidence = is_near || was_cut_short(coarse);  // more places would not have helped then
+    const bool is_evidence = is_near || was_cut_short(coarse);  // then a finer grid would not have helped
     if (is_evidence && !stop.stop_requested()) return better_of(known.plan, std::move(coarse), objective);
     if (costs_less(coarse, best, objective)) best = std::move(coarse);
   }

@@ -26,26 +26,26 @@
 namespace floeplan::planning::planner {
 namespace {
 
-/// A sweep back costs about as much as the search for one departure.
+/// The cost of a sweep from the goal, in searches for one departure.
 constexpr double departures_a_sweep = 2.0;
 
-/// Work that is not the search for one departure, in such searches, for the progress: laying out the grids, and a whole
-/// plan with its refinement. Measured with the demonstration data: a search takes 0.06 s, the others 0.6 s and 0.9 s.
+/// Other work, in searches for one departure, for the progress: making the grids, and a whole plan with its refinement.
+/// Measured with the demonstration data: a search takes 0.06 s, the others 0.6 s and 0.9 s.
 constexpr double searches_a_layout = 10.0;
 constexpr double searches_a_plan = 15.0;
 
-/// Departures of a window of which the curve knows a way and no plan comes, before the window is given up: each takes a
-/// whole plan. First the best ones, then those that are furthest from all that were refused.
+/// How many departures with a way on the curve are planned in full without success before the window is given up. First the
+/// best ones are planned, then those that are furthest from all refused ones.
 constexpr std::size_t best_refused = 12;
 constexpr std::size_t most_refused = 24;
 
-/// Departures with a robust objective that are planned whole, in every member each.
+/// With a robust objective, how many departures are planned in full, each in every member.
 constexpr std::size_t most_planned = 6;
 
 /// The departure with a way that is furthest from those without; empty: there is none.
 std::optional<std::size_t> furthest_from_refused(const std::vector<DepartureOutcome>& outcomes) {
   const std::size_t count = outcomes.size();
-  std::vector<std::size_t> away(count, count);  // from the nearest that was refused
+  std::vector<std::size_t> away(count, count);  // distance to the nearest refused departure
   for (std::size_t i = 0; i < count; ++i) {
     if (!outcomes[i].travel_time) away[i] = 0;
     if (i > 0) away[i] = std::min(away[i], away[i - 1] + 1);
@@ -61,12 +61,12 @@ bool is_robust(const ocean::Environment& environment, const PlanRequest& request
          cost::has_uncertain_currents(environment, request);
 }
 
-/// In how many seas each departure is searched for: the first one, and with a robust objective those of all members.
+/// In how many seas each departure is searched: in the first one, and with a robust objective in those of all members.
 std::size_t count_of_seas(const ocean::Environment& environment, const PlanRequest& request) {
   return is_robust(environment, request) ? 1 + cost::SeaMembers{environment, request.uncertainty}.size() : 1;
 }
 
-/// The share of the comparison of departures in the work for a window. With a robust objective many are planned whole.
+/// The comparison of departures as a share of the work for a window. With a robust objective many are planned in full.
 double share_of_comparison(const ocean::Environment& environment, const PlanRequest& request) {
   const auto seas = static_cast<double>(count_of_seas(environment, request));
   const auto departures = static_cast<double>(request.departures.departures(request.depart).size());
@@ -75,7 +75,7 @@ double share_of_comparison(const ocean::Environment& environment, const PlanRequ
   return comparison / (comparison + plans * seas * searches_a_plan);
 }
 
-/// What one departure leads to, on grids of one reach.
+/// The result of one departure in a search area of one size.
 struct Journey {
   core::Seconds arrival{};
   core::Joules energy{};
@@ -89,7 +89,7 @@ class DepartureSweep {
   /// Errors   as draw_chart
   static Result<DepartureSweep> on_grids(cost::GridReach reach, const ocean::Environment& environment,
                                          const PlanRequest& request, const std::stop_token& stop) {
-    // Only the fastest way waits.
+    // Only the fastest way holds.
     PlanRequest drawn = request;
     if (!request.energy.objective.is_time()) drawn.holds.longest = core::Seconds{0.0};
     auto chart = search::draw_chart(environment, drawn, reach, stop);
@@ -108,7 +108,7 @@ class DepartureSweep {
     return sweep;
   }
 
-  /// What costs least, as a plan for one departure would choose.
+  /// The way with the least cost, as a plan for this departure alone would choose it.
   Result<Journey> leave(core::Seconds after, const std::stop_token& stop) {
     if (auto closed = search::closed_start(*chart_, request_, after))
       return tl::unexpected(std::move(*closed));
@@ -197,12 +197,12 @@ class DepartureSweep {
   std::vector<DepartureSweep> fastest_;   // on each drive by itself, where it is not time that counts
 };
 
-/// Whether wider grids may have a way where there was none for this reason.
+/// Whether a larger search area may have a way where there was none for this reason.
 bool may_be_mended(Reason why) {
   return why != Reason::cancelled && why != Reason::start_near_iceberg && why != Reason::start_in_zone;
 }
 
-/// As a plan for this departure alone would choose between the two reaches.
+/// Chooses between the two search areas as a plan for this departure alone would.
 class Comparison {
  public:
   Comparison(const ocean::Environment& environment, const PlanRequest& request, const std::stop_token& stop)
@@ -233,7 +233,7 @@ class Comparison {
   std::optional<Result<DepartureSweep>> wide_;  // laid out when it is first needed
 };
 
-/// Gives each departure what the request's robust objective counts of the best ways in all members.
+/// Sets the cost of each departure: the request's robust objective over the best ways in all members.
 /// Returns  false once `stop` is requested
 bool weigh_members(std::vector<DepartureOutcome>& outcomes, const ocean::Environment& environment,
                    const PlanRequest& request, const std::stop_token& stop,
@@ -258,14 +258,14 @@ bool weigh_members(std::vector<DepartureOutcome>& outcomes, const ocean::Environ
   return true;
 }
 
-/// Takes the members' own best ways out of what a departure counts, and its plan's way into it.
+/// Replaces the cost of a departure by that of its plan's way in all members.
 void count_plan(DepartureOutcome& outcome, const Plan& plan, const UncertaintyRules& rules) {
   const MemberSpread& costs = *plan.uncertainty->costs;
   outcome.robust_cost = what_counts(costs, rules);
   outcome.members_closed = plan.uncertainty->spread.travel_times().size() - costs.known();
 }
 
-/// The best of the departures that were planned, which others may undercut.
+/// The best of the departures that were planned. Others may turn out to be better.
 std::size_t best_planned(const std::vector<DepartureOutcome>& outcomes,
                          const std::map<std::size_t, Plan>& planned, const Objective& objective) {
   std::vector<DepartureOutcome> of_planned;
@@ -288,7 +288,7 @@ Result<std::vector<DepartureOutcome>> compare_departures(const ocean::Environmen
   const std::size_t seas = count_of_seas(environment, request);
   const auto report = [&](std::size_t sea, std::size_t departure) {
     if (!progress) return;
-    // The grids are laid out with the first departure.
+    // The grids are made for the first departure.
     const double searched = departure == 0 ? 0.0 : searches_a_layout + static_cast<double>(departure);
     const double done = searched / (searches_a_layout + static_cast<double>(departures.size()));
     progress("departures", (static_cast<double>(sea) + done) / static_cast<double>(seas));
@@ -333,7 +333,7 @@ WindowPlan try_to_plan_window(const ocean::Environment& environment, const PlanR
       return {.departures = std::move(*outcomes), .plan = std::move(known->second)};
     if (planned.size() == most_planned) break;
     DepartureOutcome& outcome = (*outcomes)[*best];
-    // Mostly the first plan is the only one, and with a robust objective one of the most that there may be.
+    // Mostly the first plan is the only one; with a robust objective it is one of `most_planned`.
     const double share = outcome.robust_cost ? 1.0 / static_cast<double>(most_planned - planned.size()) : 0.9;
     const double from = std::exchange(done, done + share * (1.0 - done));
     auto plan = try_to_plan(environment, leaving_at(request, outcome.departure), stop,
@@ -345,7 +345,7 @@ WindowPlan try_to_plan_window(const ocean::Environment& environment, const PlanR
     }
     if (plan || plan.error().reason == Reason::cancelled)
       return {.departures = std::move(*outcomes), .plan = std::move(plan)};
-    // What a whole plan is asked for beyond its way, such as the battery, lets another departure do.
+    // Where a full plan fails for another reason than its way, such as the battery, another departure may succeed.
     outcome = {.departure = outcome.departure, .closed = plan.error()};
     if (!refused) refused = std::move(plan.error());
   }

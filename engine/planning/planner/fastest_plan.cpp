@@ -19,7 +19,7 @@
 namespace floeplan::planning::planner {
 namespace {
 
-/// A plan on grids of one reach, where its route lies, and whether a larger reach may do better.
+/// A plan in a search area of one size, its route, and whether a larger area may give a better one.
 struct Attempt {
   Result<Plan> plan;
   std::optional<search::Chart> chart{};  // of a plan
@@ -27,7 +27,7 @@ struct Attempt {
   bool wider_may_help{false};
 };
 
-/// Of a plan whose search was cut short.
+/// The message for a plan whose search was cut short.
 messages::Message what_may_be_better(const Plan& plan) {
   const auto gain = plan.search.possible_gain;
   if (!gain) return messages::plan_message<"search-cut-short">();
@@ -35,13 +35,13 @@ messages::Message what_may_be_better(const Plan& plan) {
                                                                   100.0 * (*gain / plan.travel_time()));
 }
 
-/// The way that the grids give, and what became of it.
+/// The way on the grids, and the same after refinement.
 struct RefinedWay {
   search::FoundWay found;
   publish::Improved improved;
 };
 
-/// Searches the grids, and moves the points of what it finds.
+/// Searches the grids and refines the way that it finds.
 class WayFinder {
  public:
   /// Everything is borrowed and outlives the finder.
@@ -52,8 +52,8 @@ class WayFinder {
 
   [[nodiscard]] Result<RefinedWay> find() const {
     if (!chart_.sea.overhead().bounds_surfacing()) return find_in(chart_.sea);
-    // What is best without the bound and keeps it is best with it. Refinement often takes a way out of the ice that
-    // the grid cannot keep clear of.
+    // If the best way without the bound keeps the bound, it is also the best with it. Refinement often moves a way out of
+    // ice that the grid could not avoid.
     auto free = find_in(chart_.sea.without_bound_on_surfacing());
     if (!free || cost::arrivals_along(chart_.sea, free->improved.route.points, cost::at_departure))
       return free;
@@ -80,10 +80,10 @@ class WayFinder {
   std::vector<search::OpenGrid> grids_;  // none for the direct way
 };
 
-/// Whether the vehicle is at the goal as it opens for whoever could go straight from stop to stop with the strongest
-/// current astern.
+/// Whether the vehicle reaches the goal when it opens, and no vehicle could do so earlier: not even one that goes straight from
+/// stop to stop with the strongest current from astern.
 bool is_as_early_as_any(const search::Chart& chart, core::Seconds travel_time) {
-  constexpr core::Seconds slack{60.0};  // what holds leave, at most
+  constexpr core::Seconds slack{60.0};  // the largest error of a hold's end
   core::Seconds earliest = cost::at_departure;
   bool opens_later = false;
   for (std::size_t i = 1; i < chart.layout.points.size(); ++i) {
@@ -120,7 +120,7 @@ Attempt plan_within(cost::GridReach reach, const Task& task) {
           .wider_may_help = way->found.touches_rim && !(plan && plan->search.none_is_earlier)};
 }
 
-/// On the nearer grids, and on the wider ones where they may do better.
+/// The plan in the smaller search area, and in the larger one where that may give a better plan.
 Attempt best_attempt(const Task& task) {
   const std::vector<cost::GridReach> to_try = cost::reaches(task.request);
   Attempt best = plan_within(to_try.front(), task);
@@ -136,8 +136,8 @@ bool search_was_cut_short(const Attempt& attempt) {
   return attempt.plan ? attempt.plan->search.cut_short : attempt.plan.error().search_cut_short;
 }
 
-/// On grids as fine as asked for. Where that was left open and a search with surfacings came to no end, on coarser
-/// ones, too, on which it comes further.
+/// Plans on grids of the requested spacing. Where no spacing was requested and a search with surfacings was cut short, also on
+/// coarser grids, on which it gets further.
 Attempt plan_on_grids(const Task& task) {
   const PlanRequest& request = task.request;
   Attempt best = best_attempt(task);
@@ -150,7 +150,7 @@ Attempt plan_on_grids(const Task& task) {
   return best;
 }
 
-/// The request without its leave to pass under icebergs; empty where that makes no difference.
+/// The request without permission to pass under icebergs; empty where that makes no difference.
 std::optional<PlanRequest> without_leave(const ocean::Environment& environment, const PlanRequest& request) {
   if (!request.icebergs.pass_under || environment.icebergs.empty()) return std::nullopt;
   PlanRequest strict = request;
@@ -166,8 +166,8 @@ Result<Plan> plan_fastest(const Task& task, const Planning&) {
   const core::ProgressCallback as_asked = core::part_of(progress, "", 0.0, strict ? 0.5 : 1.0);
   Attempt best = plan_on_grids(task.telling(as_asked));
   if (strict && !stop.stop_requested()) {
-    // Refinement finds other ways where less is allowed: a leave must never make a plan later.
-    best.chart.reset();  // of no use any longer, and large
+    // Refinement may find a faster way where less is allowed. Permission to pass under icebergs must never delay a plan.
+    best.chart.reset();  // large, and no longer needed
     const core::ProgressCallback without_leave_too = core::part_of(progress, "", 0.5, 1.0);
     Attempt without = plan_on_grids(task.with(*strict).telling(without_leave_too));
     if (stop.stop_requested()) return tl::unexpected(search::explain_cancelled(request));

@@ -4,11 +4,11 @@
 
 namespace floeplan::planning::planner {
 
-/// Plans the route that arrives earliest in one sea, past the vias in the order given: on the nearer grids, and on
-/// the wider ones where they may do better. Only the plan that is given back is compared with the best possible way.
+/// Plans the route with the earliest arrival in one sea, past the via points in the given order. It searches a smaller area,
+/// and a larger one where that may give a better plan. Only the returned plan is compared with the best possible way.
 /// Precondition  the request is valid
 /// Errors and Stops  as plan_route
-/// `rest`   is not asked: there is nothing simpler
+/// `rest`   is not used: there is no simpler plan
 [[nodiscard]] Result<Plan> plan_fastest(const Task& task, const Planning& rest);
 
 }  // namespace floeplan::planning::planner

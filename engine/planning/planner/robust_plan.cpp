@@ -21,8 +21,8 @@
 namespace floeplan::planning::planner {
 namespace {
 
-/// The work of following the candidates through one member, in whole plans, for the progress. Measured with the
-/// demonstration data: 0.4 s, and 0.9 s for a plan.
+/// The work of timing the candidates in one member, in units of a whole plan, for the progress. Measured with the demonstration
+/// data: 0.4 s, and 0.9 s for a plan.
 constexpr double plans_a_look = 0.4;
 
 std::vector<geo::LonLat> places_of(const Plan& plan) {
@@ -32,8 +32,7 @@ std::vector<geo::LonLat> places_of(const Plan& plan) {
   return places;
 }
 
-/// The plan's legs on the drives that it has in the first currents: they are what is flown, whichever currents come
-/// true.
+/// The plan's legs with their drives in the first currents: these are flown, whichever currents come true.
 cost::DrivenRoute route_of(const Plan& plan, const geo::LocalProjection& projection) {
   cost::DrivenRoute route;
   for (const Waypoint& waypoint : plan.waypoints) {
@@ -44,9 +43,9 @@ cost::DrivenRoute route_of(const Plan& plan, const geo::LocalProjection& project
   return route;
 }
 
-/// How the plans fare in one sea, on the charts that plans are made on: on the nearer one, and those that leave it or
-/// are closed there on the wider one. A chart is opened along the routes: its cells may fall otherwise than those that
-/// a route was found on, and must not close a passage out of caution.
+/// Times the plans in one sea, in the search areas of plans: in the smaller one, and in the larger one where a route leaves the
+/// smaller one or is closed there. The cells along the routes are opened: they may lie differently from those on which a
+/// route was found, and must not close a passage out of caution.
 std::vector<std::optional<cost::DrivenTimes>> drive_all(const ocean::Environment& environment,
                                                         const PlanRequest& request,
                                                         const std::vector<Plan>& plans,
@@ -74,10 +73,10 @@ std::vector<std::optional<cost::DrivenTimes>> drive_all(const ocean::Environment
   return result;
 }
 
-/// How a plan fares in each member.
+/// The result of a plan in each member.
 class Fares {
  public:
-  /// Empty: the member does not let it through.
+  /// Empty: the route is closed in this member.
   void add(const std::optional<cost::DrivenTimes>& times, const Objective& objective) {
     times_.push_back(times ? std::optional{times->arrivals.back() - cost::at_departure} : std::nullopt);
     costs_.push_back(times ? std::optional{times->cost(objective)} : std::nullopt);
@@ -104,7 +103,7 @@ UncertaintyReport report_of(const Fares& fares, const UncertaintyRules& rules, c
   return report;
 }
 
-/// Where members let no route through that was looked at; empty where all do.
+/// The message for members in which all compared routes are closed; empty where there are none.
 std::optional<messages::Message> of_closed_members(const UncertaintyReport& report) {
   const std::size_t members = report.spread.travel_times().size();
   const std::size_t closed = members - report.spread.arrived();
@@ -128,7 +127,7 @@ bool is_better(const MemberSpread& a, const MemberSpread& b, const UncertaintyRu
   if (a.known() != b.known()) return a.known() > b.known();
   const double of_a = what_counts(a, rules);
   const double of_b = what_counts(b, rules);
-  // Of two that miss the share that is asked for, the one that is better where it comes through.
+  // If both miss the requested share, the one that is better in the members where it is open.
   if (std::isinf(of_a) && std::isinf(of_b) && a.known() > 0) return *a.mean() < *b.mean();
   return of_a < of_b;
 }
@@ -165,7 +164,7 @@ Result<Plan> plan_uncertain(const Task& task, const Planning& plan_in_one_sea) {
   const auto add_candidate = [&](const ocean::Environment& sea) {
     const Result<Plan> plan = plan_in(sea);
     if (!plan) return;
-    // A route that the first currents do not let through could not be published.
+    // A route that is closed in the first currents cannot be published.
     Result<Plan> in_first = evaluate_in(environment, places_of(*plan), request, stop);
     if (in_first) candidates.push_back(std::move(*in_first));
   };
@@ -173,8 +172,8 @@ Result<Plan> plan_uncertain(const Task& task, const Planning& plan_in_one_sea) {
     if (stop.stop_requested()) return tl::unexpected(search::explain_cancelled(request));
     add_candidate(members.environment(member));
   }
-  // Between the members' own ways there may be one that is good in all of them: that in their mean is most likely to
-  // be.
+  // Between the members' own ways there may be one that is good in all members. The best way in their mean is the most
+  // likely one.
   if (stop.stop_requested()) return tl::unexpected(search::explain_cancelled(request));
   if (plans_in_mean) {
     if (auto mean = ocean::ensemble_mean(environment.members)) {

@@ -12,12 +12,12 @@
 
 namespace floeplan::planning::planner {
 
-/// Times a given route on a ground that was laid out for it or for one of the same site: see `evaluate_route`.
+/// Times a given route on a ground that was made for this route or for another one of the same site; see `evaluate_route`.
 [[nodiscard]] Result<Plan> evaluate_on_ground(const search::RouteGround& ground,
                                               const std::vector<geo::LonLat>& route,
                                               const PlanRequest& request, const std::stop_token& stop);
 
-/// The same on a ground that is laid out for this route.
+/// The same on a ground that is made for this route.
 [[nodiscard]] Result<Plan> evaluate_in(const ocean::Environment& environment,
                                        const std::vector<geo::LonLat>& route, const PlanRequest& request,
                                        const std::stop_token& stop);

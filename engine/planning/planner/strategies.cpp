@@ -29,7 +29,7 @@ bool asks_for_members(const Task& task) {
   return rules.objective != RobustObjective::none || rules.arrive_before || rules.drawn_members > 0;
 }
 
-/// The plan, and what became of what was asked about the members.
+/// The plan, with messages about requests for members that have no effect.
 Result<Plan> plan_and_tell_of_members(const Task& task, const Planning& rest) {
   Result<Plan> plan = rest(task);
   if (!plan) return plan;
@@ -44,7 +44,7 @@ Result<Plan> plan_and_tell_of_members(const Task& task, const Planning& rest) {
 
 bool may_surface_more_often(const Task& task) { return task.request.under_ice.escape_plan; }
 
-/// Where the best way leaves no escape: ways that come to places to surface more often mostly have one.
+/// For routes without an escape route from some waypoint: routes that pass more places to surface mostly have one.
 Result<Plan> plan_surfacing_more_often(const Task& task, const Planning& rest) {
   Result<Plan> best = rest(task);
   if (best || best.error().reason != Reason::no_escape) return best;
@@ -58,7 +58,7 @@ Result<Plan> plan_surfacing_more_often(const Task& task, const Planning& rest) {
     Result<Plan> plan = rest(task.with(tighter));
     if (!plan && plan.error().reason == Reason::cancelled) return plan;
     if (!plan && plan.error().reason == Reason::no_escape) continue;
-    if (!plan) break;  // no way comes to the surface as often, let alone more often
+    if (!plan) break;  // no way surfaces so often, and so none more often
     plan->messages.push_back(messages::plan_message<"surfaces-more-often">());
     return plan;
   }

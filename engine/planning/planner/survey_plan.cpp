@@ -13,11 +13,11 @@
 namespace floeplan::planning::planner {
 namespace {
 
-/// Of travel times on coarse grids; a plan that takes longer than that met what they do not tell.
+/// Relative error of travel times on coarse grids. A plan that exceeds it met something that they do not show.
 constexpr double accuracy = 0.03;
 
-/// Beside the best one. A judgement: each takes a plan; with a bound on the time without surfacing that may be a
-/// minute.
+/// The number of orders that are planned in addition to the best one. A judgement: each takes a whole plan, which with a bound
+/// on the time without surfacing may need a minute.
 constexpr std::size_t most_other_orders = 4;
 constexpr std::size_t most_other_orders_with_surfacings = 1;
 
@@ -33,7 +33,7 @@ class SurveyPlans {
   SurveyPlans(const Task& task, const Planning& plan_in_order)
       : task_{task}, plan_in_order_{plan_in_order}, parts_{task.progress, "order of visits"} {}
 
-  /// Unless it was planned before.
+  /// Plans in this order, unless it was planned before.
   void plan(const ViaOrder& order) {
     for (const std::vector<std::size_t>& before : tried_)
       if (before == order.vias) return;
@@ -56,7 +56,7 @@ class SurveyPlans {
     return !best_ || best_->travel_time() > travel_time;
   }
 
-  /// The earliest plan; without one why there is none in the order given, which is tried, too.
+  /// The earliest plan; where there is none, why there is none in the given order, which is always tried.
   [[nodiscard]] Result<Plan> best() && {
     if (best_) return std::move(*best_);
     if (tried_.size() > 1) {
@@ -88,7 +88,7 @@ Result<Plan> plan_survey(const Task& task, const Planning& plan_in_order) {
   const core::Seconds promised = first ? (1.0 + accuracy) * first->travel_time : core::Seconds{0.0};
   if (first && plans.is_later_than(minds_time ? promised : core::Seconds{INFINITY})) {
     const std::size_t others = bounds_surfacing ? most_other_orders_with_surfacings : most_other_orders;
-    bool may_be_later = true;  // than orders that were not tried yet
+    bool may_be_later = true;  // whether an order that was not tried yet may be earlier
     for (const EstimatedOrder& other : promising_via_orders(environment, request, 1 + others, stop)) {
       may_be_later = !stop.stop_requested() && plans.is_later_than(other.travel_time);
       if (!may_be_later) break;

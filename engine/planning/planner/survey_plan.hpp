@@ -4,11 +4,11 @@
 
 namespace floeplan::planning::planner {
 
-/// Plans the request's vias in the order that reaches the goal earliest. Where there is no plan in that order, or one
-/// that is later than the order promised, in a few other orders, too, and in the order given: travel times on coarse
-/// grids do not tell all that closes and opens on the way.
-/// Law      where there is a plan in the order given there is one, no later than that by more than a few percent where
-///          the time is what is minded
+/// Plans with the via points in the order that reaches the goal earliest. Where there is no plan in that order, or a later one
+/// than estimated, it also plans in a few other orders and in the given one: travel times on coarse grids do not show
+/// everything that closes and reopens on the way.
+/// Law      If there is a plan in the given order, there is a result. If the objective is time, the result is later than that
+///          plan by a few per cent at most
 /// `plan_in_order`  plans a request whose vias are in the order of their visits
 /// Errors   why there is no plan in the order given
 /// Stops    with Reason::cancelled

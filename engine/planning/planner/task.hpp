@@ -14,7 +14,7 @@
 
 namespace floeplan::planning::planner {
 
-/// What is to be planned, and what goes along with it. Everything is borrowed.
+/// A request with its sea, its stop token and its listener. Everything is borrowed.
 struct Task {
   const ocean::Environment& environment;
   const PlanRequest& request;
@@ -35,7 +35,7 @@ struct Task {
   [[nodiscard]] Task telling(const core::ProgressCallback& other) const {
     return {environment, request, stop, other, clock, wider};
   }
-  /// The same without a word on its progress.
+  /// The same without a listener.
   [[nodiscard]] Task silently() const {
     static const core::ProgressCallback silent = [](std::string_view, double) {};
     return {environment, request, stop, silent, clock, wider};

@@ -52,7 +52,7 @@ graph::SearchTree TourLegs::earliest_arrivals(Leg& leg, core::Seconds depart,
   const search::OpenGrid& open = leg.open;
   const graph::Query query{
       .source = open.grid.start, .goal = open.grid.goal, .depart = depart, .latest = core::Seconds{INFINITY}};
-  // Many places are ordered by trials of few departures: a bound of each pair would take longer than it spares.
+  // With many places few departures are tried. Then a bound of each pair would take more time than it saves.
   if (layout_.points.size() <= most_places_ordered_exactly + 2)
     return graph::find_earliest_arrivals(open.graph, query, travel_time, stop_, bound_of(leg));
   const search::StraightBound straight{sea_, open.grid, open.graph, open.grid.goal};
@@ -82,7 +82,7 @@ std::optional<TourLegs::Way> TourLegs::bounded(const search::OpenGrid& open, cor
 
 std::optional<TourLegs::Way> TourLegs::unbounded(Leg& leg, core::Seconds depart) const {
   const search::OpenGrid& open = leg.open;
-  // Only the search that minds the time minds what ice leaves no room; yet icebergs then close places, too.
+  // Only the search for the time avoids places where ice leaves no room. But then icebergs close places, too.
   std::optional<graph::SearchTree> tree;
   if (sea_.ice()) tree = earliest_arrivals(leg, depart, search::GridTravelTime{sea_, open.grid});
   if (!tree || (sea_.has_timed_closures() && !tree->is_reached(open.grid.goal)))
@@ -105,7 +105,7 @@ std::optional<core::Seconds> TourLegs::time_under_way(std::size_t from, std::siz
   const auto before = static_cast<long>(std::floor(position));
   const auto early = searched(on_grid, before);
   const auto late = searched(on_grid, before + 1);
-  // Where only one of the two departures has a way, at the end of the data for instance, it stands for both.
+  // If only one of the two departures has a way, for instance at the end of the data, it is used for both.
   if (!early && !late) return std::nullopt;
   const core::Seconds first = early ? early->time : late->time;
   const core::Seconds last = late ? late->time : early->time;
@@ -126,7 +126,7 @@ std::optional<core::Seconds> TourLegs::time_past_closures(std::size_t from, std:
   const core::Seconds opens = open_from(closed_[to], arrival);
   const bool may_hold = sea_.holding().longest.count() > 0.0;
   if (!may_hold && opens > arrival) return std::nullopt;
-  // Ways that keep a bound on the time without surfacing are searched with what closes and opens.
+  // Ways with a bound on the time without surfacing are searched with everything that closes and reopens.
   if (!sea_.has_timed_closures() || sea_.overhead().bounds_surfacing() || arrival == depart)
     return opens - depart;
   const auto arrives = arrival_past_closures({from, to}, depart, arrival, opens);
@@ -151,7 +151,7 @@ std::optional<core::Seconds> TourLegs::arrival_past_closures(Pair pair, core::Se
   if (stop_.stop_requested()) return std::nullopt;
   arrives = std::min(arrives, core::Seconds{tree.arrival_s(open.grid.goal)});
   if (std::isfinite(arrives.count())) return arrives;
-  // Who can be where nothing closes until the end opens is there then.
+  // A vehicle can wait at a place that stays open until the end opens, and is then at the end.
   if (!(opens > at_once) || !std::isfinite(opens.count())) return std::nullopt;
   for (graph::Vertex v = 0; v < open.graph.size(); ++v) {
     if (!tree.is_reached(v)) continue;

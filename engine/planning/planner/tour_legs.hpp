@@ -15,9 +15,9 @@
 
 namespace floeplan::planning::planner {
 
-/// Travel times between the stops of a layout, for comparing orders of visits: each pair is searched on a coarse grid
-/// of its own, at departures a fixed time apart, when first asked for; between two departures arrivals are linear,
-/// which keeps FIFO. Who comes to a place that is closed then, by an iceberg for instance, has to wait until it opens.
+/// Travel times between the stops of a layout, for comparing orders of visits. Each pair is searched when it is first asked
+/// for, on a coarse grid of its own and at departures a fixed time apart. Between two departures arrivals are linear, which
+/// keeps FIFO. A vehicle that comes to a closed place, for instance because of an iceberg, waits until it reopens.
 /// Accuracy  some percent: a plan is searched on its own grid once the order is known
 /// Threads   one thread at a time; answers are remembered
 class TourLegs {
@@ -26,12 +26,12 @@ class TourLegs {
   TourLegs(const cost::Sea& sea, const cost::Layout& layout, const PlanRequest& request,
            const std::stop_token& stop);
 
-  /// Empty when there is no way then, or once it is to stop.
+  /// Empty where there is no way at that time, and once `stop` is requested.
   [[nodiscard]] std::optional<core::Seconds> time(std::size_t from, std::size_t to, core::Seconds depart);
-  /// Never more than the same at any departure.
+  /// Lower bound for all departures.
   [[nodiscard]] core::Seconds least_time(std::size_t from, std::size_t to);
-  /// The time with what closes and opens on the way, the time that is left to leave a place before it closes for
-  /// instance, and empty also where a vehicle that never holds comes before the place opens.
+  /// The time with everything that closes and reopens on the way, such as a place that the vehicle must leave before it closes.
+  /// Also empty where a vehicle that never holds arrives before the place opens.
   [[nodiscard]] std::optional<core::Seconds> time_past_closures(std::size_t from, std::size_t to,
                                                                 core::Seconds depart);
 
@@ -46,20 +46,19 @@ class TourLegs {
     std::optional<search::FavourableBound> bound{};  // of `open`, once it was searched
     std::map<long, std::optional<Way>> ways{};       // by number of the departure
   };
-  /// Without a wait at its end.
+  /// The time without a wait at the end.
   [[nodiscard]] std::optional<core::Seconds> time_under_way(std::size_t from, std::size_t to,
                                                             core::Seconds depart);
   [[nodiscard]] Leg& leg(Pair pair);
   [[nodiscard]] const search::FavourableBound& bound_of(Leg& leg) const;
   [[nodiscard]] std::optional<Way> searched(Leg& leg, long departure);
-  /// Keeps the bound on the time without surfacing, from a surfacing at its start.
+  /// The way that keeps the bound on the time without surfacing, with a surfacing at its start.
   [[nodiscard]] std::optional<Way> bounded(const search::OpenGrid& open, core::Seconds depart) const;
   [[nodiscard]] std::optional<Way> unbounded(Leg& leg, core::Seconds depart) const;
   template <class TravelTime>
   [[nodiscard]] graph::SearchTree earliest_arrivals(Leg& leg, core::Seconds depart,
                                                     const TravelTime& travel_time) const;
-  /// When the vehicle can be at the end of a leg that it could be at `at_once` if nothing closed and opened in time,
-  /// and that is not closed at `opens`.
+  /// The arrival at the end of a leg, which is open from `opens` on. Without closures the vehicle would arrive at `at_once`.
   [[nodiscard]] std::optional<core::Seconds> arrival_past_closures(Pair pair, core::Seconds depart,
                                                                    core::Seconds at_once,
                                                                    core::Seconds opens);
@@ -68,7 +67,7 @@ class TourLegs {
   const cost::Layout& layout_;
   PlanRequest request_;
   std::stop_token stop_;
-  std::vector<std::vector<TimeSpan>> closed_;  // times at which each point of the layout is
+  std::vector<std::vector<TimeSpan>> closed_;  // the closed times of each point of the layout
   std::map<Pair, Leg> legs_;
 };
 

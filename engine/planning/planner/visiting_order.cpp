@@ -17,7 +17,7 @@ double arrival_s(const TourLegTime& leg_time, std::size_t from, std::size_t to, 
   return time ? depart_s + time->count() : no_arrival;
 }
 
-/// Arrival at the goal by this order, `no_arrival` when a leg has no way.
+/// Arrival at the goal in this order; `no_arrival` where a leg has no way.
 double end_of_tour_s(const std::vector<std::size_t>& order, std::size_t goal, double depart_s,
                      const TourLegTime& leg_time) {
   double now = depart_s;
@@ -78,7 +78,8 @@ class BestBefore {
   const SetTable& table_;
   const TourLegTime& leg_time_;
   const LeastLegTime& least_time_;
-  std::vector<std::pair<double, std::size_t>> candidates_;  // earliest conceivable arrivals, and from where
+  std::vector<std::pair<double, std::size_t>>
+      candidates_;  // lower bounds of arrivals, and the places they come from
 };
 
 std::optional<VisitingOrder> exact_order(std::size_t n, double depart_s, const TourLegTime& leg_time,
@@ -120,7 +121,7 @@ std::optional<VisitingOrder> exact_order(std::size_t n, double depart_s, const T
   return result;
 }
 
-/// A tour while it is improved.
+/// A tour that is being improved.
 class Tour {
  public:
   Tour(std::size_t n, double depart_s, const TourLegTime& leg_time, const std::stop_token& stop)
@@ -137,7 +138,7 @@ class Tour {
   [[nodiscard]] double end_s() const { return end_s_; }
 
  private:
-  /// Takes the place and the position that end the tour earliest, one after the other.
+  /// Inserts the places one after the other, each time the place and the position that end the tour earliest.
   void insert_all(std::size_t n) {
     std::vector<std::size_t> left(n);
     std::iota(left.begin(), left.end(), std::size_t{1});
@@ -209,17 +210,16 @@ class Tour {
   double end_s_{no_arrival};
 };
 
-/// Every order of visits, one place after the other; a tour that is already later than all that are kept is not gone on
-/// with.
+/// Tries every order of visits, place by place. A tour that is already later than all kept ones is dropped.
 class AllOrders {
  public:
-  /// `most`: are kept, at least one.
+  /// `most`: the number of orders to keep, at least one.
   AllOrders(std::size_t places, const TourLegTime& leg_time, std::size_t most, const std::stop_token& stop)
       : leg_time_{leg_time}, most_{most}, stop_{stop}, left_(places) {
     std::iota(left_.begin(), left_.end(), std::size_t{1});
   }
 
-  /// The earliest first.
+  /// The kept orders, the earliest first.
   std::vector<VisitingOrder> best(core::Seconds depart) && {
     go_on_from(0, depart.count());
     return std::move(best_);

@@ -10,30 +10,30 @@
 
 namespace floeplan::planning::planner {
 
-/// Time to travel from one place of a tour to another, leaving at a time; empty: no way then. Places are numbered:
+/// Time to travel from one place of a tour to another for a departure at a time; empty: no way then. Places are numbered:
 /// 0 the start, 1 .. n those to visit, n + 1 the goal.
 /// Law (FIFO)  leaving later never arrives earlier
 using TourLegTime =
     std::function<std::optional<core::Seconds>(std::size_t from, std::size_t to, core::Seconds depart)>;
 
-/// Never more than the time of a leg, whenever it is begun.
+/// Lower bound of the time of a leg, for all departures.
 using LeastLegTime = std::function<core::Seconds(std::size_t from, std::size_t to)>;
 
-/// In which order to visit places, and when the tour then ends.
+/// An order of visits, and the end of its tour.
 struct VisitingOrder {
   std::vector<std::size_t> places;  // 1 .. n in the order of the visits
   core::Seconds arrival{};          // at the goal
   bool exact{false};                // no other order ends earlier
 };
 
-/// As many places are ordered exactly; more by the heuristic.
+/// Up to so many places are ordered exactly, more by the heuristic.
 inline constexpr std::size_t most_places_ordered_exactly = 12;
 
 /// The order of visits that reaches the goal earliest. Up to 12 places exactly, by dynamic programming over the sets
 /// of places visited so far: under FIFO the earliest arrival at the last place of a set is all that counts of it.
 /// More by the cheapest insertion of one place after the other into the tour, followed by reversals of a stretch and
 /// moves of up to three neighbours as long as one ends the tour earlier; every tour is timed from its departure.
-/// `least_time`  spares legs that cannot be the best to a place; empty: nothing is known
+/// `least_time`  saves legs that cannot be the best to a place; empty: no lower bound is known
 /// Returns  empty when no order leads to the goal, or when `stop` was requested before one was found
 /// Source   Held and Karp 1962, A dynamic programming approach to sequencing problems, J. SIAM 10, with arrivals for
 ///          distances; insertion and 2-opt: Rosenkrantz, Stearns and Lewis 1977, doi:10.1137/0206041, Croes 1958,
@@ -43,13 +43,13 @@ inline constexpr std::size_t most_places_ordered_exactly = 12;
                                                                const std::stop_token& stop,
                                                                const LeastLegTime& least_time = {});
 
-/// As many places are ordered exactly where leaving later may lead further. A judgement: each of their 120 orders asks
-/// for legs at departures of its own, of which a search takes some milliseconds.
+/// Up to so many places are ordered exactly where a later departure may get further. A judgement: each of their 120 orders needs
+/// legs at its own departures, and a search for one takes some milliseconds.
 inline constexpr std::size_t most_places_tried_in_all_orders = 5;
 
-/// The same for times that do not keep the law: up to 5 places by trying all orders, of which as many as asked for are
-/// told, the earliest first; more places as if they kept it, so that the one order that is told can be travelled and
-/// another may end earlier, or be the only one.
+/// The same for times that break FIFO. Up to 5 places: tries all orders and returns the requested number, the earliest first.
+/// More places: as if FIFO held. Then one order at most is returned; it can be travelled, but another one may end earlier, or
+/// be the only one.
 /// `most`   orders, at least one
 [[nodiscard]] std::vector<VisitingOrder> best_visiting_orders_without_fifo(std::size_t places,
                                                                            core::Seconds depart,
@@ -57,7 +57,7 @@ inline constexpr std::size_t most_places_tried_in_all_orders = 5;
                                                                            std::size_t most,
                                                                            const std::stop_token& stop);
 
-/// When the tour past the places in this order is at the goal; empty where a leg has no way.
+/// The arrival at the goal of the tour in this order; empty where a leg has no way.
 [[nodiscard]] std::optional<core::Seconds> end_of_tour(const std::vector<std::size_t>& places,
                                                        core::Seconds depart, const TourLegTime& leg_time);
 

@@ -24,9 +24,10 @@ constexpr core::Seconds close_enough{60.0};
 constexpr double close_enough_share = 1e-3;  // of the travel time
 constexpr int most_plans = 16;  // halves a day to within two seconds, more than `close_enough` asks for
 
-/// Where the search begins.
+/// The beginning of the search.
 struct Beginning {
-  core::UtcTime depart;  // by the legs of the grids; the earliest one when they know of none
+  core::UtcTime
+      depart;  // estimated from the legs of the grids; the earliest departure where they have no way
   core::UtcTime arrive;  // the last moment up to the wanted arrival at which the goal is open
 };
 
@@ -81,7 +82,7 @@ core::UtcTime between(core::UtcTime early, core::UtcTime late) {
   return whole_second(early + 0.5 * (late - early));
 }
 
-/// Looks for later and later departures that arrive in time.
+/// Searches for the latest departure that arrives in time.
 class LatestDeparture {
  public:
   /// Everything is borrowed and outlives this.
@@ -100,7 +101,7 @@ class LatestDeparture {
     if (!beginning) return tl::unexpected(beginning.error());
     wanted_ = beginning->arrive;
     climb(std::max(whole_second(beginning->depart), request_.depart));
-    // Where what closes and opens breaks the order of arrivals, a later departure may be in time again.
+    // Where closures break the order of arrivals, a later departure may be in time again.
     if (!is_cancelled() && !is_late_enough() && !is_closed_for_good()) look_through_the_rest();
     if (is_cancelled()) return tl::unexpected(search::explain_cancelled(request_));
     if (!best_) return explained();
@@ -121,14 +122,14 @@ class LatestDeparture {
     return best_ && left(*best_) <= std::max(close_enough, close_enough_share * best_->travel_time());
   }
 
-  /// Whether no plan came because of what is there at all times.
+  /// Whether there was no plan because of something that never changes.
   [[nodiscard]] bool is_closed_for_good() const {
     if (some_arrive_ || !binds_) return false;
     return binds_ == Constraint::land || binds_ == Constraint::depth || binds_ == Constraint::data_area ||
            binds_ == Constraint::memory;
   }
 
-  /// A whole plan; kept as the best if it arrives in time.
+  /// Makes a whole plan, and keeps it as the best one if it arrives in time.
   std::optional<core::Seconds> try_at(core::UtcTime depart) {
     auto plan = try_to_plan(environment_, leaving_at(request_, depart), stop_, parts_.next(), clock_);
     if (!plan) {
@@ -141,9 +142,9 @@ class LatestDeparture {
     return spare;
   }
 
-  /// What is left of the time is added to the departure as long as the arrival stays in time, what is missing
-  /// taken from it: under FIFO both come to rest at the latest departure.
-  /// `fails`: a departure of which no plan comes that is in time.
+  /// Moves the departure by the time that is left until the wanted arrival, or back by the time that is missing. Under FIFO both
+  /// converge to the latest departure.
+  /// `fails`: a departure without a plan that is in time
   void climb(core::UtcTime depart, std::optional<core::UtcTime> fails = std::nullopt) {
     for (int tries = 0; tries < most_plans && !is_cancelled(); ++tries) {
       const auto spare = try_at(depart);
@@ -164,15 +165,15 @@ class LatestDeparture {
     }
   }
 
-  /// The curve of the departures after the best one, or of all: from the last one on it that is in time the search goes
-  /// on.
+  /// Computes the curve of the departures after the best one, or of all. The search continues from the last departure on it that
+  /// is in time.
   void look_through_the_rest() {
     PlanRequest window = request_;
     if (best_) window.depart = best_->departure;
     const core::Seconds least = least_travel_time();
     window.departures = {.until = wanted_ - least, .step = (wanted_ - least - window.depart) / samples};
     if (window.departures.step < close_enough) return;
-    window.uncertainty.objective = RobustObjective::none;  // whole plans are asked about the members
+    window.uncertainty.objective = RobustObjective::none;  // members count in the whole plans
     const auto curve = compare_departures(environment_, window, stop_, parts_.next());
     if (!curve) return;
     std::optional<core::UtcTime> fails;
@@ -186,7 +187,7 @@ class LatestDeparture {
     }
   }
 
-  /// Of a vehicle that the strongest current takes along.
+  /// A rough lower bound of the travel time, with strong currents from astern.
   [[nodiscard]] core::Seconds least_travel_time() const {
     if (!best_) return core::Seconds{0.0};
     return 0.25 * best_->travel_time();
@@ -196,14 +197,14 @@ class LatestDeparture {
     return messages::plan_message<"early-arrival">(left(*best_).count() / 3600.0);
   }
 
-  /// Of a plan that is in time by its members and not by itself.
+  /// The message for a plan that is in time over its members but not in the first currents.
   [[nodiscard]] messages::Message late() const {
     const bool is_quantile = request_.uncertainty.objective == RobustObjective::quantile;
     return messages::plan_message<"late-in-first-currents">(
         best_->arrival, is_quantile ? "quantile" : "mean", arrival_that_counts(*best_, request_.uncertainty));
   }
 
-  /// Why nothing is in time.
+  /// Why no departure is in time.
   Result<Plan> explained() {
     auto earliest =
         try_to_plan(environment_, leaving_at(request_, request_.depart), stop_, parts_.next(), clock_);

@@ -11,8 +11,8 @@
 
 namespace floeplan::planning::planner {
 
-/// The plan with the latest departure that arrives by the request's `departures.arrive_by`, on the request's own grids;
-/// an infeasible request is not told what would help.
+/// The plan with the latest departure that arrives by the request's `departures.arrive_by`, on the request's own grids. Does not
+/// say what would help where there is none.
 /// Precondition  the request is valid and asks for an arrival
 /// Errors   as `plan_arrival`
 [[nodiscard]] Result<Plan> try_to_plan_arrival(const ocean::Environment& environment,

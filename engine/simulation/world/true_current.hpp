@@ -12,10 +12,10 @@ namespace floeplan::simulation {
 
 /// The water's real velocity: a uniform flow, the forecast where there is one, and the forecast's error.
 /// Frame    east and north of the flight's frame, m/s; never up or down
-/// Depth    above the forecast's first level as at it, below its last as at that; where the model has no water that
-///          deep, as at its deepest water
-/// Coast    where a node is missing, as at the nearest places that have water, one cell aside or two, for models'
-///          coasts are coarse
+/// Depth    above the forecast's first level the current of that level counts, below its last level that of the last; where
+///          the model's water is not so deep, that of its deepest water
+/// Coast    where a node has no water, the current of the nearest water counts, up to two cells away: the coasts of models are
+///          coarse
 /// Outside  empty beyond the forecast's area (and those cells) and period; a forecast held steady answers for every
 ///          time
 /// Threads  const members may be called from several threads at once

@@ -24,9 +24,9 @@ struct StoredGliderTrack {
 
 /// Which tracks a list wants. Everything empty: all.
 struct GliderTrackFilter {
-  std::optional<geo::BoundingBox> area{};  // that the way from one of its points to the next comes into
-  std::optional<core::UtcTime> from{};     // under way then or later
-  std::optional<core::UtcTime> to{};       // under way then or earlier
+  std::optional<geo::BoundingBox> area{};  // tracks that come into it, between their points, too
+  std::optional<core::UtcTime> from{};     // tracks that end at this time or later
+  std::optional<core::UtcTime> to{};       // tracks that begin at this time or earlier
   std::optional<DatasetId> dataset{};
   std::optional<std::string> glider{};
 };

@@ -77,8 +77,8 @@ struct Extent {
   }
 };
 
-/// The area on a lattice of samples, in grid coordinates; grown by a part of their distance, since its rim
-/// bulges between them. Where the projection has no value, the extent is endless.
+/// The window of an area in grid coordinates, found from a lattice of samples. It is widened by a part of their distance,
+/// because the area's edge is curved between them. Where the projection has no value, the window has no limit.
 std::optional<GridWindow> window_of_projected(const ocean::HorizontalGrid& grid,
                                               const geo::BoundingBox& area) {
   constexpr int steps = 48;

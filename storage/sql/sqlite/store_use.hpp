@@ -4,9 +4,9 @@
 
 namespace floeplan::sql::sqlite {
 
-/// That a process uses the database of a store, for as long as the object lives. Whoever puts another file in its place has
-/// to be alone: SQLite finds the log of a database by its name, so that somebody who had the old file open would write it
-/// into the new one. Told by a lock on `<store>/floeplan.use`, which the system takes back from a process that dies.
+/// Marks the database of a store as in use by this process, as long as the object lives. To replace the file a process must be
+/// the only user: SQLite finds the log of a database by its name, so another process with the old file open would write its
+/// log into the new one. The mark is a lock on `<store>/floeplan.use`, which the system releases when a process dies.
 /// Threads  any
 /// Errors   Failure (held_by_another) after ten seconds without the lock; (not_writable) where there can be no lock
 class StoreUse {

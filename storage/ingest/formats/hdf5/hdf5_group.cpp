@@ -54,7 +54,7 @@ Type type_of_part(hid_t compound, const std::string& part) {
   return Type{index < 0 ? H5I_INVALID_HID : H5Tget_member_type(compound, static_cast<unsigned>(index))};
 }
 
-/// Elements in memory that have this part alone.
+/// A compound type in memory with only this one member.
 Type part_alone(const std::string& part, hid_t type) {
   Type compound{H5Tcreate(H5T_COMPOUND, H5Tget_size(type))};
   H5Tinsert(compound.get(), part.c_str(), 0, type);
