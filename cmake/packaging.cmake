@@ -8,8 +8,7 @@ install(DIRECTORY api/examples/ DESTINATION ${CMAKE_INSTALL_DATADIR}/floeplan/ex
   PATTERN __pycache__ EXCLUDE)
 install(FILES README.md SECURITY.md deploy/nginx.conf deploy/Caddyfile DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY web/guide DESTINATION ${CMAKE_INSTALL_DOCDIR}/web FILES_MATCHING PATTERN *.md PATTERN *.png)
-install(FILES web/screenshot.png web/reproduced_figure_7.svg web/reproduced_figure_9.svg
-  DESTINATION ${CMAKE_INSTALL_DOCDIR}/web)
+install(FILES web/reproduced_figure_7.svg web/reproduced_figure_9.svg DESTINATION ${CMAKE_INSTALL_DOCDIR}/web)
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright)
 install(FILES deploy/floeplan.service deploy/floeplan-backup.service deploy/floeplan-backup.timer
   DESTINATION lib/systemd/system)
