@@ -28,7 +28,8 @@ void read_direction(InputReader& reader, IsochroneRequest& request) {
   const auto depart = reader.time("depart");
   const auto arrive_by = reader.time("arrive_by");
   if (from == to) {
-    reader.refuse("/from", "is required, or \"to\" instead; give one of them");
+    reader.refuse("/from", from ? "cannot be given together with \"to\"; give one of them"
+                                : "is required, or \"to\" instead; give one of them");
     return;
   }
   request.direction = from ? Direction::from : Direction::to;

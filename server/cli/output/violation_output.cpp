@@ -19,17 +19,17 @@ void replace_all(std::string& text, const std::string& from, const std::string& 
     text.replace(at, from.size(), to);
 }
 
-/// The flag of a pointer, with what is below it: "/via/2" becomes "--via 3".
+/// The flag of a pointer, with what is below it: "/via/2" becomes "--via 3", "/objective/energy" "--objective (energy)".
 std::string with_flag(const std::string& pointer, const std::vector<InputFlag>& flags) {
   for (const InputFlag& known : flags) {
     if (!pointer.starts_with(known.pointer)) continue;
     const std::string rest = pointer.substr(known.pointer.size());
     if (rest.empty()) return known.flag;
     if (rest.front() != '/') continue;
-    const std::string number = rest.substr(1);
-    const bool counts = !number.empty() && number.size() < 9 &&
-                        std::ranges::all_of(number, [](char c) { return c >= '0' && c <= '9'; });
-    return known.flag + (counts ? ' ' + std::to_string(std::stoul(number) + 1) : rest);
+    const std::string below = rest.substr(1);
+    const bool counts = !below.empty() && below.size() < 9 &&
+                        std::ranges::all_of(below, [](char c) { return c >= '0' && c <= '9'; });
+    return known.flag + ' ' + (counts ? std::to_string(std::stoul(below) + 1) : '(' + below + ')');
   }
   return pointer;
 }
@@ -48,6 +48,7 @@ std::vector<InputFlag> flags_of(fields::Process process) {
   std::vector<InputFlag> flags;
   for (const fields::Field& field : fields::fields_of(process))
     if (!field.flag.empty()) flags.push_back({fields::pointer_of(field), "--" + std::string{field.flag}});
+  flags.push_back({"/uncertainty/quantile", "--robust"});  // the share that stands in the place of "mean"
   return flags;
 }
 

@@ -27,6 +27,9 @@ TEST(WordsOfFlags, StandInThePlaceOfPointersMembersAndArrays) {
       said({"/spacing_m", "must be a distance from 10 to 100000 m, or two as [along, across], not 1.0"}),
       "--spacing must be a distance from 10 to 100000 m, or two as along,across, not 1.0");
   EXPECT_EQ(said({"/via/1", "must be a place"}), "--via 2 must be a place");
+  EXPECT_EQ(said({"/objective/energy", "must be a number"}), "--objective (energy) must be a number");
+  EXPECT_EQ(said({"/uncertainty/quantile", "must be a number from 0.01 to 0.99, not 2.0"}),
+            "--robust must be a number from 0.01 to 0.99, not 2.0");
   EXPECT_EQ(said({"/currents", "no dataset has the id nosuch"}), "--currents: no dataset has the id nosuch");
 }
 
