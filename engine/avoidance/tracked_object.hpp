@@ -18,7 +18,7 @@ struct SurfaceCell {
 
   geo::PlanePoint offset{};  // from the object's origin
   double depth_m{};
-  double deepest_m{};  // that all its echoes can have come from
+  double deepest_m{};  // the greatest depth from which all its echoes can have come
   double seen_s{};     // when last, on the clock of the flight
   std::uint16_t hits{};
   bool beside_other{};  // seen from above another cell lies there already

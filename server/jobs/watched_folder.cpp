@@ -21,7 +21,7 @@ constexpr int looks_without_change = 4;  // two seconds: copying programs write 
 constexpr int looks_of_patience = 600;   // five minutes
 constexpr std::chrono::seconds after_failure{30};
 
-/// What changes while somebody still writes.
+/// The properties of a file that change while it is being written.
 struct Appearance {
   std::uintmax_t bytes{};
   fs::file_time_type changed{};

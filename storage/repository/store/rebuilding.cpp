@@ -67,7 +67,7 @@ bool copy_thing(sql::Connection& db, const ThingTable& table, std::int64_t row) 
   return true;
 }
 
-/// A table without things: whole, or row by row as far as it goes.
+/// Copies a table that belongs to no stored thing: as a whole, or, where that fails, row by row as far as possible.
 bool copy_table_beside(sql::Connection& db, const std::string& table) {
   const auto copy_all = [&](const char* index) { sql::execute(db, insert_from_old(db, table, index)); };
   if (copied_past_indices(db, copy_all)) return true;

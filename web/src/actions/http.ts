@@ -11,7 +11,7 @@ export class ApiError extends Error {
 /** What a JSON pointer names, without what all of them begin with. */
 const placeOf = (pointer: string): string => pointer.replace(/^[/?](inputs\/|properties\/)?/, '');
 
-/** What the server found wrong, each behind the name of its place; what went wrong where it lists nothing. */
+/** The faults that the server lists, each behind the name of its place. Where it lists none, a sentence about what went wrong. */
 export function faultsOf(error: unknown, nameOf: (place: string) => string = (place) => place): string[] {
   if (!(error instanceof ApiError)) return [error instanceof Error ? error.message : String(error)];
   const listed = (error.problem.errors ?? []).map(({ pointer, detail }) => `${nameOf(placeOf(pointer))} ${detail}`.trim());

@@ -46,7 +46,7 @@ export function followIcebergs(): void {
   });
 }
 
-/** The same sightings stay as they are: nothing that is made of them has to be made again. */
+/** Shows sightings. If they have not changed the list stays the same object, so that nothing is computed again. */
 function show(features: IcebergFeature[], as_of_ms: number): void {
   const before = icebergs.value;
   const isSame = features === before || (features.length === before.length && features.every((berg, i) => JSON.stringify(berg) === JSON.stringify(before[i])));
