@@ -104,8 +104,8 @@ test('plans are compared, and one of them is the baseline', async ({ page, reque
 });
 
 test('the jobs of the server are listed, and one that found no route is not called successful', { tag: '@long' }, async ({ page, request }) => {
-  const { start, goal, land } = await findPlaces(request);
-  const inputs = { from: start, to: land, depart: '2026-11-22T12:00:00Z' };
+  const { start, goal } = await findPlaces(request);
+  const inputs = { from: start, to: goal, depart: '2026-11-22T12:00:00Z', arrive_by: '2026-11-22T12:01:00Z', method: 'direct' };
   await request.post('/processes/plan-route/execution', { data: { inputs }, headers: { Prefer: 'respond-sync' } });
   await open(page);
   await planByTyping(page, start, goal);
@@ -115,7 +115,7 @@ test('the jobs of the server are listed, and one that found no route is not call
   await expect(jobs).toContainText('plan route');
   await expect(jobs).toContainText('successful');
   const refused = jobs.getByRole('row', { name: /no route/ });
-  await expect(refused).toContainText(/No route: .*land/);
+  await expect(refused).toContainText(/No route: .*arriv/);
   await expect(refused).not.toContainText('successful');
   const { violations } = await new AxeBuilder({ page }).analyze();
   expect(violations.filter(({ impact }) => impact === 'serious' || impact === 'critical')).toEqual([]);

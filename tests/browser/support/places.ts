@@ -13,6 +13,7 @@ interface Probe {
   depth_m: number | null;
   currents: { u_m_s: number | null };
   icebergs_within: { distance_m: number }[];
+  ice_concentration: number | null;
 }
 
 export interface Places {
@@ -27,7 +28,7 @@ let found: Promise<Places> | undefined;
 export const findPlaces = (request: APIRequestContext): Promise<Places> => (found ??= searchPlaces(request));
 
 /**
- * Places that suit whatever is in the store: two at sea, deep and away from ice and about `apart_deg` of latitude from
+ * Places that suit whatever is in the store: two at sea, deep, away from icebergs and sea ice and about `apart_deg` of latitude from
  * each other, and one on land. Found by asking the server along a lattice over the area of the currents.
  */
 async function searchPlaces(request: APIRequestContext): Promise<Places> {
@@ -36,6 +37,17 @@ async function searchPlaces(request: APIRequestContext): Promise<Places> {
   if (!currents) throw new Error('The store has no currents.');
   const time = currents.times?.[Math.floor(currents.times.length / 3)] ?? currents.time_start ?? '';
   const [west, south, east, north] = currents.bbox;
+  const probeAt = async ([lon, lat]: LonLat, when: string): Promise<Probe | undefined> => {
+    const response = await request.get('/probe', { params: { lon: lon.toFixed(6), lat: lat.toFixed(6), time: when } });
+    return response.ok() ? ((await response.json()) as Probe) : undefined;
+  };
+  // Sea ice drifts, and journeys depart when they like.
+  const isOpen = async (place: LonLat): Promise<boolean> => {
+    for (const when of [currents.times?.[0] ?? time, time, currents.times?.at(-1) ?? time]) {
+      if (((await probeAt(place, when))?.ice_concentration ?? 0) > 0) return false;
+    }
+    return true;
+  };
 
   const sea: LonLat[] = [];
   const land: LonLat[] = [];
@@ -43,12 +55,11 @@ async function searchPlaces(request: APIRequestContext): Promise<Places> {
   for (let j = 2; j <= steps - 2; ++j) {
     for (let i = 1; i < steps; ++i) {
       const place: LonLat = [west + ((east - west) * i) / steps, south + ((north - south) * j) / steps];
-      const response = await request.get('/probe', { params: { lon: place[0].toFixed(6), lat: place[1].toFixed(6), time } });
-      if (!response.ok()) continue;
-      const probe = (await response.json()) as Probe;
+      const probe = await probeAt(place, time);
+      if (!probe) continue;
       if (probe.land === true || (probe.depth_m !== null && probe.depth_m < 0)) land.push(place);
       const clear = probe.icebergs_within.every(({ distance_m }) => distance_m > 4000);
-      if (probe.land !== true && (probe.depth_m ?? 0) > 150 && probe.currents.u_m_s !== null && clear) sea.push(place);
+      if (probe.land !== true && (probe.depth_m ?? 0) > 150 && probe.currents.u_m_s !== null && clear && (await isOpen(place))) sea.push(place);
     }
   }
   const pair = nearestPair(sea);
