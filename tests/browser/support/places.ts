@@ -29,7 +29,7 @@ export const findPlaces = (request: APIRequestContext): Promise<Places> => (foun
 
 /**
  * Places that suit whatever is in the store: two at sea, deep, away from icebergs and sea ice and about `apart_deg` of latitude from
- * each other, and one on land. Found by asking the server along a lattice over the area of the currents.
+ * each other, and the land nearest to them. Found by asking the server along a lattice over the area of the currents.
  */
 async function searchPlaces(request: APIRequestContext): Promise<Places> {
   const { datasets } = (await (await request.get('/datasets')).json()) as { datasets: Dataset[] };
@@ -63,7 +63,7 @@ async function searchPlaces(request: APIRequestContext): Promise<Places> {
     }
   }
   const pair = nearestPair(sea);
-  const ashore = land[Math.floor(land.length / 2)];
+  const ashore = pair && nearestTo(pair[1], land);
   if (!pair || !ashore) throw new Error(`Only ${sea.length} places at sea and ${land.length} on land were found.`);
   return { start: pair[0], goal: pair[1], land: ashore };
 }
@@ -72,7 +72,11 @@ async function searchPlaces(request: APIRequestContext): Promise<Places> {
 function nearestPair(sea: LonLat[]): [LonLat, LonLat] | undefined {
   const middle = sea[Math.floor(sea.length / 2)];
   if (!middle) return undefined;
-  const away = (place: LonLat): number => Math.hypot((place[0] - middle[0]) * 0.4, place[1] - middle[1]);
-  const other = sea.filter((place) => place !== middle).sort((a, b) => away(a) - away(b))[0];
+  const other = nearestTo(middle, sea.filter((place) => place !== middle));
   return other && [middle, other];
+}
+
+function nearestTo(here: LonLat, places: LonLat[]): LonLat | undefined {
+  const away = (place: LonLat): number => Math.hypot((place[0] - here[0]) * 0.4, place[1] - here[1]);
+  return [...places].sort((a, b) => away(a) - away(b))[0];
 }
