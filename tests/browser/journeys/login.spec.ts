@@ -29,7 +29,7 @@ async function signIn(page: Page, token: string): Promise<void> {
   await settled(page);
 }
 
-test('a pilot signs in with the mouse, plans, uploads, and signs out', async ({ page, guarded_server, request }) => {
+test('a pilot signs in with the mouse, plans, uploads, and signs out', { tag: '@long' }, async ({ page, guarded_server, request }) => {
   await page.goto('/');
   await expect(form(page)).toBeVisible();
   await expectAccessible(page);
