@@ -23,8 +23,9 @@ void note(Violations& list, Violation violation) {
                             "; correct them, and the rest is listed"});
     return;
   }
-  list.push_back({cut_short(std::move(violation.field), longest_field),
-                  cut_short(std::move(violation.rule), longest_rule)});
+  violation.field = cut_short(std::move(violation.field), longest_field);
+  violation.rule = cut_short(std::move(violation.rule), longest_rule);
+  list.push_back(std::move(violation));
 }
 
 bool is_full(const Violations& list) { return list.size() > most_violations; }

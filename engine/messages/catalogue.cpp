@@ -13,6 +13,7 @@
 #include "engine/messages/ingest_track_messages.hpp"
 #include "engine/messages/plan_messages.hpp"
 #include "engine/messages/refusal_messages.hpp"
+#include "engine/messages/request_messages.hpp"
 
 namespace floeplan::messages {
 
@@ -20,7 +21,7 @@ std::vector<Kind> catalogue() {
   std::vector<Kind> all;
   using Kinds = std::span<const Kind>;
   for (const Kinds kinds :
-       {Kinds{plan_kinds}, Kinds{data_kinds}, Kinds{refusal_kinds}, Kinds{phrase_kinds}, Kinds{export_kinds},
+       {Kinds{plan_kinds}, Kinds{data_kinds}, Kinds{refusal_kinds}, Kinds{phrase_kinds}, Kinds{request_kinds}, Kinds{export_kinds},
         Kinds{ingest_area_kinds}, Kinds{ingest_current_kinds}, Kinds{ingest_depth_kinds},
         Kinds{ingest_file_kinds}, Kinds{ingest_format_kinds}, Kinds{ingest_ice_kinds},
         Kinds{ingest_iceberg_kinds}, Kinds{ingest_tide_kinds}, Kinds{ingest_track_kinds}})

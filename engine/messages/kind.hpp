@@ -32,7 +32,7 @@ struct Slot {
 ///             written: "ice at {ice_km:.1f} km" (the format of {fmt}); of a count the word: "{legs} {legs:leg|legs}"
 struct Kind {
   std::string_view code;  // stays, since programs and stored plans know it
-  Rank rank;
+  Rank rank{Rank::caution};
   std::string_view text;
   std::string_view hint{};
   std::array<Slot, 7> slots{};  // those without a name are unused

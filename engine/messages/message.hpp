@@ -1,12 +1,11 @@
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
 
+#include "engine/core/violation.hpp"
 #include "engine/geo/lon_lat.hpp"
 
 namespace floeplan::messages {
@@ -21,16 +20,8 @@ enum class Rank {
 [[nodiscard]] std::string_view rank_name(Rank rank);
 [[nodiscard]] std::optional<Rank> parse_rank(std::string_view name);
 
-/// What a message speaks of: a number in the unit that its name ends in ("error_km"), a count, or words; a moment is
-/// words in ISO 8601.
-using Value = std::variant<double, std::int64_t, std::string>;
-
-struct NamedValue {
-  std::string name;
-  Value value;
-
-  friend bool operator==(const NamedValue&, const NamedValue&) = default;
-};
+using core::NamedValue;
+using core::Value;
 
 /// Something that a person is told. Programs go by the code and the values, which stay; the text may be worded better.
 /// Made of a row of the catalogue (catalogue.hpp), or read back from where it was stored.

@@ -4,27 +4,25 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "engine/messages/fault.hpp"
+
 namespace floeplan::ocean {
 
 core::Violations Zone::violations() const {
-  core::Violations found;
-  const auto require = [&](bool holds, const char* field, const char* rule) {
-    if (!holds) found.push_back({field, rule});
-  };
+  messages::Faults faults;
   const auto is_ring = [](const geo::Ring& ring) {
     return ring.size() >= 3 && std::ranges::all_of(ring, geo::is_valid);
   };
-  require(is_ring(area.outer) && std::ranges::all_of(area.holes, is_ring), "/area",
-          "must be a polygon of rings of at least three places, longitude first");
+  faults.require<"not-an-area">(is_ring(area.outer) && std::ranges::all_of(area.holes, is_ring), "/area");
   const auto finite = [](const std::optional<core::UtcTime>& time) {
     return !time || std::isfinite(core::unix_seconds(*time));
   };
-  require(finite(from), "/from", "must be a time");
-  require(finite(until), "/until", "must be a time");
-  require(!from || !until || *from <= *until, "/until", "must not be before \"from\"");
-  require(std::isfinite(top.value) && top.value >= 0.0, "/top_m", "must be a depth of at least 0 m");
-  require(bottom.value >= top.value, "/bottom_m", "must not be above \"top_m\"");
-  return found;
+  faults.require<"not-a-time">(finite(from), "/from");
+  faults.require<"not-a-time">(finite(until), "/until");
+  faults.require<"ends-before-it-begins">(!from || !until || *from <= *until, "/until");
+  faults.require<"not-at-least">(std::isfinite(top.value) && top.value >= 0.0, "/top_m", "0 m");
+  faults.require<"bottom-above-top">(bottom.value >= top.value, "/bottom_m");
+  return faults.found();
 }
 
 bool concerns(const Zone& zone, core::Metres shallowest, core::Metres deepest) {

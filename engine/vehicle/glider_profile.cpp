@@ -4,6 +4,8 @@
 #include <cmath>
 #include <functional>
 
+#include "engine/messages/fault.hpp"
+
 namespace floeplan::vehicle {
 namespace {
 
@@ -18,48 +20,39 @@ std::string name_but_for_depth(const GliderProfile& profile) {
 }  // namespace
 
 core::Violations GliderProfile::violations() const {
-  core::Violations found;
-  const auto require = [&](bool holds, const char* field, const char* rule) {
-    if (!holds) found.push_back({field, rule});
-  };
-  const auto within = [](double value, double low, double high) { return value >= low && value <= high; };
-  require(within(speed_through_water.value, 0.05, 5.0), "/speed_m_s", "must be between 0.05 and 5 m/s");
+  messages::Faults faults;
+  faults.within(speed_through_water.value, 0.05, 5.0, "/speed_m_s", "0.05", "5 m/s");
   const double pitch_deg = core::radians_to_degrees(pitch.value);
-  require(within(pitch_deg, least_pitch_deg - 1e-9, most_pitch_deg + 1e-9) &&
-              glide_path_angle(hydrodynamics, pitch).has_value(),
-          "/pitch_deg", "must be between 10 and 60 degrees, steep enough for a steady glide");
-  require(within(buoyancy.value, 1e-5, 1e-2), "/vehicle/buoyancy_cm3", "must be between 10 and 10000 cm3");
-  require(within(depth_rating.value, 2.0, 11'000.0), "/vehicle/depth_rating_m",
-          "must be between 2 and 11000 m");
-  require(dive_depth.value >= 1.0 && dive_depth.value <= depth_rating.value, "/dive_depth_m",
-          "must be at least 1 m and no deeper than the vehicle's rating");
-  require(climb_to.value >= 0.0, "/climb_to_m", "must not be negative");
-  require(!(dive_depth.value < climb_to.value + lowest_tooth.value), "/climb_to_m",
-          "must be at least 2 m above the depth of the dives");
-  require(within(minimum_working_depth.value, 0.0, 11'000.0), "/vehicle/minimum_working_depth_m",
-          "must be between 0 and 11000 m");
-  require(within(altimeter_margin.value, 0.0, 1000.0), "/altimeter_margin_m", "must be between 0 and 1000 m");
-  require(within(energy.hotel.value, 0.0, 1000.0), "/vehicle/hotel_w", "must be between 0 and 1000 W");
-  require(within(energy.pump_efficiency, 0.01, 1.0), "/vehicle/pump_efficiency",
-          "must be between 0.01 and 1");
-  require(within(energy.pump_loss_j_cm3, 0.0, 1000.0), "/vehicle/pump_loss_j_cm3",
-          "must be between 0 and 1000 J/cm3");
-  require(within(energy.intake_j_cm3, 0.0, 1000.0), "/vehicle/intake_j_cm3",
-          "must be between 0 and 1000 J/cm3");
-  require(within(energy.inflection.value, 0.0, 1e6), "/vehicle/inflection_j", "must be between 0 and 1e6 J");
-  require(within(energy.surfacing.value, 0.0, 1e7), "/vehicle/surfacing_j", "must be between 0 and 1e7 J");
-  require(!energy.surfacing_interval || within(energy.surfacing_interval->count(), 60.0, 1e7),
-          "/vehicle/surfacing_interval_s", "must be between 60 and 1e7 s");
-  require(within(energy.battery.value, 1.0, 1e10), "/battery_j", "must be between 1 and 1e10 J");
-  require(within(energy.battery_start_share, 0.0, 1.0), "/battery_start_share", "must be between 0 and 1");
-  require(within(energy.battery_reserve_share, 0.0, 1.0), "/vehicle/battery_reserve_share",
-          "must be between 0 and 1");
-  require(!thruster || within(thruster->speed.value, 0.05, 5.0), "/vehicle/thruster/speed_m_s",
-          "must be between 0.05 and 5 m/s");
-  require(!thruster || within(thruster->power.value, 0.0, 10'000.0), "/vehicle/thruster/power_w",
-          "must be between 0 and 10000 W");
-  require(max_waypoints_per_list >= 1, "/vehicle/max_waypoints_per_list", "must be at least 1");
-  return found;
+  faults.require<"no-steady-glide">(pitch_deg >= least_pitch_deg - 1e-9 &&
+                                        pitch_deg <= most_pitch_deg + 1e-9 &&
+                                        glide_path_angle(hydrodynamics, pitch).has_value(),
+                                    "/pitch_deg");
+  faults.within(buoyancy.value, 1e-5, 1e-2, "/vehicle/buoyancy_cm3", "10", "10000 cm3");
+  faults.within(depth_rating.value, 2.0, 11'000.0, "/vehicle/depth_rating_m", "2", "11000 m");
+  faults.require<"not-at-least">(dive_depth.value >= 1.0 && dive_depth.value <= depth_rating.value,
+                                 "/dive_depth_m", "1 m and no deeper than the vehicle's rating");
+  faults.require<"negative">(climb_to.value >= 0.0, "/climb_to_m");
+  faults.require<"not-at-least">(!(dive_depth.value < climb_to.value + lowest_tooth.value), "/climb_to_m",
+                                 "2 m above the depth of the dives");
+  faults.within(minimum_working_depth.value, 0.0, 11'000.0, "/vehicle/minimum_working_depth_m", "0", "11000 m");
+  faults.within(altimeter_margin.value, 0.0, 1000.0, "/altimeter_margin_m", "0", "1000 m");
+  faults.within(energy.hotel.value, 0.0, 1000.0, "/vehicle/hotel_w", "0", "1000 W");
+  faults.within(energy.pump_efficiency, 0.01, 1.0, "/vehicle/pump_efficiency", "0.01", "1");
+  faults.within(energy.pump_loss_j_cm3, 0.0, 1000.0, "/vehicle/pump_loss_j_cm3", "0", "1000 J/cm3");
+  faults.within(energy.intake_j_cm3, 0.0, 1000.0, "/vehicle/intake_j_cm3", "0", "1000 J/cm3");
+  faults.within(energy.inflection.value, 0.0, 1e6, "/vehicle/inflection_j", "0", "1e6 J");
+  faults.within(energy.surfacing.value, 0.0, 1e7, "/vehicle/surfacing_j", "0", "1e7 J");
+  if (energy.surfacing_interval)
+    faults.within(energy.surfacing_interval->count(), 60.0, 1e7, "/vehicle/surfacing_interval_s", "60", "1e7 s");
+  faults.within(energy.battery.value, 1.0, 1e10, "/battery_j", "1", "1e10 J");
+  faults.within(energy.battery_start_share, 0.0, 1.0, "/battery_start_share", "0", "1");
+  faults.within(energy.battery_reserve_share, 0.0, 1.0, "/vehicle/battery_reserve_share", "0", "1");
+  if (thruster) {
+    faults.within(thruster->speed.value, 0.05, 5.0, "/vehicle/thruster/speed_m_s", "0.05", "5 m/s");
+    faults.within(thruster->power.value, 0.0, 10'000.0, "/vehicle/thruster/power_w", "0", "10000 W");
+  }
+  faults.require<"not-at-least">(max_waypoints_per_list >= 1, "/vehicle/max_waypoints_per_list", "1");
+  return faults.found();
 }
 
 core::Metres GliderProfile::least_water() const {

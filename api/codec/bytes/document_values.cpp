@@ -6,7 +6,9 @@
 #include <utility>
 #include <variant>
 
+#include "engine/core/shown_text.hpp"
 #include "engine/core/utc_text.hpp"
+#include "engine/core/violation_list.hpp"
 #include "engine/messages/plan_messages.hpp"
 #include "engine/messages/sentence.hpp"
 #include "storage/json/json.hpp"
@@ -17,16 +19,19 @@ using nlohmann::json;
 
 namespace {
 
-json told_json(const messages::Message& message) {
+json values_json(const std::vector<core::NamedValue>& given) {
   json values = json::object();
-  for (const auto& [name, value] : message.values)
-    std::visit([&](const auto& held) { values[name] = held; }, value);
+  for (const auto& [name, value] : given) std::visit([&](const auto& held) { values[name] = held; }, value);
+  return values;
+}
+
+json told_json(const messages::Message& message) {
   return {{"code", message.code},
           {"rank", messages::rank_name(message.rank)},
           {"place", message.place ? json{{"lon", document_degrees(message.place->lon_deg)},
                                          {"lat", document_degrees(message.place->lat_deg)}}
                                   : json()},
-          {"values", std::move(values)},
+          {"values", values_json(message.values)},
           {"text", messages::whole_text(message)}};
 }
 
@@ -76,6 +81,22 @@ json messages_json(const std::vector<messages::Message>& messages) {
   json told = json::array();
   for (const messages::Message& message : messages) told.push_back(told_json(message));
   return told;
+}
+
+json errors_json(const core::Violations& violations) {
+  const auto shown = [](const std::string& text) { return core::excerpt(core::without_secrets(text)); };
+  json errors = json::array();
+  for (core::Violation& violation : core::shortened(violations)) {
+    json error{{"pointer", shown(violation.field)}, {"detail", shown(violation.rule)}};
+    for (auto& [name, value] : violation.values)
+      if (auto* words = std::get_if<std::string>(&value)) *words = shown(*words);
+    if (!violation.code.empty()) {
+      error["code"] = violation.code;
+      error["values"] = values_json(violation.values);
+    }
+    errors.push_back(std::move(error));
+  }
+  return errors;
 }
 
 void tell(json& document, std::vector<messages::Message> messages) {

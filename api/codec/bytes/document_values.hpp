@@ -27,6 +27,11 @@ namespace floeplan::codec {
 /// Errors   throws std::runtime_error naming `key`
 [[nodiscard]] core::UtcTime stored_time(const nlohmann::json& object, const char* key);
 
+/// What is wrong with a request, each with its place, and with code and values where the catalogue has a row for it; as
+/// far as `core::note` goes. Texts may hold what a client sent: long words are cut to their beginning, and credentials
+/// are hidden.
+[[nodiscard]] nlohmann::json errors_json(const core::Violations& violations);
+
 [[nodiscard]] nlohmann::json messages_json(const std::vector<messages::Message>& messages);
 /// Gives a document "messages", the gravest first, and beside them their sentences: "warnings", all of them, and
 /// "dangers".

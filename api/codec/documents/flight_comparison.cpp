@@ -15,8 +15,8 @@ using simulation::SegmentComparison;
 void read_log(InputReader& reader, const json& value, const std::string& pointer,
               std::vector<GliderLog>& logs) {
   InputReader members{value, pointer};
-  members.require("name", "is required");
-  members.require("text", "is required: the log itself");
+  members.require("name", "the log's name");
+  members.require("text", "the log itself");
   const auto name = members.text("name");
   const auto text = members.text("text", longest_log);
   members.refuse_unknown();
@@ -29,11 +29,11 @@ void read_log(InputReader& reader, const json& value, const std::string& pointer
 
 std::vector<GliderLog> read_logs(InputReader& reader) {
   std::vector<GliderLog> logs;
-  reader.require("files", "is required: logs of a Slocum, each with \"name\" and \"text\"");
+  reader.require("files", "logs of a Slocum, each with \"name\" and \"text\"");
   const json* value = reader.member("files");
   if (value == nullptr) return logs;
   if (!value->is_array() || value->empty() || value->size() > most_logs) {
-    reader.refuse("/files", "must be an array of 1 to 100 logs, each with \"name\" and \"text\"");
+    reader.refuse<"wrong-shape">("/files", "an array of 1 to 100 logs, each with \"name\" and \"text\"");
     return logs;
   }
   for (std::size_t i = 0; i < value->size(); ++i)
@@ -44,7 +44,7 @@ std::vector<GliderLog> read_logs(InputReader& reader) {
 DragOf read_drag(InputReader& reader) {
   const auto drag = reader.text("drag");
   if (drag && *drag != "log" && *drag != "profile")
-    reader.refuse("/drag", "must be log, the one that the log's rates of depth tell, or profile");
+    reader.refuse<"wrong-shape">("/drag", "log, the one that the log's rates of depth tell, or profile");
   return drag == "profile" ? DragOf::profile : DragOf::log;
 }
 
@@ -60,7 +60,7 @@ tl::expected<vehicle::GliderProfile, core::Violation> compared_vehicle(const std
   if (auto found = vehicle::find_profile(name)) return *found;
   std::string known;
   for (const auto& profile : vehicle::known_profiles()) known += (known.empty() ? "" : ", ") + profile.name;
-  return tl::unexpected(core::Violation{"/vehicle", name + " is not known; use " + known});
+  return tl::unexpected(messages::fault<"unknown-vehicle">("/vehicle", name, known));
 }
 
 tl::expected<CompareFlightInputs, core::Violations> parse_compare_flight_inputs(const json& inputs) {
@@ -71,7 +71,7 @@ tl::expected<CompareFlightInputs, core::Violations> parse_compare_flight_inputs(
   if (vehicle) {
     result.vehicle = *vehicle;
   } else {
-    reader.refuse(vehicle.error().field, vehicle.error().rule);
+    reader.refuse_all("", {vehicle.error()});
   }
   result.drag = read_drag(reader);
   reader.refuse_unknown();

@@ -1,7 +1,7 @@
 #include "api/codec/documents/problem.hpp"
 
+#include "api/codec/bytes/document_values.hpp"
 #include "engine/core/shown_text.hpp"
-#include "engine/core/violation_list.hpp"
 #include "storage/json/json.hpp"
 
 namespace floeplan::codec {
@@ -12,13 +12,7 @@ nlohmann::json to_json(const problems::Problem& problem) {
                           {"title", problem.title},
                           {"status", problem.status},
                           {"detail", core::excerpt(core::without_secrets(problem.detail))}};
-  if (!problem.violations.empty()) {
-    auto& errors = document["errors"] = nlohmann::json::array();
-    for (const auto& violation : core::shortened(problem.violations)) {
-      errors.push_back({{"pointer", core::excerpt(core::without_secrets(violation.field))},
-                        {"detail", core::excerpt(core::without_secrets(violation.rule))}});
-    }
-  }
+  if (!problem.violations.empty()) document["errors"] = errors_json(problem.violations);
   return document;
 }
 

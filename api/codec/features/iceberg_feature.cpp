@@ -22,11 +22,11 @@ std::optional<geo::LonLat> read_point(const nlohmann::json& feature, core::Viola
   static const nlohmann::json none = nlohmann::json::object();
   const nlohmann::json* geometry = feature.contains("geometry") ? &feature.at("geometry") : &none;
   if (!geometry->is_object() || geometry->value("type", nlohmann::json{}) != "Point") {
-    violations.push_back({"/geometry", "must be a Point"});
+    violations.push_back(messages::fault<"wrong-shape">("/geometry", "a Point"));
     return std::nullopt;
   }
   InputReader reader{*geometry, "/geometry"};
-  reader.require("coordinates", "is required: [longitude, latitude] in degrees");
+  reader.require("coordinates", "[longitude, latitude] in degrees");
   const auto place = reader.place("coordinates");
   violations.insert(violations.end(), reader.violations().begin(), reader.violations().end());
   return place;
@@ -61,8 +61,8 @@ tl::expected<ocean::Iceberg, core::Violations> parse_iceberg_feature(const nlohm
   const auto place = read_point(feature, violations);
   const bool has_properties = feature.contains("properties") && feature.at("properties").is_object();
   InputReader reader{has_properties ? feature.at("properties") : none, "/properties"};
-  reader.require("berg_id", "is required: the name of the berg, the same in each of its sightings");
-  reader.require("observed", "is required: when it was seen, ISO 8601 with its zone");
+  reader.require("berg_id", "the name of the berg, the same in each of its sightings");
+  reader.require("observed", "when it was seen, ISO 8601 with its zone");
 
   ocean::Iceberg berg;
   berg.id = reader.text("berg_id").value_or("");
@@ -70,8 +70,8 @@ tl::expected<ocean::Iceberg, core::Violations> parse_iceberg_feature(const nlohm
   if (const auto name = reader.text("size")) {
     const auto size = ocean::parse_size(*name);
     if (!size)
-      reader.refuse("/properties/size",
-                    "must be growler, bergy_bit, small, medium, large, very_large, unknown or radar_target");
+      reader.refuse<"wrong-shape">("/properties/size",
+                    "growler, bergy_bit, small, medium, large, very_large, unknown or radar_target");
     berg.size = size.value_or(ocean::IcebergSize::unknown);
   }
   berg.length = metres_of(reader, "length_m", longest_m);

@@ -21,7 +21,7 @@ tl::expected<ocean::Zone, core::Violations> parse_zone_feature(const json& featu
   core::Violations violations = reader.violations();
   for (auto& violation : violations) violation.field.erase(0, std::string_view{"/areas"}.size());
   if (violations.empty() && zones.size() != 1)
-    violations.push_back({"/geometry", "must be one Polygon; make a feature of each"});
+    violations.push_back(messages::fault<"wrong-shape">("/geometry", "one Polygon; make a feature of each"));
   if (violations.empty()) violations = zones.front().violations();
   if (!violations.empty()) return tl::unexpected(std::move(violations));
   return std::move(zones.front());

@@ -8,8 +8,8 @@ namespace {
 
 using nlohmann::json;
 
-constexpr const char* time_rule =
-    "is required: the time of departure in ISO 8601 with its zone, as 2026-11-20T06:00:00Z";
+constexpr std::string_view departure_time =
+    "the time of departure in ISO 8601 with its zone, as 2026-11-20T06:00:00Z";
 
 json time_json(const std::optional<core::UtcTime>& time) {
   return time ? json(core::iso8601(*time)) : json();
@@ -21,7 +21,7 @@ std::string duration_text(core::Seconds duration) { return "PT" + json(duration.
 }  // namespace
 
 void read_departure(InputReader& reader, planning::PlanRequest& request) {
-  reader.require("depart", time_rule);
+  reader.require("depart", departure_time);
   request.depart = reader.time("depart").value_or(core::UtcTime{});
 }
 
@@ -32,7 +32,7 @@ void read_departures(InputReader& reader, planning::PlanRequest& request) {
   if (const auto step = reader.duration("depart_step")) {
     departures.step = *step;
     if (reader.member("depart_until") == nullptr) {
-      reader.refuse("/depart_step", "needs depart_until: the last departure of the window");
+      reader.refuse<"step-without-window">("/depart_step");
     }
   }
   if (!departures.arrive_by) return read_departure(reader, request);

@@ -40,22 +40,22 @@ bool is_box(const json& value) {
 struct EchoInput {
   const char* name;
   bool (*fits)(const json&);
-  const char* rule;
+  const char* shape;
 };
 
 constexpr EchoInput known_inputs[]{
-    {"echo", is_text, "must be a text of at most 10000 bytes"},
-    {"text", is_text, "must be a text of at most 10000 bytes"},
-    {"value", is_text_or_integer, "must be a text of at most 10000 bytes or a whole number"},
-    {"numbers", are_numbers, "must be an array of at most 10000 numbers"},
+    {"echo", is_text, "a text of at most 10000 bytes"},
+    {"text", is_text, "a text of at most 10000 bytes"},
+    {"value", is_text_or_integer, "a text of at most 10000 bytes or a whole number"},
+    {"numbers", are_numbers, "an array of at most 10000 numbers"},
     {"region", is_box,
-     "must be an object with \"bbox\", four or six numbers, and at most a \"crs\" beside it"},
+     "an object with \"bbox\", four or six numbers, and at most a \"crs\" beside it"},
 };
 
 }  // namespace
 
 tl::expected<EchoInputs, core::Violations> parse_echo_inputs(const json& inputs) {
-  if (!inputs.is_object()) return tl::unexpected(core::Violations{{"", "must be an object"}});
+  if (!inputs.is_object()) return tl::unexpected(core::Violations{messages::fault<"wrong-shape">("", "an object")});
   json plain = inputs;
   for (json& input : plain) input = unwrapped(input);
 
@@ -64,7 +64,7 @@ tl::expected<EchoInputs, core::Violations> parse_echo_inputs(const json& inputs)
   for (const EchoInput& known : known_inputs) {
     const json* value = reader.member(known.name);
     if (value == nullptr) continue;
-    if (!known.fits(*value)) reader.refuse(std::string{"/"} + known.name, known.rule);
+    if (!known.fits(*value)) reader.refuse<"wrong-shape">(std::string{"/"} + known.name, known.shape);
     result.values[known.name] = *value;
   }
   result.pause = core::Seconds{reader.integer("pause", 0, longest_pause_s).value_or(0) * 1.0};

@@ -22,14 +22,13 @@ void read_objective(InputReader& reader, planning::Objective& objective) {
     read_fields(members, fields::weight_fields(), objective);
     members.refuse_unknown();
     if (members.violations().empty() && !(objective.of_time + objective.of_energy > 0.0)) {
-      members.refuse("", "must give time or energy a weight above zero");
+      members.refuse<"no-weight">("");
     }
     reader.refuse_all("/objective", members.violations());
   } else {
-    reader.refuse("/objective",
-                  "must be \"time\", \"energy\" or {\"time\": weight of a second, \"energy\": weight of a "
-                  "joule}, not " +
-                      shown(*value));
+    reader.refuse<"wrong-shape-found">(
+        "/objective",
+        "\"time\", \"energy\" or {\"time\": weight of a second, \"energy\": weight of a joule}", shown(*value));
   }
 }
 

@@ -19,17 +19,17 @@ std::vector<std::string> read_uploads(InputReader& reader) {
   std::vector<std::string> uploads;
   const bool listed = ids != nullptr && ids->is_array() && !ids->empty() && ids->size() <= most_uploads;
   if (!listed) {
-    reader.refuse("/uploads", "must be an array of 1 to 1000 ids of uploads; POST /uploads gives one");
+    reader.refuse<"wrong-shape">("/uploads", "an array of 1 to 1000 ids of uploads; POST /uploads gives one");
     return uploads;
   }
   for (std::size_t i = 0; i < ids->size(); ++i) {
     const std::string pointer = "/uploads/" + std::to_string(i);
     if (!(*ids)[i].is_string()) {
-      reader.refuse(pointer, "must be the id of an upload, a text");
+      reader.refuse<"wrong-shape">(pointer, "the id of an upload, a text");
       continue;
     }
     auto id = (*ids)[i].get<std::string>();
-    if (std::ranges::find(uploads, id) != uploads.end()) reader.refuse(pointer, "is there twice");
+    if (std::ranges::find(uploads, id) != uploads.end()) reader.refuse<"given-twice">(pointer);
     uploads.push_back(std::move(id));
   }
   return uploads;
@@ -42,7 +42,7 @@ std::optional<std::string> choice(InputReader& reader, const std::string& key,
   if (!text || std::ranges::find(values, *text) != values.end()) return text;
   std::string all;
   for (const std::string& value : values) all += (all.empty() ? "" : ", ") + value;
-  reader.refuse("/" + key, "must be one of " + all);
+  reader.refuse<"wrong-shape">("/" + key, "one of " + all);
   return std::nullopt;
 }
 

@@ -32,9 +32,7 @@ void read_common(InputReader& reader, planning::PlanRequest& request, repository
                  std::string& name) {
   request.flight = read_vehicle(reader, request.vehicle);
   read_energy(reader, request.energy);
-  for (const core::Violation& violation : request.energy.violations(request.vehicle)) {
-    if (!reader.refused(violation.field)) reader.refuse(violation.field, violation.rule);
-  }
+  reader.refuse_rest(request.energy.violations(request.vehicle));
   request.zones = read_areas(reader);
   read_under_ice(reader, request.under_ice);
   read_data(reader, data);
@@ -53,17 +51,18 @@ void read_remarks(InputReader& reader, std::vector<std::string>& warnings) {
         return remark.is_string() && remark.get_ref<const std::string&>().size() <= longest_remark;
       });
   if (!texts)
-    return reader.refuse("/remarks", "must be an array of at most 200 texts of at most 1000 bytes each");
+    return reader.refuse<"wrong-shape">("/remarks",
+                                        "an array of at most 200 texts of at most 1000 bytes each");
   for (const json& remark : *remarks) warnings.push_back(remark.get<std::string>());
 }
 
 /// Goals from a file; without "from" the first of them is the start.
 void read_goals(InputReader& reader, planning::PlanRequest& request, std::vector<std::string>& warnings) {
   if (reader.member("to") != nullptr || reader.member("via") != nullptr)
-    reader.refuse("/goals_file", "takes the place of \"to\" and \"via\"; give one or the other");
+    reader.refuse<"goals-given-twice">("/goals_file");
   GivenRoute goals = read_file_route(reader, "goals_file");
   if (goals.places.size() > max_vias + 2)
-    return reader.refuse("/goals_file", "must hold at most 50 via points between start and goal");
+    return reader.refuse<"too-many-goals">("/goals_file", max_vias);
   if (goals.places.size() < 2) return;
   request.from = goals.places.front();
   request.to = goals.places.back();
@@ -72,16 +71,15 @@ void read_goals(InputReader& reader, planning::PlanRequest& request, std::vector
 }
 
 void read_places(InputReader& reader, planning::PlanRequest& request) {
-  reader.require("from", "is required: the start as [longitude, latitude]");
-  reader.require("to", "is required: the goal as [longitude, latitude]");
+  reader.require("from", "the start as [longitude, latitude]");
+  reader.require("to", "the goal as [longitude, latitude]");
   const auto from = reader.place("from");
   const auto to = reader.place("to");
   request.via = reader.places("via", 0, max_vias).value_or(std::vector<geo::LonLat>{});
   if (from) request.from = *from;
   if (to) request.to = *to;
   if (from && to && *from == *to && request.via.empty()) {
-    reader.refuse("/to",
-                  "must differ from \"from\"; a route that returns to its start needs a place in \"via\"");
+    reader.refuse<"goal-is-start">("/to");
   }
 }
 
@@ -144,8 +142,7 @@ tl::expected<PlanInputs, core::Violations> parse_plan_inputs(const json& inputs)
   } else {
     read_places(reader, result.request);
     if (reader.member("route_name") != nullptr)
-      reader.refuse("/route_name",
-                    "chooses among the routes of a file in \"goals_file\", which is not given");
+      reader.refuse<"no-file-to-choose-in">("/route_name", "a file in \"goals_file\"");
   }
   read_remarks(reader, result.warnings);
   read_fields(reader, fields::order_fields(), result.request);

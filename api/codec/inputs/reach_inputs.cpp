@@ -28,30 +28,33 @@ void read_direction(InputReader& reader, IsochroneRequest& request) {
   const auto depart = reader.time("depart");
   const auto arrive_by = reader.time("arrive_by");
   if (from == to) {
-    reader.refuse("/from", from ? "cannot be given together with \"to\"; give one of them"
-                                : "is required, or \"to\" instead; give one of them");
+    if (from) {
+      reader.refuse<"given-with-another">("/from", "\"to\"");
+    } else {
+      reader.refuse<"required-or-instead">("/from", "\"to\"");
+    }
     return;
   }
   request.direction = from ? Direction::from : Direction::to;
   request.place = (from ? start : goal).value_or(geo::LonLat{});
   request.time = (from ? depart : arrive_by).value_or(core::UtcTime{});
   if (from) {
-    reader.require("depart", "is required with \"from\": the time of departure in ISO 8601 with its zone");
+    reader.require_with("\"from\"", "depart", "the time of departure in ISO 8601 with its zone");
     if (reader.member("arrive_by") != nullptr)
-      reader.refuse("/arrive_by", "belongs to \"to\", not to \"from\"");
+      reader.refuse<"belongs-to-another">("/arrive_by", "to", "from");
   } else {
-    reader.require("arrive_by", "is required with \"to\": the time of arrival in ISO 8601 with its zone");
-    if (reader.member("depart") != nullptr) reader.refuse("/depart", "belongs to \"from\", not to \"to\"");
+    reader.require_with("\"to\"", "arrive_by", "the time of arrival in ISO 8601 with its zone");
+    if (reader.member("depart") != nullptr) reader.refuse<"belongs-to-another">("/depart", "from", "to");
   }
 }
 
 void read_hours(InputReader& reader, IsochroneRequest& request) {
-  reader.require("hours", "is required: one number of hours or several, as [6, 12, 24]");
+  reader.require("hours", "one number of hours or several, as [6, 12, 24]");
   const json* value = reader.member("hours");
   if (value == nullptr) return;
   const json hours = value->is_array() ? *value : json::array({*value});
   if (hours.empty() || hours.size() > IsochroneRequest::most_spans) {
-    reader.refuse("/hours", "must have 1 to " + std::to_string(IsochroneRequest::most_spans) + " entries");
+    reader.refuse<"not-so-many-times">("/hours", IsochroneRequest::most_spans);
     return;
   }
   for (std::size_t i = 0; i < hours.size(); ++i) {
@@ -60,9 +63,9 @@ void read_hours(InputReader& reader, IsochroneRequest& request) {
     if (valid) {
       request.spans.emplace_back(3600.0 * hours[i].get<double>());
     } else {
-      reader.refuse(value->is_array() ? "/hours/" + std::to_string(i) : "/hours",
-                    "must be a number of hours above 0 and at most " + json(most_hours).dump() + ", not " +
-                        shown(hours[i]));
+      reader.refuse<"wrong-shape-found">(
+          value->is_array() ? "/hours/" + std::to_string(i) : "/hours",
+          "a number of hours above 0 and at most " + json(most_hours).dump(), shown(hours[i]));
     }
   }
 }

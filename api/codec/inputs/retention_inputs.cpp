@@ -22,7 +22,7 @@ std::optional<std::int64_t> read_bytes(InputReader& reader) {
   const auto bytes = reader.number("max_bytes", {0.0, most_bytes});
   if (!bytes) return std::nullopt;
   if (*bytes == std::floor(*bytes)) return static_cast<std::int64_t>(*bytes);
-  reader.refuse("/max_bytes", "must be a whole number of bytes");
+  reader.refuse<"wrong-shape">("/max_bytes", "a whole number of bytes");
   return std::nullopt;
 }
 
@@ -34,14 +34,14 @@ std::optional<DatasetKind> read_kind(InputReader& reader) {
     if (repository::kind_name(kind) == *name) return kind;
     known += ", " + repository::kind_name(kind);
   }
-  reader.refuse("/kind", "must be one of " + known);
+  reader.refuse<"wrong-shape">("/kind", "one of " + known);
   return std::nullopt;
 }
 
 }  // namespace
 
 tl::expected<RetentionInputs, core::Violations> parse_retention_inputs(const json& inputs) {
-  if (!inputs.is_object()) return tl::unexpected(core::Violations{{"", "must be an object with rules"}});
+  if (!inputs.is_object()) return tl::unexpected(core::Violations{messages::fault<"wrong-shape">("", "an object with rules")});
   InputReader reader{inputs};
   RetentionInputs read;
   read.rules.max_age = reader.duration("older_than");
@@ -50,7 +50,7 @@ tl::expected<RetentionInputs, core::Violations> parse_retention_inputs(const jso
   read.dry_run = reader.boolean("dry_run").value_or(false);
   reader.refuse_unknown();
   if (reader.violations().empty() && !read.rules.max_age && !read.rules.max_bytes)
-    reader.refuse("", "must say what may go: older_than as \"P30D\", max_bytes or both");
+    reader.refuse<"nothing-to-remove">("");
   if (!reader.violations().empty()) return tl::unexpected(reader.violations());
   return read;
 }

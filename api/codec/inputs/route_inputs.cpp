@@ -23,8 +23,6 @@ struct Origin {
   }
 };
 
-std::string place_text(std::size_t place) { return "place " + std::to_string(place); }
-
 /// Takes each run of the same place once, and notes legs that are too long. Places count from 0 as they were given.
 void settle(InputReader& reader, const Origin& origin, GivenRoute& route) {
   std::vector<geo::LonLat> kept;
@@ -38,13 +36,11 @@ void settle(InputReader& reader, const Origin& origin, GivenRoute& route) {
       continue;
     }
     if (leg_m > longest_leg_m)
-      reader.refuse(
-          origin.rule_pointer(i),
-          place_text(i) + " is more than 5000 km from the place before it; are the coordinates right?");
+      reader.refuse<"place-too-far">(origin.rule_pointer(i), i);
     kept.push_back(route.places[i]);
   }
   if (kept.size() < 2) {
-    reader.refuse(origin.pointer, "must hold two different places at least");
+    reader.refuse<"no-two-places">(origin.pointer);
   } else if (repeats > 0) {
     route.warnings.push_back((repeats == 1 ? "place " : "places ") + repeated +
                              (repeats > most_named ? " and more" : "") +
@@ -63,16 +59,15 @@ std::optional<RouteFile> read_file_member(InputReader& reader, const std::string
     return file->is_object() && file->contains(name) && (*file)[name].is_string();
   };
   if (!text_at("name") || !text_at("text") || file->size() != 2) {
-    reader.refuse("/" + key, "must be an object of a file's \"name\" and its \"text\"");
+    reader.refuse<"wrong-shape">("/" + key, "an object of a file's \"name\" and its \"text\"");
     return std::nullopt;
   }
   const auto wanted = reader.text("route_name");
   auto read = read_route_file((*file)["name"].get<std::string>(),
                               (*file)["text"].get_ref<const std::string&>(), wanted, from);
   if (read) return std::move(*read);
-  for (const core::Violation& violation : read.error()) {
-    reader.refuse("/" + key, violation.field + ": " + violation.rule);
-  }
+  for (const core::Violation& violation : read.error())
+    reader.refuse<"route-file-refused">("/" + key, violation.field, violation.rule);
   return std::nullopt;
 }
 
@@ -104,7 +99,8 @@ GivenRoute read_geojson_route(InputReader& reader, const json& route) {
   if (reader.violations().size() != faults_before) return {};
   auto chosen = choose_route(std::move(all), wanted);
   if (!chosen) {
-    for (const core::Violation& violation : chosen.error()) reader.refuse("/route", violation.rule);
+    for (core::Violation& violation : chosen.error()) violation.field = "/route";
+    reader.refuse_all("", chosen.error());
     return {};
   }
   GivenRoute given{std::move(chosen->places), {}, std::move(chosen->warnings)};
@@ -121,9 +117,9 @@ GivenRoute read_file_route(InputReader& reader, const std::string& key) {
   if (from) begin_at(*from, file->places);
   GivenRoute route{std::move(file->places), {}, std::move(file->warnings)};
   if (route.places.size() < 2) {
-    std::string rule = "must hold two places at least, or one and \"from\"";
-    for (const std::string& warning : route.warnings) rule += "; " + warning;
-    reader.refuse("/" + key, std::move(rule));
+    std::string warnings;
+    for (const std::string& warning : route.warnings) warnings += "; " + warning;
+    reader.refuse<"no-route-of-places">("/" + key, warnings);
     return {};
   }
   settle(reader, {"/" + key, false}, route);
@@ -136,13 +132,13 @@ GivenRoute read_route(InputReader& reader) {
   given.plan_id = reader.text("plan_id");
   const bool from_file = reader.member("route_file") != nullptr;
   if ((route != nullptr) + (reader.member("plan_id") != nullptr) + from_file != 1) {
-    reader.refuse("/route", "is required, or \"plan_id\" or \"route_file\" instead; give one of them");
+    reader.refuse<"required-or-instead">("/route", "\"plan_id\" or \"route_file\"");
     return given;
   }
   if (from_file) return read_file_route(reader, "route_file");
   if (route != nullptr && route->is_object()) return read_geojson_route(reader, *route);
   if (reader.member("route_name") != nullptr)
-    reader.refuse("/route_name", "chooses among the routes of a file or of GeoJSON, which is not given");
+    reader.refuse<"no-file-to-choose-in">("/route_name", "a file or of GeoJSON");
   return route == nullptr ? given : read_positions(reader, *route);
 }
 

@@ -11,9 +11,9 @@ using nlohmann::json;
 tl::expected<ScenarioInputs, core::Violations> parse_scenario_inputs(const json& inputs) {
   InputReader reader{inputs};
   ScenarioInputs result;
-  reader.require("scenario", "is required: random-icebergs");
+  reader.require("scenario", "random-icebergs");
   if (const auto scenario = reader.text("scenario"); scenario && *scenario != random_icebergs)
-    reader.refuse("/scenario", "must be random-icebergs, the only scenario so far");
+    reader.refuse<"wrong-shape">("/scenario", "random-icebergs, the only scenario so far");
   result.runs = reader.integer("runs", 1, most_runs).value_or(result.runs);
   result.seed = static_cast<std::uint64_t>(reader.integer("seed", 0, fields::largest_seed).value_or(1));
   result.avoidance = reader.boolean("avoidance").value_or(result.avoidance);

@@ -23,8 +23,8 @@ void read_spacing(InputReader& reader, planning::PlanRequest& request) {
     request.spacing_along = core::Metres{(*value)[0].get<double>()};
     request.spacing_across = core::Metres{(*value)[1].get<double>()};
   } else {
-    reader.refuse("/spacing_m",
-                  "must be a distance from 10 to 100000 m, or two as [along, across], not " + shown(*value));
+    reader.refuse<"wrong-shape-found">(
+        "/spacing_m", "a distance from 10 to 100000 m, or two as [along, across]", shown(*value));
   }
 }
 

@@ -26,13 +26,14 @@ std::vector<SimulatedFile> read_files(InputReader& reader) {
   const json* value = reader.member("mission_files");
   if (value == nullptr) return files;
   if (!value->is_array() || value->empty() || value->size() > most_files) {
-    reader.refuse("/mission_files", "must be an array of 1 to 100 files, each with \"name\" and \"text\"");
+    reader.refuse<"wrong-shape">("/mission_files",
+                                 "an array of 1 to 100 files, each with \"name\" and \"text\"");
     return files;
   }
   for (std::size_t i = 0; i < value->size(); ++i) {
     InputReader file{(*value)[i], "/mission_files/" + std::to_string(i)};
-    file.require("name", "is required");
-    file.require("text", "is required");
+    file.require("name", "the file's name");
+    file.require("text", "what the file holds");
     const auto name = file.text("name");
     const auto text = file.text("text", longest_file);
     file.refuse_unknown();
@@ -101,7 +102,7 @@ void read_other_data(InputReader& reader, SimulateInputs& result) {
 tl::expected<SimulateInputs, core::Violations> parse_simulate_inputs(const json& inputs) {
   InputReader reader{inputs};
   SimulateInputs result;
-  reader.require("plan_id", "is required: the id of the stored plan to fly");
+  reader.require("plan_id", "the id of the stored plan to fly");
   result.plan_id = reader.text("plan_id").value_or("");
   result.mission_files = read_files(reader);
   result.vehicle = reader.text("vehicle");

@@ -28,14 +28,14 @@ void read_error_model(InputReader& members, planning::UncertaintyRules& rules) {
                             members.member("length_scale_m") != nullptr ||
                             members.member("time_scale_s") != nullptr || members.member("seed") != nullptr;
   if (tells_errors && members.member("members") == nullptr)
-    members.refuse("/uncertainty/members", "is required with an error model: how many to draw, 2 to 64");
+    members.refuse<"required-with">("/uncertainty/members", "an error model", "how many to draw, 2 to 64");
   if (members.member("members") != nullptr) {
-    members.require("current_error_m_s",
-                    "is required with \"members\": the standard deviation of each component's error, m/s");
-    members.require("length_scale_m",
-                    "is required with \"members\": the correlation length of the error, metres");
-    members.require("time_scale_s",
-                    "is required with \"members\": the correlation time of the error, seconds");
+    members.require_with("\"members\"", "current_error_m_s",
+                    "the standard deviation of each component's error, m/s");
+    members.require_with("\"members\"", "length_scale_m",
+                    "the correlation length of the error, metres");
+    members.require_with("\"members\"", "time_scale_s",
+                    "the correlation time of the error, seconds");
   }
 }
 
@@ -51,7 +51,7 @@ planning::UncertaintyRules read_uncertainty(InputReader& reader) {
   // What plans of older versions say of their inputs names it beside any objective, null included.
   if (members.member("quantile") != nullptr && !value->contains("objective") &&
       !members.refused("/uncertainty/quantile"))
-    members.refuse_member("quantile", "counts with the objective \"quantile\" only: ask for that, too");
+    members.refuse_member<"quantile-without-use">("quantile");
   members.refuse_unknown();
   reader.refuse_all("", members.violations());
   return rules;

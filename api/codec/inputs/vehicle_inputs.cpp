@@ -56,7 +56,7 @@ void read_thruster(InputReader& reader, GliderProfile& profile) {
   if (value->is_boolean()) {
     if (!value->get<bool>()) profile.thruster.reset();
     if (value->get<bool>() && !profile.thruster) {
-      reader.refuse("/thruster", "must say its speed_m_s, because the profile has no thruster");
+      reader.refuse<"thruster-without-speed">("/thruster");
     }
     return;
   }
@@ -83,7 +83,7 @@ GliderProfile known(InputReader& reader, const std::string& pointer, const std::
   if (const auto profile = vehicle::find_profile(name)) return *profile;
   std::string names;
   for (const auto& each : vehicle::known_profiles()) names += (names.empty() ? "" : ", ") + each.name;
-  reader.refuse(pointer, "must be one of " + names + ", not \"" + name + "\"");
+  reader.refuse<"wrong-shape-found">(pointer, "one of " + names, "\"" + name + "\"");
   return vehicle::known_profiles().front();
 }
 
@@ -112,9 +112,7 @@ FlightChoices read_vehicle(InputReader& reader, GliderProfile& profile) {
   const FlightChoices choices = read_flight(reader, profile, given);
   // Where the inputs leave the speed to pitch and buoyancy.
   if (given.by_glide && !given.itself) profile = vehicle::at_speed_of_glide(std::move(profile));
-  for (const core::Violation& violation : profile.violations()) {
-    if (!reader.refused(violation.field)) reader.refuse(violation.field, violation.rule);
-  }
+  reader.refuse_rest(profile.violations());
   return choices;
 }
 

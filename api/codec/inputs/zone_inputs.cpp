@@ -50,24 +50,22 @@ std::optional<geo::Ring> read_ring(InputReader& reader, const json& value, const
   auto places = reader.places(value, pointer, 4, max_corners);
   if (!places) return std::nullopt;
   if (places->front() != places->back()) {
-    reader.refuse(pointer, "must be closed: its last position the same as its first");
+    reader.refuse<"ring-open">(pointer);
     return std::nullopt;
   }
   geo::Ring ring = with_edges_round_the_earth(value, *places);
   ring.pop_back();
   if (const std::string doubt = geo::doubt_in_turns({.outer = ring, .holes = {}}); !doubt.empty()) {
-    reader.refuse(pointer, doubt);
+    reader.refuse<"ring-doubtful">(pointer, doubt);
     return std::nullopt;
   }
   const geo::RingCrossing crossing = geo::find_crossing(ring);
   if (crossing.place) {
-    reader.refuse(pointer, "must not cross itself, as it does at " +
-                               json::array({document_degrees(crossing.place->lon_deg),
-                                            document_degrees(crossing.place->lat_deg)})
-                                   .dump() +
-                               "; list its positions in order round the area");
+    reader.refuse<"ring-crosses-itself">(pointer, json::array({document_degrees(crossing.place->lon_deg),
+                                                               document_degrees(crossing.place->lat_deg)})
+                                                      .dump());
   } else if (!crossing.is_looked_through) {
-    reader.refuse(pointer, "has too many edges beside each other to be looked through; simplify the outline");
+    reader.refuse<"ring-too-complex">(pointer);
   }
   return ring;
 }
@@ -92,17 +90,14 @@ void refuse_holes_outside(InputReader& reader, const geo::Polygon& polygon, cons
   for (std::size_t i = 0; i < polygon.holes.size() && !reader.is_full(); ++i) {
     const auto end = of_hole + static_cast<std::ptrdiff_t>(2 * polygon.holes[i].size());
     if (std::find(of_hole, end, true) == end)
-      reader.refuse(
-          pointer + "/" + std::to_string(i + 1),
-          "lies outside of the polygon's first ring, of which it should be a hole; an area of its own is "
-          "another Polygon");
+      reader.refuse<"hole-outside">(pointer + "/" + std::to_string(i + 1));
     of_hole = end;
   }
 }
 
 std::optional<geo::Polygon> read_polygon(InputReader& reader, const json& rings, const std::string& pointer) {
   if (!rings.is_array() || rings.empty()) {
-    reader.refuse(pointer, "must be an array of rings, the outer one first");
+    reader.refuse<"wrong-shape">(pointer, "an array of rings, the outer one first");
     return std::nullopt;
   }
   geo::Polygon polygon;
@@ -126,7 +121,7 @@ std::vector<geo::Polygon> read_geometry(InputReader& reader, const json& feature
   const bool known = geometry != nullptr && geometry->is_object() && geometry->contains("coordinates");
   const std::string type = known ? geometry->value("type", json{}).dump() : "";
   if (type != "\"Polygon\"" && type != "\"MultiPolygon\"") {
-    reader.refuse(here, "must be a GeoJSON Polygon or MultiPolygon");
+    reader.refuse<"wrong-shape">(here, "a GeoJSON Polygon or MultiPolygon");
     return {};
   }
   const json& coordinates = geometry->at("coordinates");
@@ -137,7 +132,7 @@ std::vector<geo::Polygon> read_geometry(InputReader& reader, const json& feature
   if (type == "\"Polygon\"") {
     add(coordinates, here + "/coordinates");
   } else if (!coordinates.is_array() || coordinates.empty()) {
-    reader.refuse(here + "/coordinates", "must be an array of polygons");
+    reader.refuse<"wrong-shape">(here + "/coordinates", "an array of polygons");
   } else {
     for (std::size_t i = 0; i < coordinates.size() && !reader.is_full(); ++i) {
       add(coordinates[i], here + "/coordinates/" + std::to_string(i));
@@ -171,8 +166,7 @@ void refuse_near_names(InputReader& members, const json& properties) {
     if (members.is_full()) return;
     if (value.is_null() || value.is_boolean() || std::ranges::count(right_names, name) > 0) continue;
     if (const auto meant = property_meant_by(name))
-      members.refuse_member(name,
-                            "must be written " + *meant + "; leave it out if it means something different");
+      members.refuse_member<"near-name">(name, *meant);
   }
 }
 
@@ -184,10 +178,10 @@ ocean::Zone read_properties(InputReader& reader, const json& feature, const std:
   refuse_near_names(members, *properties);
   ocean::Zone zone;
   const std::string kinds = "\"no_go\" (keep out) or \"stay_in\" (keep inside)";
-  members.require("kind", "is required: " + kinds);
+  members.require("kind", kinds);
   if (const auto kind = members.text("kind")) {
     const auto known = ocean::parse_zone_kind(*kind);
-    if (!known) members.refuse(pointer + "/properties/kind", "must be " + kinds + ", not \"" + *kind + "\"");
+    if (!known) members.refuse_member<"wrong-shape-found">("kind", kinds, "\"" + *kind + "\"");
     zone.kind = known.value_or(ocean::ZoneKind::no_go);
   }
   zone.name = members.text("name").value_or("");
@@ -199,10 +193,10 @@ ocean::Zone read_properties(InputReader& reader, const json& feature, const std:
   if (const auto top = members.number("top_m", {0.0, fields::deepest_m})) zone.top = {*top};
   if (const auto bottom = members.number("bottom_m", {0.0, fields::deepest_m})) zone.bottom = {*bottom};
   if (zone.from && zone.until && *zone.until < *zone.from) {
-    members.refuse(pointer + "/properties/until", "must not be before \"from\"");
+    members.refuse_member<"ends-before-it-begins">("until");
   }
   if (zone.bottom < zone.top) {
-    members.refuse(pointer + "/properties/bottom_m", "must not be above \"top_m\"");
+    members.refuse_member<"bottom-above-top">("bottom_m");
   }
   reader.refuse_all("", members.violations());
   return zone;
@@ -257,13 +251,12 @@ std::vector<ocean::Zone> read_areas(InputReader& reader) {
   const bool collection =
       type == "FeatureCollection" && areas->contains("features") && areas->at("features").is_array();
   if (!collection && type != "Feature") {
-    reader.refuse("/areas", "must be a GeoJSON FeatureCollection of polygons, not " + shown(*areas));
+    reader.refuse<"wrong-shape-found">("/areas", "a GeoJSON FeatureCollection of polygons", shown(*areas));
     return {};
   }
   const std::size_t features = collection ? areas->at("features").size() : 1;
   if (features > max_features) {
-    reader.refuse("/areas", "must have at most " + std::to_string(max_features) + " features, not " +
-                                std::to_string(features));
+    reader.refuse<"too-many">("/areas", max_features, "features", std::to_string(features));
     return {};
   }
   std::vector<ocean::Zone> zones;
@@ -272,7 +265,7 @@ std::vector<ocean::Zone> read_areas(InputReader& reader) {
     const json& feature = collection ? areas->at("features")[i] : *areas;
     const std::string pointer = collection ? "/areas/features/" + std::to_string(i) : "/areas";
     if (!feature.is_object()) {
-      reader.refuse(pointer, "must be a GeoJSON Feature, not " + shown(feature));
+      reader.refuse<"wrong-shape-found">(pointer, "a GeoJSON Feature", shown(feature));
       continue;
     }
     ocean::Zone zone = read_properties(reader, feature, pointer);
@@ -284,8 +277,7 @@ std::vector<ocean::Zone> read_areas(InputReader& reader) {
     }
   }
   if (corners > max_corners) {
-    reader.refuse("/areas", "must have at most " + std::to_string(max_corners) + " corners in all, not " +
-                                std::to_string(corners) + "; simplify the outlines");
+    reader.refuse<"too-many-corners">("/areas", max_corners, corners);
   }
   return zones;
 }

@@ -19,9 +19,9 @@ constexpr std::size_t most_datasets = 64;  // as many as an ensemble may have me
 
 std::string in_quotes(std::string_view word) { return '"' + std::string{word} + '"'; }
 
-/// "must be "add" (to currents without tides) or "only" (tidal currents alone)".
-std::string rule_of(const std::vector<fields::Word>& words) {
-  std::string rule = "must be ";
+/// ""add" (to currents without tides) or "only" (tidal currents alone)".
+std::string known_words(const std::vector<fields::Word>& words) {
+  std::string rule;
   for (std::size_t i = 0; i < words.size(); ++i) {
     if (i > 0) rule += i + 1 == words.size() ? " or " : ", ";
     rule += in_quotes(words[i].name);
@@ -34,7 +34,8 @@ std::optional<Value> read_word(InputReader& reader, const Field& field) {
   const auto text = reader.text(std::string{field.name});
   if (!text) return std::nullopt;
   if (std::ranges::find(field.words, *text, &fields::Word::name) != field.words.end()) return *text;
-  reader.refuse_member(std::string{field.name}, rule_of(field.words) + ", not " + in_quotes(*text));
+  reader.refuse_member<"wrong-shape-found">(std::string{field.name}, known_words(field.words),
+                                            in_quotes(*text));
   return std::nullopt;
 }
 
@@ -42,15 +43,15 @@ std::optional<Value> read_word(InputReader& reader, const Field& field) {
 std::optional<Value> read_ids(InputReader& reader, const std::string& key, const json& ids) {
   DatasetChoice choice{DatasetChoice::How::named, {}};
   if (ids.size() > most_datasets) {
-    reader.refuse_member(key, "must have at most " + std::to_string(most_datasets) + " ids, not " +
-                                  std::to_string(ids.size()));
+    reader.refuse_member<"too-many">(key, most_datasets, "ids", std::to_string(ids.size()));
     return std::nullopt;
   }
   for (std::size_t i = 0; i < ids.size(); ++i) {
     if (ids[i].is_string()) {
       choice.ids.push_back({ids[i].get<std::string>()});
     } else {
-      reader.refuse("/" + key + "/" + std::to_string(i), "must be the id of a dataset, not " + shown(ids[i]));
+      reader.refuse<"wrong-shape-found">("/" + key + "/" + std::to_string(i), "the id of a dataset",
+                                         shown(ids[i]));
     }
   }
   return choice;
@@ -68,9 +69,11 @@ std::optional<Value> read_datasets(InputReader& reader, const Field& field) {
   }
   const bool several = field.kind == Kind::datasets;
   if (several && value->is_array() && !value->empty()) return read_ids(reader, key, *value);
-  reader.refuse_member(
-      key, "must be " + in_quotes(field.words.front().name) + ", " + in_quotes(field.words.back().name) +
-               (several ? ", an id or an array of ids, not " : " or an id, not ") + shown(*value));
+  reader.refuse_member<"wrong-shape-found">(
+      key,
+      in_quotes(field.words.front().name) + ", " + in_quotes(field.words.back().name) +
+          (several ? ", an id or an array of ids" : " or an id"),
+      shown(*value));
   return std::nullopt;
 }
 

@@ -46,7 +46,7 @@ std::string heights_left_out(std::size_t places) {
 
 InputReader::InputReader(const json& object, std::string pointer)
     : object_{object}, pointer_{std::move(pointer)} {
-  if (!object_.is_object()) refuse(pointer_, "must be an object, not " + shown(object_));
+  if (!object_.is_object()) refuse<"wrong-shape-found">(pointer_, "an object", shown(object_));
 }
 
 std::string InputReader::pointer_to(const std::string& key) const { return pointer_ + "/" + escaped(key); }
@@ -62,13 +62,12 @@ std::optional<std::string> InputReader::text(const std::string& key, std::size_t
   const json* value = member(key);
   if (value == nullptr) return std::nullopt;
   if (!value->is_string()) {
-    refuse(pointer_to(key), "must be a text, not " + shown(*value));
+    refuse_member<"wrong-shape-found">(key, "a text", shown(*value));
     return std::nullopt;
   }
   const auto& text = value->get_ref<const std::string&>();
   if (text.size() > max_length) {
-    refuse(pointer_to(key),
-           "must have at most " + std::to_string(max_length) + " bytes, not " + std::to_string(text.size()));
+    refuse_member<"too-long">(key, max_length, text.size());
     return std::nullopt;
   }
   return text;
@@ -78,7 +77,7 @@ std::optional<bool> InputReader::boolean(const std::string& key) {
   const json* value = member(key);
   if (value == nullptr) return std::nullopt;
   if (value->is_boolean()) return value->get<bool>();
-  refuse(pointer_to(key), "must be true or false, not " + shown(*value));
+  refuse_member<"wrong-shape-found">(key, "true or false", shown(*value));
   return std::nullopt;
 }
 
@@ -89,8 +88,7 @@ std::optional<double> InputReader::number(const std::string& key, NumberRange ra
     const double number = value->get<double>();
     if (std::isfinite(number) && number >= range.from && number <= range.to) return number;
   }
-  refuse(pointer_to(key), "must be a number from " + written(range.from) + " to " + written(range.to) +
-                              ", not " + shown(*value));
+  refuse_member<"number-out-of-range">(key, written(range.from), written(range.to), shown(*value));
   return std::nullopt;
 }
 
@@ -101,8 +99,7 @@ std::optional<int> InputReader::integer(const std::string& key, int from, int to
     const double number = value->get<double>();
     if (number >= from && number <= to && number == std::floor(number)) return static_cast<int>(number);
   }
-  refuse(pointer_to(key), "must be a whole number from " + std::to_string(from) + " to " +
-                              std::to_string(to) + ", not " + shown(*value));
+  refuse_member<"whole-number-out-of-range">(key, from, to, shown(*value));
   return std::nullopt;
 }
 
@@ -114,8 +111,8 @@ std::optional<core::UtcTime> InputReader::time(const std::string& key) {
       return core::from_unix_seconds(std::round(core::unix_seconds(*time)));
     }
   }
-  refuse(pointer_to(key),
-         "must be a time in ISO 8601 with its zone, as 2026-11-20T06:00:00Z, not " + shown(*value));
+  refuse_member<"wrong-shape-found">(key, "a time in ISO 8601 with its zone, as 2026-11-20T06:00:00Z",
+                                     shown(*value));
   return std::nullopt;
 }
 
@@ -126,26 +123,25 @@ std::optional<core::Seconds> InputReader::duration(const std::string& key) {
     if (const auto duration = core::parse_iso8601_duration(value->get_ref<const std::string&>()))
       return duration;
   }
-  refuse("/" + key, "must be a duration in ISO 8601, as PT1H or P1DT30M, not " + shown(*value));
+  refuse_member<"wrong-shape-found">(key, "a duration in ISO 8601, as PT1H or P1DT30M", shown(*value));
   return std::nullopt;
 }
 
 std::optional<geo::LonLat> InputReader::to_place(const json& value, const std::string& pointer) {
-  const std::string rule = "must be [longitude, latitude] in degrees, not ";
+  constexpr std::string_view shape = "[longitude, latitude] in degrees";
   if (!value.is_array() || value.size() < 2 || value.size() > 3) {
-    refuse(pointer, rule + (value.is_array() ? "an array of " + std::to_string(value.size()) : shown(value)));
+    refuse<"wrong-shape-found">(
+        pointer, shape, value.is_array() ? "an array of " + std::to_string(value.size()) : shown(value));
     return std::nullopt;
   }
   for (const json& number : value) {
     if (number.is_number()) continue;
-    refuse(pointer, rule + "an array with " + shown(number));
+    refuse<"wrong-shape-found">(pointer, shape, "an array with " + shown(number));
     return std::nullopt;
   }
   if (value.size() == 3 && value[2].get<double>() != 0.0) ++heights_;
   const auto place = geo::written_place(value[0].get<double>(), value[1].get<double>());
-  if (!place)
-    refuse(pointer, "must have its longitude within -360 to 360 and its latitude within -90 to 90, not [" +
-                        shown(value[0]) + ", " + shown(value[1]) + "]");
+  if (!place) refuse<"not-on-the-globe">(pointer, shown(value[0]), shown(value[1]));
   return place;
 }
 
@@ -157,8 +153,8 @@ std::optional<geo::LonLat> InputReader::place(const std::string& key) {
 std::optional<std::vector<geo::LonLat>> InputReader::places(const json& value, const std::string& pointer,
                                                             std::size_t least, std::size_t most) {
   if (!value.is_array() || value.size() < least || value.size() > most) {
-    refuse(pointer, "must be an array of " + std::to_string(least) + " to " + std::to_string(most) +
-                        " positions [longitude, latitude]");
+    refuse<"wrong-shape">(pointer, "an array of " + std::to_string(least) + " to " + std::to_string(most) +
+                                       " positions [longitude, latitude]");
     return std::nullopt;
   }
   std::vector<geo::LonLat> result;
@@ -175,32 +171,32 @@ std::optional<std::vector<geo::LonLat>> InputReader::places(const std::string& k
   return value == nullptr ? std::nullopt : places(*value, pointer_to(key), least, most);
 }
 
-void InputReader::require(const std::string& key, const std::string& rule) {
-  const bool absent = object_.is_object() && member(key) == nullptr;
-  if (absent) refuse(pointer_to(key), rule);
+void InputReader::require(const std::string& key, std::string_view what) {
+  if (lacks(key)) refuse_member<"required">(key, what);
 }
 
-void InputReader::refuse(const std::string& pointer, const std::string& rule) {
-  core::note(violations_, {pointer, rule});
+void InputReader::require_with(const std::string& other, const std::string& key, std::string_view what) {
+  if (lacks(key)) refuse_member<"required-with">(key, other, what);
 }
 
-void InputReader::refuse_all(const std::string& pointer, const core::Violations& violations) {
-  for (const core::Violation& violation : violations) refuse(pointer + violation.field, violation.rule);
-}
+bool InputReader::lacks(const std::string& key) { return object_.is_object() && member(key) == nullptr; }
 
-void InputReader::refuse_member(const std::string& key, const std::string& rule) {
-  refuse(pointer_to(key), rule);
+void InputReader::refuse_rest(const core::Violations& violations) {
+  for (const core::Violation& violation : violations)
+    if (!refused(violation.field)) faults_.take({violation});
 }
 
 void InputReader::refuse_unknown() {
   if (!object_.is_object()) return;
-  std::string rule = "is not known; the known keys are ";
-  for (const auto& name : known_) rule += (name == *known_.begin() ? "" : ", ") + name;
+  std::string known;
+  for (const auto& name : known_) known += (name == *known_.begin() ? "" : ", ") + name;
+  bool is_first = true;
   for (const auto& [key, value] : object_.items()) {
     if (is_full()) return;
     if (known_.contains(key)) continue;
-    refuse(pointer_to(key), rule);
-    rule = "is not known either";
+    if (is_first) refuse_member<"unknown-member">(key, known);
+    if (!is_first) refuse_member<"another-unknown-member">(key);
+    is_first = false;
   }
 }
 
@@ -209,7 +205,7 @@ std::vector<std::string> InputReader::remarks() const {
 }
 
 bool InputReader::refused(const std::string& pointer) const {
-  return std::any_of(violations_.begin(), violations_.end(), [&](const core::Violation& violation) {
+  return std::ranges::any_of(violations(), [&](const core::Violation& violation) {
     return violation.field == pointer || violation.field.starts_with(pointer + "/");
   });
 }

@@ -4,11 +4,12 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "engine/core/units.hpp"
-#include "engine/core/violation_list.hpp"
 #include "engine/geo/lon_lat.hpp"
+#include "engine/messages/fault.hpp"
 #include "storage/json/json.hpp"
 
 namespace floeplan::codec {
@@ -45,31 +46,45 @@ class InputReader {
                                                                std::size_t most);
 
   /// Notes that a member must be there, unless something is noted for it already.
-  void require(const std::string& key, const std::string& rule);
-  void refuse_member(const std::string& key, const std::string& rule);
-  /// `pointer` is that of the whole document.
-  void refuse(const std::string& pointer, const std::string& rule);
+  void require(const std::string& key, std::string_view what);
+  /// That it must be there since another member is.
+  void require_with(const std::string& other, const std::string& key, std::string_view what);
+  template <messages::Code code, class... Given>
+  void refuse_member(const std::string& key, const Given&... values) {
+    refuse<code>(pointer_to(key), values...);
+  }
+  /// `pointer` is that of the whole document; the values are those of the row of `messages::request_kinds`.
+  template <messages::Code code, class... Given>
+  void refuse(const std::string& pointer, const Given&... values) {
+    faults_.refuse<code>(pointer, values...);
+  }
   /// Notes what is wrong with the members of the object at `pointer`.
-  void refuse_all(const std::string& pointer, const core::Violations& violations);
+  void refuse_all(const std::string& pointer, const core::Violations& violations) {
+    faults_.take(violations, pointer);
+  }
+  /// The same, of those about which nothing is noted yet.
+  void refuse_rest(const core::Violations& violations);
   /// Notes every member that nobody asked for, the first with the known ones.
   void refuse_unknown();
   [[nodiscard]] bool refused(const std::string& pointer) const;
   /// Whether nothing more is noted: a reader of many elements may leave the rest.
-  [[nodiscard]] bool is_full() const { return core::is_full(violations_); }
-  [[nodiscard]] const core::Violations& violations() const { return violations_; }
+  [[nodiscard]] bool is_full() const { return faults_.is_full(); }
+  [[nodiscard]] const core::Violations& violations() const { return faults_.found(); }
   /// What was left out of what was read, for the pilot.
   [[nodiscard]] std::vector<std::string> remarks() const;
 
  private:
   [[nodiscard]] std::optional<geo::LonLat> to_place(const nlohmann::json& value, const std::string& pointer);
 
+  /// Whether the object is one, and has no such member.
+  [[nodiscard]] bool lacks(const std::string& key);
   /// Of a member, below the object's own.
   [[nodiscard]] std::string pointer_to(const std::string& key) const;
 
   const nlohmann::json& object_;  // borrowed
   std::string pointer_;
   std::set<std::string> known_;
-  core::Violations violations_;
+  messages::Faults faults_;
   std::size_t heights_{};  // other than 0, of places
 };
 

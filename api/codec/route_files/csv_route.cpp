@@ -60,8 +60,7 @@ ReadRoutes read_csv(std::string_view bytes) {
       of_route =
           column_of(names, {"route", "route_name", "route_id", "track", "track_name", "track_id", "plan_id"});
       if (!lon || !lat)
-        return route_fault(at_line(number),
-                           "must name a column lon and a column lat; GliderDOS files end in .ma or .mi");
+        return route_fault<"no-columns-of-places">(at_line(number));
       continue;
     }
     const auto cell = [&](std::size_t column) {
@@ -75,7 +74,7 @@ ReadRoutes read_csv(std::string_view bytes) {
     route->parts.front().push_back(*place);
   }
   if (!faults.empty()) return tl::unexpected(std::move(faults));
-  if (routes.empty()) return route_fault("file", "holds no row with a longitude and a latitude");
+  if (routes.empty()) return route_fault<"holds-no">("file", "row with a longitude and a latitude");
   return FileRoutes{std::move(routes), {}};
 }
 

@@ -59,7 +59,7 @@ class Gathering {
  private:
   void gather_each(const json& value, const char* key, const std::string& pointer, std::size_t depth) {
     if (!value.contains(key) || !value.at(key).is_array())
-      return reader_.refuse(pointer, std::string{"has no array \""} + key + "\"");
+      return reader_.refuse<"no-array">(pointer, key);
     const json& members = value.at(key);
     for (std::size_t i = 0; i < members.size(); ++i)
       gather(members[i], pointer + "/" + key + "/" + std::to_string(i), depth + 1);
@@ -99,7 +99,7 @@ class Gathering {
     if (type == "Point") return add_points(json::array({coordinates}), pointer);
     if (type == "MultiPoint") return add_points(coordinates, pointer);
     if (type != "MultiLineString") return;
-    if (!coordinates.is_array()) return reader_.refuse(pointer, "must be an array of lines");
+    if (!coordinates.is_array()) return reader_.refuse<"wrong-shape">(pointer, "an array of lines");
     Feature& of_all = feature();
     for (std::size_t i = 0; i < coordinates.size(); ++i)
       add_line(coordinates[i], pointer + "/" + std::to_string(i), of_all);
@@ -141,16 +141,13 @@ std::vector<Feature> with_whole_plans(InputReader& reader, Gathering& all, const
     std::ranges::stable_sort(of_plan, {}, &Feature::index);
     for (std::size_t i = 1; i < of_plan.size(); ++i)
       if (of_plan[i].index != of_plan[i - 1].index + 1.0)
-        reader.refuse(pointer, "must hold the parts of the plan \"" + plan.name +
-                                   "\" without a gap, but between those with the indices " +
-                                   shown(of_plan[i - 1].index) + " and " + shown(of_plan[i].index) +
-                                   " there are others, or none");
+        reader.refuse<"plan-with-a-gap">(pointer, plan.name, shown(of_plan[i - 1].index),
+                                         shown(of_plan[i].index));
     for (Feature& part : of_plan) {
       plan.lines.insert(plan.lines.end(), part.lines.begin(), part.lines.end());
       plan.points.insert(plan.points.end(), part.points.begin(), part.points.end());
     }
-    if (all.is_a_page())
-      reader.refuse(pointer, "is one page of the parts of a plan; ask for all of them, with a larger limit");
+    if (all.is_a_page()) reader.refuse<"page-of-a-plan">(pointer);
   }
   return whole;
 }
@@ -175,13 +172,13 @@ FileRoutes geojson_routes(InputReader& reader, const json& value, const std::str
   }
   if (!points.empty()) file.routes.push_back({"", {std::move(points)}});
   if (file.routes.empty() && reader.violations().empty())
-    reader.refuse(pointer, "holds no LineString and no Point");
+    reader.refuse<"holds-no">(pointer, "LineString and no Point");
   return file;
 }
 
 ReadRoutes read_geojson(std::string_view bytes) {
   const auto document = parse_json(bytes);
-  if (!document) return route_fault("file", document.error());
+  if (!document) return route_fault<"route-file-unreadable">("file", document.error());
   static const json nothing = json::object();
   InputReader reader{nothing};
   FileRoutes file = geojson_routes(reader, *document, "");

@@ -43,25 +43,27 @@ bool is_pattern(const std::string& kind) {
   return kind == "Rows" || kind == "RowsCoverage" || kind == "CoverArea";
 }
 
-/// Adds the places of one maneuver. Returns what is wrong with it, empty when nothing is.
-std::string add_places(const json& maneuver, std::vector<geo::LonLat>& places) {
+/// Adds the places of the maneuver called `here`. Returns what is wrong with it, empty when nothing is.
+std::optional<core::Violation> add_places(const json& maneuver, const std::string& here,
+                                          std::vector<geo::LonLat>& places) {
   const std::string kind = text_at(maneuver, "abbrev");
-  if (is_pattern(kind)) return "is a " + kind + ", a pattern without places of its own";
+  if (is_pattern(kind)) return messages::fault<"maneuver-pattern">(here, kind);
   const auto reference = place_in(maneuver);
-  if (!reference) return "has no lat and lon in radians";
+  if (!reference) return messages::fault<"maneuver-without-place">(here);
   const json* points = array_at(maneuver, "points");
   if (points == nullptr) {
     places.push_back(*reference);
-    return "";
+    return std::nullopt;
   }
   for (const json& point : *points) {
     const auto north = point.is_object() ? number_at(point, "x") : std::nullopt;
     const auto east = point.is_object() ? number_at(point, "y") : std::nullopt;
-    if (!north || !east || std::hypot(*north, *east) > 1e6) return "has a point without x and y in metres";
+    if (!north || !east || std::hypot(*north, *east) > 1e6)
+      return messages::fault<"maneuver-without-metres">(here);
     places.push_back(geo::geodesic_destination(*reference, geo::Bearing::towards(*east, *north),
                                                core::Metres{std::hypot(*north, *east)}));
   }
-  return "";
+  return std::nullopt;
 }
 
 /// Which maneuvers may follow which, but for the ends of a plan. That two may is left to a condition aboard.
@@ -95,15 +97,14 @@ tl::expected<NamedRoute, core::Violations> route_in(const json& plan) {
   for (std::string id = text_at(plan, "start_man_id"); done.insert(id).second;) {
     const std::string here = "maneuver \"" + id + "\"";
     const auto maneuver = maneuvers.find(id);
-    if (maneuver == maneuvers.end()) return route_fault(here, "is asked for but not there");
-    const std::string fault = add_places(*maneuver->second, places);
-    if (!fault.empty()) return route_fault(here, fault);
-    if (places.size() > max_places) return route_fault("file", "holds more than 10000 places");
+    if (maneuver == maneuvers.end()) return route_fault<"maneuver-missing">(here);
+    if (auto fault = add_places(*maneuver->second, here, places))
+      return tl::unexpected(core::Violations{std::move(*fault)});
+    if (places.size() > max_places) return route_fault<"too-many-places-in-route">("file", max_places);
     const auto following = next.find(id);
     if (following == next.end()) break;
     if (following->second.size() > 1)
-      return route_fault(here, "may lead to \"" + *following->second.begin() + "\" or \"" +
-                                   *following->second.rbegin() + "\"; a route has no branches");
+      return route_fault<"maneuver-ambiguous">(here, *following->second.begin(), *following->second.rbegin());
     id = *following->second.begin();
   }
   return NamedRoute{text_at(plan, "plan_id"), {std::move(places)}};
@@ -117,12 +118,12 @@ bool is_imc_plan(std::string_view bytes) {
 
 ReadRoutes read_imc(std::string_view bytes) {
   const auto document = parse_json(bytes);
-  if (!document) return route_fault("file", document.error());
+  if (!document) return route_fault<"route-file-unreadable">("file", document.error());
   FileRoutes file;
-  const json messages = document->is_array() ? *document : json::array({*document});
-  for (const json& message : messages) {
+  const json all = document->is_array() ? *document : json::array({*document});
+  for (const json& message : all) {
     const json* plan = plan_in(message);
-    if (plan == nullptr) return route_fault("file", "is an IMC message, but no PlanSpecification");
+    if (plan == nullptr) return route_fault<"no-imc-plan">("file");
     auto route = route_in(*plan);
     if (!route) return tl::unexpected(std::move(route.error()));
     file.routes.push_back(std::move(*route));

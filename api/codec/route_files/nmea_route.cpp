@@ -76,35 +76,32 @@ struct Sentences {
   std::vector<std::string> order_of_waypoints;
   std::map<std::string, geo::LonLat> waypoints;
   std::vector<Listing> listings;
-  core::Violations faults;
-
-  void refuse(int line, const std::string& rule) { faults.push_back({at_line(line), rule}); }
+  messages::Faults faults;
 
   void read_waypoint(const Fields& fields, int line) {
     if (fields.size() < 6 || fields[5].empty())
-      return refuse(line, "must be WPL,latitude,N or S,longitude,E or W,name");
+      return faults.refuse<"wrong-shape">(at_line(line), "WPL,latitude,N or S,longitude,E or W,name");
     const auto lat = angle_of(fields[1], fields[2], 2, 'N', 'S', 90.0);
     const auto lon = angle_of(fields[3], fields[4], 3, 'E', 'W', 180.0);
     if (!lat || !lon)
-      return refuse(line, "is no latitude as DDMM.mmmm,N and longitude as DDDMM.mmmm,E: degrees and minutes");
+      return faults.refuse<"no-minutes-in-line">(at_line(line));
     const std::string name{fields[5]};
     const auto [known, is_new] = waypoints.try_emplace(name, *lon, *lat);
     if (is_new) order_of_waypoints.push_back(name);
     if (!is_new && known->second != geo::LonLat{*lon, *lat})
-      refuse(line, "places the waypoint " + name + " somewhere else than a line before");
+      faults.refuse<"waypoint-in-two-places">(at_line(line), name);
   }
 
   void read_route(const Fields& fields, int line) {
     const auto sentences = fields.size() < 5 ? std::nullopt : count_of(fields[1]);
     const auto number = fields.size() < 5 ? std::nullopt : count_of(fields[2]);
     if (!sentences || !number || *number > *sentences)
-      return refuse(line, "must be RTE,sentences,number,c or w,name,waypoints");
+      return faults.refuse<"wrong-shape">(at_line(line), "RTE,sentences,number,c or w,name,waypoints");
     const std::string name{fields[4]};
     if (*number == 1) listings.push_back({name, {}, *sentences, 0});
     if (listings.empty() || listings.back().name != name || listings.back().sentences != *sentences ||
         listings.back().read != *number - 1)
-      return refuse(
-          line, "is sentence " + std::to_string(*number) + " of a route of which the one before is missing");
+      return faults.refuse<"sentence-before-missing">(at_line(line), *number);
     ++listings.back().read;
     for (std::size_t i = 5; i < fields.size(); ++i) {
       if (!fields[i].empty()) listings.back().order.emplace_back(fields[i]);
@@ -119,7 +116,7 @@ struct Sentences {
     if (!is_waypoint && !fields[0].ends_with("RTE"))
       return;  // fixes, depths and whatever else a logger writes
     if (!sums_up(body, star == std::string_view::npos ? "" : line.substr(star)))
-      return refuse(number, "has a check sum that does not fit: the line is damaged");
+      return faults.refuse<"wrong-check-sum">(at_line(number));
     if (is_waypoint) {
       read_waypoint(fields, number);
     } else {
@@ -136,7 +133,7 @@ std::vector<geo::LonLat> places_in_order(const Sentences& sentences, const std::
     if (found != sentences.waypoints.end()) {
       places.push_back(found->second);
     } else if (faults.size() < most_faults) {
-      faults.push_back({"file", "has the waypoint " + name + " in its route, but no WPL gives its position"});
+      faults.push_back(messages::fault<"waypoint-without-place">("file", name));
     }
   }
   return places;
@@ -149,9 +146,8 @@ ReadRoutes routes_of(const Sentences& sentences) {
   std::vector<Listing> known;
   for (const Listing& listing : sentences.listings) {
     if (listing.read < listing.sentences)
-      faults.push_back({"file", "lacks sentence " + std::to_string(listing.read + 1) + " of " +
-                                    std::to_string(listing.sentences) + " of the route \"" + listing.name +
-                                    "\": it was cut short"});
+      faults.push_back(messages::fault<"sentence-missing">("file", listing.read + 1, listing.sentences,
+                                                           listing.name));
     if (listing.order.empty() || std::ranges::find(known, listing) != known.end()) continue;
     known.push_back(listing);
     file.routes.push_back({listing.name, {places_in_order(sentences, listing.order, faults)}});
@@ -159,7 +155,7 @@ ReadRoutes routes_of(const Sentences& sentences) {
   if (file.routes.empty() && !sentences.order_of_waypoints.empty())
     file.routes.push_back({"", {places_in_order(sentences, sentences.order_of_waypoints, faults)}});
   if (!faults.empty()) return tl::unexpected(std::move(faults));
-  if (file.routes.empty()) return route_fault("file", "holds no WPL sentence with a waypoint");
+  if (file.routes.empty()) return route_fault<"holds-no">("file", "WPL sentence with a waypoint");
   return file;
 }
 
@@ -168,7 +164,7 @@ ReadRoutes routes_of(const Sentences& sentences) {
 ReadRoutes read_nmea(std::string_view bytes) {
   Sentences sentences;
   int number = 0;
-  while (!bytes.empty() && sentences.faults.size() < most_faults) {
+  while (!bytes.empty() && sentences.faults.found().size() < most_faults) {
     const std::size_t end = std::min(bytes.find('\n'), bytes.size() - 1);
     std::string_view line = bytes.substr(0, end + 1);
     bytes.remove_prefix(end + 1);
@@ -177,7 +173,7 @@ ReadRoutes read_nmea(std::string_view bytes) {
       line.remove_suffix(1);
     if (line.starts_with('$')) sentences.read(line, number);
   }
-  if (!sentences.faults.empty()) return tl::unexpected(std::move(sentences.faults));
+  if (!sentences.faults.found().empty()) return tl::unexpected(sentences.faults.found());
   return routes_of(sentences);
 }
 

@@ -5,8 +5,8 @@
 #include <cstdio>
 #include <utility>
 
-#include "engine/core/violation_list.hpp"
 #include "engine/geo/geodesic.hpp"
+#include "engine/messages/fault.hpp"
 
 namespace floeplan::codec {
 namespace {
@@ -19,8 +19,9 @@ constexpr double beside_antimeridian_deg =
     1.5e-5;                                       // cuts at 179.99999 are common, 1 m from it at the equator
 constexpr core::Metres cut_at_antimeridian{2.5};  // from one side to the other
 
-tl::unexpected<core::Violations> refused(const std::string& rule) {
-  return tl::unexpected(core::Violations{{"file", rule}});
+template <messages::Code code, class... Given>
+tl::unexpected<core::Violations> refused(const Given&... values) {
+  return tl::unexpected(core::Violations{messages::fault<code>("file", values...)});
 }
 
 std::string title(const std::vector<NamedRoute>& routes, std::size_t index) {
@@ -36,17 +37,12 @@ std::string titles(const std::vector<NamedRoute>& routes) {
   return list + (routes.size() > shown ? ", ..." : "");
 }
 
-constexpr const char* how_to_choose =
-    "give the name or number of the one to take: route_name, on the command line --route";
-
 /// The index of the route that `wanted` names or, where no name is so, counts.
 tl::expected<std::size_t, core::Violations> named(const std::vector<NamedRoute>& routes,
                                                   const std::string& wanted) {
   const auto count = std::ranges::count(routes, wanted, &NamedRoute::name);
   if (count > 1)
-    return refused("holds " + std::to_string(count) + " routes named \"" +
-                   core::cut_short(wanted, longest_name) + "\"; give the number of the one to take, of " +
-                   titles(routes));
+    return refused<"routes-of-one-name">(count, core::cut_short(wanted, longest_name), titles(routes));
   std::optional<std::size_t> by_name;
   std::optional<std::size_t> by_number;
   for (std::size_t i = 0; i < routes.size(); ++i) {
@@ -54,12 +50,10 @@ tl::expected<std::size_t, core::Violations> named(const std::vector<NamedRoute>&
     if (std::to_string(i + 1) == wanted) by_number = i;
   }
   if (by_name && by_number && by_name != by_number)
-    return refused("has \"" + wanted + "\" as the name of " + title(routes, *by_name) +
-                   " and as the number of " + title(routes, *by_number) +
-                   "; give the other word for the one to take");
+    return refused<"route-name-and-number">(wanted, title(routes, *by_name), title(routes, *by_number));
   if (by_name) return *by_name;
   if (by_number) return *by_number;
-  return refused("holds no route \"" + core::cut_short(wanted, longest_name) + "\", but " + titles(routes));
+  return refused<"no-such-route">(core::cut_short(wanted, longest_name), titles(routes));
 }
 
 /// The index of the only route that counts.
@@ -68,10 +62,8 @@ tl::expected<std::size_t, core::Violations> only_one(const std::vector<NamedRout
   const auto count = std::ranges::count_if(routes, counts);
   if (count == 1) return static_cast<std::size_t>(std::ranges::find_if(routes, counts) - routes.begin());
   if (count == 0)
-    return refused("holds no route that is shown: " + titles(routes) + " (" + routes.front().aside + "); " +
-                   how_to_choose);
-  return refused("holds " + std::to_string(count) +
-                 " routes, and which is meant nobody can tell: " + titles(routes) + "; " + how_to_choose);
+    return refused<"no-route-shown">(titles(routes), routes.front().aside);
+  return refused<"several-routes">(count, titles(routes));
 }
 
 /// Programs that cut a line at the antimeridian may leave a little on either side.
@@ -123,9 +115,7 @@ RouteFile joined(const NamedRoute& route, core::Violations& faults) {
                                   std::to_string(number) + " of " + subject + " lies a gap of " +
                                   kilometres_between(line.places.back(), part.front());
       if (route.gaps == Gaps::refused) {
-        core::note(faults,
-                   {"file", between + ": they do not touch, and how to get from one to the other the file "
-                                      "does not say; draw one line"});
+        core::note(faults, messages::fault<"route-with-a-gap">("file", between));
       } else {
         line.warnings.push_back(between + "; the straight line across it is taken as part of the route");
       }
@@ -146,7 +136,7 @@ tl::expected<RouteFile, core::Violations> choose_route(FileRoutes file,
   RouteFile route = joined(file.routes[*chosen], faults);
   if (!faults.empty()) return tl::unexpected(std::move(faults));
   if (route.places.size() > max_places)
-    return refused("holds more than " + std::to_string(max_places) + " places in a route");
+    return refused<"too-many-places-in-route">(max_places);
   for (geo::LonLat& place : route.places) place.lon_deg = geo::wrap_longitude(place.lon_deg);
   route.warnings.insert(route.warnings.begin(), file.warnings.begin(), file.warnings.end());
   if (!wanted)

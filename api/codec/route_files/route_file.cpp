@@ -23,7 +23,7 @@ ReadRoutes read_mission(const std::string& name, std::string_view bytes, std::op
   core::Violations faults;
   for (const auto& message : document.messages) {
     const bool refused = message.severity == mission::Severity::error || message.code == "decimal_degrees";
-    if (refused) core::note(faults, {at_line(message.line), message.text});
+    if (refused) core::note(faults, messages::fault<"mission-refused">(at_line(message.line), message.text));
     if (!refused && message.severity == mission::Severity::warning)
       file.warnings.push_back(name + ", " + at_line(message.line) + ": " + message.text);
   }
@@ -35,10 +35,9 @@ ReadRoutes read_mission(const std::string& name, std::string_view bytes, std::op
     faults = std::move(flown.faults);
   }
   if (faults.empty() && places.empty())
-    faults.push_back(
-        {"file", "holds no waypoints by longitude and latitude; " +
-                     (left_out.empty() ? "where its lists are in files of their own, give one of those"
-                                       : left_out + "; write them in degrees and minutes (wpt_units 2)")});
+    faults.push_back(messages::fault<"no-waypoints-by-place">(
+        "file", left_out.empty() ? "where its lists are in files of their own, give one of those"
+                                 : left_out + "; write them in degrees and minutes (wpt_units 2)"));
   if (!faults.empty()) return tl::unexpected(std::move(faults));
   file.routes.push_back({"", {std::move(places)}});
   return file;
@@ -58,9 +57,8 @@ bool looks_like_mission(const std::string& name, std::string_view bytes) {
 
 ReadRoutes read_by_content(const std::string& name, std::string_view text, std::optional<geo::LonLat> from) {
   const std::size_t first = text.find_first_not_of(" \t\r\n");
-  if (first == std::string_view::npos) return route_fault("file", "is empty");
-  if (text.starts_with("PK\x03\x04"))
-    return route_fault("file", "is an archive (KMZ, ZIP); unpack it and give the file in it");
+  if (first == std::string_view::npos) return route_fault<"route-file-empty">("file");
+  if (text.starts_with("PK\x03\x04")) return route_fault<"file-is-archive">("file");
 
   const char start = text[first];
   if (start == '{' || start == '[') return is_imc_plan(text) ? read_imc(text) : read_geojson(text);
@@ -71,8 +69,7 @@ ReadRoutes read_by_content(const std::string& name, std::string_view text, std::
   if (looks_like_mission(name, text)) return read_mission(name, text, from);
   if (looks_like_targets(text)) return read_mission("targets", text, from);
   if (start == '<')
-    return route_fault("file", "is XML that begins with \"" + core::cut_short(root, 40) +
-                                   "\"; of XML this program reads routes from GPX and KML");
+    return route_fault<"unknown-xml">("file", core::cut_short(root, 40));
   return read_csv(text);
 }
 
@@ -82,7 +79,7 @@ tl::expected<RouteFile, core::Violations> read_route_file(const std::string& nam
                                                           const std::optional<std::string>& wanted,
                                                           std::optional<geo::LonLat> from) {
   if (bytes.size() > max_bytes)
-    return route_fault("file", "is larger than " + std::to_string(max_bytes >> 20) + " MiB");
+    return route_fault<"file-too-large">("file", max_bytes >> 20);
   auto routes = read_by_content(name, core::utf8_text(bytes), from);
   if (!routes) return tl::unexpected(std::move(routes.error()));
   return choose_route(std::move(*routes), wanted);

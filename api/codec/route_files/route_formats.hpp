@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "api/codec/route_files/route_choice.hpp"
-#include "engine/core/violation.hpp"
 #include "engine/geo/lon_lat.hpp"
+#include "engine/messages/fault.hpp"
 
 namespace floeplan::codec {
 
@@ -49,7 +49,10 @@ using ReadRoutes = tl::expected<FileRoutes, core::Violations>;
 
 /// "line 12", as a violation names it.
 [[nodiscard]] std::string at_line(int line);
-[[nodiscard]] tl::unexpected<core::Violations> route_fault(const std::string& where, const std::string& rule);
+template <messages::Code code, class... Given>
+[[nodiscard]] tl::unexpected<core::Violations> route_fault(const std::string& where, const Given&... values) {
+  return tl::unexpected(core::Violations{messages::fault<code>(where, values...)});
+}
 
 /// A place, or a fault that names the line, as far as `core::note` goes.
 [[nodiscard]] std::optional<geo::LonLat> place_of(std::optional<double> lon, std::optional<double> lat,

@@ -46,7 +46,7 @@ class KmlReader {
     gather(document, false);
     if (!faults_.empty()) return tl::unexpected(std::move(faults_));
     if (lines_.empty() && points_.empty() && hidden_points_.empty())
-      return route_fault("file", "holds no LineString and no Point");
+      return route_fault<"holds-no">("file", "LineString and no Point");
     if (lines_.empty() && points_.empty())
       add(lines_, {"", {std::move(hidden_points_)}, Gaps::refused, "hidden"});
     if (lines_.empty()) add(lines_, {"", {std::move(points_)}});
@@ -137,7 +137,7 @@ class KmlReader {
 
 ReadRoutes read_gpx(std::string_view bytes) {
   const auto document = xml::parse(bytes);
-  if (!document) return route_fault("file", document.error());
+  if (!document) return route_fault<"route-file-unreadable">("file", document.error());
   std::vector<NamedRoute> routes;
   std::vector<NamedRoute> tracks;
   core::Violations faults;
@@ -160,13 +160,13 @@ ReadRoutes read_gpx(std::string_view bytes) {
   }
   if (routes.empty()) add(routes, {"", {points_of(*document, "wpt", faults)}});
   if (!faults.empty()) return tl::unexpected(std::move(faults));
-  if (routes.empty()) return route_fault("file", "holds no rtept, trkpt or wpt");
+  if (routes.empty()) return route_fault<"holds-no">("file", "rtept, trkpt or wpt");
   return FileRoutes{std::move(routes), {}};
 }
 
 ReadRoutes read_kml(std::string_view bytes) {
   const auto document = xml::parse(bytes);
-  if (!document) return route_fault("file", document.error());
+  if (!document) return route_fault<"route-file-unreadable">("file", document.error());
   return KmlReader{}.read(*document);
 }
 

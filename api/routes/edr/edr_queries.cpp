@@ -46,7 +46,7 @@ Response query_position(const EdrCollection& collection, const Context& context,
   const auto coords = query.coords({codec::WktKind::point, codec::WktKind::multi_point},
                                    "POINT(lon lat) or MULTIPOINT, at most 100 places");
   const Wanted wanted = query.wanted();
-  if (coords && coords->places.size() > most_positions) query.refuse("coords", "has more than 100 places");
+  if (coords && coords->places.size() > most_positions) query.refuse<"too-many-places-of-query">("coords", most_positions);
   if (!query.violations().empty()) return invalid(request, query.violations());
   std::vector<json> coverages;
   for (const auto& place : coords->places) {
@@ -74,7 +74,7 @@ Response query_radius(const EdrCollection& collection, const Context& context, c
   query.reader().require("within", "the radius");
   const auto within = query.reader().number("within", 0.0, 2e7);
   const auto unit = metres_in(request.parameter("within-units").value_or("km"));
-  if (!unit) query.refuse("within-units", "must be m, km, nmi or mi");
+  if (!unit) query.refuse<"wrong-shape">("within-units", "m, km, nmi or mi");
   if (!query.violations().empty()) return invalid(request, query.violations());
   if (const auto z_m = coords->places.front().z_m) query.take_depth(*z_m);
   return grid_reply(collection, context, request, query, wanted,
@@ -86,9 +86,9 @@ Response query_area(const EdrCollection& collection, const Context& context, con
   const auto coords = query.coords({codec::WktKind::polygon}, "POLYGON((lon lat, ...)) or MULTIPOLYGON");
   const Wanted wanted = query.wanted();
   const EdrArea area = coords ? area_of_polygons(coords->areas) : EdrArea{};
-  if (coords && area.middles.empty()) query.refuse("coords", "encloses no area");
+  if (coords && area.middles.empty()) query.refuse<"encloses-no-area">("coords");
   if (coords && coords->has_z)
-    query.refuse("coords", "must be without Z: give the depths of an area as \"z\"");
+    query.refuse<"area-with-depths">("coords");
   if (!query.violations().empty()) return invalid(request, query.violations());
   return grid_reply(collection, context, request, query, wanted, area);
 }

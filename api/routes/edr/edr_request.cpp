@@ -46,10 +46,6 @@ bool above_the_surface(const EdrLevels& levels) {
 
 }  // namespace
 
-void EdrRequest::refuse(const std::string& name, const std::string& rule) {
-  violations_.push_back({"?" + name, "the query parameter \"" + name + "\" " + rule});
-}
-
 core::Violations EdrRequest::violations() const {
   core::Violations all = reader_.violations();
   all.insert(all.end(), violations_.begin(), violations_.end());
@@ -61,11 +57,11 @@ std::optional<codec::WktGeometry> EdrRequest::coords(std::initializer_list<codec
   const auto text = request_.parameter("coords");
   auto geometry = text ? codec::parse_wkt(*text) : std::nullopt;
   if (!geometry || std::find(kinds.begin(), kinds.end(), geometry->kind) == kinds.end()) {
-    refuse("coords", "is required: " + rule + ", longitude first");
+    refuse<"required">("coords", rule + ", longitude first");
     return std::nullopt;
   }
   if (std::ranges::any_of(geometry->places, [](const auto& place) { return place.z_m && *place.z_m < 0.0; }))
-    refuse("coords", "has a negative Z; Z is metres below the surface, positive down");
+    refuse<"negative-depth">("coords");
   return geometry;
 }
 
@@ -76,13 +72,11 @@ std::optional<geo::BoundingBox> EdrRequest::box() {
   if (!box->depths_m) return box->area;
   const auto [from, to] = *box->depths_m;
   if (!collection_.has_depths) {
-    refuse("bbox", "must be four numbers, west,south,east,north: this collection has no depths");
+    refuse<"wrong-shape">("bbox", "four numbers, west,south,east,north: this collection has no depths");
   } else if (request_.parameter("z")) {
-    refuse("bbox", "has depths, and so has \"z\"; give them once");
+    refuse<"depths-given-twice">("bbox");
   } else if (from < 0.0 || from > to) {
-    refuse("bbox",
-           "of six numbers is west,south,from,east,north,to with the depths from and to in metres below the "
-           "surface, positive down, the shallower first");
+    refuse<"wrong-box-with-depths">("bbox");
   }
   levels_ = levels_between(from, to);
   return box->area;
@@ -93,9 +87,9 @@ Wanted EdrRequest::wanted() {
   result.span = reader_.datetime();
   result.parameters = parameters();
   if (const auto crs = request_.parameter("crs"); crs && parse_crs(*crs) != FeatureCrs::crs84) {
-    refuse(
+    refuse<"wrong-shape">(
         "crs",
-        "must be CRS84 or its URI, longitude first; EPSG:4326 means latitude first, which this collection is "
+        "CRS84 or its URI, longitude first; EPSG:4326 means latitude first, which this collection is "
         "not given in");
   }
   read_z();
@@ -107,13 +101,13 @@ void EdrRequest::read_z() {
   if (!z) return;
   levels_ = parse_z(*z);
   if (!levels_ || above_the_surface(*levels_)) {
-    refuse("z", "must be metres below the surface, positive down: one, several, from/to or Rn/first/step");
+    refuse<"wrong-shape">("z", "metres below the surface, positive down: one, several, from/to or Rn/first/step");
   }
 }
 
 void EdrRequest::want_one_depth() {
   if (levels_ && (levels_->between || levels_->values.size() > 1))
-    refuse("z", "must be one depth here; a LINESTRING Z gives each place its own");
+    refuse<"wrong-shape">("z", "one depth here; a LINESTRING Z gives each place its own");
 }
 
 std::vector<double> EdrRequest::depths(const EdrShape& shape) const {
@@ -136,7 +130,7 @@ std::vector<std::size_t> EdrRequest::parameters() {
   for (const auto& name : split(*text, ',')) {
     const auto found = std::ranges::find(collection_.parameters, name, &codec::CoverageParameter::id);
     if (found == collection_.parameters.end()) {
-      refuse("parameter-name", "must name parameters of the collection, not " + std::string{name});
+      refuse<"unknown-parameter">("parameter-name", name);
       continue;
     }
     const auto index = static_cast<std::size_t>(found - collection_.parameters.begin());

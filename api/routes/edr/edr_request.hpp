@@ -32,7 +32,10 @@ class EdrRequest {
       : collection_{collection}, request_{request}, reader_{request} {}
 
   [[nodiscard]] ParameterReader& reader() { return reader_; }
-  void refuse(const std::string& name, const std::string& rule);
+  template <messages::Code code, class... Given>
+  void refuse(const std::string& name, const Given&... values) {
+    violations_.push_back(parameter_fault<code>(name, values...));
+  }
   [[nodiscard]] core::Violations violations() const;
 
   /// The place, which must be there and of one of the kinds; a Z of it is a depth.

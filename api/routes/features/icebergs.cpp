@@ -85,27 +85,22 @@ tl::expected<std::optional<Latest>, problems::Problem> read_latest(const Feature
   latest.choice.ids = datasets_of(query);
   core::Violations violations;
   if (wish != "true" && wish != "false")
-    violations.push_back({"?latest", "the query parameter \"latest\" must be true or false"});
+    violations.push_back(parameter_fault<"wrong-shape">("latest", "true or false"));
   if (wish == "true" && !query.span.to)
     violations.push_back(
-        {"?datetime",
-         "the query parameter \"datetime\" is required: with latest=true, the moment to look at"});
+        parameter_fault<"required">("datetime", "with latest=true, the moment to look at"));
   if (wish != "true" && age)
-    violations.push_back({"?max_sighting_age_days",
-                          "the query parameter \"max_sighting_age_days\" belongs to latest=true; without it, "
-                          "\"datetime\" says from when on"});
+    violations.push_back(parameter_fault<"needs-latest">(
+        "max_sighting_age_days", "; without it, \"datetime\" says from when on"));
   if (departure && !latest.departure)
     violations.push_back(
-        {"?departure", "the query parameter \"departure\" must be a UTC time like 2026-11-20T06:00:00Z"});
+        parameter_fault<"wrong-shape">("departure", "a UTC time like 2026-11-20T06:00:00Z"));
   if (wish != "true" && departure)
-    violations.push_back(
-        {"?departure", "the query parameter \"departure\" belongs to latest=true: ages are counted then"});
+    violations.push_back(parameter_fault<"needs-latest">("departure", ": ages are counted then"));
   if (days < 0.0 || days > oldest_days)
-    violations.push_back({"?max_sighting_age_days",
-                          "the query parameter \"max_sighting_age_days\" must be a number from 0 to 30"});
+    violations.push_back(parameter_fault<"wrong-shape">("max_sighting_age_days", "a number from 0 to 30"));
   if (wish != "true" && latest.choice.ids.size() > 1)
-    violations.push_back(
-        {"?dataset", "the query parameter \"dataset\" takes several ids with latest=true only"});
+    violations.push_back(parameter_fault<"several-without-latest">("dataset"));
   if (!violations.empty())
     return tl::unexpected(problems::problem<"invalid-request">().with(std::move(violations)));
   if (wish == "false") return std::nullopt;

@@ -41,25 +41,26 @@ Read read_json(const Request& request) {
   const json* files = reader.member("files");
   const bool listed = files != nullptr && files->is_array() && !files->empty();
   if (!listed)
-    reader.refuse("/files", "must be an array of one file at least, each with \"name\" and \"text\"");
+    reader.refuse<"wrong-shape">("/files",
+                                 "an array of one file at least, each with \"name\" and \"text\"");
   for (std::size_t i = 0; listed && i < files->size() && !reader.is_full(); ++i) {
     const std::string pointer = "/files/" + std::to_string(i);
     if (!(*files)[i].is_object()) {
-      reader.refuse(pointer, "must be an object of a file's \"name\" and its \"text\"");
+      reader.refuse<"wrong-shape">(pointer, "an object of a file's \"name\" and its \"text\"");
       continue;
     }
     codec::InputReader file{(*files)[i], pointer};
     const auto name = file.text("name");
     const auto text = file.text("text", request.body.size());
-    file.require("name", "is required: the file's name with its ending, .mi or .ma");
-    file.require("text", "is required: what the file holds");
+    file.require("name", "the file's name with its ending, .mi or .ma");
+    file.require("text", "what the file holds");
     file.refuse_unknown();
     reader.refuse_all("", file.violations());
     uploads.files.push_back({without_folder(name.value_or("")), text.value_or("")});
   }
   if (const json* inputs = reader.member("inputs")) {
     if (!inputs->is_object())
-      reader.refuse("/inputs", "must be an object: departure, vehicle, data and rules");
+      reader.refuse<"wrong-shape">("/inputs", "an object: departure, vehicle, data and rules");
     uploads.inputs = *inputs;
   }
   reader.refuse_unknown();

@@ -7,7 +7,7 @@
 
 #include "api/codec/bytes/json_text.hpp"
 #include "api/routes/request/reply.hpp"
-#include "engine/core/violation_list.hpp"
+#include "engine/messages/fault.hpp"
 
 namespace floeplan::routes {
 namespace {
@@ -17,27 +17,27 @@ using nlohmann::json;
 constexpr const char* known_keys = "inputs, outputs, response, force";
 
 /// The names of the outputs that the client wants; none: all of them.
-json wanted_outputs(const json& body, const ProcessEntry& process, core::Violations& violations) {
+json wanted_outputs(const json& body, const ProcessEntry& process, messages::Faults& faults) {
   json wanted = json::array();
   if (!body.contains("outputs")) return wanted;
   const json& outputs = body.at("outputs");
   if (!outputs.is_object()) {
-    core::note(violations, {"/outputs", "must be an object with the outputs that are wanted as its keys"});
+    faults.refuse<"wrong-shape">("/outputs", "an object with the outputs that are wanted as its keys");
     return wanted;
   }
   for (const auto& [name, ignored] : outputs.items()) {
     if (std::ranges::find(process.outputs, name, &ProcessOutput::name) == process.outputs.end()) {
-      core::note(violations, {"/outputs/" + name, "is not an output of the process " + process.id});
+      faults.refuse<"not-an-output">("/outputs/" + name, process.id);
     }
     wanted.push_back(name);
   }
   return wanted;
 }
 
-std::string read_response(const json& body, core::Violations& violations) {
+std::string read_response(const json& body, messages::Faults& faults) {
   const json response = body.value("response", json("document"));
   if (response == "raw" || response == "document") return response.get<std::string>();
-  core::note(violations, {"/response", "must be raw or document"});
+  faults.refuse<"wrong-shape">("/response", "raw or document");
   return {};
 }
 
@@ -52,33 +52,33 @@ bool is_qualified(const json& input) {
 }
 
 /// The bare value of one input. What is not given as a value is refused: no other server is asked, and no text decoded.
-void unwrap(json& input, const std::string& pointer, core::Violations& violations) {
+void unwrap(json& input, const std::string& pointer, messages::Faults& faults) {
   if (input.is_object() && input.contains("href") && !input.contains("type"))
-    return core::note(violations, {pointer, "must be given as a value; links (href) are not followed"});
+    return faults.refuse<"link-not-followed">(pointer);
   if (!is_qualified(input)) return;
   const json encoding = input.value("encoding", json());
   if (!encoding.is_null() && encoding != "utf-8" && encoding != "UTF-8")
-    return core::note(violations, {pointer + "/encoding", "must be utf-8 or be left out"});
+    return faults.refuse<"wrong-shape">(pointer + "/encoding", "utf-8 or be left out");
   json value = std::move(input.at("value"));
   input = std::move(value);
 }
 
 /// Unwraps every input, also those that come as an array of qualified values.
-void unwrap_inputs(json& inputs, core::Violations& violations) {
+void unwrap_inputs(json& inputs, messages::Faults& faults) {
   if (!inputs.is_object()) return;
   for (auto& [name, input] : inputs.items()) {
     const std::string pointer = "/inputs/" + name;
-    unwrap(input, pointer, violations);
+    unwrap(input, pointer, faults);
     if (!input.is_array() || input.empty() || !std::ranges::all_of(input, is_qualified)) continue;
     for (std::size_t i = 0; i < input.size(); ++i)
-      unwrap(input[i], pointer + "/" + std::to_string(i), violations);
+      unwrap(input[i], pointer + "/" + std::to_string(i), faults);
   }
 }
 
-bool read_force(const json& body, core::Violations& violations) {
+bool read_force(const json& body, messages::Faults& faults) {
   const json force = body.value("force", json(false));
   if (force.is_boolean()) return force.get<bool>();
-  core::note(violations, {"/force", "must be true or false"});
+  faults.refuse<"wrong-shape">("/force", "true or false");
   return false;
 }
 
@@ -92,21 +92,21 @@ tl::expected<ExecutionRequest, Response> read_execution(const Request& request, 
   auto body = codec::parse_json(request.body);
   if (!body) return tl::unexpected(problem_reply<"invalid-json">(request, body.error()));
   if (!body->is_object())
-    return tl::unexpected(invalid(request, {{"", "must be an object with \"inputs\""}}));
+    return tl::unexpected(invalid(request, {messages::fault<"wrong-shape">("", "an object with \"inputs\"")}));
 
-  core::Violations violations;
+  messages::Faults faults;
   for (const auto& [key, value] : body->items()) {
     if (key != "inputs" && key != "outputs" && key != "response" && key != "force") {
-      core::note(violations, {"/" + key, std::string{"is not known; the known keys are "} + known_keys});
+      faults.refuse<"unknown-member">("/" + key, known_keys);
     }
   }
-  if (!body->contains("inputs")) core::note(violations, {"/inputs", "is required"});
+  if (!body->contains("inputs")) faults.refuse<"required">("/inputs", "those of the process, an object");
   ExecutionRequest result;
-  result.force = read_force(*body, violations);
-  const json reply{{"outputs", wanted_outputs(*body, process, violations)},
-                   {"response", read_response(*body, violations)}};
-  if (body->contains("inputs")) unwrap_inputs(body->at("inputs"), violations);
-  if (!violations.empty()) return tl::unexpected(invalid(request, std::move(violations)));
+  result.force = read_force(*body, faults);
+  const json reply{{"outputs", wanted_outputs(*body, process, faults)},
+                   {"response", read_response(*body, faults)}};
+  if (body->contains("inputs")) unwrap_inputs(body->at("inputs"), faults);
+  if (!faults.found().empty()) return tl::unexpected(invalid(request, faults.found()));
   result.reply_json = reply.dump();
   result.inputs = std::move(body->at("inputs"));
   return result;

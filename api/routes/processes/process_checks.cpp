@@ -13,7 +13,7 @@
 #include "api/codec/inputs/simulate_inputs.hpp"
 #include "api/routes/request/owner.hpp"
 #include "engine/core/version.hpp"
-#include "engine/core/violation_list.hpp"
+#include "engine/messages/fault.hpp"
 #include "storage/repository/datasets/dataset_repository.hpp"
 #include "storage/repository/work/plan_repository.hpp"
 #include "storage/repository/work/simulation_repository.hpp"
@@ -27,29 +27,26 @@ using repository::DatasetKind;
 
 /// Notes every named dataset that is not there or is of another kind, before a job exists.
 void check_choice(sql::Connection& db, const repository::DatasetChoice& choice, const std::string& key,
-                  DatasetKind kind, core::Violations& violations) {
+                  DatasetKind kind, messages::Faults& faults) {
   for (const auto& id : choice.ids) {
     const auto dataset = repository::DatasetRepository{db}.find(id);
-    if (!dataset)
-      core::note(violations, {"/" + key, "no dataset has the id " + id.value + "; /datasets lists them"});
-    if (dataset && dataset->kind != kind) {
-      core::note(violations,
-                 {"/" + key, "the dataset " + id.value + " is of kind " + kind_name(dataset->kind)});
-    }
+    if (!dataset) faults.refuse<"no-such-dataset">("/" + key, id.value);
+    if (dataset && dataset->kind != kind)
+      faults.refuse<"dataset-of-another-kind">("/" + key, id.value, kind_name(dataset->kind));
   }
 }
 
 core::Violations check_data(sql::Connection& db, const repository::EnvironmentQuery& data) {
-  core::Violations violations;
-  check_choice(db, data.currents, "currents", DatasetKind::currents, violations);
-  check_choice(db, data.tides.choice, "tides", DatasetKind::tides, violations);
-  check_choice(db, data.wind, "wind", DatasetKind::wind, violations);
-  check_choice(db, data.bathymetry, "bathymetry", DatasetKind::bathymetry, violations);
-  check_choice(db, data.ice, "ice", DatasetKind::ice, violations);
-  check_choice(db, data.icebergs, "icebergs", DatasetKind::icebergs, violations);
-  check_choice(db, data.coastline, "coastline", DatasetKind::coastline, violations);
-  check_choice(db, data.zones, "zones", DatasetKind::zones, violations);
-  return violations;
+  messages::Faults faults;
+  check_choice(db, data.currents, "currents", DatasetKind::currents, faults);
+  check_choice(db, data.tides.choice, "tides", DatasetKind::tides, faults);
+  check_choice(db, data.wind, "wind", DatasetKind::wind, faults);
+  check_choice(db, data.bathymetry, "bathymetry", DatasetKind::bathymetry, faults);
+  check_choice(db, data.ice, "ice", DatasetKind::ice, faults);
+  check_choice(db, data.icebergs, "icebergs", DatasetKind::icebergs, faults);
+  check_choice(db, data.coastline, "coastline", DatasetKind::coastline, faults);
+  check_choice(db, data.zones, "zones", DatasetKind::zones, faults);
+  return faults.found();
 }
 
 tl::expected<json, core::Violations> checked_plan_inputs(const Context& context, const json& inputs) {
@@ -65,7 +62,7 @@ tl::expected<json, core::Violations> checked_evaluate_inputs(const Context& cont
   if (!parsed) return tl::unexpected(parsed.error());
   auto violations = check_data(context.db, parsed->data);
   if (parsed->plan_id && !repository::PlanRepository{context.db}.find({*parsed->plan_id})) {
-    violations.push_back({"/plan_id", "no plan has the id " + *parsed->plan_id});
+    violations.push_back(messages::fault<"no-such-plan">("/plan_id", *parsed->plan_id));
   }
   if (!violations.empty()) return tl::unexpected(std::move(violations));
   return codec::to_json(*parsed);
@@ -84,20 +81,18 @@ tl::expected<json, core::Violations> checked_ingest_inputs(const Context& contex
   const auto parsed = codec::parse_ingest_inputs(inputs);
   if (!parsed) return tl::unexpected(parsed.error());
   const repository::UploadRepository uploads{context.service.uploads};
-  core::Violations violations;
+  messages::Faults faults;
   std::set<std::string> names;
-  for (std::size_t i = 0; i < parsed->uploads.size() && !core::is_full(violations); ++i) {
+  for (std::size_t i = 0; i < parsed->uploads.size() && !faults.is_full(); ++i) {
     const std::string pointer = "/uploads/" + std::to_string(i);
     const auto upload = uploads.find(parsed->uploads[i]);
     if (!upload || !may_see_of(request, upload->owner)) {
-      core::note(violations,
-                 {pointer, "no upload has the id " + parsed->uploads[i] + "; it was removed or has expired"});
+      faults.refuse<"no-such-upload">(pointer, parsed->uploads[i]);
     } else if (!names.insert(upload->name).second) {
-      core::note(violations,
-                 {pointer, "a file named " + upload->name + " is there already; ingest them one by one"});
+      faults.refuse<"upload-of-the-same-name">(pointer, upload->name);
     }
   }
-  if (!violations.empty()) return tl::unexpected(std::move(violations));
+  if (!faults.found().empty()) return tl::unexpected(faults.found());
   return codec::to_json(*parsed);
 }
 
@@ -105,7 +100,7 @@ tl::expected<json, core::Violations> checked_simulate_inputs(const Context& cont
   const auto parsed = codec::parse_simulate_inputs(inputs);
   if (!parsed) return tl::unexpected(parsed.error());
   if (!repository::PlanRepository{context.db}.find({parsed->plan_id}))
-    return tl::unexpected(core::Violations{{"/plan_id", "no plan has the id " + parsed->plan_id}});
+    return tl::unexpected(core::Violations{messages::fault<"no-such-plan">("/plan_id", parsed->plan_id)});
   return codec::to_json(*parsed);
 }
 

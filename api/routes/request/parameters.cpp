@@ -39,12 +39,8 @@ geo::BoundingBox normalised(double west, double south, double east, double north
 
 }  // namespace
 
-void ParameterReader::refuse(const std::string& name, const std::string& rule) {
-  violations_.push_back({"?" + name, "the query parameter \"" + name + "\" " + rule});
-}
-
-void ParameterReader::require(const std::string& name, const std::string& rule) {
-  if (!request_.parameter(name)) refuse(name, "is required: " + rule);
+void ParameterReader::require(const std::string& name, const std::string& what) {
+  if (!request_.parameter(name)) refuse<"required">(name, what);
 }
 
 std::optional<double> ParameterReader::number(const std::string& name, double from, double to) {
@@ -52,7 +48,7 @@ std::optional<double> ParameterReader::number(const std::string& name, double fr
   if (!text) return std::nullopt;
   const auto value = parse_number(*text);
   if (value && *value >= from && *value <= to) return value;
-  refuse(name, "must be a number from " + std::to_string(from) + " to " + std::to_string(to));
+  refuse<"wrong-shape">(name, "a number from " + std::to_string(from) + " to " + std::to_string(to));
   return std::nullopt;
 }
 
@@ -62,7 +58,7 @@ std::optional<std::int64_t> ParameterReader::integer(const std::string& name, st
   if (!text) return std::nullopt;
   const auto value = parse_integer(*text);
   if (value && *value >= from && *value <= to) return value;
-  refuse(name, "must be a whole number from " + std::to_string(from) + " to " + std::to_string(to));
+  refuse<"wrong-shape">(name, "a whole number from " + std::to_string(from) + " to " + std::to_string(to));
   return std::nullopt;
 }
 
@@ -70,16 +66,16 @@ std::optional<std::string> ParameterReader::one_of(const std::string& name,
                                                    const std::vector<std::string>& values) {
   auto text = request_.parameter(name);
   if (!text || std::find(values.begin(), values.end(), *text) != values.end()) return text;
-  std::string rule = "must be one of";
-  for (const auto& value : values) rule += " " + value;
-  refuse(name, rule);
+  std::string choices = "one of";
+  for (const auto& value : values) choices += " " + value;
+  refuse<"wrong-shape">(name, choices);
   return std::nullopt;
 }
 
 bool ParameterReader::flag(const std::string& name) {
   const auto text = request_.parameter(name);
   if (!text || *text == "false") return false;
-  if (*text != "true") refuse(name, "must be true or false");
+  if (*text != "true") refuse<"wrong-shape">(name, "true or false");
   return *text == "true";
 }
 
@@ -95,9 +91,9 @@ FeatureCrs ParameterReader::crs(const std::string& name) {
   const auto uri = request_.parameter(name);
   if (!uri) return FeatureCrs::crs84;
   const auto known = parse_crs(*uri);
-  std::string rule = "must be one of";
-  for (const auto& candidate : crs_uris()) rule += " " + candidate;
-  if (!known) refuse(name, rule);
+  std::string choices = "one of";
+  for (const auto& candidate : crs_uris()) choices += " " + candidate;
+  if (!known) refuse<"wrong-shape">(name, choices);
   return known.value_or(FeatureCrs::crs84);
 }
 
@@ -113,21 +109,21 @@ std::optional<BoxWithDepths> ParameterReader::read_box(FeatureCrs crs, bool with
   if (!text) return std::nullopt;
   const auto numbers = parse_numbers(*text);
   if (!with_depths && numbers && numbers->size() == 6) {
-    refuse("bbox", "must be four numbers here, west,south,east,north: heights and depths are not searched");
+    refuse<"wrong-shape">(
+        "bbox", "four numbers here, west,south,east,north: heights and depths are not searched");
     return std::nullopt;
   }
   if (!numbers || (numbers->size() != 4 && numbers->size() != 6)) {
-    refuse("bbox", with_depths ? "must be four numbers, west,south,east,north, or six, "
-                                 "west,south,from,east,north,to with the depths from and to"
-                               : "must be four numbers: west,south,east,north");
+    refuse<"wrong-shape">("bbox", with_depths ? "four numbers, west,south,east,north, or six, "
+                                                "west,south,from,east,north,to with the depths from and to"
+                                              : "four numbers: west,south,east,north");
     return std::nullopt;
   }
   const std::size_t half = numbers->size() / 2;
   const auto [west, south] = to_lon_lat({(*numbers)[0], (*numbers)[1]}, crs);
   const auto [east, north] = to_lon_lat({(*numbers)[half], (*numbers)[half + 1]}, crs);
   if (south > north || south < -90.0 || north > 90.0 || std::abs(west) > 540.0 || std::abs(east) > 540.0) {
-    refuse("bbox",
-           "must have its latitudes within -90 to 90, south first, and its longitudes within -540 to 540");
+    refuse<"box-not-on-the-globe">("bbox");
     return std::nullopt;
   }
   BoxWithDepths box{normalised(west, south, east, north), {}};
@@ -148,7 +144,7 @@ std::optional<std::vector<geo::LonLat>> ParameterReader::places(const std::strin
     if (end == std::string_view::npos) return places;
     rest.remove_prefix(end + 1);
   }
-  refuse(name, "must be places as lon,lat;lon,lat in degrees, at most 1000");
+  refuse<"wrong-shape">(name, "places as lon,lat;lon,lat in degrees, at most 1000");
   return std::nullopt;
 }
 
@@ -156,19 +152,19 @@ std::optional<core::UtcTime> ParameterReader::time(const std::string& name) {
   const auto text = request_.parameter(name);
   if (!text) return std::nullopt;
   const auto value = parse_time(*text);
-  if (!value) refuse(name, "must be a time in ISO 8601, as 2026-11-20T06:00:00Z");
+  if (!value) refuse<"wrong-shape">(name, "a time in ISO 8601, as 2026-11-20T06:00:00Z");
   return value;
 }
 
 TimeSpan ParameterReader::datetime() {
   const auto text = request_.parameter("datetime");
   if (!text) return {};
-  const std::string rule =
-      "must be a time in ISO 8601 or a period as 2026-11-20T00:00:00Z/.., the earlier end first";
+  constexpr std::string_view shape =
+      "a time in ISO 8601 or a period as 2026-11-20T00:00:00Z/.., the earlier end first";
   const auto slash = text->find('/');
   if (slash == std::string::npos) {
     const auto instant = parse_time(*text);
-    if (!instant) refuse("datetime", rule);
+    if (!instant) refuse<"wrong-shape">("datetime", shape);
     return {instant, instant};
   }
   const auto open = [](const std::string& end) { return end.empty() || end == ".."; };
@@ -180,7 +176,7 @@ TimeSpan ParameterReader::datetime() {
   const bool wrong = (!open(first) && !span.from) || (!open(second) && !span.to) ||
                      (span.from && span.to && *span.to < *span.from);
   if (!wrong) return span;
-  refuse("datetime", rule);
+  refuse<"wrong-shape">("datetime", shape);
   return {};
 }
 

@@ -12,6 +12,7 @@
 #include "engine/core/violation.hpp"
 #include "engine/geo/bounding_box.hpp"
 #include "engine/geo/lon_lat.hpp"
+#include "engine/messages/fault.hpp"
 
 namespace floeplan::routes {
 
@@ -26,6 +27,14 @@ struct BoxWithDepths {
   geo::BoundingBox area;
   std::optional<std::pair<double, double>> depths_m;
 };
+
+/// What a row of requests says of a query parameter.
+template <messages::Code code, class... Given>
+[[nodiscard]] core::Violation parameter_fault(const std::string& name, const Given&... values) {
+  core::Violation violation = messages::fault<code>("?" + name, values...);
+  violation.rule = "the query parameter \"" + name + "\" " + violation.rule;
+  return violation;
+}
 
 /// Reads query parameters and collects what is wrong with them. Absent or wrong: empty, the latter noted.
 class ParameterReader {
@@ -59,7 +68,10 @@ class ParameterReader {
   [[nodiscard]] const core::Violations& violations() const { return violations_; }
 
  private:
-  void refuse(const std::string& name, const std::string& rule);
+  template <messages::Code code, class... Given>
+  void refuse(const std::string& name, const Given&... values) {
+    violations_.push_back(parameter_fault<code>(name, values...));
+  }
   [[nodiscard]] std::optional<BoxWithDepths> read_box(FeatureCrs crs, bool with_depths);
 
   const Request& request_;  // borrowed

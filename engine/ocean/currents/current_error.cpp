@@ -8,6 +8,7 @@
 
 #include "engine/core/random.hpp"
 #include "engine/geo/lon_lat.hpp"
+#include "engine/messages/fault.hpp"
 
 namespace floeplan::ocean {
 namespace {
@@ -38,17 +39,14 @@ std::vector<Wave> draw_waves(const CurrentErrorModel& model, std::mt19937_64& rn
 }  // namespace
 
 core::Violations CurrentErrorModel::violations() const {
-  core::Violations found;
-  const auto require = [&](bool holds, const char* field, const char* rule) {
-    if (!holds) found.push_back({field, rule});
-  };
-  require(standard_deviation.value > 0.0 && standard_deviation.value <= 2.0, "/current_error_m_s",
-          "must be above 0 and at most 2 m/s");
-  require(length_scale.value >= 1000.0 && length_scale.value <= 1e6, "/length_scale_m",
-          "must be between 1 and 1000 km");
-  require(time_scale.count() >= 600.0 && time_scale.count() <= 30.0 * 86400.0, "/time_scale_s",
-          "must be between 10 minutes and 30 days");
-  return found;
+  messages::Faults faults;
+  faults.require<"not-above">(standard_deviation.value > 0.0 && standard_deviation.value <= 2.0,
+                              "/current_error_m_s", "0", "2 m/s");
+  faults.require<"not-between">(length_scale.value >= 1000.0 && length_scale.value <= 1e6, "/length_scale_m",
+                                "1", "1000 km");
+  faults.require<"not-between">(time_scale.count() >= 600.0 && time_scale.count() <= 30.0 * 86400.0,
+                                "/time_scale_s", "10 minutes", "30 days");
+  return faults.found();
 }
 
 CurrentGrid with_error(const CurrentGrid& currents, const CurrentErrorModel& model, std::mt19937_64& rng) {

@@ -1,9 +1,8 @@
 #include "engine/planning/problem/departure_rules.hpp"
 
 #include <cmath>
-#include <string>
 
-#include "engine/core/utc_text.hpp"
+#include "engine/messages/fault.hpp"
 
 namespace floeplan::planning {
 namespace {
@@ -26,26 +25,16 @@ std::vector<core::UtcTime> DepartureRules::departures(core::UtcTime depart) cons
 }
 
 core::Violations DepartureRules::violations(core::UtcTime depart) const {
-  core::Violations found;
-  const auto refuse = [&](const char* field, std::string rule) { found.push_back({field, std::move(rule)}); };
-  if (until && arrive_by) refuse("/arrive_by", "cannot be asked for together with depart_until");
-  if (arrive_by && *arrive_by <= depart) {
-    refuse("/arrive_by", "must be after the earliest departure, " + core::iso8601(depart));
-  }
-  if (!until) return found;
+  messages::Faults faults;
+  faults.require<"arrival-and-window">(!until || !arrive_by, "/arrive_by");
+  faults.require<"arrival-before-departure">(!arrive_by || *arrive_by > depart, "/arrive_by", depart);
+  if (!until) return faults.found();
 
-  if (*until < depart) {
-    refuse("/depart_until", "must not be before the first departure, " + core::iso8601(depart));
-  }
-  if (!(step.count() >= shortest_step_s)) {
-    refuse("/depart_step", "must be at least one second, as PT1H");
-    return found;
-  }
-  if (steps_within(depart, *until, step) >= most_departures) {
-    refuse("/depart_step", "makes more than " + std::to_string(most_departures) +
-                               " departures; choose a longer step or a shorter window");
-  }
-  return found;
+  faults.require<"window-ends-before-departure">(*until >= depart, "/depart_until", depart);
+  if (faults.require<"not-at-least">(step.count() >= shortest_step_s, "/depart_step", "one second, as PT1H"))
+    faults.require<"too-many-departures">(steps_within(depart, *until, step) < most_departures,
+                                          "/depart_step", most_departures);
+  return faults.found();
 }
 
 }  // namespace floeplan::planning

@@ -1,22 +1,17 @@
 #include "engine/planning/problem/iceberg_rules.hpp"
 
+#include "engine/messages/fault.hpp"
+
 namespace floeplan::planning {
 
 core::Violations IcebergRules::violations() const {
-  core::Violations found;
-  const auto require = [&](core::Metres length, const char* field) {
-    if (!(length.value >= 0.0 && length.value <= 100'000.0))
-      found.push_back({field, "must be between 0 and 100 km"});
-  };
-  const auto require_between = [&](double value, double most, const char* field, const char* rule) {
-    if (!(value >= 0.0 && value <= most)) found.push_back({field, rule});
-  };
-  require(margin, "/margin_m");
-  require(max_inflation, "/max_inflation_m");
-  require_between(encounter_weight.count(), 1e7, "/encounter_weight_s", "must be between 0 and 10000000 s");
-  require_between(keel_clearance.value, 1000.0, "/keel_clearance_m", "must be between 0 and 1000 m");
-  require_between(draft_uncertainty, 2.0, "/draft_uncertainty", "must be between 0 and 2");
-  return found;
+  messages::Faults faults;
+  faults.within(margin.value, 0.0, 100'000.0, "/margin_m", "0", "100 km");
+  faults.within(max_inflation.value, 0.0, 100'000.0, "/max_inflation_m", "0", "100 km");
+  faults.within(encounter_weight.count(), 0.0, 1e7, "/encounter_weight_s", "0", "10000000 s");
+  faults.within(keel_clearance.value, 0.0, 1000.0, "/keel_clearance_m", "0", "1000 m");
+  faults.within(draft_uncertainty, 0.0, 2.0, "/draft_uncertainty", "0", "2");
+  return faults.found();
 }
 
 }  // namespace floeplan::planning

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
-#include <string>
+
+#include "engine/messages/fault.hpp"
 
 namespace floeplan::planning {
 namespace {
@@ -40,26 +40,20 @@ core::Metres IsochroneRequest::data_radius() const {
 }
 
 core::Violations IsochroneRequest::violations() const {
-  core::Violations found = vehicle.violations();
-  const auto require = [&](bool holds, std::string field, std::string rule) {
-    if (!holds) found.push_back({std::move(field), std::move(rule)});
-  };
-  require(geo::is_valid(place), direction == Direction::from ? "/from" : "/to",
-          "must be [longitude, latitude] in degrees, longitude -180 to 360, latitude -90 to 90");
-  require(std::isfinite(core::unix_seconds(time)), direction == Direction::from ? "/depart" : "/arrive_by",
-          "must be a time");
-  require(!spans.empty() && spans.size() <= most_spans, "/hours",
-          "must be 1 to " + std::to_string(most_spans) + " times");
-  for (const core::Seconds span : spans) {
-    require(span.count() > 0.0 && span <= longest_span, "/hours",
-            "must be more than 0 and at most 720 hours");
-  }
-  require(!sectors || (*sectors >= 1 && *sectors <= 5), "/sectors", "must be 1, 2, 3, 4 or 5");
-  require(!spacing || (spacing->value >= 1.0 && spacing->value <= 100'000.0), "/spacing_m",
-          "must be between 1 m and 100 km");
-  std::ranges::move(icebergs.violations(), std::back_inserter(found));
-  std::ranges::move(under_ice.violations(), std::back_inserter(found));
-  return found;
+  messages::Faults faults;
+  faults.take(vehicle.violations());
+  faults.require<"not-a-place">(geo::is_valid(place), direction == Direction::from ? "/from" : "/to");
+  faults.require<"not-a-time">(std::isfinite(core::unix_seconds(time)),
+                               direction == Direction::from ? "/depart" : "/arrive_by");
+  faults.require<"not-so-many-times">(!spans.empty() && spans.size() <= most_spans, "/hours", most_spans);
+  for (const core::Seconds span : spans)
+    faults.require<"not-above">(span.count() > 0.0 && span <= longest_span, "/hours", "0", "720 hours");
+  faults.require<"unknown-neighbourhood">(!sectors || (*sectors >= 1 && *sectors <= 5), "/sectors");
+  faults.require<"not-between">(!spacing || (spacing->value >= 1.0 && spacing->value <= 100'000.0),
+                                "/spacing_m", "1 m", "100 km");
+  faults.take(icebergs.violations());
+  faults.take(under_ice.violations());
+  return faults.found();
 }
 
 geo::BoundingBox reach_area(const IsochroneRequest& request) {

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "engine/messages/fault.hpp"
+
 namespace floeplan::planning {
 
 using vehicle::Drive;
@@ -24,16 +26,13 @@ std::optional<ThrusterUse> parse_thruster_use(std::string_view name) {
 }
 
 core::Violations EnergyRules::violations(const vehicle::GliderProfile& profile) const {
-  core::Violations found;
+  messages::Faults faults;
   const auto is_weight = [](double weight) { return std::isfinite(weight) && weight >= 0.0; };
-  if (!is_weight(objective.of_time) || !is_weight(objective.of_energy) ||
-      !(objective.of_time + objective.of_energy > 0.0)) {
-    found.push_back({"/objective", "must have weights that are not negative and not both zero"});
-  }
-  if (thruster == ThrusterUse::on && !profile.thruster) {
-    found.push_back({"/thruster", "must be auto or off, because the vehicle has no thruster"});
-  }
-  return found;
+  faults.require<"wrong-weights">(is_weight(objective.of_time) && is_weight(objective.of_energy) &&
+                                      objective.of_time + objective.of_energy > 0.0,
+                                  "/objective");
+  faults.require<"no-thruster">(thruster != ThrusterUse::on || profile.thruster.has_value(), "/thruster");
+  return faults.found();
 }
 
 std::vector<Drive> drives(const EnergyRules& rules, const vehicle::GliderProfile& profile) {

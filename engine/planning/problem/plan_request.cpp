@@ -1,12 +1,13 @@
 #include "engine/planning/problem/plan_request.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <stdexcept>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "engine/geo/geodesic.hpp"
+#include "engine/messages/fault.hpp"
 
 namespace floeplan::planning {
 namespace {
@@ -15,6 +16,22 @@ namespace {
 /// much.
 constexpr double longest_leg_m = 5e6;
 constexpr double shortest_leg_m = 1.0;
+
+void require_places(messages::Faults& faults, const PlanRequest& request) {
+  std::vector<std::pair<std::string, geo::LonLat>> stops{{"/from", request.from}};
+  for (std::size_t i = 0; i < request.via.size(); ++i)
+    stops.emplace_back("/via/" + std::to_string(i), request.via[i]);
+  stops.emplace_back("/to", request.to);
+  bool places_hold = true;
+  for (const auto& [field, place] : stops)
+    places_hold &= faults.require<"not-a-place">(geo::is_valid(place), field);
+  for (std::size_t i = 1; places_hold && i < stops.size(); ++i) {
+    const auto& [field, place] = stops[i];
+    const double length_m = geo::geodesic_between(stops[i - 1].second, place).length.value;
+    faults.require<"same-place-as-before">(length_m >= shortest_leg_m, field);
+    faults.require<"leg-too-long">(length_m <= longest_leg_m, field);
+  }
+}
 
 }  // namespace
 
@@ -25,71 +42,34 @@ Objective PlanRequest::objective() const {
 }
 
 core::Violations PlanRequest::violations() const {
-  core::Violations found = vehicle.violations();
-  const core::Violations of_energy = energy.violations(vehicle);
-  found.insert(found.end(), of_energy.begin(), of_energy.end());
-  const auto require = [&](bool holds, std::string field, std::string rule) {
-    if (!holds) found.push_back({std::move(field), std::move(rule)});
-    return holds;
-  };
-  const std::string place_rule =
-      "must be [longitude, latitude] in degrees, longitude -180 to 360, latitude -90 to 90, longitude first";
-  bool places_hold = require(geo::is_valid(from), "/from", place_rule);
-  places_hold &= require(geo::is_valid(to), "/to", place_rule);
-  for (std::size_t i = 0; i < via.size(); ++i) {
-    places_hold &= require(geo::is_valid(via[i]), "/via/" + std::to_string(i), place_rule);
-  }
-  if (places_hold) {
-    geo::LonLat last = from;
-    for (std::size_t i = 0; i <= via.size(); ++i) {
-      const bool at_goal = i == via.size();
-      const geo::LonLat next = at_goal ? to : via[i];
-      const std::string field = at_goal ? "/to" : "/via/" + std::to_string(i);
-      const double length_m = geo::geodesic_between(last, next).length.value;
-      require(length_m >= shortest_leg_m, field, "is the same place as the one before it; choose another");
-      require(length_m <= longest_leg_m, field,
-              "is more than 5000 km from the place before it: plan in parts, or check the order of the two "
-              "numbers; longitude comes first");
-      last = next;
-    }
-  }
-  require(std::isfinite(core::unix_seconds(depart)), "/depart", "must be a time");
-  std::ranges::move(departures.violations(depart), std::back_inserter(found));
-  require(
-      !(via_in_best_order && departures.until), "/via_order",
-      "must be \"given\" where departures are compared: plan the best order for the best of them afterwards");
-  require(sectors >= 1 && sectors <= 5, "/sectors", "must be 1, 2, 3, 4 or 5");
-  const auto spacing_holds = [](std::optional<core::Metres> spacing) {
+  messages::Faults faults;
+  faults.take(vehicle.violations());
+  faults.take(energy.violations(vehicle));
+  require_places(faults, *this);
+  faults.require<"not-a-time">(std::isfinite(core::unix_seconds(depart)), "/depart");
+  faults.take(departures.violations(depart));
+  faults.require<"order-in-window">(!(via_in_best_order && departures.until), "/via_order");
+  faults.require<"unknown-neighbourhood">(sectors >= 1 && sectors <= 5, "/sectors");
+  const auto is_spacing = [](const std::optional<core::Metres>& spacing) {
     return !spacing || (spacing->value >= 1.0 && spacing->value <= 100'000.0);
   };
-  require(spacing_holds(spacing_along) && spacing_holds(spacing_across), "/spacing_m",
-          "must be between 1 m and 100 km");
-  require(refine_time.count() >= 0.05 && refine_time.count() <= 60.0, "/refine_seconds",
-          "must be between 0.05 and 60");
-  require(!max_waypoints || *max_waypoints >= 2, "/max_waypoints",
-          "must be at least 2: the start and the goal");
-  require(!max_leg || (max_leg->value >= 100.0 && max_leg->value <= 5e6), "/max_leg_m",
-          "must be between 100 m and 5000 km");
-  require(holds.longest.count() >= 0.0 && holds.longest <= longest_hold_allowed, "/max_loiter_s",
-          "must be between 0 and 864000, ten days");
-  require(holds.radius.value >= 50.0 && holds.radius.value <= 10'000.0, "/hold_radius_m",
-          "must be between 50 m and 10 km");
-  for (std::size_t i = 0; i < zones.size(); ++i) {
-    for (const core::Violation& violation : zones[i].violations()) {
-      found.push_back({"/zones/" + std::to_string(i) + violation.field, violation.rule});
-    }
-  }
-  for (const core::Violation& violation : uncertainty.violations()) {
-    found.push_back({"/uncertainty" + violation.field, violation.rule});
-  }
-  require(edge_tolerance >= 1e-9 && edge_tolerance <= 1e-2, "/edge_tolerance",
-          "must be between 1e-9 and 1e-2");
-  require(icebergs.encounter_weight.count() == 0.0 || energy.objective.of_time > 0.0, "/encounter_weight_s",
-          "must be 0 where time has no weight: seconds then tell nothing of what an encounter counts");
-  const core::Violations of_icebergs = icebergs.violations();
-  found.insert(found.end(), of_icebergs.begin(), of_icebergs.end());
-  for (core::Violation& violation : under_ice.violations()) found.push_back(std::move(violation));
-  return found;
+  faults.require<"not-between">(is_spacing(spacing_along) && is_spacing(spacing_across), "/spacing_m", "1 m",
+                                "100 km");
+  faults.within(refine_time.count(), 0.05, 60.0, "/refine_seconds", "0.05", "60");
+  faults.require<"not-at-least">(!max_waypoints || *max_waypoints >= 2, "/max_waypoints",
+                                 "2: the start and the goal");
+  if (max_leg) faults.within(max_leg->value, 100.0, 5e6, "/max_leg_m", "100 m", "5000 km");
+  faults.within(holds.longest.count(), 0.0, longest_hold_allowed.count(), "/max_loiter_s", "0", "864000, ten days");
+  faults.within(holds.radius.value, 50.0, 10'000.0, "/hold_radius_m", "50 m", "10 km");
+  for (std::size_t i = 0; i < zones.size(); ++i)
+    faults.take(zones[i].violations(), "/zones/" + std::to_string(i));
+  faults.take(uncertainty.violations(), "/uncertainty");
+  faults.within(edge_tolerance, 1e-9, 1e-2, "/edge_tolerance", "1e-9", "1e-2");
+  faults.require<"encounters-without-time">(
+      icebergs.encounter_weight.count() == 0.0 || energy.objective.of_time > 0.0, "/encounter_weight_s");
+  faults.take(icebergs.violations());
+  faults.take(under_ice.violations());
+  return faults.found();
 }
 
 PlanRequest leaving_at(const PlanRequest& request, core::UtcTime depart) {

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "engine/core/violation_list.hpp"
+#include "engine/messages/fault.hpp"
 #include "engine/simulation/flight/flight.hpp"
 #include "engine/simulation/flight/flight_path.hpp"
 
@@ -29,25 +30,23 @@ bool data_end_too_early(const FlightRequest& request) {
 }  // namespace
 
 core::Violations FlightSettings::violations() const {
-  core::Violations found = hull.violations();
-  std::ranges::move(navigation.violations(), std::back_inserter(found));
-  const auto within = [&](double value, double low, double high, const char* field, const char* rule) {
-    if (!(value >= low && value <= high)) found.push_back({field, rule});
-  };
-  within(first_fix.count(), 0.0, 3600.0, "/first_fix_s", "must be between 0 and 3600 s");
-  within(longest.count(), 1.0, 366.0 * 86400.0, "/longest_s", "must be between 1 s and 366 days");
-  within(record_every.count(), 1.0, 86400.0, "/record_every_s", "must be between 1 s and a day");
-  within(reach.value, 1.0, 1e5, "/reach_m", "must be between 1 m and 100 km");
-  within(hull_reach.value, 0.0, 100.0, "/hull_reach_m", "must be between 0 and 100 m");
-  within(geo::strength(known_current).value, 0.0, 5.0, "/known_current_m_s", "must be between 0 and 5 m/s");
-  return found;
+  messages::Faults faults;
+  faults.take(hull.violations());
+  faults.take(navigation.violations());
+  faults.within(first_fix.count(), 0.0, 3600.0, "/first_fix_s", "0", "3600 s");
+  faults.within(longest.count(), 1.0, 366.0 * 86400.0, "/longest_s", "1 s", "366 days");
+  faults.within(record_every.count(), 1.0, 86400.0, "/record_every_s", "1 s", "a day");
+  faults.within(reach.value, 1.0, 1e5, "/reach_m", "1 m", "100 km");
+  faults.within(hull_reach.value, 0.0, 100.0, "/hull_reach_m", "0", "100 m");
+  faults.within(geo::strength(known_current).value, 0.0, 5.0, "/known_current_m_s", "0", "5 m/s");
+  return faults.found();
 }
 
 core::Violations violations(const FlightRequest& request) {
   core::Violations found = request.vehicle.violations();
   std::ranges::move(request.settings.violations(), std::back_inserter(found));
   if (!std::isfinite(core::unix_seconds(request.departure)))
-    found.push_back({"/departure", "must be a time"});
+    found.push_back(messages::fault<"not-a-time">("/departure"));
   if (request.orders.lists.empty()) found.push_back({"/files", "must hold a goto list with a waypoint"});
   if (!geo::is_valid(request.start)) {
     found.push_back({"/start", "must be a longitude and a latitude"});

@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "engine/core/units.hpp"
+#include "engine/messages/fault.hpp"
 
 namespace floeplan::simulation {
 namespace {
@@ -20,7 +21,7 @@ constexpr double rounding_deg = 1e-9;  // of a bound in degrees that was stored 
 
 void RangeRules::require(const std::string& field, double value, double from, double to) {
   if (value >= from && value <= to) return;
-  refuse(field, "must be from " + written(from) + " to " + written(to) + ", not " + written(value));
+  found_.push_back(messages::fault<"out-of-range">(field, written(from), written(to), written(value)));
 }
 
 void RangeRules::require_degrees(const std::string& field, double angle_rad, double from_deg, double to_deg) {

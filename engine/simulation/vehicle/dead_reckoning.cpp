@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "engine/core/random.hpp"
+#include "engine/messages/fault.hpp"
 
 namespace floeplan::simulation {
 namespace {
@@ -17,15 +18,12 @@ constexpr core::Seconds shortest_dive{120.0};
 }  // namespace
 
 core::Violations NavigationErrors::violations() const {
-  core::Violations found;
-  const auto within = [&](double value, double high, const char* field, const char* rule) {
-    if (!(value >= 0.0 && value <= high)) found.push_back({field, rule});
-  };
-  within(compass.value, 0.5, "/navigation/compass_deg", "must be between 0 and 28.6 degrees");
-  within(speed_share, 0.5, "/navigation/speed_share", "must be between 0 and 0.5");
-  within(fix.value, 1000.0, "/navigation/fix_m", "must be between 0 and 1000 m");
-  within(current.value, 2.0, "/navigation/current_m_s", "must be between 0 and 2 m/s");
-  return found;
+  messages::Faults faults{"/navigation/"};
+  faults.within(compass.value, 0.0, 0.5, "compass_deg", "0", "28.6 degrees");
+  faults.within(speed_share, 0.0, 0.5, "speed_share", "0", "0.5");
+  faults.within(fix.value, 0.0, 1000.0, "fix_m", "0", "1000 m");
+  faults.within(current.value, 0.0, 2.0, "current_m_s", "0", "2 m/s");
+  return faults.found();
 }
 
 DeadReckoning::DeadReckoning(const NavigationErrors& errors, Vector fix, Vector assumed_current,

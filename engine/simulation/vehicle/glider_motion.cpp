@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/messages/fault.hpp"
 #include "engine/vehicle/sea_water.hpp"
 
 namespace floeplan::simulation {
@@ -36,21 +37,18 @@ double wrapped_angle(double angle_rad) {
 }
 
 core::Violations HullMotion::violations() const {
-  core::Violations found;
-  const auto within = [&](double value, double low, double high, const char* field, const char* rule) {
-    if (!(value >= low && value <= high)) found.push_back({field, rule});
-  };
-  within(mass_kg, 1.0, 1e4, "/hull/mass_kg", "must be between 1 and 10000 kg");
-  within(added_forward_share, 0.0, 5.0, "/hull/added_forward_share", "must be between 0 and 5");
-  within(added_normal_share, 0.0, 5.0, "/hull/added_normal_share", "must be between 0 and 5");
-  within(pump_rate_m3_s, 1e-7, 1e-2, "/hull/pump_rate_cm3_s", "must be between 0.1 and 10000 cm3/s");
-  within(pitch_lag.count(), 0.1, 600.0, "/hull/pitch_lag_s", "must be between 0.1 and 600 s");
-  within(pitch_time.count(), 1.0, 600.0, "/hull/pitch_time_s", "must be between 1 and 600 s");
-  within(most_pitch_rate_rad_s, 1e-3, 1.0, "/hull/pitch_rate_rad_s", "must be between 0.001 and 1 rad/s");
-  within(turn_radius.value, 1.0, 1e4, "/hull/turn_radius_m", "must be between 1 and 10000 m");
-  within(yaw_time.count(), 1.0, 600.0, "/hull/yaw_time_s", "must be between 1 and 600 s");
-  within(trim.value, -1e-2, 1e-2, "/hull/trim_cm3", "must be between -10000 and 10000 cm3");
-  return found;
+  messages::Faults faults{"/hull/"};
+  faults.within(mass_kg, 1.0, 1e4, "mass_kg", "1", "10000 kg");
+  faults.within(added_forward_share, 0.0, 5.0, "added_forward_share", "0", "5");
+  faults.within(added_normal_share, 0.0, 5.0, "added_normal_share", "0", "5");
+  faults.within(pump_rate_m3_s, 1e-7, 1e-2, "pump_rate_cm3_s", "0.1", "10000 cm3/s");
+  faults.within(pitch_lag.count(), 0.1, 600.0, "pitch_lag_s", "0.1", "600 s");
+  faults.within(pitch_time.count(), 1.0, 600.0, "pitch_time_s", "1", "600 s");
+  faults.within(most_pitch_rate_rad_s, 1e-3, 1.0, "pitch_rate_rad_s", "0.001", "1 rad/s");
+  faults.within(turn_radius.value, 1.0, 1e4, "turn_radius_m", "1", "10000 m");
+  faults.within(yaw_time.count(), 1.0, 600.0, "yaw_time_s", "1", "600 s");
+  faults.within(trim.value, -1e-2, 1e-2, "trim_cm3", "-10000", "10000 cm3");
+  return faults.found();
 }
 
 HullMotion hull_motion_for(const vehicle::GliderProfile& profile) {

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "engine/core/random.hpp"
+#include "engine/messages/fault.hpp"
 
 namespace floeplan::simulation {
 namespace {
@@ -13,19 +14,12 @@ constexpr int wave_count = 64;
 }  // namespace
 
 core::Violations CurrentErrorSettings::violations() const {
-  core::Violations found;
-  const auto require = [&](bool holds, const char* field, const char* rule) {
-    if (!holds) found.push_back({field, rule});
-  };
-  const auto within = [](double value, double low, double high) { return value >= low && value <= high; };
-  require(within(rms.value, 0.0, 2.0), "/current_error/rms_m_s", "must be between 0 and 2 m/s");
-  require(within(length_scale.value, 100.0, 1e6), "/current_error/length_scale_m",
-          "must be between 100 m and 1000 km");
-  require(within(depth_scale.value, 1.0, 1e5), "/current_error/depth_scale_m",
-          "must be between 1 m and 100 km");
-  require(within(time_scale.count(), 600.0, 30.0 * 86400.0), "/current_error/time_scale_s",
-          "must be between 10 minutes and 30 days");
-  return found;
+  messages::Faults faults{"/current_error/"};
+  faults.within(rms.value, 0.0, 2.0, "rms_m_s", "0", "2 m/s");
+  faults.within(length_scale.value, 100.0, 1e6, "length_scale_m", "100 m", "1000 km");
+  faults.within(depth_scale.value, 1.0, 1e5, "depth_scale_m", "1 m", "100 km");
+  faults.within(time_scale.count(), 600.0, 30.0 * 86400.0, "time_scale_s", "10 minutes", "30 days");
+  return faults.found();
 }
 
 CurrentErrorField::CurrentErrorField(const CurrentErrorSettings& settings, core::UtcTime epoch,

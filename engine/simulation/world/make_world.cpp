@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "engine/core/random.hpp"
+#include "engine/messages/fault.hpp"
 #include "engine/ocean/iceberg_drift.hpp"
 #include "engine/simulation/world/iceberg_shape.hpp"
 
@@ -57,12 +58,11 @@ bool comes_near(const std::vector<Body::Fix>& track, core::UtcTime begin, core::
 }  // namespace
 
 core::Violations WorldSettings::violations() const {
-  core::Violations found = current_error.violations();
-  if (!(most_spin_deg_h >= 0.0 && most_spin_deg_h <= 3600.0))
-    found.push_back({"/icebergs/most_spin_deg_h", "must be between 0 and 3600 degrees an hour"});
-  if (!(margin.value >= 1000.0 && margin.value <= 1e6))
-    found.push_back({"/margin_m", "must be between 1 and 1000 km"});
-  return found;
+  messages::Faults faults;
+  faults.take(current_error.violations());
+  faults.within(most_spin_deg_h, 0.0, 3600.0, "/icebergs/most_spin_deg_h", "0", "3600 degrees an hour");
+  faults.within(margin.value, 1000.0, 1e6, "/margin_m", "1", "1000 km");
+  return faults.found();
 }
 
 World make_world(const ocean::Environment& environment, std::span<const geo::LonLat> route,

@@ -5,6 +5,7 @@
 #include <iostream>
 #include <regex>
 
+#include "api/codec/bytes/document_values.hpp"
 #include "engine/core/violation_list.hpp"
 #include "server/cli/program/command.hpp"
 #include "storage/json/json.hpp"
@@ -74,13 +75,8 @@ std::string in_words_of_flags(const core::Violation& violation, const std::vecto
 }
 
 int print_violations(const core::Violations& violations, bool json_out, const std::vector<InputFlag>& flags) {
-  if (json_out) {
-    json errors = json::array();
-    for (const core::Violation& violation : core::shortened(violations)) {
-      errors.push_back({{"pointer", violation.field}, {"detail", violation.rule}});
-    }
-    std::cout << json{{"status", "invalid"}, {"errors", errors}}.dump(2) << '\n';
-  }
+  if (json_out)
+    std::cout << json{{"status", "invalid"}, {"errors", codec::errors_json(violations)}}.dump(2) << '\n';
   for (const core::Violation& violation : core::shortened(violations))
     complain(bad_data, in_words_of_flags(violation, flags));
   return bad_data;

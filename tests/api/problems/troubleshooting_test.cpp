@@ -16,6 +16,7 @@
 #include "engine/messages/ingest_track_messages.hpp"
 #include "engine/messages/plan_messages.hpp"
 #include "engine/messages/refusal_messages.hpp"
+#include "engine/messages/request_messages.hpp"
 #include "engine/messages/sentence.hpp"
 #include "tests/support/written_out.hpp"
 
@@ -67,7 +68,9 @@ TEST(Troubleshooting, HasEveryMessageAndProblemByItsCode) {
       entries(messages::ingest_iceberg_kinds) + "\n## Files: zones and coastlines\n" +
       entries(messages::ingest_area_kinds) + "\n## Files: tracks of gliders\n" +
       entries(messages::ingest_track_kinds) +
-      "\n## Problems of the API\n\nThe type of a problem ends in its code, or "
+      "\n## Faults of requests and routes\n\nEach follows the name of the field, parameter or line that it is "
+      "about.\n" +
+      entries(messages::request_kinds) + "\n## Problems of the API\n\nThe type of a problem ends in its code, or "
       "in that of a group of problems.\n" +
       problem_entries();
   support::expect_written_part("web/guide/troubleshooting.md", "messages", part, "problems_test");

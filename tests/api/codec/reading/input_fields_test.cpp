@@ -11,6 +11,7 @@
 namespace floeplan::codec::input_fields_test {
 namespace {
 
+using messages::fault;
 using nlohmann::json;
 using planning::UnderIceRules;
 using support::for_each_seed;
@@ -74,9 +75,8 @@ TEST(InputFields, AreRefusedWithWhatMayStandThere) {
   read_fields(reader, fields::surfacing_fields(), rules);
 
   EXPECT_THAT(reader.violations(),
-              ElementsAre(core::Violation{"/under_ice/margin_below_ice_m",
-                                          "must be a number from 0.0 to 500.0, not -1"},
-                          core::Violation{"/under_ice/escape_plan", "must be true or false, not 1"}));
+              ElementsAre(fault<"number-out-of-range">("/under_ice/margin_below_ice_m", "0.0", "500.0", "-1"),
+                          fault<"wrong-shape-found">("/under_ice/escape_plan", "true or false", "1")));
   EXPECT_EQ(rules.margin_below_ice, UnderIceRules{}.margin_below_ice);
 }
 
@@ -89,11 +89,12 @@ TEST(InputFields, NameTheWordsThatAreKnown) {
 
   EXPECT_THAT(
       reader.violations(),
-      ElementsAre(core::Violation{"/tides_mode",
-                                  "must be \"add\" (to currents without tides) or \"only\" (tidal currents "
-                                  "only), not \"both\""},
-                  core::Violation{"/ice", "must be \"newest\", \"none\" or an id, not an array"},
-                  core::Violation{"/zones", "must be \"all\", \"none\", an id or an array of ids, not 3"}));
+      ElementsAre(
+          fault<"wrong-shape-found">(
+              "/tides_mode", "\"add\" (to currents without tides) or \"only\" (tidal currents only)",
+              "\"both\""),
+          fault<"wrong-shape-found">("/ice", "\"newest\", \"none\" or an id", "an array"),
+          fault<"wrong-shape-found">("/zones", "\"all\", \"none\", an id or an array of ids", "3")));
 }
 
 }  // namespace

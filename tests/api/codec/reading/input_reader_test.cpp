@@ -5,6 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "api/codec/bytes/document_values.hpp"
+
 namespace floeplan::codec::input_reader_test {
 namespace {
 
@@ -33,9 +35,11 @@ TEST(InputReader, NamesTheKnownKeysOnceAndEveryUnknownOne) {
 
   reader.refuse_unknown();
 
-  EXPECT_EQ(reader.violations(),
-            (core::Violations{{"/colour", "is not known; the known keys are depth, speed"},
-                              {"/shape", "is not known either"}}));
+  EXPECT_EQ(errors_json(reader.violations()),
+            json::parse(R"([{"pointer": "/colour", "detail": "is not known; the known keys are depth, speed",
+                             "code": "unknown-member", "values": {"known": "depth, speed"}},
+                            {"pointer": "/shape", "detail": "is not known either",
+                             "code": "another-unknown-member", "values": {}}])"));
 }
 
 TEST(InputReader, NotesAHundredOfVeryManyUnknownKeysAndThatThereAreMore) {
