@@ -2,14 +2,15 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
 #include <iostream>
 #include <memory>
+#include <stdexcept>
 
 #include "engine/reproduction/figure_svg.hpp"
 #include "engine/reproduction/figures.hpp"
 #include "engine/reproduction/tables.hpp"
 #include "server/cli/output/figure_geojson.hpp"
-#include "server/cli/output/whole_file.hpp"
 #include "server/cli/program/command.hpp"
 #include "storage/json/json.hpp"
 
@@ -79,6 +80,20 @@ struct ReproduceFlags {
 
 std::filesystem::path figure_file(const ReproduceFlags& flags, int number, const char* extension) {
   return std::filesystem::path{flags.figures} / ("figure_" + std::to_string(number) + extension);
+}
+
+/// Writes a file, all or nothing: a reader never sees half of it. An existing one is replaced.
+/// Errors   std::runtime_error when it cannot be written
+void write_whole(const std::filesystem::path& file, const std::string& text) {
+  const std::filesystem::path part = file.string() + ".part";
+  {
+    std::ofstream stream{part, std::ios::binary | std::ios::trunc};
+    stream << text;
+    stream.flush();
+    if (!stream)
+      throw std::runtime_error{file.string() + " cannot be written; check the folder and the free space"};
+  }
+  std::filesystem::rename(part, file);
 }
 
 int write_figures(const ReproduceFlags& flags) {
