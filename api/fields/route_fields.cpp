@@ -13,7 +13,11 @@ constexpr std::string_view seen_from_route =
     "Route to use of GeoJSON or a file with several: its name, or its number from 1";
 
 Field route_name() {
-  return {.name = "route_name", .kind = Kind::text, .flag = "route", .help = seen_from_route};
+  return {.name = "route_name",
+          .kind = Kind::text,
+          .flag = "route",
+          .help = seen_from_route,
+          .form = {"Route in the file", {}, "the only one"}};
 }
 
 }  // namespace

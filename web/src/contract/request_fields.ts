@@ -5,7 +5,7 @@ export const requestFields = {
   "to": {"kind":"place","flag":"to","label":"Goal"},
   "via": {"kind":"places","flag":"via","group":"Places and areas","label":"Via points"},
   "goals_file": {"kind":"structure","flag":"goals"},
-  "route_name": {"kind":"text","flag":"route"},
+  "route_name": {"kind":"text","flag":"route","label":"Route in the file","blank":"the only one"},
   "via_order": {"kind":"word","words":["given","best"],"usual":"given","flag":"best-order","group":"Places and areas"},
   "depart": {"kind":"time","flag":"depart","label":"Departure","unit":"UTC","blank":"2026-11-20 06:00"},
   "vehicle": {"kind":"structure","flag":"vehicle","label":"Vehicle"},

@@ -37,7 +37,7 @@ function GoalsFromFile(): VNode {
           ? <p class="fault" id="fault-goals_file">{fault}</p>
           : <p class="hint" id="hint-goals_file">The file’s places in the order flown. With no start above, the first of them is the start.</p>}
       </div>
-      <TextField name="route_name" label="Route in the file" placeholder="the only one" />
+      <TextField name="route_name" />
     </>
   );
 }
