@@ -35,7 +35,7 @@ std::string kind_of_number(const CLI::App& command, const std::string& flag) {
 }
 
 /// The parser's own sentence (CLI11 2.1) in ours; one that is not known here stays.
-std::string plain(const CLI::App& command, const std::string& said) {
+std::string said_plainly(const CLI::App& command, const std::string& said) {
   const std::string path = path_of(command);
   const std::string who = path.empty() ? "floeplan" : path;
   std::smatch found;
@@ -73,7 +73,8 @@ std::string usage_fault(const CLI::App& app, const CLI::ParseError& error) {
   if (auto unknown = unknown_word(app)) return *unknown;
   const CLI::App& command = last_command(app);
   const std::string path = path_of(command);
-  return plain(command, error.what()) + "; see floeplan " + (path.empty() ? "" : path + ' ') + "--help";
+  return said_plainly(command, error.what()) + "; see floeplan " + (path.empty() ? "" : path + ' ') +
+         "--help";
 }
 
 }  // namespace floeplan::manual
