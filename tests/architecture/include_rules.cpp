@@ -76,7 +76,7 @@ const std::map<std::string, Folder>& folders() {
       {"storage/json", {{}}},
       {"storage/repository/encoding", {{"storage/sql", "engine/geo"}}},
       {"storage/repository/store", {{"storage/repository/encoding"}}},
-      {"storage/repository/datasets", {{"storage/repository/store"}}},
+      {"storage/repository/datasets", {{"storage/repository/store", "engine/messages"}}},
       {"storage/repository/fields", {{"storage/repository/datasets", "engine/ocean"}}},
       {"storage/repository/features", {{"storage/repository/datasets", "engine/ocean"}}},
       {"storage/repository/environment", {{"storage/repository/fields", "storage/repository/features"}}},

@@ -55,7 +55,8 @@ constexpr EchoInput known_inputs[]{
 }  // namespace
 
 tl::expected<EchoInputs, core::Violations> parse_echo_inputs(const json& inputs) {
-  if (!inputs.is_object()) return tl::unexpected(core::Violations{messages::fault<"wrong-shape">("", "an object")});
+  if (!inputs.is_object())
+    return tl::unexpected(core::Violations{messages::fault<"wrong-shape">("", "an object")});
   json plain = inputs;
   for (json& input : plain) input = unwrapped(input);
 

@@ -28,7 +28,8 @@ void read_objective(InputReader& reader, planning::Objective& objective) {
   } else {
     reader.refuse<"wrong-shape-found">(
         "/objective",
-        "\"time\", \"energy\" or {\"time\": weight of a second, \"energy\": weight of a joule}", shown(*value));
+        "\"time\", \"energy\" or {\"time\": weight of a second, \"energy\": weight of a joule}",
+        shown(*value));
   }
 }
 

@@ -41,7 +41,8 @@ std::optional<DatasetKind> read_kind(InputReader& reader) {
 }  // namespace
 
 tl::expected<RetentionInputs, core::Violations> parse_retention_inputs(const json& inputs) {
-  if (!inputs.is_object()) return tl::unexpected(core::Violations{messages::fault<"wrong-shape">("", "an object with rules")});
+  if (!inputs.is_object())
+    return tl::unexpected(core::Violations{messages::fault<"wrong-shape">("", "an object with rules")});
   InputReader reader{inputs};
   RetentionInputs read;
   read.rules.max_age = reader.duration("older_than");

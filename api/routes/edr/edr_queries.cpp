@@ -46,7 +46,8 @@ Response query_position(const EdrCollection& collection, const Context& context,
   const auto coords = query.coords({codec::WktKind::point, codec::WktKind::multi_point},
                                    "POINT(lon lat) or MULTIPOINT, at most 100 places");
   const Wanted wanted = query.wanted();
-  if (coords && coords->places.size() > most_positions) query.refuse<"too-many-places-of-query">("coords", most_positions);
+  if (coords && coords->places.size() > most_positions)
+    query.refuse<"too-many-places-of-query">("coords", most_positions);
   if (!query.violations().empty()) return invalid(request, query.violations());
   std::vector<json> coverages;
   for (const auto& place : coords->places) {

@@ -101,7 +101,8 @@ void EdrRequest::read_z() {
   if (!z) return;
   levels_ = parse_z(*z);
   if (!levels_ || above_the_surface(*levels_)) {
-    refuse<"wrong-shape">("z", "metres below the surface, positive down: one, several, from/to or Rn/first/step");
+    refuse<"wrong-shape">(
+        "z", "metres below the surface, positive down: one, several, from/to or Rn/first/step");
   }
 }
 

@@ -92,7 +92,8 @@ tl::expected<ExecutionRequest, Response> read_execution(const Request& request, 
   auto body = codec::parse_json(request.body);
   if (!body) return tl::unexpected(problem_reply<"invalid-json">(request, body.error()));
   if (!body->is_object())
-    return tl::unexpected(invalid(request, {messages::fault<"wrong-shape">("", "an object with \"inputs\"")}));
+    return tl::unexpected(
+        invalid(request, {messages::fault<"wrong-shape">("", "an object with \"inputs\"")}));
 
   messages::Faults faults;
   for (const auto& [key, value] : body->items()) {

@@ -4,6 +4,10 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <optional>
+#include <utility>
+
+#include "engine/messages/fault.hpp"
 
 namespace floeplan::repository {
 namespace {
@@ -15,15 +19,16 @@ std::string degrees_text(double degrees, char positive, char negative) {
 }
 
 /// Why a named dataset cannot be used; empty: it can.
-std::string objection(const Dataset& dataset, DatasetKind kind, const geo::BoundingBox& area) {
-  if (dataset.kind != kind) {
-    return title(dataset) + " holds " + kind_name(dataset.kind) + ", not " + kind_name(kind);
-  }
-  if (!geo::intersects(dataset.bounds, area)) {
-    return title(dataset) + " covers " + bounds_text(dataset.bounds) + " and shares nothing with the area " +
-           bounds_text(area);
-  }
-  return "";
+std::optional<core::Violation> objection(const Dataset& dataset, DatasetKind kind,
+                                         const geo::BoundingBox& area) {
+  const std::string field = "/" + kind_name(kind);
+  if (dataset.kind != kind)
+    return messages::fault<"dataset-holds-another-kind">(field, title(dataset), kind_name(dataset.kind),
+                                                         kind_name(kind));
+  if (!geo::intersects(dataset.bounds, area))
+    return messages::fault<"dataset-of-another-area">(field, title(dataset), bounds_text(dataset.bounds),
+                                                      bounds_text(area));
+  return std::nullopt;
 }
 
 }  // namespace
@@ -43,13 +48,14 @@ std::vector<Dataset> candidates(const std::vector<Dataset>& stored, DatasetKind 
     case DatasetChoice::How::named:
       for (const DatasetId& id : choice.ids) {
         const auto dataset = std::ranges::find(stored, id, &Dataset::id);
-        const std::string why = dataset == stored.end() ? "no dataset has the id " + id.value +
-                                                              "; list them with `floeplan datasets`"
-                                                        : objection(*dataset, kind, area);
-        if (why.empty()) {
-          found.push_back(*dataset);
+        std::optional<core::Violation> fault =
+            dataset == stored.end()
+                ? messages::fault<"no-dataset-of-this-id">("/" + kind_name(kind), id.value)
+                : objection(*dataset, kind, area);
+        if (fault) {
+          violations.push_back(std::move(*fault));
         } else {
-          violations.push_back({"/" + kind_name(kind), why});
+          found.push_back(*dataset);
         }
       }
       break;

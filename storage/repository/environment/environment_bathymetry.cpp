@@ -90,7 +90,7 @@ void add_bathymetry(EnvironmentDraft& draft) {
 
   const bool named = query.bathymetry.how == DatasetChoice::How::named;
   if (named && !found.empty())
-    draft.refuse(DatasetKind::bathymetry, title(found.front()) + " has no node near the area");
+    draft.refuse<"no-node-near">(DatasetKind::bathymetry, title(found.front()));
   if (!named)
     tell_of_gap(draft, query.bathymetry, messages::data_message<"bathymetry-left-out">(),
                 messages::data_message<"bathymetry-missing">(bounds_text(query.area)));

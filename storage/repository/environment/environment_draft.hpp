@@ -5,8 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/core/violation.hpp"
-#include "engine/messages/message.hpp"
+#include "engine/messages/fault.hpp"
 #include "engine/ocean/environment.hpp"
 #include "storage/repository/datasets/dataset.hpp"
 #include "storage/repository/environment/environment_query.hpp"
@@ -26,8 +25,9 @@ struct EnvironmentDraft {
   core::Violations violations;
 
   void tell(messages::Message message) { environment.messages.push_back(std::move(message)); }
-  void refuse(DatasetKind kind, std::string rule) {
-    violations.push_back({"/" + kind_name(kind), std::move(rule)});
+  template <messages::Code code, class... Given>
+  void refuse(DatasetKind kind, const Given&... values) {
+    violations.push_back(messages::fault<code>("/" + kind_name(kind), values...));
   }
   /// Takes over what another part of the same environment has to say.
   void append_report(const EnvironmentDraft& part) {

@@ -7,7 +7,6 @@
 #include <optional>
 #include <utility>
 
-#include "engine/core/utc_text.hpp"
 #include "engine/messages/data_messages.hpp"
 #include "storage/repository/environment/environment_draft.hpp"
 
@@ -265,7 +264,7 @@ void add_ice(EnvironmentDraft& draft) {
   const auto found = in_order(
       candidates(draft.stored, DatasetKind::ice, query.ice, query.area, draft.violations), mission_of(query));
   if (named && query.ice.ids.size() > 1) {
-    draft.refuse(DatasetKind::ice, "name one dataset to plan with");
+    draft.refuse<"several-datasets">(DatasetKind::ice);
     return;
   }
 
@@ -275,10 +274,9 @@ void add_ice(EnvironmentDraft& draft) {
     report(draft, used);
     tell_of_unused_areas(draft, found, used);
   } else if (named && !periods_missed.empty()) {
-    draft.refuse(DatasetKind::ice, "has no data at " + core::iso8601(query.depart) + ": " + periods_missed +
-                                       ", and ice is held for at most 3 days beyond");
+    draft.refuse<"no-ice-then">(DatasetKind::ice, query.depart, periods_missed);
   } else if (named && !found.empty()) {
-    draft.refuse(DatasetKind::ice, title(found.front()) + " has no node near the area");
+    draft.refuse<"no-node-near">(DatasetKind::ice, title(found.front()));
   } else if (!periods_missed.empty()) {
     draft.tell(messages::data_message<"ice-not-at-departure">(periods_missed));
   } else if (!named) {

@@ -162,7 +162,7 @@ void add_wind(EnvironmentDraft& draft) {
   const auto found = candidates(draft.stored, DatasetKind::wind, query.wind, query.area, draft.violations);
   const bool named = query.wind.how == DatasetChoice::How::named;
   if (named && query.wind.ids.size() > 1) {
-    draft.refuse(DatasetKind::wind, "name one dataset to plan with");
+    draft.refuse<"several-datasets">(DatasetKind::wind);
     return;
   }
   const bool moves_something = query.iceberg_drift && !draft.environment.icebergs.empty();
@@ -187,10 +187,9 @@ void add_wind(EnvironmentDraft& draft) {
   }
 
   if (named && !periods_missed.empty()) {
-    draft.refuse(DatasetKind::wind,
-                 "says nothing of the wind at " + core::iso8601(query.depart) + ": " + periods_missed);
+    draft.refuse<"no-wind-then">(DatasetKind::wind, query.depart, periods_missed);
   } else if (named && !found.empty()) {
-    draft.refuse(DatasetKind::wind, title(found.front()) + " has no node near the area");
+    draft.refuse<"no-node-near">(DatasetKind::wind, title(found.front()));
   } else if (!periods_missed.empty()) {
     draft.tell(messages::data_message<"wind-not-at-departure">(periods_missed));
   }
@@ -218,9 +217,7 @@ void add_zones(EnvironmentDraft& draft) {
     draft.cite(dataset);
   }
   if (corners > max_zone_corners) {
-    draft.refuse(DatasetKind::zones, "the stored zones of the area have " + std::to_string(corners) +
-                                         " corners, more than " + std::to_string(max_zone_corners) +
-                                         "; name those that matter, or store them with simpler outlines");
+    draft.refuse<"too-many-zone-corners">(DatasetKind::zones, corners, max_zone_corners);
   }
   if (query.zones.how != DatasetChoice::How::newest) tell_of_zones_left_out(draft);
 }

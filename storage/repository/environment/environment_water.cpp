@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "engine/core/shown_text.hpp"
-#include "engine/core/utc_text.hpp"
 #include "engine/messages/data_messages.hpp"
 #include "storage/repository/environment/environment_draft.hpp"
 #include "storage/repository/environment/environment_drift.hpp"
@@ -78,9 +77,8 @@ void refuse_period(EnvironmentDraft& draft, const std::string& periods, bool beg
   const bool at_end = draft.query.until && (begins || draft.query.may_begin_later);
   const std::string input = at_end ? draft.query.until->input : "depart";
   const core::UtcTime time = at_end ? draft.query.until->time : draft.query.depart;
-  draft.violations.push_back(
-      {"/" + input, core::iso8601(time) + " is outside the currents' period: " + periods + ". " +
-                        (at_end ? "Stay" : "Depart") + " within it, or hold the currents steady (--steady)"});
+  draft.violations.push_back(messages::fault<"outside-the-currents">("/" + input, time, periods,
+                                                                     at_end ? "Stay" : "Depart"));
 }
 
 /// Several currents are the members of an ensemble: every one must serve, the first is the one planned in.
@@ -99,7 +97,7 @@ void add_ensemble(EnvironmentDraft& draft, const std::vector<Dataset>& found) {
     if (period) period->from = drift_start(draft);
     const auto read = [&](const CurrentsBox& box) { return read_currents(draft, dataset, box, period); };
     if (!adopt_currents(draft, dataset, found.size(), read)) {
-      draft.refuse(DatasetKind::currents, title(dataset) + " has no node near the area");
+      draft.refuse<"no-node-near">(DatasetKind::currents, title(dataset));
       continue;
     }
     draft.cite(dataset);
@@ -109,8 +107,7 @@ void add_ensemble(EnvironmentDraft& draft, const std::vector<Dataset>& found) {
     none_steady = none_steady && !draft.environment.steady_currents;
   }
   if (!all_steady && !none_steady) {
-    draft.refuse(DatasetKind::currents,
-                 "some members have times and some have none; hold them all steady (--steady)");
+    draft.refuse<"members-of-two-sorts">(DatasetKind::currents);
   }
   if (members.empty()) return;
   draft.environment.currents = members.front();
@@ -129,9 +126,8 @@ void refuse_other_waters(EnvironmentDraft& draft) {
       elsewhere.push_back(title(dataset) + " covers " + bounds_text(dataset.bounds));
   }
   if (elsewhere.empty()) return;
-  draft.refuse(DatasetKind::currents, "no stored dataset reaches " + bounds_text(draft.query.area) + ": " +
-                                          core::shortened_list(elsewhere) +
-                                          ". Ingest some for this water, or plan without (--currents none)");
+  draft.refuse<"no-currents-reach">(DatasetKind::currents, bounds_text(draft.query.area),
+                                    core::shortened_list(elsewhere));
 }
 
 void add_currents(EnvironmentDraft& draft) {
@@ -165,7 +161,7 @@ void add_currents(EnvironmentDraft& draft) {
 
   if (!periods_missed.empty()) return refuse_period(draft, periods_missed, begins);
   if (named && !found.empty())
-    draft.refuse(DatasetKind::currents, title(found.front()) + " has no node near the area");
+    draft.refuse<"no-node-near">(DatasetKind::currents, title(found.front()));
   if (!named) refuse_other_waters(draft);
   if (!named)
     tell_of_gap(draft, query.currents, messages::data_message<"currents-left-out">(),
@@ -186,15 +182,12 @@ void add_water(EnvironmentDraft& draft) {
   const TidesQuery& query = draft.query.tides;
   const bool alone = query.wanted() && query.mode == TidesMode::only;
   if (alone && draft.query.currents.how == DatasetChoice::How::named)
-    draft.refuse(
-        DatasetKind::tides,
-        "with tides_mode only the currents that are named would be left out; say add, or name no currents");
+    draft.refuse<"named-currents-left-out">(DatasetKind::tides);
   if (!alone) add_currents(draft);
   const Tides tides = load_tides(draft.db, draft.stored, query, draft.query.area, draft.violations);
   if (!query.wanted() || !query.mode || !draft.violations.empty()) return;
   if (!alone && !draft.environment.currents) {
-    draft.refuse(DatasetKind::tides,
-                 "no currents to add tides to; set tides_mode to only to plan with tidal currents alone");
+    draft.refuse<"no-currents-for-tides">(DatasetKind::tides);
     return;
   }
   const ocean::TidePeriod period = period_of_tides(draft);

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "engine/messages/data_messages.hpp"
+#include "engine/messages/fault.hpp"
 #include "storage/repository/fields/tide_repository.hpp"
 
 namespace floeplan::repository {
@@ -80,23 +81,18 @@ Tides load_tides(sql::Connection& db, const std::vector<Dataset>& stored, const 
                  const geo::BoundingBox& area, core::Violations& violations) {
   Tides tides;
   if (!query.wanted()) {
-    if (query.mode)
-      violations.push_back({"/tides_mode", "says what tides are for, but no tides are asked for"});
+    if (query.mode) violations.push_back(messages::fault<"mode-without-tides">("/tides_mode"));
     return tides;
   }
   if (!query.mode)
-    violations.push_back(
-        {"/tides_mode",
-         "must be \"add\" (tidal currents added to currents that are without tides) or \"only\" "
-         "(tidal currents alone) when tides are used"});
+    violations.push_back(messages::fault<"tides-without-mode">("/tides_mode"));
   const bool named = query.choice.how == DatasetChoice::How::named;
   for (const Dataset& dataset : candidates(stored, DatasetKind::tides, query.choice, area, violations)) {
     auto model = TideRepository{db}.load(dataset.id, area);
     if (!model || !model->has(ocean::TideQuantity::east)) {
       if (named)
-        violations.push_back({"/tides", title(dataset) + " holds no tidal currents here, only " +
-                                            (model ? "elevations" : "stations") +
-                                            "; name a model with u and v"});
+        violations.push_back(messages::fault<"no-tidal-currents">("/tides", title(dataset),
+                                                                  model ? "elevations" : "stations"));
       continue;
     }
     tides.models.push_back(std::move(*model));
@@ -104,8 +100,7 @@ Tides load_tides(sql::Connection& db, const std::vector<Dataset>& stored, const 
     if (!named) break;
   }
   if (!named && tides.models.empty())
-    violations.push_back(
-        {"/tides", "no stored tide model has currents in this area; ingest one, or leave tides out"});
+    violations.push_back(messages::fault<"no-tide-model-here">("/tides"));
   return tides;
 }
 
