@@ -163,6 +163,13 @@ inline constexpr auto export_kinds = std::to_array<Kind>({
              "ends there, so that the vehicle flies on at once:",
      .hint = "plan again without holds (--max-hold 0), or depart later.",
      .slots = {{{"wait_h", 1.5}, {"waypoint", 4}}}},
+    {.code = "format-without-holds",
+     .rank = Rank::caution,
+     .text = "The plan holds for {wait_h:.1f} h at waypoint {waypoint}, but the format {format} does not "
+             "tell the "
+             "vehicle:",
+     .hint = "keep it there until {release}.",
+     .slots = {{{"wait_h", 2.7}, {"waypoint", 4}, {"format", "gpx"}, {"release", "2027-01-12T18:00:00Z"}}}},
     {.code = "beyond-utm",
      .rank = Rank::caution,
      .text = "The plan goes beyond 84 N or 80 S. The vehicle navigates in UTM metres, which are not defined "

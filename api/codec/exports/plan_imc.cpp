@@ -5,6 +5,7 @@
 
 #include "engine/geo/geodesic.hpp"
 #include "engine/mission/document/comment_text.hpp"
+#include "engine/mission/writing/hold_lists.hpp"
 #include "storage/json/json.hpp"
 
 namespace floeplan::codec {
@@ -17,6 +18,7 @@ constexpr int metres_per_second = 0;  // SpeedUnits
 constexpr int nobody = 65535;         // as source and destination: not addressed
 constexpr int any_entity = 255;
 constexpr int any_attitude = -1;                 // of roll, pitch and yaw: left to the vehicle
+constexpr double longest_hold_s = 65'535.0;      // duration of StationKeeping, of 16 bits
 constexpr double longest_part_s = 8.0 * 3600.0;  // half of the longest timeout, and some room
 
 /// Part of a leg: where it leads, and how long it takes.
@@ -26,7 +28,7 @@ struct Part {
 };
 
 std::vector<Part> parts_of(const planning::Waypoint& from, const planning::Waypoint& to) {
-  const double duration_s = (to.eta - from.eta).count();
+  const double duration_s = (to.eta - (from.eta + from.wait)).count();
   const auto count = std::max(1.0, std::ceil(duration_s / longest_part_s));
   const geo::GeodesicLine leg = geo::geodesic_between(from.place, to.place);
   std::vector<Part> parts;
@@ -66,32 +68,67 @@ ordered_json go_to(const Part& part, double depth_m, double speed_m_s) {
           {"custom", ""}};
 }
 
+ordered_json keep_station(geo::LonLat place, double duration_s, double depth_m, double speed_m_s,
+                          core::Metres radius) {
+  return {{"abbrev", "StationKeeping"},
+          {"lat", core::degrees_to_radians(place.lat_deg)},
+          {"lon", core::degrees_to_radians(geo::wrap_longitude(place.lon_deg))},
+          {"z", depth_m},
+          {"z_units", depth_units},
+          {"radius", radius.value},
+          {"duration", std::lround(duration_s)},
+          {"speed", speed_m_s},
+          {"speed_units", metres_per_second},
+          {"custom", ""}};
+}
+
+/// The maneuvers one after the other.
+class Maneuvers {
+ public:
+  void add(const char* kind, ordered_json data) {
+    const std::string id = kind + std::to_string(list_.size() + 1);
+    if (!list_.empty())
+      transitions_.push_back({{"abbrev", "PlanTransition"},
+                              {"source_man", list_.back()["maneuver_id"]},
+                              {"dest_man", id},
+                              {"conditions", "ManeuverIsDone"},
+                              {"actions", ordered_json::array()}});
+    list_.push_back({{"abbrev", "PlanManeuver"},
+                     {"maneuver_id", id},
+                     {"data", std::move(data)},
+                     {"start_actions", ordered_json::array()},
+                     {"end_actions", ordered_json::array()}});
+  }
+  [[nodiscard]] const ordered_json& list() const { return list_; }
+  [[nodiscard]] const ordered_json& transitions() const { return transitions_; }
+  [[nodiscard]] ordered_json first() const {
+    return list_.empty() ? ordered_json("") : list_.front()["maneuver_id"];
+  }
+
+ private:
+  ordered_json list_ = ordered_json::array();
+  ordered_json transitions_ = ordered_json::array();
+};
+
 }  // namespace
 
 std::string plan_imc(const planning::Plan& plan, const vehicle::GliderProfile& vehicle,
-                     const std::vector<std::optional<mission::Shoal>>& shoals, const std::string& plan_id,
-                     const std::string& name, core::UtcTime generated) {
-  ordered_json maneuvers = ordered_json::array();
-  ordered_json transitions = ordered_json::array();
+                     const std::vector<std::optional<mission::Shoal>>& shoals, core::Metres hold_radius,
+                     const std::string& plan_id, const std::string& name, core::UtcTime generated) {
+  Maneuvers maneuvers;
   for (std::size_t i = 1; i < plan.waypoints.size(); ++i) {
+    const planning::Waypoint& from = plan.waypoints[i - 1];
     const planning::Waypoint& to = plan.waypoints[i];
     const double speed_m_s = to.speed_through_water.value_or(vehicle.speed_through_water).value;
-    for (const Part& part : parts_of(plan.waypoints[i - 1], to)) {
-      const std::string id = "Goto" + std::to_string(maneuvers.size() + 1);
-      if (!maneuvers.empty())
-        transitions.push_back({{"abbrev", "PlanTransition"},
-                               {"source_man", maneuvers.back()["maneuver_id"]},
-                               {"dest_man", id},
-                               {"conditions", "ManeuverIsDone"},
-                               {"actions", ordered_json::array()}});
-      maneuvers.push_back({{"abbrev", "PlanManeuver"},
-                           {"maneuver_id", id},
-                           {"data", go_to(part, depth_of(plan, i, vehicle, shoals), speed_m_s)},
-                           {"start_actions", ordered_json::array()},
-                           {"end_actions", ordered_json::array()}});
+    const double depth_m = depth_of(plan, i, vehicle, shoals);
+    if (mission::is_held_at(plan, i - 1)) {
+      const double parts = std::ceil(from.wait.count() / longest_hold_s);
+      for (double part = 0.0; part < parts; part += 1.0)
+        maneuvers.add("Hold",
+                      keep_station(from.place, from.wait.count() / parts, depth_m, speed_m_s, hold_radius));
     }
+    for (const Part& part : parts_of(from, to)) maneuvers.add("Goto", go_to(part, depth_m, speed_m_s));
   }
-  const ordered_json first = maneuvers.empty() ? ordered_json("") : maneuvers.front()["maneuver_id"];
   const ordered_json message{
       {"abbrev", "PlanSpecification"},
       {"timestamp", core::unix_seconds(generated)},
@@ -104,9 +141,9 @@ std::string plan_imc(const planning::Plan& plan, const vehicle::GliderProfile& v
                           "; not tried on a vehicle, check before use"},
       {"vnamespace", ""},
       {"variables", ordered_json::array()},
-      {"start_man_id", first},
-      {"maneuvers", std::move(maneuvers)},
-      {"transitions", std::move(transitions)},
+      {"start_man_id", maneuvers.first()},
+      {"maneuvers", maneuvers.list()},
+      {"transitions", maneuvers.transitions()},
       {"start_actions", ordered_json::array()},
       {"end_actions", ordered_json::array()}};
   return message.dump(1) + "\n";

@@ -50,6 +50,10 @@ std::optional<core::Violation> add_places(const json& maneuver, const std::strin
   if (is_pattern(kind)) return messages::fault<"maneuver-pattern">(here, kind);
   const auto reference = place_in(maneuver);
   if (!reference) return messages::fault<"maneuver-without-place">(here);
+  constexpr core::Metres same_place{1.0};
+  const bool is_there =
+      !places.empty() && geo::geodesic_between(places.back(), *reference).length <= same_place;
+  if (kind == "StationKeeping" && is_there) return std::nullopt;
   const json* points = array_at(maneuver, "points");
   if (points == nullptr) {
     places.push_back(*reference);

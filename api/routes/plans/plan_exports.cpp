@@ -88,7 +88,8 @@ std::string bytes_of(sql::Connection& db, const PlanRecord& record, const planni
   if (format.name == "targets")
     return mission::write_targets(plan, mission::default_waypoint_radius(plan), origin).text;
   if (format.name == "imc")
-    return codec::plan_imc(plan, vehicle_of(record, plan), shoals_of(db, record, plan), id, record.name, now);
+    return codec::plan_imc(plan, vehicle_of(record, plan), shoals_of(db, record, plan),
+                           holds_of(db, record, plan).radius, id, record.name, now);
   const codec::BriefNotes notes{id, record.name, now, told};
   if (format.name == "html") return codec::plan_brief_html(plan, picture_of(db, record, plan), notes);
   if (format.name == "pdf") return codec::plan_brief_pdf(plan, picture_of(db, record, plan), notes);
@@ -102,13 +103,21 @@ bool lacks_upper_turns(const ExportFormat& format) {
   return std::ranges::find(lacking, format.name) != lacking.end();
 }
 
+/// The others name the time of each hold, or have the vehicle hold.
+bool lacks_holds(const ExportFormat& format) {
+  constexpr std::array<std::string_view, 4> lacking{"gpx", "kml", "nmea", "targets"};
+  return std::ranges::find(lacking, format.name) != lacking.end();
+}
+
 std::vector<messages::Message> messages_of(const planning::Plan& plan, const ExportFormat& format) {
-  if (!lacks_upper_turns(format)) return {};
+  std::vector<messages::Message> told;
+  if (lacks_holds(format)) told = mission::messages_without_holds(plan, format.name);
   const double turn_m = std::ceil(mission::least_upper_turn(plan).value);
-  if (turn_m <= 0.0 && mission::tells_upper_turns(plan)) return {};
+  if (!lacks_upper_turns(format) || (turn_m <= 0.0 && mission::tells_upper_turns(plan))) return told;
   const std::string turn = mission::tells_upper_turns(plan) ? std::to_string(std::lround(turn_m)) + " m"
                                                             : std::string{"their keels"};
-  return {messages::export_message<"format-without-turns">(format.name, turn)};
+  told.push_back(messages::export_message<"format-without-turns">(format.name, turn));
+  return told;
 }
 
 core::Violations violations_of(const planning::Plan& plan, const ExportFormat& format) {

@@ -138,14 +138,18 @@ core::Seconds longest_silence(const planning::Plan& plan, const MissionSetOption
   return core::Seconds{std::max(in_the_open_s, 3600.0 * std::ceil(planned_s / 3600.0))};
 }
 
+core::Seconds usual_surfacing_interval(const vehicle::GliderProfile& vehicle) {
+  return core::Seconds{is_shallow(vehicle) ? regular_shallow_s : regular_deep_s};
+}
+
 core::Seconds time_between_surfacings(const MissionSetOptions& options) {
-  return options.surfacing_interval.value_or(
-      core::Seconds{is_shallow(options.vehicle) ? regular_shallow_s : regular_deep_s});
+  return options.surfacing_interval.value_or(usual_surfacing_interval(options.vehicle));
 }
 
 GotoListOptions list_options(const MissionSetOptions& options) {
   GotoListOptions lists = options.lists;
   lists.holds.vehicle = options.vehicle;
+  lists.holds.surfaces = !options.under_ice;
   lists.holds.between_surfacings = time_between_surfacings(options);
   return lists;
 }

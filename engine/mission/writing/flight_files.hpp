@@ -29,6 +29,9 @@ struct Surfacing {
 /// How long the vehicle goes without contact before it comes up to seek it.
 [[nodiscard]] core::Seconds longest_silence(const planning::Plan& plan, const MissionSetOptions& options);
 
+/// How often a vehicle of this rating comes up in open water, unless a plan was asked to surface at another interval.
+[[nodiscard]] core::Seconds usual_surfacing_interval(const vehicle::GliderProfile& vehicle);
+
 /// How often the vehicle comes up in open water, whatever else happens.
 [[nodiscard]] core::Seconds time_between_surfacings(const MissionSetOptions& options);
 

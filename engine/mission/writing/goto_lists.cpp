@@ -320,10 +320,12 @@ std::string hold_list_text(const planning::Plan& plan, const List& list, const s
   const std::string comments =
       head + print("hold at waypoint %zu of %zu\n", list.part.last, plan.waypoints.size() - 1) +
       hold_comment({place.eta, place.eta + place.wait}) +
-      (hold.legs < 0 ? "# goes round until the next list is sent\n"
-                     : print("# %d legs, expected to take %.1f h from the arrival to the departure,\n"
-                             "# with a surfacing of 6 minutes at its begin, its end and every turn\n",
-                             hold.legs, hold.expected.count() / 3600.0)) +
+      (hold.legs < 0
+           ? "# goes round until the next list is sent\n"
+           : print("# %d legs, expected to take %.1f h from the arrival to the departure,\n"
+                   "# with 6 minutes at the surface at its begin, its end%s\n",
+                   hold.legs, hold.expected.count() / 3600.0,
+                   hold_flight(plan, list.part.last, options.holds).surfaces ? " and every turn" : "")) +
       origin_comments(plan, options.origin);
   return goto_list_text(comments, hold.legs, list.radius, 0, hold_rows(place.place, hold));
 }

@@ -24,6 +24,7 @@ constexpr double least_radius_m = 10.0;  // minimum of list_when_wpt_dist in the
 constexpr double usual_radius_m = 100.0;
 constexpr double still_m2_s2 = 1e-6;  // sum of squares below which there is no current to speak of
 constexpr std::size_t fewest_legs = 3;
+constexpr int enough_legs = 8;  // a turn is never farther from the end of the hold than a sixteenth of it
 
 /// Linear between the samples.
 geo::VelocityEn current_at(const HoldFlight& flight, double time_s) {
@@ -78,10 +79,10 @@ class Shuttle {
       const double gap_north_m = side * axis_.north() - north_m_;
       if (!comes_up && std::hypot(gap_east_m, gap_north_m) < radius_m_) {
         ends.push_back(time_s_ + depth_m_ / flight_.vertical.value + at_surface_s);
-        comes_up = true;
+        comes_up = flight_.surfaces;
         continue;
       }
-      if (!comes_up && time_s_ >= next_up_s) {
+      if (flight_.surfaces && !comes_up && time_s_ >= next_up_s) {
         comes_up = true;
         next_up_s = time_s_ + flight_.between_surfacings.count();
       }
@@ -167,13 +168,19 @@ std::optional<HoldLegs> hold_legs(const HoldFlight& flight) {
   const auto is_worse = [&](const HoldLegs& a, const HoldLegs& b) {
     const bool is_near = off(a) <= near_wait;
     if (is_near != (off(b) <= near_wait)) return !is_near;
-    return is_near && a.legs != b.legs ? a.legs > b.legs : off(a) > off(b);
+    if (!is_near || a.legs == b.legs) return off(a) > off(b);
+    const bool has_enough = a.legs >= enough_legs;
+    return has_enough == (b.legs >= enough_legs) ? (a.legs > b.legs) == has_enough : !has_enough;
   };
   const auto best = std::ranges::max_element(lists, is_worse);
   if (best != lists.end() && off(*best) <= far_from_wait) return *best;
   const bool is_short =
       !lists.empty() && flight.wait < std::ranges::min(lists, {}, &HoldLegs::expected).expected;
   if (is_short) return std::nullopt;
+  if (!flight.surfaces && !lists.empty())
+    return std::ranges::max(lists, {}, [&](const HoldLegs& list) {
+      return list.expected <= flight.wait ? list.expected.count() : 0.0;
+    });
   return HoldLegs{.axis = axis_of(flight),
                   .apart = 2.0 * flight.circle,
                   .radius = turning_radius(flight.circle),

@@ -14,10 +14,11 @@ namespace floeplan::mission {
 struct HoldFlight {
   core::Seconds wait{};  // from the arrival to the departure
   core::Metres circle{};
-  core::MetresPerSecond speed{};                    // horizontal, through the water
-  core::MetresPerSecond vertical{};                 // of dives and climbs
-  vehicle::DiveBand band{};                         // flown at the place
-  core::Seconds between_surfacings{};               // by the clock, beside those at the turns
+  core::MetresPerSecond speed{};     // horizontal, through the water
+  core::MetresPerSecond vertical{};  // of dives and climbs
+  vehicle::DiveBand band{};          // flown at the place
+  bool surfaces{true};               // at every turn, and by the clock; false: at the begin and the end alone
+  core::Seconds between_surfacings{};               // by the clock
   geo::Bearing course{geo::Bearing::degrees(0.0)};  // of the next leg
   /// Averaged over the depths flown, at equal steps from the beginning of the wait to its end; one: steady; none: still
   /// water.
@@ -46,9 +47,11 @@ inline constexpr int most_hold_legs = 24;
 ///           thirds. In still water across the course of the next leg. Never farther from the place than the circle
 /// Time      as a Slocum flies the list by the vendor's stock missions: it comes up at its arrival, at every turn, by
 ///           the clock and at the end, each time for six minutes in which it drifts, and steers for the next row
-///           meanwhile (motion::waypoint_heading). The legs are as many and as long as suit the wait best, the fewest
-///           within 1 % of it
-/// Without end  where no number of legs comes within 5 % of the wait: the pilot ends the hold
+///           meanwhile (motion::waypoint_heading). The legs are as many and as long as suit the wait best: of those
+///           within 1 % of it eight, so that the pilot can end the hold at a turn near its end, or else as few more or as
+///           many fewer as there are
+/// Without end  where no number of legs comes within 5 % of the wait: the pilot ends the hold. Where the vehicle does
+///           not come up meanwhile, the longest list that is shorter, to be flown more than once
 /// Edges     empty for a wait that is shorter than three of the shortest legs take
 [[nodiscard]] std::optional<HoldLegs> hold_legs(const HoldFlight& flight);
 

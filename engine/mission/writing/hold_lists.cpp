@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "engine/geo/geodesic.hpp"
+#include "engine/messages/export_messages.hpp"
 #include "engine/mission/writing/below_ice.hpp"
 
 namespace floeplan::mission {
@@ -87,9 +88,22 @@ HoldFlight hold_flight(const planning::Plan& plan, std::size_t waypoint, const H
           .speed = speed,
           .vertical = options.vehicle.vertical_speed(speed),
           .band = vehicle::flown_band(options.vehicle.dive_limits(), place.depth),
+          .surfaces = options.surfaces && least_upper_turn(plan).value <= 0.0,
           .between_surfacings = options.between_surfacings,
           .course = geo::geodesic_between(place.place, next.place).course_at_start,
           .currents = currents_at(plan, waypoint, options)};
+}
+
+std::vector<messages::Message> messages_without_holds(const planning::Plan& plan, const std::string& format) {
+  std::vector<messages::Message> told;
+  for (std::size_t i = 0; i < plan.waypoints.size(); ++i) {
+    const planning::Waypoint& waypoint = plan.waypoints[i];
+    if (waypoint.wait < least_listed_hold) continue;
+    told.push_back(messages::export_message<"format-without-holds">(waypoint.wait.count() / 3600.0, i, format,
+                                                                    waypoint.eta + waypoint.wait)
+                       .at(waypoint.place));
+  }
+  return told;
 }
 
 std::vector<geo::LonLat> hold_rows(geo::LonLat place, const HoldLegs& legs) {

@@ -2,11 +2,13 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "engine/core/units.hpp"
 #include "engine/geo/lon_lat.hpp"
 #include "engine/geo/velocity.hpp"
+#include "engine/messages/message.hpp"
 #include "engine/mission/writing/hold_legs.hpp"
 #include "engine/ocean/environment.hpp"
 #include "engine/planning/problem/hold_rules.hpp"
@@ -22,6 +24,7 @@ inline constexpr core::Seconds least_listed_hold{600.0};
 struct HoldOptions {
   core::Metres radius{planning::HoldRules{}.radius};  // of the circle that the plan was asked to keep to
   vehicle::GliderProfile vehicle{};
+  bool surfaces{true};  // at turns and by the clock, unless the plan passes below ice
   core::Seconds between_surfacings{3.0 * 3600.0};  // by the clock, as the vendor's stock missions
   /// At each waypoint, from the beginning of its hold to its end, as HoldFlight::currents; where that is empty the mean
   /// currents of the legs before and after stand in.
@@ -43,6 +46,10 @@ struct HoldOptions {
 /// The hold at a waypoint that a leg follows.
 [[nodiscard]] HoldFlight hold_flight(const planning::Plan& plan, std::size_t waypoint,
                                      const HoldOptions& options);
+
+/// What the pilot has to do at each hold of ten minutes or more, where the vehicle's files do not tell of it.
+[[nodiscard]] std::vector<messages::Message> messages_without_holds(const planning::Plan& plan,
+                                                                    const std::string& format);
 
 /// Both rows of its list.
 [[nodiscard]] std::vector<geo::LonLat> hold_rows(geo::LonLat place, const HoldLegs& legs);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <stdexcept>
 
 #include "engine/core/letter_case.hpp"
@@ -12,6 +13,7 @@
 #include "engine/mission/writing/argument_lines.hpp"
 #include "engine/mission/writing/below_ice.hpp"
 #include "engine/mission/writing/goto_lists.hpp"
+#include "engine/mission/writing/hold_lists.hpp"
 
 namespace floeplan::mission {
 namespace {
@@ -125,6 +127,7 @@ tl::expected<MissionFiles, core::Violations> write_seaglider_set(const planning:
   set.messages.push_back(messages::export_message<"seaglider-limits-on-board">());
   if (auto shoal = shoal_warning(plan, options)) set.messages.push_back(std::move(*shoal));
   if (options.bands.empty()) set.messages.push_back(messages::export_message<"no-science-file">());
+  std::ranges::move(messages_without_holds(plan, "seaglider"), std::back_inserter(set.messages));
   return set;
 }
 

@@ -8,6 +8,7 @@
 #include "api/codec/exports/plan_csv.hpp"
 #include "api/codec/exports/plan_geojson.hpp"
 #include "api/codec/exports/plan_gpx.hpp"
+#include "api/codec/exports/plan_imc.hpp"
 #include "api/codec/exports/plan_kml.hpp"
 #include "api/codec/route_files/route_file.hpp"
 #include "engine/core/utc_text.hpp"
@@ -342,6 +343,38 @@ TEST(PlanBrief, TellsWhereThePlanIsBelowIceAndMaySurface) {
       plan_brief_html(plan, draw_map(plan, {}, {}, 720.0, 420.0), {"p-01", "", plan.departure, {}});
   EXPECT_THAT(unknown, HasSubstr("<td>-</td><td>-</td></tr>"));
   EXPECT_THAT(unknown, Not(HasSubstr("below ice")));
+}
+
+TEST(PlanImc, KeepsStationWhereThePlanHolds) {
+  planning::Plan plan = two_legs();
+  plan.waypoints.push_back(plan.waypoints[1]);
+  plan.waypoints[2].place.lon_deg += 0.25;
+  plan.waypoints[2].eta += core::Seconds{7200.0};
+  plan.waypoints[1].wait = core::Seconds{100'000.0};
+  plan.waypoints[2].eta += plan.waypoints[1].wait;
+
+  const std::string text = plan_imc(plan, {}, {}, {400.0}, "p-01", "", plan.departure);
+
+  const json maneuvers = json::parse(text).at("maneuvers");
+  double held_s = 0.0;
+  for (const json& maneuver : maneuvers) {
+    const json& data = maneuver.at("data");
+    if (data.at("abbrev") != "StationKeeping") continue;
+    held_s += data.at("duration").get<double>();
+    EXPECT_LE(data.at("duration"), 65'535);
+    EXPECT_EQ(data.at("radius"), 400.0);
+    EXPECT_NEAR(data.at("lat").get<double>(), core::degrees_to_radians(plan.waypoints[1].place.lat_deg),
+                1e-12);
+  }
+  EXPECT_EQ(held_s, 100'000.0);
+  EXPECT_EQ(json::parse(text).at("transitions").size() + 1, maneuvers.size());
+  const auto read = read_route_file("a.json", text);
+  ASSERT_TRUE(read.has_value());
+  plan.waypoints[1].wait = core::Seconds{0.0};
+  plan.waypoints[2].eta -= core::Seconds{100'000.0};
+  const auto without = read_route_file("a.json", plan_imc(plan, {}, {}, {400.0}, "p-01", "", plan.departure));
+  ASSERT_TRUE(without.has_value());
+  EXPECT_EQ(read->places.size(), without->places.size());
 }
 
 TEST(PlanBrief, TellsHoldsInWordsAndOnTheMap) {

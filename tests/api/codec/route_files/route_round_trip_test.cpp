@@ -71,8 +71,8 @@ TEST(RouteFiles, OfAPlanGiveItsWaypointsBack) {
     expect_same("a.kml", plan_kml(plan, "p-01", "a <plan>"), way, of_csv_deg);
     expect_same("a.csv", plan_csv(plan), way, of_csv_deg);
     expect_same("a.nmea", mission::write_nmea_route(plan, "p-01").text, way, of_minutes_deg);
-    expect_same("a.json", plan_imc(plan, {}, {}, "p-01", "", plan.departure), std::span{way}.subspan(1),
-                of_a_double_deg);
+    expect_same("a.json", plan_imc(plan, {}, {}, {500.0}, "p-01", "", plan.departure),
+                std::span{way}.subspan(1), of_a_double_deg);
     expect_same("a.geojson", plan_geojson(record_of(plan)).dump(), way, of_csv_deg);
     expect_same("a.geojson", plan_feature(record_of(plan)).dump(), way, of_csv_deg);
     expect_same("a.geojson", plan_feature(record_of(plan)).at("geometry").dump(), way, of_csv_deg);

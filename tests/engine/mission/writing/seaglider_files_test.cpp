@@ -182,6 +182,16 @@ TEST(SeagliderSet, SetsDepthAndTimeOfADiveAndCarriesOn) {
   EXPECT_EQ(minutes, std::ceil(400.0 / rate / 60.0));
 }
 
+TEST(SeagliderSet, SaysWhatThePilotHasToDoWhereThePlanHolds) {
+  planning::Plan plan = plan_of({{-53.0, 69.0}, {-52.9, 69.0}, {-52.75, 69.0}});
+  plan.waypoints[1].wait = core::Seconds{9600.0};
+
+  const auto set = write_seaglider_set(plan, {});
+
+  ASSERT_TRUE(set.has_value());
+  EXPECT_THAT(messages::sentences(set->messages), Contains(HasSubstr("holds for 2.7 h at waypoint 1")));
+}
+
 TEST(SeagliderSet, RefusesWhatNoSeagliderTakes) {
   SeagliderOptions options;
   options.vehicle = vehicle::known_profiles().front();
