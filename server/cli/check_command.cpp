@@ -24,6 +24,7 @@ using nlohmann::json;
 struct CheckFlags {
   std::vector<std::string> files;
   std::optional<std::string> from;
+  std::optional<std::string> plan;
   InputFlags sea;
   bool json_out{false};
 };
@@ -71,7 +72,7 @@ tl::expected<std::vector<mission::Document>, core::Violations> judged(const Chec
   documents.reserve(flags.files.size());
   for (const std::string& file : flags.files) documents.push_back(document_of(file));
   const json inputs = flags.sea.inputs();
-  if (inputs.empty() && !flags.from) return documents;
+  if (inputs.empty() && !flags.from && !flags.plan) return documents;
 
   std::optional<geo::LonLat> start;
   if (flags.from) {
@@ -81,7 +82,9 @@ tl::expected<std::vector<mission::Document>, core::Violations> judged(const Chec
                                  *flags.from + " is not LON,LAT in degrees; write it as --from=-53.2,69.2"};
   }
   auto db = repository::open_store(program.store);
-  const core::Violations faults = routes::check_flight(db, inputs, start, documents);
+  core::Violations faults;
+  if (!inputs.empty() || start) faults = routes::check_flight(db, inputs, start, documents);
+  if (faults.empty() && flags.plan) faults = routes::compare_with_plan(db, *flags.plan, documents);
   if (!faults.empty()) return tl::unexpected(faults);
   return documents;
 }
@@ -116,6 +119,8 @@ void add_check(CLI::App& app, Program& program) {
   command->add_option("FILE", flags->files, "Mission files, lists in the order in which they are flown")
       ->required();
   command->add_option("--from", flags->from, "Where the vehicle is, LON,LAT; default: the first waypoint");
+  command->add_option("--plan", flags->plan,
+                      "Id of a stored plan: tell where goto lists and holds are not as it has them");
   flags->sea.add_request(*command, "the inputs of process evaluate-route, without a route");
   flags->sea.add(*command, fields::conditions_of_route());
   command->add_flag("--json", flags->json_out, "Answer with one JSON document");

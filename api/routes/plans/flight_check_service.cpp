@@ -1,9 +1,14 @@
 #include "api/routes/plans/flight_check_service.hpp"
 
+#include "api/codec/documents/plan_document.hpp"
 #include "api/codec/inputs/plan_inputs.hpp"
+#include "api/routes/plans/export_sea.hpp"
 #include "engine/mission/checking/flight_check.hpp"
+#include "engine/mission/checking/plan_comparison.hpp"
+#include "engine/mission/writing/flight_files.hpp"
 #include "storage/json/json.hpp"
 #include "storage/repository/environment/environment_loader.hpp"
+#include "storage/repository/work/plan_repository.hpp"
 
 namespace floeplan::routes {
 namespace {
@@ -32,6 +37,19 @@ core::Violations check_flight(sql::Connection& db, const json& inputs, std::opti
   const auto environment = repository::load_environment(db, parsed->data);
   if (!environment) return environment.error();
   mission::check_flight(documents, *environment, start, parsed->request);
+  return {};
+}
+
+core::Violations compare_with_plan(sql::Connection& db, const std::string& plan_id,
+                                   std::vector<mission::Document>& documents) {
+  const auto record = repository::PlanRepository{db}.find({plan_id});
+  if (!record) return {{"/plan_id", "no plan has the id " + plan_id}};
+  const planning::Plan plan = codec::parse_plan_document(json::parse(record->document_json));
+  mission::HoldOptions holds = holds_of(db, *record, plan);
+  if (const auto inputs = inputs_of(*record))
+    holds.between_surfacings = inputs->request.under_ice.surfacing_interval.value_or(
+        mission::usual_surfacing_interval(holds.vehicle));
+  mission::compare_with_plan(documents, plan, holds);
   return {};
 }
 

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "engine/core/violation.hpp"
@@ -18,5 +19,10 @@ namespace floeplan::routes {
 [[nodiscard]] core::Violations check_flight(sql::Connection& db, const nlohmann::json& inputs,
                                             std::optional<geo::LonLat> start,
                                             std::vector<mission::Document>& documents);
+
+/// Compares the goto lists among the files with a stored plan, and adds to their messages.
+/// Errors    no plan has the id
+[[nodiscard]] core::Violations compare_with_plan(sql::Connection& db, const std::string& plan_id,
+                                                 std::vector<mission::Document>& documents);
 
 }  // namespace floeplan::routes

@@ -63,6 +63,10 @@ Response check_missions(const Context& context, const Request& request, const Pa
     faults = check_flight(context.db, uploads->inputs, start, documents);
     if (!faults.empty()) return invalid(request, faults);
   }
+  if (const auto plan = request.parameter("plan_id")) {
+    faults = compare_with_plan(context.db, *plan, documents);
+    if (!faults.empty()) return invalid(request, faults);
+  }
   if (uploads->alone)
     return json_reply(codec::mission_document(documents.front(), uploads->files.front().name));
   json answers = json::array();
@@ -74,7 +78,7 @@ Response check_missions(const Context& context, const Request& request, const Pa
 }  // namespace
 
 std::vector<Route> mission_check_routes() {
-  std::vector<std::string> parameters{"name", "from", "steady"};
+  std::vector<std::string> parameters{"name", "from", "plan_id", "steady"};
   parameters.insert(parameters.end(), texts.begin(), texts.end());
   parameters.insert(parameters.end(), numbers.begin(), numbers.end());
   return {{"POST", "/missions/check", parameters, check_missions, Access::viewer}};

@@ -7,6 +7,7 @@
 #include "engine/geo/geodesic.hpp"
 #include "engine/mission/document/behavior_values.hpp"
 #include "engine/mission/document/flown_rows.hpp"
+#include "engine/mission/document/hold_order.hpp"
 #include "engine/mission/document/list_rules.hpp"
 
 namespace floeplan::mission {
@@ -79,6 +80,7 @@ FlownWaypoints flown_waypoints(const Document& document, std::optional<geo::LonL
                        document.behaviors.front().name == "goto_list";
   if (is_list) {
     fly_list(document.behaviors.front(), document.waypoints, from, route);
+    if (const auto hold = hold_order(document)) route.notes = {hold_text(*hold)};
   } else {
     route.rows = document.waypoints;
     for (const Message& message : document.messages)

@@ -1,5 +1,6 @@
 #include "engine/mission/document/hold_order.hpp"
 
+#include <cmath>
 #include <string_view>
 
 #include "engine/core/utc_text.hpp"
@@ -9,16 +10,16 @@
 namespace floeplan::mission {
 namespace {
 
-constexpr std::string_view begin = "# hold from ";
-constexpr std::string_view middle = " until ";
+constexpr std::string_view comment_begin = "# hold from ";
+constexpr std::string_view comment_middle = " until ";
 
 std::optional<HoldTimes> times_of(std::string_view comment) {
-  if (!comment.starts_with(begin)) return std::nullopt;
-  comment.remove_prefix(begin.size());
-  const std::size_t split = comment.find(middle);
+  if (!comment.starts_with(comment_begin)) return std::nullopt;
+  comment.remove_prefix(comment_begin.size());
+  const std::size_t split = comment.find(comment_middle);
   if (split == std::string_view::npos) return std::nullopt;
   const auto from = core::parse_iso8601(comment.substr(0, split));
-  const auto until = core::parse_iso8601(comment.substr(split + middle.size()));
+  const auto until = core::parse_iso8601(comment.substr(split + comment_middle.size()));
   if (!from || !until || *until < *from) return std::nullopt;
   return HoldTimes{*from, *until};
 }
@@ -32,8 +33,19 @@ std::optional<HoldTimes> planned_times(const Document& document) {
 }  // namespace
 
 std::string hold_comment(const HoldTimes& times) {
-  return std::string{begin} + core::iso8601(times.from) + std::string{middle} + core::iso8601(times.until) +
+  return std::string{comment_begin} + core::iso8601(times.from) + std::string{comment_middle} + core::iso8601(times.until) +
          "\n";
+}
+
+std::string hold_text(const HoldOrder& hold) {
+  const std::string legs =
+      hold.legs < 0 ? std::string{"goes round for ever"} : std::to_string(hold.legs) + " legs";
+  std::string text = "holds station: " + legs + " between rows " +
+                     std::to_string(std::lround(hold.apart.value)) + " m apart";
+  if (hold.planned)
+    text += ", planned from " + core::iso8601(hold.planned->from) + " until " +
+            core::iso8601(hold.planned->until);
+  return text;
 }
 
 std::optional<HoldOrder> hold_order(const Document& document) {

@@ -36,6 +36,9 @@ struct HoldOrder {
 /// usual circle of a hold, and as much again. A judgement.
 inline constexpr core::Metres widest_hold{2000.0};
 
+/// "holds station: 5 legs between rows 980 m apart, planned from 2026-11-22T09:10:00Z until 2026-11-22T11:50:00Z"
+[[nodiscard]] std::string hold_text(const HoldOrder& hold);
+
 /// The hold that a goto list orders: two rows between which the vehicle goes to and fro, for more legs than there are
 /// rows or without end. Empty for every other document.
 [[nodiscard]] std::optional<HoldOrder> hold_order(const Document& document);

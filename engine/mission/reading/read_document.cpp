@@ -5,6 +5,7 @@
 #include "engine/core/letter_case.hpp"
 #include "engine/mission/document/document_rules.hpp"
 #include "engine/mission/document/file_text.hpp"
+#include "engine/mission/document/hold_order.hpp"
 #include "engine/mission/document/line_words.hpp"
 #include "engine/mission/document/setting_line.hpp"
 #include "engine/mission/reading/cmdfile_reader.hpp"
@@ -300,6 +301,8 @@ void read_text(const FileText& text, Document& document) {
     case DocumentKind::arguments: read_lines(text, ArgumentsReader{document}, document); break;
   }
   check_document(document);
+  if (const auto hold = hold_order(document))
+    report(document, 0, Severity::note, "holds_station", hold_text(*hold));
 }
 
 }  // namespace
