@@ -14,6 +14,15 @@ describe('the rows of waypoint lists', () => {
     ]);
   });
 
+  it('say which list keeps the vehicle at a waypoint', () => {
+    const hold = { name: 'goto_l11.ma', text: 'behavior_name=goto_list\n# goto_l11.ma, list 2 of 3: hold at waypoint 2 of 5\n' };
+
+    const rows = listRows([file('goto_l10.ma', 1, 2), hold, file('goto_l12.ma', 3, 5)]);
+
+    expect(rows.filter(({ holds }) => holds)).toEqual([{ label: '2', index: 2, file: 'goto_l11.ma', row: undefined, holds: true }]);
+    expect(rows.map(({ index }) => index)).toEqual([0, 1, 2, 2, 3, 4, 5]);
+  });
+
   it('are not told of files that do not say what they hold', () => {
     expect(listRows([{ name: 'plan.imc', text: '' }])).toEqual([]);
   });

@@ -191,8 +191,8 @@ function Rows({ preview }: { preview: MissionPreview }): VNode | null {
         <table class="figures">
           <thead><tr><th scope="col">Waypoint</th><th scope="col">JSON index</th><th scope="col">File</th><th scope="col">Row</th></tr></thead>
           <tbody>
-            {rows.map(({ label, index, file, row }) => (
-              <tr key={index}><th scope="row">{label}</th><td>{index}</td><td>{file || none}</td><td>{row ?? none}</td></tr>
+            {rows.map(({ label, index, file, row, holds }) => (
+              <tr key={`${index} ${file}`}><th scope="row">{label}</th><td>{index}</td><td>{file || none}</td><td>{holds ? 'hold' : row ?? none}</td></tr>
             ))}
           </tbody>
         </table>
