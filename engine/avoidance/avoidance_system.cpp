@@ -89,6 +89,7 @@ Guidance AvoidanceSystem::react(const Sensed& sensed) {
   }
   last_time_ = sensed.own.time;
   perceive(sensed);
+  route_.skip_to(own_.waypoint);
   last_ = guide();
   return last_;
 }

@@ -73,6 +73,7 @@ struct OwnState {
   core::MetresPerSecond through_water{};   // horizontal speed through the water
   std::optional<core::Metres> altitude{};  // above the sea bed, where the altimeter has an echo
   bool at_surface{};                       // the vehicle drifts and does not steer
+  std::size_t waypoint{};                  // of the mission, that its autopilot steers for
 
   friend bool operator==(const OwnState&, const OwnState&) = default;
 };

@@ -190,6 +190,7 @@ class Flight::State {
     own_.through_water = {reckoning_.mean_speed_m_s().value_or(request_.vehicle.speed_through_water.value)};
     own_.altitude.reset();
     own_.at_surface = pilot_.phase() == MissionPilot::Phase::at_surface;
+    own_.waypoint = pilot_.waypoint();
   }
 
   void keep_point(avoidance::Mode mode) {

@@ -15,11 +15,13 @@ namespace {
 /// Nothing carries a glider over its whole way faster than this many times its own speed.
 constexpr double fastest_over_own = 2.0;
 
-/// Whether the data end before the vehicle can be at its last waypoint, however the water helps it.
+/// Whether the data end before the vehicle can be at its last waypoint, however the water helps it and however soon the
+/// pilot ends its holds.
 bool data_end_too_early(const FlightRequest& request) {
   Vector place = request.world.to_frame(request.start);
   double way_m = 0.0;
   for (const RouteStop& stop : flight_path(request.world, request.orders, request.start).stops) {
+    if (stop.hold) continue;
     way_m += std::hypot(stop.place.east - place.east, stop.place.north - place.north);
     place = stop.place;
   }

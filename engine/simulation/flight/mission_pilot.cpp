@@ -101,6 +101,7 @@ MissionPilot::Turned MissionPilot::at_surface(const Known& known) {
     phase_ = Phase::done;
     return turned;
   }
+  end_hold_in_time(known.time);
   if (std::exchange(awaits_list_, false)) halves_ = 0;
   phase_ = Phase::diving;
   open_water_ = known.place;
@@ -110,6 +111,19 @@ MissionPilot::Turned MissionPilot::at_surface(const Known& known) {
   held_since_ = known.time;
   turned.dived = true;
   return turned;
+}
+
+void MissionPilot::end_hold_in_time(core::UtcTime time) {
+  const auto hold = has_finished() ? std::nullopt : path_.stops[stop_].hold;
+  if (!hold) {
+    left_to_hold_.reset();
+    return;
+  }
+  const core::Seconds between = left_to_hold_ ? time - *left_to_hold_ : core::Seconds{0.0};
+  left_to_hold_ = time;
+  if (time + 0.5 * between < hold->planned) return;
+  stop_ = hold->next;
+  left_to_hold_.reset();
 }
 
 void MissionPilot::pass_waypoints(const Known& known, const avoidance::Guidance& guidance, Turned& turned) {

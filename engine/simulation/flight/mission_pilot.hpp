@@ -21,6 +21,8 @@ namespace floeplan::simulation {
 ///          looks for a lead for half an hour and then goes back to where it last was at the surface
 /// Lists    at the end of a list the vehicle comes up, by the surfacing for it or by an abort for want of a heading;
 ///          there the pilot sends the next one, where there is one, and the mission begins anew
+/// Holds    while the vehicle holds, the pilot sends the next list at the surfacing nearest to the planned end of the
+///          hold, and the list of the hold once more where it is flown long before
 /// Aim      motion::waypoint_heading
 class MissionPilot {
  public:
@@ -68,6 +70,7 @@ class MissionPilot {
   void seek_surface(const Known& known, bool hit_waypoint);
   void come_up(const SurfaceOrders& orders, std::size_t index, core::UtcTime time);
   void abort(std::string reason);
+  void end_hold_in_time(core::UtcTime time);
   /// Whether the list on board is flown.
   [[nodiscard]] bool has_no_heading() const { return has_finished() || awaits_list_; }
   /// Where the vehicle steers for, unless it is guided.
@@ -84,6 +87,7 @@ class MissionPilot {
   Phase phase_{Phase::at_surface};
   std::size_t stop_{};
   bool awaits_list_{};                              // those after `stop_` are not on board yet
+  std::optional<core::UtcTime> left_to_hold_{};     // the surface, last
   int halves_{};                                    // done of the yo
   int turns_{};                                     // since the last time up
   bool held_down_{};                                // on the way up, below ice that the system on board knows

@@ -84,7 +84,8 @@ avoidance::AvoidanceSettings avoidance_for(const vehicle::GliderProfile& vehicle
   settings.deepest = orders.yo.dive.depth;
   settings.vertical_margin = vehicle.altimeter_margin;
   settings.least_water = vehicle.least_water();
-  if (!orders.lists.empty()) settings.waypoint_radius = orders.lists.front().radius;
+  if (!orders.lists.empty())
+    settings.waypoint_radius = std::ranges::min(orders.lists, {}, &GotoOrders::radius).radius;
   return settings;
 }
 

@@ -203,6 +203,8 @@ class Reader {
     if (!flown) return refuse("/files/" + arguments.where() + "/" + flown.error().field, flown.error().rule);
     list.rows = *flown;
     list.hold = mission::hold_order(rows);
+    if (list.hold && list.hold->planned)
+      note("While the vehicle holds, the next list is sent at the surfacing nearest to the end of the hold.");
     orders_.lists.push_back(std::move(list));
   }
 
