@@ -286,6 +286,12 @@ inline constexpr auto ingest_current_kinds = std::to_array<Kind>({
      .hint = "Give a file with both components of the current or of that wind",
      .slots = {{{"others", ""}}}},
     // S-111.
+    {.code = "s-places-without-area",
+     .rank = Rank::caution,
+     .text =
+         "the places of the currents span no area: between fewer than three places, or places on a line, no "
+         "current is known",
+     .hint = "Ask the producer for a larger part"},
     {.code = "s-time-unreadable",
      .rank = Rank::caution,
      .text = "a record of the S-111 file has the unreadable time \"{text}\": it is damaged",

@@ -245,6 +245,13 @@ inline constexpr auto ingest_file_kinds = std::to_array<Kind>({
              "and mesh apart from each other; this program does not put them together",
      .hint = "Merge them into the layout of SCHISM 5.9 (one file with its mesh, hvel and zcor), or "
              "interpolate them to longitude, latitude and depth first"},
+    {.code = "water-levels-not-read",
+     .rank = Rank::caution,
+     .text = "this is a dataset of water levels (S-104). Plans take the sea as it lies at its charts' datum "
+             "or mean "
+             "level, so there is no place for them in the store",
+     .hint =
+         "For tides give harmonic constants, which the probe predicts the level from; for currents S-111"},
     {.code = "hydrographic-product-not-read",
      .rank = Rank::caution,
      .text = "this is a dataset of the product {product} in HDF5; of the S-100 family this program reads "

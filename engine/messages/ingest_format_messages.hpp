@@ -212,9 +212,12 @@ inline constexpr auto ingest_format_kinds = std::to_array<Kind>({
      .slots = {{{"dimension", "n"}, {"variable", "uo"}}}},
     {.code = "layout-of-a-mesh",
      .rank = Rank::caution,
-     .text = "the file is the output of an unstructured model (a mesh of triangles or cells, as FVCOM, "
-             "SELFE and UGRID write it), a layout that is not yet supported here",
-     .hint = "Interpolate it to a regular longitude-latitude grid first"},
+     .text =
+         "the file is the output of an unstructured model (a mesh of triangles or cells, as FVCOM, "
+         "SELFE and UGRID write it). Of meshes this program reads currents whose nodes have longitudes and "
+         "latitudes, which it does not find here",
+     .hint = "Ask for the longitudes and latitudes of the nodes, or interpolate it to a regular "
+             "longitude-latitude grid first"},
     {.code = "layout-of-roms",
      .rank = Rank::caution,
      .text = "the file is the output of a ROMS or CROCO model (a bent, staggered grid with levels that "
@@ -356,9 +359,20 @@ inline constexpr auto ingest_format_kinds = std::to_array<Kind>({
     {.code = "s-hundred-layout-not-read",
      .rank = Rank::caution,
      .text = "the values of {feature} in the S-100 file are those of {layout}; of this family the program "
-             "reads regular grids",
+             "reads regular grids, and of currents places of their own (data coding format 3)",
      .hint = "Ask its producer for one",
      .slots = {{{"feature", "SurfaceCurrent"}, {"layout", "fixed stations"}}}},
+    {.code = "s-hundred-places-projected",
+     .rank = Rank::caution,
+     .text = "the values of the S-100 file lie at places of their own that are not longitudes and latitudes",
+     .hint = "Ask its producer for one in longitude and latitude (EPSG:4326)"},
+    {.code = "s-hundred-place-impossible",
+     .rank = Rank::caution,
+     .text = "a place of the S-100 file is {lon} degrees east, {lat} degrees north, which is not on the "
+             "Earth: the "
+             "file is damaged",
+     .hint = "Copy or download it again",
+     .slots = {{{"lon", "-999"}, {"lat", "45"}}}},
     {.code = "s-hundred-order-not-read",
      .rank = Rank::caution,
      .text = "the grid of the S-100 file runs in an order that this program does not follow",
@@ -437,7 +451,7 @@ inline constexpr auto ingest_format_kinds = std::to_array<Kind>({
      .hint = "Copy or download the chart again"},
     {.code = "ice-gml-stages-too-many",
      .rank = Rank::caution,
-     .text = "an area of sea ice has more than five stages of development, as no chart has",
+     .text = "an area of sea ice has more than five stages of development, more than any chart has",
      .hint = "Ask the producer of the chart"},
     {.code = "ice-gml-several-crs",
      .rank = Rank::caution,
@@ -590,12 +604,13 @@ inline constexpr auto ingest_format_kinds = std::to_array<Kind>({
      .slots = {{{"variable", "h"}, {"depth", "99999"}}}},
     {.code = "mesh-of-many-corners",
      .rank = Rank::caution,
-     .text = "the mesh \"{variable}\" has faces of more than four corners, which this program does not read",
+     .text =
+         "the mesh \"{variable}\" has faces of more than {most} corners, which this program does not read",
      .hint = "Interpolate the data to a regular grid, or split such faces into triangles first",
-     .slots = {{{"variable", "nv"}}}},
+     .slots = {{{"variable", "nv"}, {"most", 12}}}},
     {.code = "mesh-damaged",
      .rank = Rank::caution,
-     .text = "the table of the mesh \"{variable}\" names nodes that do not exist or has not three or four "
+     .text = "the table of the mesh \"{variable}\" names nodes that do not exist or has not three or more "
              "for each face: the file is damaged",
      .hint = "Copy or download it again",
      .slots = {{{"variable", "nv"}}}},

@@ -135,6 +135,15 @@ inline constexpr auto ingest_iceberg_kinds = std::to_array<Kind>({
      .rank = Rank::caution,
      .text = "\"{text}\" is not a time with its zone",
      .slots = {{{"text", "noon"}}}},
+    {.code = "confidence-impossible",
+     .rank = Rank::caution,
+     .text = "the confidence {confidence} is neither a share from 0 to 1 nor a percentage",
+     .hint = "Correct it, or leave it out",
+     .slots = {{{"confidence", "250"}}}},
+    {.code = "detections-all-count",
+     .rank = Rank::note,
+     .text = "every detection counts as an iceberg, however unsure; its confidence stands beside the method",
+     .hint = "Leave out those that you do not believe before you give the list"},
 });
 
 /// The message of this code; it is told its values in the order of the catalogue.

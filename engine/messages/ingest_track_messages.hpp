@@ -123,6 +123,46 @@ inline constexpr auto ingest_track_kinds = std::to_array<Kind>({
      .text = "the log \"{log}\" has no {sensors}: without time and position there is no track",
      .hint = "Convert it with these sensors",
      .slots = {{{"log", "unit-2026-001.dbd.nc"}, {"sensors", "m_present_time"}}}},
+    // Seagliders.
+    {.code = "seaglider-head-incomplete",
+     .rank = Rank::caution,
+     .text = "the first lines of the Seaglider's file do not say of which glider and dive it is and when the "
+             "dive began: the file is damaged or was cut short",
+     .hint = "Copy it from the basestation again"},
+    {.code = "seaglider-columns-missing",
+     .rank = Rank::caution,
+     .text =
+         "the engineering record has no columns elaps_t and depth with their rows: it is damaged or was cut "
+         "short",
+     .hint = "Copy it from the basestation again"},
+    {.code = "seaglider-record-alone",
+     .rank = Rank::caution,
+     .text = "an engineering record of a Seaglider holds depths, but no positions",
+     .hint = "Give it together with the log of the same dive (.log), or give the dive's NetCDF"},
+    {.code = "seaglider-log-too-long",
+     .rank = Rank::caution,
+     .text = "a file of a Seaglider's dive is longer than 50 MB, longer than any dive writes",
+     .hint = "Copy it from the basestation again"},
+    {.code = "seaglider-current-of-log",
+     .rank = Rank::note,
+     .text =
+         "the current of a dive is the vehicle's own estimate ($CURRENT in its log), read as the direction "
+         "towards which it flows from true north. The dive's NetCDF has the basestation's, which is better"},
+    {.code = "seaglider-current-bad",
+     .rank = Rank::note,
+     .text =
+         "the depth-averaged current of a dive was left out, because the basestation calls it bad or missing "
+         "(depth_avg_curr_qc)"},
+    {.code = "seaglider-flags-unreadable",
+     .rank = Rank::caution,
+     .text = "the depth-averaged current of a dive was left out: whether the basestation calls it good "
+             "(depth_avg_curr_qc) cannot be read in a file that is not NetCDF-4",
+     .hint = "Convert the file to NetCDF-4, for example with nccopy -4"},
+    {.code = "seaglider-reckoned-places-bad",
+     .rank = Rank::note,
+     .text =
+         "the reckoned positions of a dive were left out, because the basestation calls them bad or missing, "
+         "or its word of them (latlong_qc) cannot be read. The dive lies between its fixes"},
     // Logs of Slocum gliders.
     {.code = "log-unreadable",
      .rank = Rank::caution,

@@ -64,7 +64,14 @@ struct Reading {
 enum class Writing : std::uint8_t { folder, binary, json, xml, text };
 
 /// Which other files may make one dataset with a file; see file_groups.
-enum class Together : std::uint8_t { none, model_output, chart_updates, glider_log };
+enum class Together : std::uint8_t {
+  none,
+  model_output,
+  chart_updates,
+  glider_log,
+  seaglider_dives,
+  seaexplorer_dives
+};
 
 /// A format that this program reads: a row of data_formats().
 struct DataFormat {

@@ -34,6 +34,9 @@
 #include "storage/ingest/readers/icebergs/iceberg_table_reader.hpp"
 #include "storage/ingest/readers/tides/tcd_stations.hpp"
 #include "storage/ingest/readers/tides/tide_table.hpp"
+#include "storage/ingest/readers/tracks/seaexplorer_reader.hpp"
+#include "storage/ingest/readers/tracks/seaglider_log.hpp"
+#include "storage/ingest/readers/tracks/seaglider_reader.hpp"
 #include "storage/ingest/readers/tracks/slocum_reader.hpp"
 #include "storage/ingest/readers/zones/feature_kind.hpp"
 #include "storage/ingest/readers/zones/zone_reader.hpp"
@@ -146,7 +149,9 @@ std::vector<DataFormat> all_formats() {
        .check = check_hdf5_references},
 
       {.name = "S-111",
-       .reads = "surface currents of a hydrographic office on a regular grid",
+       .reads = "surface currents of a hydrographic office on a regular grid, or at places of their own "
+                "(data coding "
+                "formats 2 and 3)",
        .kinds = {currents},
        .writing = Writing::binary,
        .is_it = [](const FileStart& start) { return is_s100(start.bytes, "S-111"); },
@@ -156,7 +161,8 @@ std::vector<DataFormat> all_formats() {
       {.name = "NetCDF",
        .reads = "model output on regular, curvilinear and staggered grids and meshes; GEBCO, ETOPO, IBCAO "
                 "and EMODnet; "
-                "TPXO, TMD, FES and HAMTIDE; GSHHG as GMT has it; tracks of the IOOS DAC and OG1, dbd2netcdf",
+                "TPXO, TMD, FES and HAMTIDE; GSHHG as GMT has it; tracks of the IOOS DAC and OG1, "
+                "dbd2netcdf, dives of a Seaglider",
        .kinds = {currents, wind, bathymetry, ice, tides, coastline, glider_tracks},
        .writing = Writing::binary,
        .is_it = [](const FileStart& start) { return is_classic_netcdf(start.bytes) || is_hdf5(start.bytes); },
@@ -315,7 +321,9 @@ std::vector<DataFormat> all_formats() {
        .has_lines = true},
 
       {.name = "table of your own",
-       .reads = "icebergs: columns id, lat, lon and time, and what else is known of them",
+       .reads = "icebergs: columns id, lat, lon and time, and what else is known of them; detections from "
+                "satellites "
+                "with a confidence in place of the id",
        .kinds = {icebergs},
        .writing = Writing::text,
        .is_it =
@@ -357,6 +365,25 @@ std::vector<DataFormat> all_formats() {
        .is_it = [](const FileStart& start) { return is_slocum_text(start.bytes); },
        .read = read_slocum,
        .together = Together::glider_log},
+
+      {.name = "Seaglider",
+       .reads = "the log of each dive, .log, with its engineering record, .eng",
+       .kinds = {glider_tracks},
+       .writing = Writing::text,
+       .is_it =
+           [](const FileStart& start) {
+             return is_seaglider_log(start.bytes) || is_seaglider_record(start.bytes);
+           },
+       .read = [](const Reading& r) { return read_seaglider_logs(r.files, r.progress); },
+       .together = Together::seaglider_dives},
+
+      {.name = "SeaExplorer",
+       .reads = "navigation and payload of each dive, gli and pld1, text with semicolons",
+       .kinds = {glider_tracks},
+       .writing = Writing::text,
+       .is_it = [](const FileStart& start) { return is_seaexplorer_text(start.bytes); },
+       .read = [](const Reading& r) { return read_seaexplorer_texts(r.files, r.progress); },
+       .together = Together::seaexplorer_dives},
 
       {.name = "grid of depths",
        .reads = "a table with the columns lon, lat and depth or elevation",

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "storage/ingest/common/gdal_guard.hpp"
+#include "storage/ingest/files/first_bytes.hpp"
 #include "storage/ingest/files/sidecar.hpp"
 #include "storage/ingest/format_of.hpp"
 #include "storage/ingest/formats/netcdf/netcdf_coordinates.hpp"
@@ -15,6 +16,9 @@
 #include "storage/ingest/readers/tides/tide_layout.hpp"
 #include "storage/ingest/readers/tides/tide_variables.hpp"
 #include "storage/ingest/readers/tracks/glider_netcdf.hpp"
+#include "storage/ingest/readers/tracks/seaexplorer_reader.hpp"
+#include "storage/ingest/readers/tracks/seaglider_log.hpp"
+#include "storage/ingest/readers/tracks/seaglider_reader.hpp"
 #include "storage/ingest/readers/velocity/velocity_pair.hpp"
 
 namespace floeplan::ingest {
@@ -30,7 +34,7 @@ struct Member {
   bool tables_alone{false};            // no velocity, but positions
   bool chart{false};                   // a cell of S-57, or an update of one
   std::string track;                   // of a glider, and of the files of the same track; empty: of none
-  int segment{};                       // of a Slocum's log
+  int segment{};                       // of the log of a glider, or the number of its dive
   bool sensor_cache{false};            // the list of sensors of binary logs
   bool transports{false};              // of a tide, without depths
   bool tide_depths{false};             // the grid file of such tides
@@ -64,10 +68,25 @@ Member member_of(const std::filesystem::path& path) {
     if (!name.mission.empty()) member.track = name.mission + (binary ? " binary" : "");
     member.segment = name.segment;
   }
+  if (together == Together::seaglider_dives) {
+    if (const auto dive = seaglider_dive_of(first_bytes(path, 4096))) {
+      member.track = dive->mission;
+      member.segment = dive->dive;
+    }
+  }
+  if (together == Together::seaexplorer_dives) {
+    const SeaexplorerName name = seaexplorer_name_of(path);
+    member.track = name.mission;
+    member.segment = name.dive;
+  }
   member.sensor_cache = !format && holds_sensor_cache(path);
   if (together != Together::model_output) return member;
   auto file = NetcdfFile::open(path);
   if (!file) return member;
+  if (is_seaglider_dive(*file)) {
+    member.track = seaglider_mission_of(*file);
+    return member;
+  }
   if (is_glider_track(*file)) {  // of which there may be hundreds, so none stays open
     member.track = trajectory_of(*file);
     return member;

@@ -19,6 +19,7 @@
 #include "storage/ingest/readers/tides/tide_reader.hpp"
 #include "storage/ingest/readers/tides/tide_variables.hpp"
 #include "storage/ingest/readers/tracks/glider_netcdf.hpp"
+#include "storage/ingest/readers/tracks/seaglider_reader.hpp"
 #include "storage/ingest/readers/tracks/slocum_reader.hpp"
 #include "storage/ingest/readers/velocity/velocity_hints.hpp"
 #include "storage/ingest/readers/velocity/velocity_names.hpp"
@@ -111,6 +112,8 @@ messages::Message nothing_known(const NetcdfFile& file) {
   for (const char* const part : {"horizontalVelX", "horizontalVelY", "zCoordinates"})
     if (file.find(part) != nullptr) return messages::ingest_file_message<"schism-in-parts">();
   if (auto left_out = ice_left_out(file)) return std::move(*left_out);
+  if (file.attribute("productSpecification").starts_with("INT.IHO.S-104"))
+    return messages::ingest_file_message<"water-levels-not-read">();
   if (const std::string product = file.attribute("productSpecification"); product.starts_with("INT.IHO.S-"))
     return messages::ingest_file_message<"hydrographic-product-not-read">(product);
   if (holds_ice_thickness(file)) return messages::ingest_file_message<"thickness-without-concentration">();
@@ -207,7 +210,7 @@ Checked<bool> look_into_netcdf(RecognisedFile& file, const Expectation& expected
   auto netcdf = NetcdfFile::open(file.path, expected.missing);
   if (!netcdf) return refuse(netcdf.error());
   file.netcdf = std::make_shared<const NetcdfFile>(std::move(*netcdf));
-  if (is_glider_track(*file.netcdf) || is_slocum_netcdf(*file.netcdf)) {
+  if (is_seaglider_dive(*file.netcdf) || is_glider_track(*file.netcdf) || is_slocum_netcdf(*file.netcdf)) {
     file.kinds = {DatasetKind::glider_tracks};
     return true;
   }
@@ -222,6 +225,8 @@ Checked<bool> look_into_netcdf(RecognisedFile& file, const Expectation& expected
 Checked<PreparedDataset> read_netcdf(const Reading& reading) {
   const RecognisedFile& file = reading.file;
   const IngestOptions& options = reading.options;
+  if (reading.kind == DatasetKind::glider_tracks && is_seaglider_dive(*file.netcdf))
+    return read_seaglider_netcdf(reading.files, reading.progress);
   if (reading.kind == DatasetKind::glider_tracks)
     return is_glider_track(*file.netcdf) ? read_glider_netcdf(reading.files, reading.progress)
                                          : read_slocum_tracks(reading.files, reading.progress);

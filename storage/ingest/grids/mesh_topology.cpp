@@ -12,6 +12,7 @@ namespace floeplan::ingest {
 namespace {
 
 constexpr std::uint64_t max_nodes = 3'000'000;
+constexpr std::uint64_t most_corners = 12;  // chosen: Delft3D FM allows six
 
 /// The variables that describe a mesh.
 struct Description {
@@ -71,7 +72,6 @@ std::optional<FaceTable> table_of(const NetcdfVariable& faces) {
       return FaceTable{corner, static_cast<std::size_t>(corners), static_cast<std::size_t>(count)};
   }
   // Room for more corners than most faces have, as Delft3D FM leaves it.
-  constexpr std::uint64_t most_corners = 12;
   const std::uint64_t corners = dimensions[1].size;
   if (corners > 4 && corners <= most_corners && dimensions[0].size > 0)
     return FaceTable{1, static_cast<std::size_t>(corners), static_cast<std::size_t>(dimensions[0].size)};
@@ -82,8 +82,19 @@ messages::Message damaged(const NetcdfVariable& faces) {
   return messages::ingest_format_message<"mesh-damaged">(faces.name());
 }
 
-Checked<std::vector<SourceMesh::Cell>> read_faces(const Description& description, std::size_t nodes) {
+/// Without what stands in the place of corners that a face does not have: numbers before the first node, or its own
+/// corners once more.
+void drop_repeats(std::vector<std::uint32_t>& corners) {
+  while (corners.size() > 3 &&
+         std::find(corners.begin(), corners.end() - 1, corners.back()) != corners.end() - 1)
+    corners.pop_back();
+}
+
+Checked<MeshFaces> read_faces(const Description& description, std::size_t nodes) {
   const NetcdfVariable& table = *description.faces;
+  if (table.dimensions()[0].size > 4 && table.dimensions()[1].size > most_corners &&
+      table.dimensions()[0].size > most_corners)
+    return refuse(messages::ingest_format_message<"mesh-of-many-corners">(table.name(), most_corners));
   const auto shape = table_of(table);
   if (!shape || shape->count > 2 * max_nodes) return refuse(damaged(table));
   const auto values = table.read_all();
@@ -92,22 +103,23 @@ Checked<std::vector<SourceMesh::Cell>> read_faces(const Description& description
   // Without a word UGRID counts from zero and FVCOM from one.
   const double start = table.numeric_attribute("start_index").value_or(description.by_ugrid ? 0.0 : 1.0);
   const auto at = [&](std::size_t face, std::size_t corner) {
-    return shape->corner_dimension == 0 ? (*values)[corner * shape->count + face]
-                                        : (*values)[face * shape->corners + corner];
+    return (shape->corner_dimension == 0 ? (*values)[corner * shape->count + face]
+                                         : (*values)[face * shape->corners + corner]) -
+           start;
   };
-  std::vector<SourceMesh::Cell> faces(shape->count);
+  MeshFaces faces;
+  std::vector<std::uint32_t> corners;
   for (std::size_t face = 0; face < shape->count; ++face) {
-    for (std::size_t corner = 0; corner < 4; ++corner) {
-      double node = corner < shape->corners ? at(face, corner) - start : NAN;
-      // The fourth corner of a triangle is missing, or repeats one, or lies before the first node.
-      if (corner == 3 && !(node >= 0.0)) node = static_cast<double>(faces[face][2]);
+    corners.clear();
+    for (std::size_t corner = 0; corner < shape->corners; ++corner) {
+      const double node = at(face, corner);
+      if (corner >= 3 && !(node >= 0.0)) break;
       if (!(node >= 0.0 && node < static_cast<double>(nodes)) || node != std::floor(node))
         return refuse(damaged(table));
-      faces[face][corner] = static_cast<std::uint32_t>(node);
+      corners.push_back(static_cast<std::uint32_t>(node));
     }
-    for (std::size_t corner = 4; corner < shape->corners; ++corner)
-      if (const double node = at(face, corner) - start; node >= 0.0 && node < static_cast<double>(nodes))
-        return refuse(messages::ingest_format_message<"mesh-of-many-corners">(table.name()));
+    drop_repeats(corners);
+    faces.add(corners);
   }
   return faces;
 }

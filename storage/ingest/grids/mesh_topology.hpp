@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -12,10 +13,30 @@
 
 namespace floeplan::ingest {
 
-/// A horizontal mesh of triangles (or quadrilaterals) as a file describes it.
+/// Faces of a mesh, three corners or more each, in turn round the face, as indices of nodes.
+class MeshFaces {
+ public:
+  using Corners = std::span<const std::uint32_t>;
+
+  void add(Corners corners) {
+    corners_.insert(corners_.end(), corners.begin(), corners.end());
+    ends_.push_back(corners_.size());
+  }
+  [[nodiscard]] std::size_t size() const { return ends_.size(); }
+  [[nodiscard]] Corners operator[](std::size_t face) const {
+    const std::size_t begin = face == 0 ? 0 : ends_[face - 1];
+    return Corners{corners_}.subspan(begin, ends_[face] - begin);
+  }
+
+ private:
+  std::vector<std::uint32_t> corners_;
+  std::vector<std::size_t> ends_;  // of each face among them
+};
+
+/// A horizontal mesh as a file describes it.
 struct MeshTopology {
   std::vector<geo::LonLat> nodes;
-  std::vector<SourceMesh::Cell> faces;  // corners as indices of nodes; a triangle repeats its third
+  MeshFaces faces;
   std::string node_dimension;
   std::string face_dimension;
 };
@@ -24,8 +45,8 @@ struct MeshTopology {
 [[nodiscard]] bool lies_on_mesh(const NetcdfFile& file, const NetcdfVariable& variable);
 
 /// The mesh of a file, by the UGRID conventions or as FVCOM writes it (nv, lon, lat).
-/// Errors   no mesh; nodes without longitude and latitude; faces with corners that do not exist; more than this program
-///          accepts
+/// Errors   no mesh; nodes without longitude and latitude; faces with corners that do not exist, or with more than twelve;
+///          more than this program accepts
 /// Source   UGRID conventions 1.0, section "2D triangular and flexible mesh topology"; FVCOM user manual
 [[nodiscard]] Checked<MeshTopology> mesh_topology(const NetcdfFile& file);
 

@@ -38,6 +38,8 @@ const std::map<std::string, std::string>& beginnings() {
        "ICEBERG_YEAR,ICEBERG_NUMBER,SIGHTING_DATE,SIGHTING_TIME,SIGHTING_LATITUDE,SIGHTING_LONGITUDE,"
        "SIGHTING_METHOD,SIZE,SHAPE\n"},
       {"table of your own", "id,lat,lon,time\n"},
+      {"Seaglider", "version: 66.11\nrevision: 1138\nglider: 561\nmission: 6\ndive: 5\n"},
+      {"SeaExplorer", "Timestamp;NavState;Depth;Lat;Lon;\n"},
       {"XYZ", "-52.0 69.0 -120\n-51.9 69.0 -130\n"},
       {"grid of depths", "lon,lat,depth\n"}};
   return all;

@@ -15,9 +15,10 @@ using Attribute = Hdf5Handle<H5Aclose>;
 using Type = Hdf5Handle<H5Tclose>;
 using Space = Hdf5Handle<H5Sclose>;
 
-constexpr std::size_t longest_text = 65'536;  // bytes; the head of an object, which holds it, has no more
-constexpr hssize_t most_texts = 1000;         // chosen: tables of texts describe what a product has
-constexpr std::size_t largest_number = 16;    // bytes of one number
+constexpr std::size_t longest_text = 65'536;   // bytes; the head of an object, which holds it, has no more
+constexpr hssize_t most_numbers = 10'000'000;  // chosen: as many as a grid may have points
+constexpr hssize_t most_texts = 1000;          // chosen: tables of texts describe what a product has
+constexpr std::size_t largest_number = 16;     // bytes of one number
 
 tl::unexpected<Messages> unreadable_part(const std::string& name) {
   return refuse(messages::ingest_format_message<"hdf-part-unreadable">(name));
@@ -104,6 +105,21 @@ Checked<std::vector<float>> Hdf5Table::numbers(const std::string& part, std::siz
   return values;
 }
 
+Checked<std::vector<double>> Hdf5Table::all_numbers(const std::string& part) const {
+  const QuietHdf5 quiet;
+  const Type in_file = type_of_part(open_->type.get(), part);
+  const Space space{H5Dget_space(open_->dataset.get())};
+  const hssize_t count = space ? H5Sget_simple_extent_npoints(space.get()) : -1;
+  if (!in_file || count < 0 || count > most_numbers) return unreadable_part(open_->name);
+  const H5T_class_t kind = H5Tget_class(in_file.get());
+  if (kind != H5T_FLOAT && kind != H5T_INTEGER) return unreadable_part(part);
+  std::vector<double> values(static_cast<std::size_t>(count));
+  const Type in_memory = part_alone(part, H5T_NATIVE_DOUBLE);
+  if (H5Dread(open_->dataset.get(), in_memory.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0)
+    return unreadable_part(open_->name);
+  return values;
+}
+
 Checked<std::vector<std::string>> Hdf5Table::texts(const std::string& part) const {
   const QuietHdf5 quiet;
   const Type in_file = type_of_part(open_->type.get(), part);
@@ -184,6 +200,22 @@ std::optional<std::string> Hdf5Group::text(const std::string& attribute) const {
   std::vector<char> bytes(size);
   if (H5Aread(found.get(), in_memory.get(), bytes.data()) < 0) return std::nullopt;
   return bounded_text(bytes.data(), size);
+}
+
+std::string Hdf5Group::characters(const std::string& dataset) const {
+  const QuietHdf5 quiet;
+  if (H5Lexists(open_->object.get(), dataset.c_str(), H5P_DEFAULT) <= 0) return {};
+  const Hdf5Handle<H5Dclose> opened{H5Dopen2(open_->object.get(), dataset.c_str(), H5P_DEFAULT)};
+  if (!opened) return {};
+  const Type type{H5Dget_type(opened.get())};
+  const Space space{H5Dget_space(opened.get())};
+  const hssize_t count = space ? H5Sget_simple_extent_npoints(space.get()) : -1;
+  if (!type || H5Tget_class(type.get()) != H5T_STRING || H5Tis_variable_str(type.get()) > 0 ||
+      H5Tget_size(type.get()) != 1 || count <= 0 || count > most_texts)
+    return {};
+  std::string text(static_cast<std::size_t>(count), '\0');
+  if (H5Dread(opened.get(), type.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, text.data()) < 0) return {};
+  return bounded_text(text.data(), text.size());
 }
 
 std::vector<std::string> Hdf5Group::members() const {

@@ -24,6 +24,9 @@ class Hdf5Table {
   /// Errors  no such part, or one that is no number; damage
   [[nodiscard]] Checked<std::vector<float>> numbers(const std::string& part, std::size_t first_row,
                                                     std::size_t rows) const;
+  /// One part of all elements, whatever the shape, the last index fastest.
+  /// Errors  no such part, or one that is no number; more than ten million elements; damage
+  [[nodiscard]] Checked<std::vector<double>> all_numbers(const std::string& part) const;
   /// One part of all elements of a table of one dimension.
   /// Errors  no such part, or one that is no text; more than a thousand elements; damage
   [[nodiscard]] Checked<std::vector<std::string>> texts(const std::string& part) const;
@@ -47,6 +50,9 @@ class Hdf5Group {
   [[nodiscard]] std::optional<double> number(const std::string& attribute) const;
   /// An attribute that is one text, without the blanks round it.
   [[nodiscard]] std::optional<std::string> text(const std::string& attribute) const;
+  /// What a dataset of single characters spells, as NetCDF writes its texts; empty where there is none, or a longer one
+  /// than a thousand.
+  [[nodiscard]] std::string characters(const std::string& dataset) const;
   /// Names of what it holds, sorted.
   [[nodiscard]] std::vector<std::string> members() const;
   /// Errors  there is none of this name; damage

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/geo/written_place.hpp"
 #include "engine/messages/ingest_format_messages.hpp"
 #include "storage/ingest/common/missing_value.hpp"
 #include "storage/ingest/formats/netcdf/netcdf_axis.hpp"
@@ -16,7 +17,8 @@
 namespace floeplan::ingest {
 namespace {
 
-constexpr double regular_grid = 2.0;       // dataCodingFormat
+constexpr double regular_grid = 2.0;  // dataCodingFormat
+constexpr double ungeorectified_grid = 3.0;
 constexpr double most_side = 1'000'000.0;  // nodes along one side
 constexpr std::size_t most_records = 100'000;
 
@@ -69,7 +71,8 @@ Checked<std::vector<double>> s100_nodes(const Hdf5Group& area, const std::string
 }
 
 Checked<geo::GridFrame> s100_frame(const Hdf5Group& file) {
-  const auto code = file.number("horizontalCRS");
+  auto code = file.number("horizontalCRS");
+  if (!code && file.text("horizontalDatumReference") == "EPSG") code = file.number("horizontalDatumValue");
   if (!code) return s100_lacks("which reference system its places have (horizontalCRS)");
   OGRSpatialReference crs;
   if (!(*code > 0.0 && *code <= 999'999.0) || crs.importFromEPSG(static_cast<int>(*code)) != OGRERR_NONE)
@@ -157,6 +160,68 @@ Checked<std::vector<float>> S100Coverage::read(const Hdf5Table& table, const std
     }
   }
   return result;
+}
+
+Checked<std::vector<float>> S100Points::read(std::size_t record, const std::string& value) const {
+  const auto table = records[record].table("values");
+  if (!table) return refuse(table.error());
+  const auto stored = table->all_numbers(value);
+  if (!stored) return refuse(stored.error());
+  if (stored->size() != places.size())
+    return refuse(messages::ingest_format_message<"s-hundred-record-of-other-size">());
+  const auto described = values.find(value);
+  const float fill = described == values.end() ? missing : described->second.fill;
+  std::vector<float> result;
+  result.reserve(stored->size());
+  for (const double number : *stored) {
+    const auto single = static_cast<float>(number);
+    result.push_back(!std::isfinite(single) || single == fill ? missing : single);
+  }
+  return result;
+}
+
+Checked<S100Layout> s100_layout(const std::filesystem::path& path, const std::string& feature_name) {
+  const auto file = Hdf5Group::root_of(path);
+  if (!file) return refuse(file.error());
+  const auto feature = file->group(feature_name);
+  if (!feature) return refuse(feature.error());
+  const double layout = feature->number("dataCodingFormat").value_or(0.0);
+  if (layout == regular_grid) return S100Layout::regular_grid;
+  return layout == ungeorectified_grid ? S100Layout::points : S100Layout::other;
+}
+
+Checked<S100Points> s100_points(const std::filesystem::path& path, const std::string& feature_name) {
+  auto file = Hdf5Group::root_of(path);
+  if (!file) return refuse(file.error());
+  const auto feature = file->group(feature_name);
+  if (!feature) return refuse(feature.error());
+  const auto area = only_area(*feature, feature_name);
+  if (!area) return refuse(area.error());
+  const auto frame = s100_frame(*file);
+  if (!frame) return refuse(frame.error());
+  if (!std::holds_alternative<geo::GeographicFrame>(*frame))
+    return refuse(messages::ingest_format_message<"s-hundred-places-projected">());
+  const auto positioning = area->group("Positioning");
+  if (!positioning) return refuse(positioning.error());
+  const auto table = positioning->table("geometryValues");
+  if (!table) return refuse(table.error());
+  const auto lons = table->all_numbers("longitude");
+  if (!lons) return refuse(lons.error());
+  const auto lats = table->all_numbers("latitude");
+  if (!lats) return refuse(lats.error());
+  std::vector<geo::LonLat> places;
+  for (std::size_t i = 0; i < lons->size(); ++i) {
+    const auto place = geo::written_place((*lons)[i], (*lats)[i]);
+    if (!place)
+      return refuse(messages::ingest_format_message<"s-hundred-place-impossible">(number((*lons)[i]),
+                                                                                  number((*lats)[i])));
+    places.push_back(*place);
+  }
+  auto values = described_values(*file, feature_name);
+  if (!values) return refuse(values.error());
+  auto records = records_in(*area);
+  if (!records) return refuse(records.error());
+  return S100Points{std::move(*file), std::move(places), std::move(*values), std::move(*records)};
 }
 
 Checked<S100Coverage> s100_coverage(const std::filesystem::path& path, const std::string& feature_name) {

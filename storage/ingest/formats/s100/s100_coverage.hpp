@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <string>
 #include <string_view>
@@ -38,10 +39,32 @@ struct S100Coverage {
                                                  std::size_t first_row, std::size_t rows) const;
 };
 
+/// Values of an S-100 product at places of their own, its records sorted by name.
+struct S100Points {
+  Hdf5Group file;                           // with what is said of the whole dataset
+  std::vector<geo::LonLat> places;          // in the order of the tables
+  std::map<std::string, S100Value> values;  // by the name of the value
+  std::vector<Hdf5Group> records;
+
+  /// One value of a record at all places, NaN where there is none.
+  [[nodiscard]] Checked<std::vector<float>> read(std::size_t record, const std::string& value) const;
+};
+
+/// How the values of a feature lie, as its dataCodingFormat says it.
+enum class S100Layout : std::uint8_t { regular_grid, points, other };
+[[nodiscard]] Checked<S100Layout> s100_layout(const std::filesystem::path& path, const std::string& feature);
+
+/// Opens the one area of a feature whose values are those of an ungeorectified grid (dataCodingFormat 3), which has a
+/// list of places and nothing that says which of them are neighbours.
+/// Errors   several areas; places that are no longitudes and latitudes; damage
+/// Source   IHO S-100 edition 5.2.0, part 10c: tables 10c-6, 10c-12 and 10c-16
+[[nodiscard]] Checked<S100Points> s100_points(const std::filesystem::path& path, const std::string& feature);
+
 /// Opens the one area of a feature ("SurfaceCurrent") of a file that check_hdf5_references has looked at.
 /// Errors   several areas; values at stations, on meshes or on grids that are not regular; a scanning order other than
 ///          rows from south to north; a reference system that the engine cannot use; damage
-/// Source   IHO S-100 edition 5.2.0, part 10c: tables 10c-6 to 10c-12
+/// Source   IHO S-100 edition 5.2.0, part 10c: tables 10c-6 to 10c-12; of edition 4 the reference system, which it calls
+///          horizontalDatumValue
 [[nodiscard]] Checked<S100Coverage> s100_coverage(const std::filesystem::path& path,
                                                   const std::string& feature);
 

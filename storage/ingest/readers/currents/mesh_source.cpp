@@ -17,14 +17,12 @@
 namespace floeplan::ingest {
 namespace {
 
-std::size_t corners_of(const SourceMesh::Cell& face) { return face[2] == face[3] ? 3 : 4; }
-
 struct MeshParts {
   NetcdfFiles files;  // kept open
   VelocityComponent first;
   VelocityComponent second;
   bool in_faces{false};
-  std::vector<SourceMesh::Cell> faces;
+  MeshFaces faces;
   std::vector<geo::LonLat> points;  // the nodes, and behind them the middles of faces that have currents
   std::size_t nodes{};
   std::shared_ptr<const BedLevels> levels;  // null: depths, or none
@@ -70,11 +68,11 @@ class MeshSource : public VelocitySource {
       return at_points;
     }
     if (!parts_.in_faces) return depths;
-    for (const SourceMesh::Cell& face : parts_.faces) {
-      const std::size_t corners = corners_of(face);
+    for (std::size_t face = 0; face < parts_.faces.size(); ++face) {
+      const MeshFaces::Corners corners = parts_.faces[face];
       float sum = 0.0F;
-      for (std::size_t i = 0; i < corners; ++i) sum += (*depths)[face[i]];
-      depths->push_back(sum / static_cast<float>(corners));
+      for (const std::uint32_t corner : corners) sum += (*depths)[corner];
+      depths->push_back(sum / static_cast<float>(corners.size()));
     }
     return depths;
   }
@@ -86,9 +84,9 @@ class MeshSource : public VelocitySource {
     std::vector<int> count(parts_.nodes, 0);
     for (std::size_t i = 0; i < parts_.faces.size(); ++i) {
       if (std::isnan(in_faces[i])) continue;
-      for (std::size_t corner = 0; corner < corners_of(parts_.faces[i]); ++corner) {
-        sums[parts_.faces[i][corner]] += static_cast<double>(in_faces[i]);
-        ++count[parts_.faces[i][corner]];
+      for (const std::uint32_t corner : parts_.faces[i]) {
+        sums[corner] += static_cast<double>(in_faces[i]);
+        ++count[corner];
       }
     }
     std::vector<float> means(parts_.nodes, missing);
@@ -108,25 +106,39 @@ class MeshSource : public VelocitySource {
   SourceShape shape_;
 };
 
-geo::LonLat middle_of(const MeshTopology& mesh, const SourceMesh::Cell& face) {
+geo::LonLat middle_of(const MeshTopology& mesh, MeshFaces::Corners face) {
   UnitVector sum;
-  for (std::size_t i = 0; i < corners_of(face); ++i) {
-    const UnitVector corner = unit_vector(mesh.nodes[face[i]]);
+  for (const std::uint32_t node : face) {
+    const UnitVector corner = unit_vector(mesh.nodes[node]);
     sum = {sum.x + corner.x, sum.y + corner.y, sum.z + corner.z};
   }
   return lon_lat(sum);
 }
 
-/// The dimension of a variable that runs along the mesh.
+/// Faces as cells of three or four corners: those of more as triangles that meet in their first corner.
+std::vector<SourceMesh::Cell> cells_of(const MeshFaces& faces) {
+  std::vector<SourceMesh::Cell> cells;
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    const MeshFaces::Corners face = faces[i];
+    if (face.size() == 4) {
+      cells.push_back({face[0], face[1], face[2], face[3]});
+      continue;
+    }
+    for (std::size_t corner = 2; corner < face.size(); ++corner)
+      cells.push_back({face[0], face[corner - 1], face[corner], face[corner]});
+  }
+  return cells;
+}
+
 /// Each face as triangles between its middle and its sides.
 std::vector<SourceMesh::Cell> split_faces(const MeshTopology& mesh) {
   std::vector<SourceMesh::Cell> cells;
   for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
-    const std::size_t corners = corners_of(mesh.faces[i]);
+    const MeshFaces::Corners face = mesh.faces[i];
     const auto middle = static_cast<std::uint32_t>(mesh.nodes.size() + i);
-    for (std::size_t corner = 0; corner < corners; ++corner) {
-      const std::uint32_t next = mesh.faces[i][(corner + 1) % corners];
-      cells.push_back({middle, mesh.faces[i][corner], next, next});
+    for (std::size_t corner = 0; corner < face.size(); ++corner) {
+      const std::uint32_t next = face[(corner + 1) % face.size()];
+      cells.push_back({middle, face[corner], next, next});
     }
   }
   return cells;
@@ -167,9 +179,10 @@ Checked<MeshCurrents> mesh_currents(const NetcdfFiles& files, const VelocityPair
   auto v = VelocityComponent::of(*pair.second_file, *pair.second, std::move(*second_layout), warnings);
   if (!v) return refuse(v.error());
 
-  SourceMesh cells{mesh->nodes, along_faces ? split_faces(*mesh) : mesh->faces};
+  SourceMesh cells{mesh->nodes, along_faces ? split_faces(*mesh) : cells_of(mesh->faces)};
   if (along_faces)
-    for (const SourceMesh::Cell& face : mesh->faces) cells.points.push_back(middle_of(*mesh, face));
+    for (std::size_t face = 0; face < mesh->faces.size(); ++face)
+      cells.points.push_back(middle_of(*mesh, mesh->faces[face]));
   auto source = std::make_shared<const MeshSource>(MeshParts{.files = files,
                                                              .first = std::move(*u),
                                                              .second = std::move(*v),

@@ -8,7 +8,7 @@
 
 namespace floeplan::ingest {
 
-/// Currents on a mesh of triangles or quadrilaterals, at its nodes or in its faces: FVCOM, SELFE, SCHISM and whatever
+/// Currents on a mesh of triangles, quadrilaterals and faces of up to twelve corners, at its nodes or in its faces: FVCOM, SELFE, SCHISM and whatever
 /// follows the UGRID conventions; on depths or on sigma levels.
 /// Interpolation  between nodes; of currents in faces between the middle of the face, which keeps its own value, and
 ///                its nodes, which take the mean of the faces round them

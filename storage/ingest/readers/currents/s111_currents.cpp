@@ -12,6 +12,7 @@
 #include "storage/ingest/common/missing_value.hpp"
 #include "storage/ingest/formats/netcdf/netcdf_axis.hpp"
 #include "storage/ingest/formats/s100/s100_coverage.hpp"
+#include "storage/ingest/grids/scattered_mesh.hpp"
 #include "storage/ingest/notation/cf_units.hpp"
 #include "storage/ingest/notation/text.hpp"
 #include "storage/ingest/readers/currents/current_dataset.hpp"
@@ -19,6 +20,7 @@
 namespace floeplan::ingest {
 namespace {
 
+constexpr const char* feature_name = "SurfaceCurrent";
 constexpr const char* speed_name = "surfaceCurrentSpeed";
 constexpr const char* direction_name = "surfaceCurrentDirection";
 
@@ -33,9 +35,9 @@ std::optional<core::UtcTime> s111_time(std::string text) {
 }
 
 /// Of the records, in ascending order, and which record each is.
-Checked<AxisNodes> record_times(const S100Coverage& currents) {
+Checked<AxisNodes> record_times(const std::vector<Hdf5Group>& records) {
   std::vector<double> times_s;
-  for (const Hdf5Group& record : currents.records) {
+  for (const Hdf5Group& record : records) {
     const std::string text = record.text("timePoint").value_or("");
     const auto time = s111_time(text);
     if (!time) return refuse(messages::ingest_current_message<"s-time-unreadable">(text));
@@ -101,6 +103,25 @@ Checked<Level> s111_level(const Hdf5Group& file) {
   return refuse(messages::ingest_current_message<"s-depth-from-the-bed">());
 }
 
+/// Speeds and directions towards which the water flows, degrees from true north, as components; what is none is missing.
+VelocitySlice components_of(std::vector<float> speeds, std::vector<float> directions, double unit_m_s) {
+  VelocitySlice slice{std::move(speeds), std::move(directions)};
+  for (std::size_t i = 0; i < slice.east.size(); ++i) {
+    const double speed_m_s = unit_m_s * static_cast<double>(slice.east[i]);
+    const double direction_deg = static_cast<double>(slice.north[i]);
+    if (speed_m_s == 0.0) {  // and no direction
+      slice.east[i] = slice.north[i] = 0.0F;
+    } else if (!(speed_m_s > 0.0 && direction_deg >= 0.0 && direction_deg <= 360.0)) {
+      slice.east[i] = slice.north[i] = missing;
+    } else {
+      const double towards_rad = direction_deg * std::numbers::pi / 180.0;
+      slice.east[i] = static_cast<float>(speed_m_s * std::sin(towards_rad));
+      slice.north[i] = static_cast<float>(speed_m_s * std::cos(towards_rad));
+    }
+  }
+  return slice;
+}
+
 class S111Source : public VelocitySource {
  public:
   S111Source(S100Coverage currents, AxisNodes times, std::optional<double> depth_m, double unit_m_s)
@@ -123,21 +144,7 @@ class S111Source : public VelocitySource {
     if (!speeds) return refuse(speeds.error());
     auto directions = currents_.read(*table, direction_name, 0, shape_.rows);
     if (!directions) return refuse(directions.error());
-    VelocitySlice slice{std::move(*speeds), std::move(*directions)};
-    for (std::size_t i = 0; i < slice.east.size(); ++i) {
-      const double speed_m_s = unit_m_s_ * static_cast<double>(slice.east[i]);
-      const double direction_deg = static_cast<double>(slice.north[i]);
-      if (speed_m_s == 0.0) {  // and no direction
-        slice.east[i] = slice.north[i] = 0.0F;
-      } else if (!(speed_m_s > 0.0 && direction_deg >= 0.0 && direction_deg <= 360.0)) {
-        slice.east[i] = slice.north[i] = missing;
-      } else {
-        const double towards_rad = direction_deg * std::numbers::pi / 180.0;
-        slice.east[i] = static_cast<float>(speed_m_s * std::sin(towards_rad));
-        slice.north[i] = static_cast<float>(speed_m_s * std::cos(towards_rad));
-      }
-    }
-    return slice;
+    return components_of(std::move(*speeds), std::move(*directions), unit_m_s_);
   }
 
   [[nodiscard]] Checked<std::vector<float>> level_depths(std::size_t /*time*/,
@@ -152,28 +159,98 @@ class S111Source : public VelocitySource {
   SourceShape shape_;
 };
 
+/// Currents at places of their own.
+class S111PointSource : public VelocitySource {
+ public:
+  S111PointSource(S100Points currents, AxisNodes times, std::optional<double> depth_m, double unit_m_s)
+      : currents_{std::move(currents)}, records_{std::move(times.source)}, unit_m_s_{unit_m_s} {
+    shape_.columns = currents_.places.size();
+    shape_.times_s = std::move(times.nodes);
+    if (depth_m) shape_.depths_m = {*depth_m};
+  }
+
+  [[nodiscard]] const SourceShape& shape() const override { return shape_; }
+  [[nodiscard]] geo::LonLat place(std::size_t point) const override { return currents_.places[point]; }
+
+  [[nodiscard]] Checked<VelocitySlice> read(std::size_t time, std::size_t /*level*/) const override {
+    auto speeds = currents_.read(records_[time], speed_name);
+    if (!speeds) return refuse(speeds.error());
+    auto directions = currents_.read(records_[time], direction_name);
+    if (!directions) return refuse(directions.error());
+    return components_of(std::move(*speeds), std::move(*directions), unit_m_s_);
+  }
+
+  [[nodiscard]] Checked<std::vector<float>> level_depths(std::size_t /*time*/,
+                                                         std::size_t /*level*/) const override {
+    return refuse(messages::ingest_current_message<"levels-not-of-the-bed">("an S-111 file"));
+  }
+
+ private:
+  S100Points currents_;
+  std::vector<std::size_t> records_;  // by time
+  double unit_m_s_;
+  SourceShape shape_;
+};
+
+/// What is said of all values of a file, whatever their layout.
+struct S111Head {
+  double unit_m_s{};
+  AxisNodes times;
+  Level level;
+};
+
+template <class Values>
+Checked<S111Head> head_of(const Values& currents) {
+  const auto speed = currents.values.find(speed_name);
+  const std::string unit = speed == currents.values.end() ? "" : speed->second.unit;
+  const auto unit_m_s = speed_factor(unit);
+  if (!unit_m_s) return refuse(messages::ingest_current_message<"s-speed-unit-unknown">(unit));
+  auto times = record_times(currents.records);
+  if (!times) return refuse(times.error());
+  const auto level = s111_level(currents.file);
+  if (!level) return refuse(level.error());
+  return S111Head{*unit_m_s, std::move(*times), *level};
+}
+
+Checked<CurrentInput> points_in(const std::filesystem::path& file) {
+  auto currents = s100_points(file, feature_name);
+  if (!currents) return refuse(currents.error());
+  auto head = head_of(*currents);
+  if (!head) return refuse(head.error());
+  auto mesh = mesh_of_places(currents->places);
+  if (!mesh) return refuse(messages::ingest_current_message<"s-places-without-area">());
+  CurrentInput input;
+  input.mesh = std::move(*mesh);
+  input.layout = "places of their own";
+  if (head->level.warning) input.warnings.push_back(*head->level.warning);
+  input.source = std::make_shared<const S111PointSource>(std::move(*currents), std::move(head->times),
+                                                         head->level.depth_m, head->unit_m_s);
+  return input;
+}
+
+Checked<CurrentInput> grid_in(const std::filesystem::path& file) {
+  auto currents = s100_coverage(file, feature_name);
+  if (!currents) return refuse(currents.error());
+  auto head = head_of(*currents);
+  if (!head) return refuse(head.error());
+  CurrentInput input;
+  if (head->level.warning) input.warnings.push_back(*head->level.warning);
+  input.grid = currents->grid;
+  input.source = std::make_shared<const S111Source>(std::move(*currents), std::move(head->times),
+                                                    head->level.depth_m, head->unit_m_s);
+  return input;
+}
+
 }  // namespace
 
 Checked<PreparedDataset> read_s111_currents(const std::filesystem::path& file,
                                             const core::ProgressCallback& progress) {
-  auto currents = s100_coverage(file, "SurfaceCurrent");
-  if (!currents) return refuse(currents.error());
-  const auto speed = currents->values.find(speed_name);
-  const std::string unit = speed == currents->values.end() ? "" : speed->second.unit;
-  const auto unit_m_s = speed_factor(unit);
-  if (!unit_m_s) return refuse(messages::ingest_current_message<"s-speed-unit-unknown">(unit));
-  auto times = record_times(*currents);
-  if (!times) return refuse(times.error());
-  const auto level = s111_level(currents->file);
-  if (!level) return refuse(level.error());
-
-  CurrentInput input;
-  input.variables = {speed_name, direction_name};
-  if (level->warning) input.warnings.push_back(*level->warning);
-  input.grid = currents->grid;
-  input.source =
-      std::make_shared<const S111Source>(std::move(*currents), std::move(*times), level->depth_m, *unit_m_s);
-  return prepare_currents(std::move(input), progress);
+  const auto layout = s100_layout(file, feature_name);
+  if (!layout) return refuse(layout.error());
+  auto input = *layout == S100Layout::points ? points_in(file) : grid_in(file);
+  if (!input) return refuse(input.error());
+  input->variables = {speed_name, direction_name};
+  return prepare_currents(std::move(*input), progress);
 }
 
 }  // namespace floeplan::ingest

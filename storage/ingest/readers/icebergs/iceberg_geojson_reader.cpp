@@ -18,6 +18,7 @@
 #include "storage/ingest/notation/grid_frame_of_crs.hpp"
 #include "storage/ingest/notation/stated_place.hpp"
 #include "storage/ingest/notation/text.hpp"
+#include "storage/ingest/readers/icebergs/detection.hpp"
 #include "storage/ingest/readers/icebergs/iceberg_rows.hpp"
 #include "storage/ingest/readers/icebergs/position_errors.hpp"
 
@@ -31,6 +32,14 @@ std::string property(const OGRFeature& feature, std::initializer_list<const char
     if (index >= 0 && feature.IsFieldSetAndNotNull(index)) return text_of_field(feature, index);
   }
   return {};
+}
+
+/// Of a list of detections; no value where the file has no such attribute.
+std::optional<std::string> confidence_of(const OGRFeature& feature) {
+  for (const std::string_view name : confidence_names)
+    if (const int index = feature.GetFieldIndex(std::string{name}.c_str()); index >= 0)
+      return text_of_field(feature, index);
+  return std::nullopt;
 }
 
 /// A length property in metres, or why it is none.
@@ -71,7 +80,8 @@ std::optional<core::UtcTime> time_of_field(const OGRFeature& feature, int index)
 }
 
 Checked<core::UtcTime> observed_of(const OGRFeature& feature) {
-  for (const char* name : {"observed", "time", "timestamp", "begin", "date"}) {
+  for (const char* name :
+       {"observed", "time", "timestamp", "begin", "date", "acquired", "acquisition_time", "image_time"}) {
     const int index = feature.GetFieldIndex(name);
     if (index < 0 || !feature.IsFieldSetAndNotNull(index)) continue;
     if (const auto time = time_of_field(feature, index)) return *time;
@@ -140,7 +150,9 @@ Checked<ocean::Iceberg> iceberg_of(const OGRFeature& feature, const PositionErro
   ocean::Iceberg iceberg;
   iceberg.place = extent->place;
   iceberg.id = property(feature, {"id", "name"});
-  if (iceberg.id.empty()) return refuse(messages::ingest_iceberg_message<"iceberg-without-id">());
+  const auto confidence = confidence_of(feature);
+  if (iceberg.id.empty() && !confidence)
+    return refuse(messages::ingest_iceberg_message<"iceberg-without-id">());
   const auto observed = observed_of(feature);
   if (!observed) return refuse(observed.error());
   iceberg.observed = *observed;
@@ -166,7 +178,7 @@ Checked<ocean::Iceberg> iceberg_of(const OGRFeature& feature, const PositionErro
   }
   iceberg.shape = property(feature, {"shape"});
   iceberg.method = property(feature, {"method"});
-  return iceberg;
+  return confidence ? as_detection(std::move(iceberg), *confidence) : iceberg;
 }
 
 using Transformation = std::unique_ptr<OGRCoordinateTransformation>;
@@ -201,6 +213,10 @@ Checked<PreparedDataset> read_geojson_icebergs(GDALDataset& dataset) {
     std::ranges::move(position_errors.warnings(), std::back_inserter(warnings));
     const auto to_degrees = transformation_to_degrees(*layer);
     if (!to_degrees) return refuse(to_degrees.error());
+    const bool detected = std::ranges::any_of(names, [](const std::string& name) {
+      return std::ranges::find(confidence_names, lower(name)) != confidence_names.end();
+    });
+    if (detected) warnings.push_back(messages::ingest_iceberg_message<"detections-all-count">());
     layer->ResetReading();
     for (const auto& feature : *layer) {
       ++number_of_feature;

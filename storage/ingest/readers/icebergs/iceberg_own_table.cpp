@@ -11,6 +11,7 @@
 #include "storage/ingest/notation/delimited_text.hpp"
 #include "storage/ingest/notation/stated_place.hpp"
 #include "storage/ingest/notation/text.hpp"
+#include "storage/ingest/readers/icebergs/detection.hpp"
 #include "storage/ingest/readers/icebergs/iceberg_rows.hpp"
 #include "storage/ingest/readers/icebergs/position_errors.hpp"
 
@@ -40,7 +41,7 @@ std::optional<LengthColumn> length_column(const DelimitedText& table, const std:
 }
 
 struct BergColumns {
-  std::size_t id{};
+  std::optional<std::size_t> id;  // empty: of a list of detections
   std::size_t lat{};
   std::size_t lon{};
   std::size_t observed{};
@@ -51,18 +52,22 @@ struct BergColumns {
   std::optional<std::size_t> size;
   std::optional<std::size_t> shape;
   std::optional<std::size_t> method;
+  std::optional<std::size_t> confidence;  // of a list of detections
 };
 
 std::optional<BergColumns> berg_columns_of(const DelimitedText& table) {
   const auto id = table.column({"id", "name", "berg", "iceberg", "berg_id", "iceberg_id"});
   const auto lat = table.column({"lat", "latitude", "lat_deg", "latitude_deg"});
   const auto lon = table.column({"lon", "long", "longitude", "lon_deg", "longitude_deg"});
-  const auto with_zone =
-      table.column({"observed", "time", "timestamp", "datetime", "date_time", "date", "last_seen"});
-  const auto in_utc = table.column({"observed_utc", "time_utc", "timestamp_utc", "datetime_utc",
-                                    "date_time_utc", "date_utc", "last_seen_utc"});
-  if (!id || !lat || !lon || with_zone.has_value() == in_utc.has_value()) return std::nullopt;
-  const BergColumns columns{.id = *id,
+  const auto with_zone = table.column({"observed", "time", "timestamp", "datetime", "date_time", "date",
+                                       "last_seen", "acquired", "acquisition_time", "image_time"});
+  const auto in_utc =
+      table.column({"observed_utc", "time_utc", "timestamp_utc", "datetime_utc", "date_time_utc", "date_utc",
+                    "last_seen_utc", "acquired_utc", "acquisition_time_utc", "image_time_utc"});
+  const auto confidence = table.column({confidence_names.begin(), confidence_names.end()});
+  if ((!id && !confidence) || !lat || !lon || with_zone.has_value() == in_utc.has_value())
+    return std::nullopt;
+  const BergColumns columns{.id = id,
                             .lat = *lat,
                             .lon = *lon,
                             .observed = with_zone ? *with_zone : *in_utc,
@@ -72,14 +77,15 @@ std::optional<BergColumns> berg_columns_of(const DelimitedText& table) {
                             .position_errors = PositionErrors{table.headers()},
                             .size = table.column({"size", "size_class"}),
                             .shape = table.column({"shape"}),
-                            .method = table.column({"method", "source"})};
+                            .method = table.column({"method", "source"}),
+                            .confidence = confidence};
   return columns;
 }
 
 /// Whether the columns themselves tell that these are icebergs.
 bool name_icebergs(const DelimitedText& table, const BergColumns& columns) {
-  return contains_any(table.columns()[columns.id], {"berg"}) || columns.length || columns.draft ||
-         columns.size;
+  return (columns.id && contains_any(table.columns()[*columns.id], {"berg"})) || columns.length ||
+         columns.draft || columns.size;
 }
 
 /// Whether there are an id and a sighting, and nothing that a sighting of an iceberg does not have.
@@ -87,12 +93,13 @@ bool are_sightings_alone(const DelimitedText& table, const BergColumns& columns)
   std::size_t known = 4 + std::size_t{columns.shape.has_value()} + std::size_t{columns.method.has_value()};
   for (std::size_t i = 0; i < table.columns().size(); ++i)
     known += std::size_t{columns.position_errors.is_read(i)};
-  return table.columns()[columns.id] == "id" && known == table.columns().size();
+  return columns.id && table.columns()[*columns.id] == "id" && known == table.columns().size();
 }
 
 /// Of columns that tell a size or an error of the position in a way that is not read.
 Messages warnings_of(const DelimitedText& table, const BergColumns& columns) {
   Messages warnings = columns.position_errors.warnings();
+  if (columns.confidence) warnings.push_back(messages::ingest_iceberg_message<"detections-all-count">());
   if (!name_icebergs(table, columns))
     warnings.push_back(messages::ingest_iceberg_message<"kind-of-sighting-not-stated">());
   for (std::size_t i = 0; i < table.columns().size(); ++i) {
@@ -111,9 +118,9 @@ class Row {
 
   [[nodiscard]] Checked<ocean::Iceberg> sighting() const {
     ocean::Iceberg iceberg;
-    iceberg.id = fields_[columns_.id];
-    if (iceberg.id.empty())
-      return refuse(messages::ingest_iceberg_message<"iceberg-without-column">(table_.header(columns_.id)));
+    iceberg.id = text(columns_.id);
+    if (iceberg.id.empty() && !columns_.confidence)
+      return refuse(messages::ingest_iceberg_message<"iceberg-without-column">(table_.header(*columns_.id)));
     const auto lat = table_.number(fields_[columns_.lat]);
     const auto lon = table_.number(fields_[columns_.lon]);
     if (!lat || !lon)
@@ -142,7 +149,7 @@ class Row {
     }
     iceberg.shape = text(columns_.shape);
     iceberg.method = text(columns_.method);
-    return iceberg;
+    return columns_.confidence ? as_detection(std::move(iceberg), text(columns_.confidence)) : iceberg;
   }
 
  private:

@@ -61,6 +61,7 @@ class HostileFiles : public StoreFixture {
         {"nw_atlantic_etopo1_4min.xyz", "bathymetry"},
         {"gnome_gridded_current.nc", "currents"},
         {"gutils_profile.nc", "glider"},
+        {"seaglider_p1800001.nc", "glider"},
         {"comet-2019-222-02-154.dbd", "glider"},
         {"cis_beacon_1997_12995.csv", "icebergs"},
         {"byu_latest_20260818.json", "icebergs"},
@@ -87,11 +88,39 @@ class HostileFiles : public StoreFixture {
       s111_sample([](std::size_t column, std::size_t row, std::size_t /*time*/) {
         return std::pair{0.5F + 0.1F * static_cast<float>(column), 60.0F * static_cast<float>(row)};
       }).write(path(name));
+    if (name == "places.h5") {
+      S100Sample sample =
+          s111_sample([](std::size_t, std::size_t, std::size_t) { return std::pair{0.5F, 60.0F}; });
+      sample.feature_numbers["dataCodingFormat"] = 3.0;
+      for (int node = 0; node < 64; ++node)
+        sample.places.emplace_back(-50.0 + 0.1 * (node % 8), 60.0 + 0.05 * (node / 8));
+      sample.rows = 1;
+      sample.columns = sample.places.size();
+      for (S100Sample::Record& record : sample.records)
+        record.values = {std::vector<float>(64, 0.5F), std::vector<float>(64, 60.0F)};
+      sample.write(path(name));
+    }
     if (name == "bed.h5") s102_sample({10.0F, 20.0F, 30.0F, 40.0F, 50.0F, 60.0F}, 2.0F).write(path(name));
     if (name == "tides.tcd")
       write_tcd(
           path(name),
           {{.name = "Nuuk", .place = {-51.7, 64.2}, .zone = -300, .constants = {{"M2", {1.5, 120.0}}}}});
+    if (name == "p5610005.log")
+      write_file(name,
+                 "version: 67.01\nglider: 561\nmission: 6\ndive: 5\nstart: 5 4 116 20 33 7\ndata:\n"
+                 "$GPS1,040516,203002,7017.131,838.117,29,1.3,29,1.1\n"
+                 "$GPS2,040516,203244,7017.119,838.198,20,1.3,20,1.1\n$CURRENT,0.138, 12.9,1\n"
+                 "$GPS,040516,215253,7016.197,839.033,41,1.2,41,1.1\n");
+    if (name == "sea035.6.gli.sub.1")
+      write_file(name,
+                 "Timestamp;NavState;Heading;Depth;Lat;Lon;\n17/05/2019 "
+                 "22:28:05;116;330.3;0.1;4839.016;-12327.045;\n"
+                 "17/05/2019 22:29:05;110;330.3;5.9;4839.016;-12327.045;\n"
+                 "17/05/2019 22:38:05;116;330.3;0.2;4839.100;-12327.000;\n");
+    if (name == "detections.csv")
+      write_file(name,
+                 "lat,lon,acquired,length_m,confidence\n69.1,-52.5,2026-11-20T06:00:00Z,120,0.87\n"
+                 "69.2,-52.6,2026-11-20T06:00:00Z,60,0.31\n");
     if (name == "log.csv") write_file(name, slocum_log());
     if (name == "bed.asc")
       write_file(name,
@@ -256,8 +285,9 @@ TEST_P(HostileFormat, ThatWasCutShortLeavesNothingHalfInTheStore) {
     const bool says_its_length = file_.extension() != ".shp" && file_.extension() != ".tif" &&
                                  file_.extension() != ".zip" &&  // whole before its table of contents
                                  file_.extension() != ".dbd" && file_.extension() != ".xyz" &&
-                                 file_.extension() != ".txt" &&
-                                 file_.extension() != ".csv";  // a log ends where the glider was lost
+                                 file_.extension() != ".txt" && file_.extension() != ".csv" &&
+                                 file_.extension() != ".log" &&
+                                 file_.extension() != ".1";  // a log ends where the glider was lost
     if (says_its_length) {
       EXPECT_EQ(reports.front().status, IngestStatus::refused) << part;
     }
@@ -282,10 +312,11 @@ INSTANTIATE_TEST_SUITE_P(
     Of, HostileFormat,
     testing::Values("US4MD81M.000", "gutils_profile.nc", "gnome_gridded_current.nc", "sample-2.0.1.bag",
                     "comet-2019-222-02-154.dbd", "currents.nc", "bed.tif", "bergs.gpkg", "bergs.shp",
-                    "bergs.zip", "currents.grb", "currents.h5", "bed.h5", "tides.tcd", "log.csv", "bed.asc",
-                    "bergs.kml", "chart_20261120.gml", "bergs.geojson", "nw_atlantic_etopo1_4min.xyz",
-                    "cis_beacon_1997_12995.csv", "byu_latest_20260818.json", "noaa_anchorage-knik-arm.json",
-                    "otps_tpxo9v2a_extract_HC_sample_out.txt"),
+                    "bergs.zip", "currents.grb", "currents.h5", "places.h5", "bed.h5", "tides.tcd",
+                    "detections.csv", "log.csv", "p5610005.log", "sea035.6.gli.sub.1",
+                    "seaglider_p1800001.nc", "bed.asc", "bergs.kml", "chart_20261120.gml", "bergs.geojson",
+                    "nw_atlantic_etopo1_4min.xyz", "cis_beacon_1997_12995.csv", "byu_latest_20260818.json",
+                    "noaa_anchorage-knik-arm.json", "otps_tpxo9v2a_extract_HC_sample_out.txt"),
     [](const testing::TestParamInfo<const char*>& format) {
       std::string name = format.param;
       std::ranges::replace_if(

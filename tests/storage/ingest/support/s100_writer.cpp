@@ -90,12 +90,32 @@ void put_values(hid_t group, const S100Sample& sample, const S100Sample::Record&
   for (std::size_t node = 0; node < sample.rows * sample.columns; ++node)
     for (const std::vector<float>& values : record.values) cells.push_back(values.at(node));
   const std::array<hsize_t, 2> size{sample.rows, sample.columns};
-  const hid_t space = H5Screate_simple(2, size.data(), nullptr);
+  const hsize_t count = sample.places.size();
+  const hid_t space = sample.places.empty() ? H5Screate_simple(2, size.data(), nullptr)
+                                            : H5Screate_simple(1, &count, nullptr);
   const hid_t table = H5Dcreate2(group, "values", cell, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
   H5Dwrite(table, cell, H5S_ALL, H5S_ALL, H5P_DEFAULT, cells.data());
   H5Dclose(table);
   H5Sclose(space);
   H5Tclose(cell);
+}
+
+void put_places(hid_t area, const std::vector<std::pair<double, double>>& places) {
+  const hid_t group = put_group(area, "Positioning");
+  const hid_t place = H5Tcreate(H5T_COMPOUND, 2 * sizeof(double));
+  H5Tinsert(place, "longitude", 0, H5T_IEEE_F64LE);
+  H5Tinsert(place, "latitude", sizeof(double), H5T_IEEE_F64LE);
+  std::vector<double> cells;
+  for (const auto& [lon, lat] : places) cells.insert(cells.end(), {lon, lat});
+  const hsize_t count = places.size();
+  const hid_t space = H5Screate_simple(1, &count, nullptr);
+  const hid_t table =
+      H5Dcreate2(group, "geometryValues", place, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+  H5Dwrite(table, place, H5S_ALL, H5S_ALL, H5P_DEFAULT, cells.data());
+  H5Dclose(table);
+  H5Sclose(space);
+  H5Tclose(place);
+  H5Gclose(group);
 }
 
 std::string numbered(const std::string& name, const char* pattern, int number) {
@@ -117,6 +137,7 @@ void put_area(hid_t feature, const S100Sample& sample, int number) {
                                                      : sample.announced_records}})
     put_number(area, name, value);
   put_text(area, "startSequence", "(0,0)");
+  if (!sample.places.empty()) put_places(area, sample.places);
   int count = 0;
   for (const S100Sample::Record& record : sample.records) {
     const hid_t group = put_group(area, numbered("Group_", "%03d", ++count));
@@ -134,6 +155,7 @@ std::filesystem::path S100Sample::write(const std::filesystem::path& path) const
   if (file < 0) throw std::runtime_error{"no file to write to: " + path.string()};
   put_text(file, "productSpecification", product);
   for (const auto& [name, value] : file_numbers) put_number(file, name, value);
+  for (const auto& [name, value] : file_texts) put_text(file, name, value);
   describe(file, *this);
   const hid_t group = put_group(file, feature);
   for (const auto& [name, value] : feature_numbers) put_code(group, name, value);

@@ -35,6 +35,9 @@ struct S100Sample {
   std::vector<Record> records;
   double announced_records{-1.0};  // less than 0: as many as there are
   int areas{1};                    // all alike
+  std::map<std::string, std::string> file_texts{};
+  std::vector<std::pair<double, double>>
+      places{};  // longitude and latitude of values that lie on no grid; one row
 
   std::filesystem::path write(const std::filesystem::path& path) const;
 };

@@ -187,6 +187,111 @@ TEST_F(ModelLayouts, AnAngleThatContradictsThePositionsIsRefused) {
   expect_refused(path("roms.nc"), "contradicts");
 }
 
+/// Faces of six corners, of four and of three in one mesh, as Delft3D FM has them: places that a face lacks are filled.
+void write_mixed_mesh(const std::filesystem::path& file, bool in_faces) {
+  constexpr std::size_t columns = 7;
+  constexpr std::size_t rows = 7;
+  constexpr double step_deg = 0.02;
+  const auto node = [&](std::size_t i, std::size_t j) { return static_cast<double>(j * columns + i + 1); };
+  const auto lon_of = [](double i) { return 3.0 + step_deg * i; };
+  const auto lat_of = [](double j) { return 55.0 + step_deg * j; };
+  std::vector<double> corners;
+  std::vector<std::pair<double, double>> middles;
+  const auto add = [&](const std::vector<std::pair<std::size_t, std::size_t>>& face) {
+    double i = 0.0;
+    double j = 0.0;
+    for (const auto& [column, row] : face) {
+      corners.push_back(node(column, row));
+      i += static_cast<double>(column) / static_cast<double>(face.size());
+      j += static_cast<double>(row) / static_cast<double>(face.size());
+    }
+    corners.insert(corners.end(), 6 - face.size(), -999.0);
+    middles.emplace_back(i, j);
+  };
+  for (std::size_t j = 0; j + 1 < rows; ++j)
+    for (std::size_t i = 0; i + 2 < columns; i += 2) {
+      if (j % 3 == 0) {
+        add({{i, j}, {i + 1, j}, {i + 2, j}, {i + 2, j + 1}, {i + 1, j + 1}, {i, j + 1}});
+      } else if (j % 3 == 1) {
+        add({{i, j}, {i + 1, j}, {i + 1, j + 1}, {i, j + 1}});
+        add({{i + 1, j}, {i + 2, j}, {i + 2, j + 1}, {i + 1, j + 1}});
+      } else {
+        add({{i, j}, {i + 1, j}, {i, j + 1}});
+        add({{i + 1, j}, {i + 1, j + 1}, {i, j + 1}});
+        add({{i + 1, j}, {i + 2, j}, {i + 2, j + 1}, {i + 1, j + 1}});
+      }
+    }
+  NetcdfWriter writer{file};
+  writer.axis("time", {0.0}, {{"units", "hours since 2026-11-20 00:00:00"}, {"standard_name", "time"}});
+  writer.dimension("node", columns * rows);
+  writer.dimension("face", middles.size());
+  writer.dimension("most", 6);
+  const auto variable = [&](const std::string& name, const std::vector<std::string>& dimensions,
+                            const std::vector<double>& values, std::map<std::string, std::string> texts,
+                            std::optional<double> fill = {}, std::map<std::string, double> numbers = {}) {
+    writer.variable({.name = name,
+                     .dimensions = dimensions,
+                     .values = values,
+                     .texts = std::move(texts),
+                     .numbers = std::move(numbers),
+                     .fill = fill,
+                     .type = NetcdfWriter::Type::float64});
+  };
+  variable("mesh", {}, {0.0},
+           {{"cf_role", "mesh_topology"},
+            {"node_coordinates", "node_lon node_lat"},
+            {"face_node_connectivity", "face_nodes"}},
+           {}, {{"topology_dimension", 2.0}});
+  std::vector<double> lons;
+  std::vector<double> lats;
+  std::vector<std::pair<double, double>> at;
+  for (std::size_t j = 0; j < rows; ++j)
+    for (std::size_t i = 0; i < columns; ++i) {
+      lons.push_back(lon_of(static_cast<double>(i)));
+      lats.push_back(lat_of(static_cast<double>(j)));
+      at.emplace_back(i, j);
+    }
+  variable("node_lon", {"node"}, lons, {{"units", "degrees_east"}, {"standard_name", "longitude"}});
+  variable("node_lat", {"node"}, lats, {{"units", "degrees_north"}, {"standard_name", "latitude"}});
+  variable("face_nodes", {"face", "most"}, corners, {{"cf_role", "face_node_connectivity"}}, -999.0,
+           {{"start_index", 1.0}});
+  if (in_faces) at = middles;
+  std::vector<double> u;
+  std::vector<double> v;
+  for (const auto& [i, j] : at) {
+    u.push_back(0.1 + 0.01 * i);
+    v.push_back(0.2 - 0.01 * j);
+  }
+  const std::string place = in_faces ? "face" : "node";
+  variable("u", {"time", place}, u,
+           {{"units", "m s-1"},
+            {"standard_name", "eastward_sea_water_velocity"},
+            {"mesh", "mesh"},
+            {"location", place}});
+  variable("v", {"time", place}, v,
+           {{"units", "m s-1"},
+            {"standard_name", "northward_sea_water_velocity"},
+            {"mesh", "mesh"},
+            {"location", place}});
+}
+
+TEST_F(ModelLayouts, FacesOfAMeshMayHaveUpToTwelveCorners) {
+  for (const bool in_faces : {false, true}) {
+    write_mixed_mesh(path(in_faces ? "faces.nc" : "nodes.nc"), in_faces);
+    const IngestReport report = ingest(path(in_faces ? "faces.nc" : "nodes.nc"));
+    ASSERT_EQ(report.status, IngestStatus::stored) << words(report);
+    const ocean::CurrentGrid currents = currents_of(report);
+    const auto time = core::from_unix_seconds(currents.samples().times_s.front());
+    for (double i = 1.0; i <= 5.0; i += 0.5)
+      for (double j = 1.0; j <= 5.0; j += 0.5) {
+        const auto current = currents.at({3.0 + 0.02 * i, 55.0 + 0.02 * j}, core::Metres{0.0}, time);
+        ASSERT_TRUE(current) << i << " " << j;
+        EXPECT_NEAR(current->east.value, 0.1 + 0.01 * i, in_faces ? 4e-3 : 1e-4) << i << " " << j;
+        EXPECT_NEAR(current->north.value, 0.2 - 0.01 * j, in_faces ? 4e-3 : 1e-4) << i << " " << j;
+      }
+  }
+}
+
 TEST_F(ModelLayouts, FacesOfAMeshAreInterpolatedAtDepthsAboveASigmaBed) {
   for (const geo::LonLat origin : {geo::LonLat{15.0, 70.0}, geo::LonLat{179.9, -55.0}}) {
     write_fvcom({.origin = origin}, path("fvcom.nc"));

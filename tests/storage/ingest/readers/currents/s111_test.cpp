@@ -1,8 +1,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
+#include <random>
 
 #include "engine/core/utc_text.hpp"
 #include "tests/storage/ingest/support/s100_writer.hpp"
@@ -123,10 +126,8 @@ TEST_F(S111, InTransverseMercatorKeepsItsNodes) {
 }
 
 TEST_F(S111, OfAnotherLayoutIsRefusedWithTheNameOfIt) {
-  for (const auto& [code, name] : {std::pair{1.0, "fixed stations"},
-                                   {3.0, "a grid of places of their own"},
-                                   {7.0, "a triangulated mesh"},
-                                   {8.0, "fixed stations"}}) {
+  for (const auto& [code, name] :
+       {std::pair{1.0, "fixed stations"}, {7.0, "a triangulated mesh"}, {8.0, "fixed stations"}}) {
     S100Sample sample = s111_sample(turning);
     sample.feature_numbers["dataCodingFormat"] = code;
     expect_refused(sample.write(path("layout.h5")), name);
@@ -160,6 +161,93 @@ TEST_F(S111, OfRecordsOutOfOrderIsStoredByTime) {
   EXPECT_NEAR(samples.v[0], knot_m_s * 0.5, 1e-6) << "of the earlier time, towards north";
   sample.records[1].time = sample.records[0].time;
   expect_refused(sample.write(path("twice.h5")), "timePoint");
+}
+
+/// Knots.
+double speed_at(double lat_deg) { return 1.0 + 0.3 * (lat_deg - 83.5); }
+
+/// As an ice-ocean model in the Arctic lies: a square grid of a polar stereographic plane, each node with a longitude and
+/// a latitude of its own (data coding format 3), in an order that says nothing.
+S100Sample scattered(std::size_t side, const std::function<bool(std::size_t, std::size_t)>& is_sea) {
+  S100Sample sample = s111_sample(turning);
+  sample.feature_numbers["dataCodingFormat"] = 3.0;
+  sample.places.clear();
+  constexpr double spacing_m = 5'000.0;
+  constexpr double earth_m = 6'371'000.0;
+  for (std::size_t row = 0; row < side; ++row)
+    for (std::size_t column = 0; column < side; ++column) {
+      if (!is_sea(column, row)) continue;
+      const double x = 400'000.0 + spacing_m * static_cast<double>(column);
+      const double y = -600'000.0 + spacing_m * static_cast<double>(row);
+      const double colatitude = 2.0 * std::atan(std::hypot(x, y) / (2.0 * earth_m));
+      sample.places.emplace_back(std::atan2(x, -y) * 180.0 / std::numbers::pi,
+                                 90.0 - colatitude * 180.0 / std::numbers::pi);
+    }
+  std::ranges::shuffle(sample.places, std::mt19937_64{7});
+  sample.rows = 1;
+  sample.columns = sample.places.size();
+  std::vector<float> speeds;
+  for (const auto& [lon, lat] : sample.places) speeds.push_back(static_cast<float>(speed_at(lat)));
+  for (S100Sample::Record& record : sample.records)  // towards the north-east everywhere
+    record.values = {speeds, std::vector<float>(sample.columns, 45.0F)};
+  return sample;
+}
+
+TEST_F(S111, AtPlacesOfTheirOwnKeepTheirValueAndDirectionBetweenThem) {
+  const S100Sample sample = scattered(12, [](std::size_t, std::size_t) { return true; });
+  const ocean::CurrentGrid currents = stored(sample.write(path("3.h5")));
+  EXPECT_THAT(words(report_), HasSubstr("resampled from places of their own"));
+  std::size_t known = 0;
+  for (const auto& [lon, lat] : sample.places) {
+    const auto current =
+        currents.at({lon, lat}, core::Metres{4.0}, core::from_unix_seconds(currents.samples().times_s[0]));
+    if (!current) continue;  // at the edge
+    ++known;
+    EXPECT_NEAR(current->east.value, knot_m_s * speed_at(lat) * std::sqrt(0.5), 5e-4);
+    EXPECT_NEAR(current->north.value, knot_m_s * speed_at(lat) * std::sqrt(0.5), 5e-4);
+  }
+  EXPECT_GT(known, sample.places.size() / 2);
+}
+
+TEST_F(S111, AtPlacesOfTheirOwnHaveNoCurrentWhereThereAreNoPlaces) {
+  const auto is_sea = [](std::size_t column, std::size_t row) {
+    return !(column >= 4 && column < 8 && row >= 4 && row < 8);
+  };
+  const S100Sample all = scattered(12, [](std::size_t, std::size_t) { return true; });
+  const S100Sample sea = scattered(12, is_sea);
+  const ocean::CurrentGrid currents = stored(sea.write(path("island.h5")));
+  double lon = 0.0;
+  double lat = 0.0;
+  for (const auto& [each_lon, each_lat] : all.places) {
+    lon += each_lon / static_cast<double>(all.places.size());
+    lat += each_lat / static_cast<double>(all.places.size());
+  }
+  EXPECT_FALSE(
+      currents.at({lon, lat}, core::Metres{4.0}, core::from_unix_seconds(currents.samples().times_s[0])))
+      << "the middle of an island 20 km wide";
+}
+
+TEST_F(S111, AtPlacesThatAreNoneIsRefused) {
+  S100Sample sample = scattered(4, [](std::size_t, std::size_t) { return true; });
+  sample.places[3] = {-999.0, 45.0};
+  expect_refused(sample.write(path("a.h5")), "not on the Earth");
+  sample = scattered(2, [](std::size_t, std::size_t row) { return row == 0; });
+  expect_refused(sample.write(path("b.h5")), "span no area");
+  sample = scattered(4, [](std::size_t, std::size_t) { return true; });
+  sample.file_numbers["horizontalCRS"] = 32633.0;
+  expect_refused(sample.write(path("d.h5")), "not longitudes and latitudes");
+}
+
+/// S-111 1.0 and S-102 2.0 and 2.1 are of S-100 edition 4, which names the reference system otherwise.
+TEST_F(S111, OfAnEarlierEditionStatesItsReferenceSystemInItsWay) {
+  S100Sample sample = s111_sample(turning);
+  sample.product = "INT.IHO.S-111.1.0";
+  sample.file_numbers.erase("horizontalCRS");
+  sample.file_numbers["depthTypeIndex"] = 2.0;
+  sample.file_numbers["horizontalDatumValue"] = 4326.0;
+  expect_refused(sample.write(path("nobody.h5")), "horizontalCRS");
+  sample.file_texts["horizontalDatumReference"] = "EPSG";
+  EXPECT_NEAR(stored(sample.write(path("epsg.h5"))).samples().grid.place(0, 0).lon_deg, -50.0, 1e-9);
 }
 
 /// Values as h5py 3 reads them: speed (knots) and direction of node [row][column] of a record, turned to components.
