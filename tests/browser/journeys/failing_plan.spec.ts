@@ -30,6 +30,7 @@ test('the cause is told while the server still looks for what would help', async
   await open(page);
   await page.getByLabel('Start', { exact: true }).fill(typed(start));
   await page.getByLabel('Goal', { exact: true }).fill(typed(land));
+  await page.getByRole('textbox', { name: /^Departure/ }).fill('2026-11-22 13:00'); // a request of its own: of a shared one the answer is there at once
   await page.getByRole('button', { name: /^Plan / }).click();
   const job = page.getByRole('group', { name: 'Planning' });
   await expect(job).toContainText('Not possible as asked. Looking for what would help');
