@@ -48,6 +48,17 @@ const Table<PlanRequest>& search_fields() {
                                           {{"frozen"}, Method::frozen},
                                           {{"direct"}, Method::direct}},
               [](auto& request) -> auto& { return request.method; }),
+          bound<PlanRequest>({.name = "leg_tolerance",
+                              .unit = "share",
+                              .least = 0.0,
+                              .most = 0.1,
+                              .flag = "leg-tolerance",
+                              .help = "How much more than the best refined route the plan may take for fewer "
+                                      "and longer legs, as a share of its time or energy",
+                              .details = "Legs shorter than 3 km, or a fifth of the distance where that is "
+                                         "less, are left only where no other route within this share is open",
+                              .form = {"Fewer legs for at most", "%"}},
+                             [](auto& request) -> auto& { return request.leg_tolerance; }),
           bound<PlanRequest>({.name = "max_waypoints",
                               .least = 2.0,
                               .most = 10'000.0,
@@ -75,11 +86,12 @@ const Table<PlanRequest>& search_fields() {
                .least = 0.05,
                .most = 60.0,
                .flag = "refine-seconds",
-               .help = "Computing time of the refinement",
-               .details = "Each second allows 200000 leg computations, 30000 with energy or encounters in "
-                          "the objective, half of that with a thruster. If the time runs out first, the plan "
-                          "says so, and the route may differ between machines",
-               .form = {"Refine for at most", "s"}},
+               .help = "Work of the refinement, as the time that a usual machine takes for it",
+               .details =
+                   "Each second allows 200000 leg computations, 30000 with energy or encounters in "
+                   "the objective, half of that with a thruster. The limit counts computations and not "
+                   "time: the route is the same on every machine",
+               .form = {"Refine for about", "s"}},
               [](auto& request) -> auto& { return request.refine_time; }),
           bound<PlanRequest>({.name = "optimality_gap",
                               .flag = "no-optimality-gap",

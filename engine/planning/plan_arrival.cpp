@@ -10,13 +10,13 @@ namespace floeplan::planning {
 
 Result<Plan> plan_arrival(const ocean::Environment& environment, const PlanRequest& request,
                           const std::stop_token& stop, const core::ProgressCallback& progress,
-                          const core::SteadyClock& clock, const WiderSea& wider) {
+                          const WiderSea& wider) {
   throw_if_invalid(request);
-  Result<Plan> plan = planner::try_to_plan_arrival(environment, request, stop, progress, clock);
+  Result<Plan> plan = planner::try_to_plan_arrival(environment, request, stop, progress);
   if (!plan && planner::more_room_may_help(plan.error(), environment, request, stop)) {
     const auto roomy = planner::with_more_room(environment, request, wider);
     if (roomy) {
-      Result<Plan> in_room = planner::try_to_plan_arrival(roomy->sea, roomy->request, stop, progress, clock);
+      Result<Plan> in_room = planner::try_to_plan_arrival(roomy->sea, roomy->request, stop, progress);
       if (in_room) return in_room;
     }
     plan = tl::unexpected(

@@ -2,7 +2,6 @@
 
 #include <stop_token>
 
-#include "engine/core/clock.hpp"
 #include "engine/core/progress.hpp"
 #include "engine/ocean/environment.hpp"
 #include "engine/planning/problem/infeasible.hpp"
@@ -18,10 +17,10 @@ namespace floeplan::planning {
 /// Errors   Reason::arrival_too_early when even the earliest departure, `request.depart`, arrives later; else
 ///          as plan_route
 /// Throws   std::invalid_argument when `request.violations()` is not empty or no arrival is asked for
-/// `clock` and `wider`: as plan_route's. More room is tried where no departure has a plan in time for currents as fast
+/// `wider`: as plan_route's. More room is tried where no departure has a plan in time for currents as fast
 /// as the vehicle.
 [[nodiscard]] Result<Plan> plan_arrival(const ocean::Environment& environment, const PlanRequest& request,
                                         const std::stop_token& stop, const core::ProgressCallback& progress,
-                                        const core::SteadyClock& clock = {}, const WiderSea& wider = {});
+                                        const WiderSea& wider = {});
 
 }  // namespace floeplan::planning

@@ -9,11 +9,11 @@ namespace floeplan::planning {
 
 Result<Plan> plan_route(const ocean::Environment& environment, const PlanRequest& request,
                         const std::stop_token& stop, const core::ProgressCallback& report,
-                        const core::SteadyClock& clock, const WiderSea& wider) {
+                        const WiderSea& wider) {
   throw_if_invalid(request);
   const core::ProgressCallback progress = report ? report : [](std::string_view, double) {};
   Result<Plan> plan =
-      planner::plan_by(planner::all_strategies(), {environment, request, stop, progress, clock, wider});
+      planner::plan_by(planner::all_strategies(), {environment, request, stop, progress, wider});
   if (plan) return plan;
   return tl::unexpected(
       diagnosis::with_what_would_help(environment, request, std::move(plan.error()), stop, report));

@@ -2,7 +2,6 @@
 
 #include <stop_token>
 
-#include "engine/core/clock.hpp"
 #include "engine/core/progress.hpp"
 #include "engine/ocean/environment.hpp"
 #include "engine/planning/problem/plan_request.hpp"
@@ -12,10 +11,10 @@
 namespace floeplan::planning {
 
 /// Compares the departures of the request's window and plans for the best of them.
-/// `clock` and `wider`: as plan_route's. Where no departure has a plan for currents as fast as the vehicle, all are
+/// `wider`: as plan_route's. Where no departure has a plan for currents as fast as the vehicle, all are
 /// compared with more room.
 [[nodiscard]] WindowPlan plan_window(const ocean::Environment& environment, const PlanRequest& request,
                                      const std::stop_token& stop, const core::ProgressCallback& progress,
-                                     const core::SteadyClock& clock = {}, const WiderSea& wider = {});
+                                     const WiderSea& wider = {});
 
 }  // namespace floeplan::planning

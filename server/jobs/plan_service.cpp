@@ -1,7 +1,6 @@
 #include "server/jobs/plan_service.hpp"
 
 #include <chrono>
-#include <ctime>
 #include <optional>
 
 #include "api/codec/documents/departure_document.hpp"
@@ -48,26 +47,15 @@ class Stopwatch {
   std::chrono::steady_clock::time_point begin_{std::chrono::steady_clock::now()};
 };
 
-/// Computing time of the calling thread: what limits refinement, because how busy the machine is must not
-/// change a plan.
-core::Seconds thread_time() {
-  timespec time{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return std::chrono::seconds{time.tv_sec} + std::chrono::nanoseconds{time.tv_nsec};
-}
-
 /// The plan for the departure, for the best one of a window, or for the latest one that arrives in time.
 planning::WindowPlan make_plan(const ocean::Environment& environment, const planning::PlanRequest& request,
                                const planning::WiderSea& wider, const std::stop_token& stop,
                                const core::ProgressCallback& progress) {
-  if (request.departures.until)
-    return planning::plan_window(environment, request, stop, progress, thread_time, wider);
+  if (request.departures.until) return planning::plan_window(environment, request, stop, progress, wider);
   if (request.departures.arrive_by) {
-    return {.departures = {},
-            .plan = planning::plan_arrival(environment, request, stop, progress, thread_time, wider)};
+    return {.departures = {}, .plan = planning::plan_arrival(environment, request, stop, progress, wider)};
   }
-  return {.departures = {},
-          .plan = planning::plan_route(environment, request, stop, progress, thread_time, wider)};
+  return {.departures = {}, .plan = planning::plan_route(environment, request, stop, progress, wider)};
 }
 
 void add_remarks(planning::Plan& plan, const std::vector<std::string>& remarks) {

@@ -12,9 +12,12 @@ namespace {
 /// The points of a route, each joined with the next.
 class Chain {
  public:
-  Chain(const Sea& sea, const std::vector<geo::PlanePoint>& route) : route_{route}, remaining_(route.size()) {
+  Chain(const Sea& sea, const std::vector<geo::PlanePoint>& route, TimeSpan within)
+      : route_{route}, remaining_(route.size()), soonest_(route.size(), within.from), until_{within.until} {
     for (std::size_t i = route.size() - 1; i-- > 0;)
       remaining_[i] = remaining_[i + 1] + sea.least_time(route[i], route[i + 1]);
+    for (std::size_t i = 1; i < route.size(); ++i)
+      soonest_[i] = within.from + sea.least_time(route.front(), route[i]);
   }
 
   [[nodiscard]] std::size_t size() const { return route_.size(); }
@@ -28,10 +31,13 @@ class Chain {
     return remaining_[edge.tail] - remaining_[edge.head];
   }
   [[nodiscard]] core::Seconds remaining(graph::Vertex v) const { return remaining_[v]; }
+  [[nodiscard]] TimeSpan of_use(graph::Vertex v) const { return {soonest_[v], until_}; }
 
  private:
   const std::vector<geo::PlanePoint>& route_;
   std::vector<core::Seconds> remaining_;  // to the end, at least
+  std::vector<core::Seconds> soonest_;    // nobody is there before
+  core::Seconds until_;
 };
 
 core::Metres length_of(const std::vector<geo::PlanePoint>& route) {
@@ -78,15 +84,45 @@ core::Seconds longest_hold(const Schedule& schedule, const std::vector<geo::Plan
 std::optional<Schedule> held_schedule(const Sea& sea, const std::vector<geo::PlanePoint>& route,
                                       core::Seconds depart) {
   if (route.size() < 2) return std::nullopt;
-  const Chain chain{sea, route};
   const core::Seconds end = end_of_looks(sea, depart, length_of(route));
-  SeaIntervals model{sea, chain, chain, 0, {depart, end}};
+  const Chain chain{sea, route, {depart, end}};
+  SeaIntervals model{sea, chain, chain, depart};
   const graph::Query query{0, static_cast<graph::Vertex>(route.size() - 1), depart, end};
   const graph::IntervalSearch search = graph::find_earliest_among_intervals(chain, query, model, {}, {});
   if (search.way.empty()) return std::nullopt;
   auto schedule = timed(sea, route, search.way);
   if (!schedule || longest_hold(*schedule, route, sea.holding().radius) > sea.holding().longest)
     return std::nullopt;
+  return schedule;
+}
+
+Schedule departing_later(const Sea& sea, const std::vector<geo::PlanePoint>& route, Schedule schedule) {
+  constexpr double as_early = 1e-4;  // of the travel time: the fineness of waits
+  constexpr core::Seconds fine{60.0};
+  const core::Seconds depart = schedule.arrivals.front();
+  const core::Seconds latest = schedule.arrivals.back() + as_early * (schedule.arrivals.back() - depart);
+  core::Seconds on_the_way{0.0};
+  for (std::size_t i = 1; i < schedule.waits.size(); ++i) on_the_way += schedule.waits[i];
+  const core::Seconds at_start = schedule.leaves(0);
+  const auto leaving = [&](core::Seconds leaves) -> std::optional<Schedule> {
+    if (can_stay_until(sea, route.front(), depart, leaves) < leaves) return std::nullopt;
+    auto later = held_schedule(sea, route, leaves);
+    if (!later || later->arrivals.back() > latest) return std::nullopt;
+    later->waits.front() += leaves - depart;
+    later->arrivals.front() = depart;
+    if (longest_hold(*later, route, sea.holding().radius) > sea.holding().longest) return std::nullopt;
+    return later;
+  };
+  core::Seconds in_time{0.0};
+  core::Seconds too_late = on_the_way;
+  for (core::Seconds more = on_the_way; too_late - in_time > fine; more = 0.5 * (in_time + too_late)) {
+    if (auto later = leaving(at_start + more)) {
+      schedule = *std::move(later);
+      in_time = more;
+    } else {
+      too_late = more;
+    }
+  }
   return schedule;
 }
 

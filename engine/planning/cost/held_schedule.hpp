@@ -16,6 +16,12 @@ namespace floeplan::planning::cost {
 [[nodiscard]] std::optional<Schedule> held_schedule(const Sea& sea, const std::vector<geo::PlanePoint>& route,
                                                     core::Seconds depart);
 
+/// The schedule with its holds moved to the start as far as the vehicle is at the end no later: who departs later loses
+/// nothing, and waits where it is safest.
+/// Precondition  as `held_schedule`
+[[nodiscard]] Schedule departing_later(const Sea& sea, const std::vector<geo::PlanePoint>& route,
+                                       Schedule schedule);
+
 /// The longest hold of a schedule. A hold lasts from the arrival at a point until the vehicle leaves the circle of
 /// this radius about it, so that one that is spread over points near to each other is no shorter.
 [[nodiscard]] core::Seconds longest_hold(const Schedule& schedule, const std::vector<geo::PlanePoint>& route,

@@ -135,6 +135,13 @@ tl::expected<Schedule, RouteClosed> schedule_along(const Sea& sea, const std::ve
   return *std::move(waited);
 }
 
+core::Seconds earliest_arrival(const Sea& sea, const std::vector<geo::PlanePoint>& stops) {
+  core::Seconds earliest = at_departure;
+  for (std::size_t i = 1; i < stops.size(); ++i)
+    earliest = open_from(sea.closed_times(stops[i]), earliest + sea.least_time(stops[i - 1], stops[i]));
+  return earliest;
+}
+
 std::optional<core::Seconds> since_surfacing_at_end(const Sea& sea, const std::vector<geo::PlanePoint>& route,
                                                     core::Seconds depart, core::Seconds since_surfacing,
                                                     core::Seconds latest) {

@@ -21,6 +21,10 @@ namespace floeplan::planning::cost {
     const Sea& sea, const std::vector<geo::PlanePoint>& route, core::Seconds depart,
     core::Seconds since_surfacing = core::Seconds{0.0});
 
+/// Before it nobody is at the last of the stops, each open when the vehicle is there: as if it went straight with the
+/// strongest current astern.
+[[nodiscard]] core::Seconds earliest_arrival(const Sea& sea, const std::vector<geo::PlanePoint>& stops);
+
 /// How long ago the vehicle might have surfaced when it comes to the end of the route no later than at `latest`; empty
 /// where it does not, or is longer without a surfacing than the request allows on the way.
 [[nodiscard]] std::optional<core::Seconds> since_surfacing_at_end(const Sea& sea,

@@ -10,21 +10,20 @@ namespace floeplan::planning::cost {
 
 /// The sea between the vertices of a graph, for a vehicle that may stay for as long as it can keep its place: the model
 /// of `graph::find_earliest_among_intervals`.
-/// `Places`  point(vertex); `Bound`  least_time(edge, depart) and remaining(vertex), as graph::TravelTimeBound
+/// `Places`  point(vertex)
+/// `Bound`   least_time(edge, depart) and remaining(vertex), as graph::TravelTimeBound; of_use(vertex): a span outside
+///           which nobody is there, or nobody who is to be at the goal in time
 template <class Places, class Bound>
 class SeaIntervals {
  public:
-  /// `source`: where the vehicle is at the beginning of `within`, outside which nothing is looked at. Everything else is
-  /// borrowed.
-  SeaIntervals(const Sea& sea, const Places& places, const Bound& bound, graph::Vertex source,
-               TimeSpan within)
-      : sea_{sea}, places_{places}, bound_{bound}, source_{places.point(source)}, within_{within} {}
+  /// `depart`: when the vehicle leaves. Everything else is borrowed.
+  SeaIntervals(const Sea& sea, const Places& places, const Bound& bound, core::Seconds depart)
+      : sea_{sea}, places_{places}, bound_{bound}, depart_{depart} {}
 
   [[nodiscard]] std::vector<graph::SafeInterval> safe_intervals(graph::Vertex v) const {
-    const geo::PlanePoint place = places_.point(v);
-    const core::Seconds earliest = within_.from + sea_.least_time(source_, place);
-    if (earliest > within_.until) return {};
-    return cost::safe_intervals(sea_, place, {earliest, within_.until});
+    const TimeSpan of_use = bound_.of_use(v);
+    if (of_use.from > of_use.until) return {};
+    return cost::safe_intervals(sea_, places_.point(v), of_use);
   }
   [[nodiscard]] graph::DepartureLook first_open(const graph::Edge& edge, double from_s, double until_s,
                                                 double arrive_from_s) const {
@@ -41,7 +40,7 @@ class SeaIntervals {
                                        core::Seconds{until_s}, core::Seconds{arrive_until_s}));
   }
   [[nodiscard]] double least_time_s(const graph::Edge& edge) const {
-    return core::Seconds{bound_.least_time(edge, within_.from)}.count();
+    return core::Seconds{bound_.least_time(edge, depart_)}.count();
   }
   [[nodiscard]] double remaining_s(graph::Vertex v) const {
     return core::Seconds{bound_.remaining(v)}.count();
@@ -55,8 +54,7 @@ class SeaIntervals {
   const Sea& sea_;
   const Places& places_;
   const Bound& bound_;
-  geo::PlanePoint source_;
-  TimeSpan within_;
+  core::Seconds depart_;
 };
 
 }  // namespace floeplan::planning::cost

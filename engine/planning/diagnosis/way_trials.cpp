@@ -178,10 +178,11 @@ class GridTrial {
     Way at_once = likely_or_earliest_way(depart, untimed);
     if (!at_once.path.empty() && cost::schedule_along(sea_, at_once.path, depart))
       return std::move(at_once.path);
-    search::HeldWay held =
-        search::search_held_way(sea_, open_, depart, whenever, stop_, {},
-                                {.most_entries = search::limits_of_a_hold_search.most_entries,
-                                 .most_looks = left_ / (work_of_a_leg * search::leg_times_of_a_look)});
+    search::HeldWay held = search::search_held_way(
+        sea_, open_, depart, whenever, stop_, {},
+        {.most_entries = search::limits_of_a_hold_search.most_entries,
+         .most_looks = std::min(search::limits_of_a_hold_search.most_looks,
+                                left_ / (work_of_a_leg * search::leg_times_of_a_look))});
     left_ -= work_of_a_leg * held.leg_times;
     if (held.full) left_ = std::min<std::int64_t>(left_, 0);
     if (!held.path.empty() || left_ <= 0) return std::move(held.path);
@@ -284,7 +285,7 @@ TrialOutcome WayTrials::within(cost::GridReach reach, const PlanRequest& request
   }
   if (stop_.stop_requested() || (!way && share <= 0)) return TrialOutcome::not_known;
   if (!way) return TrialOutcome::impossible;
-  const publish::Improved improved = publish::improve(chart->sea, *way, request, stop_, {});
+  const publish::Improved improved = publish::improve(chart->sea, *way, request, stop_);
   const auto plan = publish::publish(*chart, environment_, request, improved, {}, stop_);
   if (stop_.stop_requested()) return TrialOutcome::not_known;
   const auto& wanted = request.departures.arrive_by;

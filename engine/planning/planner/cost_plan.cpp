@@ -54,15 +54,16 @@ cost::DrivenRoute best_straight_way(const cost::Sea& sea, const cost::Layout& la
 
 /// The way on the grid after refinement.
 publish::RefinedDrive refined(const cost::Sea& sea, const cost::DrivenRoute& way, const PlanRequest& request,
-                              const std::stop_token& stop, const core::SteadyClock& clock) {
+                              const std::stop_token& stop) {
   const Objective objective = request.objective();
   std::optional<std::size_t> most_legs;
   if (request.max_waypoints) most_legs = static_cast<std::size_t>(*request.max_waypoints) - 1;
   const double legs_per_second =
       refinement::metered_legs_per_second / static_cast<double>(sea.drives().size());
-  publish::RefinedDrive result = publish::refine_drive(
-      sea, cost::drop_costless_points(sea, way, objective, cost::at_departure, stop), objective, most_legs,
-      refinement::refinement_budget(request, legs_per_second, stop, clock));
+  publish::RefinedDrive result =
+      publish::refine_drive(sea, cost::drop_costless_points(sea, way, objective, cost::at_departure, stop),
+                            objective, {.most_legs = most_legs, .tolerance = request.leg_tolerance},
+                            refinement::refinement_budget(request, legs_per_second, stop));
   if (const auto on_grid = cost::drive_along(sea, way, cost::at_departure)) {
     result.report.before = on_grid->arrivals.back() - cost::at_departure;
     result.report.energy_before = on_grid->energy.total();
@@ -72,11 +73,11 @@ publish::RefinedDrive refined(const cost::Sea& sea, const cost::DrivenRoute& way
 
 /// Improves the way on the grid before it is published.
 ImprovedDrive improve(const cost::Sea& sea, const cost::DrivenRoute& way, const PlanRequest& request,
-                      const std::stop_token& stop, const core::SteadyClock& clock) {
+                      const std::stop_token& stop) {
   const Objective objective = request.objective();
   ImprovedDrive improved{way, std::nullopt};
   if (request.refine && request.method != Method::direct) {
-    publish::RefinedDrive moved = refined(sea, way, request, stop, clock);
+    publish::RefinedDrive moved = refined(sea, way, request, stop);
     improved = {std::move(moved.route), std::move(moved.report)};
   }
   if (request.max_waypoints) {
@@ -130,7 +131,7 @@ struct CostAttempt {
 
 /// The pipeline: request, domain, search, refinement, plan.
 CostAttempt plan_cost_within(cost::GridReach reach, const Task& task) {
-  const auto& [environment, request, stop, progress, clock, wider] = task;
+  const auto& [environment, request, stop, progress, wider, of_use] = task;
   progress("environment", 0.0);
   const Result<search::Chart> chart = search::draw_chart(environment, request, reach, stop);
   if (!chart) return {tl::unexpected(chart.error())};
@@ -153,7 +154,7 @@ CostAttempt plan_cost_within(cost::GridReach reach, const Task& task) {
   // A search that was cut short on these grids is also cut short on wider ones.
   const bool wider_may_help = way.touches_rim && !way.statistics.cut_short;
   progress("refinement", 0.7);
-  const ImprovedDrive improved = improve(sea, way.route, request, stop, clock);
+  const ImprovedDrive improved = improve(sea, way.route, request, stop);
   if (stop.stop_requested()) return {tl::unexpected(search::explain_cancelled(request))};
   return {publish(*chart, environment, request, improved, way.statistics, stop), wider_may_help};
 }
@@ -231,7 +232,7 @@ Result<Plan> publish_straight_way(const search::Chart& chart, const ocean::Envir
 }
 
 Result<Plan> search_least_cost_plan(const KnownPlan& known, const Task& task) {
-  const auto& [environment, request, stop, progress, clock, wider] = task;
+  const auto& [environment, request, stop, progress, wider, of_use] = task;
   // Only the fastest plans hold.
   PlanRequest on_the_move = request;
   on_the_move.holds.longest = core::Seconds{0.0};

@@ -316,8 +316,7 @@ Result<std::vector<DepartureOutcome>> compare_departures(const ocean::Environmen
 }
 
 WindowPlan try_to_plan_window(const ocean::Environment& environment, const PlanRequest& request,
-                              const std::stop_token& stop, const core::ProgressCallback& progress,
-                              const core::SteadyClock& clock) {
+                              const std::stop_token& stop, const core::ProgressCallback& progress) {
   double done = share_of_comparison(environment, request);
   auto outcomes =
       compare_departures(environment, request, stop, core::part_of(progress, "departures", 0.0, done));
@@ -337,7 +336,7 @@ WindowPlan try_to_plan_window(const ocean::Environment& environment, const PlanR
     const double share = outcome.robust_cost ? 1.0 / static_cast<double>(most_planned - planned.size()) : 0.9;
     const double from = std::exchange(done, done + share * (1.0 - done));
     auto plan = try_to_plan(environment, leaving_at(request, outcome.departure), stop,
-                            core::part_of(progress, "best departure", from, done), clock);
+                            core::part_of(progress, "best departure", from, done));
     if (plan && outcome.robust_cost) {
       count_plan(outcome, *plan, request.uncertainty);
       planned.emplace(*best, std::move(*plan));

@@ -5,7 +5,6 @@
 #include <stop_token>
 #include <vector>
 
-#include "engine/core/clock.hpp"
 #include "engine/core/progress.hpp"
 #include "engine/ocean/environment.hpp"
 #include "engine/planning/problem/infeasible.hpp"
@@ -27,8 +26,7 @@ namespace floeplan::planning::planner {
 /// As `plan_window`, on the request's own grids. Does not say what would help where there is no plan.
 [[nodiscard]] WindowPlan try_to_plan_window(const ocean::Environment& environment, const PlanRequest& request,
                                             const std::stop_token& stop,
-                                            const core::ProgressCallback& progress,
-                                            const core::SteadyClock& clock = {});
+                                            const core::ProgressCallback& progress);
 
 /// The departure with the least cost by the objective, the first of equal ones. With a robust objective only those count that
 /// are open in the most members. Empty if all departures are closed.

@@ -66,12 +66,13 @@ class WayFinder {
     way.route = cost::fixed_route(chart_.layout.points);
     if (task_.request.method != Method::direct) {
       const auto report = [&](double fraction) { task_.progress("search", 0.1 + 0.8 * fraction); };
-      auto found = search::search_voyage(sea, grids_, task_.request, cost::at_departure, task_.stop, report);
+      auto found = search::search_voyage(sea, grids_, task_.request, cost::at_departure, task_.stop, report,
+                                         {.of_use = cost::at_departure + task_.of_use});
       if (!found) return tl::unexpected(std::move(found.error()));
       way = std::move(*found);
     }
     task_.progress("refinement", 0.9);
-    publish::Improved improved = publish::improve(sea, way.route, task_.request, task_.stop, task_.clock);
+    publish::Improved improved = publish::improve(sea, way.route, task_.request, task_.stop);
     return RefinedWay{std::move(way), std::move(improved)};
   }
 
@@ -80,37 +81,30 @@ class WayFinder {
   std::vector<search::OpenGrid> grids_;  // none for the direct way
 };
 
-/// Whether the vehicle reaches the goal when it opens, and no vehicle could do so earlier: not even one that goes straight from
-/// stop to stop with the strongest current from astern.
+/// Whether no vehicle could be at the goal earlier: not even one that goes straight from stop to stop with the strongest
+/// current from astern.
 bool is_as_early_as_any(const search::Chart& chart, core::Seconds travel_time) {
   constexpr core::Seconds slack{60.0};  // the largest error of a hold's end
-  core::Seconds earliest = cost::at_departure;
-  bool opens_later = false;
-  for (std::size_t i = 1; i < chart.layout.points.size(); ++i) {
-    const core::Seconds there =
-        earliest + chart.sea.least_time(chart.layout.points[i - 1], chart.layout.points[i]);
-    earliest = open_from(chart.sea.closed_times(chart.layout.points[i]), there);
-    opens_later = earliest > there;
-  }
-  return opens_later && travel_time <= earliest - cost::at_departure + slack;
+  return travel_time <= cost::earliest_arrival(chart.sea, chart.layout.points) + slack;
 }
 
 /// The pipeline: request, domain, search, refinement, plan.
 Attempt plan_within(cost::GridReach reach, const Task& task) {
-  const auto& [environment, request, stop, progress, clock, wider] = task;
+  const auto& [environment, request, stop, progress, wider, of_use] = task;
   progress("environment", 0.0);
   Result<search::Chart> chart = search::draw_chart(environment, request, reach, stop);
   if (!chart) return {.plan = tl::unexpected(std::move(chart.error()))};
 
   Result<RefinedWay> way = WayFinder{*chart, task}.find();
   if (!way) {
-    const bool cancelled = way.error().reason == Reason::cancelled;
-    return {.plan = tl::unexpected(std::move(way.error())), .wider_may_help = !cancelled};
+    // Who came to no end on these grids comes to none on wider ones.
+    const bool is_over = way.error().reason == Reason::cancelled || way.error().search_cut_short;
+    return {.plan = tl::unexpected(std::move(way.error())), .wider_may_help = !is_over};
   }
   if (stop.stop_requested()) return {.plan = tl::unexpected(search::explain_cancelled(request))};
   Result<Plan> plan =
       publish::publish(*chart, environment, request, way->improved, way->found.statistics, stop);
-  if (plan) plan->search.none_is_earlier = is_as_early_as_any(*chart, plan->travel_time());
+  if (plan && is_as_early_as_any(*chart, plan->travel_time())) plan->search.none_is_earlier = true;
   if (plan && way->found.statistics.cut_short) {
     plan->messages.push_back(what_may_be_better(*plan));
   }
@@ -125,7 +119,7 @@ Attempt best_attempt(const Task& task) {
   const std::vector<cost::GridReach> to_try = cost::reaches(task.request);
   Attempt best = plan_within(to_try.front(), task);
   if (best.wider_may_help && to_try.size() > 1) {
-    Attempt wider = plan_within(to_try.back(), task);
+    Attempt wider = plan_within(to_try.back(), best.plan ? task.to_beat(*best.plan) : task);
     const bool nearer_will_do = best.plan && (!wider.plan || best.plan->arrival <= wider.plan->arrival);
     if (!nearer_will_do) best = std::move(wider);
   }
@@ -161,7 +155,7 @@ std::optional<PlanRequest> without_leave(const ocean::Environment& environment, 
 }  // namespace
 
 Result<Plan> plan_fastest(const Task& task, const Planning&) {
-  const auto& [environment, request, stop, progress, clock, wider] = task;
+  const auto& [environment, request, stop, progress, wider, of_use] = task;
   const std::optional<PlanRequest> strict = without_leave(environment, request);
   const core::ProgressCallback as_asked = core::part_of(progress, "", 0.0, strict ? 0.5 : 1.0);
   Attempt best = plan_on_grids(task.telling(as_asked));

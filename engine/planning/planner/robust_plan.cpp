@@ -141,7 +141,7 @@ core::UtcTime arrival_that_counts(const Plan& plan, const UncertaintyRules& rule
 }
 
 Result<Plan> plan_uncertain(const Task& task, const Planning& plan_in_one_sea) {
-  const auto& [environment, asked, stop, progress, clock, wider] = task;
+  const auto& [environment, asked, stop, progress, wider, of_use] = task;
   PlanRequest request = asked;
   request.optimality_gap = false;
   const UncertaintyRules& rules = request.uncertainty;

@@ -28,7 +28,7 @@ Result<Plan> evaluate_on_ground(const search::RouteGround& ground, const std::ve
     if (plan || request.holds.longest.count() == 0.0) return plan;
   }
   publish::Improved given =
-      publish::improve(chart->sea, cost::fixed_route(chart->layout.points), on_route, stop, {});
+      publish::improve(chart->sea, cost::fixed_route(chart->layout.points), on_route, stop);
   Result<Plan> plan = publish::publish(*chart, ground.environment(), on_route, given, {}, stop);
   // The comparison is with the best way from start to end, not with the best one past every waypoint.
   std::fill(given.route.fixed.begin() + 1, given.route.fixed.end() - 1, false);

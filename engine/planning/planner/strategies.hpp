@@ -4,7 +4,6 @@
 #include <stop_token>
 #include <string_view>
 
-#include "engine/core/clock.hpp"
 #include "engine/core/progress.hpp"
 #include "engine/ocean/environment.hpp"
 #include "engine/planning/planner/task.hpp"
@@ -32,7 +31,6 @@ struct Strategy {
 /// As `plan_route`, without a diagnosis and on one kind of grid; for callers that plan many variants.
 /// Errors and Stops  as `plan_route`
 [[nodiscard]] Result<Plan> try_to_plan(const ocean::Environment& environment, const PlanRequest& request,
-                                       const std::stop_token& stop, const core::ProgressCallback& progress,
-                                       const core::SteadyClock& clock = {});
+                                       const std::stop_token& stop, const core::ProgressCallback& progress);
 
 }  // namespace floeplan::planning::planner

@@ -147,7 +147,7 @@ double share_of_usual_grids(const ocean::Environment& environment, const PlanReq
 }
 
 Result<Plan> best_of_more_grids(Result<Plan> known, const Task& task, const Planning& plan_once) {
-  const auto& [environment, request, stop, progress, clock, wider] = task;
+  const auto& [environment, request, stop, progress, wider, of_use] = task;
   if (request.method == Method::direct || stop.stop_requested()) return known;
   const bool is_worth_it = known ? takes_more_than_one_try(*known, environment, request)
                                  : more_room_may_help(known.error(), environment, request, stop);
@@ -160,7 +160,10 @@ Result<Plan> best_of_more_grids(Result<Plan> known, const Task& task, const Plan
   const auto consider = [&](const ocean::Environment& sea, const PlanRequest& other) {
     if (stop.stop_requested()) return;
     const core::ProgressCallback part = parts.next();
-    Result<Plan> plan = plan_once(task.in(sea).with(other).telling(part));
+    const Task in_sea = task.in(sea);
+    const Task asked = in_sea.with(other);
+    const Task tried = asked.telling(part);
+    Result<Plan> plan = plan_once(best ? tried.to_beat(*best) : tried);
     all_found = all_found && plan.has_value();
     if (plan) highest = std::max(highest, cost_of(*plan, request.objective()));
     if (plan && (!best || is_cheaper(*plan, *best, request.objective()))) best = std::move(plan);

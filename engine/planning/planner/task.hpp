@@ -1,10 +1,10 @@
 #pragma once
 
+#include <cmath>
 #include <functional>
 #include <stop_token>
 #include <string_view>
 
-#include "engine/core/clock.hpp"
 #include "engine/core/progress.hpp"
 #include "engine/ocean/environment.hpp"
 #include "engine/planning/problem/infeasible.hpp"
@@ -20,25 +20,33 @@ struct Task {
   const PlanRequest& request;
   const std::stop_token& stop;
   const core::ProgressCallback& progress;  // never empty
-  const core::SteadyClock& clock;
-  const WiderSea& wider;  // empty: the environment holds all that there is
+  const WiderSea& wider;                   // empty: the environment holds all that there is
+  core::Seconds of_use{
+      INFINITY};  // travel time beyond which a way on a grid is of no use: a better plan is known
 
   /// The same for another request.
   [[nodiscard]] Task with(const PlanRequest& other) const {
-    return {environment, other, stop, progress, clock, wider};
+    return {environment, other, stop, progress, wider, of_use};
   }
   /// The same in another sea.
   [[nodiscard]] Task in(const ocean::Environment& other) const {
-    return {other, request, stop, progress, clock, wider};
+    return {other, request, stop, progress, wider, of_use};
   }
   /// The same, with another listener to its progress, which is borrowed.
   [[nodiscard]] Task telling(const core::ProgressCallback& other) const {
-    return {environment, request, stop, other, clock, wider};
+    return {environment, request, stop, other, wider, of_use};
+  }
+  /// The same where a plan is known that another one is to beat.
+  [[nodiscard]] Task to_beat(const Plan& known) const {
+    constexpr double gained_by_refinement = 0.03;  // of the time on a grid: a judgement
+    Task task = *this;
+    if (request.objective().is_time()) task.of_use = (1.0 + gained_by_refinement) * known.travel_time();
+    return task;
   }
   /// The same without a listener.
   [[nodiscard]] Task silently() const {
     static const core::ProgressCallback silent = [](std::string_view, double) {};
-    return {environment, request, stop, silent, clock, wider};
+    return {environment, request, stop, silent, wider, of_use};
   }
 };
 

@@ -87,14 +87,12 @@ class LatestDeparture {
  public:
   /// Everything is borrowed and outlives this.
   LatestDeparture(const ocean::Environment& environment, const PlanRequest& request,
-                  const std::stop_token& stop, const core::ProgressCallback& progress,
-                  const core::SteadyClock& clock)
+                  const std::stop_token& stop, const core::ProgressCallback& progress)
       : environment_{environment},
         request_{request},
         wanted_{*request.departures.arrive_by},
         stop_{stop},
-        parts_{progress, "latest departure"},
-        clock_{clock} {}
+        parts_{progress, "latest departure"} {}
 
   Result<Plan> find() {
     const auto beginning = begin(environment_, request_, stop_);
@@ -131,7 +129,7 @@ class LatestDeparture {
 
   /// Makes a whole plan, and keeps it as the best one if it arrives in time.
   std::optional<core::Seconds> try_at(core::UtcTime depart) {
-    auto plan = try_to_plan(environment_, leaving_at(request_, depart), stop_, parts_.next(), clock_);
+    auto plan = try_to_plan(environment_, leaving_at(request_, depart), stop_, parts_.next());
     if (!plan) {
       binds_ = plan.error().binding;
       return std::nullopt;
@@ -206,8 +204,7 @@ class LatestDeparture {
 
   /// Why no departure is in time.
   Result<Plan> explained() {
-    auto earliest =
-        try_to_plan(environment_, leaving_at(request_, request_.depart), stop_, parts_.next(), clock_);
+    auto earliest = try_to_plan(environment_, leaving_at(request_, request_.depart), stop_, parts_.next());
     if (earliest && left(*earliest).count() >= 0.0) return earliest;
     if (earliest) return tl::unexpected(too_early(request_, *earliest));
     return earliest;
@@ -218,7 +215,6 @@ class LatestDeparture {
   core::UtcTime wanted_;  // or the last moment before it at which the goal is open
   const std::stop_token& stop_;
   core::PartsOfProgress parts_;
-  const core::SteadyClock& clock_;
   std::optional<Plan> best_;         // the latest departure that is in time
   bool some_arrive_{false};          // in time or not
   std::optional<Constraint> binds_;  // where no plan came, the last time
@@ -227,9 +223,8 @@ class LatestDeparture {
 }  // namespace
 
 Result<Plan> try_to_plan_arrival(const ocean::Environment& environment, const PlanRequest& request,
-                                 const std::stop_token& stop, const core::ProgressCallback& progress,
-                                 const core::SteadyClock& clock) {
-  return LatestDeparture{environment, request, stop, progress, clock}.find();
+                                 const std::stop_token& stop, const core::ProgressCallback& progress) {
+  return LatestDeparture{environment, request, stop, progress}.find();
 }
 
 }  // namespace floeplan::planning::planner

@@ -2,7 +2,6 @@
 
 #include <stop_token>
 
-#include "engine/core/clock.hpp"
 #include "engine/core/progress.hpp"
 #include "engine/ocean/environment.hpp"
 #include "engine/planning/problem/infeasible.hpp"
@@ -17,7 +16,6 @@ namespace floeplan::planning::planner {
 /// Errors   as `plan_arrival`
 [[nodiscard]] Result<Plan> try_to_plan_arrival(const ocean::Environment& environment,
                                                const PlanRequest& request, const std::stop_token& stop,
-                                               const core::ProgressCallback& progress,
-                                               const core::SteadyClock& clock);
+                                               const core::ProgressCallback& progress);
 
 }  // namespace floeplan::planning::planner

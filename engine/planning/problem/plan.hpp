@@ -49,7 +49,7 @@ struct SearchStatistics {
   /// Something was closed when the vehicle, which never holds, came to it, and may open in time for a way that is
   /// earlier.
   bool holds_may_help{false};
-  /// Nobody is at the goal earlier by any way, whatever the grid: it opens then.
+  /// Nobody is at the goal earlier, whatever the grid, unless it came faster by a twentieth: it opens then.
   bool none_is_earlier{false};
   /// It ended at its bound on arrivals kept: a better way, or where none was found a way, may exist.
   bool cut_short{false};

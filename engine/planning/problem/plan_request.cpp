@@ -56,10 +56,12 @@ core::Violations PlanRequest::violations() const {
   faults.require<"not-between">(is_spacing(spacing_along) && is_spacing(spacing_across), "/spacing_m", "1 m",
                                 "100 km");
   faults.within(refine_time.count(), 0.05, 60.0, "/refine_seconds", "0.05", "60");
+  faults.within(leg_tolerance, 0.0, 0.1, "/leg_tolerance", "0", "0.1");
   faults.require<"not-at-least">(!max_waypoints || *max_waypoints >= 2, "/max_waypoints",
                                  "2: the start and the goal");
   if (max_leg) faults.within(max_leg->value, 100.0, 5e6, "/max_leg_m", "100 m", "5000 km");
-  faults.within(holds.longest.count(), 0.0, longest_hold_allowed.count(), "/max_loiter_s", "0", "864000, ten days");
+  faults.within(holds.longest.count(), 0.0, longest_hold_allowed.count(), "/max_loiter_s", "0",
+                "864000, ten days");
   faults.within(holds.radius.value, 50.0, 10'000.0, "/hold_radius_m", "50 m", "10 km");
   for (std::size_t i = 0; i < zones.size(); ++i)
     faults.take(zones[i].violations(), "/zones/" + std::to_string(i));

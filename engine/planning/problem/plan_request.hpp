@@ -52,9 +52,10 @@ struct PlanRequest {
   std::optional<core::Metres> room{};
   Method method{Method::astar};
   bool refine{true};
-  core::Seconds refine_time{1.0};       // refinement at most
-  bool optimality_gap{true};            // compare the plan with the best way in open water
-  std::optional<int> max_waypoints;     // start and goal included
+  core::Seconds refine_time{1.0};    // worth of legs that refinement may time: refinement_budget.hpp
+  bool optimality_gap{true};         // compare the plan with the best way in open water
+  double leg_tolerance{0.005};       // share of its cost that refinement may give for fewer and longer legs
+  std::optional<int> max_waypoints;  // start and goal included
   std::optional<core::Metres> max_leg;  // longer legs are parted
   HoldRules holds;
   std::vector<ocean::Zone> zones;  // obeyed beside those of the environment

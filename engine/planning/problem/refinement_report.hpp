@@ -15,7 +15,7 @@ namespace floeplan::planning {
 enum class RefinementEnd {
   converged,    // no move of a waypoint gains anything
   evaluations,  // the limit on timed legs was reached; the same on every machine
-  time,         // the caller's clock ran past the limit
+  time,         // the clock ran past the limit; only of plans before 0.2
   cancelled
 };
 

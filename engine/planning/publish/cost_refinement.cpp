@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "engine/planning/cost/route.hpp"
-#include "engine/planning/refinement/refinement.hpp"
 #include "engine/planning/refinement/shortening.hpp"
 
 namespace floeplan::planning::publish {
@@ -68,7 +67,8 @@ cost::DrivenRoute on_cheapest_drives(const CheapestLeg& leg, const cost::Itinera
 }  // namespace
 
 RefinedDrive refine_drive(const cost::Sea& sea, const cost::DrivenRoute& route, const Objective& objective,
-                          std::optional<std::size_t> most_legs, const refinement::RefinementBudget& budget) {
+                          const refinement::RefinementLimits& limits,
+                          const refinement::RefinementBudget& budget) {
   RefinedDrive result{.route = route, .report = {}};
   const auto before = cost::drive_along(sea, route, cost::at_departure);
   if (!before) return result;
@@ -77,23 +77,22 @@ RefinedDrive refine_drive(const cost::Sea& sea, const cost::DrivenRoute& route, 
   const auto start = legs.timed({route.points, route.fixed}, cost::at_departure);
   if (!start) return result;
   std::vector<cost::Itinerary> shorter;
-  if (most_legs) shorter.push_back(refinement::shorten_to(legs, *start, *most_legs));
-  refinement::Refined refined =
-      refinement::refine_route(leg, *start, {.most_legs = most_legs}, budget, shorter);
+  if (limits.most_legs) shorter.push_back(refinement::shorten_to(legs, *start, *limits.most_legs));
+  refinement::Refined refined = refinement::refine_route(leg, *start, limits, budget, shorter);
   result.report.evaluations = refined.report.evaluations;
   result.report.end = refined.report.end;
 
-  const bool had_too_many = most_legs && route.drives.size() > *most_legs;
+  const bool had_too_many = limits.most_legs && route.drives.size() > *limits.most_legs;
   cost::DrivenRoute moved = on_cheapest_drives(leg, refined.itinerary);
-  if (refined.report.end == RefinementEnd::evaluations || refined.report.end == RefinementEnd::time) {
-    // Refinement had no time left to find needless points.
+  if (refined.report.end == RefinementEnd::evaluations) {
+    // Refinement had no work left to find needless points.
     const double most_cost =
         std::min(before->cost(objective), (1.0 + worth_points) * refined.itinerary.cost());
     moved = cost::drop_cheap_points(sea, moved, objective, cost::at_departure, most_cost, budget.stop);
   }
   const auto after = cost::drive_along(sea, moved, cost::at_departure);
-  if (after && (had_too_many || after->cost(objective) <= before->cost(objective)))
-    result.route = std::move(moved);
+  const double most = (1.0 + limits.tolerance) * before->cost(objective);
+  if (after && (had_too_many || after->cost(objective) <= most)) result.route = std::move(moved);
   return result;
 }
 

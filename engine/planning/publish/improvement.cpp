@@ -26,9 +26,16 @@ std::optional<std::size_t> most_legs(const PlanRequest& request) {
   return static_cast<std::size_t>(*request.max_waypoints) - 1;
 }
 
+std::vector<geo::PlanePoint> stops_of(const cost::Route& way) {
+  std::vector<geo::PlanePoint> stops;
+  for (std::size_t i = 0; i < way.points.size(); ++i)
+    if (way.fixed[i]) stops.push_back(way.points[i]);
+  return stops;
+}
+
 /// The way on the grid after refinement. A closed way stays as it is: publishing tells why it is closed.
 Improved refined(const cost::Sea& sea, const cost::Route& way, const PlanRequest& request,
-                 const std::stop_token& stop, const core::SteadyClock& clock) {
+                 const std::stop_token& stop) {
   const auto schedule = cost::schedule_along(sea, way.points, cost::at_departure);
   if (!schedule) return {way, std::nullopt};
   const HeldLegs timer{sea, way, *schedule};
@@ -45,8 +52,11 @@ Improved refined(const cost::Sea& sea, const cost::Route& way, const PlanRequest
   std::vector<cost::Itinerary> shorter;
   if (most)
     shorter = {refinement::shorten_to(legs, *start, *most), refinement::shorten_to(legs, *on_grid, *most)};
-  const auto budget = refinement::refinement_budget(request, refinement::timed_legs_per_second, stop, clock);
-  refinement::Refined result = refinement::refine_route(timer, *start, {.most_legs = most}, budget, shorter);
+  const auto budget = refinement::refinement_budget(request, refinement::timed_legs_per_second, stop);
+  const refinement::RefinementLimits limits{.most_legs = most,
+                                            .tolerance = request.leg_tolerance,
+                                            .least_cost = cost::earliest_arrival(sea, stops_of(way)).count()};
+  refinement::Refined result = refinement::refine_route(timer, *start, limits, budget, shorter);
   result.report.before = on_grid->travel_time();
   return {std::move(result.itinerary.route), std::move(result.report)};
 }
@@ -96,10 +106,10 @@ bool stays_open(const cost::Sea& sea, const cost::Route& route) {
   return cost::arrivals_along(sea, route.points, cost::at_departure).has_value();
 }
 
-/// Whether it is open and the vehicle arrives no later than by the other route. Even a little later it may have to wait
-/// until something reopens.
-bool is_as_early(const cost::Sea& sea, const cost::Route& route, const cost::Route& other) {
-  constexpr double rounding = 1e-4;  // share of times: the accuracy of waits
+/// Whether it is open and the vehicle arrives no later than by the other route, but for what fewer legs may cost. Much
+/// later it may have had to wait until something reopened.
+bool is_as_early(const cost::Sea& sea, const cost::Route& route, const cost::Route& other, double tolerance) {
+  const double rounding = std::max(1e-4, tolerance);  // share of times: the accuracy of waits, at least
   const auto arrivals = cost::arrivals_along(sea, route.points, cost::at_departure);
   if (!arrivals || !cost::holds_may_help(sea)) return arrivals.has_value();
   const auto others = cost::arrivals_along(sea, other.points, cost::at_departure);
@@ -174,18 +184,19 @@ cost::Route finished(const cost::Sea& sea, cost::Route route, const PlanRequest&
 }  // namespace
 
 Improved improve(const cost::Sea& sea, const cost::Route& way, const PlanRequest& request,
-                 const std::stop_token& stop, const core::SteadyClock& clock) {
+                 const std::stop_token& stop) {
   Improved improved{way, std::nullopt};
   if (request.method != Method::direct) {
     improved.route = joined_where_open(sea, way);
-    if (request.refine) improved = refined(sea, improved.route, request, stop, clock);
+    if (request.refine) improved = refined(sea, improved.route, request, stop);
   }
   improved.route = finished(sea, improved.route, request, stop);
-  if (request.max_waypoints ? stays_open(sea, improved.route) : is_as_early(sea, improved.route, way))
+  if (request.max_waypoints ? stays_open(sea, improved.route)
+                            : is_as_early(sea, improved.route, way, request.leg_tolerance))
     return improved;
   const cost::Route joined = joined_where_open(sea, way);
   if (request.refine && request.method != Method::direct && sea.overhead().bounds_surfacing()) {
-    Improved held = refined(sea, held_at_the_ice(sea, joined), request, stop, clock);
+    Improved held = refined(sea, held_at_the_ice(sea, joined), request, stop);
     held.route = finished(sea, released(std::move(held.route), joined), request, stop);
     if (stays_open(sea, held.route)) return held;
   }

@@ -3,7 +3,6 @@
 #include <optional>
 #include <stop_token>
 
-#include "engine/core/clock.hpp"
 #include "engine/planning/cost/route.hpp"
 #include "engine/planning/cost/sea.hpp"
 #include "engine/planning/problem/refinement_report.hpp"
@@ -19,8 +18,8 @@ struct Improved {
 /// Improves the way on the grid before it is published: drops needless points, moves the others, reduces their number and
 /// divides long legs as the request demands. Where the refined route is closed as a whole, the straightened one is taken;
 /// where that is closed, too, the way itself.
-/// Stops  refinement after the request's `refine_time` by `clock`, or once `stop` is requested
+/// Stops  refinement once the work of the request's `refine_time` is done or `stop` is requested
 [[nodiscard]] Improved improve(const cost::Sea& sea, const cost::Route& way, const PlanRequest& request,
-                               const std::stop_token& stop, const core::SteadyClock& clock);
+                               const std::stop_token& stop);
 
 }  // namespace floeplan::planning::publish

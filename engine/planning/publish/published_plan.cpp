@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "engine/messages/plan_messages.hpp"
+#include "engine/planning/cost/held_schedule.hpp"
 #include "engine/planning/cost/route.hpp"
 #include "engine/planning/cost/route_cost.hpp"
 #include "engine/planning/optimal_control/optimality.hpp"
@@ -15,9 +16,6 @@
 namespace floeplan::planning::publish {
 
 void add_messages(Plan& plan, const PlanRequest& request) {
-  if (plan.refinement && plan.refinement->end == RefinementEnd::time) {
-    plan.messages.push_back(messages::plan_message<"refinement-out-of-time">());
-  }
   if (request.refine && request.method != Method::direct && !plan.refinement) {
     plan.messages.push_back(messages::plan_message<"route-not-refined">());
   }
@@ -52,8 +50,10 @@ Result<Plan> publish(const search::Chart& chart, const ocean::Environment& envir
                      const std::stop_token& stop) {
   const cost::Sea& sea = chart.sea;
   const std::vector<geo::PlanePoint>& points = improved.route.points;
-  const auto schedule = cost::schedule_along(sea, points, cost::at_departure);
+  auto schedule = cost::schedule_along(sea, points, cost::at_departure);
   if (!schedule) return tl::unexpected(search::explain_route(schedule.error(), sea, request));
+  if (!sea.overhead().bounds_surfacing())
+    *schedule = cost::departing_later(sea, points, *std::move(schedule));
   const std::vector<vehicle::Drive> drives(improved.route.legs(), sea.drives().front());
   Plan plan = assemble_plan(sea, environment, request, points, *schedule, drives, stop);
   plan.search = statistics;

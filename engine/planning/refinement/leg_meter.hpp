@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <stop_token>
 #include <utility>
@@ -12,10 +11,9 @@
 
 namespace floeplan::planning::refinement {
 
-/// How long refinement may go on.
+/// How much work refinement may do: counted, and not by a clock, so that the same request gives the same route everywhere.
 struct RefinementBudget {
   std::int64_t most_evaluations{1'000'000};  // of a leg
-  std::function<bool()> out_of_time{};       // the caller's clock; empty: no limit
   std::stop_token stop{};
 };
 
@@ -62,8 +60,6 @@ class LegMeter {
       end_ = RefinementEnd::cancelled;
     } else if (evaluations_ >= budget_.most_evaluations) {
       end_ = RefinementEnd::evaluations;
-    } else if (budget_.out_of_time && budget_.out_of_time()) {
-      end_ = RefinementEnd::time;
     }
     return end_ != RefinementEnd::converged;
   }

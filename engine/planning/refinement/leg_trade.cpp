@@ -34,4 +34,10 @@ const cost::Itinerary& LegTradeOff::choose(double least_gain, std::optional<std:
   return chosen->second;
 }
 
+std::optional<cost::Itinerary> LegTradeOff::fewest(double most_cost) const {
+  for (const auto& [legs, timed] : cheapest_)
+    if (timed.cost() <= most_cost) return timed;
+  return std::nullopt;
+}
+
 }  // namespace floeplan::planning::refinement

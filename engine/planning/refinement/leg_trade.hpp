@@ -23,6 +23,9 @@ class LegTradeOff {
   /// Precondition: a route was offered
   [[nodiscard]] const cost::Itinerary& choose(double least_gain, std::optional<std::size_t> most_legs) const;
 
+  /// The route with the fewest legs that costs at most so much; empty where none does.
+  [[nodiscard]] std::optional<cost::Itinerary> fewest(double most_cost) const;
+
  private:
   std::map<std::size_t, cost::Itinerary> cheapest_;
 };

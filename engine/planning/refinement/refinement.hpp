@@ -12,6 +12,7 @@
 #include "engine/planning/refinement/kept_points.hpp"
 #include "engine/planning/refinement/leg_meter.hpp"
 #include "engine/planning/refinement/leg_trade.hpp"
+#include "engine/planning/refinement/longer_legs.hpp"
 #include "engine/planning/refinement/smooth_moves.hpp"
 #include "engine/planning/refinement/thinning.hpp"
 
@@ -22,6 +23,14 @@ struct RefinementLimits {
   std::size_t finest_legs{128};            // to work with, unless the route comes with more
   std::optional<std::size_t> most_legs{};  // of the result; empty: as many as serve
   double least_gain{5e-4};                 // share of the cost for which twice as many legs are taken
+  double tolerance{0.0};   // share of the least cost that may be paid for fewer and longer legs
+  double least_cost{0.0};  // no route costs less, as far as is known
+
+  /// A share of the cost that is looked for, or `coarse` of what may be paid for fewer legs: what is given away again is
+  /// not worth much work.
+  [[nodiscard]] double worth(double share, double coarse) const {
+    return std::max(share, coarse * tolerance);
+  }
 };
 
 /// A route after its points were moved.
@@ -43,13 +52,9 @@ class Refiner {
       found_.offer(other);
       found_.offer(settle(other));
     }
-    fewer_and_fewer(more_and_more(start));
-    place_better(found_.choose(limits_.least_gain, limits_.most_legs));
-    constexpr double worth_a_last_round = 5e-7;
-    found_.offer(settle(found_.choose(limits_.least_gain, limits_.most_legs), worth_a_last_round));
-    const cost::Itinerary& chosen = found_.choose(limits_.least_gain, limits_.most_legs);
-    const bool costs_more = chosen.cost() > start.cost();
-    const cost::Itinerary& kept = costs_more ? found_.choose(0.0, limits_.most_legs) : chosen;
+    constexpr double as_good = 1e-4;  // as the fineness of waits
+    if (start.cost() > (1.0 + as_good) * limits_.least_cost) move_points(start);
+    const cost::Itinerary kept = with_few_long_legs(start);
     return {tidied(kept),
             {.before = start.travel_time(),
              .after = kept.travel_time(),
@@ -59,6 +64,33 @@ class Refiner {
   }
 
  private:
+  void move_points(const cost::Itinerary& start) {
+    fewer_and_fewer(more_and_more(start));
+    place_better(best_found());
+    found_.offer(settle(best_found(), limits_.worth(5e-7, 1e-3)));
+  }
+
+  [[nodiscard]] const cost::Itinerary& best_found() const {
+    return found_.choose(limits_.least_gain, limits_.most_legs);
+  }
+
+  /// The best of what was found, or one with fewer and longer legs that costs hardly more.
+  cost::Itinerary with_few_long_legs(const cost::Itinerary& start) {
+    const cost::Itinerary& chosen = best_found();
+    const bool costs_more = chosen.cost() > start.cost();
+    const cost::Itinerary best = costs_more ? found_.choose(0.0, limits_.most_legs) : chosen;
+    const double most_cost = (1.0 + limits_.tolerance) * best.cost();
+    cost::Itinerary kept = found_.fewest(most_cost).value_or(best);
+    while (kept.route.legs() > 1) {
+      cost::Itinerary fewer = settle(thinned(kept, kept.route.legs() - 1));
+      if (fewer.route.legs() == kept.route.legs() || fewer.cost() > most_cost) break;
+      found_.offer(fewer);
+      kept = std::move(fewer);
+    }
+    return without_short_legs(legs_, std::move(kept), most_cost,
+                              [this](cost::Itinerary timed) { return settle(std::move(timed)); });
+  }
+
   /// Without legs too short to steer, where that costs nothing.
   cost::Itinerary tidied(const cost::Itinerary& kept) {
     constexpr core::Metres too_short{0.1};
@@ -69,7 +101,11 @@ class Refiner {
   }
 
   /// Moves the points of a route until a round gains less than this share of the cost.
-  cost::Itinerary settle(cost::Itinerary timed, double worth_a_round = 5e-6) {
+  cost::Itinerary settle(cost::Itinerary timed) {
+    return settle(std::move(timed), limits_.worth(5e-6, 0.01));
+  }
+
+  cost::Itinerary settle(cost::Itinerary timed, double worth_a_round) {
     constexpr double most_steps_in_a_round = 20.0;
     for (;;) {
       const double before = timed.cost();
@@ -88,7 +124,7 @@ class Refiner {
     for (;;) {
       cost::Itinerary finer = settle(split_to(legs_, best, wanted));
       found_.offer(finer);
-      const bool gains = best.cost() - finer.cost() > limits_.least_gain * best.cost();
+      const bool gains = best.cost() - finer.cost() > limits_.worth(limits_.least_gain, 0.2) * best.cost();
       if (finer.cost() < best.cost()) best = std::move(finer);
       wanted *= 2;
       // Points are well placed for so many legs when they were chosen from twice as many.
@@ -147,7 +183,7 @@ class Refiner {
   /// Twice the legs and back to as many as before, so that the points end up where they serve best: again and again
   /// until that gains nothing more.
   void place_better(cost::Itinerary chosen) {
-    constexpr double worth_a_round = 1e-5;  // share of the cost
+    const double worth_a_round = limits_.worth(1e-5, 0.02);  // share of the cost
     const std::size_t legs = chosen.route.legs();
     for (;;) {
       cost::Itinerary finer = settle(split_to(legs_, chosen, 2 * legs));
@@ -169,9 +205,9 @@ class Refiner {
 /// fewer and fewer, each time from the best way with more of them.
 /// `shorter`  routes with no more legs than `most_legs`: without them the points of many legs, thinned to few, may
 ///            settle far from the best
-/// Returns  the route with the fewest legs of which twice as many would not gain `least_gain`; fixed points
-///          stay, no leg is closed, and it costs no more than the route that came unless `most_legs` forces it, and no
-///          more than any of the shorter ones
+/// Returns  a route with few and long legs that costs at most `tolerance` more than the best one. The best is the one with
+///          the fewest legs of which twice as many would not gain `least_gain`; it costs no more than the route that came,
+///          unless `most_legs` forces it, and no more than any of the shorter ones. Fixed points stay, no leg is closed
 /// Stops    when the budget ends, with the best found until then
 template <cost::CostedLeg Leg>
 Refined refine_route(const Leg& leg, const cost::Itinerary& start, const RefinementLimits& limits,

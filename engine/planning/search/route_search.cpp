@@ -118,41 +118,37 @@ bool may_open_in_time(const RefusedEdges& refused, const StraightBound& straight
   });
 }
 
-/// The way of the vehicle as if nothing closed and opened in time.
-struct AtOnce {
-  const graph::SearchTree& tree;
-  core::Seconds arrival;  // with the holds that it needs; infinite where it is closed
-};
+/// Looks at departures, where a way is known already: about half a second.
+constexpr std::int64_t most_looks_for_better = 100'000;
 
-/// Replaces the way by one that holds where that arrives earlier.
-/// Returns  whether there is any way then
-bool look_for_holds(RouteSearch& result, const cost::Sea& sea, const OpenGrid& open, const AtOnce& at_once,
-                    core::Seconds depart, core::Seconds latest, const std::stop_token& stop,
-                    const graph::ExpansionCallback& report) {
-  result.arrival = at_once.arrival;
-  const auto take = [&](HeldWay held) {
-    result.statistics.expansions += held.counters.expansions;
-    result.statistics.edge_evaluations += held.leg_times;
-    result.statistics.cut_short = held.full;
-    result.cancelled = held.cancelled;
-    if (held.arrival < result.arrival) {
-      result.path = std::move(held.path);
-      result.arrival = held.arrival;
-    }
-    if (held.full && std::isfinite(result.arrival.count()))
-      result.statistics.possible_gain = std::max(core::Seconds{0.0}, result.arrival - held.none_before);
-  };
-  const core::Seconds unhindered{at_once.tree.arrival_s(open.grid.goal)};
-  if (std::isfinite(unhindered.count())) {
-    // Nobody is at the goal before.
-    const core::Seconds opens = open_from(sea.closed_times(open.grid.point(open.grid.goal)), unhindered);
-    const auto is_best = [&] { return result.arrival <= opens + slack_of_holds(sea, open); };
-    if (is_best()) return true;
-    take(search_later_departure(sea, open, depart, opens, stop));
-    if (result.cancelled || is_best()) return true;
+/// Takes the held way where that arrives earlier.
+void take_earlier(RouteSearch& result, HeldWay held) {
+  result.statistics.expansions += held.counters.expansions;
+  result.statistics.edge_evaluations += held.leg_times;
+  result.statistics.cut_short = held.full;
+  result.cancelled = held.cancelled;
+  if (held.arrival < result.arrival) {
+    result.path = std::move(held.path);
+    result.arrival = held.arrival;
   }
-  take(search_held_way(sea, open, depart, std::min(latest, result.arrival), stop, report));
-  return result.cancelled || std::isfinite(result.arrival.count());
+  if (held.full && std::isfinite(result.arrival.count()))
+    result.statistics.possible_gain = std::max(core::Seconds{0.0}, result.arrival - held.none_before);
+}
+
+/// Where the goal opens after the vehicle could be there: replaces the way by one that departs later.
+/// Returns  whether nobody is at the goal earlier
+bool is_best_departing_later(RouteSearch& result, const cost::Sea& sea, const OpenGrid& open,
+                             core::Seconds unhindered, core::Seconds depart, const std::stop_token& stop) {
+  const core::Seconds opens = open_from(sea.closed_times(open.grid.point(open.grid.goal)), unhindered);
+  if (!std::isfinite(opens.count()) || opens <= unhindered) return false;
+  const auto is_best = [&] { return result.arrival <= opens + slack_of_holds(sea, open); };
+  if (!is_best()) take_earlier(result, search_later_departure(sea, open, depart, opens, stop));
+  // Nor would who comes by another grid, or by one way a little faster, be at the goal before it closes.
+  constexpr double faster_at_most = 0.95;
+  const core::Seconds sooner = depart + faster_at_most * (unhindered - depart);
+  const bool is_closed_then = open_from(sea.closed_times(open.grid.point(open.grid.goal)), sooner) == opens;
+  result.statistics.none_is_earlier = is_best() && is_closed_then;
+  return is_best();
 }
 
 /// The search as if the time without surfacing were not bounded.
@@ -236,30 +232,32 @@ RouteSearch search_unbounded(const cost::Sea& sea, const OpenGrid& open, const P
   adopt(tree);
   const auto untimed_way = in_time ? timed_without_delay(sea, result.path, depart, tree.arrival_s(grid.goal))
                                    : UntimedWay{.is_best = true, .arrival_s = tree.arrival_s(grid.goal)};
-  if (cost::holds_may_help(sea) && request.method != Method::frozen && !result.cancelled) {
-    const bool is_hindered =
-        (!result.path.empty() && !untimed_way.is_best) || may_open_in_time(refused, straight, result.arrival);
-    if (is_hindered) {
-      if (look_for_holds(result, sea, open, {tree, core::Seconds{untimed_way.arrival_s}}, depart, latest,
-                         stop, report))
-        return result;
-      RouteSearch moving = search_unbounded(sea.without_holds(), open, request, depart, stop, report_fraction,
-                                            latest, kept_foresight);
-      moving.statistics.holds_may_help = false;  // they did not
-      add_work(moving.statistics, result.statistics);
-      moving.statistics.cut_short = moving.statistics.cut_short || result.statistics.cut_short;
-      return moving;
-    }
-    if (!result.path.empty()) return result;
-  }
   const bool is_hindered = !result.path.empty() && !untimed_way.is_best;
-  if (in_time && is_hindered && !result.cancelled) {
+  const bool opens_later = may_open_in_time(refused, straight, result.arrival);
+  const bool holds_may_help = cost::holds_may_help(sea) && request.method != Method::frozen;
+  if (is_hindered && !result.cancelled) {
+    RouteSearch untimed = result;
+    untimed.arrival = core::Seconds{untimed_way.arrival_s};  // with the holds that it needs
+    const core::Seconds unhindered{tree.arrival_s(grid.goal)};
+    if (holds_may_help && is_best_departing_later(untimed, sea, open, unhindered, depart, stop))
+      return untimed;
+    if (untimed.cancelled) return untimed;
     tree = search(GridTravelTime{sea, grid, &refused}, true);
     adopt(tree);
+    if (untimed.arrival < result.arrival) {
+      result.path = std::move(untimed.path);
+      result.arrival = untimed.arrival;
+    }
+  }
+  if (holds_may_help && (is_hindered || opens_later) && !result.cancelled) {
+    graph::IntervalLimits limits = limits_of_a_hold_search;
+    if (!result.path.empty()) limits.most_looks = most_looks_for_better;
+    take_earlier(result,
+                 search_held_way(sea, open, depart, std::min(latest, result.arrival), stop, report, limits));
   }
   const bool anything_opens = sea.has_timed_closures() || (sea.currents() && sea.currents()->time_step());
-  result.statistics.holds_may_help = anything_opens && sea.holding().longest.count() == 0.0 &&
-                                     (is_hindered || may_open_in_time(refused, straight, result.arrival));
+  result.statistics.holds_may_help =
+      anything_opens && sea.holding().longest.count() == 0.0 && (is_hindered || opens_later);
   if (result.path.empty() && !result.cancelled) describe_end(result, sea, grid, graph, tree);
   return result;
 }

@@ -21,6 +21,7 @@ void add(SearchStatistics& sum, const SearchStatistics& part) {
   sum.reinsertions += part.reinsertions;
   sum.holds_may_help = sum.holds_may_help || part.holds_may_help;
   sum.possible_gain = part.possible_gain;
+  sum.none_is_earlier = part.none_is_earlier;
   sum.cut_short = sum.cut_short || part.cut_short;
 }
 
@@ -119,13 +120,12 @@ class Parts {
                           others_.foresights != nullptr ? &(*others_.foresights)[i] : nullptr);
     };
     const bool bounded = others_.way != nullptr && !sea_.has_timed_closures();
+    const core::Seconds of_use = i + 1 == grids_.size() ? others_.of_use : core::Seconds{INFINITY};
     const core::Seconds latest =
         bounded ? arrival_by(sea_, *others_.way, i, beginning.depart) : core::Seconds{INFINITY};
-    RouteSearch search = search_by(latest);
+    RouteSearch search = search_by(std::min(latest, of_use));
     // Where FIFO does not hold the search may miss the way that gave the bound.
-    if (search.path.empty() && std::isfinite(latest.count()) && !search.cancelled) {
-      search = search_by(core::Seconds{INFINITY});
-    }
+    if (search.path.empty() && latest < of_use && !search.cancelled) search = search_by(of_use);
     add(statistics_, search.statistics);
     return search;
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <functional>
 #include <stop_token>
 #include <vector>
@@ -28,13 +29,14 @@ struct OtherDepartures {
   const FoundWay* way{};                 // of one of them
   std::vector<Foresight>* foresights{};  // one for each grid
   const RouteSearch* first{};            // of the first grid, by the same method from the same departure
+  core::Seconds of_use{INFINITY};        // an arrival at the last stop after which no way is wanted
 };
 
 /// Searches grid after grid with the request's method (not Method::direct), from `depart` on (counted from the
 /// sea's epoch); under FIFO the earliest arrival at each stop is the best departure from it.
 /// Where the time without surfacing is bounded and the way on from a stop does not keep that bound, the stop is come to
 /// again, later, with as much of the bound left as the way on needs.
-/// `others`: bound the search and change no result (their way not where something closes for a while); without a way
+/// `others`: bound the search and, but for `of_use`, change no result (their way not where something closes for a while); without a way
 /// legs that open later are looked for.
 /// Errors   where and why there is no way
 /// Stops    with Reason::cancelled once `stop` is requested

@@ -16,7 +16,7 @@ namespace floeplan::planning::plan_pass_under_test {
 namespace {
 
 Result<Plan> plan(const ocean::Environment& environment, const PlanRequest& request) {
-  return planner::try_to_plan(environment, request, {}, {}, {});
+  return planner::try_to_plan(environment, request, {}, {});
 }
 
 /// A berg of a stated draft in the only gap of a wall.

@@ -89,12 +89,11 @@ TEST(PlanUnderIce, WarnsOfDeeperIceWithinTheErrorOfPosition) {
   request.method = Method::direct;
   const auto warns = testing::Contains(testing::HasSubstr("reaches ice where dives must turn"));
 
-  EXPECT_THAT(messages::sentences(planner::try_to_plan(sea_with(60.0), request, {}, {}, {}).value().messages),
+  EXPECT_THAT(messages::sentences(planner::try_to_plan(sea_with(60.0), request, {}, {}).value().messages),
               testing::Not(warns));
   request.under_ice.surfacing_interval = core::Seconds{86'400.0};
-  EXPECT_THAT(
-      messages::sentences(planner::try_to_plan(sea_with(69.02), request, {}, {}, {}).value().messages),
-      warns);
+  EXPECT_THAT(messages::sentences(planner::try_to_plan(sea_with(69.02), request, {}, {}).value().messages),
+              warns);
 }
 
 TEST(PlanUnderIce, WarnsOfOpeningsThatKeepTheBoundAndMayBeMissed) {

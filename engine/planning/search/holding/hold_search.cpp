@@ -6,6 +6,7 @@
 #include "engine/planning/cost/hold_times.hpp"
 #include "engine/planning/cost/sea_intervals.hpp"
 #include "engine/planning/search/bounds/favourable_bound.hpp"
+#include "engine/planning/search/bounds/foresight.hpp"
 
 namespace floeplan::planning::search {
 namespace {
@@ -14,6 +15,107 @@ namespace {
 /// water, and no more than what is known of when places open.
 constexpr double least_gain_by_holds = 1e-3;
 constexpr double most_left_s = 60.0;
+
+/// Of the least time to the goal: by how much later arrivals are looked for first, and by which factor later ones are
+/// after each search without any. Judgements.
+constexpr double looked_for_first = 0.02;
+constexpr double then_further = 4.0;
+
+/// Towards the goal at the best hour of every edge, and only by places that are of use to who is there in time.
+struct TowardsGoalInTime {
+  const FavourableBound& favourable;
+  const graph::SearchTree& earliest;    // nobody is at a vertex before
+  const graph::SearchTree& until_when;  // of use, on the film run backwards
+
+  [[nodiscard]] core::Seconds least_time(const graph::Edge& edge, core::Seconds depart) const {
+    return favourable.least_time(edge, depart);
+  }
+  [[nodiscard]] core::Seconds remaining(graph::Vertex v) const { return favourable.remaining(v); }
+  [[nodiscard]] TimeSpan of_use(graph::Vertex v) const {
+    return {core::Seconds{earliest.arrival_s(v)},
+            core::Seconds{rounding_of_times_s - until_when.arrival_s(v)}};
+  }
+};
+
+/// Looks for an early arrival first, and for later ones where there is none: the less time there is, the fewer places
+/// are of use, and the shorter.
+class HeldWaySearch {
+ public:
+  /// `within`: from the departure to the latest arrival. Everything is borrowed.
+  HeldWaySearch(const cost::Sea& sea, const OpenGrid& open, TimeSpan within, const std::stop_token& stop,
+                const graph::ExpansionCallback& report, const graph::IntervalLimits& limits)
+      : sea_{sea},
+        open_{open},
+        within_{within},
+        stop_{stop},
+        report_{report},
+        limits_{limits},
+        foresight_{sea, open},
+        closures_{sea, open.grid} {}
+
+  HeldWay run() {
+    const graph::SearchTree earliest = foresight_.sweep_forth(within_.from, within_.until, stop_, closures_);
+    const core::Seconds least{earliest.arrival_s(open_.grid.goal)};
+    held_.none_before = least;
+    const bool hopeless = least + core::Seconds{limits_.slack_s} >= within_.until;
+    if (hopeless || stop_.stop_requested()) return ended();
+    const FavourableBound favourable{sea_, open_, stop_};
+    core::Seconds more = looked_for_first * (least - within_.from);
+    for (core::Seconds arrive = within_.from; arrive < within_.until && !is_over(); more *= then_further) {
+      arrive = std::min(least + more, within_.until);
+      const graph::SearchTree until_when =
+          foresight_.sweep_back(within_.from, arrive, stop_, closures_, earliest);
+      if (stop_.stop_requested()) break;
+      look_for(arrive, {favourable, earliest, until_when});
+    }
+    return ended();
+  }
+
+ private:
+  void look_for(core::Seconds arrive, const TowardsGoalInTime& bound) {
+    cost::SeaIntervals model{sea_, open_.grid, bound, within_.from};
+    const graph::Query query{open_.grid.start, open_.grid.goal, within_.from, arrive};
+    graph::IntervalLimits left = limits_;
+    left.most_looks -= held_.counters.edge_evaluations;
+    const graph::IntervalSearch found =
+        graph::find_earliest_among_intervals(open_.graph, query, model, left, stop_, report_);
+    held_.counters.expansions += found.counters.expansions;
+    held_.counters.edge_evaluations += found.counters.edge_evaluations;
+    held_.cancelled = found.stopped;
+    held_.full = found.full;
+    held_.none_before = found.full ? core::Seconds{found.none_before_s} : arrive;
+    way_ = found.way;
+  }
+
+  [[nodiscard]] bool is_over() const {
+    return !way_.empty() || held_.full || held_.cancelled || stop_.stop_requested();
+  }
+
+  HeldWay ended() {
+    held_.leg_times = leg_times_of_a_look * held_.counters.edge_evaluations;
+    held_.cancelled = held_.cancelled || stop_.stop_requested();
+    if (held_.cancelled || way_.empty()) return std::move(held_);
+    for (const graph::Visit& visit : way_) held_.path.push_back(open_.grid.point(visit.vertex));
+    const auto schedule = cost::held_schedule(sea_, held_.path, within_.from);
+    if (schedule) {
+      held_.arrival = schedule->arrivals.back();
+    } else {
+      held_.path.clear();
+    }
+    return std::move(held_);
+  }
+
+  const cost::Sea& sea_;
+  const OpenGrid& open_;
+  TimeSpan within_;
+  const std::stop_token& stop_;
+  const graph::ExpansionCallback& report_;
+  graph::IntervalLimits limits_;
+  Foresight foresight_;
+  VertexClosures closures_;
+  std::vector<graph::Visit> way_;
+  HeldWay held_;
+};
 
 }  // namespace
 
@@ -26,30 +128,11 @@ core::Seconds slack_of_holds(const cost::Sea& sea, const OpenGrid& open) {
 HeldWay search_held_way(const cost::Sea& sea, const OpenGrid& open, core::Seconds depart,
                         core::Seconds latest, const std::stop_token& stop,
                         const graph::ExpansionCallback& report, graph::IntervalLimits limits) {
-  HeldWay held;
   const core::Metres straight{
       geo::distance_m(open.grid.point(open.grid.start), open.grid.point(open.grid.goal))};
   const core::Seconds last = std::min(latest, cost::end_of_looks(sea, depart, straight));
-  const FavourableBound bound{sea, open, stop};
-  cost::SeaIntervals model{sea, open.grid, bound, open.grid.start, {depart, last}};
-  const graph::Query query{open.grid.start, open.grid.goal, depart, last};
   limits.slack_s = slack_of_holds(sea, open).count();
-  const graph::IntervalSearch search =
-      graph::find_earliest_among_intervals(open.graph, query, model, limits, stop, report);
-  held.counters = search.counters;
-  held.leg_times = leg_times_of_a_look * search.counters.edge_evaluations;
-  held.cancelled = search.stopped || stop.stop_requested();
-  held.full = search.full;
-  held.none_before = core::Seconds{search.none_before_s};
-  if (held.cancelled || search.way.empty()) return held;
-  for (const graph::Visit& visit : search.way) held.path.push_back(open.grid.point(visit.vertex));
-  const auto schedule = cost::held_schedule(sea, held.path, depart);
-  if (!schedule) {
-    held.path.clear();
-    return held;
-  }
-  held.arrival = schedule->arrivals.back();
-  return held;
+  return HeldWaySearch{sea, open, {depart, last}, stop, report, limits}.run();
 }
 
 }  // namespace floeplan::planning::search

@@ -85,7 +85,7 @@ TEST(StrongCurrents, AreReadFromAsWideAnAreaAsIsSearched) {
     return sea;
   };
 
-  ASSERT_TRUE(plan_route(sea, request, {}, {}, {}, wider));
+  ASSERT_TRUE(plan_route(sea, request, {}, {}, wider));
 
   ASSERT_EQ(asked.size(), 1U);
   EXPECT_TRUE(geo::contains(asked.front(), {-53.0, 69.8}));
@@ -144,7 +144,7 @@ TEST(StrongCurrents, AreWhatMakesAllTheDifference) {
     return std::nullopt;
   };
 
-  const auto plan = plan_route(sea, request, {}, {}, {}, wider);
+  const auto plan = plan_route(sea, request, {}, {}, wider);
 
   const auto on_usual_grids = try_to_plan(sea, request, {}, {});
   ASSERT_TRUE(plan);

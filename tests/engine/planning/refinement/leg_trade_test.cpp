@@ -42,6 +42,13 @@ TEST(LegTradeOff, TakesNoMoreLegsThanAskedForUnlessThereIsNoOther) {
   EXPECT_EQ(trade_off().choose(0.0, 3).route.legs(), 4U);
 }
 
+TEST(LegTradeOff, KnowsTheFewestLegsThatCostAtMostSoMuch) {
+  EXPECT_EQ(trade_off().fewest(1099.0)->route.legs(), 8U);
+  EXPECT_EQ(trade_off().fewest(1100.0)->route.legs(), 4U);
+  EXPECT_EQ(trade_off().fewest(999.95)->route.legs(), 32U);
+  EXPECT_FALSE(trade_off().fewest(999.0).has_value());
+}
+
 TEST(LegTradeOff, ReachesOverANumberOfLegsThatGainsNothing) {
   LegTradeOff found;
   found.offer(itinerary(4, 1100.0));

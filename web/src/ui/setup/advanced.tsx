@@ -53,7 +53,12 @@ export function Advanced(): VNode {
           <TextField name="hold_radius_m" />
         </div>
         <CheckField name="refine" />
-        {draft.value.refine && <TextField name="refine_seconds" />}
+        {draft.value.refine && (
+          <div class="field-pair">
+            <TextField name="leg_tolerance" />
+            <TextField name="refine_seconds" />
+          </div>
+        )}
         <CheckField name="optimality_gap" />
         <CheckField name="steady" />
       </Part>

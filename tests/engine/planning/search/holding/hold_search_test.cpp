@@ -223,6 +223,22 @@ TEST_F(HoldBeforeAGoal, EndsWhenItOpens) {
   EXPECT_NEAR(held.arrival.count(), closed[0].until.count(), 120.0);
 }
 
+TEST_F(HoldBeforeAGoal, IsBegunAtTheStartWhereThatLosesNothing) {
+  const cost::Sea sea = this->sea();
+  const std::vector<geo::PlanePoint> route{
+      grid_.point(grid_.start), {-6000.0, 500.0}, grid_.point(grid_.goal)};
+  const auto schedule = cost::schedule_along(sea, route, at_departure);
+  ASSERT_TRUE(schedule);
+  ASSERT_GT(schedule->waits[1].count(), 3600.0) << "the first leg is open at once";
+
+  const cost::Schedule later = cost::departing_later(sea, route, *schedule);
+
+  EXPECT_EQ(later.arrivals.front(), at_departure);
+  EXPECT_GT(later.waits[0].count(), schedule->waits[1].count() - 600.0);
+  EXPECT_LT(later.waits[1].count(), 600.0);
+  EXPECT_NEAR(later.arrivals.back().count(), schedule->arrivals.back().count(), 60.0);
+}
+
 TEST_F(HoldBeforeAGoal, IsNotSpreadOverPlacesWhereItIsLongerThanAllowed) {
   const HeldWay held = search();
   ASSERT_FALSE(held.path.empty());
