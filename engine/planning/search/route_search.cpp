@@ -279,6 +279,16 @@ RouteSearch search_route(const cost::Sea& sea, const OpenGrid& open, const PlanR
   }
   RouteSearch bounded = search_with_surfacings(sea, open, depart, since_surfacing, stop, report_fraction);
   add_work(bounded.statistics, found.statistics);
+  if (bounded.path.empty() && bounded.statistics.cut_short && sea.holding().longest.count() > 0.0) {
+    // Holds take most of its labels.
+    RouteSearch moving =
+        search_with_surfacings(sea.without_holds(), open, depart, since_surfacing, stop, report_fraction);
+    add_work(moving.statistics, bounded.statistics);
+    if (!moving.path.empty()) {
+      moving.statistics.cut_short = true;  // holds may come there earlier
+      return moving;
+    }
+  }
   return bounded;
 }
 
