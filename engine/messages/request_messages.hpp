@@ -224,12 +224,12 @@ inline constexpr auto request_kinds = std::to_array<Kind>({
      .text = "holds no route \"{wanted}\", but {titles}",
      .slots = {{{"wanted", "south"}, {"titles", "1 \"north\""}}}},
     {.code = "no-route-shown",
-     .text = "holds no route that is shown: {titles} ({why}); give the name or number of the one to take "
-             "(--route)",
+     .text = "holds no route that is shown: {titles} ({why}); give the name or number of the one to take: "
+             "route_name (--route)",
      .slots = {{{"titles", "1 \"north\""}, {"why", "hidden"}}}},
     {.code = "several-routes",
      .text = "holds {routes} routes, and which is meant nobody can tell: {titles}; give the name or number "
-             "of the one to take (--route)",
+             "of the one to take: route_name (--route)",
      .slots = {{{"routes", 2}, {"titles", "1 \"north\", 2 \"south\""}}}},
     {.code = "route-with-a-gap",
      .text = "{gap}: they do not touch, and how to get from one to the other the file does not say; draw one "
