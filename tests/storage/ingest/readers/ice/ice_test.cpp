@@ -297,7 +297,7 @@ TEST_F(IceTest, ThicknessIsStoredInMetresAndADraftAsTheThicknessThatFloatsSo) {
 
   file.others = {another("sithick", {{"standard_name", "sea_ice_thickness"}, {"units", "m"}},
                          std::vector<double>(12, 150.0))};
-  expect_refused_ice(file, "no sea ice does");
+  expect_refused_ice(file, "thicker than any sea ice");
 }
 
 TEST_F(IceTest, TheUserMaySayWhenAFileWithoutTimeWasSeen) {
