@@ -76,6 +76,7 @@ Foresight::Foresight(const cost::Sea& sea, const OpenGrid& open, core::Seconds a
 
 std::optional<motion::NearbyCurrent> Foresight::water_at(graph::Vertex v, core::Seconds time,
                                                          currents::NearbyCurrents::Film film) {
+  if (!is_useful()) return std::nullopt;
   if (nearby_) return nearby_->on_film(open_.grid.point(v), time, film);
   motion::NearbyCurrent still;
   still.known_s = std::numeric_limits<float>::infinity();
