@@ -19,11 +19,11 @@ test('the holds of a plan are in its table, its figures and its brief', async ({
   await page.locator('.plan-choose', { hasText: 'Holding' }).click();
   await settled(page);
 
-  const hold = /hold \d h \d\d min at waypoint \d+/;
+  const hold = /hold \d h \d\d min at waypoint (S|\d+)/;
   await expect(page.getByRole('region', { name: 'Waypoints' }).getByText(hold)).toBeVisible();
   await expect(page.locator('.figures-grid div', { hasText: 'Holds' })).toHaveAttribute('title', hold);
   await expectAccessible(page);
   const brief = await request.get(`/collections/plans/items/${plan_id}/mission.html`);
-  expect(await brief.text()).toMatch(/Hold \d h \d\d min at waypoint \d+\./);
+  expect(await brief.text()).toMatch(/Hold \d h \d\d min at waypoint (S|\d+)\./);
   await request.delete(`/collections/plans/items/${plan_id}`);
 });
