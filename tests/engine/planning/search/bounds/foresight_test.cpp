@@ -96,6 +96,25 @@ TEST(Foresight, IsOfNoUseWhereDataAreMuchFinerThanTheGrid) {
   EXPECT_FALSE((Foresight{coarse.sea, coarse.open}.is_useful()));
 }
 
+TEST(Foresight, SweepsByTheStraightBoundWhereItIsOfNoUse) {
+  const Waters coarse{{.currents = support::currents_from(
+                           [](geo::LonLat, double) { return geo::VelocityEn{{0.1}, {0.0}}; }, 48)},
+                      24'000.0};
+  Foresight foresight{coarse.sea, coarse.open};
+  ASSERT_FALSE(foresight.is_useful());
+  VertexClosures closures{coarse.sea, coarse.open.grid};
+  const core::Seconds late{48.0 * 3600.0};
+
+  const graph::SearchTree earliest = foresight.sweep_forth(core::Seconds{0.0}, late, {}, closures);
+  const graph::SearchTree until_when = foresight.sweep_back(core::Seconds{0.0}, late, {}, closures, earliest);
+
+  const cost::RouteGrid& grid = coarse.open.grid;
+  const core::Seconds least = coarse.sea.least_time(grid.point(grid.start), grid.point(grid.goal));
+  ASSERT_TRUE(earliest.is_reached(grid.goal));
+  EXPECT_GE(earliest.arrival_s(grid.goal), least.count() - 1.0);
+  EXPECT_LE(-until_when.arrival_s(grid.start), late.count() - least.count() + 1.0);
+}
+
 TEST(Foresight, StopsWhenAsked) {
   const Waters waters{{}, 250.0};
   Foresight foresight{waters.sea, waters.open};
