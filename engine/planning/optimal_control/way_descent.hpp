@@ -23,13 +23,13 @@ struct WayDescent {
 [[nodiscard]] WayDescent descend(const TimedWay& start, const LegTimer& leg_timer,
                                  const std::stop_token& stop = {});
 
-/// The same with `legs` legs of about equal duration: the way is cut into them before the descent, and once more after it.
+/// The same with `legs` legs of about equal duration. The way is divided into them before the descent and again after it.
 /// Not converged where cutting the corners of the way closes it.
 [[nodiscard]] WayDescent descend_with_legs(const TimedWay& start, std::size_t legs, const LegTimer& leg_timer,
                                            const std::stop_token& stop = {});
 
-/// A start for a descent with more legs: the way is cut once, and the descent ends where by the quadratic model less than
-/// 1e-4 of the duration can be gained.
+/// A rough way from which a descent with more legs can start. The way is divided once. The descent ends when its quadratic
+/// model predicts a gain of less than 1e-4 of the duration.
 [[nodiscard]] WayDescent descend_roughly(const TimedWay& start, std::size_t legs, const LegTimer& leg_timer,
                                          const std::stop_token& stop = {});
 

@@ -21,8 +21,8 @@ struct Task {
   const std::stop_token& stop;
   const core::ProgressCallback& progress;  // never empty
   const WiderSea& wider;                   // empty: the environment holds all that there is
-  core::Seconds of_use{
-      INFINITY};  // travel time beyond which a way on a grid is of no use: a better plan is known
+  /// A way on a grid that takes longer is of no use, because a better plan is known.
+  core::Seconds of_use{INFINITY};
 
   /// The same for another request.
   [[nodiscard]] Task with(const PlanRequest& other) const {
