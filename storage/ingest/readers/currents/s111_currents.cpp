@@ -122,74 +122,77 @@ VelocitySlice components_of(std::vector<float> speeds, std::vector<float> direct
   return slice;
 }
 
+/// What the layouts of S-111 have in common: one level, and speeds with directions.
 class S111Source : public VelocitySource {
  public:
-  S111Source(S100Coverage currents, AxisNodes times, std::optional<double> depth_m, double unit_m_s)
-      : currents_{std::move(currents)}, records_{std::move(times.source)}, unit_m_s_{unit_m_s} {
-    shape_.columns = currents_.grid.x().size();
-    shape_.rows = currents_.grid.y().size();
-    shape_.times_s = std::move(times.nodes);
-    if (depth_m) shape_.depths_m = {*depth_m};
-  }
-
   [[nodiscard]] const SourceShape& shape() const override { return shape_; }
-  [[nodiscard]] geo::LonLat place(std::size_t point) const override {
-    return currents_.grid.place(point % shape_.columns, point / shape_.columns);
-  }
-
   [[nodiscard]] Checked<VelocitySlice> read(std::size_t time, std::size_t /*level*/) const override {
-    const auto table = currents_.table(records_[time]);
-    if (!table) return refuse(table.error());
-    auto speeds = currents_.read(*table, speed_name, 0, shape_.rows);
+    auto speeds = values(records_[time], speed_name);
     if (!speeds) return refuse(speeds.error());
-    auto directions = currents_.read(*table, direction_name, 0, shape_.rows);
+    auto directions = values(records_[time], direction_name);
     if (!directions) return refuse(directions.error());
     return components_of(std::move(*speeds), std::move(*directions), unit_m_s_);
   }
-
   [[nodiscard]] Checked<std::vector<float>> level_depths(std::size_t /*time*/,
                                                          std::size_t /*level*/) const override {
     return refuse(messages::ingest_current_message<"levels-not-of-the-bed">("an S-111 file"));
   }
 
+ protected:
+  S111Source(std::size_t columns, std::size_t rows, AxisNodes times, std::optional<double> depth_m,
+             double unit_m_s)
+      : records_{std::move(times.source)}, unit_m_s_{unit_m_s} {
+    shape_.columns = columns;
+    shape_.rows = rows;
+    shape_.times_s = std::move(times.nodes);
+    if (depth_m) shape_.depths_m = {*depth_m};
+  }
+
+  /// Of all points, in a record of the file.
+  [[nodiscard]] virtual Checked<std::vector<float>> values(std::size_t record, const char* name) const = 0;
+
  private:
-  S100Coverage currents_;
   std::vector<std::size_t> records_;  // by time
   double unit_m_s_;
   SourceShape shape_;
 };
 
-/// Currents at places of their own.
-class S111PointSource : public VelocitySource {
+/// Currents on a grid.
+class S111GridSource : public S111Source {
  public:
-  S111PointSource(S100Points currents, AxisNodes times, std::optional<double> depth_m, double unit_m_s)
-      : currents_{std::move(currents)}, records_{std::move(times.source)}, unit_m_s_{unit_m_s} {
-    shape_.columns = currents_.places.size();
-    shape_.times_s = std::move(times.nodes);
-    if (depth_m) shape_.depths_m = {*depth_m};
-  }
+  S111GridSource(S100Coverage currents, AxisNodes times, std::optional<double> depth_m, double unit_m_s)
+      : S111Source{currents.grid.x().size(), currents.grid.y().size(), std::move(times), depth_m, unit_m_s},
+        currents_{std::move(currents)} {}
 
-  [[nodiscard]] const SourceShape& shape() const override { return shape_; }
-  [[nodiscard]] geo::LonLat place(std::size_t point) const override { return currents_.places[point]; }
-
-  [[nodiscard]] Checked<VelocitySlice> read(std::size_t time, std::size_t /*level*/) const override {
-    auto speeds = currents_.read(records_[time], speed_name);
-    if (!speeds) return refuse(speeds.error());
-    auto directions = currents_.read(records_[time], direction_name);
-    if (!directions) return refuse(directions.error());
-    return components_of(std::move(*speeds), std::move(*directions), unit_m_s_);
-  }
-
-  [[nodiscard]] Checked<std::vector<float>> level_depths(std::size_t /*time*/,
-                                                         std::size_t /*level*/) const override {
-    return refuse(messages::ingest_current_message<"levels-not-of-the-bed">("an S-111 file"));
+  [[nodiscard]] geo::LonLat place(std::size_t point) const override {
+    return currents_.grid.place(point % shape().columns, point / shape().columns);
   }
 
  private:
+  [[nodiscard]] Checked<std::vector<float>> values(std::size_t record, const char* name) const override {
+    const auto table = currents_.table(record);
+    if (!table) return refuse(table.error());
+    return currents_.read(*table, name, 0, shape().rows);
+  }
+
+  S100Coverage currents_;
+};
+
+/// Currents at places of their own.
+class S111PointSource : public S111Source {
+ public:
+  S111PointSource(S100Points currents, AxisNodes times, std::optional<double> depth_m, double unit_m_s)
+      : S111Source{currents.places.size(), 1, std::move(times), depth_m, unit_m_s},
+        currents_{std::move(currents)} {}
+
+  [[nodiscard]] geo::LonLat place(std::size_t point) const override { return currents_.places[point]; }
+
+ private:
+  [[nodiscard]] Checked<std::vector<float>> values(std::size_t record, const char* name) const override {
+    return currents_.read(record, name);
+  }
+
   S100Points currents_;
-  std::vector<std::size_t> records_;  // by time
-  double unit_m_s_;
-  SourceShape shape_;
 };
 
 /// What is said of all values of a file, whatever their layout.
@@ -236,8 +239,8 @@ Checked<CurrentInput> grid_in(const std::filesystem::path& file) {
   CurrentInput input;
   if (head->level.warning) input.warnings.push_back(*head->level.warning);
   input.grid = currents->grid;
-  input.source = std::make_shared<const S111Source>(std::move(*currents), std::move(head->times),
-                                                    head->level.depth_m, head->unit_m_s);
+  input.source = std::make_shared<const S111GridSource>(std::move(*currents), std::move(head->times),
+                                                        head->level.depth_m, head->unit_m_s);
   return input;
 }
 
