@@ -5,7 +5,7 @@
 
 #include "api/codec/documents/mission_document.hpp"
 #include "api/fields/process_fields.hpp"
-#include "api/routes/plans/flight_check_service.hpp"
+#include "api/service/flight_check_service.hpp"
 #include "engine/mission/document/file_text.hpp"
 #include "engine/mission/reading/read_document.hpp"
 #include "server/cli/output/plan_output.hpp"
@@ -83,8 +83,8 @@ tl::expected<std::vector<mission::Document>, core::Violations> judged(const Chec
   }
   auto db = repository::open_store(program.store);
   core::Violations faults;
-  if (!inputs.empty() || start) faults = routes::check_flight(db, inputs, start, documents);
-  if (faults.empty() && flags.plan) faults = routes::compare_with_plan(db, *flags.plan, documents);
+  if (!inputs.empty() || start) faults = service::check_flight(db, inputs, start, documents);
+  if (faults.empty() && flags.plan) faults = service::compare_with_plan(db, *flags.plan, documents);
   if (!faults.empty()) return tl::unexpected(faults);
   return documents;
 }

@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "api/codec/documents/flight_comparison.hpp"
+#include "api/service/comparison_service.hpp"
 #include "engine/core/utc_text.hpp"
 #include "server/cli/program/command.hpp"
-#include "server/jobs/comparison_service.hpp"
 #include "storage/json/json.hpp"
 
 namespace floeplan::cli {
@@ -86,7 +86,7 @@ int run_compare_flight(const CompareFlightFlags& flags) {
       found.insert(found.end(), log.error().begin(), log.error().end());
     }
   }
-  const jobs::ComparedFlights compared = jobs::compare_flights(logs, *vehicle, drag);
+  const service::ComparedFlights compared = service::compare_flights(logs, *vehicle, drag);
   found.insert(found.end(), compared.violations.begin(), compared.violations.end());
   if (!found.empty()) complain(bad_data, found);
   if (compared.dives.empty()) return bad_data;

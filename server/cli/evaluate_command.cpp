@@ -3,11 +3,11 @@
 
 #include "api/codec/inputs/plan_inputs.hpp"
 #include "api/fields/process_fields.hpp"
+#include "api/service/plan_service.hpp"
 #include "server/cli/output/plan_output.hpp"
 #include "server/cli/output/violation_output.hpp"
 #include "server/cli/program/command.hpp"
 #include "server/cli/program/input_flags.hpp"
-#include "server/jobs/plan_service.hpp"
 #include "storage/json/json.hpp"
 #include "storage/repository/work/plan_repository.hpp"
 
@@ -33,7 +33,7 @@ int run_evaluate(const std::string& route, const InputFlags& flags, PlanOutput o
   auto db = open_existing_store(program);
   if (parsed->plan_id && !repository::PlanRepository{db}.find({*parsed->plan_id}))
     return complain_of_no_plan(*parsed->plan_id);
-  const auto document = jobs::evaluate_route_document(db, *parsed, {});
+  const auto document = service::evaluate_route_document(db, *parsed, {});
   if (!document)
     return print_violations(document.error(), json_out, flags_of(fields::Process::evaluate_route));
   return print_plan(*document, output);

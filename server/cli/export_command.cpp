@@ -5,9 +5,9 @@
 
 #include "api/codec/bytes/document_values.hpp"
 #include "api/codec/bytes/zip_archive.hpp"
-#include "api/routes/plans/mission_service.hpp"
-#include "api/routes/plans/plan_check.hpp"
 #include "api/routes/plans/plan_exports.hpp"
+#include "api/service/mission_service.hpp"
+#include "api/service/plan_check.hpp"
 #include "engine/messages/sentence.hpp"
 #include "server/cli/output/file_set.hpp"
 #include "server/cli/output/plan_output.hpp"
@@ -26,7 +26,7 @@ struct ExportFlags {
   std::string plan_id;
   std::string format{"gliderdos"};
   std::filesystem::path out{"."};
-  routes::MissionRequest mission;
+  service::MissionRequest mission;
   std::string firmware{"10.5"};
   std::vector<std::string> safe;
   std::vector<std::string> science;
@@ -39,9 +39,9 @@ struct ExportFlags {
 };
 
 /// Throws CLI::ValidationError (wrong usage) for a flag whose text cannot be read.
-routes::MissionRequest mission_request(const ExportFlags& flags) {
-  routes::MissionRequest request = flags.mission;
-  const auto firmware = routes::parse_firmware(flags.firmware);
+service::MissionRequest mission_request(const ExportFlags& flags) {
+  service::MissionRequest request = flags.mission;
+  const auto firmware = service::parse_firmware(flags.firmware);
   if (!firmware) throw CLI::ValidationError{"--firmware", flags.firmware + " is not a version; as 10.5"};
   request.firmware = *firmware;
   request.seaglider = flags.format == "seaglider";
@@ -77,7 +77,7 @@ tl::expected<mission::MissionFiles, core::Violations> files_of(sql::Connection& 
                                                                const ExportFlags& flags,
                                                                const std::vector<messages::Message>& told) {
   if (flags.format == "gliderdos" || flags.format == "seaglider")
-    return routes::mission_of(db, record, mission_request(flags), now());
+    return service::mission_of(db, record, mission_request(flags), now());
   const auto format = std::ranges::find(routes::export_formats(), flags.format, &routes::ExportFormat::name);
   auto exported = routes::export_plan(db, record, *format, told, now());
   if (!exported) return tl::unexpected(exported.error());
@@ -96,7 +96,7 @@ std::vector<std::string> format_names() {
 /// The files where a dockserver looks for them, in one archive if that is wanted.
 std::vector<OutputFile> laid_out(const mission::MissionFiles& set, const repository::PlanRecord& record,
                                  const ExportFlags& flags) {
-  const std::filesystem::path folder = *routes::handover_folder(flags.glider, flags.format == "seaglider");
+  const std::filesystem::path folder = *service::handover_folder(flags.glider, flags.format == "seaglider");
   std::vector<OutputFile> output;
   std::vector<codec::ArchivedFile> archived;
   for (const auto& file : set.files) {
@@ -109,7 +109,7 @@ std::vector<OutputFile> laid_out(const mission::MissionFiles& set, const reposit
 
 /// A name of a folder, and no way out of it.
 std::string check_glider(const std::string& name) {
-  const auto folder = routes::handover_folder(name, false);
+  const auto folder = service::handover_folder(name, false);
   return folder ? "" : name + " " + folder.error().rule;
 }
 
@@ -129,8 +129,8 @@ int run_export(const ExportFlags& flags, const Program& program) {
   const auto record = repository::PlanRepository{db}.find({flags.plan_id});
   if (!record) return complain_of_no_plan(flags.plan_id);
 
-  const routes::PlanCheck check = routes::check_plan(db, *record);
-  std::vector<messages::Message> told = routes::all_of(check);
+  const service::PlanCheck check = service::check_plan(db, *record);
+  std::vector<messages::Message> told = service::all_of(check);
   auto files = files_of(db, *record, flags, told);
   if (!files) return print_violations(files.error(), flags.json_out);
   const std::vector<messages::Message> dangers = check.to_confirm();

@@ -1,11 +1,11 @@
 #include <iostream>
 #include <memory>
 
+#include "api/service/ingest_service.hpp"
 #include "engine/core/utc_text.hpp"
 #include "engine/messages/sentence.hpp"
 #include "server/cli/program/command.hpp"
 #include "server/cli/program/flag_values.hpp"
-#include "server/jobs/ingest_service.hpp"
 #include "storage/ingest/process/guarded_ingest.hpp"
 #include "storage/json/json.hpp"
 #include "storage/repository/store/migrations.hpp"
@@ -35,7 +35,7 @@ void complain_of(const ingest::IngestReport& report) {
 }
 
 void print_report(const ingest::IngestReport& report) {
-  std::cout << jobs::status_name(report.status) << "  " << report.file;
+  std::cout << service::status_name(report.status) << "  " << report.file;
   if (report.dataset) {
     std::cout << "  " << repository::kind_name(report.dataset->kind) << "  " << report.dataset->id.value
               << "  " << report.dataset->rows_accepted << " accepted";
@@ -82,7 +82,7 @@ int run_ingest(const IngestFlags& flags, const Program& program) {
                             .allow_weak_sandbox = flags.allow_weak_sandbox};
   const auto reports =
       ingest::guarded_ingest(db, guard, files, options, now(), {}, terminal_progress(), tell);
-  if (flags.json_out) std::cout << jobs::report_document(reports).dump(2) << '\n';
+  if (flags.json_out) std::cout << service::report_document(reports).dump(2) << '\n';
   return exit_code;
 }
 

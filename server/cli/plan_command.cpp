@@ -2,11 +2,11 @@
 
 #include "api/codec/inputs/plan_inputs.hpp"
 #include "api/fields/process_fields.hpp"
+#include "api/service/plan_service.hpp"
 #include "server/cli/output/plan_output.hpp"
 #include "server/cli/output/violation_output.hpp"
 #include "server/cli/program/command.hpp"
 #include "server/cli/program/input_flags.hpp"
-#include "server/jobs/plan_service.hpp"
 #include "storage/json/json.hpp"
 
 namespace floeplan::cli {
@@ -18,7 +18,7 @@ int run_plan(const InputFlags& flags, PlanOutput output, const Program& program)
   if (!inputs) return print_violations(inputs.error(), json_out, flags_of(fields::Process::plan_route));
 
   auto db = open_existing_store(program);
-  const auto document = jobs::plan_route_document(db, *inputs, {}, terminal_progress(), now());
+  const auto document = service::plan_route_document(db, *inputs, {}, terminal_progress(), now());
   if (!document) return print_violations(document.error(), json_out, flags_of(fields::Process::plan_route));
   return print_plan(*document, output);
 }

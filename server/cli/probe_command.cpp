@@ -2,7 +2,7 @@
 #include <iostream>
 #include <memory>
 
-#include "api/routes/data/probe_service.hpp"
+#include "api/service/probe_service.hpp"
 #include "engine/core/utc_text.hpp"
 #include "server/cli/program/command.hpp"
 #include "server/cli/program/flag_values.hpp"
@@ -84,7 +84,7 @@ int run_probe(const ProbeFlags& flags, const Program& program) {
     return complain(bad_data,
                     "--at " + flags.at + " is no place on the Earth; longitude comes first, then latitude");
   }
-  routes::ProbeQuery query{.place = *place, .time = now(), .depth = {}, .dataset_id = flags.dataset};
+  service::ProbeQuery query{.place = *place, .time = now(), .depth = {}, .dataset_id = flags.dataset};
   if (flags.time) {
     const auto time = core::parse_iso8601(*flags.time);
     if (!time) {
@@ -96,7 +96,7 @@ int run_probe(const ProbeFlags& flags, const Program& program) {
   if (flags.depth_m) query.depth = core::Metres{*flags.depth_m};
 
   auto db = open_existing_store(program);
-  const auto probe = routes::probe(db, query);
+  const auto probe = service::probe(db, query);
   if (!probe) return complain(bad_data, probe.error());
   if (flags.json_out) {
     std::cout << codec::probe_document(*probe).dump(2) << '\n';

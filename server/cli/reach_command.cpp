@@ -4,11 +4,11 @@
 
 #include "api/codec/inputs/reach_inputs.hpp"
 #include "api/fields/process_fields.hpp"
+#include "api/service/reach_service.hpp"
 #include "server/cli/output/plan_output.hpp"
 #include "server/cli/output/violation_output.hpp"
 #include "server/cli/program/command.hpp"
 #include "server/cli/program/input_flags.hpp"
-#include "server/jobs/reach_service.hpp"
 #include "storage/json/json.hpp"
 
 namespace floeplan::cli {
@@ -34,7 +34,7 @@ int run_reach(const InputFlags& flags, bool json_out, const Program& program) {
   if (!inputs) return print_violations(inputs.error(), json_out, flags_of(fields::Process::reach));
 
   auto db = open_existing_store(program);
-  const auto document = jobs::reach_document(db, *inputs, {}, terminal_progress());
+  const auto document = service::reach_document(db, *inputs, {}, terminal_progress());
   if (!document) return print_violations(document.error(), json_out, flags_of(fields::Process::reach));
   if (document->at("status") != "ok")
     return print_plan(*document, json_out ? PlanOutput::json : PlanOutput::summary);

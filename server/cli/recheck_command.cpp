@@ -1,7 +1,7 @@
 #include <iostream>
 #include <memory>
 
-#include "api/routes/plans/plan_check.hpp"
+#include "api/service/plan_check.hpp"
 #include "engine/messages/sentence.hpp"
 #include "server/cli/plan_commands.hpp"
 #include "storage/json/json.hpp"
@@ -16,13 +16,13 @@ struct RecheckFlags {
   bool json_out{false};
 };
 
-void print_lines(const json& document, const routes::PlanCheck& check) {
+void print_lines(const json& document, const service::PlanCheck& check) {
   if (!document.at("stale")) std::cout << "The plan's data are those of today.\n";
   for (const json& dataset : document.at("changed_data"))
     std::cout << dataset.at("change").get<std::string>() << "  " << dataset.at("kind").get<std::string>()
               << "  " << dataset.at("name").get<std::string>() << " (" << dataset.at("id").get<std::string>()
               << ")\n";
-  for (const messages::Message& message : messages::by_rank(routes::all_of(check)))
+  for (const messages::Message& message : messages::by_rank(service::all_of(check)))
     std::cout << messages::rank_name(message.rank) << ": " << messages::whole_text(message) << '\n';
 }
 
@@ -30,8 +30,8 @@ int run_recheck(const RecheckFlags& flags, const Program& program) {
   auto db = open_existing_store(program);
   const auto record = repository::PlanRepository{db}.find({flags.plan_id});
   if (!record) return complain_of_no_plan(flags.plan_id);
-  const routes::PlanCheck check = routes::check_plan(db, *record);
-  const json document = routes::plan_check_document(*record, check);
+  const service::PlanCheck check = service::check_plan(db, *record);
+  const json document = service::plan_check_document(*record, check);
   if (flags.json_out) {
     std::cout << document.dump(2) << '\n';
   } else {

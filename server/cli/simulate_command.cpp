@@ -11,14 +11,14 @@
 
 #include "api/codec/inputs/simulate_inputs.hpp"
 #include "api/routes/plans/simulation_exports.hpp"
+#include "api/service/scenario_service.hpp"
+#include "api/service/simulation_service.hpp"
 #include "server/cli/output/file_set.hpp"
 #include "server/cli/output/plan_output.hpp"
 #include "server/cli/output/violation_output.hpp"
 #include "server/cli/program/command.hpp"
 #include "server/cli/program/input_flags.hpp"
 #include "server/cli/program/interruption.hpp"
-#include "server/jobs/scenario_service.hpp"
-#include "server/jobs/simulation_service.hpp"
 #include "storage/json/json.hpp"
 #include "storage/repository/work/plan_repository.hpp"
 #include "storage/repository/work/simulation_repository.hpp"
@@ -192,7 +192,7 @@ int run_simulate(const SimulateFlags& flags, const Program& program) {
   if (!repository::PlanRepository{db}.find({inputs->plan_id})) return complain_of_no_plan(inputs->plan_id);
   const auto begin = std::chrono::steady_clock::now();
   const Interruption interruption;
-  auto document = jobs::simulate_plan_document(db, *inputs, flags.workers, interruption.token(),
+  auto document = service::simulate_plan_document(db, *inputs, flags.workers, interruption.token(),
                                                terminal_progress(), now());
   if (!document) return print_violations(document.error(), flags.json_out, input_flags);
   if (was_interrupted(*document)) return complain_of_interruption();
@@ -213,7 +213,7 @@ int run_scenario(const SimulateFlags& flags) {
   const auto begin = std::chrono::steady_clock::now();
   const Interruption interruption;
   json document =
-      jobs::fly_scenario_document(asked, flags.workers, interruption.token(), terminal_progress());
+      service::fly_scenario_document(asked, flags.workers, interruption.token(), terminal_progress());
   if (was_interrupted(document)) return complain_of_interruption();
   document["real_time_factor"] = real_time_factor(document, begin);
   if (flags.json_out) {

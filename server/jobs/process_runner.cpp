@@ -1,18 +1,22 @@
 #include "server/jobs/process_runner.hpp"
 
+#include <algorithm>
+#include <array>
+#include <string_view>
+
 #include "api/codec/documents/flight_comparison.hpp"
 #include "api/codec/inputs/echo_inputs.hpp"
 #include "api/codec/inputs/plan_inputs.hpp"
 #include "api/codec/inputs/reach_inputs.hpp"
 #include "api/codec/inputs/scenario_inputs.hpp"
 #include "api/codec/inputs/simulate_inputs.hpp"
+#include "api/service/comparison_service.hpp"
+#include "api/service/echo_service.hpp"
+#include "api/service/plan_service.hpp"
+#include "api/service/reach_service.hpp"
+#include "api/service/scenario_service.hpp"
+#include "api/service/simulation_service.hpp"
 #include "engine/core/violation_list.hpp"
-#include "server/jobs/comparison_service.hpp"
-#include "server/jobs/echo_service.hpp"
-#include "server/jobs/plan_service.hpp"
-#include "server/jobs/reach_service.hpp"
-#include "server/jobs/scenario_service.hpp"
-#include "server/jobs/simulation_service.hpp"
 #include "storage/json/json.hpp"
 #include "storage/repository/access/owners.hpp"
 
@@ -49,70 +53,100 @@ void note_owner(sql::Connection& db, const repository::JobRecord& job, core::Utc
     repository::Owners{db}.note_made(table, document->at(id).get<std::string>(), now, job.owner);
 }
 
-tl::expected<json, core::Violations> compare_flight_document(const codec::CompareFlightInputs& inputs,
-                                                             const std::stop_token& stop,
-                                                             const core::ProgressCallback& progress) {
-  const ComparedFlights compared = compare_flights(inputs.logs, inputs.vehicle, inputs.drag, stop, progress);
-  if (stop.stop_requested()) return json{{"status", "cancelled"}};
-  if (!compared.violations.empty()) return tl::unexpected(compared.violations);
-  return codec::comparison_document(compared.dives);
+/// A job under way, with all that a process may need.
+struct Work {
+  sql::Connection& db;
+  const repository::JobRecord& job;
+  const service::IngestPlace& place;
+  std::size_t workers;
+  service::KeptWork& kept;
+  const std::stop_token& stop;
+  const core::ProgressCallback& progress;
+  core::UtcTime now;
+};
+
+using Outcome = tl::expected<ProcessResult, std::string>;
+
+Outcome plan_route(const Work& work, const codec::PlanInputs& inputs) {
+  const auto plan =
+      service::plan_route_document(work.db, inputs, work.stop, work.progress, work.now, &work.kept);
+  note_owner(work.db, work.job, work.now, repository::plan_table, "plan_id", plan);
+  return result("plan", plan);
 }
+
+Outcome evaluate_route(const Work& work, const codec::EvaluateInputs& inputs) {
+  return result("evaluation", service::evaluate_route_document(work.db, inputs, work.stop, &work.kept));
+}
+
+Outcome find_reach(const Work& work, const codec::ReachInputs& inputs) {
+  return result("reach", service::reach_document(work.db, inputs, work.stop, work.progress, &work.kept));
+}
+
+Outcome ingest_files(const Work& work, const codec::IngestInputs& inputs) {
+  const auto report = service::ingest_document(work.db, inputs, work.place, work.job.owner,
+                                               work.job.attempts > 1, work.stop, work.progress, work.now);
+  if (!report) return tl::unexpected(report.error());
+  return ProcessResult{json{{"report", *report}}.dump(-1, ' ', false, json::error_handler_t::replace)};
+}
+
+Outcome simulate_plan(const Work& work, const codec::SimulateInputs& inputs) {
+  const auto simulation =
+      service::simulate_plan_document(work.db, inputs, work.workers, work.stop, work.progress, work.now);
+  note_owner(work.db, work.job, work.now, repository::simulation_table, "simulation_id", simulation);
+  return result("simulation", simulation);
+}
+
+Outcome fly_scenario(const Work& work, const codec::ScenarioInputs& inputs) {
+  return result("scenario", service::fly_scenario_document(inputs, work.workers, work.stop, work.progress));
+}
+
+Outcome compare_flight(const Work& work, const codec::CompareFlightInputs& inputs) {
+  const service::ComparedFlights compared =
+      service::compare_flights(inputs.logs, inputs.vehicle, inputs.drag, work.stop, work.progress);
+  if (work.stop.stop_requested()) return result("comparison", json{{"status", "cancelled"}});
+  if (!compared.violations.empty()) return tl::unexpected(in_one_line(compared.violations));
+  return result("comparison", codec::comparison_document(compared.dives));
+}
+
+Outcome echo(const Work& work, const codec::EchoInputs& inputs) {
+  return ProcessResult{service::echo_results(inputs, work.stop, work.progress).dump()};
+}
+
+/// Reads the inputs, which may have been stored by another version, and does the work.
+template <auto parse, auto run>
+Outcome with_inputs(const Work& work) {
+  const auto inputs = parse(json::parse(work.job.request_json));
+  if (!inputs) return tl::unexpected(in_one_line(inputs.error()));
+  return run(work, *inputs);
+}
+
+struct Process {
+  std::string_view id;
+  Outcome (*run)(const Work&);
+};
+
+/// Every process that a job may ask for; `api/routes/processes` describes them and checks their inputs.
+constexpr auto processes = std::to_array<Process>({
+    {"plan-route", with_inputs<codec::parse_plan_inputs, plan_route>},
+    {"evaluate-route", with_inputs<codec::parse_evaluate_inputs, evaluate_route>},
+    {"reach", with_inputs<codec::parse_reach_inputs, find_reach>},
+    {"ingest", with_inputs<codec::parse_ingest_inputs, ingest_files>},
+    {"simulate-plan", with_inputs<codec::parse_simulate_inputs, simulate_plan>},
+    {"fly-scenario", with_inputs<codec::parse_scenario_inputs, fly_scenario>},
+    {"compare-flight", with_inputs<codec::parse_compare_flight_inputs, compare_flight>},
+    {"echo", with_inputs<codec::parse_echo_inputs, echo>},
+});
 
 }  // namespace
 
 tl::expected<ProcessResult, std::string> run_process(sql::Connection& db, const repository::JobRecord& job,
-                                                     const IngestPlace& place, std::size_t workers,
-                                                     KeptWork& kept, const std::stop_token& stop,
+                                                     const service::IngestPlace& place, std::size_t workers,
+                                                     service::KeptWork& kept, const std::stop_token& stop,
                                                      const core::ProgressCallback& progress,
                                                      core::UtcTime now) {
-  const json request = json::parse(job.request_json);
-  if (job.process == "plan-route") {
-    const auto inputs = codec::parse_plan_inputs(request);
-    if (!inputs) return tl::unexpected(in_one_line(inputs.error()));
-    const auto plan = plan_route_document(db, *inputs, stop, progress, now, &kept);
-    note_owner(db, job, now, repository::plan_table, "plan_id", plan);
-    return result("plan", plan);
-  }
-  if (job.process == "evaluate-route") {
-    const auto inputs = codec::parse_evaluate_inputs(request);
-    if (!inputs) return tl::unexpected(in_one_line(inputs.error()));
-    return result("evaluation", evaluate_route_document(db, *inputs, stop, &kept));
-  }
-  if (job.process == "reach") {
-    const auto inputs = codec::parse_reach_inputs(request);
-    if (!inputs) return tl::unexpected(in_one_line(inputs.error()));
-    return result("reach", reach_document(db, *inputs, stop, progress, &kept));
-  }
-  if (job.process == "ingest") {
-    const auto inputs = codec::parse_ingest_inputs(request);
-    if (!inputs) return tl::unexpected(in_one_line(inputs.error()));
-    const auto report = ingest_document(db, *inputs, place, job.owner, job.attempts > 1, stop, progress, now);
-    if (!report) return tl::unexpected(report.error());
-    return ProcessResult{json{{"report", *report}}.dump(-1, ' ', false, json::error_handler_t::replace)};
-  }
-  if (job.process == "simulate-plan") {
-    const auto inputs = codec::parse_simulate_inputs(request);
-    if (!inputs) return tl::unexpected(in_one_line(inputs.error()));
-    const auto simulation = simulate_plan_document(db, *inputs, workers, stop, progress, now);
-    note_owner(db, job, now, repository::simulation_table, "simulation_id", simulation);
-    return result("simulation", simulation);
-  }
-  if (job.process == "fly-scenario") {
-    const auto inputs = codec::parse_scenario_inputs(request);
-    if (!inputs) return tl::unexpected(in_one_line(inputs.error()));
-    return result("scenario", fly_scenario_document(*inputs, workers, stop, progress));
-  }
-  if (job.process == "compare-flight") {
-    const auto inputs = codec::parse_compare_flight_inputs(request);
-    if (!inputs) return tl::unexpected(in_one_line(inputs.error()));
-    return result("comparison", compare_flight_document(*inputs, stop, progress));
-  }
-  if (job.process == "echo") {
-    const auto inputs = codec::parse_echo_inputs(request);
-    if (!inputs) return tl::unexpected(in_one_line(inputs.error()));
-    return ProcessResult{echo_results(*inputs, stop, progress).dump()};
-  }
-  return tl::unexpected("this version knows no process " + job.process);
+  const auto process = std::ranges::find(processes, job.process, &Process::id);
+  if (process == processes.end()) return tl::unexpected("this version knows no process " + job.process);
+  return process->run({db, job, place, workers, kept, stop, progress, now});
 }
 
 }  // namespace floeplan::jobs

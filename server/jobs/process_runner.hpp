@@ -5,10 +5,10 @@
 #include <string>
 #include <tl/expected.hpp>
 
+#include "api/service/ingest_service.hpp"
+#include "api/service/kept_work.hpp"
 #include "engine/core/progress.hpp"
 #include "engine/core/units.hpp"
-#include "server/jobs/ingest_service.hpp"
-#include "server/jobs/kept_work.hpp"
 #include "storage/repository/work/job_repository.hpp"
 #include "storage/sql/connection.hpp"
 
@@ -25,7 +25,8 @@ struct ProcessResult {
 /// Returns  of no use when `stop` was requested meanwhile
 /// Errors   why it could not be done, for a person; std::exception when the machine or the stored data fail
 [[nodiscard]] tl::expected<ProcessResult, std::string> run_process(
-    sql::Connection& db, const repository::JobRecord& job, const IngestPlace& place, std::size_t workers,
-    KeptWork& kept, const std::stop_token& stop, const core::ProgressCallback& progress, core::UtcTime now);
+    sql::Connection& db, const repository::JobRecord& job, const service::IngestPlace& place,
+    std::size_t workers, service::KeptWork& kept, const std::stop_token& stop,
+    const core::ProgressCallback& progress, core::UtcTime now);
 
 }  // namespace floeplan::jobs

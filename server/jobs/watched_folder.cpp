@@ -95,7 +95,8 @@ void ingest_and_put_away(sql::Connection& db, const ingest::Guard& guard, const 
     log::info({"watched file=\"", reports.front().file, "\" outcome=", refused ? "refused" : "done"});
     for (const fs::path& file : group)
       if (fs::exists(file))  // an archive may have been in several groups
-        put_away(file, file.parent_path() / (refused ? "refused" : "done"), report_document(reports).dump(2));
+        put_away(file, file.parent_path() / (refused ? "refused" : "done"),
+                 service::report_document(reports).dump(2));
   }
 }
 

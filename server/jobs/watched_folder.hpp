@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <thread>
 
-#include "server/jobs/ingest_service.hpp"
+#include "api/service/ingest_service.hpp"
 #include "server/jobs/worker_pool.hpp"
 
 namespace floeplan::jobs {

@@ -83,15 +83,16 @@ void keep_trying(sql::Connection& db, const repository::JobId& id, const Write& 
 
 }  // namespace
 
-WorkerPool::WorkerPool(const OpenStore& open_store, JobBoard& board, std::size_t workers, IngestPlace place,
-                       TimeLimits limits)
+WorkerPool::WorkerPool(const OpenStore& open_store, JobBoard& board, std::size_t workers,
+                       service::IngestPlace place, TimeLimits limits)
     : board_{board},
       workers_{workers},
       place_{std::move(place)},
       limits_{limits},
       kept_{
           .currents = repository::CurrentGridCache{most_kept_currents},
-          .grounds = repository::RecentlyUsed<GroundKey, planning::search::RouteGround>{most_kept_grounds}} {
+          .grounds = repository::RecentlyUsed<service::GroundKey, planning::search::RouteGround>{
+              most_kept_grounds}} {
   auto db = open_store();
   JobRepository{db}.release_all_leases(now());
   // Every connection is made here: what goes wrong then keeps the pool from starting, and does not end a thread.

@@ -6,10 +6,10 @@
 #include <thread>
 #include <vector>
 
-#include "server/jobs/ingest_service.hpp"
+#include "api/service/ingest_service.hpp"
+#include "api/service/kept_work.hpp"
 #include "server/jobs/job_board.hpp"
 #include "server/jobs/job_class.hpp"
-#include "server/jobs/kept_work.hpp"
 #include "storage/sql/connection.hpp"
 
 namespace floeplan::jobs {
@@ -42,8 +42,8 @@ class WorkerPool {
   /// Batches of different owners, or of different processes, that run side by side.
   static constexpr std::size_t batches_at_once = 6;
 
-  WorkerPool(const OpenStore& open_store, JobBoard& board, std::size_t workers, IngestPlace place = {},
-             TimeLimits limits = {});
+  WorkerPool(const OpenStore& open_store, JobBoard& board, std::size_t workers,
+             service::IngestPlace place = {}, TimeLimits limits = {});
   ~WorkerPool();
   WorkerPool(const WorkerPool&) = delete;
   WorkerPool& operator=(const WorkerPool&) = delete;
@@ -59,9 +59,9 @@ class WorkerPool {
 
   JobBoard& board_;  // borrowed
   std::size_t workers_;
-  IngestPlace place_;
+  service::IngestPlace place_;
   TimeLimits limits_;
-  KeptWork kept_;
+  service::KeptWork kept_;
   std::vector<std::jthread> threads_;
   std::jthread lease_keeper_;
 };

@@ -8,10 +8,10 @@
 #include <utility>
 #include <vector>
 
+#include "api/service/parallel_runs.hpp"
 #include "engine/planning/plane/plane_box.hpp"
 #include "engine/simulation/flight/equipped_vehicle.hpp"
 #include "engine/simulation/flight/random_icebergs.hpp"
-#include "server/jobs/parallel_runs.hpp"
 #include "tests/bench/benchmarks.hpp"
 
 namespace floeplan::bench {
@@ -74,7 +74,7 @@ template <class OnBoardFor>
 double seconds_passed(std::size_t workers, std::size_t runs, const std::vector<IcebergField>& seas,
                       const OnBoardFor& on_board_for) {
   const auto begin = std::chrono::steady_clock::now();
-  jobs::run_in_parallel(
+  service::run_in_parallel(
       runs, workers, {},
       [&](std::size_t run, const std::stop_token&) {
         (void)flown_through(seas[run % seas.size()], run, on_board_for);

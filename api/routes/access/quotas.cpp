@@ -1,8 +1,8 @@
 #include "api/routes/access/quotas.hpp"
 
+#include "api/codec/bytes/text_values.hpp"
 #include "api/routes/request/owner.hpp"
 #include "api/routes/request/reply.hpp"
-#include "api/routes/request/text_values.hpp"
 #include "storage/repository/access/owners.hpp"
 #include "storage/repository/work/upload_repository.hpp"
 
@@ -44,7 +44,7 @@ std::optional<Response> refuse_upload(const Context& context, const Request& req
 }
 
 std::optional<Response> refuse_coming_upload(const Context& context, const Request& request) {
-  const auto told = parse_integer(request.header("content-length"));
+  const auto told = codec::parse_integer(request.header("content-length"));
   const std::uint64_t bytes = told && *told > 0 ? static_cast<std::uint64_t>(*told) : 0;
   return refuse_upload(context, request, use_of(context, owner_of(request)), bytes);
 }

@@ -3,7 +3,7 @@
 #include <string_view>
 
 #include "api/codec/bytes/json_text.hpp"
-#include "api/routes/request/text_values.hpp"
+#include "api/codec/bytes/text_values.hpp"
 #include "storage/json/json.hpp"
 
 namespace floeplan::routes {
@@ -25,7 +25,7 @@ bool is_bearer(std::string_view header) {
 std::optional<std::string> cookie_of(std::string_view header) {
   while (!header.empty()) {
     const auto end = std::min(header.find(';'), header.size());
-    const std::string_view pair = trimmed(header.substr(0, end));
+    const std::string_view pair = codec::trimmed(header.substr(0, end));
     header.remove_prefix(std::min(end + 1, header.size()));
     if (pair.starts_with(cookie_name) && pair.substr(cookie_name.size()).starts_with('='))
       return std::string{pair.substr(cookie_name.size() + 1)};
@@ -47,7 +47,7 @@ std::optional<std::string> token_of_body(const Request& request) {
 std::optional<ShownCredential> shown_credential(const Request& request) {
   const std::string authorization = request.header("authorization");
   if (is_bearer(authorization))
-    return ShownCredential{std::string{trimmed(std::string_view{authorization}.substr(7))}, false};
+    return ShownCredential{std::string{codec::trimmed(std::string_view{authorization}.substr(7))}, false};
   if (!authorization.empty())
     return ShownCredential{};  // of a scheme that is not ours: wrong, whatever it says
   if (auto token = token_of_body(request)) return ShownCredential{std::move(*token), false};

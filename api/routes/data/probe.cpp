@@ -1,8 +1,8 @@
 #include "api/codec/documents/probe_document.hpp"
-#include "api/routes/data/probe_service.hpp"
 #include "api/routes/request/parameters.hpp"
 #include "api/routes/request/reply.hpp"
 #include "api/routes/request/resources.hpp"
+#include "api/service/probe_service.hpp"
 #include "storage/repository/datasets/dataset_repository.hpp"
 
 namespace floeplan::routes {
@@ -20,7 +20,7 @@ Response show_probe(const Context& context, const Request& request, const PathPa
   const auto max_age_days = reader.number("max_sighting_age_days", 0.0, 30.0);
   if (!reader.violations().empty()) return invalid(request, reader.violations());
 
-  ProbeQuery query;
+  service::ProbeQuery query;
   // One that needs no turn keeps its last digit, so that the command line says the same of it.
   query.place = {*lon < 180.0 ? *lon : geo::wrap_longitude(*lon), *lat};
   query.time = time.value_or(request.now);
@@ -31,7 +31,7 @@ Response show_probe(const Context& context, const Request& request, const PathPa
   if (query.dataset_id && !repository::DatasetRepository{context.db}.find({*query.dataset_id})) {
     return problem_reply<"unknown-dataset">(request, *query.dataset_id);
   }
-  const auto result = probe(context.db, query);
+  const auto result = service::probe(context.db, query);
   return result ? json_reply(codec::probe_document(*result)) : invalid(request, result.error());
 }
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "api/codec/bytes/text_values.hpp"
 #include "api/routes/request/feature_crs.hpp"
-#include "api/routes/request/text_values.hpp"
 
 namespace floeplan::routes {
 namespace {
@@ -17,12 +17,13 @@ EdrLevels levels_between(double a, double b) {
 }
 
 std::optional<EdrLevels> parse_z(const std::string& text) {
-  const auto parts = split(text, '/');
+  const auto parts = codec::split(text, '/');
   std::vector<std::optional<double>> numbers;
-  for (const auto& part : parts.size() > 1 ? parts : split(text, ',')) numbers.push_back(parse_number(part));
+  for (const auto& part : parts.size() > 1 ? parts : codec::split(text, ','))
+    numbers.push_back(codec::parse_number(part));
   EdrLevels levels;
   if (parts.size() == 3 && parts[0].starts_with('R')) {
-    const auto count = parse_number(parts[0].substr(1));
+    const auto count = codec::parse_number(parts[0].substr(1));
     if (!count || *count < 1.0 || *count > most_levels || !numbers[1] || !numbers[2]) return std::nullopt;
     for (int i = 0; i < static_cast<int>(*count); ++i) levels.values.push_back(*numbers[1] + i * *numbers[2]);
     return levels;
@@ -128,7 +129,7 @@ std::vector<std::size_t> EdrRequest::parameters() {
   for (std::size_t i = 0; i < collection_.parameters.size(); ++i)
     if (!text) chosen.push_back(i);
   if (!text) return chosen;
-  for (const auto& name : split(*text, ',')) {
+  for (const auto& name : codec::split(*text, ',')) {
     const auto found = std::ranges::find(collection_.parameters, name, &codec::CoverageParameter::id);
     if (found == collection_.parameters.end()) {
       refuse<"unknown-parameter">("parameter-name", name);

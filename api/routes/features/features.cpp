@@ -1,4 +1,5 @@
 #include "api/codec/bytes/sha256.hpp"
+#include "api/codec/bytes/text_values.hpp"
 #include "api/routes/features/feature_collection.hpp"
 #include "api/routes/features/feature_edits.hpp"
 #include "api/routes/request/feature_crs.hpp"
@@ -7,7 +8,6 @@
 #include "api/routes/request/reply.hpp"
 #include "api/routes/request/resources.hpp"
 #include "api/routes/request/store_trouble.hpp"
-#include "api/routes/request/text_values.hpp"
 
 namespace floeplan::routes {
 namespace {
@@ -130,7 +130,7 @@ const std::vector<FeatureCollection>& feature_collections() {
   return collections;
 }
 
-std::optional<std::int64_t> key_of(const std::string& text) { return parse_integer(text); }
+std::optional<std::int64_t> key_of(const std::string& text) { return codec::parse_integer(text); }
 
 std::vector<Route> feature_routes() {
   std::vector<Route> routes;

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "api/codec/bytes/text_values.hpp"
 #include "api/codec/documents/dataset_document.hpp"
 #include "api/routes/request/parameters.hpp"
 #include "api/routes/request/reply.hpp"
 #include "api/routes/request/resources.hpp"
-#include "api/routes/request/text_values.hpp"
 #include "engine/core/utc_text.hpp"
 #include "storage/json/json.hpp"
 #include "storage/repository/datasets/dataset_repository.hpp"
@@ -55,7 +55,7 @@ repository::DatasetChoice named(const Request& request, const std::string& param
   const auto ids = request.parameter(parameter);
   if (!ids) return {};
   repository::DatasetChoice choice{repository::DatasetChoice::How::named, {}};
-  for (const std::string_view id : split(*ids, ',')) choice.ids.push_back({std::string{id}});
+  for (const std::string_view id : codec::split(*ids, ',')) choice.ids.push_back({std::string{id}});
   return choice;
 }
 

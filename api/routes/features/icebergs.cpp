@@ -1,10 +1,10 @@
 #include <algorithm>
 
+#include "api/codec/bytes/text_values.hpp"
 #include "api/codec/features/iceberg_feature.hpp"
 #include "api/problems/problem_catalogue.hpp"
 #include "api/routes/features/feature_collection.hpp"
 #include "api/routes/features/hand_made.hpp"
-#include "api/routes/request/text_values.hpp"
 #include "engine/core/utc_text.hpp"
 #include "storage/repository/datasets/dataset_repository.hpp"
 #include "storage/repository/environment/environment_loader.hpp"
@@ -69,7 +69,7 @@ constexpr double oldest_days = 30.0;
 std::vector<repository::DatasetId> datasets_of(const FeatureQuery& query) {
   std::vector<repository::DatasetId> ids;
   if (const auto text = filter_of(query, "dataset"))
-    for (const std::string_view id : split(*text, ',')) ids.push_back({std::string{id}});
+    for (const std::string_view id : codec::split(*text, ',')) ids.push_back({std::string{id}});
   return ids;
 }
 
@@ -77,7 +77,7 @@ std::vector<repository::DatasetId> datasets_of(const FeatureQuery& query) {
 tl::expected<std::optional<Latest>, problems::Problem> read_latest(const FeatureQuery& query) {
   const std::string wish = filter_of(query, "latest").value_or("false");
   const auto age = filter_of(query, "max_sighting_age_days");
-  const double days = age ? parse_number(*age).value_or(-1.0) : 0.0;
+  const double days = age ? codec::parse_number(*age).value_or(-1.0) : 0.0;
   Latest latest;
   latest.berg_id = filter_of(query, "berg_id");
   const auto departure = filter_of(query, "departure");

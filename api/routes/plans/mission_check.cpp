@@ -3,11 +3,11 @@
 #include "api/codec/bytes/json_text.hpp"
 #include "api/codec/documents/mission_document.hpp"
 #include "api/codec/reading/input_reader.hpp"
-#include "api/routes/plans/flight_check_service.hpp"
 #include "api/routes/plans/mission_uploads.hpp"
 #include "api/routes/request/parameters.hpp"
 #include "api/routes/request/reply.hpp"
 #include "api/routes/request/resources.hpp"
+#include "api/service/flight_check_service.hpp"
 #include "engine/mission/reading/read_document.hpp"
 #include "storage/json/json.hpp"
 
@@ -60,7 +60,7 @@ Response check_missions(const Context& context, const Request& request, const Pa
   for (const UploadedFile& file : uploads->files)
     documents.push_back(mission::read_document(file.name, file.bytes));
   if (!uploads->inputs.empty() || start) {
-    faults = check_flight(context.db, uploads->inputs, start, documents);
+    faults = service::check_flight(context.db, uploads->inputs, start, documents);
     if (!faults.empty()) return invalid(request, faults);
   }
   if (const auto plan = request.parameter("plan_id")) {

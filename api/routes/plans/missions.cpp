@@ -1,11 +1,11 @@
 #include "api/codec/bytes/document_values.hpp"
 #include "api/codec/bytes/zip_archive.hpp"
-#include "api/routes/plans/mission_service.hpp"
-#include "api/routes/plans/plan_check.hpp"
 #include "api/routes/plans/plan_exports.hpp"
 #include "api/routes/request/parameters.hpp"
 #include "api/routes/request/reply.hpp"
 #include "api/routes/request/resources.hpp"
+#include "api/service/mission_service.hpp"
+#include "api/service/plan_check.hpp"
 #include "engine/core/violation_list.hpp"
 #include "engine/messages/sentence.hpp"
 #include "engine/mission/document/comment_text.hpp"
@@ -50,10 +50,10 @@ Response with_plan(const Context& context, const Request& request, const PathPar
   const bool accept_dangers = reader.flag("accept_dangers");
   if (!reader.violations().empty()) return invalid(request, reader.violations());
 
-  const PlanCheck check = check_plan(context.db, *plan);
+  const service::PlanCheck check = service::check_plan(context.db, *plan);
   const std::vector<messages::Message> dangers = check.to_confirm();
   if (!dangers.empty() && !accept_dangers) return refuse_dangerous(request, dangers);
-  const std::vector<messages::Message> told = all_of(check);
+  const std::vector<messages::Message> told = service::all_of(check);
   Response response = answer(*plan, told);
   add_warnings(response, told);
   return response;
@@ -74,7 +74,7 @@ std::optional<mission::UnderIce> read_under_ice(ParameterReader& reader) {
 }
 
 /// `format`, and the bands of a Seaglider's science file as "20:5:1110:60;200:10:1100:120".
-void read_seaglider(const Request& request, MissionRequest& wanted, core::Violations& faults) {
+void read_seaglider(const Request& request, service::MissionRequest& wanted, core::Violations& faults) {
   const std::string format = request.parameter("format").value_or("gliderdos");
   wanted.seaglider = format == "seaglider";
   if (!wanted.seaglider && format != "gliderdos")
@@ -98,7 +98,7 @@ template <class Answer>
 Response with_files(const Context& context, const Request& request, const PlanRecord& record,
                     const Answer& answer) {
   ParameterReader reader{request};
-  MissionRequest wanted;
+  service::MissionRequest wanted;
   wanted.number = static_cast<int>(reader.integer("number", 0, 97).value_or(wanted.number));
   wanted.full = reader.flag("full");
   wanted.name = request.parameter("mission").value_or(wanted.name);
@@ -106,13 +106,13 @@ Response with_files(const Context& context, const Request& request, const PlanRe
   core::Violations faults = reader.violations();
   read_seaglider(request, wanted, faults);
   if (const auto text = request.parameter("firmware")) {
-    const auto firmware = parse_firmware(*text);
+    const auto firmware = service::parse_firmware(*text);
     if (!firmware) faults.push_back({"?firmware", "must be a version, as 10.5"});
     wanted.firmware = firmware.value_or(wanted.firmware);
   }
   if (!faults.empty()) return invalid(request, faults);
 
-  auto files = mission_of(context.db, record, wanted, request.now);
+  auto files = service::mission_of(context.db, record, wanted, request.now);
   if (!files) return invalid(request, files.error());
   return answer(*files);
 }
@@ -135,7 +135,7 @@ Response show_mission(const Context& context, const Request& request, const Path
 
 Response download_zip(const Context& context, const Request& request, const PathParameters& path) {
   const bool seaglider = request.parameter("format") == "seaglider";
-  const auto folder = handover_folder(request.parameter("glider").value_or(""), seaglider);
+  const auto folder = service::handover_folder(request.parameter("glider").value_or(""), seaglider);
   if (!folder) return invalid(request, {{"?glider", folder.error().rule}});
   return with_plan(context, request, path,
                    [&](const PlanRecord& plan, const std::vector<messages::Message>&) {

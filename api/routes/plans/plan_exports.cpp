@@ -15,8 +15,8 @@
 #include "api/codec/exports/plan_gpx.hpp"
 #include "api/codec/exports/plan_imc.hpp"
 #include "api/codec/exports/plan_kml.hpp"
-#include "api/routes/plans/export_sea.hpp"
-#include "api/routes/plans/mission_service.hpp"
+#include "api/service/export_sea.hpp"
+#include "api/service/mission_service.hpp"
 #include "engine/core/utc_text.hpp"
 #include "engine/core/version.hpp"
 #include "engine/messages/export_messages.hpp"
@@ -47,7 +47,7 @@ std::vector<repository::StoredSighting> obeyed_sightings(sql::Connection& db, co
   constexpr geo::BoundingBox whole_world{-180.0, -90.0, 180.0, 90.0};
   repository::SightingQuery query{
       .choice = of_icebergs, .area = whole_world, .as_of = plan.departure, .depart = plan.departure};
-  if (const auto inputs = inputs_of(record)) {
+  if (const auto inputs = service::inputs_of(record)) {
     query.as_of = repository::sightings_as_of(inputs->data);
     query.max_age = inputs->data.max_sighting_age;
   }
@@ -88,8 +88,8 @@ std::string bytes_of(sql::Connection& db, const PlanRecord& record, const planni
   if (format.name == "targets")
     return mission::write_targets(plan, mission::default_waypoint_radius(plan), origin).text;
   if (format.name == "imc")
-    return codec::plan_imc(plan, vehicle_of(record, plan), shoals_of(db, record, plan),
-                           holds_of(db, record, plan).radius, id, record.name, now);
+    return codec::plan_imc(plan, service::vehicle_of(record, plan), service::shoals_of(db, record, plan),
+                           service::holds_of(db, record, plan).radius, id, record.name, now);
   const codec::BriefNotes notes{id, record.name, now, told};
   if (format.name == "html") return codec::plan_brief_html(plan, picture_of(db, record, plan), notes);
   if (format.name == "pdf") return codec::plan_brief_pdf(plan, picture_of(db, record, plan), notes);

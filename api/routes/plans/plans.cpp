@@ -1,9 +1,9 @@
 #include "api/codec/documents/plan_comparison.hpp"
 #include "api/codec/features/plan_feature.hpp"
 #include "api/routes/features/feature_collection.hpp"
-#include "api/routes/plans/plan_check.hpp"
 #include "api/routes/request/reply.hpp"
 #include "api/routes/request/resources.hpp"
+#include "api/service/plan_check.hpp"
 #include "storage/repository/work/plan_repository.hpp"
 
 namespace floeplan::routes {
@@ -46,7 +46,7 @@ Response no_such_plan(const Request& request, const std::string& id) {
 Response show_check(const Context& context, const Request& request, const PathParameters& path) {
   const auto plan = PlanRepository{context.db}.find({path.at("plan_id")});
   if (!plan) return no_such_plan(request, path.at("plan_id"));
-  Response response = json_reply(plan_check_document(*plan, check_plan(context.db, *plan)));
+  Response response = json_reply(service::plan_check_document(*plan, service::check_plan(context.db, *plan)));
   response.headers.emplace_back("Cache-Control", "no-cache");
   return response;
 }

@@ -1,7 +1,7 @@
+#include "api/codec/bytes/text_values.hpp"
 #include "api/codec/documents/job_document.hpp"
 #include "api/routes/request/reply.hpp"
 #include "api/routes/request/resources.hpp"
-#include "api/routes/request/text_values.hpp"
 
 namespace floeplan::routes {
 namespace {
@@ -20,7 +20,7 @@ std::string event_of(const JobRecord& job, const std::string& public_url) {
 
 /// The number of the last change that the client has seen: from a token of ours, or from its header.
 std::optional<std::int64_t> change_of(const std::string& text) {
-  const auto change = parse_integer(text);
+  const auto change = codec::parse_integer(text);
   return change && *change >= 0 ? change : std::nullopt;
 }
 

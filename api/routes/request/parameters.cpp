@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "api/routes/request/text_values.hpp"
+#include "api/codec/bytes/text_values.hpp"
 #include "engine/core/utc_text.hpp"
 #include "engine/geo/lon_lat.hpp"
 
@@ -16,8 +16,8 @@ constexpr std::size_t most_places = 1000;
 std::optional<std::vector<double>> parse_numbers(std::string_view text) {
   constexpr std::size_t most = 6;
   std::vector<double> numbers;
-  for (const auto part : split(text, ',')) {
-    const auto number = parse_number(part);
+  for (const auto part : codec::split(text, ',')) {
+    const auto number = codec::parse_number(part);
     if (!number || numbers.size() == most) return std::nullopt;
     numbers.push_back(*number);
   }
@@ -46,7 +46,7 @@ void ParameterReader::require(const std::string& name, const std::string& what) 
 std::optional<double> ParameterReader::number(const std::string& name, double from, double to) {
   const auto text = request_.parameter(name);
   if (!text) return std::nullopt;
-  const auto value = parse_number(*text);
+  const auto value = codec::parse_number(*text);
   if (value && *value >= from && *value <= to) return value;
   refuse<"wrong-shape">(name, "a number from " + std::to_string(from) + " to " + std::to_string(to));
   return std::nullopt;
@@ -56,7 +56,7 @@ std::optional<std::int64_t> ParameterReader::integer(const std::string& name, st
                                                      std::int64_t to) {
   const auto text = request_.parameter(name);
   if (!text) return std::nullopt;
-  const auto value = parse_integer(*text);
+  const auto value = codec::parse_integer(*text);
   if (value && *value >= from && *value <= to) return value;
   refuse<"wrong-shape">(name, "a whole number from " + std::to_string(from) + " to " + std::to_string(to));
   return std::nullopt;

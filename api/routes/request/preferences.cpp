@@ -4,21 +4,21 @@
 #include <string_view>
 #include <vector>
 
-#include "api/routes/request/text_values.hpp"
+#include "api/codec/bytes/text_values.hpp"
 
 namespace floeplan::routes {
 namespace {
 
 std::vector<std::string_view> trimmed_parts(std::string_view text, char separator) {
-  auto parts = split(text, separator);
-  for (auto& part : parts) part = trimmed(part);
+  auto parts = codec::split(text, separator);
+  for (auto& part : parts) part = codec::trimmed(part);
   return parts;
 }
 
 double quality(const std::vector<std::string_view>& media_range) {
   for (const auto parameter : media_range) {
     if (!parameter.starts_with("q=")) continue;
-    return parse_number(parameter.substr(2)).value_or(0.0);
+    return codec::parse_number(parameter.substr(2)).value_or(0.0);
   }
   return 1.0;
 }
@@ -44,7 +44,7 @@ Preferences parse_prefer(const std::string& prefer) {
     if (name == "respond-async") preferences.respond_async = true;
     if (name.starts_with("wait=")) {
       constexpr std::int64_t longest = 86'400;
-      const auto seconds = parse_integer(name.substr(5));
+      const auto seconds = codec::parse_integer(name.substr(5));
       if (seconds && *seconds >= 0) preferences.wait_s = static_cast<int>(std::min(*seconds, longest));
     }
   }

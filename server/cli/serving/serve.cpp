@@ -179,7 +179,7 @@ void serve_until_stopped(const ServeOptions& options, const http::ListenAddress&
   jobs::JobBoard board;
   Api api;  // needs the port, so it is filled in once that is known
   const std::filesystem::path uploads = options.store / "uploads";
-  const jobs::IngestPlace place{{.program = own_program(),
+  const service::IngestPlace place{{.program = own_program(),
                                  .staging = options.store / "incoming",
                                  .allow_weak_sandbox = options.allow_weak_sandbox},
                                 uploads};

@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "server/jobs/scenario_service.hpp"
+#include "api/service/scenario_service.hpp"
 #include "storage/json/json.hpp"
 #include "storage/repository/store/migrations.hpp"
 #include "storage/sql/statement.hpp"
@@ -205,7 +205,7 @@ TEST_F(WorkerPoolTest, FliesTheSameBesideASteadyStreamOfPlans) {
 
   ASSERT_TRUE(ended);
   EXPECT_GT(plans, 0U);
-  const auto alone = fly_scenario_document({.runs = 3, .seed = 7, .avoidance = false}, 1, {}, {});
+  const auto alone = service::fly_scenario_document({.runs = 3, .seed = 7, .avoidance = false}, 1, {}, {});
   EXPECT_EQ(JobRepository{db_}.find(batch.id)->result_json, (nlohmann::json{{"scenario", alone}}.dump()));
 }
 

@@ -1,4 +1,4 @@
-#include "api/routes/plans/export_sea.hpp"
+#include "api/service/export_sea.hpp"
 
 #include "api/codec/documents/plan_document.hpp"
 #include "storage/repository/datasets/dataset_repository.hpp"

@@ -1,4 +1,4 @@
-#include "api/routes/plans/plan_check.hpp"
+#include "api/service/plan_check.hpp"
 
 #include "api/codec/documents/plan_document.hpp"
 #include "engine/messages/plan_messages.hpp"
@@ -46,7 +46,7 @@ class PlanCheckTest : public support::ApiTest {
 };
 
 TEST_F(PlanCheckTest, ADangerOfThePlanIsConfirmedAlthoughTheNewestDataDoNotRepeatIt) {
-  const PlanCheck check = check_plan(db_, record_);
+  const service::PlanCheck check = service::check_plan(db_, record_);
   EXPECT_TRUE(check.dangers.empty());
   ASSERT_EQ(check.to_confirm().size(), 1U);
 

@@ -1,0 +1,100 @@
+#include "api/service/export_sea.hpp"
+
+#include <utility>
+
+#include "storage/json/json.hpp"
+#include "storage/repository/environment/environment_loader.hpp"
+
+namespace floeplan::service {
+namespace {
+
+using nlohmann::json;
+using repository::DatasetChoice;
+using repository::EnvironmentQuery;
+
+/// Around a safe place: what a coarse grid of ice has next to it, the coast, and icebergs that may drift there; how
+/// near those must be to be told is a judgement.
+constexpr core::Metres around_place{10'000.0};
+
+/// Nothing of what moves or is forbidden.
+EnvironmentQuery without_motion(const geo::BoundingBox& area, core::UtcTime depart) {
+  const DatasetChoice none{DatasetChoice::How::none, {}};
+  EnvironmentQuery query;
+  query.area = area;
+  query.depart = depart;
+  query.currents = none;
+  query.wind = none;
+  query.icebergs = none;
+  query.zones = none;
+  return query;
+}
+
+}  // namespace
+
+std::optional<codec::PlanInputs> inputs_of(const repository::PlanRecord& record) {
+  auto inputs = codec::parse_plan_inputs(json::parse(record.request_json));
+  if (!inputs) return std::nullopt;
+  codec::cover_way(*inputs, record.bounds);
+  return std::move(*inputs);
+}
+
+vehicle::GliderProfile vehicle_of(const repository::PlanRecord& record, const planning::Plan& plan) {
+  if (const auto inputs = inputs_of(record)) return inputs->request.vehicle;
+  return vehicle::find_profile(plan.vehicle).value_or(vehicle::known_profiles().front());
+}
+
+std::vector<std::optional<mission::Shoal>> shoals_of(sql::Connection& db,
+                                                     const repository::PlanRecord& record,
+                                                     const planning::Plan& plan) {
+  const auto inputs = inputs_of(record);
+  if (!inputs) return {};
+  EnvironmentQuery query = without_motion(inputs->data.area, plan.departure);
+  query.bathymetry = inputs->data.bathymetry;
+  query.ice = {DatasetChoice::How::none, {}};
+  query.coastline = {DatasetChoice::How::none, {}};
+  const auto sea = repository::load_environment(db, query);
+  if (!sea || !sea->bathymetry) return {};
+  return mission::shoals_along(*sea->bathymetry, plan);
+}
+
+mission::HoldOptions holds_of(sql::Connection& db, const repository::PlanRecord& record,
+                              const planning::Plan& plan) {
+  mission::HoldOptions holds;
+  const auto inputs = inputs_of(record);
+  if (!inputs) return holds;
+  holds.radius = inputs->request.holds.radius;
+  holds.vehicle = inputs->request.vehicle;
+  if (!mission::has_holds(plan)) return holds;
+  EnvironmentQuery query = inputs->data;
+  const DatasetChoice none{DatasetChoice::How::none, {}};
+  for (DatasetChoice* choice :
+       {&query.bathymetry, &query.ice, &query.coastline, &query.icebergs, &query.zones})
+    *choice = none;
+  query.depart = plan.departure;
+  const auto sea = repository::load_environment(db, query);
+  if (sea) holds.currents = mission::hold_currents(*sea, plan, holds.vehicle);
+  return holds;
+}
+
+std::vector<mission::SafePlace> safe_places_of(sql::Connection& db, const repository::PlanRecord& record,
+                                               const planning::Plan& plan,
+                                               const std::vector<geo::LonLat>& places) {
+  const auto inputs = inputs_of(record);
+  std::vector<mission::SafePlace> found;
+  for (const geo::LonLat place : places) {
+    const geo::BoundingBox here{place.lon_deg, place.lat_deg, place.lon_deg, place.lat_deg};
+    EnvironmentQuery query = without_motion(geo::grown(here, around_place), plan.departure);
+    query.icebergs = {};
+    if (inputs) {
+      query.max_sighting_age = inputs->data.max_sighting_age;
+      query.icebergs_as_of = repository::sightings_as_of(inputs->data);
+    }
+    query.iceberg_drift = false;
+    query.zones = {};
+    auto sea = repository::load_environment(db, query);
+    found.push_back({place, sea ? std::move(*sea) : ocean::Environment{}});
+  }
+  return found;
+}
+
+}  // namespace floeplan::service

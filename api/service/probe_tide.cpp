@@ -1,0 +1,98 @@
+#include "api/service/probe_tide.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "engine/geo/geodesic.hpp"
+#include "engine/tide/minor_constituents.hpp"
+#include "storage/repository/fields/tide_repository.hpp"
+
+namespace floeplan::service {
+namespace {
+
+using ocean::TideQuantity;
+using repository::Dataset;
+using repository::DatasetKind;
+
+void note_lines(codec::Probe::Tide& tide, const std::vector<tide::HarmonicConstant>& constants) {
+  tide.constituents.clear();
+  for (const tide::HarmonicConstant& constant : constants)
+    tide.constituents.push_back(tide::constituent_name(constant.constituent));
+}
+
+void predict(const std::vector<ocean::TideGrid>& models, geo::LonLat place, core::UtcTime time,
+             codec::Probe::Tide& tide) {
+  const auto elevation = joined_constants(models, TideQuantity::elevation, place);
+  const auto east = joined_constants(models, TideQuantity::east, place);
+  const auto north = joined_constants(models, TideQuantity::north, place);
+  if (elevation) {
+    tide.elevation = core::Metres{tide::predict(*elevation, time)};
+    note_lines(tide, *elevation);
+  }
+  if (east && north) {
+    tide.velocity = geo::VelocityEn{{tide::predict(*east, time)}, {tide::predict(*north, time)}};
+    note_lines(tide, *east);
+  }
+}
+
+/// A station, how far away it is, and where it comes from.
+struct NearStation {
+  repository::TideStation station;
+  core::Metres distance;
+  Dataset dataset;
+};
+
+std::optional<NearStation> nearest_station(sql::Connection& db, const std::vector<Dataset>& datasets,
+                                           geo::LonLat place) {
+  std::optional<NearStation> nearest;
+  for (const Dataset& dataset : datasets) {
+    for (const auto& station : repository::TideRepository{db}.stations(dataset.id)) {
+      const auto distance = geo::geodesic_between(place, station.place).length;
+      if (distance <= probe_station_range && (!nearest || distance < nearest->distance))
+        nearest = NearStation{station, distance, dataset};
+    }
+  }
+  return nearest;
+}
+
+void predict(const NearStation& near, core::UtcTime time, codec::Probe::Tide& tide) {
+  tide.elevation = core::Metres{tide::predict(near.station.constants, time)};
+  note_lines(tide, near.station.constants);
+  tide.dataset_ids = {near.dataset.id.value};
+  tide.dataset_names = {near.dataset.name};
+  const std::string name = near.station.name.empty() ? "a station" : near.station.name;
+  tide.station = name + ", " + std::to_string(std::lround(near.distance.value / 1000.0)) + " km away";
+}
+
+}  // namespace
+
+codec::Probe::Tide probe_tide(sql::Connection& db, const std::vector<Dataset>& datasets,
+                              const std::optional<Dataset>& named, geo::LonLat place, core::UtcTime time) {
+  const bool one = named && named->kind == DatasetKind::tides;
+  std::vector<Dataset> tides;
+  std::ranges::copy_if(datasets, std::back_inserter(tides), [&](const Dataset& dataset) {
+    return dataset.kind == DatasetKind::tides && (!one || dataset.id == named->id);
+  });
+
+  codec::Probe::Tide tide;
+  std::vector<ocean::TideGrid> models;
+  for (const Dataset& dataset : tides) {
+    if (!geo::contains(dataset.bounds, place)) continue;
+    auto model = repository::TideRepository{db}.load(
+        dataset.id, {place.lon_deg, place.lat_deg, place.lon_deg, place.lat_deg});
+    if (!model) continue;
+    models.push_back(std::move(*model));
+    tide.dataset_ids.push_back(dataset.id.value);
+    tide.dataset_names.push_back(dataset.name);
+  }
+  predict(models, place, time, tide);
+  if (!tide.elevation && !tide.velocity)
+    if (const auto near = nearest_station(db, tides, place)) predict(*near, time, tide);
+  if (!tide.elevation && !tide.velocity)
+    tide.reason =
+        models.empty() ? "no tides are stored for this place" : "no value here: land, or a gap of the data";
+  return tide;
+}
+
+}  // namespace floeplan::service
