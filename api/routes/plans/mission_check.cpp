@@ -64,7 +64,7 @@ Response check_missions(const Context& context, const Request& request, const Pa
     if (!faults.empty()) return invalid(request, faults);
   }
   if (const auto plan = request.parameter("plan_id")) {
-    faults = compare_with_plan(context.db, *plan, documents);
+    faults = service::compare_with_plan(context.db, *plan, documents);
     if (!faults.empty()) return invalid(request, faults);
   }
   if (uploads->alone)
