@@ -26,6 +26,18 @@ geo::BoundingBox box_at(geo::LonLat place) {
   return {place.lon_deg, place.lat_deg, place.lon_deg, place.lat_deg};
 }
 
+/// What is asked: of a kind of which datasets are named those alone, in the order of their names; of every other kind
+/// all that are stored, the newest run first.
+struct Sources {
+  std::vector<Dataset> datasets;
+  std::vector<Dataset> named;
+
+  [[nodiscard]] std::optional<Dataset> first_named(DatasetKind kind) const {
+    const auto found = std::ranges::find(named, kind, &Dataset::kind);
+    return found == named.end() ? std::nullopt : std::optional{*found};
+  }
+};
+
 /// The dataset to ask, and why there is none.
 struct Source {
   std::optional<Dataset> dataset;
@@ -37,12 +49,11 @@ bool covers_time(const Dataset& dataset, core::UtcTime time) {
          (!dataset.time_end || time <= *dataset.time_end);
 }
 
-/// The named dataset, or the newest of its kind that covers the place and, if one does, the time.
-Source choose(const std::vector<Dataset>& datasets, DatasetKind kind, const std::optional<Dataset>& named,
-              const ProbeQuery& query) {
-  if (named && named->kind == kind) return {named, ""};
+/// The first that is named, or the newest of its kind that covers the place and, if one does, the time.
+Source choose(const Sources& sources, DatasetKind kind, const ProbeQuery& query) {
+  if (const auto named = sources.first_named(kind)) return {named, ""};
   Source source{std::nullopt, "no " + repository::kind_name(kind) + " data are stored for this place"};
-  for (const auto& dataset : datasets) {
+  for (const auto& dataset : sources.datasets) {
     if (dataset.kind != kind || !geo::contains(dataset.bounds, query.place)) continue;
     if (covers_time(dataset, query.time)) return {dataset, ""};
     if (!source.dataset) source = {dataset, ""};
@@ -60,12 +71,11 @@ std::optional<core::UtcTime> told_of(const Dataset& ice, core::UtcTime time) {
 
 /// As `choose`, but of those that cover place and time the first of which the steps tell most of it, as plans ask them:
 /// what lies in a long gap of one may be in another.
-Source choose_ice(sql::Connection& db, const std::vector<Dataset>& datasets,
-                  const std::optional<Dataset>& named, const ProbeQuery& query) {
-  Source source = choose(datasets, DatasetKind::ice, named, query);
-  if (named && named->kind == DatasetKind::ice) return source;
+Source choose_ice(sql::Connection& db, const Sources& sources, const ProbeQuery& query) {
+  Source source = choose(sources, DatasetKind::ice, query);
+  if (sources.first_named(DatasetKind::ice)) return source;
   auto most = ocean::IceStanding::not_begun;
-  for (const Dataset& dataset : datasets) {
+  for (const Dataset& dataset : sources.datasets) {
     if (dataset.kind != DatasetKind::ice || !geo::contains(dataset.bounds, query.place)) continue;
     if (!told_of(dataset, query.time)) continue;
     const auto shape = repository::FieldRepository{db}.shape(dataset.id);
@@ -78,18 +88,17 @@ Source choose_ice(sql::Connection& db, const std::vector<Dataset>& datasets,
   return source;
 }
 
-/// The depths that plans are made with at this place: of the finest dataset that knows any, or of the named one.
-void read_depth(sql::Connection& db, const std::vector<Dataset>& datasets,
-                const std::optional<Dataset>& named, codec::Probe& probe) {
+/// The depths that plans are made with at this place: of the finest dataset that knows any, or of the first named one.
+void read_depth(sql::Connection& db, const Sources& sources, codec::Probe& probe) {
   const repository::FieldRepository fields{db};
   std::vector<std::pair<core::Metres, Dataset>> layers;
-  const bool by_name = named && named->kind == DatasetKind::bathymetry;
-  for (const Dataset& dataset : by_name ? std::vector{*named} : datasets) {
+  const bool by_name = sources.first_named(DatasetKind::bathymetry).has_value();
+  for (const Dataset& dataset : sources.datasets) {
     if (dataset.kind != DatasetKind::bathymetry || (!by_name && !geo::contains(dataset.bounds, probe.place)))
       continue;
     if (const auto shape = fields.shape(dataset.id)) layers.emplace_back(shape->grid.spacing(), dataset);
   }
-  std::ranges::stable_sort(layers, {}, [](const auto& layer) { return layer.first; });
+  if (!by_name) std::ranges::stable_sort(layers, {}, [](const auto& layer) { return layer.first; });
   for (const auto& [spacing, dataset] : layers) {
     const auto bathymetry = fields.load_bathymetry(dataset.id, box_at(probe.place));
     if (!bathymetry || !bathymetry->depth(probe.place)) continue;
@@ -200,13 +209,12 @@ void tell_source(const Dataset& dataset, codec::Probe::Velocity& part) {
 }
 
 /// The velocity of the sea or the air, at the depth asked for or the shallowest there is.
-void read_velocity(sql::Connection& db, const std::vector<Dataset>& datasets, DatasetKind kind,
-                   const std::optional<Dataset>& named, const ProbeQuery& query,
+void read_velocity(sql::Connection& db, const Sources& sources, DatasetKind kind, const ProbeQuery& query,
                    codec::Probe::Velocity& part) {
-  const bool by_name = named && named->kind == kind;
-  auto velocities = by_name ? std::nullopt : joined_velocities(db, datasets, kind, query);
+  const bool by_name = sources.first_named(kind).has_value();
+  auto velocities = by_name ? std::nullopt : joined_velocities(db, sources.datasets, kind, query);
   if (!velocities) {
-    const Source source = choose(datasets, kind, named, query);
+    const Source source = choose(sources, kind, query);
     part.reason = source.reason;
     if (!source.dataset) return;
     tell_source(*source.dataset, part);
@@ -254,17 +262,27 @@ void read_land(sql::Connection& db, const std::vector<Dataset>& datasets, codec:
   if (probe.depth) probe.land = probe.depth->value <= 0.0;
 }
 
-void read_icebergs(sql::Connection& db, const std::vector<Dataset>& datasets, const ProbeQuery& query,
+/// The named ones of a kind, or all.
+repository::DatasetChoice choice_of(const Sources& sources, DatasetKind kind) {
+  repository::DatasetChoice choice;
+  for (const Dataset& dataset : sources.named) {
+    if (dataset.kind == kind) choice.ids.push_back(dataset.id);
+  }
+  if (!choice.ids.empty()) choice.how = repository::DatasetChoice::How::named;
+  return choice;
+}
+
+void read_icebergs(sql::Connection& db, const Sources& sources, const ProbeQuery& query,
                    codec::Probe& probe) {
-  core::Violations none;  // none is named
-  const auto known = repository::known_icebergs(db, datasets,
-                                                {.choice = {},
+  core::Violations far_away;  // of named ones, which then tell of no iceberg here
+  const auto known = repository::known_icebergs(db, sources.datasets,
+                                                {.choice = choice_of(sources, DatasetKind::icebergs),
                                                  .area = box_at(probe.place),
                                                  .reach = probe_iceberg_range,
                                                  .as_of = probe.time,
                                                  .depart = query.departure.value_or(probe.time),
                                                  .max_age = query.max_sighting_age},
-                                                none);
+                                                far_away);
   for (const auto& sighting : known.sightings) {
     const auto distance = geo::geodesic_between(probe.place, sighting.iceberg.place).length;
     if (distance <= probe_iceberg_range) probe.icebergs.push_back({sighting.iceberg, distance});
@@ -284,36 +302,47 @@ void read_zones(sql::Connection& db, const std::vector<Dataset>& datasets, codec
   }
 }
 
+/// Errors  a violation for each id that names no dataset, or a track, which has no values at a place
+tl::expected<Sources, core::Violations> find_sources(sql::Connection& db,
+                                                     const std::vector<std::string>& ids) {
+  Sources sources{repository::DatasetRepository{db}.list(), {}};
+  repository::sort_newest_run_first(sources.datasets);
+  core::Violations violations;
+  for (const std::string& id : ids) {
+    const auto found = std::ranges::find(sources.datasets, repository::DatasetId{id}, &Dataset::id);
+    if (found == sources.datasets.end()) {
+      violations.push_back({"dataset", "no dataset has the id " + id});
+    } else if (found->kind == DatasetKind::glider_tracks) {
+      violations.push_back({"dataset", "must not be glider-tracks, which have no values at a place"});
+    } else {
+      sources.named.push_back(*found);
+    }
+  }
+  if (!violations.empty()) return tl::unexpected(std::move(violations));
+  std::erase_if(sources.datasets,
+                [&](const Dataset& one) { return sources.first_named(one.kind).has_value(); });
+  sources.datasets.insert(sources.datasets.end(), sources.named.begin(), sources.named.end());
+  return sources;
+}
+
 }  // namespace
 
 tl::expected<codec::Probe, core::Violations> probe(sql::Connection& db, const ProbeQuery& query) {
-  auto datasets = repository::DatasetRepository{db}.list();
-  repository::sort_newest_run_first(datasets);
-  std::optional<Dataset> named;
-  if (query.dataset_id) {
-    named = repository::DatasetRepository{db}.find({*query.dataset_id});
-    if (!named)
-      return tl::unexpected(core::Violations{{"dataset", "no dataset has the id " + *query.dataset_id}});
-    if (!repository::has_steps(named->kind) && named->kind != DatasetKind::bathymetry &&
-        named->kind != DatasetKind::tides) {
-      return tl::unexpected(
-          core::Violations{{"dataset", "must be currents, wind, bathymetry, ice or tides, not " +
-                                           repository::kind_name(named->kind)}});
-    }
-  }
+  const auto sources = find_sources(db, query.dataset_ids);
+  if (!sources) return tl::unexpected(sources.error());
   codec::Probe result;
   result.place = query.place;
   result.time = query.time;
-  read_depth(db, datasets, named, result);
-  read_velocity(db, datasets, DatasetKind::currents, named, query, result.currents);
+  read_depth(db, *sources, result);
+  read_velocity(db, *sources, DatasetKind::currents, query, result.currents);
   ProbeQuery above = query;
   above.depth.reset();
-  read_velocity(db, datasets, DatasetKind::wind, named, above, result.wind);
-  read_ice(db, choose_ice(db, datasets, named, query), result);
-  result.tide = probe_tide(db, datasets, named, query.place, query.time);
-  read_land(db, datasets, result);
-  read_icebergs(db, datasets, query, result);
-  read_zones(db, datasets, result);
+  read_velocity(db, *sources, DatasetKind::wind, above, result.wind);
+  read_ice(db, choose_ice(db, *sources, query), result);
+  result.tide = probe_tide(db, sources->datasets, query.place, query.time);
+  read_land(db, sources->datasets, result);
+  read_icebergs(db, *sources, query, result);
+  read_zones(db, sources->datasets, result);
   return result;
 }
 

@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 #include <tl/expected.hpp>
+#include <vector>
 
 #include "api/codec/documents/probe_document.hpp"
 #include "engine/core/units.hpp"
@@ -18,9 +19,9 @@ struct ProbeQuery {
   geo::LonLat place;
   core::UtcTime time;
   std::optional<core::Metres> depth;  // for currents; default: the shallowest level of the data
-  std::optional<std::string>
-      dataset_id;  // currents, wind, bathymetry, ice or tides; default: the newest of each kind that covers the
-                   // place, and all tide models there together
+  /// Of a kind that one of them is of no other dataset counts; of currents, wind and ice the first tells, of depths the
+  /// first that knows any. By default the newest of these kinds that covers the place, the finest depths, and all else.
+  std::vector<std::string> dataset_ids{};
   /// Icebergs as a vehicle that leaves then obeys them (ocean::oldest_that_counts); default: at `time`.
   std::optional<core::UtcTime> departure{};
   core::Seconds max_sighting_age{ocean::max_sighting_age};
@@ -31,7 +32,7 @@ inline constexpr core::Metres probe_iceberg_range{50'000.0};
 
 /// What the stored data say of a place and a time; nothing is extrapolated. One function for API and command
 /// line.
-/// Errors   a violation when `dataset_id` is unknown or of a kind that has no values at a place
+/// Errors   a violation for each of `dataset_ids` that is unknown or of a kind that has no values at a place
 [[nodiscard]] tl::expected<codec::Probe, core::Violations> probe(sql::Connection& db,
                                                                  const ProbeQuery& query);
 

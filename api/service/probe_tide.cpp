@@ -67,13 +67,11 @@ void predict(const NearStation& near, core::UtcTime time, codec::Probe::Tide& ti
 
 }  // namespace
 
-codec::Probe::Tide probe_tide(sql::Connection& db, const std::vector<Dataset>& datasets,
-                              const std::optional<Dataset>& named, geo::LonLat place, core::UtcTime time) {
-  const bool one = named && named->kind == DatasetKind::tides;
+codec::Probe::Tide probe_tide(sql::Connection& db, const std::vector<Dataset>& datasets, geo::LonLat place,
+                              core::UtcTime time) {
   std::vector<Dataset> tides;
-  std::ranges::copy_if(datasets, std::back_inserter(tides), [&](const Dataset& dataset) {
-    return dataset.kind == DatasetKind::tides && (!one || dataset.id == named->id);
-  });
+  std::ranges::copy_if(datasets, std::back_inserter(tides),
+                       [](const Dataset& dataset) { return dataset.kind == DatasetKind::tides; });
 
   codec::Probe::Tide tide;
   std::vector<ocean::TideGrid> models;

@@ -15,10 +15,9 @@ namespace floeplan::service {
 inline constexpr core::Metres probe_station_range{20'000.0};
 
 /// The tide at a place and a time, from all models on a grid that cover the place (of two that have a line the newer
-/// counts) or, where none does, from the nearest station within `probe_station_range`; from one dataset if it is named.
+/// counts) or, where none does, from the nearest station within `probe_station_range`.
 [[nodiscard]] codec::Probe::Tide probe_tide(sql::Connection& db,
                                             const std::vector<repository::Dataset>& datasets,
-                                            const std::optional<repository::Dataset>& named,
                                             geo::LonLat place, core::UtcTime time);
 
 }  // namespace floeplan::service

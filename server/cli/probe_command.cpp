@@ -1,6 +1,7 @@
 #include <iomanip>
 #include <iostream>
 #include <memory>
+#include <vector>
 
 #include "api/service/probe_service.hpp"
 #include "engine/core/utc_text.hpp"
@@ -15,7 +16,7 @@ struct ProbeFlags {
   std::string at;
   std::optional<std::string> time;
   std::optional<double> depth_m;
-  std::optional<std::string> dataset;
+  std::vector<std::string> datasets;
   bool json_out{false};
 };
 
@@ -84,7 +85,7 @@ int run_probe(const ProbeFlags& flags, const Program& program) {
     return complain(bad_data,
                     "--at " + flags.at + " is no place on the Earth; longitude comes first, then latitude");
   }
-  service::ProbeQuery query{.place = *place, .time = now(), .depth = {}, .dataset_id = flags.dataset};
+  service::ProbeQuery query{.place = *place, .time = now(), .depth = {}, .dataset_ids = flags.datasets};
   if (flags.time) {
     const auto time = core::parse_iso8601(*flags.time);
     if (!time) {
@@ -115,8 +116,10 @@ void add_probe(CLI::App& app, Program& program) {
   command->add_option("--at", flags->at, "LON,LAT in degrees")->required();
   command->add_option("--time", flags->time, "ISO 8601 with zone; default: now");
   command->add_option("--depth", flags->depth_m, "Metres below the surface, for the current");
-  command->add_option("--dataset", flags->dataset,
-                      "Currents, wind, bathymetry, ice or tides to ask; default: the newest that covers it");
+  command
+      ->add_option("--dataset", flags->datasets,
+                   "Dataset to ask of its kind, may be repeated; default: the newest that covers it")
+      ->allow_extra_args(false);
   command->add_flag("--json", flags->json_out, "Answer with one JSON document");
   command->callback([flags, &program] { program.exit_code = run_probe(*flags, program); });
 }

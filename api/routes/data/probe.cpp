@@ -1,3 +1,4 @@
+#include "api/codec/bytes/text_values.hpp"
 #include "api/codec/documents/probe_document.hpp"
 #include "api/routes/request/parameters.hpp"
 #include "api/routes/request/reply.hpp"
@@ -27,9 +28,12 @@ Response show_probe(const Context& context, const Request& request, const PathPa
   if (depth) query.depth = core::Metres{*depth};
   query.departure = departure;
   if (max_age_days) query.max_sighting_age = core::Seconds{*max_age_days * 86'400.0};
-  query.dataset_id = request.parameter("dataset");
-  if (query.dataset_id && !repository::DatasetRepository{context.db}.find({*query.dataset_id})) {
-    return problem_reply<"unknown-dataset">(request, *query.dataset_id);
+  if (const auto ids = request.parameter("dataset")) {
+    for (const std::string_view id : codec::split(*ids, ',')) {
+      query.dataset_ids.emplace_back(id);
+      if (!repository::DatasetRepository{context.db}.find({std::string{id}}))
+        return problem_reply<"unknown-dataset">(request, std::string{id});
+    }
   }
   const auto result = service::probe(context.db, query);
   return result ? json_reply(codec::probe_document(*result)) : invalid(request, result.error());

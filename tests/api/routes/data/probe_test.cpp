@@ -78,6 +78,37 @@ TEST_F(ProbeTest, TellsTheDepthOfTheFinestDatasetThatKnowsIt) {
   EXPECT_EQ(json_of(ask("GET", "/probe?lon=-52.4&lat=69&time=2027-01-15T08:00:00Z"))["depth_m"], 400.0);
 }
 
+TEST_F(ProbeTest, AsksTheNamedDatasetsOfEachKindAlone) {
+  add_run("run-1", {start_s, start_s + hour_s}, 0.1F);
+  add_run("run-2", {start_s, start_s + hour_s}, 0.3F);
+  add_depths("coarse", square_, std::vector<float>(4, 400.0F));
+  add_depths("fine",
+             {geo::GeographicFrame{}, ocean::Axis{{-54.0, -53.0, -52.0}}, ocean::Axis{{68.0, 69.0, 70.0}}},
+             std::vector<float>(9, 100.0F));
+  for (const std::string id : {"list", "other-list"}) {
+    add(id, DatasetKind::icebergs, start_s, start_s);
+    ocean::Iceberg berg;
+    berg.id = "berg of " + id;
+    berg.place = {-53.0, 69.1};
+    berg.observed = core::from_unix_seconds(start_s);
+    repository::IcebergRepository{db_}.insert({id}, {berg});
+  }
+  const std::string here = "/probe?lon=-53&lat=69&time=2027-01-15T08:00:00Z";
+
+  const json unnamed = json_of(ask("GET", here));
+  const json named = json_of(ask("GET", here + "&dataset=run-1,coarse,list"));
+
+  EXPECT_EQ(unnamed["depth_m"], 100.0);
+  EXPECT_EQ(unnamed["icebergs_within"].size(), 2U);
+  EXPECT_EQ(named["currents"]["dataset_id"], "run-1");
+  EXPECT_NEAR(named["currents"]["u_m_s"], 0.1, 1e-6);
+  EXPECT_EQ(named["depth_m"], 400.0);
+  ASSERT_EQ(named["icebergs_within"].size(), 1U) << named;
+  EXPECT_EQ(named["icebergs_within"][0]["berg_id"], "berg of list");
+  EXPECT_EQ(json_of(ask("GET", here + "&dataset=coarse,fine"))["depth_m"], 400.0) << "the first has priority";
+  EXPECT_EQ(ask("GET", here + "&dataset=run-1,unknown").status, 404);
+}
+
 TEST_F(ProbeTest, NamesABergOfTwoListsOnceWhereItWasSeenLast) {
   for (const auto& [id, lat] : {std::pair{"list", 69.0}, {"update", 69.1}}) {
     add(id, DatasetKind::icebergs, start_s, start_s);
