@@ -1,4 +1,4 @@
-import type { Box, CoastFeature, FeaturePage, GliderTrackFeature, IceChart, IcebergDrift, IcebergFeature, IcebergTrackFeature, IngestInputs, IngestReport, NewFeature, StoredDatasets, Upload, Vehicle, ZoneFeature } from '../contract/data_types';
+import type { Box, CoastFeature, FeaturePage, GliderTrackFeature, IceChart, IcebergDrift, IcebergFeature, IcebergTrackFeature, IngestInputs, IngestReport, NewFeature, Position, StoredDatasets, Upload, Vehicle, ZoneFeature } from '../contract/data_types';
 import type { EvaluateInputs, EvaluationResults, JobStatus, MissionPreview, PlanFeature, PlanInputs, PlanResults, Probe, Reach, ReachInputs } from '../contract/types';
 import type { Flight, SimulateInputs, Simulation, SimulationSummary } from '../contract/simulation_types';
 import { decodeGrid, type Grid } from '../geo/grid';
@@ -135,10 +135,11 @@ export type ExportFormat = 'zip' | 'gpx' | 'kml' | 'geojson' | 'csv' | 'nmea' | 
 export const downloadAddress = (planId: string, format: ExportFormat, query: ExportQuery, accept: boolean): string =>
   address(`/collections/plans/items/${encodeURIComponent(planId)}/mission.${format}`, { ...(format === 'zip' ? query : {}), ...accepted(accept) });
 
-/** `age`: how the ages of sightings are counted, where that is not at `time` and up to the server's own. */
-export const probe = (
-  lon: number, lat: number, time: string, age: Partial<Pick<IcebergChoice, 'max_sighting_age_days' | 'departure'>> = {},
-): Promise<Probe> => json(address('/probe', { lon, lat, time, max_sighting_age_days: age.max_sighting_age_days, departure: age.departure }));
+/** The place to a decimetre. The datasets chosen count alone for their kinds. */
+export const probe = ([lon, lat]: Position, time: string, choice: Partial<IcebergChoice>): Promise<Probe> => {
+  const { dataset, ...ages } = choiceOf({ datasets: undefined, max_sighting_age_days: undefined, departure: undefined, ...choice });
+  return json(address('/probe', { lon: Number(lon.toFixed(6)), lat: Number(lat.toFixed(6)), time, ...ages, dataset: dataset === '' ? undefined : dataset }));
+};
 
 /** Hands work to a process; the answer is its job. */
 const submit = (process: string, inputs: object): Promise<JobStatus> =>

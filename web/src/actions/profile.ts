@@ -1,3 +1,4 @@
+import { datasets } from '../model/datasets';
 import { countedAt_ms } from '../model/iceberg_choice';
 import { momentsOf, type ProfilePoint } from '../model/profile';
 import { isoOf } from '../model/time';
@@ -23,16 +24,22 @@ export function profileOf(plan: Plan): Promise<ProfilePoint[]> {
   return profile;
 }
 
+/** Its icebergs, and of every other kind the one dataset that it was made with, as far as they are stored. Runs that were joined are left to the server. */
+function datasetsOf({ datasets: used }: Plan): string[] {
+  const isAlone = (kind: string): boolean => used.filter((one) => one.kind === kind).length === 1;
+  const isStored = (id: string): boolean => datasets.value?.some((one) => one.id === id) ?? false;
+  return used.filter(({ id, kind }) => (kind === 'icebergs' || isAlone(kind)) && isStored(id)).map(({ id }) => id);
+}
+
 async function probeAll(plan: Plan, points: ProfilePoint[]): Promise<ProfilePoint[]> {
   const answers: ProfilePoint[] = [...points];
-  const age = { departure: isoOf(countedAt_ms(plan)), max_sighting_age_days: plan.sightings?.max_age_days }; // the icebergs that the plan obeys
+  const obeyed = { datasets: datasetsOf(plan), departure: isoOf(countedAt_ms(plan)), max_sighting_age_days: plan.sightings?.max_age_days };
   let next = 0;
   const work = async (): Promise<void> => {
     for (let i = next++; i < points.length; i = next++) {
       const point = points[i];
       if (!point) return;
-      const [lon, lat] = point.place;
-      const probe = await api.probe(Number(lon.toFixed(6)), Number(lat.toFixed(6)), isoOf(point.time_ms), age);
+      const probe = await api.probe(point.place, isoOf(point.time_ms), obeyed);
       answers[i] = { ...point, probe };
     }
   };

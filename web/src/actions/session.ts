@@ -3,17 +3,15 @@ import { range, setSpan, setTime } from '../model/clock';
 import { coveredDatasets } from '../model/coverage';
 import { connectionFault, chosenBathymetry, chosenCurrents, currentTimes_ms, datasets, forgetMissing, homeBox, takeStored, vehicles } from '../model/datasets';
 import { draft, fill } from '../model/draft';
-import { icebergChoice } from '../model/iceberg_choice';
 import * as model from '../model/plans';
 import { dataArea } from '../model/position';
 import type { Link } from '../model/link';
 import { opening } from '../model/shared_view';
 import { shownFlight } from '../model/simulations';
 import { chosenTrack, gliderTracks } from '../model/tracks';
-import { announce, probed, tell } from '../model/screen';
-import { fieldOf, hour_ms, isoOf } from '../model/time';
+import { announce, tell } from '../model/screen';
+import { fieldOf, hour_ms } from '../model/time';
 import { time_ms } from '../model/clock';
-import type { Position } from '../contract/data_types';
 import * as api from './client';
 import { withoutDeleted } from './deleting';
 
@@ -143,18 +141,4 @@ export async function deleteDataset(id: string): Promise<string | undefined> {
   datasets.value = datasets.value?.filter((dataset) => dataset.id !== id);
   announce('The dataset was removed.');
   return undefined;
-}
-
-let probes = 0;
-
-/** Asks the server for everything known at a place and the clock's time. */
-export async function probeAt([lon, lat]: Position): Promise<void> {
-  const number = ++probes;
-  probed.value = { lon, lat, answer: undefined, fault: undefined };
-  try {
-    const answer = await api.probe(Number(lon.toFixed(6)), Number(lat.toFixed(6)), isoOf(time_ms.value), icebergChoice.value);
-    if (number === probes) probed.value = { lon, lat, answer, fault: undefined };
-  } catch (error) {
-    if (number === probes) probed.value = { lon, lat, answer: undefined, fault: faultOf(error) };
-  }
 }

@@ -13,7 +13,7 @@ import { failure } from '../model/job';
 import { messagesOf, placeOf, shownMessage } from '../model/messages';
 import { selectedId, selectedPlan } from '../model/plans';
 import { openEdit } from '../model/route_edit';
-import { probed } from '../model/screen';
+import { probed } from '../model/probe';
 import { projection } from '../model/settings';
 import { rechecks } from '../model/stale';
 import { palette, type Palette } from '../theme/palette';

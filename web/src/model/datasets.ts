@@ -53,6 +53,14 @@ export function chosenAll(kind: PlanningKind): Dataset[] {
 /** The first of them, which the map shows. */
 export const chosen = (kind: PlanningKind): Dataset | undefined => chosenAll(kind)[0];
 
+/** The datasets that the set-up names of all kinds but icebergs, of which plans under way may name more. */
+export const namedDatasets = computed<string[]>(() =>
+  kinds.flatMap((kind) => {
+    const wish = draft.value[kind];
+    return kind === 'icebergs' || wish === 'newest' || wish === 'all' ? [] : chosenAll(kind).map(({ id }) => id);
+  }),
+);
+
 /** Whether the set-up uses a dataset. Icebergs are used where the dataset is named, or holds the newest sighting of a berg. */
 export function isInUse({ id, kind }: Dataset): boolean {
   const isJoined = kind === 'icebergs' && draft.value.icebergs === 'newest';

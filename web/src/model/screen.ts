@@ -1,14 +1,10 @@
 import { signal } from '@preact/signals';
-import type { Probe } from '../contract/types';
 
 /** What is open on the screen apart from the map. */
 export const leftTab = signal<'setup' | 'plans' | 'data'>('setup');
 export const rightTab = signal<'waypoints' | 'profile' | 'departures' | 'flights'>('waypoints');
 export const dialog = signal<'export' | 'compare' | 'help' | 'jobs' | 'login' | undefined>(undefined);
 export const drawer = signal<'left' | 'right' | undefined>(undefined);
-
-/** The answer to the last click of the probe tool. */
-export const probed = signal<{ lon: number; lat: number; answer: Probe | undefined; fault: string | undefined } | undefined>(undefined);
 
 /** A short text about what was just done. It is shown for a few seconds. */
 export const notice = signal('');

@@ -1,5 +1,5 @@
 import { effect, untracked } from '@preact/signals';
-import { probeAt } from '../actions/session';
+import { probeAt } from '../actions/probing';
 import { formatPosition } from '../geo/coordinates';
 import { drawingWish, isDrawing } from '../model/drawing';
 import { takePlace } from '../model/placing';

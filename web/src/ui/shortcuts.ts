@@ -1,6 +1,6 @@
 import { editCopy } from '../actions/plan_inputs';
 import { plan } from '../actions/planning';
-import { probeAt } from '../actions/session';
+import { probeAt } from '../actions/probing';
 import { range, setTime, stepHours, togglePlay } from '../model/clock';
 import { openBergId } from '../model/berg_card';
 import { drawByKey } from '../model/drawing';

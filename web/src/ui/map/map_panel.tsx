@@ -1,6 +1,6 @@
 import { useEffect, useRef } from 'preact/hooks';
 import type { VNode } from 'preact';
-import { probeAt } from '../../actions/session';
+import { probeAt } from '../../actions/probing';
 import { createMap } from '../../map/map_view';
 import { isSynthetic } from '../../model/datasets';
 import { drawnCorners, fewestCorners } from '../../model/drawing';

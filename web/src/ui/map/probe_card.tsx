@@ -1,15 +1,13 @@
-import type { VNode } from 'preact';
-import type { Position } from '../../contract/data_types';
+import type { ComponentChildren, VNode } from 'preact';
+import type { PlanningKind, Position } from '../../contract/data_types';
 import type { Probe } from '../../contract/types';
 import { formatPosition } from '../../geo/coordinates';
-import { directionTowards_deg } from '../../geo/vectors';
 import { chartInWords, drawnChart, eggAt, partInWords } from '../../model/ice_chart';
 import { sizeTitle } from '../../model/icebergs';
-import { probed } from '../../model/screen';
-import { seaIceInWords } from '../../model/sea_ice';
+import { bedInWords, currentInWords, iceInWords, isLeftOut, probed } from '../../model/probe';
 import { settings } from '../../model/settings';
 import { shortTime } from '../../model/time';
-import { course, depth, distance, none, speed } from '../../model/units';
+import { distance, none } from '../../model/units';
 import { IconButton } from '../common/icon';
 
 /** Everything the server knows at the place last probed, with its sources. */
@@ -28,35 +26,39 @@ export function ProbeCard(): VNode | null {
 }
 
 function Answer({ answer }: { answer: Probe }): VNode {
-  const { u_m_s, v_m_s, reason, dataset_name, time_before, time_after } = answer.currents;
-  const flowing = u_m_s !== null && v_m_s !== null;
+  const { reason, dataset_name, time_before, time_after } = answer.currents;
   const berg = answer.icebergs_within[0];
   return (
     <dl>
       <dt>Time</dt>
       <dd>{shortTime(Date.parse(answer.time))}</dd>
       <dt>Sea bed</dt>
-      <dd>{answer.land ? 'land' : depth(answer.depth_m)}{answer.depth_reason && <small>{answer.depth_reason}</small>}</dd>
+      <Told of="bathymetry">{bedInWords(answer)}{answer.depth_reason && <small>{answer.depth_reason}</small>}</Told>
       <dt>Current</dt>
-      <dd>
-        {flowing ? `${speed(Math.hypot(u_m_s, v_m_s))} to ${course(directionTowards_deg(u_m_s, v_m_s))}` : none}
+      <Told of="currents">
+        {currentInWords(answer)}
         {reason && <small>{reason}</small>}
         {dataset_name && <Source name={dataset_name} from={time_before} to={time_after} />}
-      </dd>
+      </Told>
       <dt>Sea ice</dt>
-      <dd>
-        {seaIceInWords(answer.ice_concentration, answer.ice.thickness_m)}
+      <Told of="ice">
+        {iceInWords(answer)}
         {answer.ice_concentration_reason && <small>{answer.ice_concentration_reason}</small>}
         {answer.ice.dataset_name && <Source name={answer.ice.dataset_name} from={answer.ice.time_before} to={answer.ice.time_after} />}
-      </dd>
+      </Told>
       <Egg place={[answer.lon, answer.lat]} />
       <dt>Nearest iceberg</dt>
-      <dd>
+      <Told of="icebergs">
         {berg ? `${distance(berg.distance_m)}: ${berg.berg_id}` : 'none within 50 km'}
         {berg && <small>{sizeTitle(berg.size)}, seen {shortTime(Date.parse(berg.observed))}</small>}
-      </dd>
+      </Told>
     </dl>
   );
+}
+
+/** What the data of a kind tell, where plans of the set-up have any. */
+function Told({ of, children }: { of: PlanningKind; children: ComponentChildren }): VNode {
+  return isLeftOut(of) ? <dd>{none}<small>left out by the set-up</small></dd> : <dd>{children}</dd>;
 }
 
 /** The egg code of the chart there, as charts draw it, and in words. */

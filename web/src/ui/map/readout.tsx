@@ -1,18 +1,16 @@
 import type { VNode } from 'preact';
 import { formatPosition } from '../../geo/coordinates';
-import { directionTowards_deg } from '../../geo/vectors';
 import { chosenSeaIce } from '../../model/datasets';
-import { readingAt } from '../../model/field';
 import { sizeTitle } from '../../model/icebergs';
-import { seaIceInWords } from '../../model/sea_ice';
+import { bedInWords, currentInWords, iceInWords, isLeftOut, readOut } from '../../model/probe';
 import { settings } from '../../model/settings';
 import { shortTime } from '../../model/time';
-import { course, depth, distance, none, speed } from '../../model/units';
+import { distance, none } from '../../model/units';
 import { hoveredTrack } from '../../model/tracks';
 import { hoveredBerg, pointer } from '../../model/view';
 import { TrackFigures } from '../common/track_figures';
 
-/** Position, depth, current and sea ice under the pointer; a berg's sighting or a glider's track when it points at one. */
+/** Position, depth, current and sea ice under the pointer, as the probe tells them; a berg's sighting or a glider's track when it points at one. */
 export function Readout(): VNode | null {
   const place = pointer.value;
   if (!place) return null;
@@ -36,17 +34,14 @@ export function Readout(): VNode | null {
       </div>
     );
   }
-  const reading = readingAt(place);
-  const { depth_m, east_m_s, north_m_s, concentration, thickness_m } = reading;
-  const flowing = east_m_s !== undefined && north_m_s !== undefined;
+  const read = readOut.value;
+  const answer = read?.answer;
   return (
-    <div class="readout">
+    <div class={read?.place === place ? 'readout' : 'readout late'}>
       <span class="figure">{formatPosition(place, settings.value.coordinates)}</span>
-      <span>{depth_m !== undefined && depth_m <= 0 ? 'land' : `depth ${depth(depth_m)}`}</span>
-      <span>
-        current {flowing ? `${speed(Math.hypot(east_m_s, north_m_s))} to ${course(directionTowards_deg(east_m_s, north_m_s))}` : none}
-      </span>
-      {chosenSeaIce.value && <span>sea ice {seaIceInWords(concentration, thickness_m)}</span>}
+      {!isLeftOut('bathymetry') && <span>{answer?.land ? '' : 'depth '}{answer ? bedInWords(answer) : none}</span>}
+      {!isLeftOut('currents') && <span>current {answer ? currentInWords(answer) : none}</span>}
+      {chosenSeaIce.value && <span>sea ice {answer ? iceInWords(answer) : none}</span>}
     </div>
   );
 }

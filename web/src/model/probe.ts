@@ -1,0 +1,29 @@
+import { computed, signal } from '@preact/signals';
+import type { PlanningKind, Position } from '../contract/data_types';
+import type { Probe } from '../contract/types';
+import { directionTowards_deg } from '../geo/vectors';
+import { namedDatasets } from './datasets';
+import { draft } from './draft';
+import { icebergChoice } from './iceberg_choice';
+import { seaIceInWords } from './sea_ice';
+import { course, depth, none, speed } from './units';
+
+/** The answer to the last click of the probe tool. */
+export const probed = signal<{ lon: number; lat: number; answer: Probe | undefined; fault: string | undefined } | undefined>(undefined);
+
+/** The last answer for the pointer, and where it was then. */
+export const readOut = signal<{ place: Position; answer: Probe } | undefined>(undefined);
+
+/** The datasets that the server is to ask; of a kind of which none is among them it takes those that a plan would take. */
+export const probedDatasets = computed<string[]>(() => [...namedDatasets.value, ...(icebergChoice.value?.datasets ?? [])]);
+
+/** Whether plans of the set-up, and so the map, do without the data of a kind. */
+export const isLeftOut = (kind: PlanningKind): boolean => draft.value[kind] === 'none';
+
+export const bedInWords = ({ land, depth_m }: Probe): string => (land ? 'land' : depth(depth_m));
+
+export function currentInWords({ currents: { u_m_s, v_m_s } }: Probe): string {
+  return u_m_s === null || v_m_s === null ? none : `${speed(Math.hypot(u_m_s, v_m_s))} to ${course(directionTowards_deg(u_m_s, v_m_s))}`;
+}
+
+export const iceInWords = ({ ice_concentration, ice }: Probe): string => seaIceInWords(ice_concentration, ice.thickness_m);
