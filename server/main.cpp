@@ -15,9 +15,9 @@ std::string version_line() {
 
 }  // namespace
 
-// NOLINTNEXTLINE(bugprone-exception-escape): with no memory even to build the commands there is nothing to say it with
+// NOLINTNEXTLINE(bugprone-exception-escape): without memory to build the commands no message can be printed
 int main(int argc, char** argv) {
-  // A file that may not grow is a full disk, which is said; by default it is a crash.
+  // Reaching the limit of file sizes is then reported as a full disk. By default the signal ends the process.
   std::signal(SIGXFSZ, SIG_IGN);
   return floeplan::cli::run(argc, argv, version_line());
 }

@@ -93,9 +93,10 @@ tl::expected<std::vector<codec::SimulatedFile>, core::Violations> files_of(
   options.lists.max_waypoints = flown.vehicle.max_waypoints_per_list;
   options.lists.holds = {.radius = flown.hold_radius,
                          .currents = mission::hold_currents(environment, flown.plan, flown.vehicle)};
-  options.lists.may_end_below_ice = true;  // nobody is lost in a simulation, which flies on from there
+  options.lists.may_end_below_ice =
+      true;  // allowed in a simulation: it continues from there and no vehicle can be lost
   options.lists.origin = {flown.record.id.value, flown.record.name, flown.plan.departure, "floeplan"};
-  // Below ice the files ask for open water to recover to, which nobody recovers to here: the start is such a place.
+  // Below ice the files need a place in open water for recovery. The simulation does not use it, so the start will do.
   if (const core::Metres turn = mission::least_upper_turn(flown.plan); turn.value > 0.0)
     options.under_ice = mission::UnderIce{{flown.plan.waypoints.front().place}, turn};
   const auto set = mission::write_mission_set(flown.plan, options);

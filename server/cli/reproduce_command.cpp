@@ -51,7 +51,7 @@ std::string table_cell(const std::optional<T>& value, const char* format) {
   return text.data();
 }
 
-/// A percentage; what rounds to zero from below is zero.
+/// A percentage; never "-0.00".
 std::optional<double> percent(const std::optional<double>& value) {
   if (!value || std::abs(*value) >= 0.005) return value;
   return 0.0;

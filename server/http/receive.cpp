@@ -112,7 +112,7 @@ net::awaitable<error_code> Session::read_body(Head& head, Request& request) {
   parser.on_chunk_header(refuse_chunk_extension);
   const std::uint64_t bytes =
       parser.content_length().value_or(parser.is_done() ? 0 : share_.limits.body_bytes);
-  constexpr std::uint64_t always_welcome = 65'536;  // a large crowd's plans, whatever a few others send
+  constexpr std::uint64_t always_welcome = 65'536;  // bytes; accepted even if others hold all memory
   if (bytes > always_welcome && !share_.memory.has(bytes)) co_return no_memory();
   const MemoryBudget::Part part{share_.memory, bytes};
   if (!parser.is_done()) {
@@ -147,7 +147,7 @@ net::awaitable<error_code> Session::stream_body(Head& head, BodySink& sink) {
   co_return error_code{};
 }
 
-/// Runs on a thread of the handlers: a slow disk holds up nobody else's bytes.
+/// Runs on a thread of the handlers, so that a slow disk does not delay other connections.
 net::awaitable<error_code> Session::store(BodySink& sink, std::string_view bytes) {
   try {
     sink.add(bytes);

@@ -24,7 +24,7 @@ struct Limits {
   std::chrono::seconds idle_time{60};             // between requests
   std::chrono::seconds write_time{60};
   std::chrono::seconds stop_time{8};  // for open requests, when the server stops
-  std::size_t connections{12'000};    // 10,000 that say nothing, each 10 KB as measured, and those at work
+  std::size_t connections{12'000};    // 10,000 idle ones of 10 KB each, as measured, and 2,000 active ones
   std::size_t connections_per_address{1024};
   std::size_t streams{200};           // of events, each on a connection of its own
   std::size_t streams_of_client{20};  // a browser needs one, a watching script another
@@ -34,10 +34,10 @@ struct Limits {
 /// A request that was answered, as logs and counts see it.
 struct Exchange {
   std::string method;
-  std::string route;  // pattern of the operation; empty: none answered
+  std::string route;  // pattern of the operation; empty: no operation matched
   int status{};
   std::chrono::duration<double> taken{};
-  std::uint64_t bytes{};  // of the answer's body
+  std::uint64_t bytes{};  // of the response body
 };
 
 /// What may change while a server runs.

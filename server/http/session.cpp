@@ -75,7 +75,7 @@ std::string head_of(const Response& response, bool keep_alive, bool https_only) 
 
   std::string text;
   beast::http::response_serializer<beast::http::empty_body> serializer{message};
-  error_code never;  // a head that is there needs nothing that could fail
+  error_code never;  // the request head is already in memory, so reading it cannot fail
   serializer.next(never, [&](error_code&, const auto& buffers) { text = beast::buffers_to_string(buffers); });
   return text;
 }
@@ -336,7 +336,7 @@ net::awaitable<bool> Session::write(const Response& response, bool head_only, bo
   co_return !error;
 }
 
-/// Says what was wrong with a request that could not be read, if there is somebody to tell.
+/// Answers a request that could not be read with the reason, if the connection is still open.
 net::awaitable<void> Session::refuse(error_code fault, bool in_first_line, std::uint64_t most_bytes) {
   const auto response = refusal_of(fault, in_first_line, most_bytes);
   if (!response) co_return;

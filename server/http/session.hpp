@@ -23,7 +23,7 @@
 
 namespace floeplan::http {
 
-/// What Strict-Transport-Security says (RFC 6797).
+/// The value of the header Strict-Transport-Security (RFC 6797).
 constexpr const char* https_only_for_a_year = "max-age=31536000";
 
 /// What all sessions of a server share.

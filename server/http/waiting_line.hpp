@@ -8,8 +8,8 @@ namespace floeplan::http {
 
 class Session;
 
-/// The connections whose client has to do the next thing, in the order in which they began to wait. Whoever has waited
-/// longest is found without a look at the others: a crowd that comes all at once costs each newcomer the same.
+/// The connections that wait for their client, in the order in which they began to wait. The longest wait is found in
+/// constant time, so many simultaneous connections do not make each new one slower.
 /// Threads  the I/O thread alone
 class WaitingLine {
  public:

@@ -14,7 +14,7 @@
 
 namespace floeplan::jobs {
 
-/// What a job gave.
+/// The result of a job.
 struct ProcessResult {
   std::string json;       // the results document
   std::string message{};  // why it holds no route; empty: it holds what was asked for

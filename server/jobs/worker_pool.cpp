@@ -95,7 +95,7 @@ WorkerPool::WorkerPool(const OpenStore& open_store, JobBoard& board, std::size_t
               most_kept_grounds}} {
   auto db = open_store();
   JobRepository{db}.release_all_leases(now());
-  // Every connection is made here: what goes wrong then keeps the pool from starting, and does not end a thread.
+  // All connections are opened here, so that a failure prevents the start of the pool and does not end a thread later.
   lease_keeper_ = std::jthread{
       [this, own = open_store()](const std::stop_token& stop) mutable { keep_leases(own, stop); }};
   std::vector<JobClass> classes(workers + 1, JobClass::interactive);

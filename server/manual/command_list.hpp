@@ -29,13 +29,13 @@ struct Command {
 /// What stands behind a flag: "LON,LAT", "NUMBER", "up|down"; empty where it takes nothing.
 [[nodiscard]] std::string value_of(const CLI::Option& option);
 
-/// What a flag or an argument is for, with its range and what counts where it is left out.
+/// The purpose of a flag or argument, with its range and default.
 [[nodiscard]] std::string help_of(const CLI::Option& option);
 
-/// The command that the words of a command line have led to.
+/// The innermost command that was given on the command line.
 [[nodiscard]] const CLI::App& last_command(const CLI::App& app);
 
-/// The name of the command with those above it.
+/// The full name of a command, with the commands that contain it.
 [[nodiscard]] std::string path_of(const CLI::App& command);
 
 }  // namespace floeplan::manual

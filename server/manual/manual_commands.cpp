@@ -15,7 +15,7 @@
 namespace floeplan::manual {
 namespace {
 
-/// Of a terminal of old, which all have.
+/// The width that every terminal has.
 constexpr std::size_t page_width = 80;
 
 void list_topics() {

@@ -60,7 +60,7 @@ struct Reading {
   const core::ProgressCallback& progress;
 };
 
-/// How a format is written, which decides what is looked at to tell it from others.
+/// The kind of encoding: it decides by which bytes the format is recognised.
 enum class Writing : std::uint8_t { folder, binary, json, xml, text };
 
 /// Which other files may make one dataset with a file; see file_groups.
@@ -85,14 +85,14 @@ struct DataFormat {
   // Only where a format needs them.
   /// What has to hold before GDAL or a reader may open a file.
   Checked<bool> (*check)(const std::filesystem::path&){};
-  /// Opens a file that may hold several kinds, and says which it does; else a file holds the one of `kinds`.
+  /// Opens a file that may hold several kinds and finds out which it holds. Null: the file holds the one kind in `kinds`.
   Checked<bool> (*look_into)(RecognisedFile&, const Expectation&){};
-  /// SHA-256 of all that a dataset is made of; else of the files of its group.
+  /// SHA-256 of everything that a dataset is made of. Null: of the files of its group.
   Checked<std::string> (*digest)(const FileGroup&){};
   Together together{Together::none};
-  /// A table of lines, of which the last one may be cut within its last number when it has no end.
+  /// Text lines. If the last line has no line end, its last number may be cut off.
   bool has_lines{false};
-  /// A raster of plain numbers, that may be anything, of which depths alone are read.
+  /// A raster of numbers without a stated meaning; it is read as depths only.
   bool is_plain_raster{false};
 };
 

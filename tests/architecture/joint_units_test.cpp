@@ -32,7 +32,7 @@ std::string function_in(const std::string& line) {
   return line.substr(begin, parameters - begin);
 }
 
-/// The functions in the unnamed namespaces of a source, which is formatted as all are.
+/// The functions in the unnamed namespaces of a source. Relies on the common format of all sources.
 std::set<std::string> own_functions(std::istream& source) {
   std::set<std::string> names;
   bool is_inside = false;

@@ -83,7 +83,7 @@ double seconds_passed(std::size_t workers, std::size_t runs, const std::vector<I
   return core::Seconds{std::chrono::steady_clock::now() - begin}.count();
 }
 
-/// A Monte-Carlo batch on all cores beside one worker: time that passes, so that other programs on the machine count.
+/// A Monte-Carlo batch on all cores compared with one worker, in elapsed time: other programs on the machine slow it down.
 template <class OnBoardFor>
 Row scaling_row(const std::vector<IcebergField>& seas, const OnBoardFor& on_board_for) {
   const std::size_t workers = std::clamp(std::thread::hardware_concurrency(), 1U, most_workers);

@@ -21,7 +21,7 @@ struct Water {
   float cells_per_vertex{};
   std::vector<Node> currents;
 
-  /// Eddies of up to 0.15 m/s that drift, over `vertices` a side.
+  /// Drifting eddies of up to 0.15 m/s, on `vertices` x `vertices` vertices.
   explicit Water(int vertices);
 
   [[nodiscard]] const Node& at(int slice, int row, int column) const {

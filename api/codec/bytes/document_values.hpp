@@ -9,11 +9,11 @@
 #include "engine/core/units.hpp"
 #include "engine/messages/message.hpp"
 
-/// Values as every document of ours writes them.
+/// Values as all documents of Floeplan write them.
 namespace floeplan::codec {
 
-/// What a waypoint of a plan is called wherever a person reads of it: S for the start, then 1, 2, ..., which are the
-/// indices of the JSON documents, the numbers in messages and the counting of waypoint lists, which leave the start out.
+/// The name of a waypoint in everything that a person reads: S for the start, then 1, 2, ... These numbers are also the
+/// indices of the JSON documents, and the row numbers of waypoint lists, which do not contain the start.
 [[nodiscard]] std::string waypoint_label(std::size_t index);
 
 /// "2 h 40 min", "12 min": to whole minutes.
@@ -23,7 +23,7 @@ namespace floeplan::codec {
 [[nodiscard]] double document_degrees(double degrees);
 /// ISO 8601, or null.
 [[nodiscard]] nlohmann::json optional_time(const std::optional<core::UtcTime>& time);
-/// A time that a stored document of ours must have.
+/// A time that a stored document must have.
 /// Errors   throws std::runtime_error naming `key`
 [[nodiscard]] core::UtcTime stored_time(const nlohmann::json& object, const char* key);
 

@@ -20,7 +20,7 @@ class NetcdfClassic {
   using Texts = std::vector<std::pair<std::string, std::string>>;
 
   [[nodiscard]] Dimension add_dimension(std::string name, std::size_t length);
-  /// Of the whole file.
+  /// Attributes of the whole file.
   void add_text(std::string name, std::string text);
 
   void add_doubles(const std::string& name, const std::vector<Dimension>& shape,

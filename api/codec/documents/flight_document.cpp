@@ -14,7 +14,7 @@ using nlohmann::json;
 using simulation::FlightRecord;
 using simulation::Vector;
 
-/// Steps of what is written, all one over a whole number.
+/// Resolution of the written values; each is one over a whole number.
 constexpr double per_degree_of_place = 1e7;
 constexpr double per_metre = 100.0;
 constexpr double per_degree = 100.0;

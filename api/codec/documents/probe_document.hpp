@@ -35,7 +35,7 @@ struct Probe {
     std::optional<core::UtcTime> time_after;
   };
   struct Tide {
-    std::optional<core::Metres> elevation;    // of the surface over its mean
+    std::optional<core::Metres> elevation;    // of the sea surface above its mean
     std::optional<geo::VelocityEn> velocity;  // of the tidal current alone
     std::string reason;                       // empty when there is an elevation or a velocity
     std::vector<std::string> dataset_ids;     // whose constants were used

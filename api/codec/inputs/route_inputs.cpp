@@ -35,8 +35,7 @@ void settle(InputReader& reader, const Origin& origin, GivenRoute& route) {
       if (++repeats <= most_named) repeated += (repeated.empty() ? "" : ", ") + std::to_string(i);
       continue;
     }
-    if (leg_m > longest_leg_m)
-      reader.refuse<"place-too-far">(origin.rule_pointer(i), i);
+    if (leg_m > longest_leg_m) reader.refuse<"place-too-far">(origin.rule_pointer(i), i);
     kept.push_back(route.places[i]);
   }
   if (kept.size() < 2) {
@@ -49,8 +48,7 @@ void settle(InputReader& reader, const Origin& origin, GivenRoute& route) {
   route.places = std::move(kept);
 }
 
-/// A file that came with a request as {"name": ..., "text": ...}; nothing where it cannot be read, and what is wrong is
-/// noted.
+/// A file in a request, as {"name": ..., "text": ...}. Empty if it cannot be read; its faults are then noted.
 std::optional<RouteFile> read_file_member(InputReader& reader, const std::string& key,
                                           std::optional<geo::LonLat> from) {
   const json* file = reader.member(key);

@@ -16,7 +16,7 @@
 
 namespace floeplan::codec {
 
-/// Most flights of one batch, and most of them that are kept whole.
+/// Largest number of flights in a batch, and of flights whose whole track is stored.
 inline constexpr int most_runs = 10'000;
 inline constexpr int most_tracks = 100;
 

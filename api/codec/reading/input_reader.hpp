@@ -36,7 +36,7 @@ class InputReader {
   [[nodiscard]] std::optional<core::UtcTime> time(const std::string& key);
   /// An ISO 8601 duration of days and time, as "PT1H".
   [[nodiscard]] std::optional<core::Seconds> duration(const std::string& key);
-  /// [longitude, latitude], or with a height as GeoJSON allows (RFC 7946, 3.1.1), which is left out.
+  /// [longitude, latitude]. A third number, the height that GeoJSON allows (RFC 7946, 3.1.1), is ignored.
   [[nodiscard]] std::optional<geo::LonLat> place(const std::string& key);
   /// An array of places with `least` to `most` elements.
   [[nodiscard]] std::optional<std::vector<geo::LonLat>> places(const std::string& key, std::size_t least,

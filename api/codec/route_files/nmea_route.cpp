@@ -55,7 +55,7 @@ std::optional<double> angle_of(std::string_view text, std::string_view side, std
   return side[0] == negative ? -angle : angle;
 }
 
-/// A route as its sentences list it; loggers send it again and again.
+/// A route as its sentences list it. Loggers repeat these sentences.
 struct Listing {
   std::string name;
   std::vector<std::string> order;
@@ -83,8 +83,7 @@ struct Sentences {
       return faults.refuse<"wrong-shape">(at_line(line), "WPL,latitude,N or S,longitude,E or W,name");
     const auto lat = angle_of(fields[1], fields[2], 2, 'N', 'S', 90.0);
     const auto lon = angle_of(fields[3], fields[4], 3, 'E', 'W', 180.0);
-    if (!lat || !lon)
-      return faults.refuse<"no-minutes-in-line">(at_line(line));
+    if (!lat || !lon) return faults.refuse<"no-minutes-in-line">(at_line(line));
     const std::string name{fields[5]};
     const auto [known, is_new] = waypoints.try_emplace(name, *lon, *lat);
     if (is_new) order_of_waypoints.push_back(name);
@@ -139,15 +138,15 @@ std::vector<geo::LonLat> places_in_order(const Sentences& sentences, const std::
   return places;
 }
 
-/// Each listing once, or the waypoints in their own order where none is there.
+/// Each route of the file once. Without route sentences: the waypoints in the order of the file.
 ReadRoutes routes_of(const Sentences& sentences) {
   FileRoutes file;
   core::Violations faults;
   std::vector<Listing> known;
   for (const Listing& listing : sentences.listings) {
     if (listing.read < listing.sentences)
-      faults.push_back(messages::fault<"sentence-missing">("file", listing.read + 1, listing.sentences,
-                                                           listing.name));
+      faults.push_back(
+          messages::fault<"sentence-missing">("file", listing.read + 1, listing.sentences, listing.name));
     if (listing.order.empty() || std::ranges::find(known, listing) != known.end()) continue;
     known.push_back(listing);
     file.routes.push_back({listing.name, {places_in_order(sentences, listing.order, faults)}});

@@ -9,10 +9,10 @@
 
 namespace floeplan::routes {
 
-/// Tells the clients apart that share a server, before anything is looked up: by the name of the token whose credential was
-/// let in before, so that logins of one token are one client; otherwise by their address, so that credentials that somebody
-/// makes up are one client, too. Lets nobody in: a name here only says whose turn it is.
-/// Memory   bounded: of the credentials only hashes, and of so many that all are forgotten at once when there are more
+/// Identifies the client of a request before any database access, so that clients can take turns. A credential that was
+/// accepted before counts as its token, so all logins of a token are one client. Any other credential counts as its network
+/// address, so that invented credentials do not make more clients. This grants no access.
+/// Memory   bounded: only hashes of credentials are kept; beyond a maximum all are forgotten at once
 /// Threads  any number at once
 class KnownClients {
  public:

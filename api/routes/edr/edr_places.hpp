@@ -24,7 +24,7 @@ struct EdrResolution {
   double most_places{};  // of an answer, where the data have more
 };
 
-/// Where to ask the data: every x with every y.
+/// The places of a query: every x combined with every y.
 struct EdrPlaces {
   std::vector<double> x_deg;    // ascending, beyond 180 in a box across the antimeridian
   std::vector<double> y_deg;    // ascending

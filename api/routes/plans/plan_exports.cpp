@@ -39,7 +39,7 @@ constexpr core::Metres around_route{30'000.0};  // of land and icebergs on the p
 constexpr double map_width = 720.0;
 constexpr double map_height = 420.0;
 
-/// Of the datasets that the plan was made with, by the rule of its request.
+/// The iceberg sightings that the plan obeyed: from its datasets, chosen by the rules of its request.
 std::vector<repository::StoredSighting> obeyed_sightings(sql::Connection& db, const PlanRecord& record,
                                                          const planning::Plan& plan,
                                                          const repository::DatasetChoice& of_icebergs) {

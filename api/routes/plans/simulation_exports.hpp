@@ -10,7 +10,7 @@
 
 namespace floeplan::routes {
 
-/// A way to write the flights of a simulation as one file. One table for API and command line.
+/// A file format for the flights of a simulation. API and command line share the table of formats.
 struct SimulationFormat {
   std::string name;  // ends the file's name and the address: "nc", "geojson"
   std::string content_type;

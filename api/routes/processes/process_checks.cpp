@@ -144,7 +144,7 @@ std::string result_digest(const Context& context, const std::string& process,
 }
 
 bool result_stands(const Context& context, const repository::JobRecord& job) {
-  if (!job.result_json) return true;  // not ended yet
+  if (!job.result_json) return true;  // the job has not ended
   const json result = json::parse(*job.result_json);
   const auto id_of = [&](const char* output, const char* key) {
     return result.contains(output) ? result.at(output).value(key, "") : "";

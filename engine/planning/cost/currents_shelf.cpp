@@ -37,7 +37,7 @@ std::shared_ptr<const currents::PlaneCurrents> CurrentsShelf::take(
     kept_.erase(found);
   } else {
     taken.currents = lay_out_currents(environment_, request, depths, ice, projection, area, stop);
-    if (stop.stop_requested()) return taken.currents;  // incomplete
+    if (stop.stop_requested()) return taken.currents;  // incomplete: must not be kept
     if (kept_.size() == most_kept) kept_.pop_back();
   }
   kept_.push_front(taken);

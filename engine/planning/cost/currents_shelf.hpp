@@ -18,24 +18,24 @@
 
 namespace floeplan::planning::cost {
 
-/// The currents of one environment as requests one after the other have them laid out. The two that were used last are
-/// kept, for the smaller and the larger grid of one request, and used again where a request would have the same.
+/// Cache of the gridded currents of one environment. It keeps the two grids that were used last, because a request
+/// may use a smaller and a larger grid, and returns one of them to a request with the same key.
 /// Threads  one at a time
 class CurrentsShelf {
  public:
-  /// `environment` is borrowed and outlives the shelf.
+  /// `environment` is borrowed and must outlive the cache.
   explicit CurrentsShelf(const ocean::Environment& environment) : environment_{environment} {}
 
-  /// As `lay_out_currents`, of the shelf's environment.
+  /// As `lay_out_currents` in the environment of the cache.
   [[nodiscard]] std::shared_ptr<const currents::PlaneCurrents> take(
       const PlanRequest& request, const currents::FlownDepths& depths, const ice::UnderIce* ice,
       const geo::LocalProjection& projection, const plane::PlaneBox& area, const std::stop_token& stop);
-  /// Whether those of the request are kept.
+  /// Whether the currents of the request are in the cache.
   [[nodiscard]] bool holds(const PlanRequest& request, const geo::LocalProjection& projection,
                            const plane::PlaneBox& area) const;
 
  private:
-  /// Where the dives turn below ice.
+  /// Upper turn of the dives below ice.
   struct BelowIce {
     double max_concentration_to_surface;
     core::Metres margin;
@@ -43,7 +43,7 @@ class CurrentsShelf {
 
     friend bool operator==(const BelowIce&, const BelowIce&) = default;
   };
-  /// All of a request that its currents depend on.
+  /// Everything in a request that its gridded currents depend on.
   struct Key {
     geo::LonLat origin;  // of the plane
     plane::PlaneBox area;
@@ -63,7 +63,7 @@ class CurrentsShelf {
                            const plane::PlaneBox& area) const;
 
   const ocean::Environment& environment_;
-  std::deque<Kept> kept_;  // the one used last in front
+  std::deque<Kept> kept_;  // most recently used first
 };
 
 }  // namespace floeplan::planning::cost

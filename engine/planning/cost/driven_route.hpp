@@ -12,59 +12,59 @@
 
 namespace floeplan::planning::cost {
 
-/// A route and what drives the vehicle along each of its legs.
+/// A route with the propulsion of each leg.
 struct DrivenRoute {
   std::vector<geo::PlanePoint> points;
-  std::vector<bool> fixed;             // start, goal and vias
+  std::vector<bool> fixed;             // start, goal and via points
   std::vector<vehicle::Drive> drives;  // one for each leg
 };
 
-/// When the vehicle is where, and what it draws in all.
+/// When the vehicle is at each point, and its total energy.
 struct DrivenTimes {
-  std::vector<core::Seconds> arrivals;  // one for each point, the departure first
+  std::vector<core::Seconds> arrivals;  // one for each point; the departure is the first
   EnergyUse energy;
-  double encounters{};              // with icebergs, where they have a weight
-  core::Seconds since_surfacing{};  // at the end of a drive without waits
+  double encounters{};              // with icebergs; zero if the objective does not weigh them
+  core::Seconds since_surfacing{};  // at the end of a drive without holds
 
   [[nodiscard]] double cost(const Objective& objective) const {
     return objective.cost(arrivals.back() - arrivals.front(), energy.total(), encounters);
   }
 };
 
-/// Without waits; the time without a possible surfacing keeps the request's bound.
+/// Times a route without holds. The limit of the request on the time without surfacing applies.
 /// Errors   why the route is closed
 [[nodiscard]] tl::expected<DrivenTimes, motion::EdgeClosed> drive_along(
     const Sea& sea, const DrivenRoute& route, core::Seconds depart,
     core::Seconds since_surfacing = core::Seconds{0.0}, Dives dives = Dives::over_bed);
 
-/// The same; where every leg is on the sea's first drive the vehicle waits where the request allows it and that brings
-/// it through.
+/// The same, with holds where the request allows them and they help. Holds need the first propulsion of the model on
+/// every leg.
 [[nodiscard]] tl::expected<DrivenTimes, motion::EdgeClosed> drive_in_time(const Sea& sea,
                                                                           const DrivenRoute& route,
                                                                           core::Seconds depart);
 
-/// Takes out points, each merged leg on the drive that suits it best, as long as the whole costs no more than at first
-/// and a step no more than by rounding, or until `stop` is requested.
+/// Removes points while the total cost stays the same, apart from rounding. Each merged leg uses its best propulsion.
+/// Stops when `stop` is requested.
 [[nodiscard]] DrivenRoute drop_costless_points(const Sea& sea, const DrivenRoute& route,
                                                const Objective& objective, core::Seconds depart,
                                                const std::stop_token& stop);
 
-/// Takes out the points that cost least, one at a time, until the next would make the whole cost more than `most_cost`;
-/// fixed points stay.
+/// Removes points one at a time, the cheapest first, until the next would raise the total cost above `most_cost`.
+/// Fixed points stay.
 [[nodiscard]] DrivenRoute drop_cheap_points(const Sea& sea, const DrivenRoute& route,
                                             const Objective& objective, core::Seconds depart,
                                             double most_cost, const std::stop_token& stop);
 
-/// Takes out the points that cost least, one at a time, until at most `most` are left or none can go without the
-/// route closing; fixed points stay. The route may cost more.
+/// Removes points one at a time, the cheapest first, until at most `most` points are left or every further removal
+/// would close the route. Fixed points stay. The cost may rise.
 [[nodiscard]] DrivenRoute drop_to(const Sea& sea, const DrivenRoute& route, const Objective& objective,
                                   core::Seconds depart, std::size_t most, const std::stop_token& stop);
 
-/// Puts each leg in turn on the drive that makes the whole cost least.
+/// Chooses the propulsion of each leg in turn so that the total cost is least.
 [[nodiscard]] DrivenRoute choose_drives(const Sea& sea, const DrivenRoute& route, const Objective& objective,
                                         core::Seconds depart, const std::stop_token& stop);
 
-/// Parts every leg that is longer than `longest` into equal ones; the way is the same.
+/// Divides every leg longer than `longest` into equal legs. The line of the route does not change.
 [[nodiscard]] DrivenRoute part_long_legs(const Sea& sea, const DrivenRoute& route, core::Metres longest);
 
 }  // namespace floeplan::planning::cost

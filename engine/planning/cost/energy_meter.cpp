@@ -14,7 +14,7 @@ std::optional<energy::DiveLine> dives_by(Dives dives, const energy::EnergyMap& e
   return energy.dives_along(edge.from, edge.to);
 }
 
-/// How far from where it really is the vehicle may be taken to be.
+/// Largest error in the position of the vehicle.
 core::Metres most_deviation(const energy::EnergyMap& energy, Dives dives) {
   constexpr double of_cell = 0.002;
   const core::Metres cell = energy.cell();

@@ -12,30 +12,30 @@
 
 namespace floeplan::planning::cost {
 
-/// What the dives of a way are taken from that is metered: the sea bed itself, or its map for searches; see
-/// `EnergyMap`.
+/// Which depths the metered dives use: the sea bed itself, or its coarser map for searches; see `EnergyMap`.
 enum class Dives : std::uint8_t { over_bed, over_map };
 
-/// Adds up what a drive along an edge draws: the power at each place over the time spent there, for currents make a
-/// vehicle slow over one bank and fast over the next deep. Looks at each piece of the drive in turn.
-/// Accuracy  where the vehicle is to a five-hundredth of the cells of the bathymetry or the map; what is above it is
-///           looked at every `look()` of the overhead, at most 4,096 times a piece
+/// Adds up the energy of a drive along an edge: the power at each place times the time spent there. A current can
+/// slow the vehicle over a bank and speed it up over deep water, so the time at each place matters. Visits each piece
+/// of the drive in turn.
+/// Accuracy  the position of the vehicle is known to 1/500 of a cell of the bathymetry or map. Ice above it is
+///           checked at every `look()` of the overhead, at most 4,096 times per piece
 class EnergyMeter {
  public:
   /// `energy`, `overhead` and `edge` are borrowed.
   EnergyMeter(const energy::EnergyMap& energy, const Overhead& overhead, const motion::PlaneEdge& edge,
               core::Seconds depart, vehicle::Drive drive, Dives dives);
 
-  /// The next piece of the drive.
+  /// Adds the next piece of the drive.
   void add(const motion::EdgePiece& piece);
-  /// All that is drawn until then: what the pieces leave of the way is travelled evenly in what they leave of the time.
+  /// The energy until `end`. The rest of the edge that no piece covers is travelled evenly in the rest of the time.
   [[nodiscard]] EnergyUse until(core::Seconds end) const;
 
  private:
   [[nodiscard]] EnergyUse use(const motion::EvenMove& move) const;
-  /// Where no dive turns above `upper_turn`.
+  /// Energy of a move on which no dive turns above `upper_turn`.
   [[nodiscard]] EnergyUse use(const motion::EvenMove& move, core::Metres upper_turn) const;
-  /// Of a place on the edge, as a share of its length.
+  /// Position of a place on the edge as a share of its length.
   [[nodiscard]] double share(geo::PlanePoint place) const;
 
   const energy::EnergyMap& energy_;
@@ -44,8 +44,8 @@ class EnergyMeter {
   double length_m_;  // in the plane
   vehicle::Drive drive_;
   bool looks_up_;                          // something may be above the edge
-  std::optional<energy::DiveLine> dives_;  // empty: by the map
-  bool is_even_;  // every place on the edge costs the same: how the time is spread makes no difference
+  std::optional<energy::DiveLine> dives_;  // empty: depths come from the map
+  bool is_even_;  // the power is the same everywhere on the edge, so how the time is spread does not matter
   double most_deviation_m_;
   geo::PlanePoint here_;
   double now_s_;

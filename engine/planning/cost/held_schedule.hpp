@@ -8,22 +8,22 @@
 
 namespace floeplan::planning::cost {
 
-/// The earliest schedule for a route of straight legs for a vehicle that may hold at its points: in front of what is
-/// closed for a while or, where the current does not let it, at an earlier point.
-/// Accuracy  of waits as of `next_open_leg`
-/// Returns   empty where there is none, or where it needs a hold that is longer than the request allows
-/// Precondition  the sea does not bound the time without surfacing
+/// The earliest schedule for a route of straight legs with holds at its points: before a closure that ends later or,
+/// where the current there is too strong, at an earlier point.
+/// Accuracy  of holds as of `next_open_leg`
+/// Returns   empty if there is none, or if it needs a longer hold than the request allows
+/// Precondition  the time without surfacing is not bounded
 [[nodiscard]] std::optional<Schedule> held_schedule(const Sea& sea, const std::vector<geo::PlanePoint>& route,
                                                     core::Seconds depart);
 
-/// The schedule with its holds moved to the start as far as the vehicle is at the end no later: who departs later loses
-/// nothing, and waits where it is safest.
+/// The same schedule with its holds moved to the start as far as the arrival does not become later. A later departure
+/// costs nothing, and the start is the safest place to wait.
 /// Precondition  as `held_schedule`
 [[nodiscard]] Schedule departing_later(const Sea& sea, const std::vector<geo::PlanePoint>& route,
                                        Schedule schedule);
 
 /// The longest hold of a schedule. A hold lasts from the arrival at a point until the vehicle leaves the circle of
-/// this radius about it, so that one that is spread over points near to each other is no shorter.
+/// this radius around it, so that holds at several nearby points count as one.
 [[nodiscard]] core::Seconds longest_hold(const Schedule& schedule, const std::vector<geo::PlanePoint>& route,
                                          core::Metres radius);
 

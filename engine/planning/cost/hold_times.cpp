@@ -10,28 +10,29 @@ namespace floeplan::planning::cost {
 namespace {
 
 constexpr core::Seconds between_looks{900.0};
-constexpr core::Seconds fineness_of_clear{5.0};  // of `Sea::first_clear_departure`
-constexpr int most_tries = 8;  // of a leg, each at a departure at which the straight and even way is clear
+constexpr core::Seconds fineness_of_clear{5.0};  // tolerance of `Sea::first_clear_departure`
+constexpr int most_tries = 8;  // departures of a leg at which the straight drive at constant speed is clear
 constexpr int tries_in_currents = 48;  // a tidal cycle in quarters of an hour
 constexpr double tries_per_time_step = 4.0;
 constexpr core::Seconds least_delay{30.0};
-constexpr double least_delay_share = 0.02;  // of the leg's time
+constexpr double least_delay_share = 0.02;  // share of the leg's time
 
 bool opens_again(motion::EdgeClosed closed) {
   return closed == motion::EdgeClosed::obstacle || closed == motion::EdgeClosed::in_zone;
 }
 
-/// Until when the currents are known, no later than `until`.
+/// The end of the currents, at most `until`.
 core::Seconds known_until(const Sea& sea, core::Seconds until) {
   return sea.currents() ? std::min(until, sea.currents()->end().value_or(until)) : until;
 }
 
-/// Between two steps of the data a current changes evenly, and is never stronger than at the stronger of both.
+/// The next time to check. Between two steps of the data a current changes linearly, so it is strongest at one of
+/// them.
 core::Seconds next_look(const Sea& sea, core::Seconds now, core::Seconds until) {
   return sea.currents() ? std::min(until, sea.currents()->next_step(now)) : until;
 }
 
-/// Last look until which the vehicle keeps to the circle; before `from`: not at all.
+/// Last checked time until which the vehicle stays within the circle. Before `from`: the vehicle cannot hold at all.
 core::Seconds held_until(const Sea& sea, const HoldCircle& circle, core::Seconds from, core::Seconds until) {
   core::Seconds held = from - between_looks;
   if (!circle.is_open() || !circle.is_kept(from)) return held;
@@ -43,12 +44,12 @@ core::Seconds held_until(const Sea& sea, const HoldCircle& circle, core::Seconds
   }
 }
 
-/// When it can, within a span, as if nothing closed and opened in time.
+/// When the vehicle can hold, within a span, if timed closures are ignored.
 std::vector<TimeSpan> times_to_hold(const Sea& sea, const HoldCircle& circle, TimeSpan within) {
   constexpr core::Seconds to_a_second{1.0};
   if (!circle.is_open()) return {};
   if (circle.is_always_kept()) {
-    if (!circle.is_kept(within.from)) return {};  // no current is known there
+    if (!circle.is_kept(within.from)) return {};  // the current is unknown there
     return {{within.from, known_until(sea, within.until)}};
   }
   std::vector<TimeSpan> result;
@@ -79,7 +80,7 @@ std::vector<TimeSpan> times_to_hold(const Sea& sea, const HoldCircle& circle, Ti
   return result;
 }
 
-/// The same, where what closes for a while does not touch the circle.
+/// The same, but without the times when a timed closure touches the circle.
 std::vector<TimeSpan> clear_times_to_hold(const Sea& sea, const HoldCircle& circle, TimeSpan within) {
   std::vector<TimeSpan> result;
   const std::vector<TimeSpan> closures = circle.closed_times();
@@ -95,7 +96,7 @@ std::vector<TimeSpan> clear_times_to_hold(const Sea& sea, const HoldCircle& circ
   return result;
 }
 
-/// The departure from which on the leg ends no earlier than at `not_before`, as if nothing closed and opened; about.
+/// Approximate departure from which the leg ends no earlier than `not_before`, if timed closures are ignored.
 core::Seconds departure_for(const Sea& sea, geo::PlanePoint a, geo::PlanePoint b, core::Seconds earliest,
                             core::Seconds not_before) {
   if (not_before <= earliest + sea.least_time(a, b)) return earliest;
@@ -103,8 +104,8 @@ core::Seconds departure_for(const Sea& sea, geo::PlanePoint a, geo::PlanePoint b
   return time ? std::max(earliest, not_before - *time) : earliest;
 }
 
-/// The departure to try after one at which the leg is closed; empty: there is none that it may be open at.
-/// `is_first`: becomes whether the leg is closed at those between the two
+/// The next departure to try when the leg is closed at `depart`. Empty: the leg cannot open.
+/// `is_first`: set to true if the leg is certainly closed between the two departures
 std::optional<core::Seconds> departure_after(const Sea& sea, geo::PlanePoint a, geo::PlanePoint b,
                                              core::Seconds depart, core::Seconds until,
                                              motion::EdgeClosed closed, bool& is_first) {
@@ -130,7 +131,7 @@ std::optional<core::Seconds> departure_after(const Sea& sea, geo::PlanePoint a, 
   return depart + std::max(between_looks, *sea.currents()->time_step() / tries_per_time_step);
 }
 
-/// The leg with the least wait, to within `punctual`, that is open after a departure that was refused.
+/// The leg with the shortest wait, to within `punctual`, that is open after a refused departure.
 WaitedLeg soonest(const Sea& sea, geo::PlanePoint a, geo::PlanePoint b, core::Seconds arrive,
                   core::Seconds latest, std::optional<core::Seconds> refused, WaitedLeg open) {
   if (!refused) return open;
@@ -242,7 +243,7 @@ OpenLegLook next_open_leg(const Sea& sea, geo::PlanePoint a, geo::PlanePoint b, 
   };
   core::Seconds depart = departure_for(sea, a, b, departures.from, not_before);
   std::optional<core::Seconds> refused;
-  bool even_is_closed_until = false;  // the departure that is tried
+  bool even_is_closed_until = false;  // the departure that is tried next
   for (int i = 0; i < most_tries; ++i) {
     if (depart > departures.until) {
       if (!refused || *refused >= departures.until) return none;
@@ -251,7 +252,7 @@ OpenLegLook next_open_leg(const Sea& sea, geo::PlanePoint a, geo::PlanePoint b, 
     const auto time = sea.leg_time(a, b, depart);
     if (time && depart + *time >= not_before) {
       OpenLeg open{depart, *time};
-      // An even drive opens a few seconds from when the exact one does.
+      // The clear departure of a drive at constant speed differs from that of the exact drive by a few seconds.
       for (core::Seconds step = fineness_of_clear; even_is_closed_until && refused; step *= 2.0) {
         const core::Seconds before = std::max(*refused, depart - step);
         const auto earlier = before > *refused ? open_at(before) : std::nullopt;
@@ -290,7 +291,7 @@ OpenLeg open_leg_until(const Sea& sea, geo::PlanePoint a, geo::PlanePoint b, con
                        core::Seconds latest_departure, core::Seconds latest_arrival) {
   constexpr core::Seconds least_step{300.0};
   constexpr int most_steps = 12;
-  // A disc may pass in minutes; currents close and open as their data change.
+  // A disc may pass in minutes; currents open and close at the pace of their data.
   const bool by_currents_alone = !sea.has_timed_closures() && sea.currents() && sea.currents()->time_step();
   const core::Seconds step = by_currents_alone
                                  ? std::max(between_looks, *sea.currents()->time_step() / tries_per_time_step)
@@ -349,7 +350,8 @@ std::vector<graph::SafeInterval> safe_intervals(const Sea& sea, geo::PlanePoint 
 
 core::Seconds end_of_looks(const Sea& sea, core::Seconds depart, core::Metres way) {
   constexpr core::Seconds longest_look{10.0 * 86'400.0};
-  constexpr double slowest_share = 0.25;  // of the speed through water, on the average of a way
+  constexpr double slowest_share =
+      0.25;  // share of the speed through water: slowest average speed of a route
   const core::Seconds end = depart + longest_look + way / (slowest_share * sea.through_water());
   if (!sea.currents()) return end;
   return std::min(end, sea.currents()->end().value_or(end));

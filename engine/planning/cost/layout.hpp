@@ -10,46 +10,48 @@
 
 namespace floeplan::planning::cost {
 
-/// Grids that reach this far are tried first.
+/// How far the first grids extend beyond start and goal.
 inline constexpr GridReach first_reach{0.5, 0.25};
-/// Tried when the first leave no way, or when the way runs along their rim.
+/// Tried if the first grids hold no route, or if the route runs along their rim.
 inline constexpr GridReach second_reach{1.0, 0.75, core::Metres{15'000.0}};
 
-/// The reaches of a request's grids in the order in which they are tried: those two, or a single one with the room that
-/// it names.
+/// The extents of a request's grids, in the order in which they are tried: the two above, or the single one that the
+/// request names.
 [[nodiscard]] std::vector<GridReach> reaches(const PlanRequest& request);
 
-/// Where a request takes place: its plane, its stops and the grids between them.
+/// The geometry of a request: its plane, its stops and the grids between them.
 struct Layout {
   geo::LocalProjection projection;
-  std::vector<geo::LonLat> stops;       // start, vias, goal
-  std::vector<geo::PlanePoint> points;  // the same in the plane
+  std::vector<geo::LonLat> stops;       // start, via points, goal
+  std::vector<geo::PlanePoint> points;  // the stops in the plane
   std::vector<RouteGrid> grids;         // one from each stop to the next
 
-  [[nodiscard]] plane::PlaneBox bounds() const;  // of all grids
+  [[nodiscard]] plane::PlaneBox bounds() const;  // covers all grids
   [[nodiscard]] double most_vertices() const;    // of the largest grid
   [[nodiscard]] core::Metres map_cell() const;   // step of the safety map
-  [[nodiscard]] plane::PlaneBox area() const;    // of the sea: the grids and two cells of the map around them
+  [[nodiscard]] plane::PlaneBox area()
+      const;  // of the leg cost model: the grids and two cells of the map around them
 };
 
-/// In a plane round the middle of the stops.
-/// Precondition: the request is valid.
+/// In a plane around the middle of the stops.
+/// Precondition  the request is valid
 [[nodiscard]] Layout lay_out(const PlanRequest& request, GridReach reach);
-/// The same in a plane that is given.
+/// The same in a given plane.
 [[nodiscard]] Layout lay_out(const PlanRequest& request, GridReach reach,
                              const geo::LocalProjection& projection);
 
-/// The middle of the box round start, vias and goal.
+/// The centre of the bounding box of start, via points and goal.
 [[nodiscard]] geo::LonLat middle_of_stops(const PlanRequest& request);
 
-/// Grid steps for a way of this length: as asked for, or distance/200 within 250 m .. 5 km; with room that is named no
-/// less than what keeps the grid as small as usual.
+/// Grid steps for a route of this length: as the request says, or distance/200 between 250 m and 5 km. If the request
+/// names the extent of the grid, the steps are large enough to keep the grid at its usual size.
 [[nodiscard]] GridSpacing spacing_for(const PlanRequest& request, core::Metres distance);
 
-/// The request on grids of larger steps, for searches that come to no end on those that it would have.
+/// The request with larger grid steps, for searches that do not finish on its own grids.
 [[nodiscard]] PlanRequest on_coarser_grids(const PlanRequest& request);
 
-/// Area whose data a plan for the request may use: the box around start, vias and goal with room for detours.
+/// The area whose data a plan for the request may use: the bounding box of start, via points and goal with room for
+/// detours.
 [[nodiscard]] geo::BoundingBox planning_area(const PlanRequest& request);
 
 }  // namespace floeplan::planning::cost

@@ -7,18 +7,18 @@
 
 namespace floeplan::planning::cost {
 
-/// What a straight leg takes.
+/// Time and cost of a straight leg.
 struct LegCost {
   core::Seconds time{};
   double cost{};  // by the objective, in its own unit
 };
 
-/// Where nothing but the time counts.
+/// Cost of a leg if the objective is time alone.
 [[nodiscard]] inline LegCost cost_of_leg(core::Seconds time) { return {time, time.count()}; }
 [[nodiscard]] inline LegCost cost_of_leg(const LegCost& leg) { return leg; }
 
-/// Travel time, or time and cost, of the straight leg from a to b when leaving a at `depart`; empty, or an error: it is
-/// closed then.
+/// Travel time, or time and cost, of the straight leg from a to b with departure from a at `depart`. Empty, or an
+/// error, if the leg is closed at that time.
 /// Law  the same arguments give the same answer
 template <class F>
 concept CostedLeg = requires(const F& leg, geo::PlanePoint a, geo::PlanePoint b, core::Seconds depart) {

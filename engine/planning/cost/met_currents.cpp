@@ -13,7 +13,7 @@ geo::PlanePoint half_way(geo::PlanePoint a, geo::PlanePoint b) {
   return {std::midpoint(a.x_m, b.x_m), std::midpoint(a.y_m, b.y_m)};
 }
 
-/// Turned out of the axes of the plane.
+/// Rotates a current from the axes of the plane to east and north.
 geo::VelocityEn to_east_north(motion::CurrentXy current, core::Radians convergence) {
   const double cosine = std::cos(convergence.value);
   const double sine = std::sin(convergence.value);

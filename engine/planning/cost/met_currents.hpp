@@ -11,11 +11,12 @@
 
 namespace floeplan::planning::cost {
 
-/// On the way from one look to the next, with the current half way; none where no current is known.
+/// How far the current carries the vehicle between two passages, with the current at the middle; zero where it is
+/// unknown.
 [[nodiscard]] CarriedWay carried_between(const Sea& sea, const Sea::Passage& from, const Sea::Passage& to);
 
-/// Mean over each leg of the currents that the vehicle meets on it, averaged over the depths it dives to; empty for the
-/// start, and everywhere where no currents are known. One for each point of the route.
+/// Mean of the currents that the vehicle meets on each leg, averaged over the depths of its dives. One value for each
+/// point of the route; empty for the start, and where no currents are known.
 [[nodiscard]] std::vector<std::optional<geo::VelocityEn>> leg_currents(
     const Sea& sea, const std::vector<geo::PlanePoint>& route, const Schedule& schedule,
     const std::vector<vehicle::Drive>& drives);

@@ -10,7 +10,7 @@ ice::UnderIce::Leave Overhead::leave(std::optional<ice::IceWatch>& watch, geo::P
 }
 
 core::Metres Overhead::look() const {
-  constexpr core::Metres without_ice{250.0};  // a quarter of the least disc round an iceberg
+  constexpr core::Metres without_ice{250.0};  // a quarter of the smallest disc around an iceberg
   return ice_ ? ice_->step() : without_ice;
 }
 

@@ -11,13 +11,12 @@
 
 namespace floeplan::planning::cost {
 
-/// What is above the vehicle, ice and icebergs that it may pass under: whether it may come to the surface, how deep its
-/// dives must turn, and for how long it may stay below.
+/// Ice and icebergs above the vehicle: whether it may surface, how deep its dives must turn, and how long it may stay
+/// below.
 /// Threads  const members may be called from several threads at once
 class Overhead {
  public:
-  /// `ice`: empty where nothing is known of ice in the whole area. `longest_without_surfacing`: empty: for as long as it
-  /// takes.
+  /// `ice`: empty if nothing is known of ice in the whole area. `longest_without_surfacing`: empty means no limit.
   Overhead(std::optional<ice::UnderIce> ice, obstacles::IcebergDiscs icebergs,
            std::optional<core::Seconds> longest_without_surfacing)
       : ice_{std::move(ice)},
@@ -27,28 +26,28 @@ class Overhead {
   [[nodiscard]] const std::optional<ice::UnderIce>& ice() const { return ice_; }
   [[nodiscard]] const obstacles::IcebergDiscs& icebergs() const { return icebergs_; }
 
-  /// Whether the vehicle may come to the surface: anywhere where nothing is known of ice in the whole area.
+  /// Whether the vehicle may surface. True everywhere if nothing is known of ice in the whole area.
   [[nodiscard]] bool may_surface(geo::PlanePoint point, core::Seconds time) const {
     return (!ice_ || ice_->may_surface(point, time)) && !icebergs_.least_upper_turn(point, time);
   }
-  /// The same, and whether there is room below the ice from the last look at it; `watch` is empty where nothing is
+  /// The same, and whether there has been room below the ice since the last check. `watch` is empty if nothing is
   /// known of ice.
   [[nodiscard]] ice::UnderIce::Leave leave(std::optional<ice::IceWatch>& watch, geo::PlanePoint point,
                                            core::Seconds time) const;
-  /// How close together looks at it are.
+  /// Distance between checks of the ice above.
   [[nodiscard]] core::Metres look() const;
-  /// The least depth at which dives may turn at this place and time, below ice or an iceberg's keel; zero where
+  /// Shallowest depth at which dives may turn at this place and time, below ice or the keel of an iceberg. Zero where
   /// nothing is above.
   [[nodiscard]] core::Metres least_upper_turn(geo::PlanePoint point, core::Seconds time) const {
     const core::Metres of_ice = ice_ ? ice_->least_upper_turn(point, time) : core::Metres{0.0};
     return std::max(of_ice, icebergs_.least_upper_turn(point, time).value_or(core::Metres{0.0}));
   }
-  /// Whether dives may have to turn deeper somewhere on the straight way.
+  /// Whether dives may have to turn deeper somewhere on the straight line.
   [[nodiscard]] bool may_be_above(geo::PlanePoint a, geo::PlanePoint b) const {
     return (ice_ && ice_->may_be_dense_along(a, b)) || icebergs_.may_pass_under();
   }
-  /// Whether the time without a possible surfacing is bounded, and something may be above the vehicle, so that a leg
-  /// depends on those before it.
+  /// Whether the time without surfacing is limited while something may be above the vehicle. A leg then depends on
+  /// the legs before it.
   [[nodiscard]] bool bounds_surfacing() const {
     return longest_without_surfacing_ && (ice_ || icebergs_.may_pass_under());
   }

@@ -11,30 +11,30 @@
 
 namespace floeplan::planning::cost {
 
-/// A route of straight legs and which of its points must stay.
+/// A route of straight legs, and which of its points are fixed.
 struct Route {
   std::vector<geo::PlanePoint> points;
-  std::vector<bool> fixed;  // start, goal and vias
+  std::vector<bool> fixed;  // start, goal and via points
 
   [[nodiscard]] std::size_t legs() const { return points.size() - 1; }
 };
 
-/// The times of a voyage count from its departure.
+/// Times count from the departure.
 inline constexpr core::Seconds at_departure{0.0};
 
-/// A route all of whose points must stay.
+/// A route with all points fixed.
 [[nodiscard]] inline Route fixed_route(std::vector<geo::PlanePoint> points) {
   const std::size_t count = points.size();
   return {std::move(points), std::vector<bool>(count, true)};
 }
 
-/// An open route with the time at each of its points, the departure first, and what it has cost until there.
+/// An open route with the time and the cost so far at each point. The departure is the first.
 struct Itinerary {
   Route route;
   std::vector<core::Seconds> times;
   std::vector<double> costs;
 
-  /// One leg more.
+  /// Adds a leg.
   void append(const LegCost& leg) {
     times.push_back(times.back() + leg.time);
     costs.push_back(costs.back() + leg.cost);
@@ -44,7 +44,8 @@ struct Itinerary {
   [[nodiscard]] core::Seconds travel_time() const { return times.back() - times.front(); }
 };
 
-/// Leaves out points within `nearby` of the one before them: a leg without length says nothing. Fixed points stay.
+/// Removes points within `nearby` of the point before them, because a leg without length has no course. Fixed points
+/// stay.
 [[nodiscard]] inline Route without_repeats(const Route& route, core::Metres nearby) {
   Route result;
   for (std::size_t i = 0; i < route.points.size(); ++i) {

@@ -11,7 +11,7 @@
 namespace floeplan::planning::cost {
 namespace {
 
-constexpr int pieces_to_locate = 256;  // of a closed leg, to tell the pilot where on it the trouble begins
+constexpr int pieces_to_locate = 256;  // to tell the pilot where on a closed leg the trouble begins
 
 RouteClosed locate(const Sea& sea, geo::PlanePoint from, geo::PlanePoint to, core::Seconds depart,
                    core::Seconds since_surfacing, motion::EdgeClosed reason) {
@@ -50,15 +50,15 @@ tl::expected<Schedule, RouteClosed> without_waits(const Sea& sea, const std::vec
   return Schedule{std::move(arrivals), std::vector<core::Seconds>(route.size())};
 }
 
-/// One way to come to a point of the route in time.
+/// One possible arrival at a point of the route.
 struct Stage {
   core::Seconds arrival;
   core::Seconds since_surfacing;
   core::Seconds waited{};  // at the point before
-  std::size_t before{};    // of that point's stages
+  std::size_t before{};    // index among the stages of the point before
 };
 
-/// Whether the vehicle that comes first can do all that the other one can: it waits until the other is there.
+/// Whether the earlier vehicle can do all that the later one can, by waiting until the later one arrives.
 bool replaces(const Sea& sea, geo::PlanePoint point, const std::vector<TimeSpan>& closed, const Stage& first,
               const Stage& other) {
   if (first.arrival > other.arrival || other.arrival - first.arrival > sea.holding().longest) return false;
@@ -69,7 +69,8 @@ bool replaces(const Sea& sea, geo::PlanePoint point, const std::vector<TimeSpan>
   return since_surfacing && *since_surfacing <= other.since_surfacing;
 }
 
-/// The stage at the end of a leg from another one; empty where the vehicle would be too long without a surfacing.
+/// The stage at the end of a leg from a stage at its beginning. Empty if the time without surfacing would exceed its
+/// limit.
 std::optional<Stage> stage_after(const Sea& sea, geo::PlanePoint from, geo::PlanePoint to, const Stage& stage,
                                  const WaitedLeg& leg) {
   Stage next{.arrival = stage.arrival + leg.total(), .since_surfacing = {}, .waited = leg.wait};
@@ -83,8 +84,8 @@ std::optional<Stage> stage_after(const Sea& sea, geo::PlanePoint from, geo::Plan
   return next;
 }
 
-/// Safe intervals along the route: an earlier arrival is not always the better one, because the place may be closed
-/// before the leg onward opens.
+/// Safe intervals along the route. An earlier arrival is not always better, because the place may close before the
+/// next leg opens.
 std::optional<Schedule> with_waits(const Sea& sea, const std::vector<geo::PlanePoint>& route,
                                    core::Seconds depart, core::Seconds since_surfacing) {
   constexpr std::size_t most_stages = 16;

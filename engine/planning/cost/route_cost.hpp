@@ -10,23 +10,23 @@
 
 namespace floeplan::planning::cost {
 
-/// The earliest schedule for a route of straight legs. The one cost that every plan is published with, whatever found
-/// it. Where the request allows waits the vehicle waits where that brings it through, no longer than it must.
+/// The earliest schedule for a route of straight legs. Every plan is published with this cost, whatever search found
+/// it. Where the request allows holds the vehicle holds before a closure that ends, no longer than needed.
 [[nodiscard]] tl::expected<Schedule, RouteClosed> schedule_along(
     const Sea& sea, const std::vector<geo::PlanePoint>& route, core::Seconds depart,
     core::Seconds since_surfacing = core::Seconds{0.0});
 
-/// Its arrivals alone.
+/// The arrivals of that schedule.
 [[nodiscard]] tl::expected<std::vector<core::Seconds>, RouteClosed> arrivals_along(
     const Sea& sea, const std::vector<geo::PlanePoint>& route, core::Seconds depart,
     core::Seconds since_surfacing = core::Seconds{0.0});
 
-/// Before it nobody is at the last of the stops, each open when the vehicle is there: as if it went straight with the
-/// strongest current astern.
+/// Lower bound of the arrival at the last stop: straight legs with the strongest current astern, all of them open on
+/// arrival.
 [[nodiscard]] core::Seconds earliest_arrival(const Sea& sea, const std::vector<geo::PlanePoint>& stops);
 
-/// How long ago the vehicle might have surfaced when it comes to the end of the route no later than at `latest`; empty
-/// where it does not, or is longer without a surfacing than the request allows on the way.
+/// Time since the vehicle could last surface, at the end of the route. Empty if it arrives after `latest`, or if that
+/// time exceeds the limit of the request on the way.
 [[nodiscard]] std::optional<core::Seconds> since_surfacing_at_end(const Sea& sea,
                                                                   const std::vector<geo::PlanePoint>& route,
                                                                   core::Seconds depart,

@@ -7,20 +7,19 @@
 
 namespace floeplan::planning::cost {
 
-/// How far a grid reaches beyond start and goal, as shares of their distance.
+/// How far a grid extends beyond start and goal, as shares of their distance.
 struct GridReach {
-  double across{0.5};   // to either side of the straight line
+  double across{0.5};   // on each side of the straight line
   double beyond{0.25};  // behind the start and past the goal
-  /// On every side, however short the distance: what a short way has to go round is no smaller than what a long one
-  /// has.
-  /// Of a fine grid no more than `most_steps_of_least` steps.
+  /// Least extent on every side. Obstacles on a short route are no smaller than on a long one.
+  /// A fine grid extends at most `most_steps_of_least` steps for this reason.
   core::Metres at_least{0.0};
 
   static constexpr double most_steps_of_least = 200.0;
 };
 
-/// A grid in the plane whose columns run along the straight line from start to goal, so that both are
-/// vertices. Vertex (column, row) lies at origin + column * along + row * across.
+/// A grid in the plane. Its columns run along the straight line from start to goal, so both are vertices. Vertex
+/// (column, row) lies at origin + column * along + row * across.
 struct RouteGrid {
   geo::PlanePoint origin;
   geo::PlanePoint along;   // from one column to the next
@@ -39,19 +38,19 @@ struct RouteGrid {
             origin.y_m + column * along.y_m + row * across.y_m};
   }
   [[nodiscard]] plane::PlaneBox bounds() const;
-  /// Between neighbours in a row or a column, whichever are nearer to each other; metres of the plane.
+  /// The smaller of the two spacings, between columns or between rows; metres of the plane.
   [[nodiscard]] core::Metres shortest_step() const;
   [[nodiscard]] double vertex_count() const { return static_cast<double>(nx) * ny; }
 };
 
-/// Grid steps of a request for a leg of this length: as asked for, or distance/200 within 250 m .. 5 km.
+/// Grid steps for a leg of this length: as the request says, or distance/200 between 250 m and 5 km.
 struct GridSpacing {
   core::Metres along;
   core::Metres across;
 };
 
-/// The step along is fitted so that the goal falls on a vertex. Where start and goal are one place, the grid lies round
-/// it and its columns run along the x axis.
+/// The step along the line is adjusted so that the goal is a vertex. If start and goal are the same place, the grid
+/// lies around it and its columns run along the x axis.
 [[nodiscard]] RouteGrid lay_grid(geo::PlanePoint start, geo::PlanePoint goal, GridSpacing spacing,
                                  GridReach reach);
 

@@ -9,18 +9,18 @@
 
 namespace floeplan::planning::cost {
 
-/// Where and when a route stops being passable.
+/// Where and when a route is closed.
 struct RouteClosed {
   motion::EdgeClosed reason{};
   geo::PlanePoint at;
   core::Seconds when{};
-  bool out_of_time{false};  // the data reach on from here, but not long enough
+  bool out_of_time{false};  // the data cover this time, but end before the route does
 };
 
-/// When the vehicle comes to each point of a route, and how long it stays there before it goes on.
+/// When the vehicle reaches each point of a route, and how long it holds there.
 struct Schedule {
-  std::vector<core::Seconds> arrivals;  // the departure first
-  std::vector<core::Seconds> waits;     // zero but where something in the way opens later
+  std::vector<core::Seconds> arrivals;  // the departure is the first
+  std::vector<core::Seconds> waits;     // zero except before a closure that ends later
 
   [[nodiscard]] core::Seconds leaves(std::size_t i) const { return arrivals[i] + waits[i]; }
 };

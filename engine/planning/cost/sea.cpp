@@ -15,9 +15,9 @@ namespace floeplan::planning::cost {
 namespace {
 
 constexpr int scale_cells =
-    64;  // a side: the scale is smooth, its error over 1/64 of an area far below the tolerance
+    64;  // cells on each side: the scale is smooth, so its error within a cell is far below the tolerance
 
-/// The most that a lattice of scales changes over a metre of the plane, in whatever direction.
+/// Largest change of the scale per metre of the plane, in any direction.
 double steepest_scale(const std::vector<double>& scales, const plane::PlaneBox& area) {
   constexpr std::size_t row = scale_cells + 1;
   double along_x = 0.0;
@@ -29,7 +29,8 @@ double steepest_scale(const std::vector<double>& scales, const plane::PlaneBox& 
   return std::hypot(along_x * scale_cells / area.width_m(), along_y * scale_cells / area.height_m());
 }
 
-/// `fastest`: on any drive; the error of dead reckoning grows with it. `scale`: metres of the plane for one on the ground.
+/// `fastest`: of all propulsion, because the dead-reckoning error grows with speed. `scale`: metres of the plane per
+/// metre on the ground.
 Sea::Holding holding_of(const PlanRequest& request, core::MetresPerSecond fastest, double scale,
                         const currents::PlaneCurrents* currents) {
   Sea::Holding holding{.longest = request.holds.longest, .radius = scale * request.holds.radius};
@@ -85,13 +86,13 @@ Sea::Sea(const ocean::Environment& environment, const PlanRequest& request, obst
   steepest_scale_ = steepest_scale(scales_, area);
   fastest_through_water_ = std::max(speed(drives_.front()), speed(drives_.back()));
   const core::MetresPerSecond astern{currents_ ? currents_->strongest().value : 0.0};
-  // A hair below the bound, because integrated times carry the tolerance as an error.
+  // Slightly below the bound, because integrated times have an error of the tolerance.
   least_slowness_s_m_ = (1.0 - request.edge_tolerance) / (fastest_through_water_ + astern).value;
   holding_ = holding_of(request, fastest_through_water_, largest_scale_, currents_.get());
 }
 
 std::size_t Sea::bytes() const {
-  // The ice counts the bed that it shares.
+  // The memory of the shared bed is counted with the ice.
   const std::size_t of_bed = bed_ && !ice() ? bed_->bytes() : 0;
   return safety_.bytes() + icebergs().bytes() + energy_.bytes() + of_bed + (ice() ? ice()->bytes() : 0) +
          (currents_ ? currents_->bytes() : 0);
@@ -214,7 +215,7 @@ std::vector<motion::EvenMove> Sea::drive(geo::PlanePoint a, geo::PlanePoint b, c
 std::optional<core::Seconds> Sea::first_clear_departure(geo::PlanePoint a, geo::PlanePoint b,
                                                         core::Seconds duration, core::Seconds depart,
                                                         core::Seconds latest) const {
-  constexpr core::Seconds first_step{60.0};  // past a zone's rule, then twice as far each time
+  constexpr core::Seconds first_step{60.0};  // after a zone forbids the leg; the step doubles each time
   constexpr core::Seconds longest_step{900.0};
   constexpr core::Seconds close_enough{5.0};
   const auto forbidden = [&](core::Seconds leaves) {
@@ -265,7 +266,7 @@ tl::expected<core::Seconds, motion::EdgeClosed> Sea::leg_time_back(geo::PlanePoi
   const auto time = drive_time_back({a, b, ground_length(a, b)}, arrive, earliest);
   const bool below_ice = ice() && ice()->may_be_dense_along(a, b);
   if (!time || !(has_timed_closures() || below_ice)) return time;
-  // What closes for a while, and the room below the ice, is tested along the drive itself.
+  // Timed closures and the room below the ice are tested along the drive itself.
   const auto forwards = leg_time(a, b, arrive - *time);
   if (!forwards) return tl::unexpected(forwards.error());
   return time;
@@ -409,7 +410,7 @@ core::Seconds Sea::least_time(core::Metres length, core::MetresPerSecond astern)
 }
 
 bool Sea::is_steady() const {
-  // Ice comes and goes, and even of one step it is known for some days only.
+  // Ice changes with time; even a single ice map is valid for some days only.
   const bool ice_matters = ice() && (ice()->has_dense_ice() || overhead_.bounds_surfacing());
   return !has_timed_closures() && (!currents_ || !currents_->end()) && !ice_matters;
 }

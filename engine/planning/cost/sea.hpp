@@ -28,107 +28,106 @@
 
 namespace floeplan::planning::cost {
 
-/// The environment of one request laid out in its local plane: the one cost function that searches,
-/// refinement and published plans share. Times are counted from the request's departure.
+/// The leg cost model of one request: what it takes to travel a straight leg in the local plane. Searches, refinement
+/// and published plans share it, so all of them use the same cost. Times count from the departure of the request.
 /// Threads  const members may be called from several threads at once
 class Sea {
  public:
-  /// `cell`: step of the safety map. Once `stop` is requested the sea stays incomplete and must not be used.
-  /// `environment` and `request` are borrowed and outlive the sea.
-  /// `shelf`: where the currents are taken from, if not null; of the same environment, and not needed afterwards.
+  /// `cell`: step of the safety map. If `stop` is requested, the object stays incomplete and must not be used.
+  /// `environment` and `request` are borrowed and must outlive the object.
+  /// `shelf`: cache of currents of the same environment, or null; needed only during construction.
   Sea(const ocean::Environment& environment, const PlanRequest& request,
       const geo::LocalProjection& projection, const plane::PlaneBox& area, core::Metres cell,
       const std::stop_token& stop = {}, CurrentsShelf* shelf = nullptr);
 
-  /// Why the straight leg is closed at any time, by depth, land, standing zones or standing
-  /// icebergs; empty when it is open.
+  /// The reason why the straight leg is closed at all times: depth, land, standing zones or standing icebergs. Empty
+  /// when it is open.
   [[nodiscard]] std::optional<motion::EdgeClosed> closed_between(geo::PlanePoint a, geo::PlanePoint b) const;
-  /// Whether no leg from a point that goes no further than `reach` along either axis is closed so: certainly when true.
+  /// True: no leg from the point is closed at all times, provided that it stays within `reach` along both axes.
+  /// False: unknown.
   [[nodiscard]] bool open_about(geo::PlanePoint point, core::Metres reach) const;
-  /// Travel time of a straight leg, or why it is closed; too_late when it would certainly end after `latest`.
+  /// Travel time of a straight leg, or the reason why it is closed. too_late: it would certainly end after `latest`.
   [[nodiscard]] tl::expected<core::Seconds, motion::EdgeClosed> leg_time(geo::PlanePoint a, geo::PlanePoint b,
                                                                          core::Seconds depart,
                                                                          core::Seconds latest = core::Seconds{
                                                                              INFINITY}) const;
-  /// The same on one of the request's drives; without it, on the first of them.
+  /// The same with the given propulsion of the request. The overload without it uses the first one.
   [[nodiscard]] tl::expected<core::Seconds, motion::EdgeClosed> leg_time(geo::PlanePoint a, geo::PlanePoint b,
                                                                          core::Seconds depart,
                                                                          core::Seconds latest,
                                                                          vehicle::Drive drive) const;
-  /// What the request's vehicle may be driven by, at least one.
+  /// The kinds of propulsion that the request's vehicle may use; at least one.
   [[nodiscard]] const std::vector<vehicle::Drive>& drives() const { return drives_; }
   [[nodiscard]] core::MetresPerSecond speed(vehicle::Drive drive) const {
     return drive == vehicle::Drive::thruster ? thruster_speed_ : buoyancy_speed_;
   }
   [[nodiscard]] const energy::EnergyMap& energy() const { return energy_; }
-  /// What the straight leg draws that is left then and takes so long, or a wait: the power at each place over the time
-  /// that the drive really spends there. Below ice and icebergs the dives turn as deep as they have to, and so more
-  /// often.
-  /// Where the drive does not get on, what is left of the time goes evenly on what is left of the way.
-  /// Accuracy  as `EnergyMeter`, over the bed
+  /// Energy of a straight leg that starts at `depart` and takes `time`, or of a wait: the power at each place times
+  /// the time spent there. Below ice and icebergs the dives turn deeper, so the vehicle turns more often.
+  /// If the vehicle makes no way, it covers the rest of the leg evenly in the rest of the time.
+  /// Accuracy  as `EnergyMeter`, over the sea bed
   [[nodiscard]] EnergyUse energy_along(geo::PlanePoint a, geo::PlanePoint b, core::Seconds depart,
                                        core::Seconds time, vehicle::Drive drive) const;
-  /// Whether every place costs the same at every time, so that energy is power times time.
+  /// Whether the power is the same everywhere and at every time, so that energy is power times time.
   [[nodiscard]] bool energy_is_even() const {
     return energy_.is_even() && !(ice() && ice()->has_dense_ice()) && !icebergs().may_pass_under();
   }
-  /// The same as if nothing closed and opened in time: never more than `leg_time`, for it drives the same way.
+  /// The same without closures that last for a while. Never more than `leg_time`, because the drive is the same.
   [[nodiscard]] tl::expected<core::Seconds, motion::EdgeClosed> leg_time_without_timed_closures(
       geo::PlanePoint a, geo::PlanePoint b, core::Seconds depart, core::Seconds latest) const;
-  /// The earliest departure, from `depart` on and no later than `latest`, for which nothing that closes for a while is
-  /// in the way of a vehicle that goes straight and evenly from a to b in this time; empty: there is none.
+  /// The earliest departure between `depart` and `latest` at which nothing that closes for a while blocks a vehicle
+  /// that goes from a to b on a straight line at constant speed in `duration`. Empty: there is none.
   [[nodiscard]] std::optional<core::Seconds> first_clear_departure(geo::PlanePoint a, geo::PlanePoint b,
                                                                    core::Seconds duration,
                                                                    core::Seconds depart,
                                                                    core::Seconds latest) const;
-  /// How the vehicle may hold station, metres of the plane; see hold_circle.hpp.
+  /// How the vehicle may hold station; lengths in metres of the plane. See hold_circle.hpp.
   struct Holding {
-    core::Seconds longest{};  // at one place; zero: it never holds
+    core::Seconds longest{};  // at one place; zero: the vehicle never holds
     core::Metres radius{};
-    std::optional<core::Metres> radius_below_ice{};  // empty: it does not hold there
+    std::optional<core::Metres> radius_below_ice{};  // empty: the vehicle does not hold below ice
     std::shared_ptr<const currents::CurrentEnvelope>
-        calm{};  // of a circle; null: nothing is known beforehand
+        calm{};  // strongest current within a circle; null: not precomputed
   };
   [[nodiscard]] const Holding& holding() const { return holding_; }
-  /// The drive along a leg that is open, as even moves one after the other, each within a metre of it.
+  /// The drive along an open leg as moves of constant speed, in order, each within a metre of the real drive.
   [[nodiscard]] std::vector<motion::EvenMove> drive(geo::PlanePoint a, geo::PlanePoint b,
                                                     core::Seconds depart, vehicle::Drive drive) const;
-  /// When a timed zone or an iceberg that moves closes the point: ascending, apart from each other.
+  /// When a timed zone or a moving iceberg closes the point: ascending, disjoint.
   [[nodiscard]] std::vector<TimeSpan> closed_times(geo::PlanePoint point) const;
-  /// By timed zones alone.
+  /// The same, by timed zones alone.
   [[nodiscard]] std::vector<TimeSpan> closed_times_by_zones(geo::PlanePoint point) const {
     return timed_zones_.closed_times(point);
   }
-  /// By icebergs that move alone, whose discs are grown by so many metres of the plane.
+  /// The same, by moving icebergs alone, with their discs enlarged by `grown` metres of the plane.
   [[nodiscard]] std::vector<TimeSpan> closed_times_by_icebergs(geo::PlanePoint point,
                                                                core::Metres grown = core::Metres{0.0}) const {
     return icebergs().standing() ? std::vector<TimeSpan>{} : icebergs().closed_times(point, grown);
   }
-  /// Travel time of the straight leg for a vehicle that is to be at its end at `arrive`: it leaves that much
-  /// earlier. Closed where the vehicle that leaves then finds the leg closed; too_late when it would certainly have
-  /// to leave before `earliest`.
+  /// Travel time of the straight leg for a vehicle that must arrive at `arrive`; its departure follows. Closed if the
+  /// leg is closed at that departure. too_late: the vehicle would certainly have to leave before `earliest`.
   [[nodiscard]] tl::expected<core::Seconds, motion::EdgeClosed> leg_time_back(geo::PlanePoint a,
                                                                               geo::PlanePoint b,
                                                                               core::Seconds arrive,
                                                                               core::Seconds earliest) const;
-  /// The same as if nothing closed and opened in time.
+  /// The same without closures that last for a while.
   [[nodiscard]] tl::expected<core::Seconds, motion::EdgeClosed> leg_time_back_without_timed_closures(
       geo::PlanePoint a, geo::PlanePoint b, core::Seconds arrive, core::Seconds earliest) const;
-  /// The same for a vehicle that was `since_surfacing` ago at a place where it might have surfaced; no_surfacing where
-  /// that becomes longer than the request allows, anywhere on the leg.
+  /// Travel time of a leg with the time since the vehicle could last surface. `since_surfacing`: that time at the
+  /// departure. no_surfacing: somewhere on the leg it exceeds the limit of the request.
   struct Leg {
     core::Seconds time;
-    core::Seconds since_surfacing;  // at its end; zero where nothing is above
+    core::Seconds since_surfacing;  // at the end of the leg; zero where nothing is above the vehicle
   };
   [[nodiscard]] tl::expected<Leg, motion::EdgeClosed> leg(geo::PlanePoint a, geo::PlanePoint b,
                                                           core::Seconds depart,
                                                           core::Seconds since_surfacing) const;
-  /// The same on one of the request's drives; without it, on the first of them.
+  /// The same with the given propulsion of the request. The overload without it uses the first one.
   [[nodiscard]] tl::expected<Leg, motion::EdgeClosed> leg(geo::PlanePoint a, geo::PlanePoint b,
                                                           core::Seconds depart, core::Seconds since_surfacing,
                                                           vehicle::Drive drive) const;
-  /// A leg of a vehicle that arrives by `latest`, and what it draws, in one drive. As `leg` where the time without a
-  /// possible surfacing is bounded; as `leg_time` otherwise, when the time since the last one is told as zero.
+  /// A leg that must end by `latest`, with its energy, from one integration. Where the time without surfacing is
+  /// bounded it equals `leg`, elsewhere `leg_time`, and `since_surfacing` is zero.
   struct MeteredLeg {
     Leg leg;
     EnergyUse energy;
@@ -136,8 +135,9 @@ class Sea {
   [[nodiscard]] tl::expected<MeteredLeg, motion::EdgeClosed> metered_leg(
       geo::PlanePoint a, geo::PlanePoint b, core::Seconds depart, core::Seconds since_surfacing,
       core::Seconds latest, vehicle::Drive drive, Dives dives = Dives::over_bed) const;
-  /// As `leg` for a vehicle that is to be at the leg's end at `arrive` and may surface `until_surfacing` later; the
-  /// time until it may, at the leg's beginning. too_late when it would certainly have to leave before `earliest`.
+  /// As `leg`, backwards: the vehicle must arrive at `arrive` and may surface `until_surfacing` later. Returns the
+  /// time from the beginning of the leg to that surfacing. too_late: the vehicle would certainly have to leave before
+  /// `earliest`.
   struct LegBack {
     core::Seconds time;
     core::Seconds until_surfacing;
@@ -146,77 +146,80 @@ class Sea {
                                                                    core::Seconds arrive,
                                                                    core::Seconds until_surfacing,
                                                                    core::Seconds earliest) const;
-  /// Where a vehicle is, and when.
+  /// A place and the time at which the vehicle is there.
   struct Passage {
     geo::PlanePoint point;
     core::Seconds time;
   };
-  /// The vehicle along an open leg, at most `step` apart, its end included and its beginning not.
+  /// Places of the vehicle along an open leg, at most `step` apart. The end of the leg is included, its beginning is
+  /// not.
   [[nodiscard]] std::vector<Passage> passages(geo::PlanePoint a, geo::PlanePoint b, core::Seconds depart,
                                               core::Metres step, vehicle::Drive drive) const;
-  /// Never more than the time to where the vehicle may surface, at whatever time it is there; infinite where that is
-  /// nowhere.
+  /// Lower bound, for every time, of the time to a place where the vehicle may surface. Infinite if there is no such
+  /// place.
   [[nodiscard]] core::Seconds least_time_to_opening(geo::PlanePoint point) const;
-  /// The same for each point, to where it may surface at some time between these two; in seconds.
+  /// The same for each point, for places where the vehicle may surface at some time between `from` and `until`;
+  /// seconds.
   [[nodiscard]] std::vector<double> least_times_to_opening_s(const std::vector<geo::PlanePoint>& points,
                                                              core::Seconds from, core::Seconds until) const;
-  /// Encounters with icebergs to expect on the straight way, for searches that weigh them; zero where none does.
+  /// Expected encounters with icebergs on the straight leg, for objectives that weigh them. Zero if the objective
+  /// does not.
   [[nodiscard]] double encounters(geo::PlanePoint a, geo::PlanePoint b, core::Seconds depart,
                                   core::Seconds time) const {
     return encounters_ ? encounters_->along(a, b, depart, time) : 0.0;
   }
-  /// The same sea for a vehicle that is driven so all the way.
+  /// The same model with this propulsion alone.
   [[nodiscard]] Sea driven_by(vehicle::Drive drive) const {
     Sea driven = *this;
     driven.drives_ = {drive};
     return driven;
   }
-  /// The same sea for a vehicle that never holds.
+  /// The same model for a vehicle that never holds.
   [[nodiscard]] Sea without_holds() const {
     Sea hurried = *this;
     hurried.holding_.longest = core::Seconds{0.0};
     return hurried;
   }
-  /// The same sea for a vehicle that may stay below for as long as it takes.
+  /// The same model without a limit on the time without surfacing.
   [[nodiscard]] Sea without_bound_on_surfacing() const {
     Sea unbounded = *this;
     unbounded.overhead_.lift_bound_on_surfacing();
     return unbounded;
   }
 
-  /// Never more than the time of any straight way between the two points.
+  /// Lower bound of the time of any straight leg between the two points.
   [[nodiscard]] core::Seconds least_time(geo::PlanePoint a, geo::PlanePoint b) const;
-  /// The same on one drive.
+  /// The same with this propulsion.
   [[nodiscard]] core::Seconds least_time(geo::PlanePoint a, geo::PlanePoint b, vehicle::Drive drive) const;
-  /// Never more than the time of a straight way so long in the plane on which no current is stronger than `astern` in
-  /// its direction.
+  /// Lower bound of the time of a straight leg of this length in the plane, where no current along it exceeds
+  /// `astern`.
   [[nodiscard]] core::Seconds least_time(core::Metres length, core::MetresPerSecond astern) const;
-  /// Whether nothing here changes with time: no matter when a leg is travelled.
+  /// Whether nothing here changes with time, so that the hour of travel does not matter.
   [[nodiscard]] bool is_steady() const;
 
-  /// Whether the currents are known there from that time to their end, as far as looks at equal distances in time tell;
-  /// true in still water.
+  /// Whether the currents at the point are known from `from` to the end of the data, sampled at equal intervals of
+  /// time. True in still water.
   [[nodiscard]] bool currents_known_to_end(geo::PlanePoint point, core::Seconds from) const;
 
   [[nodiscard]] core::MetresPerSecond through_water() const { return speed(drives_.front()); }
   [[nodiscard]] const geo::LocalProjection& projection() const { return projection_; }
   [[nodiscard]] const obstacles::SafetyMap& safety() const { return safety_; }
   [[nodiscard]] obstacles::SafetyMap& safety() { return safety_; }
-  /// What is above the vehicle.
+  /// Ice and icebergs above the vehicle.
   [[nodiscard]] const Overhead& overhead() const { return overhead_; }
   [[nodiscard]] const obstacles::IcebergDiscs& icebergs() const { return overhead_.icebergs(); }
-  /// Whether something is closed at some times only, so that arriving later can be better.
+  /// Whether something is closed at some times only, so that a later arrival can be better.
   [[nodiscard]] bool has_timed_closures() const { return !timed_zones_.empty() || !icebergs().standing(); }
   [[nodiscard]] const obstacles::TimedZones& timed_zones() const { return timed_zones_; }
   [[nodiscard]] const std::optional<ice::UnderIce>& ice() const { return overhead_.ice(); }
-  /// Null: still water.
+  /// Null in still water.
   [[nodiscard]] const currents::PlaneCurrents* currents() const { return currents_.get(); }
   [[nodiscard]] core::Metres ground_length(geo::PlanePoint a, geo::PlanePoint b) const;
-  /// Metres on the ground for one of the plane: never more than on any line of this length that leaves the point.
+  /// Lower bound of metres on the ground per metre of the plane, for every line of this length from the point.
   [[nodiscard]] double least_ground_per_plane(geo::PlanePoint from, core::Metres length) const;
   [[nodiscard]] double edge_tolerance() const { return edge_tolerance_; }
 
-  /// Of what is laid out, without the data that it was laid out from.
+  /// Memory of the precomputed grids, without their sources.
   [[nodiscard]] std::size_t bytes() const;
 
  private:
@@ -224,11 +227,11 @@ class Sea {
       const geo::LocalProjection& projection, const plane::PlaneBox& area, core::Metres cell,
       const std::stop_token& stop, CurrentsShelf* shelf);
   [[nodiscard]] double scale_at(geo::PlanePoint point) const;
-  /// Whether a timed zone or an iceberg that moves closes a piece of a drive.
+  /// Whether a timed zone or a moving iceberg closes a piece of a drive.
   [[nodiscard]] std::optional<motion::EdgeClosed> closed_then(const motion::PlaneEdge& edge,
                                                               const motion::EdgePiece& piece,
                                                               double error_m) const;
-  /// Of an edge that nothing closes, for who is to be at its end then.
+  /// Travel time of an edge that nothing closes, for a vehicle that must arrive at `arrive`.
   [[nodiscard]] tl::expected<core::Seconds, motion::EdgeClosed> drive_time_back(const motion::PlaneEdge& edge,
                                                                                 core::Seconds arrive,
                                                                                 core::Seconds earliest) const;
@@ -241,7 +244,7 @@ class Sea {
   plane::PlaneBox area_;
   std::vector<vehicle::Drive> drives_;
   core::MetresPerSecond buoyancy_speed_;
-  core::MetresPerSecond thruster_speed_;  // as the buoyancy drive where there is none
+  core::MetresPerSecond thruster_speed_;  // equal to the buoyancy speed if there is no thruster
   double edge_tolerance_;
   motion::EdgeAccuracy accuracy_;
   obstacles::SafetyMap safety_;
@@ -249,17 +252,17 @@ class Sea {
   std::shared_ptr<const obstacles::BedCells>
       bed_;  // for icebergs and ice; null where no iceberg may be passed under
   Overhead overhead_;
-  std::optional<obstacles::EncounterMap> encounters_;  // empty: nothing weighs them
+  std::optional<obstacles::EncounterMap> encounters_;  // empty: the objective does not weigh encounters
   currents::FlownDepths depths_;
   std::shared_ptr<const currents::PlaneCurrents>
-      currents_;  // null: still water; seas laid out alike share it
+      currents_;  // null: still water; models with the same grids share it
   energy::EnergyMap energy_;
   Holding holding_;
   std::vector<double> scales_;  // of the projection, [y][x] on a coarse lattice over the area
   double largest_scale_{1.0};
-  double steepest_scale_{};  // change of the scale over a metre of the plane at most
+  double steepest_scale_{};  // largest change of the scale per metre of the plane
   core::MetresPerSecond fastest_through_water_;
-  double least_slowness_s_m_;  // for each metre on the ground, with the strongest current astern
+  double least_slowness_s_m_;  // per metre on the ground, with the strongest current astern
 };
 
 }  // namespace floeplan::planning::cost

@@ -8,15 +8,15 @@
 
 namespace floeplan::planning::cost {
 
-/// The sea between the vertices of a graph, for a vehicle that may stay for as long as it can keep its place: the model
-/// of `graph::find_earliest_among_intervals`.
+/// The edge times between the vertices of a graph for a vehicle that may hold: the model of
+/// `graph::find_earliest_among_intervals`.
 /// `Places`  point(vertex)
-/// `Bound`   least_time(edge, depart) and remaining(vertex), as graph::TravelTimeBound; of_use(vertex): a span outside
-///           which nobody is there, or nobody who is to be at the goal in time
+/// `Bound`   least_time(edge, depart) and remaining(vertex), as graph::TravelTimeBound. of_use(vertex): outside this
+///           span no vehicle can be there and still reach the goal in time
 template <class Places, class Bound>
 class SeaIntervals {
  public:
-  /// `depart`: when the vehicle leaves. Everything else is borrowed.
+  /// `depart`: departure from the start. Everything else is borrowed.
   SeaIntervals(const Sea& sea, const Places& places, const Bound& bound, core::Seconds depart)
       : sea_{sea}, places_{places}, bound_{bound}, depart_{depart} {}
 

@@ -10,7 +10,7 @@
 namespace floeplan::planning::cost {
 namespace {
 
-/// Arrival at the point after `i` when `i` is left out and the point before is left at `depart`.
+/// Arrival at the point after `i` without point `i`, with departure from the point before at `depart`.
 std::optional<core::Seconds> arrival_without(const Sea& sea, const Route& route, std::size_t i,
                                              core::Seconds depart) {
   const auto time = time_with_wait(sea, route.points[i - 1], route.points[i + 1], depart);
@@ -23,8 +23,8 @@ void erase(Route& route, std::size_t i) {
   route.fixed.erase(route.fixed.begin() + static_cast<std::ptrdiff_t>(i));
 }
 
-/// Whether the route stays open when `i` is left out: coming earlier than before may meet a closure that it had been
-/// late enough to miss, and where the time without a surfacing is bounded, a leg depends on those before it.
+/// Whether the route stays open without point `i`. An earlier arrival may meet a closure that the vehicle had been
+/// late enough to miss, and if the time without surfacing is bounded a leg depends on those before it.
 bool still_passable(const Sea& sea, const Route& route, std::size_t i, core::Seconds depart) {
   Route shorter = route;
   erase(shorter, i);
@@ -35,7 +35,7 @@ bool still_passable(const Sea& sea, const Route& route, std::size_t i, core::Sec
 
 Route join_collinear(const Route& route, std::size_t most) {
   constexpr double straight =
-      1e-9;  // sine of the turn: rounding of grid coordinates, far below anything steered
+      1e-9;  // sine of the turn: rounding of grid coordinates, far smaller than any change of course
   Route result;
   std::size_t joined = 1;
   for (std::size_t i = 0; i < route.points.size(); ++i) {
@@ -72,7 +72,7 @@ Route drop_needless_points(const Sea& sea, const Route& route, core::Seconds dep
       const auto to_here = time_with_wait(sea, result.points[i - 1], result.points[i], now);
       const auto onward =
           to_here ? time_with_wait(sea, result.points[i], result.points[i + 1], now + *to_here) : to_here;
-      if (!onward) return result;  // a route that is closed itself is left as it is
+      if (!onward) return result;  // a closed route is not changed
       const auto without = result.fixed[i] ? std::nullopt : arrival_without(sea, result, i, now);
       if (without && *without <= now + *to_here + *onward && still_passable(sea, result, i, depart)) {
         erase(result, i);
@@ -91,7 +91,7 @@ Route part_long_legs(const Sea& sea, const Route& route, core::Metres longest) {
   for (std::size_t i = 1; i < route.points.size(); ++i) {
     const geo::PlanePoint from = route.points[i - 1];
     const geo::PlanePoint to = route.points[i];
-    // The scale of the plane differs along a leg, so that equal parts are not quite equal on the ground.
+    // The scale of the plane varies along a leg, so equal parts in the plane differ slightly on the ground.
     int parts = std::max(1, static_cast<int>(std::ceil(sea.ground_length(from, to).value / longest.value)));
     const auto at = [&](int part) {
       const double share = static_cast<double>(part) / parts;

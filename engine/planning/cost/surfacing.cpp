@@ -11,7 +11,7 @@
 namespace floeplan::planning::cost {
 namespace {
 
-/// Follows the vehicle from look to look.
+/// Follows the vehicle from check to check.
 class Log {
  public:
   Log(const Sea& sea, const PlanRequest& request, geo::PlanePoint start)
@@ -22,7 +22,7 @@ class Log {
         last_open_{here_},
         last_sure_{.look = here_} {}
 
-  /// The next look: until then the vehicle is under way by `drive`.
+  /// The next check. Until then the vehicle travels with this propulsion.
   void look(const Sea::Passage& now, vehicle::Drive drive) {
     const Look last = here_;
     here_ = {now, last.error + grown_error(request_.under_ice, sea_.speed(drive), now.time - last.at.time),
@@ -52,7 +52,7 @@ class Log {
     look_beside();
   }
 
-  /// The leg, or the start, ends at the last look, where the next leg begins.
+  /// The last check was at a waypoint: the end of a leg or the start.
   void reach_waypoint() {
     plan.waypoints.push_back(state());
     if (plan.waypoints.size() > 1) plan.waypoints.back().leg_upper_turn = leg_upper_turn_;
@@ -65,19 +65,19 @@ class Log {
  private:
   struct Look {
     Sea::Passage at;
-    core::Metres error{};  // grown since the start without any fix
+    core::Metres error{};  // since the start, as if there were no fix
     CarriedWay carried{};  // by the currents since the start
   };
-  /// A fix of the position, and the current that the vehicle reckons with from then on.
+  /// A fix, and the current that the vehicle assumes from then on.
   struct Fix {
     Look look;
-    motion::CurrentXy assumed{};  // none before the first dive is over
+    motion::CurrentXy assumed{};  // zero until the first dive is over
   };
-  /// A look at which the vehicle might have surfaced.
+  /// A place where the vehicle could have surfaced.
   struct Opening {
     Look look;
-    std::optional<core::Metres> nearest_ice;  // within the error of the position then
-    core::Metres room;  // beyond that error, below zero; of no account where there is no ice
+    std::optional<core::Metres> nearest_ice;  // within the position error at that time
+    core::Metres room;  // distance to the ice less the position error; negative; ignored if there is no ice
 
     [[nodiscard]] bool is_clear() const { return !nearest_ice; }
     [[nodiscard]] bool is_as_good_as(const Opening& other) const {
@@ -85,7 +85,7 @@ class Log {
     }
   };
 
-  /// At the last look.
+  /// State at the last check.
   [[nodiscard]] SurfacingState state() const {
     const auto [point, time] = here_.at;
     SurfacingState state{.may_surface = sea_.overhead().may_surface(point, time),
@@ -99,7 +99,7 @@ class Log {
     return state;
   }
 
-  /// Of the last look, on the ground.
+  /// Distance to the nearest ice at the last check, on the ground.
   [[nodiscard]] std::optional<core::Metres> ice_within(core::Metres distance) const {
     if (!sea_.ice()) return std::nullopt;
     const auto& [point, time] = here_.at;
@@ -117,7 +117,7 @@ class Log {
       plan.ice_beside = {turn, error, sea_.projection().to_lon_lat(point)};
   }
 
-  /// Grown since the fix, and how far the currents have carried the vehicle against the one that it reckons with.
+  /// Position error since a fix, and how far the currents carried the vehicle in addition to the assumed current.
   [[nodiscard]] static core::Metres error_since(const Fix& fix, const Look& look) {
     return look.error - fix.look.error + carried_off(fix, look).length();
   }
@@ -125,7 +125,7 @@ class Log {
     return look.carried - fix.look.carried - fix.assumed * (look.at.time - fix.look.at.time);
   }
 
-  /// It tells of the current since the fix before.
+  /// A fix tells the current since the fix before.
   [[nodiscard]] static Fix next_fix(const Fix& before, const Look& look) {
     const core::Seconds under_water = look.at.time - before.look.at.time;
     if (under_water.count() <= 0.0) return {look, before.assumed};
@@ -144,7 +144,7 @@ class Log {
     return {here_, ice, ice.value_or(error) - error};
   }
 
-  /// At the best opening since the last fix, once the interval is over and no better one comes.
+  /// Surfaces at the best place since the last fix, once the interval is over and no better place follows.
   void surface_when_due(bool open) {
     std::optional<Opening> now = open ? std::optional{opening_here()} : std::nullopt;
     const auto comes_no_better = [&] {
@@ -152,7 +152,7 @@ class Log {
     };
     if (best_opening_ && is_due() && comes_no_better()) {
       surface(*best_opening_);
-      if (open) now = opening_here();  // less off since that fix
+      if (open) now = opening_here();  // the position error is smaller after that fix
     }
     if (now && (!best_opening_ || now->is_as_good_as(*best_opening_))) best_opening_ = now;
     if (best_opening_ && is_due() && best_opening_->is_clear()) surface(*best_opening_);
@@ -171,13 +171,14 @@ class Log {
   Look here_;
   Fix fix_;
   Look last_open_;
-  Fix last_sure_;                          // open with no ice within the error since the one before
-  std::optional<Opening> best_opening_{};  // since the last fix, the last of those as good
+  Fix last_sure_;  // the last place where no ice lies within the position error since the one before
+  std::optional<Opening> best_opening_{};  // since the last fix; of equal places the last
   bool was_open_{true};                    // the vehicle starts at the surface
   bool was_sure_{true};
-  core::Metres leg_upper_turn_{};   // the deepest since the last waypoint
-  core::Metres ice_free_before_{};  // counted from the first open look: what lies before it may be closed
-  bool was_below_ice_{false};       // at the last look
+  core::Metres leg_upper_turn_{};  // deepest upper turn since the last waypoint
+  core::Metres
+      ice_free_before_{};  // counted from the first check without ice, because the water before it may be covered
+  bool was_below_ice_{false};  // at the last check
 };
 
 void look_while_waiting(Log& log, geo::PlanePoint place, core::Seconds from, core::Seconds until,

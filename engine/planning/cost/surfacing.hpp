@@ -10,15 +10,15 @@
 
 namespace floeplan::planning::cost {
 
-/// Follows a route that is open for ice: where the vehicle may surface, when it does, and how its position error
-/// grows between fixes.
-/// Fixes    at the planned surfacings where an interval is asked for, else wherever the vehicle may surface
-/// Surfacings  at the latest possible place before the interval is over with no ice within the error of the position;
-///          where there is none, at the one with the most room, as long as that grows also a little later. The time
-///          spent at the surface is not counted
-/// Turns    those of a leg are looked at as its closures are, every `surfacing_look()` of the sea
+/// Follows an open route below ice: where the vehicle may surface, when it does, and how its position error grows
+/// between fixes.
+/// Fixes    at the planned surfacings if an interval is requested, otherwise wherever the vehicle may surface
+/// Surfacings  at the last place before the interval is over that has no ice within the position error. If there is
+///             none, at the place with the most room, also a little later while the room grows. The time at the
+///             surface is not counted
+/// Turns    the upper turns of a leg are checked as its closures are, every `surfacing_look()` of the model
 /// Error    share of the distance through water + uncertainty of the currents times the time, since the last fix
-/// Precondition: `schedule` is that of the route, with one of `drives` for each leg
+/// Precondition  `schedule` is that of the route, with one of `drives` for each leg
 [[nodiscard]] SurfacingPlan plan_surfacings(const Sea& sea, const PlanRequest& request,
                                             const std::vector<geo::PlanePoint>& route,
                                             const Schedule& schedule,

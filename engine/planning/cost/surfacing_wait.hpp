@@ -6,10 +6,10 @@
 
 namespace floeplan::planning::cost {
 
-/// How long ago the vehicle might have surfaced, at the end of a wait at one place; empty where that becomes longer
-/// than the request allows meanwhile. Zero where nothing is known of ice, or no bound is asked for.
-/// `since_surfacing`: at the beginning of the wait
-/// Accuracy  the ice is looked at every quarter of an hour, and at the end
+/// Time since the vehicle could last surface, at the end of a hold at one place. Empty if it exceeds the limit of the
+/// request meanwhile. Zero if nothing is known of ice, or without a limit.
+/// `since_surfacing`: at the beginning of the hold
+/// Accuracy  the ice is checked every quarter of an hour, and at the end
 [[nodiscard]] std::optional<core::Seconds> since_surfacing_after_wait(const Sea& sea, geo::PlanePoint place,
                                                                       core::Seconds from, core::Seconds until,
                                                                       core::Seconds since_surfacing);

@@ -10,11 +10,11 @@
 
 namespace floeplan::planning::cost {
 
-/// Watches a drive for what is above: closes it where there is no room below the ice, and where the last possible
-/// surfacing lies too far back. A visitor of the pieces of an edge.
-/// Accuracy  looked at every `look()` of the overhead; the time between two looks counts as without a surfacing
-///           unless the vehicle may surface at both, so that what counts is never shorter than the truth but for ice,
-///           or an iceberg, narrower than that
+/// Watches a drive for ice above it. Closes it where there is no room below the ice, and where the last possible
+/// surfacing is too long ago. A visitor of the pieces of an edge.
+/// Accuracy  the ice is checked at every `look()` of the overhead. The time between two checks counts as without
+///           surfacing unless the vehicle may surface at both. The counted time is never too short, except for ice or
+///           an iceberg narrower than that distance
 class SurfacingWatch {
  public:
   /// `overhead` and `edge` are borrowed.
@@ -27,20 +27,20 @@ class SurfacingWatch {
  private:
   const Overhead& overhead_;
   const motion::PlaneEdge& edge_;
-  std::optional<ice::IceWatch> ice_{};  // from the first piece on, where anything is known of ice
+  std::optional<ice::IceWatch> ice_{};  // set at the first piece if anything is known of ice
   double since_s_;
 };
 
-/// The same drive seen from its end: how long it is from its beginning to the next possible surfacing. Whoever goes
-/// there and is watched meanwhile finds the same times without one.
+/// The same drive from its end backwards: the time from its beginning to the next possible surfacing. A vehicle
+/// watched in the other direction finds the same times without surfacing.
 class SurfacingOutlook {
  public:
   /// `overhead` and `edge` are borrowed.
   SurfacingOutlook(const Overhead& overhead, const motion::PlaneEdge& edge, core::Seconds depart);
 
   std::optional<motion::EdgeClosed> operator()(const motion::EdgePiece& piece);
-  /// For a vehicle that may surface so long after the drive's end; no_surfacing where the time without one becomes
-  /// longer than the overhead allows.
+  /// For a vehicle that may surface `until_surfacing` after the end of the drive. no_surfacing: the time without
+  /// surfacing exceeds the limit of the overhead.
   [[nodiscard]] tl::expected<core::Seconds, motion::EdgeClosed> until_surfacing(core::Seconds at_end) const;
 
  private:
@@ -51,8 +51,8 @@ class SurfacingOutlook {
 
   const Overhead& overhead_;
   const motion::PlaneEdge& edge_;
-  std::optional<ice::IceWatch> ice_{};  // where anything is known of ice
-  std::vector<Look> looks_;             // from the drive's beginning to its end
+  std::optional<ice::IceWatch> ice_{};  // if anything is known of ice
+  std::vector<Look> looks_;             // from the beginning of the drive to its end
 };
 
 }  // namespace floeplan::planning::cost

@@ -15,10 +15,10 @@
 namespace floeplan::planning::diagnosis {
 namespace {
 
-constexpr std::size_t most_zones = 10;  // that are left out, each alone
+constexpr std::size_t most_zones = 10;  // largest number of zones that are left out, each alone
 constexpr core::Seconds an_hour = InputTrials::an_hour;
 constexpr core::Seconds a_day{86'400.0};
-constexpr core::Seconds two_days{172'800.0};  // as far as later departures are tried
+constexpr core::Seconds two_days{172'800.0};  // latest departure that is tried
 
 std::string written(const char* format, double from, double to) {
   char text[120];
@@ -29,7 +29,7 @@ std::string written(const char* format, double from, double to) {
 }  // namespace
 
 core::MetresPerSecond fastest_tried(core::MetresPerSecond now) {
-  constexpr core::MetresPerSecond fastest{5.0};  // the most that a request may ask for
+  constexpr core::MetresPerSecond fastest{5.0};  // limit of the request
   return std::min(fastest, 8.0 * now);
 }
 
@@ -149,7 +149,8 @@ void InputChanges::dive_less_deep() {
     }
   }
   if (!has_depths) return;
-  // Just above a zone first: the shallowest dives of all may take too much energy or be carried away.
+  // Depths just above a zone come first: the shallowest dives may take too much energy, or the current may be too
+  // strong there.
   std::size_t tried = 0;
   for (const double above_m : above_tops_m) {
     if (++tried > most_zones) break;
@@ -296,7 +297,7 @@ void InputChanges::refine_the_grid() {
   if (!request_.spacing_along) return;
   const double now = request_.spacing_along->value;
   for (const double share : {0.5, 0.25}) {
-    // Of few and very long steps a finer grid, which covers less, may take less work.
+    // With few and very long steps, a finer grid that covers less may take less work.
     trials_.begin_input();
     PlanRequest changed = request_;
     changed.spacing_along = core::Metres{share * now};
@@ -361,7 +362,7 @@ void InputChanges::depart_after(core::Seconds delay) {
   trials_.begin_input();
   const double whole_hours = std::ceil(delay / an_hour);
   double too_early = whole_hours - 1.0;
-  // What is in the way moves on while the vehicle does.
+  // Icebergs and ice move on while the vehicle does.
   for (const double more : {0.0, 2.0, 5.0, 12.0}) {
     const double hours = whole_hours + more;
     if (trials_.is_over()) return;

@@ -10,44 +10,44 @@
 
 namespace floeplan::planning::diagnosis {
 
-/// What a trial tells of another request in the same sea.
+/// The answer of a trial for another request in the same waters.
 enum class TrialOutcome {
   possible,
   impossible,
-  not_known  // the work set aside for it was done before it was decided
+  not_known  // the work reserved for the trial was used up before the answer was known
 };
 using Trial = std::function<TrialOutcome(const PlanRequest&)>;
 
-/// Tries values of one input after the other until the least change is found that makes a request possible.
-/// Once a trial told nothing, no more is tried of the input at hand.
+/// Tries values of one input until the smallest change is found that makes a request possible. After a trial without
+/// an answer, no more values of this input are tried.
 class InputTrials {
  public:
   static constexpr core::Seconds an_hour{3600.0};
 
-  /// Both are borrowed and outlive this.
+  /// Both are borrowed and must outlive this object.
   InputTrials(const Trial& trial, const std::stop_token& stop) : trial_{trial}, stop_{stop} {}
 
   void begin_input() { told_nothing_ = false; }
-  /// Whether no more is to be tried of the input at hand.
+  /// Whether no more values of the present input are to be tried.
   [[nodiscard]] bool is_over() const { return told_nothing_ || stop_.stop_requested(); }
-  /// Whether some trial told nothing.
+  /// Whether some trial gave no answer.
   [[nodiscard]] bool told_too_little() const { return told_too_little_; }
-  /// The request of the last trial that found a way; empty before there was one.
+  /// The request of the last trial that found a route; empty before the first one.
   [[nodiscard]] const std::optional<PlanRequest>& last_possible() const { return last_possible_; }
 
   bool works(const PlanRequest& request) { return works_by(trial_, request); }
-  /// By another trial, of another sea.
+  /// The same by another trial, in other waters.
   bool works_by(const Trial& trial, const PlanRequest& request) {
     const TrialOutcome outcome = outcome_of(trial, request);
     if (outcome == TrialOutcome::not_known) told_nothing_ = true;
     return outcome == TrialOutcome::possible;
   }
 
-  /// The value nearest to `now` that helps, on the way to `extreme`, as a multiple of `unit`. `with`: the request
+  /// The value nearest to `now` that helps, between `now` and `extreme`, as a multiple of `unit`. `with`: the request
   /// with a value.
   template <class With>
   std::optional<double> nearest_that_helps(double now, double extreme, double unit, const With& with) {
-    // Rounded towards the generous end, so that what is named is what was tried.
+    // Rounded towards the generous end, so that the proposed value is one that was tried.
     const auto between = [&](double a, double b) {
       const double middle = 0.5 * (a + b);
       return unit * (extreme > now ? std::ceil(middle / unit) : std::floor(middle / unit));
@@ -71,8 +71,9 @@ class InputTrials {
   }
 
  private:
-  static constexpr int halvings = 7;  // to a hundredth, with a speed or margin rounded to what one would type
-  static constexpr int most_beginnings = 3;  // of a value, where the most generous one tells nothing
+  static constexpr int halvings = 7;  // to a hundredth; a speed or margin is rounded to what one would type
+  static constexpr int most_beginnings =
+      3;  // values that are tried first when the most generous one gives no answer
 
   TrialOutcome outcome_of(const Trial& trial, const PlanRequest& request) {
     if (!request.violations().empty()) return TrialOutcome::impossible;
@@ -84,8 +85,8 @@ class InputTrials {
 
   const Trial& trial_;
   const std::stop_token& stop_;
-  bool told_nothing_{false};     // a trial of the input at hand
-  bool told_too_little_{false};  // likewise of any input
+  bool told_nothing_{false};     // a trial of the present input gave no answer
+  bool told_too_little_{false};  // the same for any input
   std::optional<PlanRequest> last_possible_{};
 };
 

@@ -8,8 +8,7 @@
 namespace floeplan::planning::diagnosis {
 namespace {
 
-/// How long the vehicle, where a zone stopped the search for its way, is there before a zone ends; empty where none
-/// is known to.
+/// How long after the vehicle's arrival the zone ends that stopped the search; empty if no end is known.
 std::optional<core::Seconds> until_a_zone_ends(const ocean::Environment& environment,
                                                const PlanRequest& request, const Infeasible& why) {
   if (why.binding != Constraint::zone) return std::nullopt;
@@ -24,7 +23,7 @@ std::optional<core::Seconds> until_a_zone_ends(const ocean::Environment& environ
   return soonest;
 }
 
-/// Whether a zone closes after the departure: who is faster may be past it by then.
+/// Whether a zone closes after the departure: a faster vehicle may pass it before.
 bool may_be_passed_in_time(const ocean::Environment& environment, const PlanRequest& request) {
   const auto closes_later = [&](const ocean::Zone& zone) {
     const auto& closes = zone.kind == ocean::ZoneKind::stay_in && zone.until ? zone.until : zone.from;

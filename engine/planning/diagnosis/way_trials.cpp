@@ -20,16 +20,16 @@
 namespace floeplan::planning::diagnosis {
 namespace {
 
-// Measured on the demonstration data: what sets the pace, not what it takes.
+// Work of each item in units of a timed leg, measured on the demonstration data.
 constexpr std::int64_t work_of_a_leg = 6;
 constexpr std::int64_t work_of_a_label = 600;   // all legs from it
 constexpr std::int64_t work_of_a_berg = 2000;   // its forecast
 constexpr double work_of_a_vertex = 10.0;       // its part of the maps, and which of its edges are open
-constexpr double work_of_a_value = 1.0 / 50.0;  // of the currents, to average them over the depths flown
-constexpr double work_of_a_node = 2.0;          // of a table through which data are looked up
+constexpr double work_of_a_value = 1.0 / 50.0;  // of the currents, to average them over the dive depths
+constexpr double work_of_a_node = 2.0;          // of a lookup table of the data
 constexpr std::size_t most_labels_of_a_trial = 100'000;
 
-/// Towards the goal by what no vehicle is faster than: the search finds the earliest way.
+/// Bound by the least possible remaining time: the search finds the earliest route.
 struct TowardsEarliestWay {
   search::ForesightBound foresight;
   core::Seconds arrive;
@@ -41,22 +41,22 @@ struct TowardsEarliestWay {
   [[nodiscard]] core::Seconds latest_use(graph::Vertex v) const { return foresight.latest_use(v); }
 };
 
-/// Towards the goal by about the time that is left: the search goes almost straight to a way there. Not the earliest
-/// one, because what is left depends on the hour; where time is short it may overlook a way.
+/// Guided by the approximate remaining time: the search goes almost straight to some route, not to the earliest one,
+/// because the remaining time depends on the hour. With little time left it may miss a route.
 struct TowardsAnyWay : TowardsEarliestWay {
   [[nodiscard]] core::Seconds remaining(graph::Vertex v) const { return arrive - latest_use(v); }
 };
 
-/// Where a way comes to the goal of a grid.
+/// Where a route reaches the goal of a grid.
 struct Reached {
-  std::vector<geo::PlanePoint> path;  // empty: no way was found
+  std::vector<geo::PlanePoint> path;  // empty: no route was found
   core::Seconds since_surfacing{};
 };
 
-/// The search for any way over one grid, by the steps in which the planner looks for the best one.
+/// The search for any route over one grid, with the same steps by which the planner looks for the best one.
 class GridTrial {
  public:
-  /// `left`: of the work; below zero once it is done. Everything is borrowed and outlives the trial.
+  /// `left`: work that is left; below zero once it is used up. Everything is borrowed and must outlive the trial.
   GridTrial(const cost::Sea& sea, const search::OpenGrid& open, std::int64_t& left,
             const std::stop_token& stop)
       : sea_{sea}, open_{open}, left_{left}, stop_{stop}, foresight_{sea, open} {}
@@ -71,7 +71,7 @@ class GridTrial {
   }
 
  private:
-  /// As if the time without surfacing were not bounded.
+  /// Ignores the limit on the time without surfacing.
   std::vector<geo::PlanePoint> unbounded_way(core::Seconds depart) {
     const auto untimed = [this](const graph::Edge& edge, core::Seconds leaves, core::Seconds latest) {
       return sea_.leg_time_without_timed_closures(open_.grid.point(edge.tail), open_.grid.point(edge.head),
@@ -83,7 +83,8 @@ class GridTrial {
 
     Way way = likely_or_earliest_way(depart, untimed);
     if (way.path.empty() || cost::schedule_along(sea_, way.path, depart)) return std::move(way.path);
-    // Round what is in the way: seldom much farther, and what is out of reach in that time need not be looked at.
+    // Detours round an obstacle are seldom much longer, and places that cannot be reached in that time need not be
+    // checked.
     constexpr double detour = 1.25;
     const core::Seconds soon = depart + detour * (way.arrival - depart);
     way = way_by<TowardsAnyWay>(depart, soon, timed);
@@ -111,7 +112,7 @@ class GridTrial {
   };
   static constexpr core::Seconds whenever{INFINITY};
 
-  /// Times a leg as long as there is work left; after that each counts as closed, and a search comes to its end.
+  /// Times a leg while work is left. After that every leg counts as closed, so the search ends.
   template <class LegTimes>
   auto rationed(const LegTimes& leg_times) {
     return [this, &leg_times](const graph::Edge& edge, core::Seconds leaves,
@@ -122,7 +123,7 @@ class GridTrial {
     };
   }
 
-  /// The way that is likely to be about the best where it is open, else the earliest one.
+  /// The route that is probably close to the best if it is open, otherwise the earliest one.
   template <class LegTimes>
   Way likely_or_earliest_way(core::Seconds depart, const LegTimes& leg_times) {
     if (foresight_.is_useful()) {
@@ -146,7 +147,7 @@ class GridTrial {
     return edges.empty() ? Way{} : way;
   }
 
-  /// A way that is at the goal by `latest`.
+  /// A route that is at the goal by `latest`.
   template <class Bound, class LegTimes>
   Way way_by(core::Seconds depart, core::Seconds latest, const LegTimes& leg_times) {
     const graph::SearchTree tree = arrivals_by<Bound>(depart, latest, rationed(leg_times));
@@ -161,7 +162,8 @@ class GridTrial {
   graph::SearchTree arrivals_by(core::Seconds depart, core::Seconds latest, const TravelTime& travel_time) {
     const search::StraightBound straight{sea_, open_.grid, open_.graph, open_.grid.goal};
     const graph::Query query{open_.grid.start, open_.grid.goal, depart, latest};
-    // Beyond the end of the data nothing is open: what cannot be at the goal by then is not looked at.
+    // Nothing is open beyond the end of the data, so places from which the goal cannot be reached by then are
+    // skipped.
     const auto end = sea_.currents() ? sea_.currents()->end() : std::nullopt;
     const core::Seconds last = std::min(latest, end.value_or(latest));
     if (!std::isfinite(last.count()) || !foresight_.is_useful())
@@ -172,7 +174,7 @@ class GridTrial {
     return graph::find_earliest_arrivals(open_.graph, query, travel_time, stop_, bound);
   }
 
-  /// For a vehicle that may hold; without holds where one of them were too long.
+  /// For a vehicle that may hold; without holds if one of them would be too long.
   template <class LegTimes>
   std::vector<geo::PlanePoint> way_with_holds(core::Seconds depart, const LegTimes& untimed) {
     Way at_once = likely_or_earliest_way(depart, untimed);
@@ -197,7 +199,7 @@ class GridTrial {
   search::Foresight foresight_;
 };
 
-/// The way from stop to stop; empty where there is none, or no work left to find one.
+/// The route from stop to stop; empty if there is none, or no work is left to find one.
 std::optional<cost::Route> search_all(const cost::Sea& sea, const std::vector<cost::RouteGrid>& grids,
                                       int sectors, std::int64_t& left, const std::stop_token& stop) {
   cost::Route route;
@@ -223,7 +225,7 @@ std::optional<cost::Route> search_all(const cost::Sea& sea, const std::vector<co
   return route;
 }
 
-/// About as a GridLookup lays it over the area.
+/// About the number of nodes that a GridLookup has over the area.
 double nodes_of_a_table(const plane::PlaneBox& area) {
   constexpr double step_m = 2000.0;
   constexpr double most_a_side = 1000.0;
@@ -260,7 +262,7 @@ std::int64_t WayTrials::work_of_a_chart(const PlanRequest& request, const cost::
   double work = static_cast<double>(environment_.icebergs.size()) * static_cast<double>(work_of_a_berg);
   for (const cost::RouteGrid& grid : layout.grids) work += work_of_a_vertex * grid.vertex_count();
   double tables = 0.0;
-  if (environment_.bathymetry) tables += 2.0;  // what is closed, and how deep dives are
+  if (environment_.bathymetry) tables += 2.0;  // closed cells, and dive depths
   if (environment_.ice) tables += 1.0 + static_cast<double>(environment_.further_ice.size());
   if (environment_.currents && !shelf_.holds(request, layout.projection, layout.area())) {
     work += work_of_a_value * static_cast<double>(environment_.currents->samples().u.size());

@@ -7,7 +7,7 @@
 
 namespace floeplan::planning::optimal_control {
 
-/// The limit of the fastest ways near a start as their number of legs grows.
+/// The limit of the fastest routes near a start as their number of legs grows.
 struct FreeWay {
   TimedWay way;              // the one with the most legs
   core::Seconds duration{};  // of the limit, a curve
@@ -16,32 +16,32 @@ struct FreeWay {
 
 /// Why no limit was found.
 enum class NoFreeWay {
-  closed,       // the way would lead to where legs cannot be travelled
+  closed,       // the route would lead to where legs cannot be travelled
   not_settled,  // the durations do not tend to a limit to better than a thousandth
   cancelled
 };
 
-/// Moves the start towards the fastest way near it, with 16 legs: few legs are timed quickly, so that long moves cost
-/// little. Where so long legs cannot be travelled the result is the start.
+/// Moves the start towards the fastest route near it, with 16 legs. Few legs are timed quickly, so long moves cost
+/// little. If the legs cannot be travelled at this length, the result is the start.
 [[nodiscard]] TimedWay find_rough_free_way(const TimedWay& start, const LegTimer& leg_timer,
                                            const std::stop_token& stop = {});
 
-/// Whether two rough ways lie within a quarter of a leg of each other all along. Their limits then differ by less than the
-/// accuracy that is asked of a limit.
+/// Whether two rough routes lie within a quarter of a leg of each other along their whole length. Their limits then
+/// differ by less than the required accuracy.
 [[nodiscard]] bool lead_to_one_way(const TimedWay& a, const TimedWay& b);
 
-/// The fastest way of 64 legs near the start, with which `find_free_way` begins. It tells where that leads, and is a good
-/// start for it.
+/// The fastest route of 64 legs near the start: the first step of `find_free_way`. It shows which limit the search
+/// approaches and is a good start for it.
 /// Stops    with NoFreeWay::cancelled once `stop` is requested
 [[nodiscard]] tl::expected<TimedWay, NoFreeWay> find_coarse_free_way(const TimedWay& rough,
                                                                      const LegTimer& leg_timer,
                                                                      const std::stop_token& stop = {});
 
-/// The fastest way near the start with any number of legs. `descend` runs with 64, 128 and 256 legs. The errors of their
-/// durations fall with the square of a leg's length, so Richardson's extrapolation gives the limit. Needs no derivatives of
-/// the current: data with kinks between their nodes can be used.
-/// Accuracy as the result says; about 1e-6 in the paper's jet, as a formula or on a grid. The error of the current itself
-///          is not part of it
+/// The fastest route near the start with any number of legs. `descend` runs with 64, 128 and 256 legs. The errors of
+/// the durations fall with the square of the leg length, so Richardson's extrapolation gives the limit. It needs no
+/// derivatives of the current, so gridded data with kinks at their nodes can be used.
+/// Accuracy as the result says; about 1e-6 in the paper's jet, as a formula or on a grid. The error of the current
+/// itself is not included
 /// Source   Richardson 1911, doi:10.1098/rsta.1911.0009
 /// Stops    with NoFreeWay::cancelled once `stop` is requested
 [[nodiscard]] tl::expected<FreeWay, NoFreeWay> find_free_way(const TimedWay& start, const LegTimer& leg_timer,

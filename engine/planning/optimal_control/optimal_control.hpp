@@ -25,7 +25,7 @@ LegTimer legs_in(const Current& current, core::MetresPerSecond through_water) {
 
 /// The earliest of the extremals near some routes, which lead from start to goal through different corridors. `descend`
 /// first moves each route close enough to an extremal for the Newton method of `solve_extremal`.
-/// Accuracy 1e-6 of the duration or better in a current that is smooth over 1/512 of the way
+/// Accuracy 1e-6 of the duration or better in a current that is smooth over 1/512 of the route
 /// Errors   where no route led to an extremal: why the last one did not
 /// Stops    with NoExtremal::cancelled once `stop` is requested
 template <motion::SlopedPlaneCurrent Current>

@@ -9,9 +9,10 @@
 namespace floeplan::planning::optimal_control {
 namespace {
 
-constexpr double tolerance = 1e-6;  // of a leg's time: the descent compares ways that differ little
-/// The most legs that are timed for all sections together; about two seconds. A count instead of a clock gives the same
-/// result on every machine.
+constexpr double tolerance =
+    1e-6;  // of a leg's time: small, because the descent compares routes of nearly equal duration
+/// Largest number of timed legs for all sections together; about two seconds. A count gives the same result on every
+/// machine; a clock would not.
 constexpr std::int64_t most_evaluations = 1'000'000;
 
 constexpr const char* took_too_long = "the search for the best possible route took too long";
@@ -45,7 +46,7 @@ std::string describe(NoFreeWay none) {
   return "cancelled";
 }
 
-/// Times legs in the currents alone, and counts them.
+/// Times legs in the currents alone, without obstacles, and counts them.
 class OpenWater {
  public:
   explicit OpenWater(const cost::Sea& sea)
@@ -80,8 +81,8 @@ std::vector<std::vector<geo::PlanePoint>> sections_of(const cost::Route& route) 
   return sections;
 }
 
-/// The fastest ways near a section's own points and near the straight line, with as many legs as a search begins with. The
-/// fastest is the first.
+/// The fastest routes near the section's own points and near the straight line, with the number of legs of a first
+/// search; the fastest is the first.
 tl::expected<std::vector<TimedWay>, NoFreeWay> coarse_ways(const std::vector<geo::PlanePoint>& section,
                                                            core::Seconds depart, const LegTimer& timer,
                                                            const std::stop_token& stop) {
@@ -111,7 +112,7 @@ tl::expected<std::vector<TimedWay>, NoFreeWay> coarse_ways(const std::vector<geo
   return ways;
 }
 
-/// The fastest way whose search settles.
+/// The fastest route whose search converges.
 tl::expected<FreeWay, NoFreeWay> settled_way(const std::vector<TimedWay>& starts, const LegTimer& timer,
                                              const std::stop_token& stop) {
   tl::expected<FreeWay, NoFreeWay> way = tl::unexpected(NoFreeWay::closed);
@@ -122,8 +123,9 @@ tl::expected<FreeWay, NoFreeWay> settled_way(const std::vector<TimedWay>& starts
   return way;
 }
 
-/// What closes the way, if anything does.
-/// `since_surfacing` the time since the last place to surface: at the start of the way, afterwards at its end
+/// The reason why the route is closed; empty if it is open.
+/// `since_surfacing` time since the vehicle could last surface: before the call at the start of the route, afterwards
+/// at its end
 std::optional<motion::EdgeClosed> closure(const cost::Sea& sea, const TimedWay& way,
                                           core::Seconds& since_surfacing) {
   for (std::size_t i = 1; i < way.points.size(); ++i) {
@@ -149,8 +151,8 @@ Optimality rate_route(const cost::Sea& sea, const cost::Route& route, const std:
     const auto starts = coarse_ways(section, least, timer, stop);
     if (water.is_exhausted()) return {std::nullopt, took_too_long};
     if (!starts) return {std::nullopt, describe(starts.error())};
-    // Where a way of few legs crosses land or ice, a way of more legs crosses it, too: the two differ by far less than
-    // the size of such obstacles.
+    // If a route of few legs crosses land or ice, so does one of more legs: the two differ by far less than the size
+    // of such obstacles.
     core::Seconds till_there = since_surfacing;
     if (const auto closed = closure(sea, starts->front(), till_there))
       return {std::nullopt, describe(*closed)};

@@ -13,22 +13,22 @@ namespace floeplan::planning::optimal_control {
 using LegTimer = std::function<std::optional<core::Seconds>(geo::PlanePoint from, geo::PlanePoint to,
                                                             core::Seconds depart)>;
 
-/// A way of straight legs and the times at its points, the departure first.
+/// A route of straight legs and the times at its points, the departure first.
 struct TimedWay {
   std::vector<geo::PlanePoint> points;
   std::vector<core::Seconds> times;
 
   [[nodiscard]] core::Seconds duration() const { return times.back() - times.front(); }
   /// The place of the vehicle at a time, at a steady pace along each leg. Before the departure and after the arrival it is
-  /// at the ends of the way.
+  /// at the ends of the route.
   [[nodiscard]] geo::PlanePoint at(core::Seconds time) const;
 };
 
-/// Times a way leg by leg; empty when a leg cannot be travelled.
+/// Times a route leg by leg; empty when a leg cannot be travelled.
 [[nodiscard]] std::optional<TimedWay> time_way(std::vector<geo::PlanePoint> points, core::Seconds depart,
                                                const LegTimer& leg_timer);
 
-/// Points on the way at equal steps of time, both ends included. The legs between them cut the corners of the way.
+/// Points on the route at equal steps of time, both ends included. The legs between them cut the corners of the route.
 [[nodiscard]] std::vector<geo::PlanePoint> cut_evenly(const TimedWay& way, std::size_t legs);
 
 }  // namespace floeplan::planning::optimal_control

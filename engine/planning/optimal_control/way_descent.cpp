@@ -6,19 +6,22 @@ namespace floeplan::planning::optimal_control {
 namespace {
 
 constexpr int most_iterations = 40;
-/// Share of the duration. A smaller gain cannot be told from the errors of the legs' times.
+/// Share of the duration. A smaller gain is within the errors of the leg times.
 constexpr double least_gain = 1e-7;
-/// The same for a start with more legs, where each step costs as much.
+/// The same for a rough start with more legs, where each step costs as much.
 constexpr double rough_gain = 1e-4;
-/// Share of a leg, the step of difference quotients: small against the bends of a way, large against the errors of times.
+/// Step of difference quotients as a share of a leg: small against the bends of a route, large against the errors of
+/// times.
 constexpr double difference_step = 0.02;
-constexpr double least_step = 1e-3;  // share of Newton's step that is still tried
-// Levenberg's weight, in units of the stiffness of a straight leg: the least, the factor between tries, the greatest.
+constexpr double least_step = 1e-3;  // smallest share of Newton's step that is tried
+// Levenberg's weight in units of the stiffness of a straight leg: smallest value, factor between tries, largest
+// value.
 constexpr double least_weight = 1e-4;
 constexpr double weight_factor = 8.0;
 constexpr double most_weight = 1e6;
 
-/// First and second derivatives of a leg's end time by the offsets a and b of its two ends and its departure t.
+/// First and second derivatives of the end time of a leg with respect to the offsets a and b of its two ends and its
+/// departure t.
 struct LegSlopes {
   double a{}, b{}, t{};
   double aa{}, ab{}, bb{}, at{}, bt{}, tt{};
@@ -48,7 +51,7 @@ geo::PlanePoint unit_across(geo::PlanePoint from, geo::PlanePoint to) {
   return {-(to.y_m - from.y_m) / length, (to.x_m - from.x_m) / length};
 }
 
-/// The way with its directions across and the derivatives of its legs.
+/// The route with its directions across and the derivatives of its legs.
 class Neighbourhood {
  public:
   Neighbourhood(const TimedWay& way, const LegTimer& leg_timer) : way_{way}, leg_timer_{leg_timer} {
@@ -75,7 +78,7 @@ class Neighbourhood {
   [[nodiscard]] std::optional<LegSlopes> slopes(std::size_t leg) const {
     const double h = difference_step * length(leg);
     const double s = difference_step * duration(leg);
-    const bool may_start_late = leg > 0;  // before the first leg there may be no data
+    const bool may_start_late = leg > 0;  // before the first departure there may be no data
     bool open = true;
     const auto end = [&](int a, int b, int t) {
       const core::Seconds depart = way_.times[leg] + core::Seconds{may_start_late ? s * t : 0.0};
@@ -104,7 +107,7 @@ class Neighbourhood {
     return result;
   }
 
-  /// The way that follows the policies, with a share of their constant part.
+  /// The route that follows the policies, with a share of their constant part.
   [[nodiscard]] std::optional<TimedWay> follow(const std::vector<Policy>& policies, double share) const {
     TimedWay next{.points = {way_.points.front()}, .times = {way_.times.front()}};
     double offset = 0.0;
@@ -128,8 +131,8 @@ class Neighbourhood {
   std::vector<geo::PlanePoint> across_;  // zero at the ends, which stay
 };
 
-/// The best offset of every point for each state before it, found backwards from the goal; empty where the model has no
-/// minimum with this weight.
+/// The best offset of every point as a function of the state before it, found backwards from the goal. Empty if the
+/// model has no minimum with this weight.
 std::optional<Policies> best_policies(const Neighbourhood& near, const std::vector<LegSlopes>& slopes,
                                       double weight) {
   Policies result{.of_point = std::vector<Policy>(slopes.size() + 1)};
@@ -172,7 +175,7 @@ std::optional<std::vector<LegSlopes>> all_slopes(const Neighbourhood& near) {
   return slopes;
 }
 
-/// The first faster way between the present one and the one that the policies lead to.
+/// The first faster route between the present one and the one that the policies give.
 std::optional<TimedWay> shorter_way(const Neighbourhood& near, const Policies& policies,
                                     core::Seconds duration) {
   for (double share = 1.0; share >= least_step; share *= 0.5) {
@@ -182,15 +185,15 @@ std::optional<TimedWay> shorter_way(const Neighbourhood& near, const Policies& p
   return std::nullopt;
 }
 
-/// A step to a faster way, and the weight that it needed.
+/// A step to a faster route, and the weight that it needed.
 struct Step {
-  std::optional<TimedWay> next;  // empty: no faster way was found
+  std::optional<TimedWay> next;  // empty: no faster route was found
   double weight{};
-  bool at_minimum{false};  // no step was tried, because too little can be gained
-  bool closed{false};      // no step was found, because a neighbouring way cannot be travelled
+  bool at_minimum{false};  // no step was tried, because the possible gain is too small
+  bool closed{false};      // no step was found, because a neighbouring route cannot be travelled
 };
 
-/// Raises the weight, which shortens the step, until the way becomes faster.
+/// Raises the weight, which shortens the step, until the route becomes faster.
 Step step_down(const TimedWay& way, const LegTimer& leg_timer, double weight, double worthwhile_gain) {
   const Neighbourhood near{way, leg_timer};
   Step step{.next = {}, .weight = weight};

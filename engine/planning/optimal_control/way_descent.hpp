@@ -9,11 +9,11 @@ namespace floeplan::planning::optimal_control {
 /// The result of a descent.
 struct WayDescent {
   TimedWay way;
-  bool converged{false};  // no small move of a point across the way lowers the duration
+  bool converged{false};  // no small move of a point across the route lowers the duration
   bool closed{false};     // not converged, because a leg that had to be tried cannot be travelled
 };
 
-/// Moves the inner points of a way across its course until its duration no longer falls. Start, goal and the number of
+/// Moves the inner points of a route across its course until its duration no longer falls. Start, goal and the number of
 /// legs stay. Method: Newton's, on all points at once, by differential dynamic programming. The stages are the legs, and the
 /// state is a point's offset and the time there, so that a step costs about a dozen evaluations for each leg.
 /// Law      the duration never grows
@@ -23,12 +23,12 @@ struct WayDescent {
 [[nodiscard]] WayDescent descend(const TimedWay& start, const LegTimer& leg_timer,
                                  const std::stop_token& stop = {});
 
-/// The same with `legs` legs of about equal duration. The way is divided into them before the descent and again after it.
-/// Not converged where cutting the corners of the way closes it.
+/// The same with `legs` legs of about equal duration. The route is divided into them before the descent and again after it.
+/// Not converged where cutting the corners of the route closes it.
 [[nodiscard]] WayDescent descend_with_legs(const TimedWay& start, std::size_t legs, const LegTimer& leg_timer,
                                            const std::stop_token& stop = {});
 
-/// A rough way from which a descent with more legs can start. The way is divided once. The descent ends when its quadratic
+/// A rough route from which a descent with more legs can start. The route is divided once. The descent ends when its quadratic
 /// model predicts a gain of less than 1e-4 of the duration.
 [[nodiscard]] WayDescent descend_roughly(const TimedWay& start, std::size_t legs, const LegTimer& leg_timer,
                                          const std::stop_token& stop = {});

@@ -28,7 +28,7 @@ struct SteeredPoint {
   double heading{};
 };
 
-/// A way whose duration no small change of its headings lowers, to first order.
+/// A route whose duration no small change of its headings lowers, to first order.
 struct Extremal {
   core::Seconds duration{};
   std::vector<SteeredPoint> points;  // at equal steps of time, start and goal included
@@ -106,10 +106,10 @@ struct ExtremalGuess {
 
 /// Solves for the extremal near the guess by multiple shooting. The unknowns are the points between the pieces, the headings
 /// and the duration. The equations demand that the pieces join and that the last one ends at the goal. Newton's method is
-/// damped so that each step comes nearer to the solution. Single shooting fails where the current drives neighbouring ways
+/// damped so that each step comes nearer to the solution. Single shooting fails where the current drives neighbouring routes
 /// apart exponentially.
 /// Accuracy the equations are solved to 1e-11 of the distance and of the duration; the flow's error adds to that
-/// Returns  an extremal. It is only a candidate for the fastest way: other extremals may be faster
+/// Returns  an extremal. It is only a candidate for the fastest route: other extremals may be faster
 /// Source   Stoer and Bulirsch 2002, Introduction to Numerical Analysis, section 7.3.5 (multiple shooting);
 ///          Deuflhard 2004, Newton Methods for Nonlinear Problems, section 3.3 (natural monotonicity)
 /// Stops    with NoExtremal::cancelled once `stop` is requested

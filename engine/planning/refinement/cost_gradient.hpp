@@ -7,19 +7,19 @@
 
 namespace floeplan::planning::refinement {
 
-/// Derivatives of the whole cost by every point's coordinates, for each metre.
+/// Derivatives of the total cost with respect to the coordinates of every point, per metre.
 struct CostGradient {
   std::vector<double> x;
   std::vector<double> y;
 };
 
-/// A change of what a leg takes with one of its arguments.
+/// Derivatives of the time and cost of a leg with respect to one of its arguments.
 struct LegDerivative {
   double of_time{};
   double of_cost{};
 };
 
-/// Over `step` to both sides, or to the side that is open; zero between closed sides.
+/// Difference quotient over `step` to both sides, or to the side that is open; zero if both are closed.
 inline LegDerivative derivative(const cost::LegCost& here, const std::optional<cost::LegCost>& above,
                                 const std::optional<cost::LegCost>& below, double step) {
   if (!above && !below) return {};
@@ -29,15 +29,15 @@ inline LegDerivative derivative(const cost::LegCost& here, const std::optional<c
   return {(upper.time - lower.time).count() / over, (upper.cost - lower.cost) / over};
 }
 
-/// By the chain rule from the goal back to the start: a leg's time changes the cost of what follows by as much as a
-/// later departure from its end does. Eleven evaluations for each leg.
+/// Chain rule from the goal back to the start: a longer leg changes the following cost just as a later departure from
+/// its end does. Eleven evaluations for each leg.
 template <cost::CostedLeg Leg>
 CostGradient cost_gradient(LegMeter<Leg>& legs, const cost::Itinerary& timed) {
-  // Of a leg: small beside the scale on which a current changes, large beside the integration's error.
+  // Share of a leg: small against the scale on which a current changes, large against the error of the integration.
   constexpr double step_share = 1e-3;
   const auto& points = timed.route.points;
   CostGradient gradient{std::vector<double>(points.size()), std::vector<double>(points.size())};
-  double by_departure = 0.0;  // derivative of the cost of what follows by the time at the leg's end
+  double by_departure = 0.0;  // derivative of the following cost with respect to the time at the leg's end
   for (std::size_t i = points.size() - 1; i > 0; --i) {
     const geo::PlanePoint a = points[i - 1];
     const geo::PlanePoint b = points[i];

@@ -6,8 +6,8 @@
 namespace floeplan::planning::refinement {
 namespace {
 
-/// Sum of the legs' give up to each point, in m^2/s: how far its end may be shifted across for a second of
-/// delay. Legs without length get a trifle.
+/// Cumulative sum of length squared over time of the legs before each point, in m^2/s. It measures how far points may
+/// be shifted across the route for a second of delay. Legs without length count with a very small value.
 std::vector<double> give_along(const cost::Itinerary& timed) {
   constexpr double trifle_m2_s = 1e-9;
   const auto& points = timed.route.points;
@@ -36,7 +36,7 @@ HatBasis::HatBasis(const cost::Itinerary& timed) : points_{timed.route.points.si
     const std::size_t peak = left + (right - left) / 2;
     const double before = give[peak] - give[left];
     const double after = give[right] - give[peak];
-    // A shift y across the way lengthens it by y^2 / 2 (1 / before + 1 / after).
+    // A shift y across the route lengthens it by y^2 / 2 (1 / before + 1 / after).
     const double unit = std::sqrt(before * after / (before + after));
     hats_.push_back({left, peak, right, after / (before + after), before / (before + after), unit});
     spans.emplace_back(left, peak);

@@ -8,18 +8,18 @@
 
 namespace floeplan::planning::refinement {
 
-/// Moves points hat by hat wherever the route comes to cost less, along and across the way, in steps from a
-/// coarse one to a fine one. Needs no derivative and slides along the rim of what is closed, where a descent
-/// of all points at once is stuck as soon as one of them touches. The number of legs stays.
+/// Coordinate descent: moves points hat by hat, along and across the route, wherever the cost falls, with steps from
+/// coarse to fine. It needs no derivative and slides along the rim of closed areas, where a descent of all points at
+/// once stops as soon as one of them touches. The number of legs stays.
 template <cost::CostedLeg Leg>
 class HatMoves {
  public:
   HatMoves(LegMeter<Leg>& legs, cost::Itinerary start)
       : legs_{legs}, best_{std::move(start)}, basis_{best_} {}
 
-  /// One round through all steps and hats.
+  /// One round of all steps and hats.
   cost::Itinerary operator()() {
-    // Shares of a hat's half width.
+    // Shares of the half width of a hat.
     constexpr double coarsest = 0.2;
     constexpr double finest = 0.002;
     for (double share = coarsest; share > finest; share *= 0.4) {
@@ -41,7 +41,7 @@ class HatMoves {
     }
   }
 
-  /// Shifts the hat's points if that makes the route cost less.
+  /// Shifts the points of the hat if that lowers the cost of the route.
   bool try_shift(const HatBasis::Hat& hat, double dx_m, double dy_m) {
     const std::vector<geo::PlanePoint>& points = best_.route.points;
     std::vector<geo::PlanePoint> moved;
@@ -65,7 +65,7 @@ class HatMoves {
       moved.push_back(to);
       times.push_back(now);
       costs.push_back(cost);
-      // Who is later here and has spent more hardly makes up for it.
+      // A vehicle that is later here and has spent more can hardly recover.
       if (i >= hat.right && !(now < best_.times[i] || cost < best_.costs[i])) return false;
       from = to;
     }

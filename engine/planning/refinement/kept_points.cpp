@@ -6,7 +6,7 @@
 namespace floeplan::planning::refinement {
 namespace {
 
-/// The best chain to a point with so many legs.
+/// The best chain to a point with a given number of legs.
 struct ChainEnd {
   double loss{INFINITY};
   std::size_t from{};

@@ -8,24 +8,24 @@
 
 namespace floeplan::planning::refinement {
 
-/// A straight leg in place of several, between the points of a route with these indices.
+/// A straight leg that replaces several legs, between the points of a route with these indices.
 struct Shortcut {
   std::size_t from{};
   std::size_t to{};
-  double loss{};  // what it costs more than the legs it stands for
+  double loss{};  // cost added by the replacement
 };
 
-/// The chain of shortcuts from the first of `points` points to the last whose losses add up to the least: of those with
-/// `most` legs, or with fewer where no chain has so many. Of equal chains the one that comes first in `shortcuts`.
-/// `shortcuts`  in the order of their ends
-/// Returns  the indices of the points, both ends included; empty where no chain is so short
+/// The chain of shortcuts from the first point to the last with the least sum of losses. It has `most` legs, or fewer
+/// if no chain has exactly `most`. Of equal chains the first in `shortcuts` is taken.
+/// `shortcuts`  ordered by their ends
+/// Returns  the indices of the points, both ends included; empty if no chain is so short
 /// Source   Bellman 1961, On the approximation of curves by line segments using dynamic programming, Comm. ACM 4,
 ///          doi:10.1145/366573.366611
 [[nodiscard]] std::optional<std::vector<std::size_t>> least_loss(const std::vector<Shortcut>& shortcuts,
                                                                  std::size_t points, std::size_t most);
 
-/// The straight legs between the points of a route that leave out no fixed point and at most `widest` - 1 free ones, and
-/// are open at the time when the route is at their start.
+/// Straight legs between the points of a route that skip no fixed point and at most `widest` - 1 free points, and are
+/// open when the route passes their start.
 template <cost::CostedLeg Leg>
 std::vector<Shortcut> open_shortcuts(LegMeter<Leg>& legs, const cost::Itinerary& timed, std::size_t widest) {
   const auto& points = timed.route.points;
@@ -43,14 +43,14 @@ std::vector<Shortcut> open_shortcuts(LegMeter<Leg>& legs, const cost::Itinerary&
   return shortcuts;
 }
 
-/// Takes out free points until `most` legs are left: of all choices the one whose losses add up to the least. Where a loss
-/// is small it hardly depends on the others, so the choice is the best there is; taken out one after the other, points
-/// would end up where the first of them happened to go.
-/// Returns  empty where no choice leaves so few legs open
+/// Removes free points until `most` legs are left: of all choices the one with the least sum of losses. Small losses
+/// hardly depend on each other, so this choice is the best. Removal one by one would depend on which point happened
+/// to go first.
+/// Returns  empty if no choice with so few legs is open
 template <cost::CostedLeg Leg>
 std::optional<cost::Itinerary> keep_best_points(LegMeter<Leg>& legs, const cost::Itinerary& timed,
                                                 std::size_t most) {
-  constexpr std::size_t uneven = 8;  // the longest legs beside the mean one: a judgement
+  constexpr std::size_t uneven = 8;  // longest leg relative to the mean leg: a judgement
   const std::size_t count = timed.route.points.size();
   if (timed.route.legs() <= most || most == 0) return std::nullopt;
   const std::size_t widest = uneven * ((timed.route.legs() + most - 1) / most);

@@ -11,14 +11,15 @@
 
 namespace floeplan::planning::refinement {
 
-/// How much work refinement may do: counted, and not by a clock, so that the same request gives the same route everywhere.
+/// Work limit of refinement. Work is counted and not measured by a clock, so that one request gives the same route on
+/// every machine.
 struct RefinementBudget {
-  std::int64_t most_evaluations{1'000'000};  // of a leg
+  std::int64_t most_evaluations{1'000'000};  // of legs
   std::stop_token stop{};
 };
 
-/// Times legs, adds up what they cost, and keeps count. Once the budget has ended every leg counts as closed, so that
-/// nothing which is found afterwards can be taken.
+/// Times legs, adds up their cost and counts them. Once the budget is used up every leg counts as closed, so nothing
+/// found later can be accepted.
 /// Threads  one at a time
 template <cost::CostedLeg Leg>
 class LegMeter {
@@ -34,7 +35,7 @@ class LegMeter {
     return cost::cost_of_leg(*taken);
   }
 
-  /// The route with its times and costs; empty when a leg is closed.
+  /// The route with its times and costs; empty if a leg is closed.
   [[nodiscard]] std::optional<cost::Itinerary> timed(cost::Route route, core::Seconds depart) {
     cost::Itinerary result{std::move(route), {depart}, {0.0}};
     const auto& points = result.route.points;
@@ -47,7 +48,7 @@ class LegMeter {
   }
 
   [[nodiscard]] std::int64_t evaluations() const { return evaluations_; }
-  /// Share of the evaluations that are allowed.
+  /// Share of the allowed evaluations that is used.
   [[nodiscard]] double spent() const {
     return static_cast<double>(evaluations_) / static_cast<double>(budget_.most_evaluations);
   }

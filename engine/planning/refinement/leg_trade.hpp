@@ -10,20 +10,20 @@
 
 namespace floeplan::planning::refinement {
 
-/// Routes from one start to one goal, the one that costs least of each number of legs: what a leg more is worth.
+/// The cheapest routes from one start to one goal for each number of legs: the value of one more leg.
 class LegTradeOff {
  public:
   void offer(const cost::Itinerary& timed);
 
-  /// Few legs first; only routes that cost less than every one with fewer legs.
+  /// Ordered by number of legs; only routes that cost less than all with fewer legs.
   [[nodiscard]] std::vector<LegTrade> trade() const;
 
-  /// The route with the fewest legs of which twice as many would not gain the share `least_gain` of the cost. With
-  /// `most_legs` none with more than those, unless there is no other.
-  /// Precondition: a route was offered
+  /// The route with the fewest legs for which twice the legs would gain less than the share `least_gain` of the cost.
+  /// With `most_legs`, none with more than those, unless there is no other.
+  /// Precondition  a route was offered
   [[nodiscard]] const cost::Itinerary& choose(double least_gain, std::optional<std::size_t> most_legs) const;
 
-  /// The route with the fewest legs that costs at most so much; empty where none does.
+  /// The route with the fewest legs that costs at most `most_cost`; empty if there is none.
   [[nodiscard]] std::optional<cost::Itinerary> fewest(double most_cost) const;
 
  private:

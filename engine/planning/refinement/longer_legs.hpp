@@ -10,13 +10,13 @@
 
 namespace floeplan::planning::refinement {
 
-/// Legs that are shorter than a pilot would fly, the shortest first, by the index of their first point. A leg is short
-/// below 3 km or a fifth of the distance between the fixed points before and after it, whichever is less.
-/// Source  a judgement of what is worth steering
+/// Legs too short to be worth steering, the shortest first, by the index of their first point. A leg is short below 3
+/// km or a fifth of the distance between the fixed points around it, whichever is less.
+/// Source  a judgement
 [[nodiscard]] std::vector<std::size_t> short_legs(const cost::Route& route);
 
-/// The itinerary without the leg from point `i`, by leaving out one of its ends or by one point in the place of both:
-/// the cheapest of what is open; empty where all of it is closed.
+/// The itinerary without the leg from point `i`: without one of its ends, or with one point in place of both. The
+/// cheapest open choice; empty if all are closed.
 template <cost::CostedLeg Leg>
 std::optional<cost::Itinerary> without_leg(LegMeter<Leg>& legs, const cost::Itinerary& timed, std::size_t i) {
   const cost::Route& route = timed.route;
@@ -41,8 +41,8 @@ std::optional<cost::Itinerary> without_leg(LegMeter<Leg>& legs, const cost::Itin
   return best;
 }
 
-/// The itinerary without its short legs, as far as what is left is open and costs no more than `most_cost`.
-/// `settle`  moves the points of an itinerary to where it costs less, with the same number of legs
+/// The itinerary without its short legs, as far as the rest is open and costs no more than `most_cost`.
+/// `settle`  moves the points of an itinerary to lower its cost, with the same number of legs
 template <cost::CostedLeg Leg, class Settle>
 cost::Itinerary without_short_legs(LegMeter<Leg>& legs, cost::Itinerary timed, double most_cost,
                                    const Settle& settle) {

@@ -6,8 +6,8 @@
 namespace floeplan::planning::refinement {
 namespace {
 
-constexpr int most_calls = 200;  // seen to be needed: 30 to 150, whatever the dimension
-/// What the line search sees where the function has no value: worse than all it knows, yet finite, because it
+constexpr int most_calls = 200;  // 30 to 150 were needed in trials, whatever the dimension
+/// Value for the line search where the function is undefined: larger than all known values, but finite, because it
 /// interpolates.
 constexpr double no_value = 1e30;
 

@@ -20,14 +20,14 @@ namespace floeplan::planning::refinement {
 
 /// How many legs a refined route may have.
 struct RefinementLimits {
-  std::size_t finest_legs{128};            // to work with, unless the route comes with more
-  std::optional<std::size_t> most_legs{};  // of the result; empty: as many as serve
-  double least_gain{5e-4};                 // share of the cost for which twice as many legs are taken
+  std::size_t finest_legs{128};            // during the work, unless the given route has more
+  std::optional<std::size_t> most_legs{};  // of the result; empty: no limit
+  double least_gain{5e-4};                 // share of the cost that twice the legs must gain
   double tolerance{0.0};   // share of the least cost that may be paid for fewer and longer legs
-  double least_cost{0.0};  // no route costs less, as far as is known
+  double least_cost{0.0};  // known lower bound of the cost of any route
 
-  /// A share of the cost that is looked for, or `coarse` of what may be paid for fewer legs: what is given away again is
-  /// not worth much work.
+  /// Target accuracy as a share of the cost: `share`, or `coarse` times the cost that may be paid for fewer legs.
+  /// Gains that would be given away again are not worth much work.
   [[nodiscard]] double worth(double share, double coarse) const {
     return std::max(share, coarse * tolerance);
   }
@@ -52,7 +52,7 @@ class Refiner {
       found_.offer(other);
       found_.offer(settle(other));
     }
-    constexpr double as_good = 1e-4;  // as the fineness of waits
+    constexpr double as_good = 1e-4;  // the tolerance of waits
     if (start.cost() > (1.0 + as_good) * limits_.least_cost) move_points(start);
     const cost::Itinerary kept = with_few_long_legs(start);
     return {tidied(kept),
@@ -74,7 +74,7 @@ class Refiner {
     return found_.choose(limits_.least_gain, limits_.most_legs);
   }
 
-  /// The best of what was found, or one with fewer and longer legs that costs hardly more.
+  /// The best route found, or one with fewer and longer legs at hardly higher cost.
   cost::Itinerary with_few_long_legs(const cost::Itinerary& start) {
     const cost::Itinerary& chosen = best_found();
     const bool costs_more = chosen.cost() > start.cost();
@@ -91,11 +91,11 @@ class Refiner {
                               [this](cost::Itinerary timed) { return settle(std::move(timed)); });
   }
 
-  /// Without legs too short to steer, where that costs nothing.
+  /// Removes legs too short to steer, where that costs nothing.
   cost::Itinerary tidied(const cost::Itinerary& kept) {
     constexpr core::Metres too_short{0.1};
     constexpr double rounding = 1e-9;   // of sums that differ by a leg of almost no length
-    LegMeter<Leg> unlimited{leg_, {}};  // the budget may have ended
+    LegMeter<Leg> unlimited{leg_, {}};  // the budget may be used up
     const auto tidy = unlimited.timed(cost::without_repeats(kept.route, too_short), kept.times.front());
     return tidy && tidy->cost() <= (1.0 + rounding) * kept.cost() ? *tidy : kept;
   }
@@ -115,10 +115,11 @@ class Refiner {
     }
   }
 
-  /// Doubles the legs and settles until that gains too little.
+  /// Doubles the legs and settles the route until that gains too little.
   cost::Itinerary more_and_more(const cost::Itinerary& start) {
-    constexpr std::size_t at_first = 32;   // fewer lose the corridor's bends, or its way round an obstacle
-    constexpr double spent_on_more = 0.2;  // a round costs twice the last one, and thinning must be paid
+    constexpr std::size_t at_first = 32;  // with fewer the bends of the corridor, or a detour, would be lost
+    constexpr double spent_on_more =
+        0.2;  // a round costs twice the one before, and thinning needs its part of the budget
     cost::Itinerary best = start;
     std::size_t wanted = std::bit_ceil(std::max(at_first, start.route.legs()));
     for (;;) {
@@ -127,14 +128,14 @@ class Refiner {
       const bool gains = best.cost() - finer.cost() > limits_.worth(limits_.least_gain, 0.2) * best.cost();
       if (finer.cost() < best.cost()) best = std::move(finer);
       wanted *= 2;
-      // Points are well placed for so many legs when they were chosen from twice as many.
+      // Points are placed well for this number of legs if they were chosen from twice as many.
       const bool enough = !gains && wanted > 2 * limits_.most_legs.value_or(0);
       if (legs_.spent() > spent_on_more) return best;
       if (enough || wanted > limits_.finest_legs) return best;
     }
   }
 
-  /// Halves the legs and settles until the route would close.
+  /// Halves the legs and settles the route until it would close.
   void fewer_and_fewer(const cost::Itinerary& finest) {
     std::vector<cost::Itinerary> levels{finest};
     while (levels.back().route.legs() > 1) {
@@ -147,7 +148,8 @@ class Refiner {
     }
   }
 
-  /// With so few legs: the better of two choices of points, which settle in different places. Empty where no point can go.
+  /// A route with at most this number of legs: the better of two choices of points, which settle in different places.
+  /// Empty if no point can be removed.
   std::optional<cost::Itinerary> settled_with(std::size_t fewer, const std::vector<cost::Itinerary>& levels) {
     const cost::Itinerary& last = levels.back();
     cost::Itinerary first = thinned(last, fewer);
@@ -162,8 +164,9 @@ class Refiner {
     return best;
   }
 
-  /// So few legs from the points of the last of `levels` that has many for each of them: of points that were thinned before
-  /// the best may be gone. Where there is none but the last, its points are taken out one after the other.
+  /// A route with this number of legs from the points of the last of `levels` that has many points for each leg,
+  /// because thinned points may lack the best ones. If there is only the last level, its points are removed one by
+  /// one.
   std::optional<cost::Itinerary> chosen_otherwise(std::size_t fewer,
                                                   const std::vector<cost::Itinerary>& levels) {
     constexpr std::size_t many = 4;
@@ -174,14 +177,14 @@ class Refiner {
     return thin_to(legs_, from, fewer);
   }
 
-  /// With so many legs; with more where the route would close.
+  /// A route with this number of legs, or with more if it would close.
   cost::Itinerary thinned(const cost::Itinerary& timed, std::size_t most) {
     auto kept = keep_best_points(legs_, timed, most);
     return kept ? std::move(*kept) : thin_to(legs_, timed, most);
   }
 
-  /// Twice the legs and back to as many as before, so that the points end up where they serve best: again and again
-  /// until that gains nothing more.
+  /// Doubles the legs and reduces them again, so that the points move to better places; repeats while that gains
+  /// anything.
   void place_better(cost::Itinerary chosen) {
     const double worth_a_round = limits_.worth(1e-5, 0.02);  // share of the cost
     const std::size_t legs = chosen.route.legs();
@@ -201,14 +204,15 @@ class Refiner {
   LegTradeOff found_;
 };
 
-/// Moves the free points of a route until its cost stops falling: first with many legs, then with
-/// fewer and fewer, each time from the best way with more of them.
-/// `shorter`  routes with no more legs than `most_legs`: without them the points of many legs, thinned to few, may
-///            settle far from the best
-/// Returns  a route with few and long legs that costs at most `tolerance` more than the best one. The best is the one with
-///          the fewest legs of which twice as many would not gain `least_gain`; it costs no more than the route that came,
-///          unless `most_legs` forces it, and no more than any of the shorter ones. Fixed points stay, no leg is closed
-/// Stops    when the budget ends, with the best found until then
+/// Moves the free points of a route until its cost stops falling: first with many legs, then with fewer and fewer,
+/// each time from the best route with more legs.
+/// `shorter`  routes with at most `most_legs` legs. Without them, a route of many legs thinned to few may settle far
+///            from the best
+/// Returns  a route with few and long legs that costs at most `tolerance` more than the best one. The best one has
+///          the fewest legs for which twice the legs would not gain `least_gain`. It costs no more than the given
+///          route, unless `most_legs` forces it, and no more than any of the shorter ones. Fixed points stay, and no
+///          leg is closed
+/// Stops    when the budget is used up, with the best route found until then
 template <cost::CostedLeg Leg>
 Refined refine_route(const Leg& leg, const cost::Itinerary& start, const RefinementLimits& limits,
                      const RefinementBudget& budget, const std::vector<cost::Itinerary>& shorter = {}) {

@@ -7,12 +7,13 @@
 
 namespace floeplan::planning::refinement {
 
-/// Legs of the least time that refinement may time for each second of `refine_time`: about what a machine of 2020 does.
+/// Legs that refinement may time, by travel time alone, per second of `refine_time`: about the speed of a machine of
+/// 2020.
 inline constexpr double timed_legs_per_second = 200'000.0;
-/// The same where what a leg draws is counted, on each drive in turn.
+/// The same for each propulsion if energy is counted too.
 inline constexpr double metered_legs_per_second = 30'000.0;
 
-/// What the request leaves to refinement.
+/// The budget that the request gives to refinement.
 [[nodiscard]] RefinementBudget refinement_budget(const PlanRequest& request, double legs_per_second,
                                                  const std::stop_token& stop);
 

@@ -11,8 +11,8 @@ double cross(geo::PlanePoint a, geo::PlanePoint b, geo::PlanePoint c, geo::Plane
   return (b.x_m - a.x_m) * (d.y_m - c.y_m) - (b.y_m - a.y_m) * (d.x_m - c.x_m);
 }
 
-/// Where the way from a through p and the way back from b through q meet beyond both; empty where they do not, or only
-/// far away.
+/// Where the line from a through p and the line from b through q meet beyond both. Empty if they do not, or only far
+/// away.
 std::optional<geo::PlanePoint> meeting(geo::PlanePoint a, geo::PlanePoint p, geo::PlanePoint q,
                                        geo::PlanePoint b) {
   constexpr double far = 10.0;  // lengths of the leg
@@ -28,7 +28,7 @@ std::optional<geo::PlanePoint> meeting(geo::PlanePoint a, geo::PlanePoint p, geo
 
 std::vector<geo::PlanePoint> places_for_both(geo::PlanePoint a, geo::PlanePoint p, geo::PlanePoint q,
                                              geo::PlanePoint b) {
-  // Of the distance of the middle of the two from the chord: judgements.
+  // Shares of the distance between the chord and the middle of the two points: judgements.
   constexpr double outwards[] = {1.0, 1.25, 1.5, 2.0, 3.0, 5.0};
   std::vector<geo::PlanePoint> places;
   if (const auto both_lead_there = meeting(a, p, q, b)) places.push_back(*both_lead_there);

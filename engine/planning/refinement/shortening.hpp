@@ -9,13 +9,12 @@
 
 namespace floeplan::planning::refinement {
 
-/// Places where one point may stand for the neighbours p and q on a way from a to b round what lies between: where the
-/// legs that come and go would meet if they went on, and straight out from the chord, further and further.
+/// Places where one point may replace the neighbours p and q on a route from a to b around an obstacle: where the
+/// legs before and after them would meet if extended, and points farther and farther out from the chord.
 [[nodiscard]] std::vector<geo::PlanePoint> places_for_both(geo::PlanePoint a, geo::PlanePoint p,
                                                            geo::PlanePoint q, geo::PlanePoint b);
 
-/// The itinerary with one free point in the place of two neighbours that are free, the cheapest of what is tried; empty
-/// where all of it is closed.
+/// The itinerary with one free point in place of two free neighbours: the cheapest choice; empty if all are closed.
 template <cost::CostedLeg Leg>
 std::optional<cost::Itinerary> merge_two(LegMeter<Leg>& legs, const cost::Itinerary& timed) {
   std::optional<cost::Itinerary> best;
@@ -37,8 +36,8 @@ std::optional<cost::Itinerary> merge_two(LegMeter<Leg>& legs, const cost::Itiner
   return best;
 }
 
-/// As `thin_to`; where no point can go without the route closing, two of them are merged into one that lies elsewhere, if
-/// that leads to no more than `most` legs in the end.
+/// As `thin_to`, but where no removal leaves the route open, two points are merged into one elsewhere, if that leads
+/// to at most `most` legs in the end.
 template <cost::CostedLeg Leg>
 cost::Itinerary shorten_to(LegMeter<Leg>& legs, cost::Itinerary timed, std::size_t most) {
   cost::Itinerary thinned = thin_to(legs, std::move(timed), most);

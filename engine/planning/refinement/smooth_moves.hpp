@@ -8,13 +8,13 @@
 
 namespace floeplan::planning::refinement {
 
-/// What a descent reached.
+/// Result of a descent.
 struct SmoothMoves {
-  cost::Itinerary itinerary;  // never costs more than where it started
-  bool met_closed{false};     // tried a route with a closed leg: closures may stand in its way
+  cost::Itinerary itinerary;  // never costs more than the start
+  bool met_closed{false};     // a route with a closed leg was tried: closures may be in the way
 };
 
-/// Moves all free points at once, down the gradient of the cost. The number of legs stays.
+/// Moves all free points at once down the gradient of the cost. The number of legs stays.
 template <cost::CostedLeg Leg>
 SmoothMoves descend_smoothly(LegMeter<Leg>& legs, cost::Itinerary start, double relative_tolerance) {
   const cost::Route& from = start.route;
@@ -23,7 +23,7 @@ SmoothMoves descend_smoothly(LegMeter<Leg>& legs, cost::Itinerary start, double 
   SmoothMoves best{start, false};
   if (hats == 0 || !(start.travel_time().count() > 0.0) || !(start.cost() > 0.0)) return best;
 
-  // The units of the hats are made for costs in seconds.
+  // The units of the hats are those of costs in seconds.
   const double scale = start.travel_time().count() / start.cost();
   const auto cost = [&](std::span<const double> x, std::span<double> gradient) -> std::optional<double> {
     const std::vector<double> shift_x = basis.shifts(x.first(hats));

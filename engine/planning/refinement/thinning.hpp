@@ -10,8 +10,8 @@
 
 namespace floeplan::planning::refinement {
 
-/// Takes out free points, each time the one whose loss costs least, until at most `most` legs are left or none can go
-/// without the route closing. The route may cost more.
+/// Removes free points, each time the one that costs least, until at most `most` legs are left or every removal would
+/// close the route. The cost may rise.
 template <cost::CostedLeg Leg>
 cost::Itinerary thin_to(LegMeter<Leg>& legs, cost::Itinerary timed, std::size_t most) {
   while (timed.route.legs() > most) {
@@ -29,7 +29,7 @@ cost::Itinerary thin_to(LegMeter<Leg>& legs, cost::Itinerary timed, std::size_t 
       shorter.points.erase(shorter.points.begin() + at);
       shorter.fixed.erase(shorter.fixed.begin() + at);
       auto result = legs.timed(std::move(shorter), timed.times.front());
-      if (result) timed = std::move(*result);  // else: arriving later closes a leg further on
+      if (result) timed = std::move(*result);  // otherwise the later arrival closes a following leg
       return result.has_value();
     });
     if (!thinned) break;
@@ -37,7 +37,7 @@ cost::Itinerary thin_to(LegMeter<Leg>& legs, cost::Itinerary timed, std::size_t 
   return timed;
 }
 
-/// The itinerary and, from its end, the leg to `b` cut into equal pieces; empty when a piece is closed.
+/// The itinerary with the leg to `b`, divided into equal pieces, at its end; empty if a piece is closed.
 template <cost::CostedLeg Leg>
 std::optional<cost::Itinerary> with_pieces(LegMeter<Leg>& legs, cost::Itinerary until, geo::PlanePoint b,
                                            bool end_is_fixed, int pieces) {
@@ -55,11 +55,11 @@ std::optional<cost::Itinerary> with_pieces(LegMeter<Leg>& legs, cost::Itinerary 
   return until;
 }
 
-/// Into how many pieces each leg goes so that there are `wanted` of them, none lasting long beside the others.
+/// Number of pieces of each leg for `wanted` pieces in total, of similar duration.
 [[nodiscard]] std::vector<int> count_pieces(const cost::Itinerary& timed, std::size_t wanted);
 
-/// Cuts the longest legs until there are `wanted`; the way is the same. A leg that is closed in pieces stays
-/// whole.
+/// Divides the longest legs until there are `wanted`; the line of the route does not change. A leg whose pieces would
+/// be closed stays whole.
 template <cost::CostedLeg Leg>
 cost::Itinerary split_to(LegMeter<Leg>& legs, const cost::Itinerary& timed, std::size_t wanted) {
   const std::vector<int> pieces = count_pieces(timed, wanted);
@@ -71,7 +71,8 @@ cost::Itinerary split_to(LegMeter<Leg>& legs, const cost::Itinerary& timed, std:
     };
     auto longer = cut(pieces[i - 1]);
     if (!longer) longer = cut(1);
-    if (!longer) return timed;  // a departure changed by the integration's error closed the leg
+    if (!longer)
+      return timed;  // the error of the integration changed a departure, and the leg is closed then
     result = std::move(*longer);
   }
   return result;

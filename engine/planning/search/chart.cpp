@@ -15,14 +15,14 @@ namespace floeplan::planning::search {
 namespace {
 
 constexpr double most_vertices = 2.5e7;        // about 1 GB with the queue and the maps
-constexpr std::size_t most_icebergs = 20'000;  // some seconds of forecasts, 100 MB of them and their index
+constexpr std::size_t most_icebergs = 20'000;  // some seconds of forecasts; 100 MB with their index
 
 Stop kind_of(std::size_t stop, const cost::Layout& layout) {
   if (stop == 0) return Stop::start;
   return stop + 1 == layout.stops.size() ? Stop::goal : Stop::via;
 }
 
-/// Whether an iceberg covers the place from the departure on for ever.
+/// Whether an iceberg covers the place from the departure on, without end.
 bool is_kept_for_ever(const cost::Sea& sea, geo::PlanePoint place) {
   const std::vector<TimeSpan> closed = sea.icebergs().closed_times(place);
   return !closed.empty() && closed.front().from <= core::Seconds{0.0} &&
@@ -36,7 +36,7 @@ std::optional<motion::EdgeClosed> closed_stop(const cost::Sea& sea, const cost::
   return std::nullopt;
 }
 
-/// What keeps the vehicle from the place at that time.
+/// The reason why the vehicle cannot be at the place at that time.
 std::optional<motion::EdgeClosed> closed_then(const cost::Sea& sea, geo::PlanePoint place,
                                               core::Seconds when) {
   const auto covers = [&](const TimeSpan& span) { return span.from <= when && when <= span.until; };
@@ -45,8 +45,8 @@ std::optional<motion::EdgeClosed> closed_then(const cost::Sea& sea, geo::PlanePo
   return std::nullopt;
 }
 
-/// The stop moved to where the vehicle may be: to the nearest place from which it comes to another stop, or the nearest
-/// of all.
+/// The stop moved to where the vehicle may be: to the nearest place from which another stop can be reached, or
+/// otherwise to the nearest of all.
 std::vector<Change> moves_of(const cost::Sea& sea, const cost::Layout& layout, std::size_t stop,
                              const std::stop_token& token) {
   const geo::PlanePoint other = stop == 0 ? layout.points.back() : layout.points.front();
@@ -63,7 +63,7 @@ std::vector<Change> moves_of(const cost::Sea& sea, const cost::Layout& layout, s
   return moves;
 }
 
-/// Why a stop cannot be used; opens the map around each one that can.
+/// Why a stop cannot be used. Opens the map around each stop that can be used.
 std::optional<Infeasible> check_stops(cost::Sea& sea, const cost::Layout& layout, const PlanRequest& request,
                                       const std::stop_token& token, Moves moves) {
   for (std::size_t stop = 0; stop < layout.stops.size(); ++stop) {

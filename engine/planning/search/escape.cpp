@@ -26,7 +26,7 @@ cost::RouteGrid grid_around(geo::PlanePoint point, const cost::RouteGrid& steps)
   return grid;
 }
 
-/// Points of a way, the times there, and the drive to each after the first.
+/// Points of a route, the times there, and the drive to each after the first.
 struct TimedWay {
   std::vector<geo::PlanePoint> points;
   std::vector<core::Seconds> arrivals;
@@ -65,8 +65,8 @@ EscapeWay describe(const cost::Sea& sea, const TimedWay& timed) {
   return escape;
 }
 
-/// The way along the route from one of its points to the first place where the vehicle may surface, by `latest`. Empty where
-/// there is none, and where the vehicle holds on the way.
+/// The part of the route from one of its points to the first place where the vehicle may surface, by `latest`. Empty
+/// if there is none, or if the vehicle holds before it.
 std::optional<TimedWay> way_onwards(const cost::Sea& sea, const std::vector<geo::PlanePoint>& route,
                                     const std::vector<core::Seconds>& arrivals,
                                     const std::vector<vehicle::Drive>& drives, std::size_t from,

@@ -11,12 +11,12 @@
 
 namespace floeplan::planning::search {
 
-/// The fastest way from each point of a route to a place where the vehicle may surface when it arrives. Each has a search of
-/// its own, on at most 200 steps of the grid in every direction. Where the route itself is no slower, the way follows it.
-/// Where the time without surfacing is bounded, the way keeps within what is left of it.
-/// Drives   along the route those of its legs, elsewhere the sea's first drive
+/// The fastest route from each point of a route to a place where the vehicle may surface on arrival. Each has its own
+/// search, on at most 200 steps of the grid in every direction. If the route itself is no slower, the escape follows
+/// it. If the time without surfacing is bounded, the escape keeps within the rest of that time.
+/// Propulsion  along the route that of its legs, elsewhere the first one of the model
 /// Precondition  `arrivals`, `drives` and `waypoints` are those of the route
-/// Errors   Reason::no_escape at the first point without such a way; Reason::cancelled once `stop` is requested
+/// Errors   Reason::no_escape at the first point without such a route; Reason::cancelled once `stop` is requested
 [[nodiscard]] Result<std::vector<EscapeWay>> plan_escapes(const cost::Sea& sea, const cost::Layout& layout,
                                                           const PlanRequest& request,
                                                           const std::vector<geo::PlanePoint>& route,

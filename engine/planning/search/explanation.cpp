@@ -184,7 +184,7 @@ std::optional<motion::EdgeClosed> closed_for_a_while(const cost::Sea& sea, geo::
                                                        : motion::EdgeClosed::obstacle;
 }
 
-/// Says that no way was found, and what closes most of the ways onward from the place nearest to the goal.
+/// Says that no route was found, and what closes most of the edges onward from the place nearest to the goal.
 messages::Message no_way(motion::EdgeClosed binding, bool cut_short, const messages::Message& closed) {
   if (cut_short) return messages::refusal<"no-way-within-memory">(closed.text, closed.hint);
   if (binding == motion::EdgeClosed::current_too_strong)
@@ -216,7 +216,7 @@ Infeasible explain_route(const cost::RouteClosed& closed, const cost::Sea& sea, 
 
 Infeasible explain_search(const RouteSearch& search, Stop kind, geo::PlanePoint stop, const cost::Sea& sea,
                           const PlanRequest& request) {
-  // The kind that closes most of the ways onward from the place nearest to the goal binds there; of equal counts the
+  // The kind that closes most of the edges onward from the place nearest to the goal binds there; of equal counts the
   // first kind.
   using enum motion::EdgeClosed;
   // If each of them is open, the bound on the time without surfacing ended the search.

@@ -23,16 +23,16 @@ enum class Stop { start, via, goal };
 [[nodiscard]] Infeasible explain_route(const cost::RouteClosed& closed, const cost::Sea& sea,
                                        const PlanRequest& request);
 
-/// Says where a search for `stop` ended, and why. The cause is what closes the stop itself when the vehicle could arrive, or
-/// else what closes most of the ways onward from the place nearest to it.
+/// Says where a search for `stop` ended, and why. If the vehicle could arrive, the cause is what closes the stop
+/// itself; otherwise it is what closes most of the edges onward from the nearest place.
 [[nodiscard]] Infeasible explain_search(const RouteSearch& search, Stop kind, geo::PlanePoint stop,
                                         const cost::Sea& sea, const PlanRequest& request);
 
-/// Says that there would be a way without all icebergs, all zones, the ice or the currents, whatever closed most of the ways
-/// where the search ended.
+/// Says that there would be a route without all icebergs, all zones, the ice or the currents, whatever closed most of
+/// the edges where the search ended.
 [[nodiscard]] Infeasible explain_removable(Infeasible why, Constraint constraint);
 
-/// Says from which place of a route no way leads to a place where the vehicle may surface.
+/// Says from which place of a route there is no escape route.
 [[nodiscard]] Infeasible explain_no_escape(const cost::Sea& sea, const PlanRequest& request,
                                            geo::PlanePoint place, core::Seconds when);
 

@@ -14,14 +14,14 @@ using graph::Vertex;
 using Direction = IsochroneRequest::Direction;
 
 constexpr std::size_t most_arrivals = 4'000'000;
-constexpr double spans_in_bound = 100.0;  // how finely last surfacings are told apart
+constexpr double spans_in_bound = 100.0;  // resolution of last surfacings
 
-/// A voyage to wherever the bound on the time without surfacing lets it come: the model of `graph::find_best_labels`,
-/// on the clock of the search.
+/// A voyage to every place that the bound on the time without surfacing allows: the model of
+/// `graph::find_best_labels`, on the clock of the search.
 class BoundedVoyage {
  public:
   struct State {
-    double surfaced_s{};  // when it might have surfaced last
+    double surfaced_s{};  // when the vehicle could last surface
   };
   using Label = graph::Label<State>;
 
@@ -65,8 +65,8 @@ class BoundedVoyage {
     double surfaced_s;
   };
 
-  /// Whoever comes first and might have surfaced no longer ago has as much time left; whoever might have surfaced no
-  /// earlier keeps the bound wherever the other one does.
+  /// An earlier vehicle that could surface no longer ago has at least as much time left. A vehicle that could surface
+  /// no earlier keeps the bound wherever the other one does.
   [[nodiscard]] bool is_no_worse(const Arrival& a, const Arrival& b) const {
     if (a.s > b.s) return false;
     return a.s - a.surfaced_s <= b.s - b.surfaced_s || span_of(a) >= span_of(b);
@@ -84,7 +84,7 @@ class BoundedVoyage {
   Direction direction_;
   core::Seconds latest_;
   double longest_s_;
-  std::vector<std::vector<Arrival>> best_;  // of each vertex so far
+  std::vector<std::vector<Arrival>> best_;  // of each vertex, so far
 };
 
 graph::SearchTree search_without_bound(const cost::Sea& sea, const OpenGrid& open, Direction direction,

@@ -9,9 +9,9 @@
 
 namespace floeplan::planning::search {
 
-/// The latest departure from the first grid's start that is at the last grid's goal by `arrive`, on the grids'
-/// legs: a search from the goal on the film run backwards. Exact under FIFO.
-/// Returns  empty when there is none at or after `earliest`, or once `stop` is requested
+/// The latest departure from the first grid's start that reaches the last grid's goal by `arrive` on the legs of the
+/// grids: a time-reversed search from the goal. Exact under FIFO.
+/// Returns  empty if there is none at or after `earliest`, or once `stop` is requested
 [[nodiscard]] std::optional<core::Seconds> latest_departure(const cost::Sea& sea,
                                                             const std::vector<OpenGrid>& grids,
                                                             core::Seconds arrive, core::Seconds earliest,

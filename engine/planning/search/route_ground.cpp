@@ -13,10 +13,11 @@
 namespace floeplan::planning::search {
 namespace {
 
-constexpr double origin_step_deg = 0.25;  // the plane is as true a quarter of a degree beside its middle
-// Of the lattice over the longer side, at least: few routes that are moved a little cross a line.
+constexpr double origin_step_deg =
+    0.25;  // the scale of the plane is as true a quarter of a degree away from its centre
+// Least number of lattice steps on the longer side: few routes that are moved a little cross a lattice line.
 constexpr double area_steps = 5.0;
-// Sizes of cells: the map is finer than asked for by a sixth at most.
+// Cell sizes: the map is at most a sixth finer than the request asks for.
 constexpr double cells_per_octave = 4.0;
 
 geo::LonLat on_lattice(geo::LonLat place) {
@@ -24,7 +25,7 @@ geo::LonLat on_lattice(geo::LonLat place) {
   return {geo::wrap_longitude(nearest(place.lon_deg)), nearest(place.lat_deg)};
 }
 
-/// The least box of the lattice round this one; the step of the lattice is a power of two.
+/// The smallest box on the lattice around this one; the step of the lattice is a power of two.
 plane::PlaneBox on_lattice(const plane::PlaneBox& box) {
   const double longer_m = std::max(box.width_m(), box.height_m());
   const double step_m = std::exp2(std::floor(std::log2(longer_m / area_steps)));
@@ -53,7 +54,7 @@ PlanRequest request_along(const std::vector<geo::LonLat>& route, const PlanReque
   on_route.method = Method::direct;
   on_route.max_waypoints.reset();
   if (!on_route.spacing_along) {
-    // The safety map gets the step that a plan from end to end would have, not one for each short leg.
+    // The safety map has the step that a plan from end to end would have, not one for each short leg.
     core::Metres length{0.0};
     for (std::size_t i = 1; i < route.size(); ++i)
       length = length + geo::geodesic_between(route[i - 1], route[i]).length;

@@ -13,48 +13,50 @@
 
 namespace floeplan::planning::search {
 
-/// Where and how finely the sea is laid out to judge a route. Everything lies on lattices, so that routes that differ
-/// little have the same site; it follows from route and request alone, so that a route's figures do not depend on which
-/// routes were judged before it.
+/// Where and how finely the leg cost model is gridded to judge a route. Everything lies on lattices, so similar
+/// routes have the same site. It follows from route and request alone, so the figures of a route do not depend on
+/// which routes were judged before.
 struct RouteSite {
   geo::LonLat origin;  // of the plane
   plane::PlaneBox area;
-  core::Metres cell;              // of the safety map
-  core::Seconds drift;            // how long icebergs drift at least
-  std::vector<geo::LonLat> ends;  // of the route, where icebergs are passed under: not where one of them lies
+  core::Metres cell;    // of the safety map
+  core::Seconds drift;  // least drift of the icebergs
+  std::vector<geo::LonLat>
+      ends;  // of the route, if icebergs may be passed under: the route must not end within one
 
   friend bool operator==(const RouteSite&, const RouteSite&) = default;
 };
 
-/// The request for a direct way along the route, which has at least two places.
-/// Errors   std::invalid_argument for a shorter route and for an invalid request
+/// The request for a direct route along these places, at least two.
+/// Errors   std::invalid_argument for fewer places and for an invalid request
 [[nodiscard]] PlanRequest request_along(const std::vector<geo::LonLat>& route, const PlanRequest& request);
 
-/// A route that is given needs no room for a search, only for the fastest way in open water that it is compared with,
-/// which bends with the currents: it is a fraction of the work to lay out that much. Ways of escape are searched for.
+/// The extent of the grid beside a given route. It needs no room for a search, only for the fastest route in open
+/// water with which it is compared and which bends with the currents. That takes a fraction of the work. Escape
+/// routes are searched for, so they need room.
 [[nodiscard]] cost::GridReach reach_beside(const PlanRequest& request);
 
 /// `on_route`: as `request_along` gives it.
 [[nodiscard]] RouteSite site_of(const PlanRequest& on_route);
 
-/// The sea of a site, laid out once for all routes that have this site and requests that differ in their places alone.
+/// The leg cost model of a site, made once for all routes of this site whose requests differ in their places alone.
 /// Threads  const members may be called from several threads at once
 class RouteGround {
  public:
-  /// `on_route` is one of those requests, `site` its site. Once `stop` is requested the ground stays incomplete and
+  /// `on_route` is one of those requests, `site` its site. Once `stop` is requested the object stays incomplete and
   /// must not be used.
   RouteGround(ocean::Environment environment, const PlanRequest& on_route, RouteSite site,
               const std::stop_token& stop);
   RouteGround(const RouteGround&) = delete;
   RouteGround& operator=(const RouteGround&) = delete;
 
-  /// Without its currents and its wind, which the sea has taken over.
+  /// The environment without its currents and wind, which the model has taken over.
   [[nodiscard]] const ocean::Environment& environment() const { return environment_; }
   [[nodiscard]] const RouteSite& site() const { return site_; }
   [[nodiscard]] const geo::LocalProjection& projection() const { return sea_.projection(); }
-  /// A copy borrows the ground.
+  /// A copy that borrows this object.
   [[nodiscard]] const cost::Sea& sea() const { return sea_; }
-  /// Memory of all that is large: what is laid out, and the data that are kept with it.
+  /// Memory of everything large: the grids and the data kept with them.
   [[nodiscard]] std::size_t bytes() const;
 
  private:

@@ -23,7 +23,7 @@ namespace {
 using graph::Edge;
 using graph::Vertex;
 
-/// The paper's left column: every weight as it is at departure.
+/// The paper's left column: every weight has its value at the departure.
 struct FrozenTravelTime {
   GridTravelTime now;
   core::Seconds depart;
@@ -34,19 +34,20 @@ struct FrozenTravelTime {
   }
 };
 
-/// Counts the work of an earlier search, too.
+/// Adds the work of an earlier search.
 void add_work(SearchStatistics& sum, const SearchStatistics& earlier) {
   sum.expansions += earlier.expansions;
   sum.edge_evaluations += earlier.edge_evaluations;
   sum.reinsertions += earlier.reinsertions;
 }
 
-/// When a way that is likely to be about the best ends, by true times; infinite where none is found that is open.
-/// `timed_closures`: whether the travel times mind what closes for a while
+/// The arrival, by true times, of a route that is probably close to the best; infinite if no open one is found.
+/// `timed_closures`: whether the travel times include closures that last for a while
 template <class TravelTime>
 core::Seconds likely_arrival(Foresight& foresight, const TravelTime& travel_time, bool timed_closures,
                              core::Seconds depart, const std::stop_token& stop) {
-  constexpr std::size_t most_barred = 8;  // each takes another way, far less work than a search without one
+  constexpr std::size_t most_barred =
+      8;  // each forces another route, with far less work than a search without a bound
   constexpr core::Seconds never{INFINITY};
   Foresight::Minding minding{.timed_closures = timed_closures};
   while (minding.barred.size() < most_barred) {
@@ -94,10 +95,10 @@ void describe_end(RouteSearch& result, const cost::Sea& sea, const cost::RouteGr
   }
 }
 
-/// The best way as if nothing closed and opened in time, with all that does.
+/// The best route without timed closures, timed with all closures.
 struct UntimedWay {
-  bool is_best{false};         // nothing delays it
-  double arrival_s{INFINITY};  // with the waits it needs; infinite when it is closed
+  bool is_best{false};         // no closure delays it
+  double arrival_s{INFINITY};  // with the holds that it needs; infinite if it is closed
 };
 
 UntimedWay timed_without_delay(const cost::Sea& sea, const std::vector<geo::PlanePoint>& path,
@@ -110,18 +111,18 @@ UntimedWay timed_without_delay(const cost::Sea& sea, const std::vector<geo::Plan
   return {!waits, std::max(least_s, schedule->arrivals.back().count())};
 }
 
-/// Whether some leg that the current closed may open later, and a vehicle that holds until then may still reach the goal
-/// before `arrival`.
+/// Whether a leg that the current closed may open later, so that a vehicle that holds until then may still reach the
+/// goal before `arrival`.
 bool may_open_in_time(const RefusedEdges& refused, const StraightBound& straight, core::Seconds arrival) {
   return std::ranges::any_of(refused.edges, [&](const RefusedEdge& leg) {
     return leg.when + straight.least_time(leg.edge) + straight.remaining(leg.edge.head) < arrival;
   });
 }
 
-/// Looks at departures, where a way is known already: about half a second.
+/// Limit of the hold search if a route is already known: about half a second.
 constexpr std::int64_t most_looks_for_better = 100'000;
 
-/// Takes the held way where that arrives earlier.
+/// Takes the route with holds if it arrives earlier.
 void take_earlier(RouteSearch& result, HeldWay held) {
   result.statistics.expansions += held.counters.expansions;
   result.statistics.edge_evaluations += held.leg_times;
@@ -135,8 +136,8 @@ void take_earlier(RouteSearch& result, HeldWay held) {
     result.statistics.possible_gain = std::max(core::Seconds{0.0}, result.arrival - held.none_before);
 }
 
-/// Where the goal opens after the vehicle could be there: replaces the way by one that departs later.
-/// Returns  whether nobody is at the goal earlier
+/// If the goal opens after the vehicle could be there: replaces the route by one that departs later.
+/// Returns  whether no earlier arrival is possible
 bool is_best_departing_later(RouteSearch& result, const cost::Sea& sea, const OpenGrid& open,
                              core::Seconds unhindered, core::Seconds depart, const std::stop_token& stop) {
   const std::vector<TimeSpan> closed = sea.closed_times(open.grid.point(open.grid.goal));
@@ -144,14 +145,15 @@ bool is_best_departing_later(RouteSearch& result, const cost::Sea& sea, const Op
   if (!std::isfinite(opens.count()) || opens <= unhindered) return false;
   const auto is_best = [&] { return result.arrival <= opens + slack_of_holds(sea, open); };
   if (!is_best()) take_earlier(result, search_later_departure(sea, open, depart, opens, stop));
-  // Another grid may bring the vehicle there a little sooner. Within a twentieth of the time the goal is closed all the same.
+  // Another grid may allow a slightly earlier arrival. Within a twentieth of the travel time the goal is closed all
+  // the same.
   constexpr double faster_at_most = 0.95;
   const bool is_closed_then = open_from(closed, depart + faster_at_most * (unhindered - depart)) == opens;
   result.statistics.none_is_earlier = is_best() && is_closed_then;
   return is_best();
 }
 
-/// The search as if the time without surfacing were not bounded.
+/// The search without the limit on the time without surfacing.
 RouteSearch search_unbounded(const cost::Sea& sea, const OpenGrid& open, const PlanRequest& request,
                              core::Seconds depart, const std::stop_token& stop,
                              const std::function<void(double)>& report_fraction, core::Seconds latest,
@@ -169,7 +171,7 @@ RouteSearch search_unbounded(const cost::Sea& sea, const OpenGrid& open, const P
     report_fraction(static_cast<double>(expansions) /
                     static_cast<double>(std::max<std::int64_t>(1, result.statistics.vertices)));
   };
-  // The same answer as from a search with the straight bound alone, found among fewer vertices.
+  // The same result as a search with the straight-line bound alone, with fewer vertices.
   const auto search_ahead = [&](const auto& travel_time, bool timed_closures) -> graph::SearchTree {
     const bool towards_goal = request.method == Method::astar;
     std::optional<Foresight> own_foresight;
@@ -185,14 +187,14 @@ RouteSearch search_unbounded(const cost::Sea& sea, const OpenGrid& open, const P
         const ForesightBound bound{foresight, straight, until_when, towards_goal};
         graph::SearchTree tree =
             graph::find_earliest_arrivals(graph, in_time, travel_time, stop, bound, report);
-        // With a latest arrival given nobody asks for what opens later.
+        // If a latest arrival is given, reopenings do not matter.
         const bool may_open_later =
             std::isinf(query.latest.count()) &&
             std::ranges::any_of(refused.edges, [&](const RefusedEdge& leg) {
               return leg.when + straight.least_time(leg.edge) <= bound.latest_use(leg.edge.head);
             });
         if (tree.stopped || (tree.is_reached(grid.goal) && !may_open_later)) {
-          refused.edges.clear();  // whenever they open, who waits for it is not at the goal in time
+          refused.edges.clear();  // whatever reopens, a vehicle that waits for it is not at the goal in time
           return tree;
         }
       }
@@ -225,7 +227,7 @@ RouteSearch search_unbounded(const cost::Sea& sea, const OpenGrid& open, const P
     result.arrival = core::Seconds{tree.arrival_s(grid.goal)};
   };
 
-  // What no timed closure meets on the best way without any is the best way with all of them.
+  // If no timed closure touches the best route without them, it is also the best route with them.
   const bool in_time = sea.has_timed_closures() && request.method != Method::frozen;
   graph::SearchTree tree = in_time ? search(UntimedTravelTime{sea, grid, &refused}, false)
                                    : search(GridTravelTime{sea, grid, &refused}, false);
@@ -271,7 +273,7 @@ RouteSearch search_route(const cost::Sea& sea, const OpenGrid& open, const PlanR
   RouteSearch found =
       search_unbounded(sea, open, request, depart, stop, report_fraction, latest, kept_foresight);
   if (!sea.overhead().bounds_surfacing() || found.cancelled || found.path.empty()) return found;
-  // The best way of all is the best of those that keep the bound, if it does.
+  // If the best route of all keeps the bound, it is also the best of those that do.
   const auto since = cost::since_surfacing_at_end(sea, found.path, depart, since_surfacing, found.arrival);
   if (since && *since + open.needed_after_goal() <= *sea.overhead().longest_without_surfacing()) {
     found.since_surfacing = *since;
@@ -280,12 +282,12 @@ RouteSearch search_route(const cost::Sea& sea, const OpenGrid& open, const PlanR
   RouteSearch bounded = search_with_surfacings(sea, open, depart, since_surfacing, stop, report_fraction);
   add_work(bounded.statistics, found.statistics);
   if (bounded.path.empty() && bounded.statistics.cut_short && sea.holding().longest.count() > 0.0) {
-    // Holds take most of its labels.
+    // Holds take most of the search's labels.
     RouteSearch moving =
         search_with_surfacings(sea.without_holds(), open, depart, since_surfacing, stop, report_fraction);
     add_work(moving.statistics, bounded.statistics);
     if (!moving.path.empty()) {
-      moving.statistics.cut_short = true;  // holds may come there earlier
+      moving.statistics.cut_short = true;  // holds may allow an earlier arrival there
       return moving;
     }
   }

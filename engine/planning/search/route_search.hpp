@@ -13,15 +13,14 @@
 
 namespace floeplan::planning::search {
 
-/// Searches the grid for the earliest arrival at its goal with the request's method (not Method::direct), of a vehicle
-/// that holds where that brings it there earlier. For one that never holds it is the earliest arrival at each place that
-/// counts, as in the paper: where something opens later there may be an earlier way, and the statistics say so.
-/// Where the time without surfacing is bounded and the best way does not keep that bound, by search_with_surfacings
-/// whatever the method.
-/// `latest`: when the goal can certainly be reached by then, later ways need not be looked at, nor legs that open
-/// later.
-/// `since_surfacing`: at the start, when that time is bounded.
-/// `foresight`: of this grid, kept from search to search; without it one is made. Changes no result.
+/// Searches the grid for the earliest arrival at its goal with the request's method (not Method::direct), of a
+/// vehicle that holds where that makes it earlier. For a vehicle that never holds, each place keeps its earliest
+/// arrival, as in the paper: where something reopens an earlier route may exist, and the statistics say so.
+/// Where the time without surfacing is bounded and the best route exceeds the bound, search_with_surfacings is used
+/// for every method.
+/// `latest`: if the goal can certainly be reached by then, later routes and legs that open later are skipped.
+/// `since_surfacing`: at the start, if that time is bounded.
+/// `foresight`: of this grid, kept between searches; without it one is made. It does not change the result.
 [[nodiscard]] RouteSearch search_route(const cost::Sea& sea, const OpenGrid& open, const PlanRequest& request,
                                        core::Seconds depart, const std::stop_token& stop,
                                        const std::function<void(double)>& report_fraction,

@@ -17,7 +17,7 @@ bool is_usable(const cost::Sea& sea, geo::PlanePoint point) {
          !sea.icebergs().touched({point, point, 0.0, 0.0});
 }
 
-/// Places in even steps about one of them.
+/// Places on a lattice around one of them.
 class Lattice {
  public:
   Lattice(geo::PlanePoint middle, double step_m, int steps)
@@ -28,7 +28,7 @@ class Lattice {
     return {middle_.x_m + step_m_ * static_cast<double>(column(node) - steps_),
             middle_.y_m + step_m_ * static_cast<double>(row(node) - steps_)};
   }
-  /// Calls `visit(node)` for those beside a node, or beside a place of the plane.
+  /// Calls `visit(node)` for the neighbours of a node, or of a place of the plane.
   template <class Visit>
   void for_each_beside(std::size_t node, const Visit& visit) const {
     for_each_about(column(node), row(node), visit);
@@ -89,11 +89,11 @@ std::optional<geo::LonLat> nearest_usable_place(const cost::Sea& sea, geo::Plane
 
 std::optional<geo::LonLat> nearest_usable_place_towards(const cost::Sea& sea, geo::PlanePoint around,
                                                         geo::PlanePoint other, const std::stop_token& stop) {
-  constexpr std::size_t between_checks = 1024;  // of whether to stop
+  constexpr std::size_t between_checks = 1024;  // between checks of the stop token
   const double reach_m = std::max(farthest_m, geo::distance_m(around, other));
   const Lattice lattice{around, std::max(sea.safety().cell().value, reach_m / most_rings), most_rings};
   std::vector<bool> seen(lattice.size());
-  std::vector<std::size_t> joined;  // by open water
+  std::vector<std::size_t> joined;  // connected by open water
   const auto join_from = [&](geo::PlanePoint from) {
     return [&, from](std::size_t node) {
       if (seen[node] || sea.closed_between(from, lattice.point(node))) return;

@@ -7,12 +7,12 @@
 
 namespace floeplan::planning::search {
 
-/// The nearest place that the vehicle may be in at departure, in rings of the safety map's cells around a place
-/// that it may not; empty when there is none within 100 km. The middle of a cell that is open as a whole.
+/// The nearest usable place at the departure, in rings of the safety map's cells around an unusable one: the centre
+/// of a cell that is open as a whole. Empty if there is none within 100 km.
 [[nodiscard]] std::optional<geo::LonLat> nearest_usable_place(const cost::Sea& sea, geo::PlanePoint around);
 
-/// The same among the places from which open water leads to `other` in steps of those cells, whatever closes for a
-/// while only; empty when there is none, or once `stop` is requested.
+/// The same among the places from which open water leads to `other` in steps of those cells; closures that end count
+/// as open. Empty if there is none, or once `stop` is requested.
 [[nodiscard]] std::optional<geo::LonLat> nearest_usable_place_towards(const cost::Sea& sea,
                                                                       geo::PlanePoint around,
                                                                       geo::PlanePoint other,

@@ -9,8 +9,8 @@
 
 namespace floeplan::planning::search {
 
-/// Each grid of a voyage, one after the other, laid into the sea as by `open_grid`; where the time without surfacing is
-/// bounded they also tell how much of it the way on from each goal takes at least.
+/// The grids of a voyage in order, each as by `open_grid`. If the time without surfacing is bounded, each also has
+/// the least part of the limit that must be left at its goal.
 /// Stops    as `open_grid`
 [[nodiscard]] std::vector<OpenGrid> open_grids(const cost::Sea& sea,
                                                const std::vector<cost::RouteGrid>& grids, int sectors,

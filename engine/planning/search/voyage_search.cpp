@@ -25,7 +25,7 @@ void add(SearchStatistics& sum, const SearchStatistics& part) {
   sum.cut_short = sum.cut_short || part.cut_short;
 }
 
-/// The part of a way between two stops: `part` counts from 0.
+/// The part of a route between two stops; `part` counts from 0.
 std::vector<geo::PlanePoint> part_of(const cost::Route& route, std::size_t part) {
   std::vector<geo::PlanePoint> points;
   std::size_t stops = 0;
@@ -36,8 +36,8 @@ std::vector<geo::PlanePoint> part_of(const cost::Route& route, std::size_t part)
   return points;
 }
 
-/// An arrival at the end of a part that is certainly possible, with room for the tolerance of its times;
-/// infinite when the other departure's way is closed now.
+/// A certainly possible arrival at the end of a part, with room for the tolerance of its times. Infinite if the route
+/// of the other departure is closed now.
 core::Seconds arrival_by(const cost::Sea& sea, const FoundWay& other, std::size_t part,
                          core::Seconds depart) {
   constexpr double slack = 1e-3;
@@ -46,8 +46,8 @@ core::Seconds arrival_by(const cost::Sea& sea, const FoundWay& other, std::size_
   return arrivals->back() + slack * (arrivals->back() - depart);
 }
 
-/// How long a vehicle that leaves after a surfacing is under way until it may surface again, give or take the edge on
-/// which it does; until the way's end where it may not before.
+/// How long a vehicle that departs after a surfacing travels until it may surface again, to within an edge; until the
+/// end of the route if it may not before.
 core::Seconds until_first_surfacing(const cost::Sea& sea, const std::vector<geo::PlanePoint>& way,
                                     core::Seconds depart) {
   constexpr core::Seconds just_now{0.0};
@@ -64,7 +64,7 @@ core::Seconds until_first_surfacing(const cost::Sea& sea, const std::vector<geo:
   return arrivals->back() - depart;
 }
 
-/// When a part of a voyage begins, and how long ago the vehicle might have surfaced then.
+/// When a part of a voyage begins, and the time since the vehicle could last surface.
 struct Beginning {
   core::Seconds depart{};
   core::Seconds since_surfacing{};
@@ -76,7 +76,7 @@ struct Part {
   std::vector<geo::PlanePoint> path;
 };
 
-/// Searches grid after grid.
+/// Searches one grid after another.
 class Parts {
  public:
   /// Everything is borrowed.
@@ -90,7 +90,7 @@ class Parts {
         report_fraction_{report_fraction},
         others_{others} {}
 
-  /// From the first stop to the last one; empty, or why there is no way.
+  /// From the first stop to the last one, or why there is no route.
   std::optional<Infeasible> search_all(core::Seconds depart) {
     end_ = {depart, core::Seconds{0.0}};
     for (std::size_t i = 0; i < grids_.size(); ++i) {
@@ -124,20 +124,21 @@ class Parts {
     const core::Seconds latest =
         bounded ? arrival_by(sea_, *others_.way, i, beginning.depart) : core::Seconds{INFINITY};
     RouteSearch search = search_by(std::min(latest, of_use));
-    // Where FIFO does not hold the search may miss the way that gave the bound.
+    // Without FIFO the search may miss the route that gave the bound.
     if (search.path.empty() && latest < of_use && !search.cancelled) search = search_by(of_use);
     add(statistics_, search.statistics);
     return search;
   }
 
-  /// Whether the part before, which ends as early as it can, may have left too little of the bound.
+  /// Whether the part before, which ends as early as possible, may have used too much of the limit.
   [[nodiscard]] bool is_for_want_of_surfacing() const {
     return sea_.overhead().bounds_surfacing() && !parts_.empty() && end_.since_surfacing.count() > 0.0;
   }
 
-  /// As if the vehicle had just surfaced at the stop: what that way needs until the next surfacing has to be left
-  /// there, and more where what is above has changed until then. Replaces the part before where that leads on.
-  /// `failed`: is given back where it does not
+  /// As if the vehicle had just surfaced at the stop: the arrival there must leave what this route needs until the
+  /// next surfacing, and more if the ice has changed until then. Replaces the part before if the voyage can then
+  /// continue.
+  /// `failed`: returned if it cannot
   RouteSearch search_with_more_left(RouteSearch failed, std::size_t i) {
     const core::Seconds longest = *sea_.overhead().longest_without_surfacing();
     const RouteSearch rested = search_from(grids_[i], i, {end_.depart, core::Seconds{0.0}});
@@ -167,7 +168,7 @@ class Parts {
     return failed;
   }
 
-  /// Adds what was found from the end so far; answers with what closes it all the same.
+  /// Adds what was found from the end so far; returns what closes it, if anything does.
   std::optional<Infeasible> append(RouteSearch search) {
     const auto arrivals = cost::arrivals_along(sea_, search.path, end_.depart, end_.since_surfacing);
     if (!arrivals) return explain_route(arrivals.error(), sea_, request_);
@@ -191,7 +192,7 @@ class Parts {
   const std::function<void(double)>& report_fraction_;
   const OtherDepartures& others_;
   std::vector<Part> parts_;
-  Beginning end_;  // of the parts so far
+  Beginning end_;  // the end of the parts so far
   SearchStatistics statistics_;
 };
 
@@ -228,7 +229,7 @@ Result<FoundWay> search_voyage(const cost::Sea& sea, const std::vector<OpenGrid>
   }
   found.arrival = voyage.arrival();
   found.statistics = voyage.statistics();
-  // What is gained to one stop may be lost, or doubled, to the next.
+  // A gain before one stop may be lost, or doubled, before the next.
   if (grids.size() > 1) found.statistics.possible_gain.reset();
   return found;
 }

@@ -16,29 +16,29 @@
 
 namespace floeplan::planning::search {
 
-/// The way from stop to stop as the grids give it.
+/// The route from stop to stop as the grids give it.
 struct FoundWay {
   cost::Route route;
   core::Seconds arrival{};
   SearchStatistics statistics;
-  bool touches_rim{false};  // it keeps to the rim of a grid, beyond which a better way may lie
+  bool touches_rim{false};  // it follows the rim of a grid, and a better route may lie beyond
 };
 
-/// What is known from the departures before, or from other searches, on the same grids.
+/// What is known from earlier departures, or from other searches, on the same grids.
 struct OtherDepartures {
   const FoundWay* way{};                 // of one of them
   std::vector<Foresight>* foresights{};  // one for each grid
   const RouteSearch* first{};            // of the first grid, by the same method from the same departure
-  core::Seconds of_use{INFINITY};        // an arrival at the last stop after which no way is wanted
+  core::Seconds of_use{INFINITY};        // arrivals at the last stop after this time are not wanted
 };
 
-/// Searches grid after grid with the request's method (not Method::direct), from `depart` on (counted from the
-/// sea's epoch); under FIFO the earliest arrival at each stop is the best departure from it.
-/// Where the time without surfacing is bounded and the way on from a stop does not keep that bound, the stop is come to
-/// again, later, with as much of the bound left as the way on needs.
-/// `others`: bound the search and, but for `of_use`, change no result (their way not where something closes for a while); without a way
-/// legs that open later are looked for.
-/// Errors   where and why there is no way
+/// Searches one grid after another with the request's method (not Method::direct), from `depart` on (counted from the
+/// epoch of the leg cost model). Under FIFO the earliest arrival at each stop is the best departure from it.
+/// If the time without surfacing is bounded and the route onward from a stop exceeds it, the stop is reached again,
+/// later, with as much of the limit left as the route onward needs.
+/// `others`: limit the search and, except for `of_use`, change no result (their route only where nothing closes for a
+/// while). Without a route, legs that open later are searched too.
+/// Errors   where and why there is no route
 /// Stops    with Reason::cancelled once `stop` is requested
 [[nodiscard]] Result<FoundWay> search_voyage(const cost::Sea& sea, const std::vector<OpenGrid>& grids,
                                              const PlanRequest& request, core::Seconds depart,
@@ -46,7 +46,7 @@ struct OtherDepartures {
                                              const std::function<void(double)>& report_fraction,
                                              const OtherDepartures& others = {});
 
-/// Whether a way keeps to the rim of its grid, beyond which a better way may lie.
+/// Whether a route follows the rim of its grid; a better route may then lie beyond.
 [[nodiscard]] bool touches_rim(const std::vector<geo::PlanePoint>& path, const cost::RouteGrid& grid);
 
 }  // namespace floeplan::planning::search

@@ -43,10 +43,10 @@ class BadDataError : public std::runtime_error {
 [[nodiscard]] sql::Connection open_existing_store(const Program& program);
 
 [[nodiscard]] core::UtcTime now();
-/// Since some moment, by a clock that nobody sets.
+/// Time on the steady clock, which changes of the system time do not affect.
 [[nodiscard]] core::Seconds steady_now();
 
-/// This program's own file, however it was called.
+/// The path of this program's executable, however it was started.
 [[nodiscard]] std::filesystem::path own_program();
 
 /// One line on stderr: "floeplan: what; why; what to do". Returns `code`.

@@ -13,7 +13,7 @@
 namespace floeplan::cli {
 namespace {
 
-/// A connection, and what it knows.
+/// A database connection with its caches.
 struct Reader {
   sql::Connection db;
   routes::Remembered remembered{};

@@ -28,7 +28,7 @@ using Checked = tl::expected<T, Messages>;
 /// Told of a part of the file, "line 12" or "feature 3": the text begins with the part, which is a value of its own.
 [[nodiscard]] messages::Message about(const std::string& part, messages::Message told);
 
-/// The faults as words for another message, or for a person who looks at a failed test.
+/// The faults as text, for another message or for the output of a failed test.
 [[nodiscard]] std::string reason_of(const Messages& faults);
 
 }  // namespace floeplan::ingest

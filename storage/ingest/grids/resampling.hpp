@@ -25,7 +25,7 @@ class Resampling {
   [[nodiscard]] static Checked<std::shared_ptr<const Resampling>> of(const SourceMesh& mesh,
                                                                      const ocean::HorizontalGrid& grid);
 
-  /// Shape  of the points in, of the grid [y][x] out
+  /// Shape  input: as the points; output: the grid [y][x]
   [[nodiscard]] VelocitySlice apply(std::span<const float> east, std::span<const float> north) const;
   /// The same of numbers without a direction.
   [[nodiscard]] std::vector<float> apply(std::span<const float> values) const;

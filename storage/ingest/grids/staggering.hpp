@@ -17,7 +17,7 @@ struct Staggering {
   bool collocated{false};       // both components lie at the same points: those are the centres
   std::size_t first_row{};      // 1 where the first component's point with the centre's number lies after it
   std::size_t second_column{};  // likewise
-  std::size_t rows{};           // of the centres that have all their points
+  std::size_t rows{};           // of centres whose points are all present
   std::size_t columns{};
 };
 

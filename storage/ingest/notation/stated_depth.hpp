@@ -12,7 +12,7 @@ namespace floeplan::ingest {
 /// Outside  nothing for what is no number with a known unit, above the surface or deeper than 11000 m
 [[nodiscard]] std::optional<core::Metres> stated_depth(std::string_view text, std::string_view unit);
 
-/// From one depth down to another.
+/// A layer between two depths.
 struct StatedDepths {
   core::Metres top;
   core::Metres bottom;

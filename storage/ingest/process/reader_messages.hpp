@@ -36,7 +36,7 @@ struct Progressed {
   double share{};  // 0 to 1
 };
 struct LooksAt {
-  std::size_t file{};  // which of the files is opened now, to be put into a group
+  std::size_t file{};  // index of the file that is opened to find its group
 };
 struct Grouped {
   std::vector<std::vector<std::size_t>> groups;  // of the files' numbers

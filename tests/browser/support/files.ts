@@ -13,7 +13,7 @@ interface Chosen {
 
 const chosen = (name: string, text: string): Chosen => ({ name, mimeType: 'application/octet-stream', buffer: Buffer.from(text) });
 
-/** Two sightings of now near a place, and one whose latitude is none. */
+/** Two present sightings near a place, and one with an impossible latitude. */
 export function bergFile([lon, lat]: LonLat): Dropped {
   const observed = new Date(now() - 3_600_000).toISOString();
   const berg = (id: string, place: LonLat): object => ({

@@ -101,7 +101,7 @@ inline std::shared_ptr<const ocean::Bathymetry> wall_with_a_gap() {
   });
 }
 
-/// A request and its sea.
+/// A request and its environment.
 struct Scene {
   PlanRequest request;
   ocean::Environment environment;
@@ -128,7 +128,7 @@ inline Scene random_scene(std::mt19937_64& rng) {
   return {request, environment};
 }
 
-/// One of four quarters, 0 to 3, of 500 random scenes. Four tests can so run at the same time.
+/// One of four quarters, 0 to 3, of 500 random scenes, so that four tests can run at the same time.
 class IcebergScenes : public testing::TestWithParam<int> {
  protected:
   static constexpr int scenes = 125;

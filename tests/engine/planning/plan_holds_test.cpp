@@ -125,7 +125,7 @@ TEST_P(HoldsInAScene, NeverArrivesLaterOnAGrid) {
   });
 }
 
-/// Where two ways differ by less than the error of the grid, refinement gets the one that the search prefers. For a vehicle
+/// Where two routes differ by less than the error of the grid, refinement gets the one that the search prefers. For a vehicle
 /// that may not hold, that may be the other one.
 TEST_P(HoldsInAScene, NeverLeadsIntoADiscAndHardlyEverArrivesLater) {
   constexpr int most_later = 2;
@@ -164,14 +164,14 @@ TEST(Holds, WaitsForAZoneThatIsOpenedLater) {
   const Result<Plan> result = plan({}, request);
 
   ASSERT_TRUE(result) << result.error().explanation();
-  // The straight way of 39.9 km takes 31.7 h; the zone begins 17.9 km, 14.2 h, from the start.
+  // The straight route of 39.9 km takes 31.7 h; the zone begins 17.9 km, 14.2 h, from the start.
   EXPECT_NEAR(result->travel_time().count() / hour_s, 31.7 + 20.0 - 14.2, 0.3);
   EXPECT_NEAR(waited(*result).count() / hour_s, 20.0 - 14.2, 0.6);
 }
 
 TEST(Holds, IsNoLongerThanAllowedAtOnePlace) {
   PlanRequest request = support::eastward_request();
-  request.from = {-53.07, 69.0};  // right before the zone, which no way leads round
+  request.from = {-53.07, 69.0};  // right before the zone, which no route leads round
   request.zones = {closed_at_first(20.0)};
   request.method = Method::direct;
   request.holds.longest = core::Seconds{10.0 * hour_s};

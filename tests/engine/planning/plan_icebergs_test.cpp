@@ -118,7 +118,7 @@ TEST(PlanAmongIcebergs, IsTheOneWithoutThemWhereTheyAreFar) {
 }
 
 TEST(PlanAmongIcebergs, ReportsTheLeastDistanceFromTheHullOverTime) {
-  // A standing berg beside the straight way: the clearance is the distance of the line.
+  // A standing berg beside the straight route: the clearance is the distance of the line.
   const PlanRequest request = support::eastward_request();
   const geo::LonLat middle = geo::geodesic_destination(
       request.from, geo::geodesic_between(request.from, request.to).course_at_start, core::Metres{20'000.0});

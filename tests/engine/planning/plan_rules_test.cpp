@@ -15,7 +15,7 @@
 #include "engine/planning/search/latest_departure.hpp"
 #include "tests/engine/planning/drifting_bergs.hpp"
 
-/// Every way of making a plan keeps every rule of the request. The water is still, so that a plan's vehicle moves
+/// Every route of making a plan keeps every rule of the request. The water is still, so that a plan's vehicle moves
 /// evenly from waypoint to waypoint and can be followed here without the planner.
 namespace floeplan::planning::plan_rules_test {
 namespace {
@@ -51,7 +51,7 @@ std::vector<Passage> follow(const Plan& plan) {
   return passages;
 }
 
-/// A way of making a plan: what it asks for, and how it is asked.
+/// A route of making a plan: what it asks for, and how it is asked.
 struct Way {
   std::string name;
   std::function<void(PlanRequest&, Environment&)> ask;
@@ -151,7 +151,7 @@ ocean::Zone zone(ZoneKind kind, const geo::Polygon& area) {
 const geo::Polygon wall = box(-53.02, 68.95, -52.98, 69.07);
 const geo::Polygon corridor = box(-53.6, 68.98, -52.4, 69.12);
 
-/// Ice of 90 % in the middle of the way, open north of 69.12 N.
+/// Ice of 90 % in the middle of the route, open north of 69.12 N.
 void add_ice(Environment& environment) {
   environment.ice = support::ice_from(
       [](geo::LonLat p, double) {

@@ -10,7 +10,7 @@
 namespace floeplan::planning::plan_tides_test {
 namespace {
 
-/// A tide that runs east and west along the way, growing from west to east.
+/// A tide that runs east and west along the route, growing from west to east.
 std::vector<ocean::TideGrid> tide_along_the_way() {
   const ocean::HorizontalGrid grid = support::sea_grid();
   ocean::TideGrid::Line m2{tide::find_constituent("M2").value(), {}, {}, {}};

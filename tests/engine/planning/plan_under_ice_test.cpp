@@ -249,7 +249,7 @@ TEST(PlanUnderIce, DriftsWithTheCurrentsOfDivesThatTurnBelowTheIce) {
   EXPECT_GT(below.travel_time() / in_open_water(request.vehicle.climb_to), 1.1);
 }
 
-/// Ice so thick that half of the dives is left lies on the straight way; beside it energy is as anywhere.
+/// Ice so thick that half of the dives is left lies on the straight route; beside it energy is as anywhere.
 TEST(PlanUnderIce, SavesEnergyByGoingRoundThickIce) {
   const ocean::Environment thick{
       .ice = support::ice_from(
@@ -308,7 +308,7 @@ TEST(PlanUnderIce, BlamesTheIceWhereAPlaceToPassLeavesNoTimeToGoOn) {
   EXPECT_EQ(plan.error().binding, Constraint::ice);
 }
 
-/// The best way to the via point is straight on. It leaves too little of the bound for the rest of the voyage.
+/// The best route to the via point is straight on. It leaves too little of the bound for the rest of the voyage.
 TEST(PlanUnderIce, SurfacesBeforeAPlaceToPassWhereItMustGoOnBelowTheIce) {
   const geo::LonLat hole{-53.25, 69.06};
   ocean::Environment holed{.ice = support::ice_from(
@@ -333,8 +333,8 @@ TEST(PlanUnderIce, SurfacesBeforeAPlaceToPassWhereItMustGoOnBelowTheIce) {
   }
 }
 
-/// The lower bound of the way on from the via point, with the strongest current from astern, is much less than its true
-/// time.
+/// The lower bound of the time from the via point to the goal, with the strongest current astern, is much less than the
+/// true time.
 TEST(PlanUnderIce, LeavesAsMuchOfTheBoundAtAPlaceToPassAsTheWayOnTakesInATide) {
   const geo::LonLat hole{-53.25, 69.06};
   const auto tide = [](geo::LonLat, double hour) {
@@ -361,7 +361,7 @@ TEST(PlanUnderIce, LeavesAsMuchOfTheBoundAtAPlaceToPassAsTheWayOnTakesInATide) {
   }
 }
 
-/// With a spacing of 400 m, the default there, the search reaches its limit long before it finds the best way.
+/// With a spacing of 400 m, the default there, the search reaches its limit long before it finds the best route.
 TEST(PlanUnderIce, SearchesACoarserGridWhereTheOneLeftOpenTakesTooMuchMemory) {
   const ocean::Environment environment = ice_with_holes(3, 14);
   PlanRequest request = support::eastward_request();
@@ -380,7 +380,7 @@ TEST(PlanUnderIce, SearchesACoarserGridWhereTheOneLeftOpenTakesTooMuchMemory) {
   EXPECT_LE(plan.surfacing->longest_without.count(), 3600.0 * 24.0);
 }
 
-/// A grid on which a way is found within seconds.
+/// A grid on which a route is found within seconds.
 PlanRequest from_hole_to_hole(double most_hours_below_ice) {
   PlanRequest request = support::eastward_request();
   request.optimality_gap = false;
@@ -615,7 +615,7 @@ TEST(PlanUnderIce, TellsOfAStartAGoalAndViaPointsUnderIceAsDangers) {
   EXPECT_THAT(dangers(request), Contains(HasSubstr("1 of 2 via points lie under ice (number 2)")));
 }
 
-/// 32 km of ice without a hole take a day.
+/// 32 km of ice without a lead take a day.
 TEST(PlanUnderIce, TellsOfALongTimeBelowIceAsADangerUnlessThePilotBoundsIt) {
   const ocean::Environment ice{
       .ice = support::ice_from(
@@ -786,7 +786,7 @@ TEST(PlanUnderIce, GoingOnIsAnEscapeWhereNothingElseIsInTime) {
     PlanRequest request = support::eastward_request();
     request.via = {{lon_deg, 69.01}};
     const Plan unbounded = planned(band_of_ice(), request);
-    // The way just keeps this bound. The vertices of a grid do not lie at the edge of the ice.
+    // The route just keeps this bound. The vertices of a grid do not lie at the edge of the ice.
     request.under_ice.max_time_without_surfacing = unbounded.surfacing->longest_without + core::Seconds{1.0};
     request.under_ice.escape_plan = true;
 
@@ -817,7 +817,7 @@ TEST(PlanUnderIce, TheWayToOpenWaterMustLieWithinWhatIsLeftOfTheBattery) {
   EXPECT_NEAR(from_goal.energy.value, power_w * from_goal.time.count(), 2e-3 * from_goal.energy.value)
       << "over an even sea bed every hour below the ice draws the same";
 
-  // Enough for the way, but not for the escape from its end.
+  // Enough for the route, but not for the escape from its end.
   EnergyUse drawn = plan.energy->use;
   request.vehicle.energy.battery_reserve_share = 0.0;
   request.vehicle.energy.battery = drawn.total() + core::Joules{0.5 * from_goal.energy.value};

@@ -44,7 +44,7 @@ bool enters(const Plan& found, const geo::Polygon& area) {
   return false;
 }
 
-/// A wall across the straight way with its ends well inside the grid.
+/// A wall across the straight route with its ends well inside the grid.
 geo::Polygon wall(const PlanRequest& request) {
   const double middle = 0.5 * (request.from.lon_deg + request.to.lon_deg);
   return box(middle - 0.02, request.from.lat_deg - 0.05, middle + 0.02, request.from.lat_deg + 0.09);

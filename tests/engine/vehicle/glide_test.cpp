@@ -24,7 +24,7 @@ TEST(Hydrodynamics, HasTheDefaultsThatItsSourceComputes) {
   EXPECT_NEAR(h.induced_drag, 9.7 + wing_lift * wing_lift / (std::numbers::pi * 0.8 * aspect), 0.01);
 }
 
-// Angle of attack and speeds by the same balance, solved by a program of its own.
+// Angle of attack and speeds from the same balance of forces, solved by an independent program.
 TEST(SteadyGlide, HasTheSpeedOfTheBalanceAt26Degrees) {
   const auto glide = steady_glide({}, pitch_deg(26.0), {230e-6});
 

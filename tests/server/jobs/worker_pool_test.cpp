@@ -104,7 +104,7 @@ TEST_F(WorkerPoolTest, KeepsAPlanForWhichTheDiskHasNoRoomUntilThereIs) {
     return found->status == JobStatus::accepted && found->updated != job.updated;
   }));
 
-  sql::execute(db_, "DROP TABLE filler");  // its pages are free for whoever needs them
+  sql::execute(db_, "DROP TABLE filler");  // its pages become free
 
   EXPECT_TRUE(wait_for(job.id, JobStatus::successful)) << JobRepository{db_}.find(job.id)->message;
 }

@@ -15,7 +15,7 @@ async function grid(path: string, signal?: AbortSignal): Promise<Grid> {
 
 export const whoAmI = (): Promise<Caller> => json('/session');
 
-/** Answers a cookie that scripts cannot read; the token itself is not kept. */
+/** Signs in. The server answers with a cookie that scripts cannot read; the token itself is not stored. */
 export const logIn = (token: string): Promise<Caller> =>
   json('/session', { method: 'POST', headers: { 'Content-Type': 'application/json' }, body: JSON.stringify({ token }) });
 

@@ -174,7 +174,7 @@ function followStepped({ dataset: chosenDataset, times_ms, longestGap_ms, longes
     const key = [from.dataset, from.box, from.nx, from.ny, at_ms].join('|');
     const known = remembered.get(key);
     if (known) {
-      remembered.delete(key); // and put back as the youngest
+      remembered.delete(key); // and added again as the newest
       remembered.set(key, known);
       return known;
     }

@@ -43,7 +43,7 @@ async function readStore(): Promise<void> {
   takeStored(await api.datasets());
 }
 
-/** Opens the form on what the store holds now, which may be newer than the list. */
+/** Opens the form with the entry as it is in the store now, which may be newer than the list. */
 export async function openExisting(kind: HandMadeKind, feature: HandMade): Promise<void> {
   handFault.value = undefined;
   try {
@@ -132,13 +132,13 @@ function bare(feature: HandMade): NewFeature {
   return { type: 'Feature', geometry, properties: Object.fromEntries(stated) };
 }
 
-/** With what the server needs to take it back; its turn comes by the one line of all changes. */
+/** Records a change for undo here, and in the one list of changes of the whole page. */
 function note(change: HandChange): void {
   handChanges.value = { done: [...handChanges.value.done, change], undone: [] };
   remember({ title: change.title, back: () => turn('done', 'undone'), again: () => turn('undone', 'done') });
 }
 
-/** Makes the newest change of one pile unmade and lays what unmakes it on the other. */
+/** Reverts the newest change of one stack and puts its reverse on the other stack. */
 async function turn(from: 'done' | 'undone', to: 'done' | 'undone'): Promise<void> {
   const change = handChanges.value[from].at(-1);
   if (!change || forbids('pilot', 'Changing icebergs and zones')) return;

@@ -73,7 +73,7 @@ export function cancelImport(number: number): void {
   running.get(number)?.abort();
 }
 
-/** Takes an import off the list, and off the server what it sent and nobody read. */
+/** Removes an import from the list, and its unread upload from the server. */
 export function dismissImport(number: number): void {
   const done = importOf(number);
   if (!done || isLive(done)) return;

@@ -18,7 +18,7 @@ const spacing_px = 7;
 /** How often the ice is drawn anew from one step of the data to the next: in between it changes too little to be seen. */
 const stages = 100;
 
-/** How many nodes lie from one figure of thickness to the next. */
+/** Distance between two thickness labels, in nodes. */
 const figuresApart = { columns: 12, rows: 7 };
 
 /** Exact places are worked out so many nodes apart: some forty pixels. */
@@ -138,7 +138,7 @@ class Stand {
 
   isOf = (now: TimedPair | undefined): boolean => this.drawn !== undefined && this.drawn.pair === now;
 
-  /** Makes one more part of the shapes of a moment; true when there is nothing more to make before they are painted. */
+  /** Computes one more part of the shapes for a time. True: all parts are ready to be painted. */
   makePart(now: TimedPair | undefined, limit: number): boolean {
     if (!this.nodes || !this.drawn) return true;
     this.making ??= { pair: now, limit, parts: this.shaped(this.nodes, now, limit) };

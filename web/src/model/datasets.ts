@@ -31,7 +31,7 @@ const kinds: PlanningKind[] = ['bathymetry', 'currents', 'ice', 'icebergs', 'coa
 /** The id of the dataset that holds the manual entries of a kind. Plans obey it together with the datasets from files. */
 export const byHand = (kind: 'icebergs' | 'zones'): string => `${kind}-by-hand`;
 
-/** Nodes in a square degree, by which a fine grid is told from a coarse one. */
+/** Nodes per square degree, to compare the resolution of grids. */
 export const nodesPerDegree2 = ({ bbox: [west, south, east, north], rows_accepted }: Dataset): number =>
   rows_accepted / (Math.max(1e-9, east >= west ? east - west : east - west + 360) * Math.max(1e-9, north - south));
 
@@ -68,7 +68,7 @@ export function isInUse({ id, kind }: Dataset): boolean {
   return kinds.some((known) => known === kind && chosenAll(known).some((one) => one.id === id));
 }
 
-/** Drops chosen datasets that are no longer stored, and returns the kinds of those that were named. Damaged datasets stay chosen: nobody shall plan without them unawares. */
+/** Drops chosen datasets that are no longer stored, and returns the kinds of those that were named. Damaged datasets stay chosen, so that nobody plans without them by accident. */
 export function forgetMissing(): PlanningKind[] {
   const lost: PlanningKind[] = [];
   for (const kind of kinds) {

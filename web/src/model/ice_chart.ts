@@ -22,7 +22,7 @@ export const chosenChart = computed<Dataset | undefined>(() => {
 /** Its polygons for the area in view; of a chart that an older version stored there are none. */
 export const iceChart = signal<IceChart | undefined>(undefined);
 
-/** The chart that is drawn: its age at the clock's time, and whether plans still hold its ice then. */
+/** The ice chart on the map: its age at the time of the clock, and whether plans still use it at that time. */
 export const drawnChart = computed(() => {
   const chart = iceChart.value;
   const dataset = chosenChart.value;

@@ -24,7 +24,7 @@ export function isStale({ observed }: IcebergProperties, at_ms: number): boolean
 /** The least that a sighting is drawn with, however old: it still says that there is a berg. */
 const faintest = 0.35;
 
-/** How strongly a sighting is drawn: the older it is, the paler, down to the age at which plans let none count. */
+/** Opacity of a sighting: paler with age, down to the age at which plans ignore it. */
 export function strengthOf({ observed }: IcebergProperties, at_ms: number, limit_days: number): number {
   const spent = (at_ms - Date.parse(observed)) / Math.max(limit_days * day_ms, hour_ms);
   return 1 - (1 - faintest) * Math.min(Math.max(spent, 0), 1);

@@ -6,7 +6,7 @@ import { ask } from './view';
 
 export type Rank = Message['rank'];
 
-/** The gravest first: the vehicle may be lost, the plan may not hold, good to know. */
+/** Ranks, the most serious first. Danger: the vehicle may be lost. Caution: the plan may fail. Note: good to know. */
 export const ranks: readonly Rank[] = ['danger', 'caution', 'note'];
 
 /** How the server marks a danger where nothing else shows the rank. */

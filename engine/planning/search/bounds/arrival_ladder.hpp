@@ -10,8 +10,8 @@ namespace floeplan::planning::search {
 
 /// Lower bounds of the arrival at the goal, by the place of the vehicle and the time. For each of several arrivals, the rungs,
 /// a sweep of the foresight gives the latest useful time at each vertex: a vehicle that is there later arrives after that
-/// rung. So the bound depends on the time. A bound of the rest of the way alone would have to hold for all later currents.
-/// Law      never later than the arrival of any way of open legs; a later time at a place never gives an earlier bound
+/// rung. So the bound depends on the time. A bound of the rest of the route alone would have to hold for all later currents.
+/// Law      never later than the arrival of any route of open legs; a later time at a place never gives an earlier bound
 /// Threads  one at a time
 class ArrivalLadder {
  public:
@@ -23,7 +23,7 @@ class ArrivalLadder {
 
   static constexpr std::size_t most_rungs = 24;
 
-  /// Whether some way may reach the goal by the last arrival.
+  /// Whether some route may reach the goal by the last arrival.
   [[nodiscard]] bool has_hope() const { return has_hope_; }
   /// Lower bound of the arrival at the goal from the vertex at that time; infinite if it is after the last.
   [[nodiscard]] double earliest_s(graph::Vertex v, double t_s) const;
@@ -37,7 +37,7 @@ class ArrivalLadder {
  private:
   Foresight& foresight_;
   bool has_hope_{false};
-  double base_s_;                // no way reaches the goal earlier
+  double base_s_;                // no route reaches the goal earlier
   std::vector<double> rungs_s_;  // ascending
   std::vector<double> until_s_;  // [vertex][rung]: the latest useful time
 };

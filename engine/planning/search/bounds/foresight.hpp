@@ -15,7 +15,7 @@ namespace floeplan::planning::search {
 
 /// Bounds and estimates for a search over a grid, without exact times of edges. All edges out of a vertex are timed at once.
 /// There are two sweeps, each many times faster than the exact search. The forward one uses estimates and finds a nearly best
-/// way. The backward one uses proven bounds and gives the latest useful time of each vertex.
+/// route. The backward one uses proven bounds and gives the latest useful time of each vertex.
 /// Threads  one at a time
 class Foresight {
  public:
@@ -28,19 +28,19 @@ class Foresight {
   /// Whether the bounds are better than those of a straight line with the strongest current from astern.
   [[nodiscard]] bool is_useful() const { return !nearby_ || nearby_->is_useful(); }
 
-  /// What an estimated way avoids in addition to places that are always closed.
+  /// What an estimated route avoids in addition to places that are always closed.
   struct Minding {
     bool timed_closures{false};         // where an even drive along an edge meets them
     std::vector<graph::Edge> barred{};  // edges not to be taken, a few
   };
-  /// A way from start to goal, edge by edge, that is probably close to the best. Empty where none is found, and once `stop` is
+  /// A route from start to goal, edge by edge, that is probably close to the best. Empty where none is found, and once `stop` is
   /// requested. It is not proven to be open.
   [[nodiscard]] std::vector<graph::Edge> likely_way(core::Seconds depart, const std::stop_token& stop,
                                                     const Minding& minding);
 
   /// The latest useful times at vertices for a vehicle that leaves the start at `depart` and must reach the goal by `arrive`.
   /// The tree is that of a time-reversed search: its arrival at a vertex is -t. A vertex that is not reached is of no use.
-  /// Law      no way of open legs that reaches the goal in time is at a vertex later. Only currents count: a leg that is closed
+  /// Law      no route of open legs that reaches the goal in time is at a vertex later. Only currents count: a leg that is closed
   ///          for a while counts as open
   /// Returns  borrowed until the next call
   [[nodiscard]] const graph::SearchTree& until_when_of_use(core::Seconds depart, core::Seconds arrive,
@@ -63,15 +63,16 @@ class Foresight {
   [[nodiscard]] const motion::FanTimes* estimates(graph::Vertex v, core::Seconds depart,
                                                   vehicle::Drive drive);
 
-  /// Never more than the time of an edge for who leaves its tail then. Fast for the edges of a vertex in a row.
+  /// Lower bound of the time of an edge for a departure from its tail at that time. Fast when the edges of one vertex
+  /// are asked for in a row.
   [[nodiscard]] core::Seconds least_time(const graph::Edge& edge, core::Seconds depart);
 
  private:
   enum class Fidelity { estimate, bound };
-  /// Times all edges out of a vertex; false where nothing is known of the water.
+  /// Times all edges out of a vertex; false if nothing is known of the water.
   [[nodiscard]] bool look(graph::Vertex v, core::Seconds time, currents::NearbyCurrents::Film film,
                           Fidelity fidelity);
-  /// The water about a vertex; empty where nothing is known of it.
+  /// The water around a vertex; empty if nothing is known of it.
   [[nodiscard]] std::optional<motion::NearbyCurrent> water_at(graph::Vertex v, core::Seconds time,
                                                               currents::NearbyCurrents::Film film);
   [[nodiscard]] core::Seconds proven(const graph::Edge& edge, bool is_known) const;
@@ -101,7 +102,7 @@ class Foresight {
   bool tail_is_known_{false};
 };
 
-/// What a search knows of edges and of the rest of the way when it only looks at vertices that are of use.
+/// Bounds of edges and of the remaining time, for a search that visits useful vertices only.
 struct ForesightBound {
   Foresight& foresight;
   const StraightBound& straight;

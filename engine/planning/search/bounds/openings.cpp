@@ -38,7 +38,7 @@ Openings::Openings(const cost::Sea& sea, const OpenGrid& grid, core::Seconds lat
   widen(grid.grid.nx, grid.grid.ny);
 }
 
-/// Gives every vertex the windows of those within reach: along the rows, then along the columns.
+/// Gives every vertex the windows of the vertices within reach: along the rows, then along the columns.
 void Openings::widen(int nx, int ny) {
   const auto spread = [&](int count, int lines, std::size_t step, std::size_t line_step) {
     std::vector<Window> line(static_cast<std::size_t>(count));

@@ -12,25 +12,25 @@
 
 namespace floeplan::planning::search {
 
-/// Where and when a later arrival can be better, because something that is closed near the vertex opens again:
-/// only there a search must keep more than the earliest arrival. A disc that only grows never opens anything.
-/// Reach    six steps of the grid, two of its longest edges, about each vertex, and as long before the closure as
-///          the vehicle needs to go there and back
+/// Where and when a later arrival can be better, because something near the vertex reopens. Only there must a search
+/// keep more than the earliest arrival. A disc that only grows never reopens anything.
+/// Reach    six steps of the grid, or two of its longest edges, around each vertex; in time, before the closure
+///          begins, as long as the vehicle needs to go there and back
 /// Threads  const members may be called from several threads at once
 class Openings {
  public:
-  /// None.
+  /// No windows.
   Openings() = default;
-  /// `latest`: what opens after it is of no use. `closures`: of the grid, so
-  /// far as they are worked out. `ladder`: where given, neither is what opens near a vertex after that
-  /// is of use. Stops early once `stop` is requested; then not to be used.
+  /// `latest`: reopenings after it do not matter. `closures`: of the grid, as far as they have been computed.
+  /// `ladder`: if given, reopenings after the latest useful time of a vertex do not matter either. Stops early once
+  /// `stop` is requested; the object must then not be used.
   Openings(const cost::Sea& sea, const OpenGrid& grid, core::Seconds latest, const std::stop_token& stop,
            VertexClosures* closures = nullptr, const ArrivalLadder* ladder = nullptr);
 
   [[nodiscard]] bool matter(graph::Vertex v, double arrival_s) const {
     return matter(v, arrival_s, arrival_s);
   }
-  /// For some arrival between the two.
+  /// Whether a later arrival can be better for some arrival between the two times.
   [[nodiscard]] bool matter(graph::Vertex v, double first_s, double last_s) const {
     return !windows_.empty() && windows_[v].from_s <= last_s && first_s <= windows_[v].until_s;
   }
@@ -47,7 +47,7 @@ class Openings {
   };
   void widen(int nx, int ny);
 
-  std::vector<Window> windows_;  // of each vertex; none at all when nothing opens
+  std::vector<Window> windows_;  // of each vertex; empty if nothing reopens
 };
 
 }  // namespace floeplan::planning::search

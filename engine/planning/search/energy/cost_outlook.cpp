@@ -12,14 +12,15 @@ using graph::Edge;
 using graph::Vertex;
 
 constexpr float unknown = std::numeric_limits<float>::infinity();
-/// A twentieth of a semidiurnal tide: straight lines between the slices cut little more than a hundredth off its bends.
+/// A twentieth of a semidiurnal tide: linear interpolation between the slices cuts little more than a hundredth off
+/// its bends.
 constexpr core::Seconds least_step{2240.0};
 constexpr std::size_t most_outlook_values = 8'000'000;  // 32 MB for each grid
 constexpr std::size_t outlook_check_interval = 64;
-/// Over the last slice, whose water is taken to stay as it is: enough for ways that turn back on themselves.
+/// Length of the last slice, in which the water stays the same: enough for routes that turn back.
 constexpr int passes_of_last = 6;
 
-/// What a second costs on each drive, of an edge by vertices along it.
+/// Cost of a second with each propulsion, on an edge, from the vertices along it.
 class Rates {
  public:
   Rates(const cost::Sea& sea, const OpenGrid& open, const Objective& objective)
@@ -38,7 +39,7 @@ class Rates {
       of_[v * sea_.drives().size() + d] = static_cast<float>(objective_.cost(second, drawn));
     }
   }
-  /// The mean of its ends and of two vertices about its middle.
+  /// The mean of its ends and of two vertices around its middle.
   [[nodiscard]] float along(const Edge& edge, std::size_t drive) const {
     const auto half = static_cast<Vertex>(halves_[edge.step]);  // modulo 2^32, as numbers of vertices count
     return 0.25F * (at(edge.tail, drive) + at(edge.tail + half, drive) + at(edge.head - half, drive) +
@@ -55,10 +56,10 @@ class Rates {
   std::vector<float> of_;    // [vertex][drive]
 };
 
-/// Which edges are closed at any time.
+/// Edges that are closed at all times.
 class ClosedEdges {
  public:
-  /// Once `stop` is requested incomplete.
+  /// Incomplete once `stop` is requested.
   ClosedEdges(const cost::Sea& sea, const OpenGrid& open, const std::vector<Vertex>& tails,
               const std::stop_token& stop)
       : steps_{open.graph.offsets().size()}, closed_(open.graph.size() * steps_) {
@@ -115,7 +116,7 @@ CostOutlook::CostOutlook(const cost::Sea& sea, const OpenGrid& open, const Objec
       slices_{lay_slices(depart, last, vertices_)},
       rest_(slices_.count * vertices_, unknown) {
   const cost::RouteGrid& grid = open.grid;
-  std::vector<Vertex> order;  // the vertices of use, those with the least left to go first
+  std::vector<Vertex> order;  // the useful vertices, those nearest to the goal first
   std::vector<double> earliest_s(vertices_);
   for (Vertex v = 0; v < vertices_; ++v) {
     if (v % outlook_check_interval == 0 && stop.stop_requested()) return;

@@ -12,11 +12,11 @@
 
 namespace floeplan::planning::search {
 
-/// About what the rest of a voyage costs by an objective of time and energy, from each vertex of a grid at any time:
-/// what a search for the least cost steers by. Worked out backwards from the goal, slice of time by slice of time, from
-/// quick estimates of all edges. Leaves out closures between vertices and what encounters cost.
-/// Accuracy  mostly within some hundredths of what the grid's edges cost, either way: no bound
-/// Source    Bellman 1957, Dynamic Programming: value iteration, on a grid of places and times, linear between the
+/// Estimate of the cost of the rest of a voyage, for an objective of time and energy, from each vertex of a grid at
+/// any time. It guides the search for the least cost. It is computed backwards from the goal, one slice of time after
+/// another, from quick estimates of all edges, without closures between vertices and the cost of encounters.
+/// Accuracy  mostly within some hundredths of the cost of the grid's edges, too high or too low: not a bound
+/// Source    Bellman 1957, Dynamic Programming: value iteration on a grid of places and times, linear between the
 ///           times
 /// Threads   const members may be called from several threads at once
 class CostOutlook {
@@ -28,7 +28,7 @@ class CostOutlook {
               VertexClosures& closures, const ArrivalLadder& use, core::Seconds depart, core::Seconds last,
               const std::stop_token& stop);
 
-  /// Infinite where no way was found.
+  /// Infinite where no route was found.
   [[nodiscard]] double rest(graph::Vertex v, double t_s) const { return between(slices_.at(t_s), v); }
 
  private:

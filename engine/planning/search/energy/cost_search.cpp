@@ -17,13 +17,13 @@ namespace {
 constexpr std::size_t most_labels = 200'000;  // some seconds, and about 20 MB with their lists and the queue
 /// On larger grids a search for the least cost is steered. Without that it would mostly reach its bound on labels.
 constexpr std::int64_t few_vertices = 2'500;
-/// A steered search that has looked so often at each place, on the average, ends without a way; mostly where things close
+/// A steered search that has looked so often at each place, on the average, ends without a route; mostly where things close
 /// and reopen.
 constexpr std::int64_t labels_a_vertex = 4;
 constexpr std::int64_t fewest_labels = 50'000;
 /// On still larger grids an outlook takes too long between two looks at the stop token, and its memory holds too few times.
 constexpr std::int64_t many_vertices = 500'000;
-/// Share of the cost of the fastest way that a steered search may leave. Far less than the error of its outlook.
+/// Share of the cost of the fastest route that a steered search may leave. Far less than the error of its outlook.
 constexpr double near_enough = 2e-4;
 /// How long after its last slice an outlook may be used. After that slice its water stays as it is.
 constexpr core::Seconds beyond_outlook{3600.0};
@@ -36,7 +36,7 @@ std::vector<geo::PlanePoint> points_of(const cost::RouteGrid& grid, const Way& w
   return points;
 }
 
-/// Adds the way over one grid, and returns whether it follows the grid's rim.
+/// Adds the route over one grid, and returns whether it follows the grid's rim.
 bool append(cost::DrivenRoute& route, const cost::Sea& sea, const cost::RouteGrid& grid, const Way& way) {
   const std::vector<geo::PlanePoint> points = points_of(grid, way);
   for (std::size_t i = 1; i < way.size(); ++i) {
@@ -53,7 +53,7 @@ struct Beginning {
   core::Seconds since_surfacing{};
 };
 
-/// The way of the earliest arrival, on the first drive all along.
+/// The route of the earliest arrival, on the first drive all along.
 Result<CostWay> earliest_way(const cost::Sea& sea, const std::vector<OpenGrid>& grids,
                              const PlanRequest& request, core::Seconds depart, const std::stop_token& stop,
                              const std::function<void(double)>& report_fraction,
@@ -73,7 +73,7 @@ std::size_t labels_of_steered(const OpenGrid& open) {
   return static_cast<std::size_t>(std::clamp(labels_a_vertex * open.vertices, fewest_labels, most));
 }
 
-/// The cost of the way without waits. Infinite where it is closed then, or where it leaves less of the bound on the time
+/// The cost of the route without waits. Infinite where it is closed then, or where it leaves less of the bound on the time
 /// without surfacing than the rest of the voyage needs.
 double cost_along(const cost::Sea& sea, const OpenGrid& open, const std::vector<geo::PlanePoint>& path,
                   const Objective& objective, const Beginning& beginning, vehicle::Drive drive) {
@@ -97,7 +97,7 @@ double least_cost_along(const cost::Sea& sea, const OpenGrid& open, const std::v
   return least;
 }
 
-/// What a search for the least cost learns from the fastest way over a grid: an upper bound of the cost, and of the time
+/// What a search for the least cost learns from the fastest route over a grid: an upper bound of the cost, and of the time
 /// that so much cost allows.
 class KnownLimit {
  public:
@@ -115,7 +115,7 @@ class KnownLimit {
     double cost = least_cost_along(sea, open, fastest_->path, request.objective(), beginning);
     bool has_way = !fastest_->path.empty();
     if (!has_way && sea.drives().size() > 1) {
-      // Because of the current, or the bound on the time without surfacing, a way may be open to the faster drive alone.
+      // Because of the current, or the bound on the time without surfacing, a route may be open to the faster drive alone.
       const RouteSearch faster = search_route(
           sea.driven_by(sea.drives().back()), open, by_time, depart, stop, [](double) {},
           core::Seconds{INFINITY}, beginning.since_surfacing, &guide.foresight());
@@ -136,9 +136,9 @@ class KnownLimit {
   KnownLimit(const KnownLimit&) = delete;
   KnownLimit& operator=(const KnownLimit&) = delete;
 
-  /// The search for the fastest way by A*; empty where no lower bound is known.
+  /// The search for the fastest route by A*; empty where no lower bound is known.
   [[nodiscard]] const std::optional<RouteSearch>& fastest() const { return fastest_; }
-  /// Whether there is no fastest way on any drive: then there is no way at all.
+  /// Whether there is no fastest route with any propulsion: then there is no route at all.
   [[nodiscard]] bool is_hopeless() const { return is_hopeless_; }
   [[nodiscard]] const std::optional<CostVoyage::Limit>& limit() const { return limit_; }
   /// The latest end of a voyage of that cost.
@@ -182,11 +182,11 @@ Result<CostWay> search_least_cost(const cost::Sea& sea, const std::vector<OpenGr
   found.route.points.push_back(grids.front().grid.point(grids.front().grid.start));
   found.route.fixed.push_back(true);
   Beginning beginning{depart};
-  std::optional<RouteSearch> first;  // the earliest way on the first grid
+  std::optional<RouteSearch> first;  // the earliest route on the first grid
   const auto earliest_of_all = [&] {
     return earliest_way(sea, grids, request, depart, stop, report_fraction, first ? &*first : nullptr);
   };
-  // Because of the current, or the bound on the time without surfacing, a way may be open to that drive alone.
+  // Because of the current, or the bound on the time without surfacing, a route may be open to that drive alone.
   const auto earliest_on_faster_drive = [&](Result<CostWay> failed) {
     if (sea.drives().size() == 1 || stop.stop_requested()) return failed;
     auto earliest =

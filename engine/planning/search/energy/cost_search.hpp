@@ -15,11 +15,11 @@
 
 namespace floeplan::planning::search {
 
-/// The way of least cost by the request's objective, from stop to stop on the grids.
+/// The route of least cost by the request's objective, from stop to stop on the grids.
 struct CostWay {
   cost::DrivenRoute route;
   SearchStatistics statistics;
-  bool touches_rim{false};  // it follows the rim of a grid, and a better way may lie beyond
+  bool touches_rim{false};  // it follows the rim of a grid, and a better route may lie beyond
 };
 
 /// What searches for the least cost know of one grid. It is kept from one departure to the next.
@@ -50,12 +50,12 @@ class CostGuide {
 };
 
 /// Searches grid after grid for the least cost to the next stop, from the arrival at the stop before. The result is the best
-/// between two stops; over several stops no search looks ahead to the next. Where a search finds no way, the way of the
+/// between two stops; over several stops no search looks ahead to the next. Where a search finds no route, the route of the
 /// earliest arrival is taken, each leg on its best drive.
 /// Accuracy on grids of few vertices as CostVoyage. On others an outlook steers the search, and the cost is mostly within a
 ///          hundredth of that
 /// `guides` one for each of these grids; null: they are made and not kept
-/// Errors   where and why there is no way
+/// Errors   where and why there is no route
 /// Stops    with Reason::cancelled once `stop` is requested
 [[nodiscard]] Result<CostWay> search_least_cost(const cost::Sea& sea, const std::vector<OpenGrid>& grids,
                                                 const PlanRequest& request, core::Seconds depart,

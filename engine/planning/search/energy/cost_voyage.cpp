@@ -7,7 +7,7 @@
 namespace floeplan::planning::search {
 namespace {
 
-/// Into so many parts the bound on the time without surfacing is divided to distinguish arrivals. A way loses at most one
+/// Into so many parts the bound on the time without surfacing is divided to distinguish arrivals. A route loses at most one
 /// part from one surfacing to the next.
 constexpr double parts_of_bound = 6.0;
 

@@ -17,8 +17,8 @@ namespace floeplan::planning::search {
 /// request allows. The choice of a label is the drive's index in the sea's list.
 /// Accuracy  In steady water the result is exact on the grid; where the time without surfacing is bounded, to ten minutes of
 ///           that time. In water that changes, an arrival is dropped for another one that costs no more and does not lie
-///           in a later span of ten minutes. So the cheapest way may be missed where a later departure from a place makes
-///           the rest of the way cheaper, or open, by more than it cost. Where the time without surfacing is bounded, an
+///           in a later span of ten minutes. So the cheapest route may be missed where a later departure from a place makes
+///           the rest of the route cheaper, or open, by more than it cost. Where the time without surfacing is bounded, an
 ///           arrival is dropped only for one whose last surfacing lies in the same part of that bound or a later one
 /// Threads   const members may be called from several threads at once
 class CostVoyage {
@@ -30,7 +30,7 @@ class CostVoyage {
 
   /// Bounds that are known before the search. They change no result.
   struct Limit {
-    double most_cost{};       // the cost of a way that is known to be possible
+    double most_cost{};       // the cost of a route that is known to be possible
     ArrivalLadder* ladder{};  // as long as a voyage of that cost may last; borrowed
   };
 
@@ -79,7 +79,7 @@ class CostVoyage {
   }
 
  private:
-  /// Lower bound of the cost of the rest of the way.
+  /// Lower bound of the cost of the rest of the route.
   [[nodiscard]] double rest(graph::Vertex v, double arrival_s) const;
   [[nodiscard]] bool is_worthwhile(graph::Vertex v, double arrival_s, double cost) const {
     return cost + rest(v, arrival_s) <= limit_->most_cost;

@@ -12,7 +12,7 @@
 
 namespace floeplan::planning::search {
 
-/// An edge that the current closed at the time when a search reached its tail.
+/// An edge that the current closed when a search reached its tail.
 struct RefusedEdge {
   graph::Edge edge;
   core::Seconds when{};
@@ -91,7 +91,7 @@ struct StraightBound {
     }
   }
 
-  /// At any time.
+  /// At any time of departure.
   [[nodiscard]] core::Seconds least_time(const graph::Edge& edge, core::Seconds = {}) const {
     return least_times[edge.step];
   }
@@ -101,7 +101,7 @@ struct StraightBound {
   [[nodiscard]] static core::Seconds latest_use(graph::Vertex) { return core::Seconds{INFINITY}; }
 };
 
-/// The same bounds of edges, but none of the way to the goal: for Dijkstra's search.
+/// The same bounds of edges, but zero for the rest of the route: for Dijkstra's search.
 struct EdgeBound {
   const StraightBound& straight;
 

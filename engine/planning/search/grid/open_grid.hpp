@@ -11,23 +11,24 @@
 
 namespace floeplan::planning::search {
 
-/// The rounding error of sums of edge times. Bounds leave room for it.
+/// Bound of the rounding error of sums of edge times.
 inline constexpr double rounding_of_times_s = 1e-3;
 
-/// A grid in a sea, with its vertices that are ever open. It is made once and searched for any departure.
+/// A grid on a leg cost model, with those of its vertices that are ever open. It is made once and searched for any
+/// departure.
 struct OpenGrid {
   cost::RouteGrid grid;
   graph::GridGraph graph;
   std::int64_t vertices{};  // in deep enough water and clear of icebergs
   std::int64_t edges{};     // directed, between them
-  /// Least time from the goal to a place where the vehicle may surface, or to its last stop; where the time without
+  /// Least time from the goal to a place where the vehicle may surface, or to its last stop, if the time without
   /// surfacing is bounded.
   core::Seconds least_after_goal{};
-  /// How much of the bound on the time without surfacing must be left at the goal for the way on from there. Searches for
-  /// the earliest arrival obey it.
+  /// The part of the limit on the time without surfacing that must be left at the goal for the rest of the route.
+  /// Searches for the earliest arrival obey it.
   core::Seconds left_at_goal{};
 
-  /// How much of that bound must be left at the goal.
+  /// The part of that limit that must be left at the goal.
   [[nodiscard]] core::Seconds needed_after_goal() const { return std::max(least_after_goal, left_at_goal); }
 };
 

@@ -18,7 +18,7 @@ struct RouteSearch {
   geo::PlanePoint nearest;  // the reached point nearest to the goal: where the search stopped
   core::Seconds nearest_arrival{};
   core::Seconds since_surfacing{};  // at the goal, where the time without surfacing is bounded
-  bool out_of_time{false};          // the data of some way onward end before the vehicle reaches its end
+  bool out_of_time{false};          // the data end before the vehicle would reach the end of some edge onward
   std::vector<motion::EdgeClosed> closed_at_nearest;  // why its outgoing edges were closed, one entry each
 };
 

@@ -11,21 +11,21 @@
 namespace floeplan::planning::search {
 namespace {
 
-/// An earlier arrival is not looked for where it would gain less: a share of the time of the straight way in slack
-/// water, and no more than what is known of when places open.
+/// Smallest gain for which an earlier arrival is searched: a share of the time of the straight route in slack water,
+/// but at most the accuracy to which reopenings are known.
 constexpr double least_gain_by_holds = 1e-3;
 constexpr double most_left_s = 60.0;
 
-/// Of the least time to the goal: by how much later arrivals are looked for first, and by which factor later ones are
-/// after each search without any. Judgements.
+/// Latest arrival of the first search, as a share above the least time to the goal, and the factor by which that
+/// share grows after each search without a result. Judgements.
 constexpr double looked_for_first = 0.02;
 constexpr double then_further = 4.0;
 
-/// Towards the goal at the best hour of every edge, and only by places that are of use to who is there in time.
+/// Bound of the search: every edge at its best hour, and only places from which the goal can be reached in time.
 struct TowardsGoalInTime {
   const FavourableBound& favourable;
-  const graph::SearchTree& earliest;    // nobody is at a vertex before
-  const graph::SearchTree& until_when;  // of use, on the film run backwards
+  const graph::SearchTree& earliest;    // lower bound of the arrival at a vertex
+  const graph::SearchTree& until_when;  // last useful time at a vertex, from the time-reversed search
 
   [[nodiscard]] core::Seconds least_time(const graph::Edge& edge, core::Seconds depart) const {
     return favourable.least_time(edge, depart);
@@ -37,8 +37,8 @@ struct TowardsGoalInTime {
   }
 };
 
-/// Looks for an early arrival first, and for later ones where there is none: the less time there is, the fewer places
-/// are of use, and the shorter.
+/// Searches for an early arrival first, then for later ones: with less time, fewer places are useful, and for a
+/// shorter time.
 class HeldWaySearch {
  public:
   /// `within`: from the departure to the latest arrival. Everything is borrowed.

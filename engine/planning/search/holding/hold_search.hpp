@@ -11,32 +11,33 @@
 
 namespace floeplan::planning::search {
 
-/// The way of a vehicle that holds where something in its way is closed for a while.
+/// The route of a vehicle that holds before closures that end.
 struct HeldWay {
-  std::vector<geo::PlanePoint> path;  // start and goal included; empty: none with holds as allowed
-  core::Seconds arrival{INFINITY};    // at its end
+  std::vector<geo::PlanePoint>
+      path;  // start and goal included; empty: there is none with holds as the request allows them
+  core::Seconds arrival{INFINITY};  // at the end of the route
   graph::SearchCounters counters;
-  std::int64_t leg_times{};  // that were worked out, about
+  std::int64_t leg_times{};  // about how many leg times were computed
   bool cancelled{false};
-  bool full{false};             // a bound on memory or work was met: an earlier way may exist
-  core::Seconds none_before{};  // then: no way arrives earlier
+  bool full{false};             // a limit of memory or work was reached: an earlier route may exist
+  core::Seconds none_before{};  // if so: lower bound of the arrival
 };
 
-/// Leg times for one look for an open departure, on the average; measured in a tidal strait.
+/// Average number of leg times to find one open departure; measured in a tidal strait.
 inline constexpr std::int64_t leg_times_of_a_look = 6;
 
-/// An arrival that is later than the earliest by so much will do.
+/// How much later than the earliest an arrival may be.
 [[nodiscard]] core::Seconds slack_of_holds(const cost::Sea& sea, const OpenGrid& open);
 
-/// Some 300 MB, and in strong tides some fifteen seconds.
+/// About 300 MB, and about fifteen seconds in strong tides.
 inline constexpr graph::IntervalLimits limits_of_a_hold_search{.most_entries = 3'000'000,
                                                                .most_looks = 2'000'000};
 
-/// Searches a grid for the earliest arrival at its goal, no later than `latest`, of a vehicle that may hold for as
-/// long as it must. A way that needs a longer hold at one place than the request allows counts as none. Shorter holds
-/// are not searched for: the vehicle could hop from place to place to keep each of them short.
-/// The time without surfacing counts as unbounded.
-/// Stops  early and says so once `stop` is requested
+/// Searches a grid for the earliest arrival at its goal, at most `latest`, of a vehicle that may hold for any time.
+/// If the route found needs a longer hold at one place than the request allows, there is no result: the search cannot
+/// limit holds, because the vehicle could hop from place to place to keep each of them short.
+/// The limit on the time without surfacing is ignored.
+/// Stops  early once `stop` is requested, and says so
 [[nodiscard]] HeldWay search_held_way(const cost::Sea& sea, const OpenGrid& open, core::Seconds depart,
                                       core::Seconds latest, const std::stop_token& stop,
                                       const graph::ExpansionCallback& report = {},

@@ -13,8 +13,8 @@ namespace {
 
 constexpr core::Seconds nearly_then{60.0};
 
-/// On the film run backwards: towards the start, and no sooner at a place than the fastest vehicle with the strongest
-/// current astern.
+/// Bound of the time-reversed search: towards the start, and at each place no earlier than the fastest vehicle with
+/// the strongest current astern.
 struct TowardsStart {
   const FavourableBound& from_start;
   core::Seconds depart;
@@ -31,7 +31,7 @@ struct TowardsStart {
 HeldWay search_later_departure(const cost::Sea& sea, const OpenGrid& open, core::Seconds depart,
                                core::Seconds arrive, const std::stop_token& stop) {
   HeldWay held;
-  const core::Seconds then = arrive + 0.5 * nearly_then;  // what opens opens about then
+  const core::Seconds then = arrive + 0.5 * nearly_then;  // reopenings near that time count
   const graph::Query query{
       .source = open.grid.goal, .goal = open.grid.start, .depart = -then, .latest = -depart};
   const FavourableBound from_start{sea, open, stop, FavourableBound::Way::from_start};

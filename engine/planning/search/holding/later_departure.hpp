@@ -8,12 +8,11 @@
 
 namespace floeplan::planning::search {
 
-/// Looks for a way that is at the goal about then and on which the vehicle holds nowhere but at the start: who departs
-/// later loses nothing, and waits for the goal where it is safest. Searches from the goal on the film run backwards, by
-/// true times.
-/// It is no proof that there is no way with holds elsewhere.
-/// Returns  a way that was timed with all that closes, no later than a minute after `arrive`; empty: none was found
-/// Stops    early and says so once `stop` is requested
+/// Looks for a route that reaches the goal at about `arrive` and holds only at the start: a later departure costs
+/// nothing, and the start is the safest place to wait. A time-reversed search from the goal with true leg times.
+/// If none is found, a route with holds elsewhere may still exist.
+/// Returns  a route that was timed with all closures, at most a minute after `arrive`; empty: none was found
+/// Stops    early once `stop` is requested, and says so
 [[nodiscard]] HeldWay search_later_departure(const cost::Sea& sea, const OpenGrid& open, core::Seconds depart,
                                              core::Seconds arrive, const std::stop_token& stop);
 

@@ -11,10 +11,10 @@ namespace {
 using graph::Edge;
 using graph::Vertex;
 
-constexpr double span_share = 0.5;      // of the bound
+constexpr double span_share = 0.5;      // share of the bound
 constexpr std::size_t most_spans = 96;  // each takes some milliseconds on a grid of a planning area
 
-/// One span of time after the other, the last one without end.
+/// Consecutive spans of time; the last one has no end.
 class Spans {
  public:
   Spans(const cost::Sea& sea, const FavourableGrid& grid, core::Seconds depart, double longest_s)
@@ -31,12 +31,12 @@ class Spans {
   [[nodiscard]] double ends_s(std::size_t span) const {
     return span + 1 < count_ ? begins_s(span + 1) : never_s;
   }
-  /// The last in which a vehicle can surface that did so before in this one.
+  /// The last span in which a vehicle can surface that last surfaced in this one.
   [[nodiscard]] std::size_t last_after(std::size_t span) const {
     const auto more = static_cast<std::size_t>(std::ceil(longest_s_ / width_s_)) + 1;
     return std::min(span + more, count_ - 1);
   }
-  /// Of each vertex, the least time to where it may surface within the span.
+  /// Least time from each vertex to a place where the vehicle may surface within the span.
   [[nodiscard]] std::vector<double> to_openings_s(std::size_t span) const {
     return to_openings_s(points_, span);
   }
@@ -55,7 +55,7 @@ class Spans {
   std::vector<geo::PlanePoint> points_;
 };
 
-/// Of each vertex, how long after the departure a vehicle is there at least.
+/// Earliest arrival at each vertex, counted from the departure.
 std::vector<double> earliest_arrivals(const FavourableGrid& grid, const std::stop_token& stop) {
   std::vector<double> arrivals_s(grid.open().graph.size(), never_s);
   arrivals_s[grid.open().grid.start] = 0.0;
@@ -65,7 +65,7 @@ std::vector<double> earliest_arrivals(const FavourableGrid& grid, const std::sto
   return arrivals_s;
 }
 
-/// The last span in which the vehicle can have surfaced before it comes to the goal; the first where there is none.
+/// The last span in which the vehicle can have surfaced before it reaches the goal; the first if there is none.
 std::size_t last_of_use(const Spans& spans, const FavourableGrid& grid, double longest_s,
                         const std::stop_token& stop) {
   std::vector<double> to_goal_s(grid.open().graph.size(), never_s);
@@ -108,7 +108,7 @@ HourlyReach reach_hour_by_hour(const cost::Sea& sea, const FavourableGrid& grid,
     for (std::size_t later = span; later <= spans.last_after(span); ++later) {
       if (to_openings_s[later].empty()) to_openings_s[later] = spans.to_openings_s(later);
     }
-    // How long ago a surfacing within the span lies.
+    // Time since a surfacing within the span.
     std::vector<double> since_s(open.graph.size(), never_s);
     for (const Vertex v : surfacings[span]) since_s[v] = 0.0;
     if (span == 0) since_s[open.grid.start] = std::min(since_s[open.grid.start], since_surfacing.count());

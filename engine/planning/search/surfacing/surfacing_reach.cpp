@@ -30,10 +30,10 @@ std::vector<bool> reached_from(Vertex first, std::size_t vertices, const ForEach
   return reached;
 }
 
-/// How long it takes from each vertex straight to an opening, at least.
+/// Lower bound of the time from each vertex straight to a lead.
 struct TimesToOpening {
   std::vector<double> straight_s;
-  std::vector<double> near_s;  // the same where that is an edge at most; infinite elsewhere
+  std::vector<double> near_s;  // the same if the distance is at most an edge; otherwise infinite
 };
 
 TimesToOpening times_to_opening(const cost::Sea& sea, const FavourableGrid& grid) {
@@ -48,7 +48,8 @@ TimesToOpening times_to_opening(const cost::Sea& sea, const FavourableGrid& grid
   return times;
 }
 
-/// Lowers times to the next opening, at first those of the places near one, to what `least_until_surfacing_s` says.
+/// Lowers the times to the next lead to the values of `least_until_surfacing_s`, starting from the vertices near a
+/// lead.
 void spread_backwards(std::vector<double>& until_s, const FavourableGrid& grid, double longest_s,
                       const std::stop_token& stop) {
   double& at_goal_s = until_s[grid.open().grid.goal];
@@ -58,7 +59,7 @@ void spread_backwards(std::vector<double>& until_s, const FavourableGrid& grid, 
   });
 }
 
-/// The bound, with room for rounding.
+/// The limit, with room for rounding.
 double longest(const cost::Sea& sea) {
   return sea.overhead().longest_without_surfacing()->count() + rounding_of_times_s;
 }
@@ -95,7 +96,7 @@ std::vector<bool> SurfacingReach::find_ways(const cost::Sea& sea, const OpenGrid
   });
   spread_backwards(until_s_, grid, longest_s, stop);
 
-  // Whoever surfaces on an edge needs to come to the opening only, and has come from nothing else.
+  // A vehicle that surfaces on an edge only needs to reach the lead, and has come from a lead.
   const auto is_usable = [&](const Edge& edge, double edge_s) {
     if (since_s[edge.tail] + edge_s + until_s_[edge.head] <= longest_s) return true;
     return straight_s[edge.tail] <= grid.straight_s(edge) &&

@@ -14,29 +14,29 @@ namespace {
 
 using graph::Edge;
 
-/// Where the vehicle may wait each label takes some hundred microseconds: with no more of them than this a plan without
-/// waits, which is looked for too, does not have to wait long.
+/// If the vehicle may hold, each label takes some hundred microseconds. This limit lets the plan without holds, which
+/// is also searched, come soon.
 constexpr std::size_t most_waiting_labels = 20'000;
 
-/// Of the bound on the time without surfacing: how finely last surfacings are told apart when any way will do.
+/// Resolution of last surfacings, as a share of the limit on the time without surfacing, when any route is sought.
 constexpr double any_share = 1.0 / 4.0;
 
-/// A search for what is better than all that was found before.
+/// One pass of the search, for a better route than all passes before.
 struct Pass {
   double share_of_bound;  // as above
-  double weight;          // of the rest of the way, see SurfacingVoyage
+  double weight;          // of the remaining time, see SurfacingVoyage
 };
-/// Ever finer, each in haste but for the last. Among forty holes in 75 km of ice, for bounds of 12 to 24 h, they come
-/// to within 1 % of the best way; passes without haste run out of memory up to 7 % from it.
+/// Passes with finer and finer resolution, all quick except the last. With forty leads in 75 km of ice and limits of
+/// 12 to 24 h they come within 1 % of the best route. Passes with full accuracy alone run out of memory up to 7 %
+/// from it.
 constexpr Pass passes[] = {{1.0 / 6.0, 1.2}, {1.0 / 24.0, 1.1}, {1.0 / 100.0, 1.0}};
 
-/// Where no way keeps the bound: with so many arrivals, of which those towards the goal come first, it shows where ways
-/// end.
+/// If no route keeps the limit: this number of arrivals, those nearest to the goal first, shows where routes end.
 constexpr std::size_t most_futile_labels = 10'000;
 
 using Labels = graph::LabelSearch<SurfacingVoyage::State>;
 
-/// The arrival nearest to the goal, the earliest of equals; null when there is none.
+/// The arrival nearest to the goal, the earliest of equals; null if there is none.
 const SurfacingVoyage::Label* nearest_to_goal(const cost::RouteGrid& grid, const Labels& search) {
   const geo::PlanePoint goal = grid.point(grid.goal);
   const SurfacingVoyage::Label* nearest = nullptr;
@@ -68,7 +68,7 @@ void describe_bounded_end(RouteSearch& result, const cost::Sea& sea, const OpenG
   });
 }
 
-/// Searches one grid for one departure, ever more finely.
+/// Searches one grid for one departure with finer and finer resolution.
 class Searches {
  public:
   Searches(const cost::Sea& sea, const OpenGrid& open, core::Seconds depart, core::Seconds since_surfacing,
@@ -86,10 +86,10 @@ class Searches {
     if (end && has_hope_) look_ahead(*end);
   }
 
-  /// Whether any way at all may keep the bound and be at the goal in time.
+  /// Whether any route may keep the limit and reach the goal in time.
   [[nodiscard]] bool has_hope() const { return has_hope_; }
 
-  /// The bounds for ways that are at the goal by then.
+  /// The bounds for routes that reach the goal by then.
   void look_ahead(core::Seconds last) {
     if (!foresight_.is_useful()) return;
     ladder_ = std::make_unique<ArrivalLadder>(foresight_, closures_, reach_.grid(), depart_, last, stop_);
@@ -98,11 +98,11 @@ class Searches {
     has_hope_ = false;
   }
 
-  /// A way that is found soon, at the price of time; what opens near a place later is not waited for.
+  /// A route that is found soon but need not be fast. Reopenings near a place are ignored.
   [[nodiscard]] Labels find_any(std::size_t most_labels) {
     return find({.pass = {any_share, 1.0}, .aim = SurfacingVoyage::Aim::any_way}, Openings{}, most_labels);
   }
-  /// The best one that is at the goal before then, near enough.
+  /// A route close to the best that reaches the goal before then.
   [[nodiscard]] Labels find_best(Pass pass, core::Seconds before, std::size_t most_labels) {
     const Openings openings = sea_.has_timed_closures()
                                   ? Openings{sea_, reach_.grid(), before, stop_, &closures_, ladder_.get()}
@@ -113,7 +113,7 @@ class Searches {
  private:
   struct Wanted {
     Pass pass;
-    double slack{0.0};  // of the least time that the way takes
+    double slack{0.0};  // share of the least travel time
     core::Seconds before{INFINITY};
     SurfacingVoyage::Aim aim{SurfacingVoyage::Aim::best_way};
   };
@@ -150,7 +150,7 @@ class Searches {
   SurfacingReach reach_;
   Foresight foresight_;
   bool has_hope_;
-  std::unique_ptr<ArrivalLadder> ladder_;  // null: a straight line's bounds
+  std::unique_ptr<ArrivalLadder> ladder_;  // null: the bound of a straight line is used
 };
 
 void add(SearchStatistics& statistics, const graph::LabelCounters& counters) {

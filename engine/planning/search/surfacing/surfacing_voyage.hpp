@@ -18,8 +18,8 @@
 
 namespace floeplan::planning::search {
 
-/// The best arrivals so far at each vertex of a grid, by when they come and in which span of time their last possible
-/// surfacing lies: a later span is better.
+/// The best arrivals so far at each vertex of a grid, by their time and by the span of time of their last possible
+/// surfacing: a later span is better.
 class SurfacingFronts {
  public:
   explicit SurfacingFronts(std::size_t vertices) : fronts_(vertices) {}
@@ -35,36 +35,36 @@ class SurfacingFronts {
   std::vector<std::vector<Arrival>> fronts_;
 };
 
-/// A voyage on which the time since the last possible surfacing is bounded: the model of `graph::find_best_labels`.
-/// Resolution  of two arrivals the earlier one is the better unless its last possible surfacing lies in an earlier span
-///          of time. Below ice that moment stays what it is, so that a way loses the width of one span at most
-///          from one surfacing to the next, however many arrivals give way to each other
-/// Closures  near what opens again, only within the same span of time, the time the vehicle needs for a step of the
-///           grid
+/// A voyage with a limit on the time since the last possible surfacing: the model of `graph::find_best_labels`.
+/// Resolution  of two arrivals the earlier one is better unless its last possible surfacing lies in an earlier span
+///             of time. Below ice that moment does not change, so a route loses at most one span between two
+///             surfacings, however many arrivals replace each other
+/// Closures  near something that reopens, only arrivals within the same span are compared: the time that the vehicle
+///           needs for a step of the grid
 /// Threads  one search at a time
 class SurfacingVoyage {
  public:
   struct State {
-    double surfaced_s{};     // when it might have surfaced last
-    std::size_t interval{};  // which of the place's times between closures, where the vehicle may wait
+    double surfaced_s{};     // when the vehicle could last surface
+    std::size_t interval{};  // index of the interval between closures of the place, if the vehicle may hold
   };
   using Label = graph::Label<State>;
 
-  /// What is known of a grid beforehand. Everything is borrowed and outlives the voyage.
+  /// What is known of a grid before the search. Everything is borrowed and must outlive the voyage.
   struct Known {
     VertexClosures& closures;
     const Openings& openings;
     const SurfacingReach& reach;
-    ArrivalLadder* ladder;  // bounds that change no result; null: a straight line's
+    ArrivalLadder* ladder;  // bounds that change no result; null: the bound of a straight line
   };
   enum class Aim {
     best_way,
-    any_way  // soon: the straight rest of the way counts double (weighted A*), an arrival earlier by less than a
+    any_way  // soon: the straight rest of the route counts double (weighted A*), an arrival earlier by less than a
              // step of the grid is no better, and how long ago a surfacing lies stands for when it was
   };
-  /// `resolution`: width of the spans of surfacings. `before`: what is not at the goal by then is of no use.
-  /// `weight`: of the rest of the way, at least 1; by that factor at most, what is found is later than the best
-  /// (weighted A*).
+  /// `resolution`: width of the spans of surfacings. `before`: an arrival at the goal must be earlier. `weight`:
+  /// factor of the remaining time, at least 1; the result is later than the best by at most this factor (weighted
+  /// A*).
   SurfacingVoyage(const cost::Sea& sea, const OpenGrid& open, const Known& known, core::Seconds resolution,
                   core::Seconds before, Aim aim = Aim::best_way, double weight = 1.0);
 
@@ -101,8 +101,8 @@ class SurfacingVoyage {
 
   [[nodiscard]] double order(graph::Vertex, double arrival_s) const { return -arrival_s; }
 
-  /// In currents that change, the later of two vehicles under ice gains on the earlier one; it has been there for
-  /// longer only if its last surfacing lies further back, not if the time since then is greater now.
+  /// In currents that change, the later of two vehicles under ice gains on the earlier one. It is worse only if its
+  /// last surfacing lies further back, not if the time since then is greater now.
   [[nodiscard]] bool dominates(graph::Vertex v, const Label& a, const Label& b) const {
     if (a.arrival_s > b.arrival_s + indifferent_s_) return false;
     if (may_wait_) return may_wait_for(v, a, b);
@@ -113,26 +113,26 @@ class SurfacingVoyage {
 
  private:
   static constexpr std::int64_t latest_span = std::numeric_limits<std::int64_t>::max();
-  /// Round the demonstration data's ice 2 took fewer labels than 1.5; 3 took still fewer there, but more where there is
-  /// no way.
+  /// Around the ice of the demonstration data a weight of 2 took fewer labels than 1.5. A weight of 3 took still
+  /// fewer there, but more where there is no route.
   static constexpr double any_weight = 2.0;
 
   [[nodiscard]] double earliest_at_goal_s(graph::Vertex v, double arrival_s) const;
   [[nodiscard]] std::int64_t span_of(double surfaced_s, double arrival_s) const;
   [[nodiscard]] double step_of(double arrival_s) const { return std::floor(arrival_s / step_s_); }
-  /// Whether another arrival so far is the better one wherever it goes from here.
+  /// Whether another arrival so far is better, wherever the route goes from here.
   [[nodiscard]] bool is_beaten(graph::Vertex v, double arrival_s, std::int64_t span) const {
     return !openings_.matter(v, arrival_s) && fronts_.holds_better(v, arrival_s + indifferent_s_, span);
   }
-  /// At the edge's head, for who leaves its tail then.
+  /// State at the head of the edge, for a departure from its tail at that time.
   [[nodiscard]] double least_arrival_s(const graph::Edge& edge, double depart_s) const;
   [[nodiscard]] bool is_of_use(graph::Vertex v, double arrival_s) const;
   [[nodiscard]] bool may_surface_along(geo::PlanePoint tail, geo::PlanePoint head) const;
-  /// Or be at the last stop; at the goal, with what has to be left there.
+  /// Or to the last stop; at the goal, with the part of the limit that must be left there.
   [[nodiscard]] bool can_surface_in_time(graph::Vertex v, double since_surfacing_s) const;
-  /// Whether who comes first can stay until the other one is there, and be no worse off then.
+  /// Whether the earlier vehicle can hold until the other one arrives, and is then no worse off.
   [[nodiscard]] bool may_wait_for(graph::Vertex v, const Label& first, const Label& other) const;
-  /// At once, and after the least wait for each of the head's times between closures.
+  /// At once, and after the shortest hold for each interval between closures of the head.
   void extend_with_waits(const graph::Edge& edge, double arrival_s, const State& state, auto&& emit);
 
   const cost::Sea& sea_;
@@ -150,7 +150,7 @@ class SurfacingVoyage {
   Aim aim_;
   double weight_;
   bool may_wait_;
-  double indifferent_s_;  // by so much a later arrival is as good
+  double indifferent_s_;  // a later arrival within this time counts as equal
   SurfacingFronts fronts_;
 };
 

@@ -177,7 +177,7 @@ Checked<Views> open_views(const std::filesystem::path& file, const char* driver)
   return views;
 }
 
-/// On a grid of the store. Between nodes the value is a mean, so the extremes are those of all that it is taken from.
+/// Resamples to a grid of the store. A value between nodes is a mean, so the extremes of all values behind it are kept too.
 Checked<Views> resampled(const Views& views, const OGRSpatialReference& crs, const char* target_crs) {
   const auto from = [](const DatasetPtr& own, const DatasetPtr& otherwise) -> GDALDataset& {
     return own ? *own : *otherwise;

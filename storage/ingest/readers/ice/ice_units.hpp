@@ -10,7 +10,7 @@
 
 namespace floeplan::ingest {
 
-/// What the values of a variable turned out to be once all of them were read.
+/// The unit of a variable, found from all its values.
 struct Found {
   Extent extent{};           // of the values that are not missing
   bool whole_numbers{true};  // all of them

@@ -23,7 +23,7 @@ struct Columns {
   MeasurementLine lat;
   MeasurementLine lon;
   std::optional<MeasurementLine> depth{};  // or the pressure
-  double depth_factor{};                   // to metres, positive down; of pressure to decibars
+  double depth_factor{};                   // to metres, positive down; for pressure: to decibars
   bool is_pressure{false};
   CfTime calendar;
 };

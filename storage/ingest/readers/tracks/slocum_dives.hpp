@@ -47,7 +47,7 @@ class SlocumDives {
     std::optional<core::UtcTime> surfaced;
     std::optional<geo::LonLat> to;  // the first fix after it
     Known known;                    // when it came up
-    std::size_t axes{};             // in which the vehicle reckons on it
+    std::size_t axes{};             // of the coordinates of the vehicle's dead reckoning
   };
 
   /// The current of a dive, in the axes of a number of `axes_`.

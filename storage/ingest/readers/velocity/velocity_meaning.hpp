@@ -23,7 +23,7 @@ struct VelocityMeaning {
   std::size_t rank{};             // of its name among those that are known; the least is taken first
   std::string instead;            // what the numbers are where they are no state of what moves: "a maximum"
   std::optional<messages::Message> contradiction;  // why its component is not known
-  std::optional<messages::Message> remark;         // what the pilot should know of how it was understood
+  std::optional<messages::Message> remark;         // for the pilot: how the variable was interpreted
 };
 
 /// Decides what a variable is. Evidence in this order: the standard name with its modifier, cell_methods, the name, the

@@ -175,7 +175,7 @@ constexpr std::string_view beside_currents[]{
     "total",   "surface",  "surf",  "sur",        "sfc",      "depth",     "avg",
     "average", "averaged", "mean",  "barotropic", "residual", "tidal",     "tide"};
 
-/// A name that producers put together of a component and words of a current: "curr_east", "ucurr", "u_residual".
+/// A name that joins a component with words for a current: "curr_east", "ucurr", "u_residual".
 std::optional<KnownName> composed_name(const std::string& plain) {
   const std::vector<std::string> parts = parts_of_name(plain);
   KnownName known{.generic = true};

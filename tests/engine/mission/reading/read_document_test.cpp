@@ -227,7 +227,7 @@ TEST(ReadDocument, TellsTheKindOfAFileWithoutAnEnding) {
   EXPECT_EQ(read_document("upload", "behavior: abend\n").kind, DocumentKind::mission);
 }
 
-/// Sound files, broken by a few random edits, as transfers and editors break them.
+/// Good files, damaged by a few random edits as by transfers and editors.
 TEST(ReadDocument, SurvivesWhateverIsDoneToAFile) {
   const std::vector<std::string> sound{
       list_of("-7348.0000\t3917.0000\n-12460.1 5.\n", 2),

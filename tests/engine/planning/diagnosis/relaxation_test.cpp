@@ -88,7 +88,7 @@ TEST(Relaxation, NamesTheNextDepartureThatACurrentLetsPass) {
 TEST(Relaxation, NamesTheMarginThatLetsTheVehicleThroughBetweenIcebergs) {
   PlanRequest request = eastward_request();
   ocean::Environment environment;
-  // A line of bergs of 200 m, 2.2 km apart, crosses every way: in the middle between two, 1 km is free to either side.
+  // A line of bergs of 200 m, 2.2 km apart, crosses every route: in the middle between two, 1 km is free to either side.
   for (int i = -60; i <= 60; ++i) {
     environment.icebergs.push_back(support::iceberg_at({-53.0, 69.0 + 0.0198 * i}, 200.0));
     environment.icebergs.back().id = std::to_string(i);
@@ -428,7 +428,7 @@ TEST(Relaxation, NamesHowHighToClimbWhereDivesTurnTooDeepForTheWater) {
   EXPECT_FALSE(plan(environment, request).has_value());
 }
 
-/// The refusal comes from a rule that a trial of a single plan does not know.
+/// The refusal comes from a rule that trials of single plans do not cover.
 TEST(Relaxation, NamesNoChangeOfARequestThatHasASinglePlan) {
   PlanRequest request = eastward_request();
   request.zones = {{.name = "out of the way",
@@ -503,7 +503,7 @@ TEST(Relaxation, DepartsWhenTheStartHasOpened) {
   EXPECT_EQ(std::get<core::UtcTime>(later->to), request.depart + core::Seconds{3.0 * 3600.0});
 }
 
-/// A wall of land from north to south with a gap of 0.1 degrees of latitude on the straight way.
+/// A wall of land from north to south with a gap of 0.1 degrees of latitude on the straight route.
 std::shared_ptr<const ocean::Bathymetry> wall_with_a_gap() {
   return bathymetry_from([](geo::LonLat p) {
     return std::abs(p.lon_deg + 53.0) < 0.15 && std::abs(p.lat_deg - 69.0) > 0.03 ? -5.0 : 300.0;
@@ -643,7 +643,7 @@ TEST(Relaxation, LeavesOutAllAreasWhereNoneIsInTheWayAlone) {
   EXPECT_TRUE(plan({}, request).has_value());
 }
 
-/// A request and its sea after a change.
+/// A request and its environment after a change.
 struct Asked {
   ocean::Environment environment;
   PlanRequest request;

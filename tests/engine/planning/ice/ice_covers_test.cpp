@@ -150,7 +150,7 @@ TEST(IceCovers, HoldTheNearestStep) {
   EXPECT_TRUE(covers.above({0.0, 0.0}, hours(60.0)).may_surface);
 }
 
-/// Law: bounds on ways to openings and to dense ice hold for what all together tell.
+/// Law: bounds on routes to openings and to dense ice hold for what all together tell.
 TEST(IceCovers, BoundTheWaysToOpeningsAndToDenseIce) {
   int looks = 0;
   support::for_each_seed(40, [&](std::mt19937_64& rng) {

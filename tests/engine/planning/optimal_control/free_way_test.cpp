@@ -77,12 +77,12 @@ TEST(FreeWay, TakesTheTimeOfTheExtremalThroughTheJet) {
   for (const auto& points : ways_along_the_jet(2)) {
     const auto way = find_free_way(time_way(points, core::Seconds{0.0}, timer).value(), timer);
 
-    if (!way) continue;  // the corridor's way is far from any optimum; it says so
+    if (!way) continue;  // the corridor's route is far from any optimum; it says so
     EXPECT_NEAR(way->duration.count(), 17.1588, 1e-4);
   }
 }
 
-/// Law: if two rough ways are said to lead to one way, the ways found from both have the same duration.
+/// Law: if two rough routes are said to lead to one way, the routes found from both have the same duration.
 TEST(FreeWay, IsOneFromRoughWaysThatLieTogether) {
   const currents::RiverCurrent river;
   const LegTimer timer = legs_in(river, over_the_river.through_water);

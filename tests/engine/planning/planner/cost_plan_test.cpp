@@ -30,7 +30,7 @@ geo::VelocityEn tide(geo::LonLat place, double hour) {
   return {{0.15 * std::cos(phase)}, {0.2 * std::sin(phase + place.lon_deg)}};
 }
 
-/// Shallow along the straight way, deep to the north of it.
+/// Shallow along the straight route, deep to the north of it.
 std::shared_ptr<const ocean::Bathymetry> bank() {
   return bathymetry_from([](geo::LonLat place) {
     const bool on_bank = std::abs(place.lat_deg - 69.0) < 0.06 && std::abs(place.lon_deg + 53.0) < 0.3;
@@ -118,7 +118,7 @@ TEST(CostPlan, UsesTheThrusterOnlyBelowTheIceThatIsTooWideForTheBuoyancyDrive) {
 }
 
 TEST(CostPlan, TurnsTheThrusterOnWhereTheBuoyancyDriveHardlyMakesWay) {
-  // A stream 8 km wide sets against the vehicle at nearly its speed on the buoyancy drive, 0.35 m/s.
+  // Across the route runs a stream 8 km wide, against the vehicle, at nearly its buoyancy speed of 0.35 m/s.
   const auto stream = [](geo::LonLat place, double) {
     return geo::VelocityEn{{std::abs(place.lon_deg + 53.0) < 0.15 ? -0.32 : 0.0}, {0.0}};
   };

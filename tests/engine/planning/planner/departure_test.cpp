@@ -44,7 +44,7 @@ void expect_brute_force(const ocean::Environment& environment, const PlanRequest
     const auto plan = plan_route(environment, alone(request, outcome.departure), {}, {});
     ASSERT_EQ(outcome.travel_time.has_value(), plan.has_value());
     if (plan) {
-      // The plan joins straight runs of legs: it is the same way, integrated in fewer pieces.
+      // The plan joins straight runs of legs: it is the same route, integrated in fewer pieces.
       EXPECT_NEAR(outcome.travel_time->count(), plan->travel_time().count(),
                   2e-4 * plan->travel_time().count());
       EXPECT_NEAR(outcome.energy->value, plan->energy->use.total().value,
@@ -200,7 +200,7 @@ TEST(CompareDepartures, AskOfEachDepartureAloneWhetherAnIcebergCoversItsStart) {
   expect_brute_force(environment, request);
 }
 
-/// A stream against the way until an hour, and with it afterwards; or the other way round.
+/// A stream against the route until an hour, and with it afterwards; or the other way round.
 std::shared_ptr<const ocean::CurrentGrid> turning_stream(double before_m_s, double after_m_s) {
   return currents_from(
       [=](geo::LonLat, double hour) {

@@ -33,7 +33,7 @@ ocean::Environment three_members() {
   return environment;
 }
 
-/// The shares that were told, in their order.
+/// The shares that were reported, in their order.
 struct Told {
   std::vector<double> all;
   std::vector<double> of_stage;

@@ -17,7 +17,7 @@ Result<Plan> plan(const ocean::Environment& environment, const PlanRequest& requ
   return plan_route(environment, request, {}, {});
 }
 
-/// A stream along the way, north of it or south of it.
+/// A stream along the route, north of it or south of it.
 std::shared_ptr<const ocean::CurrentGrid> stream(double middle_lat, double speed_m_s) {
   return currents_from(
       [=](geo::LonLat p, double) {

@@ -30,7 +30,7 @@ struct Lattice {
   int goal_row;
 };
 
-/// The fastest way of a 3-sector search; empty when there is none.
+/// The fastest route of a 3-sector search; empty when there is none.
 template <class Timer>
 std::optional<cost::Route> way_on(const Lattice& lattice, const Timer& leg_time) {
   const graph::GridGraph grid{lattice.nx, lattice.ny, 3};
@@ -275,7 +275,7 @@ TEST(Refinement, GoesTightlyRoundADisc) {
     return core::Seconds{length};
   };
   const Lattice lattice{{-3000.0, -2000.0}, 100.0, 100.0, 61, 41, 0, 20, 60, 20};
-  // The shortest way: two tangents of sqrt(3000^2 - 1000^2) and the arc between them.
+  // The shortest route: two tangents of sqrt(3000^2 - 1000^2) and the arc between them.
   const double shortest = 2.0 * std::sqrt(8.0e6) + 1000.0 * 2.0 * std::asin(1.0 / 3.0);
 
   const Refined refined =

@@ -27,7 +27,7 @@ Leg around_a_square(geo::PlanePoint a, geo::PlanePoint b, core::Seconds) {
   return core::Seconds{geo::distance_m(a, b)};
 }
 
-/// A way that passes the upper corners of the square closely.
+/// A route that passes the upper corners of the square closely.
 cost::Route round_two_corners(double off_m) {
   return {{{0.0, 0.0}, {400.0 - off_m, 100.0 + off_m}, {600.0 + off_m, 100.0 + off_m}, {1000.0, 0.0}},
           {true, false, false, true}};

@@ -140,7 +140,7 @@ TEST(Flight, StraysFromItsDeadReckoningAsTheErrorsSay) {
     squares += std::pow(level_distance(fix.fixed, fix.believed) / level_distance(fix.fixed, {}), 2);
   }
 
-  // Biases of compass and speed together; the deviation of a hundred runs is good to 7 %.
+  // Biases of compass and speed together. The standard deviation from a hundred runs is accurate to 7 %.
   const NavigationErrors errors;
   EXPECT_NEAR(std::sqrt(squares / runs) / std::hypot(errors.compass.value, errors.speed_share), 1.0, 0.25);
 }

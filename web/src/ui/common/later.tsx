@@ -2,7 +2,7 @@ import type { ComponentType, VNode } from 'preact';
 import { useEffect, useState } from 'preact/hooks';
 import { dialog, tell } from '../../model/screen';
 
-/** A part of the page whose code is fetched when it is first shown; where it cannot be had, that is said. */
+/** A part of the page whose code is loaded when it is first shown. A failure to load it is shown in its place. */
 export function later<Props extends object>(fetchIt: () => Promise<ComponentType<Props>>, giveUp: () => void = () => undefined): (props: Props) => VNode | null {
   let fetched: ComponentType<Props> | undefined;
   return function Later(props: Props) {

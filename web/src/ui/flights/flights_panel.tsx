@@ -14,7 +14,7 @@ import { RoleNote } from '../common/role_note';
 import { FlightView } from './flight_view';
 import { SimulationView } from './simulation_view';
 
-/** A plan in the test bed: fly it, once or many times, and look at its flights. */
+/** The test bed: flies the plan once or many times and shows its flights. */
 export function FlightsPanel({ plan }: { plan: Plan }): VNode {
   useEffect(() => void listSimulations(plan.plan_id), [plan.plan_id]);
   const listed = stored.value[plan.plan_id];

@@ -32,7 +32,7 @@ PlanRequest hybrid_request(const Objective& objective) {
   return request;
 }
 
-/// Calls a function for every simple way and every choice of drives.
+/// Calls a function for every simple route and every choice of drives.
 struct BruteForce {
   const cost::Sea& sea;
   const OpenGrid& open;
@@ -259,7 +259,7 @@ struct LateScene {
   }
   struct Outcome {
     Result<CostWay> way;
-    int reports{};  // of the searches for the least cost and for the earliest way
+    int reports{};  // of the searches for the least cost and for the earliest route
   };
   [[nodiscard]] Outcome search() const {
     const cost::Sea sea{environment, request, projection, grid.bounds().grown(2500.0), core::Metres{800.0}};

@@ -25,8 +25,8 @@ constexpr core::Seconds at_departure{0.0};
 constexpr core::Metres hold_radius = HoldRules{}.radius;
 const geo::LocalProjection projection{{-53.0, 69.0}};
 
-/// A few kilometres with icebergs that drift, an area that is closed for a while, and a tide across a strait that the
-/// vehicle cannot stem at its strongest.
+/// A few kilometres with drifting icebergs, a timed area, and a tide across a strait that is too strong for the
+/// vehicle at its peak.
 struct TidalScene {
   PlanRequest request{support::eastward_request()};
   ocean::Environment environment;
@@ -67,8 +67,8 @@ struct TidalScene {
   }
 };
 
-/// The earliest arrival by trying every departure of ten minutes at every vertex; later than the earliest of all, never
-/// earlier.
+/// The earliest arrival if every departure of a ten-minute grid is tried at every vertex. Never earlier than the true
+/// earliest arrival, perhaps later.
 core::Seconds by_brute_force(const cost::Sea& sea, const OpenGrid& open) {
   constexpr core::Seconds step{600.0};
   constexpr std::size_t bins = 48 * 6;
@@ -122,8 +122,8 @@ TEST(HoldSearch, IsNeverLaterThanAnyWayThatBruteForceFinds) {
 
 constexpr core::Seconds two_days{48.0 * hour_s};
 
-/// A tide that turns round once in twelve hours; icebergs drift about, and the goal lies in an area that is closed
-/// for longer than the way takes.
+/// A tide that turns round once in twelve hours, drifting icebergs, and a goal in an area that stays closed longer
+/// than the route takes.
 Scene gated_scene(std::mt19937_64& rng) {
   PlanRequest request = support::eastward_request();
   request.spacing_along = core::Metres{2500.0};
@@ -152,7 +152,7 @@ Scene gated_scene(std::mt19937_64& rng) {
   return {request, environment};
 }
 
-/// Whether the vehicle can keep its place at the start for so long.
+/// Whether the vehicle can hold at the start for this long.
 bool start_stays_clear(const Scene& scene, core::Seconds time) {
   const geo::LocalProjection there{scene.request.from};
   const plane::PlaneBox area{{-5000.0, -5000.0}, {5000.0, 5000.0}};
@@ -160,7 +160,7 @@ bool start_stays_clear(const Scene& scene, core::Seconds time) {
   return cost::can_stay_until(sea, there.to_plane(scene.request.from), core::Seconds{0.0}, time) >= time;
 }
 
-/// Who may wait can wait at the start.
+/// A vehicle that may hold can hold at the start.
 TEST(HoldSearch, IsNoLaterThanAWayThatIsBegunLater) {
   int compared = 0;
   int waits = 0;
@@ -190,7 +190,7 @@ TEST(HoldSearch, IsNoLaterThanAWayThatIsBegunLater) {
   EXPECT_GT(waits, 1);
 }
 
-/// A goal that a disc keeps for hours after the vehicle could be there.
+/// A goal that a disc covers for hours after the vehicle could be there.
 class HoldBeforeAGoal : public testing::Test {
  protected:
   HoldBeforeAGoal() {
@@ -276,7 +276,7 @@ TEST(LongestHold, CountsPlacesNearToEachOtherAsOne) {
 }
 
 TEST(SafeIntervals, LetTheVehicleStayWhereTheCurrentIsWeakAndPassWhereItIsStrong) {
-  // Slack for five hours, then half a metre a second; the vehicle makes 0.35.
+  // The current is slack for five hours, then 0.5 m/s; the vehicle makes 0.35 m/s.
   const ocean::Environment environment{
       .currents = support::currents_from(
           [](geo::LonLat, double hour) { return geo::VelocityEn{{hour <= 5.0 ? 0.1 : 0.5}, {0.0}}; }, 48)};
@@ -300,7 +300,7 @@ TEST(SafeIntervals, LetTheVehicleStayWhereTheCurrentIsWeakAndPassWhereItIsStrong
   EXPECT_NEAR(safe[0].until_s, 2.0 * hour_s, 120.0);
   EXPECT_TRUE(safe[1].may_stay);
   EXPECT_NEAR(safe[1].from_s, 3.0 * hour_s, 120.0);
-  // Between the hours the current grows evenly: 0.8 x 0.35 m/s at 5.45 h.
+  // Between the hours the current grows linearly: it reaches 0.8 x 0.35 m/s at 5.45 h.
   EXPECT_NEAR(safe[1].until_s, 5.45 * hour_s, 2.0);
   EXPECT_FALSE(safe[2].may_stay);
   EXPECT_EQ(safe[2].from_s, safe[1].until_s);

@@ -177,7 +177,7 @@ TEST(SurfacingSearch, SaysThatTheLastSurfacingLiesTooFarBack) {
 }
 
 TEST(SurfacingSearch, TakesTheBestWayOfAllWhereThatKeepsTheBound) {
-  // Eddies, and a tongue of ice to the north of the way.
+  // Eddies, and a tongue of ice to the north of the route.
   const ocean::Environment environment{
       .currents = support::currents_from(
           [](geo::LonLat p, double hour) {
@@ -225,7 +225,7 @@ TEST(SurfacingSearch, FindsTheWayPastABergThatLeavesTheGapLater) {
 }
 
 TEST(SurfacingSearch, ReturnsTheBestWayItKnowsWhenItIsCutShort) {
-  // Patches of open water: many ways lead to each place.
+  // Patches of open water: many routes lead to each place.
   const ocean::Environment environment{.ice = support::ice_from(
                                            [](geo::LonLat p, double) {
                                              return std::clamp(0.45 + 0.5 * std::sin(9.0 * p.lon_deg) +
@@ -259,7 +259,7 @@ TEST(SurfacingSearch, ReturnsTheBestWayItKnowsWhenItIsCutShort) {
 }
 
 TEST(SurfacingSearch, FindsAnyWayBeforeItLooksForABetterOne) {
-  // A block of ice on the straight way, too wide for the bound, with bergs that drift about it: the way leads round.
+  // A block of ice on the straight route, too wide for the bound, with bergs that drift about it: the route leads round.
   ocean::Environment environment{
       .ice = support::ice_from(
           [](geo::LonLat p, double) {

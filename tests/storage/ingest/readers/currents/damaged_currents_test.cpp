@@ -34,7 +34,7 @@ class DamagedCurrents : public StoreFixture {
     std::ifstream in{file, std::ios::binary};
     return {std::istreambuf_iterator<char>{in}, {}};
   }
-  /// A damaged file is refused, or what it left in the store is possible; then it is taken out again.
+  /// A damaged file is refused, or its stored values are plausible; the stored dataset is then removed.
   void expect_harmless(const std::string& bytes) {
     for (const IngestReport& report : ingest_all(write_file("damaged.nc", bytes))) {
       if (!report.dataset) {

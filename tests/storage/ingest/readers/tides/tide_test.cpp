@@ -370,7 +370,7 @@ TEST_F(TideFile, ThatWasCutShortIsRefused) {
   }
 }
 
-/// In the process that is made for foreign files: the library of HDF5 may crash on a damaged one.
+/// In the confined reader process, because the HDF5 library may crash on a damaged file.
 TEST_F(TideFile, WithFlippedBytesIsRefusedOrHoldsPlausibleConstants) {
   write_tpxo_transport(path("u_k1_tpxo.nc"), true);
   const std::string whole = bytes_of(path("u_k1_tpxo.nc"));

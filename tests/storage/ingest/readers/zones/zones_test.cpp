@@ -154,7 +154,7 @@ TEST_F(Zones, OfAProjectionKeepToItsStraightEdges) {
     const auto zones = stored(report);
     EXPECT_GT(zones.front().area.outer.size(), 20U);
     EXPECT_LT(zones.front().area.outer.size(), 2000U);
-    constexpr double near_m = 25.0;  // the 10 m kept, by the scale of the projection, and some more
+    constexpr double near_m = 25.0;  // the distance of 10 m times the scale of the projection, with room
     support::for_each_seed(300, [&](std::mt19937_64& rng) {
       const double along = support::uniform(rng, -799'000.0, -401'000.0);
       const double offset = support::uniform(rng, 0.0, 1.0) < 0.5 ? -near_m : near_m;
