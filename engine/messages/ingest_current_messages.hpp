@@ -24,22 +24,12 @@ inline constexpr auto ingest_current_kinds = std::to_array<Kind>({
      .text = "the sea has no depth anywhere in the file, so its levels cannot be placed. The file is "
              "damaged or holds land only",
      .hint = "Ask the producer for another"},
-    {.code = "nothing-left-after-resampling",
-     .rank = Rank::caution,
-     .text = "no {what} is left after resampling from {layout}: the area is smaller than a few cells of the "
-             "model",
-     .hint = "Give a larger part of its grid",
-     .slots = {{{"what", "current"}, {"layout", "a bent grid"}}}},
-    {.code = "currents-resampled",
+    {.code = "kept-at-own-points",
      .rank = Rank::note,
-     .text = "resampled from {layout} to a regular grid of {spacing}. At the model's own points (first "
-             "time, all depths) the stored {what} differ by {rms} m/s RMS, {largest} m/s at most{speed}",
-     .slots = {{{"layout", "a bent grid"},
-                {"spacing", "0.05 x 0.05 degrees of longitude and latitude"},
-                {"what", "currents"},
-                {"rms", "0.01"},
-                {"largest", "0.08"},
-                {"speed", " (RMS speed 0.2 m/s)"}}}},
+     .text = "every value is kept at the model's own {points} points ({layout}); between them values are "
+             "interpolated when "
+             "they are used",
+     .slots = {{{"points", 12000}, {"layout", "a bent grid"}}}},
     {.code = "currents-too-large",
      .rank = Rank::caution,
      .text = "the file holds {times} times and {depths} depths of {nodes} nodes, more than this program "
@@ -83,11 +73,12 @@ inline constexpr auto ingest_current_kinds = std::to_array<Kind>({
              "kept",
      .hint = "Take out what you do not trust before you plan",
      .slots = {{{"values", 12}}}},
-    {.code = "levels-interpolated",
+    {.code = "levels-follow-bed",
      .rank = Rank::note,
-     .text = "the model's {levels} levels follow the sea bed; the currents were interpolated to {depths} "
-             "depths below the surface, from 0 to {deepest} m",
-     .slots = {{{"levels", 30}, {"depths", 24}, {"deepest", "500"}}}},
+     .text = "the model's {levels} levels follow the sea bed and are kept with their depths; between them "
+             "values are "
+             "interpolated when they are used",
+     .slots = {{{"levels", 30}}}},
     {.code = "current-above-first-level",
      .rank = Rank::caution,
      .text = "the currents begin at a depth of {depth} m. Above it the current of that depth is used, "

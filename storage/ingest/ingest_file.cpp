@@ -25,8 +25,17 @@ namespace {
 using repository::Dataset;
 using repository::DatasetKind;
 
-repository::DatasetId id_of(DatasetKind kind, const std::string& sha256) {
-  return {repository::kind_name(kind) + "-" + sha256.substr(0, 8)};
+/// Data at their model's own points have another part of the digest: the same file may be stored resampled, by an older
+/// program, and plans cite what they were made from.
+repository::DatasetId id_of(DatasetKind kind, const std::string& sha256, bool at_own_points) {
+  constexpr std::size_t digits = 8;
+  return {repository::kind_name(kind) + "-" + sha256.substr(at_own_points ? digits : 0, digits)};
+}
+
+/// Whether an older program has resampled the data; it said so in its warnings.
+bool was_resampled(const Dataset& dataset) {
+  return std::ranges::any_of(
+      dataset.warnings, [](const std::string& warning) { return warning.starts_with("resampled from "); });
 }
 
 /// "u.nc + v.nc", "charts.zip: ice.shp"; of the many files of a track the first ones.
@@ -51,7 +60,7 @@ std::int64_t size_of(const FileGroup& files) {
 
 Dataset dataset_of(const PreparedDataset& data, const FileGroup& files, const IngestOptions& options,
                    const std::string& sha256, core::UtcTime now) {
-  return {.id = id_of(data.kind, sha256),
+  return {.id = id_of(data.kind, sha256, data.at_own_points),
           .kind = data.kind,
           .name = options.name.value_or(files.front().stem().string()),
           .variables = data.variables,
@@ -109,11 +118,13 @@ void warn_of_open_end(const RecognisedFile& file, Messages& warnings) {
 Candidate check_kind(sql::Connection& db, const RecognisedFile& file, const FileGroup& files,
                      DatasetKind kind, const std::string& sha256, const IngestOptions& options,
                      const core::ProgressCallback& progress) {
-  if (auto stored = repository::DatasetRepository{db}.find(id_of(kind, sha256))) {
+  for (const bool at_own_points : {true, false}) {
+    auto stored = repository::DatasetRepository{db}.find(id_of(kind, sha256, at_own_points));
+    if (!stored) continue;
     if (stored->provenance.sha256 != sha256)
       return {refused(files, options, {messages::ingest_file_message<"dataset-id-taken">(stored->id.value)}),
               std::nullopt};
-    if (!stored->outdated)
+    if (!stored->outdated && !was_resampled(*stored))
       return {{.file = names_of(files, options),
                .status = IngestStatus::unchanged,
                .dataset = std::move(stored),

@@ -49,8 +49,9 @@ TEST_F(SpoiltTree, ShowsAnArrowThatPointsBack) {
   append("engine/core/units.hpp", "#include \"engine/geo/lon_lat.hpp\"");
   append("engine/graph/grid_graph.hpp", "#include \"engine/ocean/ice/iceberg.hpp\"");
 
-  EXPECT_THAT(new_faults(), ElementsAre(HasSubstr("engine/core must not use \"engine/geo/lon_lat.hpp\""),
-                                        HasSubstr("engine/graph must not use \"engine/ocean/ice/iceberg.hpp\"")));
+  EXPECT_THAT(new_faults(),
+              ElementsAre(HasSubstr("engine/core must not use \"engine/geo/lon_lat.hpp\""),
+                          HasSubstr("engine/graph must not use \"engine/ocean/ice/iceberg.hpp\"")));
 }
 
 TEST_F(SpoiltTree, ShowsStorageInTheEngineAndAvoidanceThatSeesTheOcean) {
@@ -62,7 +63,7 @@ TEST_F(SpoiltTree, ShowsStorageInTheEngineAndAvoidanceThatSeesTheOcean) {
 }
 
 TEST_F(SpoiltTree, ShowsRoomsOfReadersThatLeanOnEachOther) {
-  append("storage/ingest/grids/resampling.hpp",
+  append("storage/ingest/grids/row_mesh.hpp",
          "#include \"storage/ingest/readers/velocity/velocity_pair.hpp\"");
   append("storage/ingest/readers/icebergs/iceberg_rows.hpp",
          "#include \"storage/ingest/readers/zones/zone_reader.hpp\"");

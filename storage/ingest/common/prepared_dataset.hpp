@@ -23,6 +23,7 @@ struct PreparedDataset {
   std::optional<core::UtcTime> time_start;
   std::optional<core::UtcTime> time_end;
   std::optional<core::UtcTime> run{};  // when the model run began; empty: the file does not say
+  bool at_own_points{false};  // of its model, which until then were resampled: another id than theirs
   std::int64_t rows_accepted{};
   std::int64_t rows_refused{};
   Messages warnings;

@@ -5,13 +5,23 @@
 #include <utility>
 
 #include "engine/messages/ingest_format_messages.hpp"
+#include "engine/ocean/grids/mesh_lattice.hpp"
 #include "storage/ingest/formats/netcdf/netcdf_grid.hpp"
 #include "storage/ingest/formats/netcdf/position_tables.hpp"
-#include "storage/ingest/grids/source_mesh.hpp"
-#include "storage/ingest/grids/target_grid.hpp"
+#include "storage/ingest/grids/row_mesh.hpp"
+#include "storage/ingest/notation/text.hpp"
 
 namespace floeplan::ingest {
 namespace {
+
+/// "0.05 x 0.025 degrees of longitude and latitude", "12000 m of a polar stereographic projection".
+std::string spacing_in_words(const ocean::HorizontalGrid& grid) {
+  const bool metres = !std::holds_alternative<geo::GeographicFrame>(grid.frame());
+  const std::string x = number(grid.x().mean_step(), metres ? 6 : 3);
+  const std::string y = number(grid.y().mean_step(), 3);
+  if (metres) return x + " m of a polar stereographic projection";
+  return x + " x " + y + " degrees of longitude and latitude";
+}
 
 /// Calls `take` with the four nodes around a place; not at all for a place outside the grid.
 template <class Take>
@@ -39,15 +49,15 @@ Checked<std::optional<BentPlane>> bent_plane_of(const std::shared_ptr<const Netc
   auto water = mask_over({file}, variable, *plane, "mask_rho");
   if (!water) return refuse(water.error());
   std::vector<geo::LonLat> points = std::move((*positions)->places);
-  const SourceMesh mesh = mesh_of_rows(points, (*positions)->columns);
-  auto grid = target_grid_for(mesh);
-  if (!grid) return refuse(grid.error());
-  auto resampling = Resampling::of(mesh, *grid);
-  if (!resampling) return refuse(resampling.error());
+  const ocean::Mesh mesh = mesh_of_rows(points, (*positions)->columns);
+  auto grid = ocean::lattice_for(mesh);
+  if (!grid) return refuse(messages::ingest_format_message<"positions-enclose-no-area">());
+  auto sampling = ocean::MeshSampling::of(mesh, *grid);
+  if (!sampling) return refuse(messages::ingest_format_message<"cells-overlap">());
   messages::Message account = messages::ingest_format_message<"resampled-from-bent-grid">(
       variable.name(), (*positions)->rows, (*positions)->columns, spacing_in_words(*grid));
-  return BentPlane{std::move(*layout),     std::move(points), std::move(*grid),
-                   std::move(*resampling), std::move(*water), std::move(account)};
+  return BentPlane{std::move(*layout),   std::move(points), std::move(*grid),
+                   std::move(*sampling), std::move(*water), std::move(account)};
 }
 
 Checked<PlacedVariable> place_of(const std::shared_ptr<const NetcdfFile>& file,
@@ -65,7 +75,7 @@ Checked<PlacedVariable> place_of(const std::shared_ptr<const NetcdfFile>& file,
 
 RawRows resampled_with_range(const BentPlane& plane, std::span<const float> values) {
   RawRows rows;
-  rows.values_m = plane.resampling->apply(values);
+  rows.values_m = plane.sampling.apply(values);
   rows.lowest_m = rows.values_m;
   rows.highest_m = rows.values_m;
   for (std::size_t point = 0; point < values.size(); ++point) {

@@ -7,11 +7,11 @@
 #include <vector>
 
 #include "engine/ocean/grids/horizontal_grid.hpp"
+#include "engine/ocean/grids/mesh_sampling.hpp"
 #include "storage/ingest/common/refusal.hpp"
 #include "storage/ingest/formats/netcdf/netcdf_file.hpp"
 #include "storage/ingest/formats/netcdf/netcdf_layout.hpp"
 #include "storage/ingest/grids/raw_rows.hpp"
-#include "storage/ingest/grids/resampling.hpp"
 #include "storage/ingest/grids/water_mask.hpp"
 
 namespace floeplan::ingest {
@@ -21,7 +21,7 @@ struct BentPlane {
   NetcdfLayout layout;  // its points, [row][column]
   std::vector<geo::LonLat> points;
   ocean::HorizontalGrid grid;
-  std::shared_ptr<const Resampling> resampling;
+  ocean::MeshSampling sampling;
   WaterMask water;            // of ROMS, which has depths on land too
   messages::Message account;  // that it was resampled
 };

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/geo/tangent_plane.hpp"
 #include "engine/messages/ingest_format_messages.hpp"
-#include "storage/ingest/grids/tangent_plane.hpp"
 
 namespace floeplan::ingest {
 namespace {
@@ -21,21 +21,21 @@ double wrapped(double angle) { return std::remainder(angle, 2.0 * pi); }
 std::optional<double> first_axis(const Staggering& way, const Positions& first, geo::LonLat centre,
                                  std::size_t row, std::size_t column) {
   if (!way.collocated)
-    return direction_at(centre, first.at(row + way.first_row, column),
-                        first.at(row + way.first_row, column + 1));
+    return geo::direction_at(centre, first.at(row + way.first_row, column),
+                             first.at(row + way.first_row, column + 1));
   const std::size_t before = column == 0 ? 0 : column - 1;
   const std::size_t after = std::min(column + 1, first.columns - 1);
-  return direction_at(centre, first.at(row, before), first.at(row, after));
+  return geo::direction_at(centre, first.at(row, before), first.at(row, after));
 }
 
 std::optional<double> second_axis(const Staggering& way, const Positions& second, geo::LonLat centre,
                                   std::size_t row, std::size_t column) {
   if (!way.collocated)
-    return direction_at(centre, second.at(row, column + way.second_column),
-                        second.at(row + 1, column + way.second_column));
+    return geo::direction_at(centre, second.at(row, column + way.second_column),
+                             second.at(row + 1, column + way.second_column));
   const std::size_t before = row == 0 ? 0 : row - 1;
   const std::size_t after = std::min(row + 1, second.rows - 1);
-  return direction_at(centre, second.at(before, column), second.at(after, column));
+  return geo::direction_at(centre, second.at(before, column), second.at(after, column));
 }
 
 bool is_exceptional(std::size_t exceptions, std::size_t total) {

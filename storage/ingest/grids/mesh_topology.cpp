@@ -20,7 +20,27 @@ struct Description {
   const NetcdfVariable* lats{nullptr};
   const NetcdfVariable* faces{nullptr};
   bool by_ugrid{false};
+  const NetcdfVariable* middle_lons{nullptr};  // null: the file has none
+  const NetcdfVariable* middle_lats{nullptr};
 };
+
+/// The longitudes and latitudes among variables that are named, separated by blanks.
+struct NamedCoordinates {
+  const NetcdfVariable* lons{nullptr};
+  const NetcdfVariable* lats{nullptr};
+};
+
+NamedCoordinates coordinates_named(const NetcdfFile& file, const std::string& text) {
+  NamedCoordinates found;
+  std::istringstream names{text};
+  for (std::string name; names >> name;) {
+    const NetcdfVariable* coordinate = file.find(name);
+    if (coordinate == nullptr) continue;
+    if (role_of(*coordinate) == AxisRole::longitude) found.lons = coordinate;
+    if (role_of(*coordinate) == AxisRole::latitude) found.lats = coordinate;
+  }
+  return found;
+}
 
 const NetcdfVariable* topology_of(const NetcdfFile& file) {
   for (const NetcdfVariable& variable : file.variables())
@@ -34,19 +54,18 @@ Description describe_ugrid(const NetcdfFile& file, const NetcdfVariable& topolog
   Description found;
   found.by_ugrid = true;
   found.faces = file.find(topology.attribute("face_node_connectivity"));
-  std::istringstream names{topology.attribute("node_coordinates")};
-  for (std::string name; names >> name;) {
-    const NetcdfVariable* coordinate = file.find(name);
-    if (coordinate == nullptr) continue;
-    if (role_of(*coordinate) == AxisRole::longitude) found.lons = coordinate;
-    if (role_of(*coordinate) == AxisRole::latitude) found.lats = coordinate;
-  }
+  const NamedCoordinates nodes = coordinates_named(file, topology.attribute("node_coordinates"));
+  found.lons = nodes.lons;
+  found.lats = nodes.lats;
+  const NamedCoordinates middles = coordinates_named(file, topology.attribute("face_coordinates"));
+  found.middle_lons = middles.lons;
+  found.middle_lats = middles.lats;
   return found;
 }
 
 Description describe(const NetcdfFile& file) {
   if (const NetcdfVariable* topology = topology_of(file)) return describe_ugrid(file, *topology);
-  return {file.find("lon"), file.find("lat"), file.find("nv"), false};
+  return {file.find("lon"), file.find("lat"), file.find("nv"), false, file.find("lonc"), file.find("latc")};
 }
 
 bool is_whole(const Description& description) {
@@ -124,6 +143,26 @@ Checked<MeshFaces> read_faces(const Description& description, std::size_t nodes)
   return faces;
 }
 
+/// Empty where the file has none, or not one for each face.
+Checked<std::vector<geo::LonLat>> read_middles(const Description& description, std::size_t faces) {
+  std::vector<geo::LonLat> middles;
+  if (description.middle_lons == nullptr || description.middle_lats == nullptr) return middles;
+  const auto fits = [&](const NetcdfVariable& variable) {
+    return variable.dimensions().size() == 1 && variable.dimensions()[0].size == faces &&
+           variable.is_numeric();
+  };
+  if (!fits(*description.middle_lons) || !fits(*description.middle_lats)) return middles;
+  const auto lons = description.middle_lons->read_all();
+  if (!lons) return refuse(lons.error());
+  const auto lats = description.middle_lats->read_all();
+  if (!lats) return refuse(lats.error());
+  for (std::size_t i = 0; i < lons->size(); ++i) {
+    if (!(std::abs((*lats)[i]) <= 90.0 && std::abs((*lons)[i]) <= 720.0)) return std::vector<geo::LonLat>{};
+    middles.push_back({geo::wrap_longitude((*lons)[i]), (*lats)[i]});
+  }
+  return middles;
+}
+
 }  // namespace
 
 bool lies_on_mesh(const NetcdfFile& file, const NetcdfVariable& variable) {
@@ -159,6 +198,9 @@ Checked<MeshTopology> mesh_topology(const NetcdfFile& file) {
       return refuse(messages::ingest_format_message<"mesh-node-off-the-earth">(number(lon), number(lat)));
     mesh.nodes.push_back({geo::wrap_longitude(lon), lat});
   }
+  auto middles = read_middles(description, faces->size());
+  if (!middles) return refuse(middles.error());
+  mesh.middles = std::move(*middles);
   mesh.faces = std::move(*faces);
   mesh.node_dimension = description.lons->dimensions()[0].name;
   mesh.face_dimension =

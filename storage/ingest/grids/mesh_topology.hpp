@@ -9,7 +9,6 @@
 
 #include "engine/geo/lon_lat.hpp"
 #include "storage/ingest/formats/netcdf/netcdf_file.hpp"
-#include "storage/ingest/grids/source_mesh.hpp"
 
 namespace floeplan::ingest {
 
@@ -37,6 +36,7 @@ class MeshFaces {
 struct MeshTopology {
   std::vector<geo::LonLat> nodes;
   MeshFaces faces;
+  std::vector<geo::LonLat> middles;  // of the faces, where the file has places for them; else empty
   std::string node_dimension;
   std::string face_dimension;
 };

@@ -7,8 +7,8 @@
 #include <memory>
 #include <utility>
 
+#include "engine/geo/tangent_plane.hpp"
 #include "storage/ingest/common/gdal_guard.hpp"
-#include "storage/ingest/grids/tangent_plane.hpp"
 
 namespace floeplan::ingest {
 namespace {
@@ -17,41 +17,42 @@ namespace {
 /// side that crosses one missing node.
 constexpr double longest_over_median = 1.35;
 
-double longest_side_of(const SourceMesh& mesh, const SourceMesh::Cell& cell) {
+double longest_side_of(const ocean::Mesh& mesh, const ocean::Mesh::Cell& cell) {
   double longest_m = 0.0;
   for (std::size_t i = 0; i < 3; ++i)
-    longest_m = std::max(longest_m, sphere_distance_m(mesh.points[cell[i]], mesh.points[cell[(i + 1) % 3]]));
+    longest_m =
+        std::max(longest_m, geo::sphere_distance_m(mesh.points[cell[i]], mesh.points[cell[(i + 1) % 3]]));
   return longest_m;
 }
 
-void leave_out_long_cells(SourceMesh& mesh) {
+void leave_out_long_cells(ocean::Mesh& mesh) {
   std::vector<double> sides_m;
-  for (const SourceMesh::Cell& cell : mesh.cells) sides_m.push_back(longest_side_of(mesh, cell));
+  for (const ocean::Mesh::Cell& cell : mesh.cells) sides_m.push_back(longest_side_of(mesh, cell));
   const auto middle = sides_m.begin() + static_cast<std::ptrdiff_t>(sides_m.size() / 2);
   std::nth_element(sides_m.begin(), middle, sides_m.end());
   const double most_m = longest_over_median * *middle;
   std::erase_if(mesh.cells,
-                [&](const SourceMesh::Cell& cell) { return longest_side_of(mesh, cell) > most_m; });
+                [&](const ocean::Mesh::Cell& cell) { return longest_side_of(mesh, cell) > most_m; });
 }
 
 }  // namespace
 
-std::optional<SourceMesh> mesh_of_places(std::vector<geo::LonLat> places) {
+std::optional<ocean::Mesh> mesh_of_places(std::vector<geo::LonLat> places) {
   if (places.size() < 3) return std::nullopt;
-  UnitVector sum;
+  geo::UnitVector sum;
   for (const geo::LonLat place : places) {
-    const UnitVector each = unit_vector(place);
+    const geo::UnitVector each = geo::unit_vector(place);
     sum = {sum.x + each.x, sum.y + each.y, sum.z + each.z};
   }
-  const double length = std::sqrt(dot(sum, sum));
+  const double length = std::sqrt(geo::dot(sum, sum));
   if (!(length > 0.0)) return std::nullopt;
-  const TangentPlane plane{{sum.x / length, sum.y / length, sum.z / length}};
+  const geo::TangentPlane plane{{sum.x / length, sum.y / length, sum.z / length}};
   std::vector<double> xs;
   std::vector<double> ys;
   for (const geo::LonLat place : places) {
-    const UnitVector each = unit_vector(place);
+    const geo::UnitVector each = geo::unit_vector(place);
     if (!plane.faces(each)) return std::nullopt;
-    const TangentPlane::Point point = plane.project(each);
+    const geo::TangentPlane::Point point = plane.project(each);
     xs.push_back(point.x);
     ys.push_back(point.y);
   }
@@ -60,7 +61,7 @@ std::optional<SourceMesh> mesh_of_places(std::vector<geo::LonLat> places) {
       GDALTriangulationCreateDelaunay(static_cast<int>(places.size()), xs.data(), ys.data()),
       GDALTriangulationFree};
   if (!triangles || triangles->nFacets == 0) return std::nullopt;
-  SourceMesh mesh{std::move(places), {}};
+  ocean::Mesh mesh{std::move(places), {}};
   for (int i = 0; i < triangles->nFacets; ++i) {
     const int* const corners = triangles->pasFacets[i].anVertexIdx;
     const auto third = static_cast<std::uint32_t>(corners[2]);

@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "storage/ingest/grids/source_mesh.hpp"
+#include "engine/ocean/grids/mesh.hpp"
 
 namespace floeplan::ingest {
 
@@ -11,6 +11,6 @@ namespace floeplan::ingest {
 /// in their middle. A triangle with a side longer than 1.35 times what half of the triangles do not exceed is none: of a
 /// square grid the diagonals stay, and a node that is missing, as over land, leaves a hole.
 /// Outside  nullopt for fewer than three places, for places on a line, and for places that half the Earth lies between
-[[nodiscard]] std::optional<SourceMesh> mesh_of_places(std::vector<geo::LonLat> places);
+[[nodiscard]] std::optional<ocean::Mesh> mesh_of_places(std::vector<geo::LonLat> places);
 
 }  // namespace floeplan::ingest

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/geo/tangent_plane.hpp"
 #include "engine/messages/ingest_format_messages.hpp"
-#include "storage/ingest/grids/tangent_plane.hpp"
 
 namespace floeplan::ingest {
 namespace {
@@ -36,12 +36,12 @@ double typical(std::size_t rows, std::size_t columns, const Distance& distance) 
 double spacing_m(const Positions& positions) {
   if (positions.columns < 2) return INFINITY;
   return typical(positions.rows, positions.columns - 1, [&](std::size_t row, std::size_t column) {
-    return sphere_distance_m(positions.at(row, column), positions.at(row, column + 1));
+    return geo::sphere_distance_m(positions.at(row, column), positions.at(row, column + 1));
   });
 }
 
 geo::LonLat centre(const Staggering& way, const Positions& first, std::size_t row, std::size_t column) {
-  return midpoint(first.at(row + way.first_row, column), first.at(row + way.first_row, column + 1));
+  return geo::midpoint(first.at(row + way.first_row, column), first.at(row + way.first_row, column + 1));
 }
 
 std::size_t less(std::size_t a, std::size_t b) { return a > b ? a - b : 0; }
@@ -61,7 +61,7 @@ Checked<Staggering> staggering_of(const Positions& first, const Positions& secon
   const double spacing = spacing_m(first);
   if (first.rows == second.rows && first.columns == second.columns) {
     const double apart = typical(first.rows, first.columns, [&](std::size_t row, std::size_t column) {
-      return sphere_distance_m(first.at(row, column), second.at(row, column));
+      return geo::sphere_distance_m(first.at(row, column), second.at(row, column));
     });
     if (apart < same_place_share * spacing)
       return Staggering{.collocated = true, .rows = first.rows, .columns = first.columns};
@@ -76,8 +76,8 @@ Checked<Staggering> staggering_of(const Positions& first, const Positions& secon
       if (way.rows == 0 || way.columns == 0) continue;
       const double miss = typical(way.rows, way.columns, [&](std::size_t row, std::size_t column) {
         const geo::LonLat across =
-            midpoint(second.at(row, column + second_column), second.at(row + 1, column + second_column));
-        return sphere_distance_m(centre(way, first, row, column), across);
+            geo::midpoint(second.at(row, column + second_column), second.at(row + 1, column + second_column));
+        return geo::sphere_distance_m(centre(way, first, row, column), across);
       });
       if (miss >= least) continue;
       least = miss;

@@ -55,6 +55,8 @@ std::vector<StoredSize> stored_sizes(sql::Connection& db) {
   sql::Statement query{
       db,
       "SELECT (SELECT coalesce(sum(length(samples)), 0) FROM field_chunk WHERE dataset_row = dataset.row) + "
+      "(SELECT coalesce(sum(length(lons_deg) + length(lats_deg) + length(corners)), 0) FROM mesh_block WHERE "
+      "dataset_row = dataset.row) + "
       "(SELECT coalesce(sum(length(way)), 0) FROM glider_track WHERE dataset_row = dataset.row) FROM dataset "
       "WHERE id = ?1"};
   for (Dataset& dataset : DatasetRepository{db}.list()) {

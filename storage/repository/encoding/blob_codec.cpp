@@ -71,6 +71,10 @@ std::span<const std::byte> BlobCodec::pack(std::span<const double> values) {
   return pack_as<double, std::uint64_t>(values);
 }
 
+std::span<const std::byte> BlobCodec::pack(std::span<const std::uint32_t> values) {
+  return pack_as<std::uint32_t, std::uint32_t>(values);
+}
+
 std::span<const std::byte> BlobCodec::pack(std::span<const float> values, const SampleSteps& steps) {
   return write_as_steps(values, steps, shuffled_) ? compress() : pack(values);
 }
@@ -88,6 +92,12 @@ std::span<const float> BlobCodec::unpack_floats(std::span<const std::byte> blob,
 std::vector<double> BlobCodec::unpack_doubles(std::span<const std::byte> blob, std::size_t count) {
   std::vector<double> values(count);
   unshuffle<double, std::uint64_t>(decompress(blob, count * sizeof(double)), values);
+  return values;
+}
+
+std::vector<std::uint32_t> BlobCodec::unpack_numbers(std::span<const std::byte> blob, std::size_t count) {
+  std::vector<std::uint32_t> values(count);
+  unshuffle<std::uint32_t, std::uint32_t>(decompress(blob, count * sizeof(std::uint32_t)), values);
   return values;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <vector>
@@ -28,6 +29,7 @@ class BlobCodec {
   /// All return views of scratch memory, valid until the next call.
   [[nodiscard]] std::span<const std::byte> pack(std::span<const float> values);
   [[nodiscard]] std::span<const std::byte> pack(std::span<const double> values);
+  [[nodiscard]] std::span<const std::byte> pack(std::span<const std::uint32_t> values);
 
   /// As steps where every sample is a whole number of them.
   [[nodiscard]] std::span<const std::byte> pack(std::span<const float> values, const SampleSteps& steps);
@@ -35,6 +37,7 @@ class BlobCodec {
   /// A view of scratch memory, valid until the next call: fields are read by the thousand of such blobs.
   [[nodiscard]] std::span<const float> unpack_floats(std::span<const std::byte> blob, std::size_t count);
   [[nodiscard]] std::vector<double> unpack_doubles(std::span<const std::byte> blob, std::size_t count);
+  [[nodiscard]] std::vector<std::uint32_t> unpack_numbers(std::span<const std::byte> blob, std::size_t count);
 
   /// Compares a blob with its checksum.
   void check(std::span<const std::byte> blob);

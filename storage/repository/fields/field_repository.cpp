@@ -1,6 +1,7 @@
 #include "storage/repository/fields/field_repository.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -8,6 +9,8 @@
 #include "storage/repository/encoding/blob_codec.hpp"
 #include "storage/repository/fields/field_chunks.hpp"
 #include "storage/repository/fields/grid_window.hpp"
+#include "storage/repository/fields/mesh_blocks.hpp"
+#include "storage/repository/fields/native_currents.hpp"
 #include "storage/sql/snapshot.hpp"
 #include "storage/sql/statement.hpp"
 #include "storage/sql/transaction.hpp"
@@ -19,11 +22,13 @@ namespace {
 /// gain two per cent and make a small area read more.
 constexpr std::size_t chunk_side = FieldRepository::rows_together;
 
-/// Sizes of a stored grid, without its axes.
+/// Sizes of what is stored of a field, without its axes.
 struct StoredLayout {
   ChunkLayout chunks;
+  std::size_t samples{};      // of a slice
   std::size_t depth_count{};  // 0: no such axis
   std::size_t time_count{};
+  std::optional<NativeLayout> native{};  // empty: the samples are on the grid
 };
 
 std::optional<StoredLayout> find_layout(sql::Connection& db, const DatasetId& id) {
@@ -34,7 +39,13 @@ std::optional<StoredLayout> find_layout(sql::Connection& db, const DatasetId& id
   query.bind(1, id.value);
   if (!query.step()) return std::nullopt;
   const auto size = [&](int column) { return static_cast<std::size_t>(query.integer(column)); };
-  return StoredLayout{{query.integer(0), size(1), size(2), size(3)}, size(4), size(5)};
+  StoredLayout layout{{query.integer(0), size(1), size(2), size(3)}, size(1) * size(2), size(4), size(5)};
+  layout.native = find_native_layout(db, query.integer(0));
+  if (!layout.native) return layout;
+  layout.chunks = layout.native->chunks;
+  layout.samples = layout.native->points;
+  if (layout.native->bed_levels > 0) layout.depth_count = layout.native->bed_levels + 1;  // and the bed
+  return layout;
 }
 
 StoredLayout layout_to_fill(sql::Connection& db, const DatasetId& id) {
@@ -117,7 +128,9 @@ std::vector<float> read_block(ChunkReader& reader, const std::string& variable, 
 
 /// Which of a dataset's currents are to be read.
 struct StoredCurrents {
+  geo::BoundingBox area;
   ChunkLayout chunks;
+  std::optional<NativeLayout> native;
   ocean::HorizontalGrid grid;  // whole
   GridWindow window;
   bool has_depths{};
@@ -150,7 +163,9 @@ std::optional<StoredCurrents> find_currents(sql::Connection& db, const DatasetId
   if (!times) return std::nullopt;
   AxisWindow depths = stored->depths_m ? levels_between(*stored->depths_m, range.shallowest, range.deepest)
                                        : whole(ocean::Axis{{0.0}});
-  return StoredCurrents{.chunks = layout->chunks,
+  return StoredCurrents{.area = area,
+                        .chunks = layout->chunks,
+                        .native = layout->native,
                         .grid = stored->grid,
                         .window = std::move(*window),
                         .has_depths = stored->depths_m.has_value(),
@@ -160,16 +175,23 @@ std::optional<StoredCurrents> find_currents(sql::Connection& db, const DatasetId
 
 ocean::CurrentGrid read_currents(sql::Connection& db, const StoredCurrents& part,
                                  const std::stop_token& stop) {
+  ocean::HorizontalGrid around{part.grid.frame(), part.window.x.nodes, part.window.y.nodes};
+  if (part.native)
+    return read_native_currents(db, *part.native,
+                                {.area = part.area,
+                                 .lattice = std::move(around),
+                                 .depths = part.has_depths ? std::optional{part.depths} : std::nullopt,
+                                 .times = part.times},
+                                stop);
   ChunkReader reader{db, part.chunks};
   const auto read = [&](const std::string& variable) {
     return read_block(reader, variable, part.times.runs.front(), part.depths.runs.front(), part.window, stop);
   };
-  return ocean::CurrentGrid{
-      {.grid = ocean::HorizontalGrid{part.grid.frame(), part.window.x.nodes, part.window.y.nodes},
-       .depths_m = part.has_depths ? std::optional{part.depths.nodes} : std::nullopt,
-       .times_s = part.times.nodes,
-       .u = read("u_m_s"),
-       .v = read("v_m_s")}};
+  return ocean::CurrentGrid{{.grid = std::move(around),
+                             .depths_m = part.has_depths ? std::optional{part.depths.nodes} : std::nullopt,
+                             .times_s = part.times.nodes,
+                             .u = read("u_m_s"),
+                             .v = read("v_m_s")}};
 }
 
 }  // namespace
@@ -188,18 +210,34 @@ void FieldRepository::create(const DatasetId& id, const FieldShape& shape) {
   insert.run();
 }
 
+void FieldRepository::create(const DatasetId& id, const FieldShape& shape, const NativePoints& native) {
+  create(id, shape);
+  const std::int64_t row = dataset_row(db_, id);
+  sql::Statement insert{
+      db_, "INSERT INTO mesh (dataset_row, point_count, in_faces, level_count) VALUES (?1, ?2, ?3, ?4)"};
+  insert.bind_all(row, static_cast<std::int64_t>(native.mesh.points.size()),
+                  static_cast<std::int64_t>(native.mesh.in_faces),
+                  static_cast<std::int64_t>(native.bed_levels));
+  insert.run();
+  MeshBlocks{db_}.write(row, native.mesh);
+}
+
 void FieldRepository::write_slice(const DatasetId& id, const std::string& variable, std::size_t time_index,
                                   std::size_t depth_index, std::span<const float> values,
                                   const SampleSteps& steps) {
   const StoredLayout layout = layout_to_fill(db_, id);
-  if (values.size() != layout.chunks.x_count * layout.chunks.y_count) {
-    throw std::invalid_argument{"a slice must have as many samples as its grid has nodes"};
+  if (values.size() != layout.samples) {
+    throw std::invalid_argument{
+        "a slice must have as many samples as its grid has nodes, or its mesh points"};
   }
   if (time_index >= std::max<std::size_t>(layout.time_count, 1) ||
       depth_index >= std::max<std::size_t>(layout.depth_count, 1)) {
     throw std::invalid_argument{"a slice must lie within the times and depths of its dataset"};
   }
-  write(db_, layout.chunks, {variable, time_index, depth_index}, 0, values, steps);
+  if (!layout.native) return write(db_, layout.chunks, {variable, time_index, depth_index}, 0, values, steps);
+  std::vector<float> rows{values.begin(), values.end()};  // the last one filled up
+  rows.resize(layout.chunks.x_count * layout.chunks.y_count, std::numeric_limits<float>::quiet_NaN());
+  write(db_, layout.chunks, {variable, time_index, depth_index}, 0, rows, steps);
 }
 
 void FieldRepository::write_rows(const DatasetId& id, const std::string& variable, std::size_t first_row,
@@ -251,6 +289,7 @@ std::shared_ptr<const ocean::CurrentGrid> FieldRepository::load_currents_at(
   const geo::BoundingBox at_place{place.lon_deg, place.lat_deg, place.lon_deg, place.lat_deg};
   auto part = find_currents(db_, id, at_place, period, {shallowest, deepest});
   if (!part) return nullptr;
+  if (part->native) return std::make_shared<const ocean::CurrentGrid>(read_currents(db_, *part, stop_));
   StoredCurrents block = *part;
   block.window = in_whole_blocks(part->window, block.grid, block.chunks.side);
   const bool is_kept_if_read = block.bytes() <= kept.most_bytes() / 4;

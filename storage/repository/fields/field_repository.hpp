@@ -12,6 +12,7 @@
 #include "engine/ocean/bed/bathymetry.hpp"
 #include "engine/ocean/currents/current_grid.hpp"
 #include "engine/ocean/grids/horizontal_grid.hpp"
+#include "engine/ocean/grids/mesh.hpp"
 #include "engine/ocean/ice/ice_field.hpp"
 #include "storage/repository/datasets/dataset.hpp"
 #include "storage/repository/encoding/sample_steps.hpp"
@@ -20,11 +21,18 @@
 
 namespace floeplan::repository {
 
-/// Shape of the gridded data of one dataset.
+/// Shape of the gridded data of one dataset. Of data that are kept at a model's own points the grid is the one on which
+/// they are interpolated when they are read, and the depths are those of plans where the levels follow the sea bed.
 struct FieldShape {
   ocean::HorizontalGrid grid;
   std::optional<ocean::Axis> depths_m;  // empty: no depth axis
   std::optional<ocean::Axis> times_s;   // empty: no time
+};
+
+/// A model's own points, at which the data of a dataset are kept.
+struct NativePoints {
+  const ocean::Mesh& mesh;   // numbered by `in_blocks`
+  std::size_t bed_levels{};  // that follow the sea bed; 0: the levels are the depths of the shape
 };
 
 /// Period of time, both ends included.
@@ -34,8 +42,10 @@ struct Period {
 };
 
 /// Gridded data in compressed chunks, so that a job reads only its area and period.
+/// Currents of models on bent grids and meshes are kept at the model's own points, in blocks of them, and interpolated
+/// once, when they are read: on a grid that is as fine as they are, or at the one place that is asked for.
 /// Variables are "depth_m" and (where cells are known to be shoaler) "shoalest_m" for bathymetry, "u_m_s" and "v_m_s"
-/// for currents, "concentration" and (where known) "thickness_m" for ice.
+/// for currents, with "level_depth_m" where their levels follow the sea bed (the level after the last is the bed), "concentration" and (where known) "thickness_m" for ice.
 /// Stops    reading early once `stop` is requested; what is returned then is incomplete and must not be used
 /// Threads  as the connection: one thread at a time
 class FieldRepository {
@@ -47,7 +57,8 @@ class FieldRepository {
       : db_{db}, stop_{std::move(stop)} {}
 
   void create(const DatasetId& id, const FieldShape& shape);
-  /// One horizontal slice [y][x], NaN where missing; indices are 0 where the shape has no such axis.
+  void create(const DatasetId& id, const FieldShape& shape, const NativePoints& native);
+  /// One horizontal slice [y][x], or [point], NaN where missing; indices are 0 where the shape has no such axis.
   /// `steps`  in which the values were counted, where that is known: they take less room then
   void write_slice(const DatasetId& id, const std::string& variable, std::size_t time_index,
                    std::size_t depth_index, std::span<const float> values, const SampleSteps& steps = {});

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "engine/ocean/grids/point_velocities.hpp"
+
 namespace floeplan::repository {
 namespace {
 
@@ -60,6 +62,53 @@ bool same_product(const Dataset& a, const FieldShape& shape_a, const Dataset& b,
          same_axis(shape_a.grid.y(), shape_b.grid.y());
 }
 
+using Samples = ocean::CurrentGrid::Samples;
+
+bool same_depths(const Samples& a, const Samples& b) {
+  if (!a.depths_m || !b.depths_m) return a.depths_m.has_value() == b.depths_m.has_value();
+  return same_axis(*a.depths_m, *b.depths_m);
+}
+
+/// The same currents at more depths, between which they are linear as before.
+Samples at_more_depths(Samples samples, const ocean::Axis& depths_m) {
+  const ocean::CurrentGrid currents{std::move(samples)};
+  Samples more = currents.samples();
+  more.depths_m = depths_m;
+  more.u.clear();
+  more.v.clear();
+  const std::size_t columns = more.grid.x().size();
+  for (const double time_s : more.times_s.nodes()) {
+    for (const double depth_m : depths_m.nodes()) {
+      for (std::size_t node = 0; node < more.grid.size(); ++node) {
+        const auto velocity = currents.at(more.grid.place(node % columns, node / columns), {depth_m},
+                                          core::from_unix_seconds(time_s));
+        more.u.push_back(velocity ? static_cast<float>(velocity->east.value) : ocean::missing_sample);
+        more.v.push_back(velocity ? static_cast<float>(velocity->north.value) : ocean::missing_sample);
+      }
+    }
+  }
+  return more;
+}
+
+/// At all depths of both. They differ at a place of a model whose levels follow its surface, which no two times have alike.
+void bring_to_same_depths(Samples& a, Samples& b) {
+  std::vector<double> depths_m = a.depths_m->nodes();
+  depths_m.insert(depths_m.end(), b.depths_m->nodes().begin(), b.depths_m->nodes().end());
+  std::ranges::sort(depths_m);
+  depths_m.erase(std::unique(depths_m.begin(), depths_m.end()), depths_m.end());
+  const ocean::Axis all{std::move(depths_m)};
+  a = at_more_depths(std::move(a), all);
+  b = at_more_depths(std::move(b), all);
+}
+
+void append(const Samples& later, Samples& joined) {
+  std::vector<double> times_s = joined.times_s.nodes();
+  times_s.insert(times_s.end(), later.times_s.nodes().begin(), later.times_s.nodes().end());
+  joined.times_s = ocean::Axis{std::move(times_s)};
+  joined.u.insert(joined.u.end(), later.u.begin(), later.u.end());
+  joined.v.insert(joined.v.end(), later.v.begin(), later.v.end());
+}
+
 bool meets(const Dataset& dataset, const Period& period) {
   return dataset.time_start && dataset.time_end && *dataset.time_end >= period.from &&
          *dataset.time_start <= period.to;
@@ -112,26 +161,24 @@ std::optional<ocean::CurrentGrid> load_joined(sql::Connection& db, const std::ve
   };
   if (parts.size() == 1) return load(parts.front());
 
-  std::optional<ocean::CurrentGrid::Samples> joined;
-  std::vector<double> times_s;
+  std::optional<Samples> joined;
   for (std::size_t i = 0; i < parts.size(); ++i) {
     // The steps of one part lie around a `from` that falls between two parts, too.
     const bool is_over = i + 1 < parts.size() && parts[i + 1].used.from <= from;
     if (is_over) continue;
     const auto loaded = load(parts[i]);
     if (!loaded) return std::nullopt;
-    const ocean::CurrentGrid::Samples& samples = loaded->samples();
-    const auto& nodes = samples.times_s.nodes();
-    times_s.insert(times_s.end(), nodes.begin(), nodes.end());
     if (!joined) {
-      joined = samples;
-      continue;
+      joined = loaded->samples();
+    } else if (same_depths(*joined, loaded->samples())) {
+      append(loaded->samples(), *joined);
+    } else {
+      Samples later = loaded->samples();
+      bring_to_same_depths(*joined, later);
+      append(later, *joined);
     }
-    joined->u.insert(joined->u.end(), samples.u.begin(), samples.u.end());
-    joined->v.insert(joined->v.end(), samples.v.begin(), samples.v.end());
   }
   if (!joined) return std::nullopt;
-  joined->times_s = ocean::Axis{std::move(times_s)};
   return ocean::CurrentGrid{std::move(*joined)};
 }
 

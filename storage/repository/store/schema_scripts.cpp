@@ -383,6 +383,29 @@ CREATE VIRTUAL TABLE chart_polygon_box USING rtree (row, west_deg, east_deg, sou
 CREATE TRIGGER chart_polygon_deleted AFTER DELETE ON chart_polygon BEGIN
   DELETE FROM chart_polygon_box WHERE row = old.row;
 END;
+)sql",
+                             R"sql(
+CREATE TABLE mesh (  -- of a field whose samples are kept at a model's own points; its grid is where they are used
+  dataset_row INTEGER PRIMARY KEY REFERENCES grid (dataset_row) ON DELETE CASCADE,
+  point_count INTEGER NOT NULL,
+  in_faces INTEGER NOT NULL,    -- 1: the values are those of faces, each cut into cells round its middle
+  level_count INTEGER NOT NULL  -- that follow the sea bed, their depths beside the samples; 0: the depths of the grid
+) STRICT;
+
+CREATE TABLE mesh_block (
+  dataset_row INTEGER NOT NULL REFERENCES grid (dataset_row) ON DELETE CASCADE,
+  block INTEGER NOT NULL,  -- of points, and of the cells whose first corner is one of them
+  west_deg REAL NOT NULL,  -- round the cells
+  south_deg REAL NOT NULL,
+  east_deg REAL NOT NULL,
+  north_deg REAL NOT NULL,
+  longest_side_m REAL NOT NULL,
+  cell_count INTEGER NOT NULL,
+  lons_deg BLOB NOT NULL,
+  lats_deg BLOB NOT NULL,
+  corners BLOB NOT NULL,  -- numbers of points, four for each cell
+  PRIMARY KEY (dataset_row, block)
+) STRICT;
 )sql"};
 
 }  // namespace

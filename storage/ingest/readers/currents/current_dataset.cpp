@@ -1,87 +1,82 @@
 #include "storage/ingest/readers/currents/current_dataset.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
+#include <utility>
 
 #include "engine/messages/ingest_current_messages.hpp"
+#include "engine/messages/ingest_format_messages.hpp"
+#include "engine/ocean/currents/level_columns.hpp"
+#include "engine/ocean/grids/mesh_lattice.hpp"
+#include "engine/ocean/grids/mesh_sampling.hpp"
 #include "storage/ingest/common/grid_limits.hpp"
-#include "storage/ingest/grids/depth_columns.hpp"
-#include "storage/ingest/grids/resampling.hpp"
-#include "storage/ingest/grids/target_grid.hpp"
+#include "storage/ingest/common/missing_value.hpp"
 #include "storage/ingest/notation/text.hpp"
 #include "storage/ingest/readers/currents/current_survey.hpp"
 #include "storage/repository/fields/field_repository.hpp"
+#include "storage/repository/fields/mesh_blocks.hpp"
 
 namespace floeplan::ingest {
 namespace {
 
-constexpr std::size_t max_batch_bytes = 64U << 20U;  // of slices at fixed depths that are held at a time
-
-/// A source, the land found in it, and the way to the grid on which it is stored.
+/// A source, the land found in it, and where its points are kept.
 struct StoredCurrents {
   std::shared_ptr<const VelocitySource> source;
   std::shared_ptr<const ZeroLand> land;
-  ocean::HorizontalGrid grid;
-  std::shared_ptr<const Resampling> resampling;  // null: the source's points are the grid's nodes
-  std::optional<std::vector<double>> depths_m;   // as stored
+  ocean::HorizontalGrid grid;                          // of its points, or on which they are used
+  std::optional<repository::MeshInBlocks> own_points;  // empty: they are the grid's nodes
+  std::optional<std::vector<double>> depths_m;  // of the levels, or of plans where those follow the sea bed
 
-  [[nodiscard]] std::size_t levels() const { return depths_m ? depths_m->size() : 1; }
   [[nodiscard]] std::size_t times() const { return source->shape().times_s.size(); }
 
   [[nodiscard]] Checked<VelocitySlice> read(std::size_t time, std::size_t level) const {
     auto slice = source->read(time, level);
     for (std::size_t i = 0; slice && land && i < slice->east.size(); ++i)
-      if (land->is_land(level, i)) slice->east[i] = slice->north[i] = std::numeric_limits<float>::quiet_NaN();
+      if (land->is_land(level, i)) slice->east[i] = slice->north[i] = missing;
     return slice;
+  }
+
+  /// In the order in which they are kept.
+  [[nodiscard]] std::vector<float> as_kept(std::vector<float> values) const {
+    if (!own_points) return values;
+    std::vector<float> kept;
+    kept.reserve(own_points->sources.size());
+    for (const std::uint32_t point : own_points->sources) kept.push_back(values[point]);
+    return kept;
   }
 };
 
-/// Hands every stored slice of one time to `take(level, at the source's points, as stored)`, which may refuse.
-template <class Take>
-Checked<bool> for_each_level(const StoredCurrents& currents, std::size_t time, const Take& take) {
-  const auto hand_on = [&](std::size_t level, const VelocitySlice& slice) -> Checked<bool> {
-    if (!currents.resampling) return take(level, slice, slice);
-    return take(level, slice, currents.resampling->apply(slice.east, slice.north));
-  };
+/// All slices of one time.
+Checked<void> write_time(const StoredCurrents& currents, std::size_t time,
+                         repository::FieldRepository& fields, const repository::DatasetId& id) {
   const SourceShape& shape = currents.source->shape();
-  if (!shape.levels_follow_bed) {
-    for (std::size_t level = 0; level < shape.levels; ++level) {
-      const auto slice = currents.read(time, level);
-      if (!slice) return refuse(slice.error());
-      if (const auto taken = hand_on(level, *slice); !taken) return taken;
-    }
-    return true;
+  for (std::size_t level = 0; level < shape.levels; ++level) {
+    auto slice = currents.read(time, level);
+    if (!slice) return refuse(slice.error());
+    fields.write_slice(id, "u_m_s", time, level, currents.as_kept(std::move(slice->east)), slice->east_steps);
+    fields.write_slice(id, "v_m_s", time, level, currents.as_kept(std::move(slice->north)),
+                       slice->north_steps);
   }
-  const std::span<const double> depths_m{*currents.depths_m};
-  const std::size_t batch = std::max<std::size_t>(1, max_batch_bytes / (2 * sizeof(float) * shape.points()));
-  for (std::size_t first = 0; first < depths_m.size(); first += batch) {
-    const auto slices = currents_at_depths(
-        *currents.source, [&](std::size_t level) { return currents.read(time, level); }, time,
-        depths_m.subspan(first, std::min(batch, depths_m.size() - first)));
-    if (!slices) return refuse(slices.error());
-    for (std::size_t i = 0; i < slices->size(); ++i)
-      if (const auto taken = hand_on(first + i, (*slices)[i]); !taken) return taken;
+  if (!shape.levels_follow_bed) return {};
+  for (std::size_t level = 0; level <= shape.levels; ++level) {
+    auto depths_m = currents.source->level_depths(time, level);
+    if (!depths_m) return refuse(depths_m.error());
+    fields.write_slice(id, "level_depth_m", time, level, currents.as_kept(std::move(*depths_m)));
   }
-  return true;
+  return {};
 }
 
 Checked<void> write_currents(const StoredCurrents& currents, const core::ProgressCallback& progress,
                              sql::Connection& db, const repository::DatasetId& id) {
+  const SourceShape& source = currents.source->shape();
   repository::FieldRepository fields{db};
   std::optional<ocean::Axis> depths;
   if (currents.depths_m) depths = ocean::Axis{*currents.depths_m};
-  fields.create(id, {currents.grid, std::move(depths), ocean::Axis{currents.source->shape().times_s}});
+  const repository::FieldShape shape{currents.grid, std::move(depths), ocean::Axis{source.times_s}};
+  if (currents.own_points)
+    fields.create(id, shape, {currents.own_points->mesh, source.levels_follow_bed ? source.levels : 0});
+  else
+    fields.create(id, shape);
   for (std::size_t time = 0; time < currents.times(); ++time) {
-    const auto written =
-        for_each_level(currents, time,
-                       [&](std::size_t level, const VelocitySlice& /*source*/,
-                           const VelocitySlice& stored) -> Checked<bool> {
-                         fields.write_slice(id, "u_m_s", time, level, stored.east, stored.east_steps);
-                         fields.write_slice(id, "v_m_s", time, level, stored.north, stored.north_steps);
-                         return true;
-                       });
-    if (!written) return refuse(written.error());
+    if (const auto written = write_time(currents, time, fields, id); !written) return written;
     if (progress)
       progress("storing", 0.5 + 0.5 * static_cast<double>(time + 1) / static_cast<double>(currents.times()));
   }
@@ -99,41 +94,29 @@ Checked<double> deepest_m(const VelocitySource& source) {
   return deepest;
 }
 
-/// "resampled from ...": what was done to the currents and how far they differ now.
-Checked<messages::Message> account_of_resampling(const StoredCurrents& currents, const CurrentInput& input) {
-  const std::string what = input.what == Moving::sea ? "current" : "wind";
-  ResamplingError error;
-  const auto compared = for_each_level(
-      currents, 0,
-      [&](std::size_t /*level*/, const VelocitySlice& source, const VelocitySlice& stored) -> Checked<bool> {
-        error.add(input.mesh, source, currents.grid, stored);
-        return true;
-      });
-  if (!compared) return refuse(compared.error());
-  if (error.points() == 0)
-    return refuse(messages::ingest_current_message<"nothing-left-after-resampling">(what, input.layout));
-  const double speed = error.rms_speed_m_s();
-  return messages::ingest_current_message<"currents-resampled">(
-      input.layout, spacing_in_words(currents.grid), what + "s", number(error.rms_m_s(), 2),
-      number(error.largest_m_s(), 2), speed > 0.0 ? " (RMS speed " + number(speed, 2) + " m/s)" : "");
+/// The grid on which currents of a mesh are used.
+Checked<ocean::HorizontalGrid> grid_of_use(const ocean::Mesh& mesh) {
+  auto grid = ocean::lattice_for(mesh);
+  if (!grid) return refuse(messages::ingest_format_message<"positions-enclose-no-area">());
+  if (!ocean::MeshSampling::of(mesh, *grid))
+    return refuse(messages::ingest_format_message<"cells-overlap">());
+  return std::move(*grid);
 }
 
-/// Where the source is stored: on its own nodes, or resampled.
+/// Where the source is kept: on its own grid, or at its own points.
 Checked<StoredCurrents> placed(const CurrentInput& input, std::shared_ptr<const ZeroLand> land) {
   const SourceShape& shape = input.source->shape();
   std::optional<std::vector<double>> depths_m = shape.depths_m;
   if (shape.levels_follow_bed) {
     const auto deepest = deepest_m(*input.source);
     if (!deepest) return refuse(deepest.error());
-    depths_m = standard_depths_m(*deepest);
+    depths_m = ocean::standard_depths_m(*deepest);
   }
   if (input.grid)
-    return StoredCurrents{input.source, std::move(land), *input.grid, nullptr, std::move(depths_m)};
-  auto grid = target_grid_for(input.mesh);
+    return StoredCurrents{input.source, std::move(land), *input.grid, std::nullopt, std::move(depths_m)};
+  auto grid = grid_of_use(input.mesh);
   if (!grid) return refuse(grid.error());
-  auto resampling = Resampling::of(input.mesh, *grid);
-  if (!resampling) return refuse(resampling.error());
-  return StoredCurrents{input.source, std::move(land), std::move(*grid), std::move(*resampling),
+  return StoredCurrents{input.source, std::move(land), std::move(*grid), repository::in_blocks(input.mesh),
                         std::move(depths_m)};
 }
 
@@ -151,12 +134,6 @@ std::optional<messages::Message> above_the_first_level(const StoredCurrents& cur
   if (!currents.depths_m || currents.depths_m->front() <= uppermost_layer_m) return std::nullopt;
   const std::string first_m = number(currents.depths_m->front());
   return messages::ingest_current_message<"current-above-first-level">(first_m);
-}
-
-std::optional<messages::Message> too_large(const StoredCurrents& currents) {
-  if (currents.levels() * currents.times() <= max_grid_values / currents.grid.size()) return std::nullopt;
-  return messages::ingest_current_message<"currents-too-large">(currents.times(), currents.levels(),
-                                                                currents.grid.size());
 }
 
 }  // namespace
@@ -179,7 +156,6 @@ Checked<PreparedDataset> prepare_currents(CurrentInput input, const core::Progre
 
   auto currents = placed(input, found->land);
   if (!currents) return refuse(currents.error());
-  if (auto fault = too_large(*currents)) return refuse(std::move(*fault));
 
   PreparedDataset data;
   data.kind = input.what == Moving::sea ? repository::DatasetKind::currents : repository::DatasetKind::wind;
@@ -194,16 +170,17 @@ Checked<PreparedDataset> prepare_currents(CurrentInput input, const core::Progre
     data.warnings.push_back(
         messages::ingest_current_message<"zeros-taken-as-land">(number(100.0 * found->land->share(), 3)));
   if (auto above = above_the_first_level(*currents)) data.warnings.push_back(std::move(*above));
-  if (shape.levels_follow_bed)
-    data.warnings.push_back(messages::ingest_current_message<"levels-interpolated">(
-        shape.levels, currents->levels(), number(currents->depths_m->back())));
-  if (currents->resampling) {
-    auto account = account_of_resampling(*currents, input);
-    if (!account) return refuse(account.error());
-    data.warnings.push_back(std::move(*account));
+  if (currents->own_points) {
+    data.at_own_points = true;
+    const std::size_t points = ocean::points_with_values(currents->own_points->mesh);
+    data.warnings.push_back(messages::ingest_current_message<"kept-at-own-points">(points, input.layout));
+    data.rows_accepted = static_cast<std::int64_t>(points);
+  } else {
+    data.rows_accepted = static_cast<std::int64_t>(currents->grid.size());
   }
+  if (shape.levels_follow_bed)
+    data.warnings.push_back(messages::ingest_current_message<"levels-follow-bed">(shape.levels));
   data.bounds = currents->grid.bounds();
-  data.rows_accepted = static_cast<std::int64_t>(currents->grid.size());
   data.time_start = core::from_unix_seconds(shape.times_s.front());
   data.time_end = core::from_unix_seconds(shape.times_s.back());
   data.write = [currents = std::move(*currents), progress](sql::Connection& db,

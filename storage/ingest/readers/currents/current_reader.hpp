@@ -10,7 +10,7 @@
 namespace floeplan::ingest {
 
 /// Currents from one NetCDF file, or from several that belong together: the two components apart, and tables of
-/// positions, angles and depths. Regular grids are stored as they are, every other layout is resampled.
+/// positions, angles and depths. Regular grids are kept on their axes, every other layout at its own points.
 /// `stated_crs`  the projection of a file that states none
 /// `wanted`      the components to use where there are several pairs
 /// Errors   see find_velocity_pair, rectilinear_currents, curvilinear_currents and prepare_currents

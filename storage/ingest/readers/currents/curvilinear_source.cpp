@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/geo/tangent_plane.hpp"
 #include "engine/messages/ingest_current_messages.hpp"
 #include "storage/ingest/common/missing_value.hpp"
 #include "storage/ingest/formats/netcdf/netcdf_coordinates.hpp"
@@ -11,9 +12,9 @@
 #include "storage/ingest/grids/centre_tables.hpp"
 #include "storage/ingest/grids/grid_directions.hpp"
 #include "storage/ingest/grids/netcdf_shape.hpp"
+#include "storage/ingest/grids/row_mesh.hpp"
 #include "storage/ingest/grids/s_coordinate.hpp"
 #include "storage/ingest/grids/staggering.hpp"
-#include "storage/ingest/grids/tangent_plane.hpp"
 #include "storage/ingest/grids/water_mask.hpp"
 #include "storage/ingest/notation/text.hpp"
 #include "storage/ingest/readers/velocity/component_times.hpp"
@@ -190,8 +191,8 @@ Checked<Arrangement> arrangement_round_centres(const NetcdfFiles& files, const V
   };
   for (std::size_t row = 0; row <= way->rows; ++row) {
     for (std::size_t column = 0; column <= way->columns; ++column) {
-      result.first.places.push_back(midpoint(place(row, column), place(row, column + 1)));
-      result.second.places.push_back(midpoint(place(row, column), place(row + 1, column)));
+      result.first.places.push_back(geo::midpoint(place(row, column), place(row, column + 1)));
+      result.second.places.push_back(geo::midpoint(place(row, column), place(row + 1, column)));
     }
   }
   for (std::size_t row = 0; row < way->rows; ++row)

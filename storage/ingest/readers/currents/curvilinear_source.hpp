@@ -4,16 +4,16 @@
 #include <string>
 #include <vector>
 
-#include "storage/ingest/grids/source_mesh.hpp"
+#include "engine/ocean/grids/mesh.hpp"
 #include "storage/ingest/grids/velocity_source.hpp"
 #include "storage/ingest/readers/velocity/velocity_pair.hpp"
 
 namespace floeplan::ingest {
 
-/// A source whose points are resampled within the cells of a mesh.
+/// A source whose points are those of a mesh.
 struct MeshCurrents {
   std::shared_ptr<const VelocitySource> source;
-  SourceMesh mesh;
+  ocean::Mesh mesh;
   std::string layout;  // in words: "a bent and staggered grid"
 };
 

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/geo/tangent_plane.hpp"
 #include "engine/messages/ingest_current_messages.hpp"
 #include "engine/messages/ingest_file_messages.hpp"
 #include "storage/ingest/common/gdal_guard.hpp"
@@ -15,7 +16,7 @@
 #include "storage/ingest/formats/grib/grib_grid.hpp"
 #include "storage/ingest/formats/grib/grib_messages.hpp"
 #include "storage/ingest/formats/netcdf/netcdf_axis.hpp"
-#include "storage/ingest/grids/tangent_plane.hpp"
+#include "storage/ingest/grids/row_mesh.hpp"
 #include "storage/ingest/grids/true_north.hpp"
 #include "storage/ingest/notation/text.hpp"
 #include "storage/ingest/readers/currents/current_dataset.hpp"
@@ -90,7 +91,8 @@ Checked<RasterPlace> raster_place(const GribGrid& grid) {
     const std::vector<geo::LonLat> before = places_along(*way, grid.x, -ahead, y);
     const std::vector<geo::LonLat> after = places_along(*way, grid.x, ahead, y);
     place.places.insert(place.places.end(), here.begin(), here.end());
-    for (std::size_t i = 0; i < width; ++i) place.directions.add(direction_at(here[i], before[i], after[i]));
+    for (std::size_t i = 0; i < width; ++i)
+      place.directions.add(geo::direction_at(here[i], before[i], after[i]));
   }
   return place;
 }

@@ -8,7 +8,7 @@
 namespace floeplan::ingest {
 
 /// Currents from a GRIB2 file: the eastward and northward components of oceanography (discipline 10, category 1,
-/// numbers 2 and 3) at every time and depth. Latitude and longitude are stored as they are, other grids are resampled;
+/// numbers 2 and 3) at every time and depth. Grids of latitude and longitude are kept on their axes, others at their own points;
 /// vectors along the grid are turned to east and north.
 /// Errors   see grib_fields; no currents, or speed and direction instead; a component missing at a time or depth;
 ///          fields on different grids

@@ -4,13 +4,13 @@
 #include <cmath>
 #include <span>
 
+#include "engine/geo/tangent_plane.hpp"
 #include "engine/messages/ingest_current_messages.hpp"
 #include "storage/ingest/common/missing_value.hpp"
 #include "storage/ingest/grids/bed_levels.hpp"
 #include "storage/ingest/grids/mesh_levels.hpp"
 #include "storage/ingest/grids/mesh_topology.hpp"
 #include "storage/ingest/grids/netcdf_shape.hpp"
-#include "storage/ingest/grids/tangent_plane.hpp"
 #include "storage/ingest/readers/velocity/component_times.hpp"
 #include "storage/ingest/readers/velocity/velocity_component.hpp"
 
@@ -55,7 +55,6 @@ class MeshSource : public VelocitySource {
       slice.east[first + i] = static_cast<float>(east->values[i]);
       slice.north[first + i] = static_cast<float>(north->values[i]);
     }
-    if (parts_.in_faces) add_means_at_nodes(slice);
     return slice;
   }
 
@@ -95,29 +94,45 @@ class MeshSource : public VelocitySource {
     return means;
   }
 
-  void add_means_at_nodes(VelocitySlice& slice) const {
-    for (std::vector<float>* component : {&slice.east, &slice.north}) {
-      const std::vector<float> means = means_at_nodes(std::span{*component}.subspan(parts_.nodes));
-      std::ranges::copy(means, component->begin());
-    }
-  }
-
   MeshParts parts_;
   SourceShape shape_;
 };
 
-geo::LonLat middle_of(const MeshTopology& mesh, MeshFaces::Corners face) {
-  UnitVector sum;
+/// Whether a place sees every side of a face from the same hand, so that the triangles between them tile the face.
+bool sees_all_sides(geo::LonLat place, const MeshTopology& mesh, MeshFaces::Corners face) {
+  const geo::UnitVector middle = geo::unit_vector(place);
+  const auto from_middle = [&](std::uint32_t node) {
+    const geo::UnitVector u = geo::unit_vector(mesh.nodes[node]);
+    return geo::UnitVector{u.x - middle.x, u.y - middle.y, u.z - middle.z};
+  };
+  bool any_left = false;
+  bool any_right = false;
+  for (std::size_t corner = 0; corner < face.size(); ++corner) {
+    const geo::UnitVector a = from_middle(face[corner]);
+    const geo::UnitVector b = from_middle(face[(corner + 1) % face.size()]);
+    const geo::UnitVector across{a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+    const double hand = geo::dot(across, middle);
+    any_left = any_left || hand >= 0.0;
+    any_right = any_right || hand <= 0.0;
+  }
+  return any_left != any_right;
+}
+
+/// Where the value of a face lies: where the file says, if that is inside it; else in the middle of its corners.
+geo::LonLat middle_of(const MeshTopology& mesh, std::size_t number) {
+  const MeshFaces::Corners face = mesh.faces[number];
+  if (!mesh.middles.empty() && sees_all_sides(mesh.middles[number], mesh, face)) return mesh.middles[number];
+  geo::UnitVector sum;
   for (const std::uint32_t node : face) {
-    const UnitVector corner = unit_vector(mesh.nodes[node]);
+    const geo::UnitVector corner = geo::unit_vector(mesh.nodes[node]);
     sum = {sum.x + corner.x, sum.y + corner.y, sum.z + corner.z};
   }
-  return lon_lat(sum);
+  return geo::lon_lat(sum);
 }
 
 /// Faces as cells of three or four corners: those of more as triangles that meet in their first corner.
-std::vector<SourceMesh::Cell> cells_of(const MeshFaces& faces) {
-  std::vector<SourceMesh::Cell> cells;
+std::vector<ocean::Mesh::Cell> cells_of(const MeshFaces& faces) {
+  std::vector<ocean::Mesh::Cell> cells;
   for (std::size_t i = 0; i < faces.size(); ++i) {
     const MeshFaces::Corners face = faces[i];
     if (face.size() == 4) {
@@ -131,8 +146,8 @@ std::vector<SourceMesh::Cell> cells_of(const MeshFaces& faces) {
 }
 
 /// Each face as triangles between its middle and its sides.
-std::vector<SourceMesh::Cell> split_faces(const MeshTopology& mesh) {
-  std::vector<SourceMesh::Cell> cells;
+std::vector<ocean::Mesh::Cell> split_faces(const MeshTopology& mesh) {
+  std::vector<ocean::Mesh::Cell> cells;
   for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
     const MeshFaces::Corners face = mesh.faces[i];
     const auto middle = static_cast<std::uint32_t>(mesh.nodes.size() + i);
@@ -179,10 +194,11 @@ Checked<MeshCurrents> mesh_currents(const NetcdfFiles& files, const VelocityPair
   auto v = VelocityComponent::of(*pair.second_file, *pair.second, std::move(*second_layout), warnings);
   if (!v) return refuse(v.error());
 
-  SourceMesh cells{mesh->nodes, along_faces ? split_faces(*mesh) : cells_of(mesh->faces)};
+  ocean::Mesh cells{mesh->nodes, along_faces ? split_faces(*mesh) : cells_of(mesh->faces),
+                    along_faces.has_value()};
   if (along_faces)
     for (std::size_t face = 0; face < mesh->faces.size(); ++face)
-      cells.points.push_back(middle_of(*mesh, mesh->faces[face]));
+      cells.points.push_back(middle_of(*mesh, face));
   auto source = std::make_shared<const MeshSource>(MeshParts{.files = files,
                                                              .first = std::move(*u),
                                                              .second = std::move(*v),

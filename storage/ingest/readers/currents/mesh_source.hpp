@@ -9,9 +9,8 @@
 namespace floeplan::ingest {
 
 /// Currents on a mesh of triangles, quadrilaterals and faces of up to twelve corners, at its nodes or in its faces: FVCOM, SELFE, SCHISM and whatever
-/// follows the UGRID conventions; on depths or on sigma levels.
-/// Interpolation  between nodes; of currents in faces between the middle of the face, which keeps its own value, and
-///                its nodes, which take the mean of the faces round them
+/// follows the UGRID conventions; on depths or on sigma levels. Of currents in faces the middles of the faces carry the
+/// values, as ocean::Mesh has it.
 /// Errors   see mesh_topology; components along anything else than east and north; levels that cannot be placed
 [[nodiscard]] Checked<MeshCurrents> mesh_currents(const NetcdfFiles& files, const VelocityPair& pair,
                                                   Messages& warnings);

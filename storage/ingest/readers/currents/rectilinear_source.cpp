@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <limits>
 
+#include "engine/geo/tangent_plane.hpp"
 #include "engine/messages/ingest_current_messages.hpp"
 #include "storage/ingest/common/in_blocks.hpp"
 #include "storage/ingest/formats/netcdf/netcdf_grid.hpp"
 #include "storage/ingest/grids/netcdf_shape.hpp"
-#include "storage/ingest/grids/tangent_plane.hpp"
 #include "storage/ingest/grids/true_north.hpp"
 #include "storage/ingest/notation/text.hpp"
 #include "storage/ingest/readers/velocity/component_times.hpp"
@@ -25,8 +25,8 @@ GridDirections x_directions_of(const ocean::HorizontalGrid& grid) {
     for (std::size_t ix = 0; ix < grid.x().size(); ++ix) {
       const double x = grid.x()[ix];
       const double y = grid.y()[iy];
-      directions.add(direction_at(grid.place(ix, iy), geo::to_lon_lat(grid.frame(), {x - step, y}),
-                                  geo::to_lon_lat(grid.frame(), {x + step, y})));
+      directions.add(geo::direction_at(grid.place(ix, iy), geo::to_lon_lat(grid.frame(), {x - step, y}),
+                                       geo::to_lon_lat(grid.frame(), {x + step, y})));
     }
   }
   return directions;

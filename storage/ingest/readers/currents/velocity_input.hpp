@@ -8,7 +8,7 @@
 
 namespace floeplan::ingest {
 
-/// Two components on whatever layout they have: regular grids are to be stored as they are, every other one resampled.
+/// Two components on whatever layout they have: regular grids are to be kept on their axes, every other one at its own points.
 /// Currents without an axis of depth that say that they are of the surface or at one depth get that level; means over
 /// the water column stay without one.
 /// `stated_crs`  the projection of a file that states none

@@ -14,7 +14,7 @@ namespace floeplan::ingest {
 [[nodiscard]] bool holds_wind(const NetcdfFile& file);
 
 /// The wind 10 m above the sea from a NetCDF file, towards true east and true north. Of wind at several heights the one
-/// at 10 m is taken. Grids that are neither geographic nor polar stereographic are resampled.
+/// at 10 m is taken. Grids that are neither geographic nor polar stereographic are kept at their own points.
 /// `stated_crs`  the projection of a file that states none
 /// Errors   one component alone; other heights only; no time; see velocity_input and prepare_currents
 [[nodiscard]] Checked<PreparedDataset> read_wind(const std::shared_ptr<const NetcdfFile>& file,

@@ -125,7 +125,7 @@ Checked<void> write(const IceSource& source, const core::ProgressCallback& progr
   fields.create(id, {source.grid, std::nullopt, ocean::Axis{source.layout.times_s->nodes}});
   for (std::size_t time = 0; time < source.times(); ++time) {
     const auto stored = [&](const std::vector<float>& values) {
-      return source.bent ? source.bent->resampling->apply(values) : values;
+      return source.bent ? source.bent->sampling.apply(values) : values;
     };
     const auto concentration = read_greatest(source.concentrations, source.layout, time, 1.0);
     if (!concentration) return refuse(concentration.error());

@@ -84,6 +84,8 @@ DROP TABLE zone_box;
 DROP TABLE glider_current;
 DROP TABLE glider_track;
 DROP TABLE glider_track_box;
+DROP TABLE mesh_block;
+DROP TABLE mesh;
 DROP TABLE chart_polygon;
 DROP TABLE chart_polygon_box;
 DROP TABLE simulation_flight;

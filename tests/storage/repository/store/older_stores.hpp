@@ -4,8 +4,12 @@
 
 namespace floeplan::repository {
 
-/// Goes on from a pragma; for stores that are older than the polygons of ice charts.
-inline const std::string before_ice_charts = "; DROP TABLE chart_polygon_box; DROP TABLE chart_polygon";
+/// Goes on from a pragma; for stores that are older than currents at a model's own points.
+inline const std::string before_meshes = "; DROP TABLE mesh_block; DROP TABLE mesh";
+
+/// For stores that are older than the polygons of ice charts.
+inline const std::string before_ice_charts =
+    before_meshes + "; DROP TABLE chart_polygon_box; DROP TABLE chart_polygon";
 
 /// For stores that are older than the owners of plans and simulations.
 inline const std::string before_owners_of_plans =

@@ -157,7 +157,7 @@ class ProjectedPlanes : public StoreFixture {
     const auto report = ingest(path("plane.nc"));
     ocean::CurrentGrid currents = currents_of(report);
     EXPECT_EQ(report.dataset->kind, kind);
-    EXPECT_THAT(words(report), HasSubstr("resampled"));
+    EXPECT_THAT(words(report), HasSubstr("kept at the model's own"));
     return currents;
   }
   ocean::IceField stored_ice() {

@@ -196,7 +196,7 @@ S100Sample scattered(std::size_t side, const std::function<bool(std::size_t, std
 TEST_F(S111, AtPlacesOfTheirOwnKeepTheirValueAndDirectionBetweenThem) {
   const S100Sample sample = scattered(12, [](std::size_t, std::size_t) { return true; });
   const ocean::CurrentGrid currents = stored(sample.write(path("3.h5")));
-  EXPECT_THAT(words(report_), HasSubstr("resampled from places of their own"));
+  EXPECT_THAT(words(report_), HasSubstr("144 points (places of their own)"));
   std::size_t known = 0;
   for (const auto& [lon, lat] : sample.places) {
     const auto current =

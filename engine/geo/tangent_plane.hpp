@@ -5,7 +5,7 @@
 
 #include "engine/geo/lon_lat.hpp"
 
-namespace floeplan::ingest {
+namespace floeplan::geo {
 
 /// A direction from the centre of the Earth, of length one. Free of the seams that longitudes have.
 struct UnitVector {
@@ -14,22 +14,22 @@ struct UnitVector {
   double z{};
 };
 
-[[nodiscard]] UnitVector unit_vector(geo::LonLat place);
-[[nodiscard]] geo::LonLat lon_lat(UnitVector direction);
+[[nodiscard]] UnitVector unit_vector(LonLat place);
+[[nodiscard]] LonLat lon_lat(UnitVector direction);
 [[nodiscard]] double dot(UnitVector a, UnitVector b);
 /// The place half-way between two; also across the date line and the pole.
-[[nodiscard]] geo::LonLat midpoint(geo::LonLat a, geo::LonLat b);
+[[nodiscard]] LonLat midpoint(LonLat a, LonLat b);
 /// Distance on a sphere of the Earth's mean radius, metres; within 0.6 % of that on the ellipsoid.
-[[nodiscard]] double sphere_distance_m(geo::LonLat a, geo::LonLat b);
+[[nodiscard]] double sphere_distance_m(LonLat a, LonLat b);
 
 /// Angle of the way from one place to another as seen half-way at `at`, radians counterclockwise from east.
 /// Outside  nullopt when both are the same place
-[[nodiscard]] std::optional<double> direction_at(geo::LonLat at, geo::LonLat from, geo::LonLat to);
+[[nodiscard]] std::optional<double> direction_at(LonLat at, LonLat from, LonLat to);
 
 /// By how much a direction's bearing grows, clockwise, when it is carried along the great circle from one place to
 /// another; meridians converge, so east there is not east here. Radians.
 /// Source  Napier's analogies for the triangle with the pole
-[[nodiscard]] double convergence(geo::LonLat from, geo::LonLat to);
+[[nodiscard]] double convergence(LonLat from, LonLat to);
 
 /// The plane that touches the Earth at a place, in units of the Earth's radius.
 class TangentPlane {
@@ -50,4 +50,4 @@ class TangentPlane {
   UnitVector e2_;
 };
 
-}  // namespace floeplan::ingest
+}  // namespace floeplan::geo

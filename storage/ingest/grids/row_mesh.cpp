@@ -1,49 +1,24 @@
-#include "storage/ingest/grids/source_mesh.hpp"
+#include "storage/ingest/grids/row_mesh.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "storage/ingest/grids/tangent_plane.hpp"
+#include "engine/geo/tangent_plane.hpp"
 
 namespace floeplan::ingest {
 namespace {
 
-constexpr std::size_t max_sampled_cells = 20'000;  // enough for a quantile
 constexpr double longest_side_over_median = 20.0;
 constexpr double most_gap_over_side =
     2.0;  // between columns or halves of a row that are neighbours all the same
 
 std::uint32_t index(std::size_t point) { return static_cast<std::uint32_t>(point); }
 
-/// The longest side of a cell, metres; not a number where a corner has no place.
-double longest_side_m(const SourceMesh& mesh, const SourceMesh::Cell& cell) {
-  double longest = 0.0;
-  for (std::size_t i = 0; i < cell.size(); ++i) {
-    const double side = sphere_distance_m(mesh.points[cell[i]], mesh.points[cell[(i + 1) % cell.size()]]);
-    if (std::isnan(side)) return side;
-    longest = std::max(longest, side);
-  }
-  return longest;
-}
-
-double quantile_of_sides_m(const SourceMesh& mesh, double share) {
-  const std::size_t step = std::max<std::size_t>(1, mesh.cells.size() / max_sampled_cells);
-  std::vector<double> sides;
-  for (std::size_t i = 0; i < mesh.cells.size(); i += step) {
-    const double side = longest_side_m(mesh, mesh.cells[i]);
-    if (side > 0.0) sides.push_back(side);
-  }
-  if (sides.empty()) return 0.0;
-  const auto at = sides.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(sides.size() - 1));
-  std::nth_element(sides.begin(), at, sides.end());
-  return *at;
-}
-
 /// Joins the last column to the first where the grid goes round the globe without repeating a column.
-void close_the_circle(SourceMesh& mesh, std::size_t columns, std::size_t rows) {
+void close_the_circle(ocean::Mesh& mesh, std::size_t columns, std::size_t rows) {
   const auto at = [&](std::size_t row, std::size_t column) { return row * columns + column; };
   const auto apart_m = [&](std::size_t a, std::size_t b) {
-    return sphere_distance_m(mesh.points[a], mesh.points[b]);
+    return geo::sphere_distance_m(mesh.points[a], mesh.points[b]);
   };
   const auto meets = [&](std::size_t row) {
     const double gap_m = apart_m(at(row, columns - 1), at(row, 0));
@@ -57,11 +32,11 @@ void close_the_circle(SourceMesh& mesh, std::size_t columns, std::size_t rows) {
 
 /// Joins the two halves of the last row where it is folded onto itself between the two northern poles of a tripolar
 /// grid.
-void close_the_fold(SourceMesh& mesh, std::size_t columns, std::size_t rows) {
+void close_the_fold(ocean::Mesh& mesh, std::size_t columns, std::size_t rows) {
   if (rows < 2 || columns < 4) return;
   const std::size_t top = (rows - 1) * columns;
   const auto apart_m = [&](std::size_t a, std::size_t b) {
-    return sphere_distance_m(mesh.points[a], mesh.points[b]);
+    return geo::sphere_distance_m(mesh.points[a], mesh.points[b]);
   };
   for (std::size_t i = 0; i + 1 < columns / 2; ++i) {
     const std::size_t facing = columns - 1 - i;
@@ -77,8 +52,8 @@ void close_the_fold(SourceMesh& mesh, std::size_t columns, std::size_t rows) {
 
 }  // namespace
 
-SourceMesh mesh_of_rows(std::vector<geo::LonLat> points, std::size_t columns) {
-  SourceMesh mesh{std::move(points), {}};
+ocean::Mesh mesh_of_rows(std::vector<geo::LonLat> points, std::size_t columns) {
+  ocean::Mesh mesh{std::move(points), {}};
   const std::size_t rows = mesh.points.size() / columns;
   for (std::size_t row = 0; row + 1 < rows; ++row)
     for (std::size_t column = 0; column + 1 < columns; ++column)
@@ -87,14 +62,12 @@ SourceMesh mesh_of_rows(std::vector<geo::LonLat> points, std::size_t columns) {
   close_the_circle(mesh, columns, rows);
   close_the_fold(mesh, columns, rows);
 
-  const double longest = longest_side_over_median * quantile_of_sides_m(mesh, 0.5);
-  std::erase_if(mesh.cells, [&](const SourceMesh::Cell& cell) {
-    const double side = longest_side_m(mesh, cell);
+  const double longest = longest_side_over_median * ocean::quantile_of_sides_m(mesh, 0.5);
+  std::erase_if(mesh.cells, [&](const ocean::Mesh::Cell& cell) {
+    const double side = ocean::longest_side_m(mesh, cell);
     return !(side > 0.0 && side <= longest);
   });
   return mesh;
 }
-
-double fine_spacing_m(const SourceMesh& mesh) { return quantile_of_sides_m(mesh, 0.25); }
 
 }  // namespace floeplan::ingest

@@ -1,34 +1,31 @@
-#include "storage/ingest/grids/cell_weights.hpp"
+#include "engine/ocean/grids/cell_weights.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-namespace floeplan::ingest {
+namespace floeplan::ocean {
 namespace {
 
 constexpr double hair = 1e-6;       // of a cell
 constexpr int max_iterations = 12;  // Newton's method doubles its digits each time
 
-UnitVector centre_of(const SourceMesh& mesh, const SourceMesh::Cell& cell) {
-  UnitVector sum;
-  for (const std::uint32_t corner : cell) {
-    const UnitVector u = unit_vector(mesh.points[corner]);
-    sum = {sum.x + u.x, sum.y + u.y, sum.z + u.z};
-  }
-  const double length = std::sqrt(dot(sum, sum));
+geo::UnitVector centre_of(const CellWeights::Corners& corners) {
+  geo::UnitVector sum;
+  for (const geo::UnitVector& corner : corners) sum = {sum.x + corner.x, sum.y + corner.y, sum.z + corner.z};
+  const double length = std::sqrt(geo::dot(sum, sum));
   return {sum.x / length, sum.y / length, sum.z / length};
 }
 
 }  // namespace
 
-CellWeights::CellWeights(const SourceMesh& mesh, const SourceMesh::Cell& cell)
-    : plane_{centre_of(mesh, cell)}, triangle_{cell[2] == cell[3]} {
+CellWeights::CellWeights(const Corners& corners, bool is_triangle)
+    : plane_{centre_of(corners)}, triangle_{is_triangle} {
   constexpr double infinite = std::numeric_limits<double>::infinity();
   least_ = {infinite, infinite};
   most_ = {-infinite, -infinite};
-  for (std::size_t i = 0; i < cell.size(); ++i) {
-    corners_[i] = plane_.project(unit_vector(mesh.points[cell[i]]));
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    corners_[i] = plane_.project(corners[i]);
     least_ = {std::min(least_.x, corners_[i].x), std::min(least_.y, corners_[i].y)};
     most_ = {std::max(most_.x, corners_[i].x), std::max(most_.y, corners_[i].y)};
   }
@@ -37,14 +34,14 @@ CellWeights::CellWeights(const SourceMesh& mesh, const SourceMesh::Cell& cell)
   most_ = {most_.x + margin, most_.y + margin};
 }
 
-std::optional<std::array<double, 4>> CellWeights::at(UnitVector place) const {
+std::optional<std::array<double, 4>> CellWeights::at(geo::UnitVector place) const {
   if (!plane_.faces(place)) return std::nullopt;
-  const TangentPlane::Point p = plane_.project(place);
+  const Point p = plane_.project(place);
   if (!(p.x >= least_.x && p.x <= most_.x && p.y >= least_.y && p.y <= most_.y)) return std::nullopt;
   return triangle_ ? in_triangle(p) : in_quadrilateral(p);
 }
 
-std::optional<std::array<double, 4>> CellWeights::in_triangle(TangentPlane::Point p) const {
+std::optional<std::array<double, 4>> CellWeights::in_triangle(Point p) const {
   const auto& [a, b, c, same] = corners_;
   const double area = (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
   if (area == 0.0) return std::nullopt;
@@ -56,9 +53,9 @@ std::optional<std::array<double, 4>> CellWeights::in_triangle(TangentPlane::Poin
 }
 
 /// Solves p = a + s (b - a) + t (d - a) + s t (a - b + c - d) for s and t.
-std::optional<std::array<double, 4>> CellWeights::in_quadrilateral(TangentPlane::Point p) const {
+std::optional<std::array<double, 4>> CellWeights::in_quadrilateral(Point p) const {
   const auto& [a, b, c, d] = corners_;
-  const TangentPlane::Point twist{a.x - b.x + c.x - d.x, a.y - b.y + c.y - d.y};
+  const Point twist{a.x - b.x + c.x - d.x, a.y - b.y + c.y - d.y};
   double s = 0.5;
   double t = 0.5;
   for (int i = 0; i < max_iterations; ++i) {
@@ -80,4 +77,4 @@ std::optional<std::array<double, 4>> CellWeights::in_quadrilateral(TangentPlane:
   return std::array{(1.0 - s) * (1.0 - t), s * (1.0 - t), s * t, (1.0 - s) * t};
 }
 
-}  // namespace floeplan::ingest
+}  // namespace floeplan::ocean

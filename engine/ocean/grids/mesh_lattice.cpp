@@ -1,26 +1,25 @@
-#include "storage/ingest/grids/target_grid.hpp"
+#include "engine/ocean/grids/mesh_lattice.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
-#include "engine/messages/ingest_format_messages.hpp"
-#include "storage/ingest/notation/text.hpp"
-
-namespace floeplan::ingest {
+namespace floeplan::ocean {
 namespace {
 
-constexpr double max_target_nodes = 4e6;  // weights take 48 bytes a node: 200 MB
-constexpr double half = 0.5;              // of the mesh's spacing: interpolating twice loses little then
-constexpr double max_fine_nodes = 1e6;    // from here on a finer grid is not worth its size
-constexpr double metres_per_degree = 111'195.0;  // of a sphere with the Earth's mean radius
-constexpr double polar_from_lat_deg = 78.0;      // where a degree of longitude is a fifth of one of latitude
+constexpr double max_lattice_nodes = 4e6;  // weights take 48 bytes a node: 200 MB
+constexpr double half = 0.5;               // of the mesh's spacing: interpolating twice loses little then
+constexpr double max_fine_nodes = 1e6;     // from here on a finer grid is not worth its size
+constexpr double nodes_per_point = 4.0;    // of half the spacing of a mesh of squares
+constexpr double share_of_fine_sides = 0.25;
+constexpr double metres_per_lat_degree = 111'195.0;  // of a sphere with the Earth's mean radius
+constexpr double polar_from_lat_deg = 78.0;   // where a degree of longitude is a fifth of one of latitude
 constexpr double polar_above_lat_deg = 45.0;  // the whole mesh must lie beyond, so that the plane stays true
 
-std::vector<geo::LonLat> used_points(const SourceMesh& mesh) {
+std::vector<geo::LonLat> used_points(const Mesh& mesh) {
   std::vector<bool> used(mesh.points.size());
-  for (const SourceMesh::Cell& cell : mesh.cells)
+  for (const Mesh::Cell& cell : mesh.cells)
     for (const std::uint32_t corner : cell) used[corner] = true;
   std::vector<geo::LonLat> points;
   for (std::size_t i = 0; i < used.size(); ++i)
@@ -39,7 +38,7 @@ std::vector<double> nodes_between(double from, double to, double step) {
 /// A step of half the mesh's own, or more where that would take too many nodes.
 double affordable_step(double spacing, double area) {
   return std::max({half * spacing, std::min(spacing, std::sqrt(area / max_fine_nodes)),
-                   std::sqrt(area / max_target_nodes)});
+                   std::sqrt(area / max_lattice_nodes)});
 }
 
 /// Rounded down to two digits, so that the nodes have short numbers.
@@ -50,7 +49,7 @@ double rounded(double step) {
 
 double start_before(double value, double step) { return std::floor(value / step + 1e-9) * step; }
 
-ocean::HorizontalGrid polar_grid(const std::vector<geo::LonLat>& points, double spacing_m) {
+HorizontalGrid polar_grid(const std::vector<geo::LonLat>& points, double spacing_m) {
   const geo::BoundingBox box = geo::bounding_box(points);
   const bool north = box.north_deg > 0.0;
   const geo::PolarStereographicFrame frame{
@@ -70,31 +69,30 @@ ocean::HorizontalGrid polar_grid(const std::vector<geo::LonLat>& points, double 
     most_y = std::max(most_y, at.y);
   }
   const double step = rounded(affordable_step(spacing_m, (most_x - least_x) * (most_y - least_y)));
-  return {frame, ocean::Axis{nodes_between(start_before(least_x, step), most_x, step)},
-          ocean::Axis{nodes_between(start_before(least_y, step), most_y, step)}};
+  return {frame, Axis{nodes_between(start_before(least_x, step), most_x, step)},
+          Axis{nodes_between(start_before(least_y, step), most_y, step)}};
 }
 
 /// Whether cells lie across the meridians on which there is no point: such a mesh goes all the way round.
-bool closes_round(const SourceMesh& mesh, const geo::BoundingBox& box) {
+bool closes_round(const Mesh& mesh, const geo::BoundingBox& box) {
   const auto east_of_west = [&](std::uint32_t corner) {
     const double turn = std::fmod(mesh.points[corner].lon_deg - box.west_deg, 360.0);
     return turn < 0.0 ? turn + 360.0 : turn;
   };
-  return std::ranges::any_of(mesh.cells, [&](const SourceMesh::Cell& cell) {
+  return std::ranges::any_of(mesh.cells, [&](const Mesh::Cell& cell) {
     const auto [least, most] = std::ranges::minmax(cell, {}, east_of_west);
     return east_of_west(most) - east_of_west(least) > 180.0;
   });
 }
 
-ocean::HorizontalGrid geographic_grid(const SourceMesh& mesh, const std::vector<geo::LonLat>& points,
-                                      double spacing_m) {
+HorizontalGrid geographic_grid(const Mesh& mesh, const std::vector<geo::LonLat>& points, double spacing_m) {
   const geo::BoundingBox box = geo::bounding_box(points);
   const double height_deg = box.north_deg - box.south_deg;
   const double least_abs_lat =
       box.south_deg > 0.0 ? box.south_deg : (box.north_deg < 0.0 ? -box.north_deg : 0.0);
   const double lat_per_lon = std::cos(least_abs_lat * std::numbers::pi / 180.0);
   const double width = geo::width_deg(box);
-  const double step = affordable_step(spacing_m / metres_per_degree, width * lat_per_lon * height_deg);
+  const double step = affordable_step(spacing_m / metres_per_lat_degree, width * lat_per_lon * height_deg);
   const double lat_step = rounded(step);
   const double lon_step = rounded(step / lat_per_lon);
 
@@ -103,22 +101,32 @@ ocean::HorizontalGrid geographic_grid(const SourceMesh& mesh, const std::vector<
   if (lats.back() > 90.0) lats.back() = 90.0;
   if (width + 2.0 * lon_step < 360.0 && !closes_round(mesh, box)) {
     const double west = start_before(box.west_deg, lon_step);
-    return {geo::GeographicFrame{}, ocean::Axis{nodes_between(west, box.west_deg + width, lon_step)},
-            ocean::Axis{std::move(lats)}};
+    return {geo::GeographicFrame{}, Axis{nodes_between(west, box.west_deg + width, lon_step)},
+            Axis{std::move(lats)}};
   }
   const double count = std::ceil(360.0 / lon_step);
   std::vector<double> lons(static_cast<std::size_t>(count));
   for (std::size_t i = 0; i < lons.size(); ++i) lons[i] = -180.0 + 360.0 * static_cast<double>(i) / count;
-  return {geo::GeographicFrame{}, ocean::Axis{std::move(lons)}, ocean::Axis{std::move(lats)}};
+  return {geo::GeographicFrame{}, Axis{std::move(lons)}, Axis{std::move(lats)}};
+}
+
+/// Each step in as many equal parts.
+Axis divided(const Axis& axis, std::size_t parts) {
+  std::vector<double> nodes;
+  for (std::size_t i = 0; i + 1 < axis.size(); ++i)
+    for (std::size_t part = 0; part < parts; ++part)
+      nodes.push_back(axis[i] +
+                      (axis[i + 1] - axis[i]) * static_cast<double>(part) / static_cast<double>(parts));
+  nodes.push_back(axis.back());
+  return Axis{std::move(nodes)};
 }
 
 }  // namespace
 
-Checked<ocean::HorizontalGrid> target_grid_for(const SourceMesh& mesh) {
+std::optional<HorizontalGrid> lattice_for(const Mesh& mesh) {
   const std::vector<geo::LonLat> points = used_points(mesh);
-  const double spacing_m = fine_spacing_m(mesh);
-  if (points.empty() || !(spacing_m > 0.0))
-    return refuse(messages::ingest_format_message<"positions-enclose-no-area">());
+  const double spacing_m = quantile_of_sides_m(mesh, share_of_fine_sides);
+  if (points.empty() || !(spacing_m > 0.0)) return std::nullopt;
   double least_lat = 90.0;
   double most_lat = -90.0;
   for (const geo::LonLat place : points) {
@@ -130,12 +138,16 @@ Checked<ocean::HorizontalGrid> target_grid_for(const SourceMesh& mesh) {
   return polar ? polar_grid(points, spacing_m) : geographic_grid(mesh, points, spacing_m);
 }
 
-std::string spacing_in_words(const ocean::HorizontalGrid& grid) {
-  const bool metres = !std::holds_alternative<geo::GeographicFrame>(grid.frame());
-  const std::string x = number(grid.x().mean_step(), metres ? 6 : 3);
-  const std::string y = number(grid.y().mean_step(), 3);
-  if (metres) return x + " m of a polar stereographic projection";
-  return x + " x " + y + " degrees of longitude and latitude";
+HorizontalGrid refined(const HorizontalGrid& lattice, const Mesh& part) {
+  const double wanted_m = half * quantile_of_sides_m(part, share_of_fine_sides);
+  const double spacing_m = lattice.spacing().value;
+  if (!(wanted_m > 0.0) || !(spacing_m > wanted_m)) return lattice;
+  const double most_nodes =
+      std::min(nodes_per_point * static_cast<double>(part.points.size()), max_fine_nodes);
+  const double affordable = std::sqrt(most_nodes / static_cast<double>(lattice.size()));
+  const auto parts = static_cast<std::size_t>(std::min(std::ceil(spacing_m / wanted_m - 1e-9), affordable));
+  if (parts < 2) return lattice;
+  return {lattice.frame(), divided(lattice.x(), parts), divided(lattice.y(), parts)};
 }
 
-}  // namespace floeplan::ingest
+}  // namespace floeplan::ocean

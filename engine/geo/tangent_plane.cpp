@@ -1,10 +1,10 @@
-#include "storage/ingest/grids/tangent_plane.hpp"
+#include "engine/geo/tangent_plane.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-namespace floeplan::ingest {
+namespace floeplan::geo {
 namespace {
 
 constexpr double radians_per_degree = std::numbers::pi / 180.0;
@@ -21,33 +21,33 @@ UnitVector cross(UnitVector a, UnitVector b) {
 
 }  // namespace
 
-UnitVector unit_vector(geo::LonLat place) {
+UnitVector unit_vector(LonLat place) {
   const double lon = place.lon_deg * radians_per_degree;
   const double lat = place.lat_deg * radians_per_degree;
   return {std::cos(lat) * std::cos(lon), std::cos(lat) * std::sin(lon), std::sin(lat)};
 }
 
-geo::LonLat lon_lat(UnitVector direction) {
+LonLat lon_lat(UnitVector direction) {
   return {std::atan2(direction.y, direction.x) / radians_per_degree,
           std::atan2(direction.z, std::hypot(direction.x, direction.y)) / radians_per_degree};
 }
 
 double dot(UnitVector a, UnitVector b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
-geo::LonLat midpoint(geo::LonLat a, geo::LonLat b) {
+LonLat midpoint(LonLat a, LonLat b) {
   const UnitVector u = unit_vector(a);
   const UnitVector v = unit_vector(b);
   return lon_lat(normalised(u.x + v.x, u.y + v.y, u.z + v.z));
 }
 
-double sphere_distance_m(geo::LonLat a, geo::LonLat b) {
+double sphere_distance_m(LonLat a, LonLat b) {
   const UnitVector u = unit_vector(a);
   const UnitVector v = unit_vector(b);
   const double chord = std::hypot(u.x - v.x, u.y - v.y, u.z - v.z);
   return 2.0 * mean_radius_m * std::asin(std::min(1.0, chord / 2.0));
 }
 
-std::optional<double> direction_at(geo::LonLat at, geo::LonLat from, geo::LonLat to) {
+std::optional<double> direction_at(LonLat at, LonLat from, LonLat to) {
   const UnitVector u = unit_vector(from);
   const UnitVector v = unit_vector(to);
   const double dx = v.x - u.x;
@@ -61,8 +61,8 @@ std::optional<double> direction_at(geo::LonLat at, geo::LonLat from, geo::LonLat
   return std::atan2(north, east);
 }
 
-double convergence(geo::LonLat from, geo::LonLat to) {
-  const double half_turn = 0.5 * geo::longitude_difference(from.lon_deg, to.lon_deg) * radians_per_degree;
+double convergence(LonLat from, LonLat to) {
+  const double half_turn = 0.5 * longitude_difference(from.lon_deg, to.lon_deg) * radians_per_degree;
   const double mean_lat = 0.5 * (from.lat_deg + to.lat_deg) * radians_per_degree;
   const double half_rise = 0.5 * (to.lat_deg - from.lat_deg) * radians_per_degree;
   return 2.0 *
@@ -81,4 +81,4 @@ TangentPlane::Point TangentPlane::project(UnitVector direction) const {
   return {dot(e1_, direction) / depth, dot(e2_, direction) / depth};
 }
 
-}  // namespace floeplan::ingest
+}  // namespace floeplan::geo

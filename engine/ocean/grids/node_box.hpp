@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "engine/ocean/grids/horizontal_grid.hpp"
+#include "engine/ocean/grids/mesh.hpp"
+
+namespace floeplan::ocean {
+
+/// A rectangle of nodes of a grid. Columns count on past the last one to the first.
+struct NodeBox {
+  std::size_t first_x{};
+  std::size_t count_x{};
+  std::size_t first_y{};
+  std::size_t count_y{};
+};
+
+/// Which nodes of a grid lie near the cells of a mesh. Both are borrowed and outlive this.
+/// Precondition  as of MeshSampling
+class NodeBoxes {
+ public:
+  NodeBoxes(const HorizontalGrid& grid, const Mesh& mesh);
+
+  /// Holds every node of the grid that lies in the cell, and a few others; also for cells across the date line and
+  /// round a pole.
+  [[nodiscard]] NodeBox near(const Mesh::Cell& cell) const;
+
+ private:
+  /// Where a point of the mesh lies among the nodes: 2.5 is half-way from the third to the fourth.
+  struct Position {
+    double x{};
+    double y{};
+  };
+  [[nodiscard]] Position position_of(geo::LonLat point) const;
+
+  const HorizontalGrid& grid_;
+  const Mesh& mesh_;
+  bool is_geographic_;
+  double step_x_;  // in the grid's own coordinates
+  double step_y_;
+  std::vector<Position> positions_;  // of the mesh's points
+};
+
+}  // namespace floeplan::ocean

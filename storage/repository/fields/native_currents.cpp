@@ -1,0 +1,168 @@
+#include "storage/repository/fields/native_currents.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "engine/ocean/currents/level_columns.hpp"
+#include "engine/ocean/grids/mesh_lattice.hpp"
+#include "engine/ocean/grids/mesh_sampling.hpp"
+#include "storage/repository/fields/mesh_blocks.hpp"
+#include "storage/sql/driver/failure.hpp"
+#include "storage/sql/statement.hpp"
+
+namespace floeplan::repository {
+namespace {
+
+using ocean::PointVelocities;
+
+constexpr std::size_t points_in_row = 64;
+
+ocean::Axis counting(std::size_t count) {
+  std::vector<double> numbers(count);
+  for (std::size_t i = 0; i < count; ++i) numbers[i] = static_cast<double>(i);
+  return ocean::Axis{std::move(numbers)};
+}
+
+/// Reads the samples of a part of a mesh.
+class PointReader {
+ public:
+  PointReader(sql::Connection& db, const NativeLayout& layout, const MeshPart& part)
+      : chunks_{db, layout.chunks}, mesh_{part.mesh} {
+    const ocean::Axis columns = counting(points_in_row);
+    for (const std::size_t block : part.blocks) {
+      const NodeRun rows{block * points_in_row,
+                         std::min(points_in_row, layout.chunks.y_count - block * points_in_row)};
+      blocks_.push_back({{{{0, points_in_row}}, columns}, {{rows}, counting(rows.count)}});
+    }
+  }
+
+  /// Shape  [point] of the part
+  [[nodiscard]] std::vector<float> read(const SliceKey& slice) {
+    std::vector<float> samples;
+    samples.reserve(mesh_.points.size() + points_in_row);
+    for (const GridWindow& block : blocks_) {
+      const std::size_t first = samples.size();
+      samples.resize(first + points_in_row * block.y.nodes.size());
+      chunks_.read(slice, block, std::span{samples}.subspan(first));
+    }
+    samples.resize(mesh_.points.size());  // the last block of the mesh may be followed by room
+    return samples;
+  }
+
+  [[nodiscard]] PointVelocities velocities(std::size_t time, std::size_t level) {
+    PointVelocities slice{read({"u_m_s", time, level}), read({"v_m_s", time, level})};
+    if (mesh_.in_faces) {
+      fill_nodes_from_faces(mesh_, slice.east);
+      fill_nodes_from_faces(mesh_, slice.north);
+    }
+    return slice;
+  }
+
+  [[nodiscard]] std::vector<float> level_depths(std::size_t time, std::size_t level) {
+    return read({"level_depth_m", time, level});
+  }
+
+ private:
+  ChunkReader chunks_;
+  const ocean::Mesh& mesh_;
+  std::vector<GridWindow> blocks_;
+};
+
+bool is_one_place(const geo::BoundingBox& area) {
+  return area.west_deg == area.east_deg && area.south_deg == area.north_deg;
+}
+
+ocean::HorizontalGrid lattice_of(const NativeRequest& request, const ocean::Mesh& part) {
+  if (!is_one_place(request.area)) return ocean::refined(request.lattice, part);
+  return {geo::GeographicFrame{}, ocean::Axis{{request.area.west_deg}},
+          ocean::Axis{{request.area.south_deg}}};
+}
+
+/// The depths asked for, joined by those at which the levels lie between the first and the last of them.
+std::vector<double> with_levels(const std::vector<double>& depths_m, const NativeLayout& layout,
+                                const NodeRun& times, const ocean::MeshSampling& sampling,
+                                PointReader& reader) {
+  std::vector<double> all_m = depths_m;
+  for (std::size_t time = times.first; time < times.first + times.count; ++time) {
+    for (std::size_t level = 0; level <= layout.bed_levels; ++level) {
+      for (const float level_m : sampling.apply(reader.level_depths(time, level))) {
+        const double depth_m = static_cast<double>(level_m);
+        if (depth_m > depths_m.front() && depth_m < depths_m.back()) all_m.push_back(depth_m);
+      }
+    }
+  }
+  std::ranges::sort(all_m);
+  all_m.erase(std::unique(all_m.begin(), all_m.end()), all_m.end());
+  return all_m;
+}
+
+std::vector<PointVelocities> at_depths(const std::vector<double>& depths_m, std::size_t levels,
+                                       std::size_t time, std::size_t points, PointReader& reader) {
+  ocean::LevelColumns columns{depths_m, points};
+  for (std::size_t level = 0; level < levels; ++level)
+    columns.add(reader.velocities(time, level), reader.level_depths(time, level));
+  return std::move(columns).down_to(reader.level_depths(time, levels));
+}
+
+void add_slice(const PointVelocities& slice, ocean::CurrentGrid::Samples& samples) {
+  samples.u.insert(samples.u.end(), slice.east.begin(), slice.east.end());
+  samples.v.insert(samples.v.end(), slice.north.begin(), slice.north.end());
+}
+
+}  // namespace
+
+std::optional<NativeLayout> find_native_layout(sql::Connection& db, std::int64_t dataset_row) {
+  sql::Statement query{db, "SELECT point_count, level_count FROM mesh WHERE dataset_row = ?1"};
+  query.bind(1, dataset_row);
+  if (!query.step()) return std::nullopt;
+  const auto points = static_cast<std::size_t>(query.integer(0));
+  return NativeLayout{
+      {dataset_row, points_in_row, (points + points_in_row - 1) / points_in_row, points_in_row},
+      points,
+      static_cast<std::size_t>(query.integer(1))};
+}
+
+ocean::CurrentGrid read_native_currents(sql::Connection& db, const NativeLayout& layout,
+                                        const NativeRequest& request, const std::stop_token& stop) {
+  const MeshPart part = MeshBlocks{db}.around(layout.chunks.dataset_row, request.area);
+  const ocean::HorizontalGrid lattice = lattice_of(request, part.mesh);
+  const auto sampling = ocean::MeshSampling::of(part.mesh, lattice);
+  if (!sampling)  // never stored so
+    throw sql::Failure{
+        "stored data are damaged (the cells of a mesh lie over one another); remove the dataset and ingest "
+        "its file again, or restore the store from a backup",
+        sql::Trouble::damaged};
+  PointReader reader{db, layout, part};
+  const NodeRun times = request.times.runs.front();
+  ocean::CurrentGrid::Samples samples{
+      .grid = lattice, .depths_m = std::nullopt, .times_s = request.times.nodes, .u = {}, .v = {}};
+  std::vector<double> depths_m;
+  if (request.depths) depths_m = request.depths->nodes.nodes();
+  if (layout.bed_levels > 0 && is_one_place(request.area))
+    depths_m = with_levels(depths_m, layout, times, *sampling, reader);
+  if (request.depths) samples.depths_m = ocean::Axis{depths_m};
+
+  const std::size_t slices = times.count * std::max<std::size_t>(depths_m.size(), 1);
+  samples.u.reserve(slices * lattice.size());
+  samples.v.reserve(slices * lattice.size());
+  const NodeRun levels = request.depths ? request.depths->runs.front() : NodeRun{0, 1};
+  for (std::size_t time = times.first; time < times.first + times.count && !stop.stop_requested(); ++time) {
+    if (layout.bed_levels > 0) {
+      for (const PointVelocities& slice :
+           at_depths(depths_m, layout.bed_levels, time, part.mesh.points.size(), reader))
+        add_slice(sampling->apply(slice), samples);
+      continue;
+    }
+    for (std::size_t level = levels.first; level < levels.first + levels.count; ++level)
+      add_slice(sampling->apply(reader.velocities(time, level)), samples);
+  }
+  samples.u.resize(slices * lattice.size());  // of those that were not read once it stopped
+  samples.v.resize(slices * lattice.size());
+  return ocean::CurrentGrid{std::move(samples)};
+}
+
+}  // namespace floeplan::repository
