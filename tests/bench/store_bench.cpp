@@ -2,13 +2,16 @@
 #include <gdal_utils.h>
 
 #include <array>
+#include <cmath>
 #include <stdexcept>
 #include <string>
 
+#include "engine/ocean/grids/mesh_lattice.hpp"
 #include "storage/ingest/common/gdal_guard.hpp"
 #include "storage/ingest/process/guarded_ingest.hpp"
 #include "storage/repository/datasets/dataset_repository.hpp"
 #include "storage/repository/fields/field_repository.hpp"
+#include "storage/repository/fields/mesh_blocks.hpp"
 #include "storage/repository/store/migrations.hpp"
 #include "tests/bench/benchmarks.hpp"
 #include "tests/bench/child_usage.hpp"
@@ -147,11 +150,61 @@ std::vector<Row> rows_for(Numbers numbers, const std::string& called) {
       memory};
 }
 
+/// A million points in rows, joined to triangles, over ten degrees of longitude by five of latitude.
+ocean::Mesh million_points() {
+  constexpr std::uint32_t side = 1000;
+  ocean::Mesh mesh;
+  for (std::uint32_t row = 0; row < side; ++row)
+    for (std::uint32_t column = 0; column < side; ++column)
+      mesh.points.push_back({-60.0 + 0.01 * (column + 0.3 * (row % 2)), 62.0 + 0.005 * row});
+  for (std::uint32_t row = 0; row + 1 < side; ++row) {
+    for (std::uint32_t column = 0; column + 1 < side; ++column) {
+      const std::uint32_t a = row * side + column;
+      mesh.cells.push_back({a, a + 1, a + side, a + side});
+      mesh.cells.push_back({a + 1, a + side + 1, a + side, a + side});
+    }
+  }
+  return mesh;
+}
+
+/// From the store to the grid that a plan uses, all of the mesh at one time and depth.
+Row mesh_row() {
+  const support::TemporaryFolder folder;
+  const repository::DatasetId id{"mesh"};
+  {
+    auto db = repository::open_store(folder.path());
+    const ocean::Mesh mesh = repository::in_blocks(million_points()).mesh;
+    repository::DatasetRepository{db}.insert(
+        {.id = id, .kind = repository::DatasetKind::currents, .name = "mesh"});
+    repository::FieldRepository fields{db};
+    fields.create(id, {ocean::lattice_for(mesh).value(), std::nullopt, ocean::Axis{{1.8e9}}}, {mesh, 0});
+    std::vector<float> speeds;
+    for (const geo::LonLat point : mesh.points) speeds.push_back(static_cast<float>(std::sin(point.lon_deg)));
+    for (const char* component : {"u_m_s", "v_m_s"}) fields.write_slice(id, component, 0, 0, speeds);
+  }
+  const double seconds = least_seconds(3, [&] {
+    auto db = repository::open_store(folder.path());
+    const auto read = repository::FieldRepository{db}.load_currents(id, {-61.0, 61.0, -49.0, 68.0},
+                                                                    std::nullopt, std::nullopt);
+    if (!read || read->samples().grid.size() < 500'000) throw std::runtime_error{"the mesh was not read"};
+  });
+  Row row{.what = "a mesh of a million nodes: read and interpolate all",
+          .unit = "ms",
+          .ours = 1e3 * seconds,
+          .comparator = "",
+          .comparator_value = 0.0,
+          .ratio = 0.0};
+  row.meets_target = seconds < 1.0;
+  row.target = "< 1000 ms";
+  return row;
+}
+
 }  // namespace
 
 std::vector<Row> store_rows() {
   std::vector<Row> rows = rows_for(Numbers::full, "1 GB of float32");
   for (Row& row : rows_for(Numbers::packed, "1 GB of packed int16")) rows.push_back(std::move(row));
+  rows.push_back(mesh_row());
   return rows;
 }
 
