@@ -52,6 +52,8 @@ export function inputsOf(form: Draft): { inputs: PlanInputs } | { faults: Faults
   for (const field of severalFields) {
     if (severalIn(form[field])?.length === 0) found[field] = 'Tick one dataset or more.';
   }
+  const aims = form['uncertainty.objective'] !== 'first' || form['uncertainty.arrive_before'].trim() !== '';
+  if (aims && !isEnsemble(form) && form['uncertainty.members'].trim() === '') found['uncertainty.members'] = 'Write how many members the plan is judged in, such as 16.';
   if (!places || spacing_m === null || Object.keys(found).length > 0) return { faults: found };
 
   const { vehicle, ...others } = nested(values);

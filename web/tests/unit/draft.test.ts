@@ -51,7 +51,7 @@ describe('the set-up', () => {
   });
 
   it('sends what is about two aims or about members only with them', () => {
-    const plain = inputsOf({ ...good, 'objective.time': '3', 'uncertainty.quantile': '90', 'uncertainty.arrive_before': 'whenever' });
+    const plain = inputsOf({ ...good, 'objective.time': '3', 'uncertainty.quantile': '90' });
     if ('faults' in plain) throw new Error('refused');
     expect(plain.inputs).not.toHaveProperty('objective');
     expect(plain.inputs).not.toHaveProperty('uncertainty');
@@ -64,6 +64,13 @@ describe('the set-up', () => {
       objective: { time: 1, energy: 0.5 },
       uncertainty: { members: 4, objective: 'quantile', quantile: 0.9, arrive_before: '2026-11-23T00:00:00Z' },
     });
+  });
+
+  it('asks for members where something is wanted of them', () => {
+    for (const wish of [{ 'uncertainty.arrive_before': '2026-11-23' }, { 'uncertainty.objective': 'mean' as const }]) {
+      const result = inputsOf({ ...good, ...wish });
+      expect('faults' in result && Object.keys(result.faults)).toEqual(['uncertainty.members']);
+    }
   });
 
   it('takes its goals from a file, and its start too where none is typed', () => {
