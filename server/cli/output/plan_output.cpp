@@ -188,7 +188,7 @@ void print_passages(const json& plan) {
                 under.at("iceberg").get<std::string>().c_str(), under.at("from").get<std::string>().c_str(),
                 under.at("until").get<std::string>().c_str(),
                 cell(under.at("deepest_keel_m"), "%.0f").c_str(),
-                cell(under.at("upper_turn_m"), "%.0f").c_str());
+                cell(std::ceil(under.at("upper_turn_m").get<double>()), "%.0f").c_str());
   }
 }
 

@@ -55,7 +55,10 @@ test('a waypoint has one name on the map, in the table, GPX, KML, both briefs an
   });
   const marks = found(await file('kml'), /<Placemark><name>([^<]+)<\/name><TimeStamp><when>([^<]+)</g);
   expect(marks).toEqual(plan.waypoints.map((waypoint) => [nameOf(waypoint), waypoint.eta]));
-  expectRows(found(await file('html'), /<tr><td>(S|\d+)<\/td><td>([^<]+)<\/td><td>([^<]+)<\/td><td>([^<]+)<\/td>/g), plan);
+  const html = await file('html');
+  expectRows(found(html, /<tr><td>(S|\d+)<\/td><td>([^<]+)<\/td><td>([^<]+)<\/td><td>([^<]+)<\/td>/g), plan);
+  const depths = [...html.matchAll(/<tr><td>(?:S|\d+)<\/td>(?:<td>[^<]*<\/td>){6}<td>([^<]+)<\/td>/g)].map(([, depth]) => depth);
+  await expect(table.locator('tbody tr td:nth-child(6)')).toHaveText(depths as string[]);
   expectRows(found((await pdfOf(request, plan)).join('\n'), /^(S|\d+)\t(\d+ [\d.]+ [NS])\t(\d+ [\d.]+ [EW])\t([^\t]+Z)/gm), plan);
 
   const lonLat = ([lon, lat]: LonLat): string => `${lon},${lat}`;

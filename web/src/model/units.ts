@@ -34,8 +34,15 @@ export const speedUnit = (): string => settings.value.speed;
 export const speed = (metres_s: number | null | undefined): string =>
   present(metres_s) ? `${speedFigure(metres_s)} ${speedUnit()}` : none;
 
+/** The bare number of a table column of metres. Halves go to the even number, as in the brief and on the command line. */
+export function wholeMetres(metres: number | null | undefined): string {
+  if (!present(metres)) return none;
+  const nearest = Math.round(metres);
+  return String(Math.abs(metres % 1) === 0.5 && nearest % 2 !== 0 ? nearest - 1 : nearest);
+}
+
 /** Sea depth: always metres. */
-export const depth = (metres: number | null | undefined): string => (present(metres) ? `${Math.round(metres)} m` : none);
+export const depth = (metres: number | null | undefined): string => (present(metres) ? `${wholeMetres(metres)} m` : none);
 
 export const course = (degrees: number | null | undefined): string =>
   present(degrees) ? `${String(Math.round(degrees) % 360).padStart(3, '0')}°` : none;

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import type { Plan, Surfacing } from '../../src/contract/types';
-import { belowIce_m, isLegBelowIce, maySurface, runsOf } from '../../src/model/under_ice';
+import { belowIce_m, closedWaypoints, deepestTurn_m, isLegBelowIce, maySurface, runsOf, turnFigure } from '../../src/model/under_ice';
 import { makePlan } from './make_plan';
 
 const surfacing: Surfacing = { longest_without_surfacing_s: 3600, unknown_ice_m: 0, planned: [], escapes: [] };
@@ -21,7 +21,19 @@ describe('a plan below ice', () => {
     expect(belowIce_m(plan)).toBe(2000 + 3000);
   });
 
+  it('tells where it may not surface, and the deepest turn of its legs', () => {
+    const plan = planBelow([null, 0, 17, 21, 0]);
+    const waypoints = plan.waypoints.map((waypoint, i) => ({ ...waypoint, may_surface: i < 2 || i > 3 }));
+
+    expect(closedWaypoints({ ...plan, waypoints })).toBe(2);
+    expect(deepestTurn_m(plan)).toBe(21);
+    expect(turnFigure(21.06)).toBe('22');
+    expect(deepestTurn_m(planBelow([null, 0, 0]))).toBe(0);
+  });
+
   it('says nothing of ice that nobody knows', () => {
+    expect(closedWaypoints(planBelow([null, null]))).toBeNull();
+    expect(deepestTurn_m(planBelow([null, null]))).toBeNull();
     expect(belowIce_m(planBelow([null, 0, 0], null))).toBeNull();
     expect(belowIce_m(planBelow([null, null]))).toBeNull();
     const [, unknown] = planBelow([null, null]).waypoints;

@@ -7,6 +7,7 @@ import { vehicles } from '../../model/datasets';
 import { currentAlong_m_s, iceDraft_m, iceKeel_m, nearestBerg_m, type ProfilePoint } from '../../model/profile';
 import { requestOf } from '../../model/requests';
 import { shortTime } from '../../model/time';
+import { turnFigure } from '../../model/under_ice';
 import { depth, distanceFigure, distanceUnit, none, speedFigure, speedUnit } from '../../model/units';
 import { palette } from '../../theme/palette';
 import { Chart, type Line } from './chart';
@@ -95,7 +96,7 @@ function Twin({ points }: { points: ProfilePoint[] }): VNode {
       <table class="figures">
         <thead>
           <tr>
-            <th scope="col">Time</th><th scope="col">Sea bed</th><th scope="col">Sea ice</th><th scope="col">Draft</th><th scope="col">Keel</th><th scope="col">Turn</th>
+            <th scope="col">Time</th><th scope="col">Sea bed</th><th scope="col">Sea ice</th><th scope="col">Draft</th><th scope="col">Keel</th><th scope="col">Turn <span class="unit">m</span></th>
             <th scope="col">SOG <span class="unit">{speedUnit()}</span></th>
             <th scope="col">Current along <span class="unit">{speedUnit()}</span></th>
             <th scope="col">Berg <span class="unit">{distanceUnit()}</span></th>
@@ -109,7 +110,7 @@ function Twin({ points }: { points: ProfilePoint[] }): VNode {
               <td>{percent(point.probe?.ice_concentration)}</td>
               <td>{metres(iceDraft_m(point))}</td>
               <td>{metres(iceKeel_m(point))}</td>
-              <td>{depth(point.turn_m)}</td>
+              <td>{turnFigure(point.turn_m)}</td>
               <td>{speedFigure(point.speed_over_ground_m_s)}</td>
               <td>{speedFigure(currentAlong_m_s(point))}</td>
               <td>{distanceFigure(nearestBerg_m(point))}</td>

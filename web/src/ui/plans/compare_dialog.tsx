@@ -5,7 +5,7 @@ import type { Plan } from '../../contract/types';
 import { ofRank } from '../../model/messages';
 import { baseline, baselineId, shownPlans, titleOf } from '../../model/plans';
 import { duration, shortTime } from '../../model/time';
-import { belowIce_m } from '../../model/under_ice';
+import { belowIce_m, closedWaypoints, deepestTurn_m, turnFigure } from '../../model/under_ice';
 import { distance, energy, none } from '../../model/units';
 import { Modal } from '../common/modal';
 import { PlanKey } from '../common/plan_key';
@@ -39,6 +39,8 @@ const columns: Column[] = [
     title: 'Longest without a place to surface', value: ({ surfacing }) => surfacing?.longest_without_surfacing_s ?? null,
     text: (value) => duration(value ?? 0), difference: (value) => signed(value, duration),
   },
+  { title: 'Waypoints without surfacing', value: closedWaypoints, text: String, difference: (value) => signed(value, String) },
+  { title: 'Deepest turn below ice', value: deepestTurn_m, text: (value) => `${turnFigure(value)} m`, difference: (value) => signed(value, distance) },
   { title: 'Surfacings', value: ({ surfacing }) => surfacing?.planned.length ?? null, text: String, difference: (value) => signed(value, String) },
   { title: 'Energy', value: (plan) => plan.energy_j, text: energy, difference: (value) => signed(value, energy) },
   { title: 'Battery used', value: ({ energy: battery, energy_j }) => (battery && energy_j !== null ? energy_j / battery.usable_j : null), ...shares },

@@ -5,12 +5,10 @@ import { setTime } from '../../model/clock';
 import { hold_s, holdText } from '../../model/holds';
 import { legUnderWay, selectedWaypoint, waypointLabel } from '../../model/plans';
 import { settings } from '../../model/settings';
-import { isLegBelowIce, maySurface } from '../../model/under_ice';
+import { isLegBelowIce, maySurface, turnFigure } from '../../model/under_ice';
 import { shortTime } from '../../model/time';
-import { course, distanceFigure, distanceUnit, none, speedFigure, speedUnit } from '../../model/units';
+import { course, distanceFigure, distanceUnit, speedFigure, speedUnit, wholeMetres } from '../../model/units';
 import { ask } from '../../model/view';
-
-const whole = (metres: number | null | undefined): string => (typeof metres === 'number' ? String(Math.round(metres)) : none);
 
 /** The waypoints in figures; the leg under way at the clock's time is marked. */
 export function WaypointTable({ plan }: { plan: Plan }): VNode {
@@ -60,10 +58,10 @@ export function WaypointTable({ plan }: { plan: Plan }): VNode {
                   </td>
                   <td>{speedFigure(waypoint.speed_over_ground_m_s)}</td>
                   <td class="time">{shortTime(Date.parse(waypoint.eta), Date.parse(plan.departure)).replace(/ (?=\d\d:)/, '\n')}</td>
-                  <td>{whole(waypoint.depth_m)}</td>
+                  <td>{wholeMetres(waypoint.depth_m)}</td>
                   <td class={waypoint.may_surface === false ? 'closed' : ''}>
                     {maySurface(waypoint)}
-                    {isLegBelowIce(waypoint) && <><br />{whole(waypoint.leg_upper_turn_m)}</>}
+                    {isLegBelowIce(waypoint) && <><br />{turnFigure(waypoint.leg_upper_turn_m)}</>}
                   </td>
                 </tr>
                 {hold_s(waypoint) > 0 && (
