@@ -9,11 +9,13 @@ import { chartInWords, drawnChart } from '../../model/ice_chart';
 import { choiceInWords } from '../../model/iceberg_choice';
 import { crowd, validity_h } from '../../model/icebergs';
 import { visible } from '../../model/layers';
+import { selectedShown, type ShownPlan } from '../../model/plans';
 import { goToSeaIce, heldSeaIceStep_ms, iceEdge, nearestSeaIceStep_ms, seaIceLevels, surfacingLimit } from '../../model/sea_ice';
 import { shortTime } from '../../model/time';
 import { gliderTracks } from '../../model/tracks';
 import { speedFigure, speedUnit } from '../../model/units';
-import { currentLimits_m_s, depthLimits_m, palette, seaIceHatches } from '../../theme/palette';
+import { closedWaypoints, isLegBelowIce } from '../../model/under_ice';
+import { belowIceDash, currentLimits_m_s, depthLimits_m, palette, planColour, seaIceHatches } from '../../theme/palette';
 
 /** Folded where the map is small, until a person unfolds it. */
 const roomy = window.matchMedia('(min-width: 1100px) and (min-height: 780px)');
@@ -31,6 +33,7 @@ export function Legend(): VNode | null {
   const bergs = shown.icebergs && ofKind('icebergs').length > 0;
   const tracks = shown.tracks && gliderTracks.value.length > 0;
   const chart = shown.iceChart && drawnChart.value;
+  const plan = shown.plans && selectedShown.value;
   if (!depths && !currents && !ice && !chart && !bergs && !tracks) return null;
   return (
     <details class="legend" open={open.value} onToggle={(event) => { open.value = event.currentTarget.open; }}>
@@ -39,6 +42,7 @@ export function Legend(): VNode | null {
       {currents && <Currents />}
       {ice && <SeaIce />}
       {chart && <Chart chart={chart} />}
+      {plan && <UnderIce shown={plan} surfacings={shown.surfacings} />}
       {bergs && <Icebergs circles={shown.keepOut} drift={shown.drift && drifts.value.length > 0} />}
       {tracks && <Tracks />}
     </details>
@@ -135,6 +139,41 @@ function SeaIce(): VNode {
           )}
         </p>
       )}
+    </div>
+  );
+}
+
+/** The signs of a plan that passes below ice. */
+function UnderIce({ shown: { plan, style }, surfacings }: { shown: ShownPlan; surfacings: boolean }): VNode | null {
+  const { ink, casing, start } = palette.value;
+  const colour = planColour(palette.value, style);
+  const isBelow = plan.waypoints.some((waypoint) => isLegBelowIce(waypoint));
+  const isClosed = (closedWaypoints(plan) ?? 0) > 0;
+  const planned = surfacings && (plan.surfacing?.planned.length ?? 0) > 0;
+  const escapes = surfacings && (plan.surfacing?.escapes.some(({ time_s }) => time_s > 0) ?? false);
+  if (!isBelow && !isClosed && !planned && !escapes) return null;
+  return (
+    <div class="legend-part">
+      <h3>Plan below ice</h3>
+      {isBelow && (
+        <p>
+          <svg width="22" height="14" aria-hidden="true">
+            <path d="M1 7 H21" stroke={ink} stroke-width="9" stroke-dasharray="8 4" />
+            <path d="M1 7 H21" stroke={casing} stroke-width="6" />
+            <path d="M1 7 H21" stroke={colour} stroke-width="3" stroke-dasharray={belowIceDash.join(' ')} />
+          </svg> leg below ice
+        </p>
+      )}
+      {isClosed && <p><svg width="22" height="14" aria-hidden="true"><rect x="6.5" y="2.5" width="9" height="9" fill={colour} /></svg> may not surface here</p>}
+      {planned && (
+        <p>
+          <svg width="22" height="14" aria-hidden="true">
+            <circle cx="11" cy="7" r="6.5" fill={start} />
+            <path d="M11 11 V4 M8 6.5 L11 3.5 L14 6.5" stroke={casing} stroke-width="1.6" fill="none" />
+          </svg> planned surfacing
+        </p>
+      )}
+      {escapes && <p><svg width="22" height="14" aria-hidden="true"><path d="M2 7 H21" stroke={start} stroke-width="2.4" stroke-dasharray="1 4" stroke-linecap="round" /></svg> escape to open water</p>}
     </div>
   );
 }
