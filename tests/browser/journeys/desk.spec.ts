@@ -76,7 +76,7 @@ test('a plan on older data is marked, and checked on the newest', { tag: '@long'
     await route.fulfill({ response: answer, json: { datasets: [newer, ...datasets] } });
   });
   await page.getByTitle('All data in the store').click();
-  await page.getByRole('button', { name: 'Look again' }).click();
+  await page.getByRole('button', { name: 'Refresh' }).click();
   const stale = page.getByRole('region', { name: 'Stale data' });
   await expect(stale).toContainText('a newer chart');
   await stale.getByRole('button', { name: 'Re-check' }).click();
@@ -126,7 +126,7 @@ test('a server that falls silent is said so, and asked again', async ({ page }) 
   await page.goto('/');
   await expect(page.getByText('The server does not answer')).toBeVisible();
   await page.unroute('**/datasets');
-  await page.getByRole('button', { name: 'Look again' }).click();
+  await page.getByRole('button', { name: 'Refresh' }).click();
   await settled(page);
   await expect(page.getByText('The server does not answer')).toBeHidden();
 });

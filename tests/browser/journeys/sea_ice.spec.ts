@@ -57,6 +57,10 @@ test('after the end of the data no sea ice is held, and the legend leads back', 
     });
     await route.fulfill({ response: answer, json: { ...stored, datasets } });
   });
+  await page.route('**/probe?**', async (route) => {
+    const answer = await route.fetch();
+    await route.fulfill({ response: answer, json: { ...(await answer.json()) as object, ice_concentration: null } });
+  });
   await open(page);
   const map = page.locator('#map');
   await expect(map).toHaveAttribute('data-sea-ice', 'shown');

@@ -21,5 +21,6 @@ it('turns every flag of the catalogue of messages into a field', () => {
 it('makes what stands alone a sentence', () => {
   expect(asSentence('the route comes too close at 2026-11-22T23:51:00Z')).toMatch(/^The route comes too close at 22 Nov.*\.$/);
   expect(asSentence('Depart later.')).toBe('Depart later.');
+  expect(asSentence('goto_l10.ma holds no waypoint')).toBe('goto_l10.ma holds no waypoint.');
   expect(asSentence('')).toBe('');
 });

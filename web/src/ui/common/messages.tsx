@@ -2,7 +2,7 @@ import type { VNode } from 'preact';
 import type { Message, Told } from '../../contract/types';
 import { formatPosition } from '../../geo/coordinates';
 import { countOf, messagesOf, placeOf, showMessage, type Rank } from '../../model/messages';
-import { inPageWords } from '../../model/page_words';
+import { asSentence } from '../../model/page_words';
 import { dialog } from '../../model/screen';
 import { settings } from '../../model/settings';
 import { Icon } from './icon';
@@ -36,9 +36,6 @@ function Box({ messages, rank }: { messages: Message[]; rank: 'danger' | 'cautio
   );
 }
 
-/** With a capital letter, unless it begins with the name of a file. */
-const begun = (text: string): string => (/^\w+\.\w/.test(text) ? text : text.charAt(0).toUpperCase() + text.slice(1));
-
 /** On the map; a dialog would hide it. */
 function show(message: Message): void {
   dialog.value = undefined;
@@ -53,7 +50,7 @@ export function MessageList({ messages }: { messages: Message[] }): VNode {
         const place = placeOf(message);
         return (
           <li key={`${message.code} ${message.text}`}>
-            {begun(inPageWords(message.text))}
+            {asSentence(message.text)}
             {place && (
               <button type="button" class="link place" title="Show on the map" onClick={() => show(message)}>
                 {formatPosition(place, settings.value.coordinates)}

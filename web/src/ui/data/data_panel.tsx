@@ -17,7 +17,7 @@ export function DataPanel(): VNode {
       <HandMadePart />
       <div class="setup-head">
         <h2>In the store</h2>
-        <button type="button" class="link" onClick={() => void refresh()}><Icon name="refresh" size={13} /> Look again</button>
+        <button type="button" class="link" onClick={() => void refresh()}><Icon name="refresh" size={13} /> Refresh</button>
       </div>
       <RoleNote role="admin" what="Removing a dataset" />
       <DatasetList />

@@ -115,10 +115,10 @@ function spanOf({ time_start, time_end }: Dataset): string | undefined {
   return time_start === time_end ? hourOf(time_start) : `${hourOf(time_start)} – ${hourOf(time_end)}`;
 }
 
-/** The newest sighting, and how old it is once it is past. */
+/** How old the newest sighting is once it is past, and when it was: where there is little room the age stays. */
 function sightedAt(time: string): string {
   const age_s = (Date.now() - Date.parse(time)) / 1000;
-  return `to ${hourOf(time)}${age_s > 0 ? ` (${age(age_s)})` : ''}`;
+  return age_s > 0 ? `${age(age_s)}, ${hourOf(time)}` : `to ${hourOf(time)}`;
 }
 
 function Item({ title, dataset, detail }: { title: string; dataset: Dataset | undefined; detail?: string | undefined }): VNode {

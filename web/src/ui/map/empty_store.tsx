@@ -11,7 +11,7 @@ import { FileChooser } from '../data/file_chooser';
 export function EmptyStore(): VNode | null {
   const again = (
     <button type="button" onClick={() => void refresh()}>
-      <Icon name="refresh" /> Look again
+      <Icon name="refresh" /> Refresh
     </button>
   );
   if (locked.value && datasets.value === undefined) {
