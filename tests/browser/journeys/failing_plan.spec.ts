@@ -1,5 +1,5 @@
 import { expectAccessible } from '../support/accessible';
-import { expect, open, test, typed } from '../support/page';
+import { expect, open, test, typed, untilRefused } from '../support/page';
 import { findPlaces } from '../support/places';
 
 test('a goal on land is explained, marked on the map and answered with a suggestion', { tag: '@long' }, async ({ page, request }) => {
@@ -10,7 +10,7 @@ test('a goal on land is explained, marked on the map and answered with a suggest
   await page.getByRole('button', { name: /^Plan / }).click();
 
   const failure = page.getByRole('alert', { name: 'No plan is possible' });
-  await expect(failure).toBeVisible();
+  await expect(failure).toBeVisible(untilRefused);
   await expect(failure).toContainText(/goal/i);
   await expect(failure.getByRole('group', { name: 'Changes that help' }).getByRole('button').first()).toBeEnabled();
   await expect(page.getByRole('button', { name: /^Plan / })).toBeEnabled();
@@ -36,7 +36,7 @@ test('the cause is told while the server still looks for what would help', async
   await expect(job).toContainText('Not possible as asked. Looking for what would help');
   await expect(job.getByRole('status')).toHaveText('The goal lies on land.');
   isHeld = false;
-  await expect(page.getByRole('alert', { name: 'No plan is possible' })).toBeVisible();
+  await expect(page.getByRole('alert', { name: 'No plan is possible' })).toBeVisible(untilRefused);
   await expect(job).toBeHidden();
 });
 
@@ -62,7 +62,7 @@ test('where the currents end before the route does, a plan without them is one p
   await page.getByRole('textbox', { name: /^Departure/ }).fill(late);
   await page.getByRole('button', { name: /^Plan / }).click();
   const failure = page.getByRole('alert', { name: 'No plan is possible' });
-  await expect(failure.getByRole('heading').first()).toHaveText('Outside the area or time of the data');
+  await expect(failure.getByRole('heading').first()).toHaveText('Outside the area or time of the data', untilRefused);
   await expect(failure).toContainText('the stored currents end at');
   await expectAccessible(page);
   const before = Number(await page.locator('#map').getAttribute('data-plans'));

@@ -1,4 +1,4 @@
-import { expect, mapAtRest, open, planByKeyboard, settled, test, typed, typeInto } from '../support/page';
+import { expect, mapAtRest, open, planByKeyboard, settled, test, typed, typeInto, untilRefused } from '../support/page';
 import { bergFile } from '../support/files';
 import { findPlaces } from '../support/places';
 import type { Locator, Page } from '@playwright/test';
@@ -86,7 +86,7 @@ test('a plan that fails is explained, and a change that helps taken, with the ke
   await typeInto(page, goal, typed(land));
   await page.keyboard.press('Enter');
   const failure = page.getByRole('alert', { name: 'No plan is possible' });
-  await expect(failure).toContainText(/goal/i);
+  await expect(failure).toContainText(/goal/i, untilRefused);
   await mapAtRest(page);
   const view = await page.locator('#map').getAttribute('data-view');
   await press(page, failure.locator('.failure-place').getByRole('button'));

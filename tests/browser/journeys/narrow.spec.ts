@@ -1,4 +1,4 @@
-import { expect, open, planByTyping, test, typed } from '../support/page';
+import { expect, open, planByTyping, test, typed, untilRefused } from '../support/page';
 import { findPlaces } from '../support/places';
 
 test('on a narrow screen the panels are drawers and the page does not scroll sideways', async ({ page }) => {
@@ -23,7 +23,7 @@ test('on a narrow screen the drawer makes way for the plan that was asked for, a
   await field.fill(typed(start));
   await page.getByLabel('Goal', { exact: true }).fill(typed(land));
   await page.getByRole('button', { name: /^Plan / }).click();
-  await expect(page.getByRole('alert', { name: 'No plan is possible' })).toBeVisible();
+  await expect(page.getByRole('alert', { name: 'No plan is possible' })).toBeVisible(untilRefused);
   await planByTyping(page, start, goal);
   await expect(field).toBeHidden();
 });

@@ -93,6 +93,9 @@ export async function pixelOf(page: Page, place: LonLat): Promise<{ x: number; y
 
 export const typed = ([lon, lat]: LonLat): string => `${lat.toFixed(5)}, ${lon.toFixed(5)}`;
 
+/** For what a refusal shows: the planner looks through changes that would help before it refuses, for minutes where the machine is busy. */
+export const untilRefused = { timeout: 240_000 };
+
 /** Presses the button and waits until one more plan is on the map. */
 export async function planAndWait(page: Page): Promise<void> {
   const before = Number(await page.locator('#map').getAttribute('data-plans'));
