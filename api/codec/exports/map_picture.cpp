@@ -8,8 +8,8 @@
 #include <stdexcept>
 
 #include "api/codec/bytes/document_values.hpp"
-#include "api/codec/bytes/xml_text.hpp"
 #include "api/codec/documents/surfacing_document.hpp"
+#include "api/codec/exports/svg_parts.hpp"
 
 namespace floeplan::codec {
 namespace {
@@ -138,16 +138,6 @@ void add_scale(MapPicture& picture, const Frame& frame) {
   picture.scale_label = text.data();
 }
 
-std::string points_text(const std::vector<MapPicture::Point>& points) {
-  std::string text;
-  for (const auto& point : points) {
-    std::array<char, 48> pair{};
-    std::snprintf(pair.data(), pair.size(), "%s%.1f,%.1f", text.empty() ? "" : " ", point.x, point.y);
-    text += pair.data();
-  }
-  return text;
-}
-
 std::string circle_text(const char* style, const MapPicture::Point& centre, double radius) {
   std::array<char, 96> circle{};
   std::snprintf(circle.data(), circle.size(), "<circle class=\"%s\" cx=\"%.1f\" cy=\"%.1f\" r=\"%.1f\"/>\n",
@@ -155,11 +145,12 @@ std::string circle_text(const char* style, const MapPicture::Point& centre, doub
   return circle.data();
 }
 
-std::string label_text(const MapPicture::Label& label, const char* style) {
-  std::array<char, 96> start{};
-  std::snprintf(start.data(), start.size(), "<text class=\"%s\" x=\"%.1f\" y=\"%.1f\">", style, label.at.x,
-                label.at.y);
-  return start.data() + xml_text(label.text) + "</text>\n";
+std::string square_text(const char* style, const MapPicture::Point& centre) {
+  std::array<char, 96> square{};
+  std::snprintf(square.data(), square.size(),
+                "<rect class=\"%s\" x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"%.1f\"/>\n", style,
+                centre.x - 0.5 * closed_side, centre.y - 0.5 * closed_side, closed_side, closed_side);
+  return square.data();
 }
 
 /// Where a number beside a point covers none of those before it; the first choice where the map is too crowded.
@@ -194,6 +185,15 @@ MapPicture::Point free_spot(MapPicture::Point point, std::size_t digits, const M
   return first;
 }
 
+void add_ways_up(MapPicture& picture, const Frame& frame, const planning::SurfacingPlan& surfacing) {
+  for (const auto& planned : surfacing.surfacings) picture.surfacings.push_back(frame.at(planned.place));
+  for (const auto& escape : surfacing.escapes) {
+    if (escape.way.size() < 2) continue;  // it may surface at once
+    auto& line = picture.escapes.emplace_back();
+    for (const geo::LonLat place : escape.way) line.push_back(frame.at(place));
+  }
+}
+
 }  // namespace
 
 MapPicture draw_map(const planning::Plan& plan, const std::vector<geo::Polygon>& land,
@@ -223,36 +223,28 @@ MapPicture draw_map(const planning::Plan& plan, const std::vector<geo::Polygon>&
     picture.waypoints.push_back({free_spot(point, label.size(), picture), label});
     if (i > 0 && is_leg_below_ice(plan.surfacing, i))
       picture.below_ice.push_back({picture.route[i - 1], point});
+    if (plan.surfacing && !plan.surfacing->waypoints.at(i).may_surface) picture.closed.push_back(point);
   }
-  if (plan.surfacing) {
-    for (const auto& planned : plan.surfacing->surfacings)
-      picture.surfacings.push_back(frame.at(planned.place));
-  }
+  if (plan.surfacing) add_ways_up(picture, frame, *plan.surfacing);
   add_scale(picture, frame);
   return picture;
 }
 
 std::string svg(const MapPicture& picture) {
-  std::array<char, 256> head{};
-  std::snprintf(head.data(), head.size(),
-                "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %.0f %.0f\" role=\"img\">\n"
-                "<rect class=\"sea\" width=\"%.0f\" height=\"%.0f\"/>\n",
-                picture.width, picture.height, picture.width, picture.height);
-  std::string text = head.data();
+  std::string text = svg_head("sea", picture.width, picture.height);
   for (const auto& outline : picture.land)
-    text += "<polygon class=\"land\" points=\"" + points_text(outline) + "\"/>\n";
-  for (const auto& line : picture.grid)
-    text += "<polyline class=\"grid\" points=\"" + points_text(line) + "\"/>\n";
-  for (const auto& label : picture.grid_labels) text += label_text(label, "small");
+    text += "<polygon class=\"land\" points=\"" + svg_points(outline) + "\"/>\n";
+  for (const auto& line : picture.grid) text += svg_line(line, "grid");
+  for (const auto& label : picture.grid_labels) text += svg_label(label, "small");
   for (const auto& disc : picture.icebergs) text += circle_text("ice", disc.centre, disc.radius);
-  text += "<polyline class=\"route\" points=\"" + points_text(picture.route) + "\"/>\n";
-  for (const auto& leg : picture.below_ice)
-    text += "<polyline class=\"below\" points=\"" + points_text(leg) + "\"/>\n";
+  text += svg_line(picture.route, "route");
+  for (const auto& leg : picture.below_ice) text += svg_line(leg, "below");
+  for (const auto& way : picture.escapes) text += svg_line(way, "escape");
+  for (const auto& place : picture.closed) text += square_text("closed", place);
   for (const auto& place : picture.surfacings) text += circle_text("surfacing", place, surfacing_radius);
-  for (const auto& label : picture.waypoints) text += label_text(label, "number");
-  text += "<polyline class=\"scale\" points=\"" + points_text(picture.scale) + "\"/>\n";
-  text +=
-      label_text({{picture.scale.front().x, picture.scale.front().y - 4.0}, picture.scale_label}, "small");
+  for (const auto& label : picture.waypoints) text += svg_label(label, "number");
+  text += svg_line(picture.scale, "scale");
+  text += svg_label({{picture.scale.front().x, picture.scale.front().y - 4.0}, picture.scale_label}, "small");
   return text + "</svg>\n";
 }
 

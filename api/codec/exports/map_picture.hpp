@@ -31,6 +31,8 @@ struct MapPicture {
   std::vector<Disc> icebergs;  // of their length, at least two units
   std::vector<Point> route;
   std::vector<std::vector<Point>> below_ice;  // the legs of the route with sea ice or icebergs above them
+  std::vector<Point> closed;                  // waypoints where the vehicle may not surface
+  std::vector<std::vector<Point>> escapes;    // from waypoints to where it may
   std::vector<Point> surfacings;              // planned ones
   std::vector<Label> waypoints;
   std::vector<Point> scale;  // a line as long as `scale_label` says
@@ -45,6 +47,9 @@ struct MapPicture {
 
 /// Of the mark of a planned surfacing, in picture units.
 inline constexpr double surfacing_radius = 4.0;
+
+/// Of the square of a waypoint where the vehicle may not surface, from side to side.
+inline constexpr double closed_side = 7.0;
 
 /// The picture as an SVG element, to be put into a page. The same picture gives the same bytes.
 [[nodiscard]] std::string svg(const MapPicture& picture);

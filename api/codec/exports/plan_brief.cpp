@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <cstdio>
 #include <iterator>
@@ -42,7 +43,12 @@ constexpr const char* style =
     ".grid{stroke:#b8c6d0;stroke-width:.5;fill:none}.ice{fill:#fff;stroke:#0a6ea8;stroke-width:1}"
     ".route{fill:none;stroke:#c2410c;stroke-width:2}.below{fill:none;stroke:#fff;stroke-width:2;stroke-"
     "dasharray:4 "
-    "4}.surfacing{fill:#fff;stroke:#117733;stroke-width:2}.scale{stroke:#111;stroke-width:2}.small{font:9px "
+    "4}.closed{fill:#c2410c;stroke:#fff;stroke-width:1}.escape{fill:none;stroke:#117733;stroke-width:2;"
+    "stroke-"
+    "dasharray:1 "
+    "4}.draft{fill:none;stroke:#0a2f4a;stroke-width:3}.keel{fill:none;stroke:#0a2f4a;stroke-width:1.5;"
+    "stroke-dasharray:2 "
+    "3}.surfacing{fill:#fff;stroke:#117733;stroke-width:2}.scale{stroke:#111;stroke-width:2}.small{font:9px "
     "sans-serif;"
     "fill:#456}.number{font:bold 11px sans-serif;fill:#7c2d12}.warn{border:1px solid #c2410c;padding:1mm 2mm}"
     ".caption{font-size:8pt;color:#456}.hash{font-family:monospace;font-size:8pt}";
@@ -94,6 +100,17 @@ std::vector<std::string> ice_facts(const planning::Plan& plan) {
           " km. Planned surfacings: " + std::to_string(plan.surfacing->surfacings.size()) + "."};
 }
 
+/// With a capital, a full stop and its place.
+std::string printed_sentence(const messages::Message& message) {
+  std::string sentence = messages::whole_text(message);
+  if (sentence.empty()) return sentence;
+  sentence.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(sentence.front())));
+  if (message.place)
+    sentence += " (" + degrees_minutes(message.place->lat_deg, 'N', 'S') + ", " +
+                degrees_minutes(geo::wrap_longitude(message.place->lon_deg), 'E', 'W') + ")";
+  return sentence + (sentence.ends_with('.') ? "" : ".");
+}
+
 std::string list(const std::string& title, const std::vector<std::string>& sentences,
                  const char* style_class) {
   if (sentences.empty()) return "";
@@ -139,6 +156,8 @@ std::string brief_origin(const BriefNotes& notes) {
 std::string brief_caption(const MapPicture& picture) {
   std::string caption = "The route and its waypoints by number; north is up.";
   if (!picture.below_ice.empty()) caption += " Dashed: legs below ice.";
+  if (!picture.closed.empty()) caption += " Squares: the vehicle may not surface.";
+  if (!picture.escapes.empty()) caption += " Dotted: escape routes to where it may.";
   if (!picture.surfacings.empty()) caption += " Green rings: planned surfacings.";
   if (picture.icebergs.empty()) return caption;
   return caption +
@@ -146,23 +165,40 @@ std::string brief_caption(const MapPicture& picture) {
          "from where they are expected when the vehicle passes.";
 }
 
-std::vector<std::string> brief_warnings(const planning::Plan& plan, const BriefNotes& notes) {
+std::vector<BriefMessages> brief_messages(const planning::Plan& plan, const BriefNotes& notes) {
   std::vector<messages::Message> told = notes.messages;
   told.insert(told.end(), plan.messages.begin(), plan.messages.end());
-  std::vector<std::string> warnings;
-  for (std::string& warning : messages::sentences(messages::by_rank(std::move(told))))
-    if (std::ranges::find(warnings, warning) == warnings.end()) warnings.push_back(std::move(warning));
-  return warnings;
+  std::vector<BriefMessages> ranks;
+  for (const auto& [rank, title] : {std::pair{messages::Rank::danger, "Dangers"},
+                                    {messages::Rank::caution, "Cautions"},
+                                    {messages::Rank::note, "Notes"}}) {
+    BriefMessages of_rank{title, {}};
+    for (const messages::Message& message : told) {
+      if (message.rank != rank) continue;
+      std::string sentence = printed_sentence(message);
+      if (std::ranges::find(of_rank.sentences, sentence) == of_rank.sentences.end())
+        of_rank.sentences.push_back(std::move(sentence));
+    }
+    if (!of_rank.sentences.empty()) ranks.push_back(std::move(of_rank));
+  }
+  return ranks;
 }
 
-std::string plan_brief_html(const planning::Plan& plan, const MapPicture& picture, const BriefNotes& notes) {
+std::string plan_brief_html(const planning::Plan& plan, const BriefPictures& pictures,
+                            const BriefNotes& notes) {
   const std::string title = xml_text(notes.name.empty() ? "Plan " + notes.plan_id : notes.name);
   std::string text = "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>" + title +
                      "</title><style>" + style + "</style></head><body>\n<h1>" + title + "</h1>\n<p>" +
                      xml_text(brief_origin(notes)) + "</p>\n";
   for (const std::string& fact : brief_facts(plan)) text += "<p>" + xml_text(fact) + "</p>\n";
-  text += svg(picture) + "<p class=\"caption\">" + xml_text(brief_caption(picture)) + "</p>\n" + table(plan);
-  text += list("Warnings", brief_warnings(plan, notes), "warn");
+  const auto caption = [](const std::string& words) {
+    return "<p class=\"caption\">" + xml_text(words) + "</p>\n";
+  };
+  text += svg(pictures.map) + caption(brief_caption(pictures.map));
+  if (pictures.ice) text += svg(*pictures.ice) + caption(section_caption);
+  text += table(plan);
+  for (const auto& [title_of_rank, sentences] : brief_messages(plan, notes))
+    text += list(title_of_rank, sentences, "warn");
   std::vector<std::string> data;
   data.reserve(plan.datasets.size());
   for (const auto& dataset : plan.datasets)

@@ -8,7 +8,6 @@
 #include <stdexcept>
 
 #include "engine/core/utc_text.hpp"
-#include "engine/messages/sentence.hpp"
 
 namespace floeplan::codec {
 namespace {
@@ -159,6 +158,17 @@ void ring(const Sheet& sheet, const MapPicture::Point& centre, double radius, Co
   cairo_stroke(pen);
 }
 
+/// Where the vehicle may not surface.
+void square(const Sheet& sheet, const MapPicture::Point& centre) {
+  cairo_t* pen = sheet.pen();
+  cairo_rectangle(pen, centre.x - 0.5 * closed_side, centre.y - 0.5 * closed_side, closed_side, closed_side);
+  sheet.colour(route);
+  cairo_fill_preserve(pen);
+  sheet.colour({1.0, 1.0, 1.0});
+  cairo_set_line_width(pen, 1.0);
+  cairo_stroke(pen);
+}
+
 void draw_picture(Sheet& sheet, const MapPicture& picture) {
   cairo_t* pen = sheet.pen();
   const double scale = text_width / picture.width;
@@ -186,6 +196,11 @@ void draw_picture(Sheet& sheet, const MapPicture& picture) {
   cairo_set_dash(pen, dashes.data(), dashes.size(), 0.0);
   for (const auto& leg : picture.below_ice) stroke(sheet, leg, {1.0, 1.0, 1.0}, 2.0);
   cairo_set_dash(pen, nullptr, 0, 0.0);
+  constexpr std::array dots{1.0, 4.0};
+  cairo_set_dash(pen, dots.data(), dots.size(), 0.0);
+  for (const auto& way : picture.escapes) stroke(sheet, way, surfacing, 2.0);
+  cairo_set_dash(pen, nullptr, 0, 0.0);
+  for (const auto& place : picture.closed) square(sheet, place);
   for (const auto& place : picture.surfacings) ring(sheet, place, surfacing_radius, surfacing);
   sheet.font(11.0, true);
   for (const auto& label : picture.waypoints) sheet.write_at(label.at.x, label.at.y, label.text);
@@ -194,6 +209,30 @@ void draw_picture(Sheet& sheet, const MapPicture& picture) {
   sheet.write_at(picture.scale.front().x, picture.scale.front().y - 4.0, picture.scale_label);
   cairo_restore(pen);
   sheet.skip(scale * picture.height + 6.0);
+}
+
+void draw_section(Sheet& sheet, const IceSection& section) {
+  cairo_t* pen = sheet.pen();
+  const double scale = text_width / section.width;
+  sheet.need(scale * section.height + 6.0);
+  cairo_save(pen);
+  cairo_translate(pen, margin, sheet.y());
+  cairo_scale(pen, scale, scale);
+  cairo_rectangle(pen, 0.0, 0.0, section.width, section.height);
+  sheet.colour(sea);
+  cairo_fill(pen);
+  for (const auto& line : section.grid) stroke(sheet, line, faint, 0.5);
+  sheet.font(9.0, false);
+  sheet.colour(ink);
+  for (const auto& label : section.labels) sheet.write_at(label.at.x, label.at.y, label.text);
+  constexpr std::array dots{2.0, 3.0};
+  cairo_set_dash(pen, dots.data(), dots.size(), 0.0);
+  for (const auto& line : section.keel) stroke(sheet, line, ink, 1.5);
+  cairo_set_dash(pen, nullptr, 0, 0.0);
+  for (const auto& line : section.draft) stroke(sheet, line, ink, 3.0);
+  stroke(sheet, section.turn, route, 2.0);
+  cairo_restore(pen);
+  sheet.skip(scale * section.height + 6.0);
 }
 
 void write_row(Sheet& sheet, const std::vector<std::string>& cells, bool bold) {
@@ -207,21 +246,28 @@ void write_row(Sheet& sheet, const std::vector<std::string>& cells, bool bold) {
 
 }  // namespace
 
-std::string plan_brief_pdf(const planning::Plan& plan, const MapPicture& picture, const BriefNotes& notes) {
+std::string plan_brief_pdf(const planning::Plan& plan, const BriefPictures& pictures,
+                           const BriefNotes& notes) {
   Sheet sheet{notes.generated};
   sheet.paragraph(notes.name.empty() ? "Plan " + notes.plan_id : notes.name, 16.0, true);
   sheet.paragraph(brief_origin(notes), 9.0);
   for (const std::string& fact : brief_facts(plan)) sheet.paragraph(fact, 9.0);
-  draw_picture(sheet, picture);
-  sheet.paragraph(brief_caption(picture), 7.5);
+  draw_picture(sheet, pictures.map);
+  sheet.paragraph(brief_caption(pictures.map), 7.5);
+  if (pictures.ice) {
+    draw_section(sheet, *pictures.ice);
+    sheet.paragraph(section_caption, 7.5);
+  }
   write_row(sheet,
             {"no.", "latitude", "longitude", "ETA (UTC)", "leg km", "course", "m/s", "depth m", "may surface",
              "turn m"},
             true);
   for (const auto& row : brief_rows(plan)) write_row(sheet, row, false);
   sheet.skip(8.0);
-  for (const std::string& warning : brief_warnings(plan, notes))
-    sheet.paragraph((messages::is_danger(warning) ? "" : "Warning: ") + warning, 9.0);
+  for (const auto& [title, sentences] : brief_messages(plan, notes)) {
+    sheet.paragraph(title, 9.0, true);
+    for (const std::string& sentence : sentences) sheet.paragraph(sentence, 9.0);
+  }
   for (const auto& dataset : plan.datasets)
     sheet.paragraph(dataset.kind + ": " + dataset.name + " (" + dataset.id + "), sha256 " + dataset.sha256,
                     7.0);

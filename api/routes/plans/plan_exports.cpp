@@ -17,8 +17,10 @@
 #include "api/codec/exports/plan_kml.hpp"
 #include "api/service/export_sea.hpp"
 #include "api/service/mission_service.hpp"
+#include "api/service/probe_service.hpp"
 #include "engine/core/utc_text.hpp"
 #include "engine/core/version.hpp"
+#include "engine/geo/geodesic.hpp"
 #include "engine/messages/export_messages.hpp"
 #include "engine/mission/writing/below_ice.hpp"
 #include "engine/mission/writing/goto_lists.hpp"
@@ -38,6 +40,7 @@ using repository::PlanRecord;
 constexpr core::Metres around_route{30'000.0};  // of land and icebergs on the printed map
 constexpr double map_width = 720.0;
 constexpr double map_height = 420.0;
+constexpr double section_height = 150.0;
 
 /// The iceberg sightings that the plan obeyed: from its datasets, chosen by the rules of its request.
 std::vector<repository::StoredSighting> obeyed_sightings(sql::Connection& db, const PlanRecord& record,
@@ -74,6 +77,50 @@ codec::MapPicture picture_of(sql::Connection& db, const PlanRecord& record, cons
   return codec::draw_map(plan, land, icebergs, map_width, map_height);
 }
 
+/// The ice dataset that the plan was made with, where that is one and still stored; else a probe chooses.
+std::vector<std::string> ice_dataset_of(sql::Connection& db, const planning::Plan& plan) {
+  std::vector<std::string> ids;
+  for (const auto& used : plan.datasets) {
+    if (used.kind == "ice") ids.push_back(used.id);
+  }
+  if (ids.size() != 1 || !repository::DatasetRepository{db}.find({ids.front()})) return {};
+  return ids;
+}
+
+/// The sea ice at some sixty moments of the way, as the map's profile and its probe tell it.
+std::vector<codec::IceAbove> ice_above(sql::Connection& db, const planning::Plan& plan) {
+  constexpr double moments = 60.0;
+  std::vector<codec::IceAbove> ice;
+  service::ProbeQuery query{};
+  query.dataset_ids = ice_dataset_of(db, plan);
+  core::Metres before{0.0};
+  for (std::size_t i = 1; i < plan.waypoints.size(); ++i) {
+    const planning::Waypoint& from = plan.waypoints[i - 1];
+    const planning::Waypoint& to = plan.waypoints[i];
+    const geo::GeodesicLine leg = geo::geodesic_between(from.place, to.place);
+    const core::Seconds taken = to.eta - from.eta;
+    const int pieces = std::max(1, static_cast<int>(std::lround(moments * (taken / plan.travel_time()))));
+    for (int k = i == 1 ? 0 : 1; k <= pieces; ++k) {
+      const double share = static_cast<double>(k) / pieces;
+      const core::Metres gone{share * leg.length.value};
+      query.place = geo::geodesic_destination(from.place, leg.course_at_start, gone);
+      query.time = from.eta + share * taken;
+      const auto told = service::probe(db, query);
+      const auto state = told ? told->ice.state : std::nullopt;
+      ice.push_back({before + gone, state ? state->thickness : std::nullopt});
+    }
+    before = before + leg.length;
+  }
+  return ice;
+}
+
+codec::BriefPictures pictures_of(sql::Connection& db, const PlanRecord& record, const planning::Plan& plan) {
+  codec::BriefPictures pictures{.map = picture_of(db, record, plan)};
+  if (mission::least_upper_turn(plan).value > 0.0)
+    pictures.ice = codec::draw_ice_section(plan, ice_above(db, plan), map_width, section_height);
+  return pictures;
+}
+
 /// The plan in the format, which can hold it.
 std::string bytes_of(sql::Connection& db, const PlanRecord& record, const planning::Plan& plan,
                      const ExportFormat& format, const std::vector<messages::Message>& told,
@@ -91,8 +138,8 @@ std::string bytes_of(sql::Connection& db, const PlanRecord& record, const planni
     return codec::plan_imc(plan, service::vehicle_of(record, plan), service::shoals_of(db, record, plan),
                            service::holds_of(db, record, plan).radius, id, record.name, now);
   const codec::BriefNotes notes{id, record.name, now, told};
-  if (format.name == "html") return codec::plan_brief_html(plan, picture_of(db, record, plan), notes);
-  if (format.name == "pdf") return codec::plan_brief_pdf(plan, picture_of(db, record, plan), notes);
+  if (format.name == "html") return codec::plan_brief_html(plan, pictures_of(db, record, plan), notes);
+  if (format.name == "pdf") return codec::plan_brief_pdf(plan, pictures_of(db, record, plan), notes);
   throw std::invalid_argument{"export_plan: no format " + format.name};
 }
 

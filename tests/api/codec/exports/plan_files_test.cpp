@@ -306,43 +306,101 @@ TEST(PlanBrief, IsOnePageThatNeedsNothingElse) {
   const MapPicture picture = draw_map(plan, {island}, {berg}, 720.0, 420.0);
 
   const std::string html = plan_brief_html(
-      plan, picture, {"p-01", "<script>", plan.departure, {messages::plan_message<"remark">("changed")}});
+      plan, {picture}, {"p-01", "<script>", plan.departure, {messages::plan_message<"remark">("changed")}});
 
   EXPECT_EQ(picture.land.size(), 1U);
   EXPECT_EQ(picture.icebergs.size(), 1U);
   EXPECT_THAT(html, HasSubstr("<td>69 12.000 N</td><td>53 15.000 W</td><td>2026-11-20T06:00:00Z</td>"));
-  EXPECT_THAT(html, HasSubstr("mind the &lt;ice&gt;"));
+  EXPECT_THAT(html, HasSubstr("Mind the &lt;ice&gt;."));
   EXPECT_THAT(html, HasSubstr("&lt;bergs&gt; (icebergs-1), sha256 abc"));
-  EXPECT_THAT(html, HasSubstr("<li>changed</li>"));
+  EXPECT_THAT(html, HasSubstr("<li>Changed.</li>"));
   for (const char* foreign : {"<script", "src=", "href=", "@import", "url("})
     EXPECT_THAT(html, Not(HasSubstr(foreign)));
 }
 
 TEST(PlanBrief, TellsWhereThePlanIsBelowIceAndMaySurface) {
   planning::Plan plan = two_legs();
-  plan.surfacing =
-      planning::SurfacingPlan{.longest_without = core::Seconds{5400.0},
-                              .waypoints = {{.may_surface = true, .leg_upper_turn = {}},
-                                            {.may_surface = false, .leg_upper_turn = core::Metres{16.2}}},
-                              .reckoned = {},
-                              .surfacings = {{.place = {-53.1, 69.15}, .time = plan.departure}},
-                              .escapes = {}};
+  plan.surfacing = planning::SurfacingPlan{
+      .longest_without = core::Seconds{5400.0},
+      .waypoints = {{.may_surface = true, .leg_upper_turn = {}},
+                    {.may_surface = false, .leg_upper_turn = core::Metres{16.2}}},
+      .reckoned = {},
+      .surfacings = {{.place = {-53.1, 69.15}, .time = plan.departure}},
+      .escapes = {{.way = {plan.waypoints[0].place}, .course_deg = {}},
+                  {.way = {plan.waypoints[1].place, {-53.0, 69.2}}, .course_deg = 0.0}}};
 
   const MapPicture picture = draw_map(plan, {}, {}, 720.0, 420.0);
-  const std::string html = plan_brief_html(plan, picture, {"p-01", "", plan.departure, {}});
+  const std::string html = plan_brief_html(plan, {picture}, {"p-01", "", plan.departure, {}});
 
   EXPECT_EQ(picture.below_ice.size(), 1U);
   EXPECT_EQ(picture.surfacings.size(), 1U);
+  EXPECT_EQ(picture.closed.size(), 1U);
+  EXPECT_EQ(picture.escapes.size(), 1U) << "where it may surface at once there is none";
   EXPECT_THAT(html, HasSubstr("Legs below ice: 12.9 km. Longest time without a place to surface: 1.5 h."));
   EXPECT_THAT(html, HasSubstr("<td>yes</td><td>-</td></tr>"));
   EXPECT_THAT(html, HasSubstr("<td>no</td><td>17</td></tr>"));
-  EXPECT_THAT(html, HasSubstr("Dashed: legs below ice. Green rings: planned surfacings."));
+  EXPECT_THAT(html, HasSubstr("Dashed: legs below ice. Squares: the vehicle may not surface. Dotted: escape "
+                              "routes to where it may. "
+                              "Green rings: planned surfacings."));
 
   plan.surfacing.reset();
   const std::string unknown =
-      plan_brief_html(plan, draw_map(plan, {}, {}, 720.0, 420.0), {"p-01", "", plan.departure, {}});
+      plan_brief_html(plan, {draw_map(plan, {}, {}, 720.0, 420.0)}, {"p-01", "", plan.departure, {}});
   EXPECT_THAT(unknown, HasSubstr("<td>-</td><td>-</td></tr>"));
   EXPECT_THAT(unknown, Not(HasSubstr("below ice")));
+}
+
+TEST(PlanBrief, GroupsItsMessagesByRankWithTheirPlaces) {
+  planning::Plan plan = two_legs();
+  plan.messages = {messages::plan_message<"search-cut-short">(),
+                   messages::plan_message<"goal-under-ice">().at({-53.0, 69.125})};
+  const auto told = brief_messages(plan, {"p-01", "", plan.departure, plan.messages});
+
+  ASSERT_EQ(told.size(), 2U);
+  EXPECT_EQ(told[0].title, "Dangers");
+  ASSERT_EQ(told[0].sentences.size(), 1U) << "each once";
+  EXPECT_THAT(told[0].sentences[0], testing::EndsWith(" (69 07.500 N, 53 00.000 W)."));
+  EXPECT_EQ(told[1].sentences.size(), 1U);
+}
+
+TEST(IceSection, DrawsDraftKeelsAndTurnsTrueToScale) {
+  planning::Plan plan = two_legs();
+  plan.surfacing =
+      planning::SurfacingPlan{.waypoints = {{}, {.may_surface = false, .leg_upper_turn = core::Metres{16.2}}},
+                              .reckoned = {},
+                              .surfacings = {},
+                              .escapes = {}};
+  const core::Metres length = *plan.waypoints[1].leg_length;
+  const std::vector<IceAbove> ice{{core::Metres{0.0}, core::Metres{0.0}},
+                                  {core::Metres{0.25 * length.value}, core::Metres{1.0}},
+                                  {core::Metres{0.5 * length.value}, std::nullopt},
+                                  {length, core::Metres{2.0}}};
+
+  const auto section = draw_ice_section(plan, ice, 720.0, 150.0);
+
+  ASSERT_TRUE(section.has_value());
+  ASSERT_EQ(section->draft.size(), 2U) << "broken where the ice is not known";
+  const double surface = section->draft[0][0].y;
+  const double metre = (section->turn[0].y - surface) / 16.2;
+  EXPECT_GT(metre, 0.0);
+  EXPECT_NEAR(section->draft[0][1].y - surface, 0.9 * metre, 1e-9);
+  EXPECT_NEAR(section->keel[0][1].y - surface, 8.0 * metre, 1e-9);
+  EXPECT_NEAR(section->keel[1][0].y - surface, 16.0 * metre, 1e-9);
+  EXPECT_NEAR(section->draft[1][0].x, section->turn[1].x, 1e-9);
+  EXPECT_THAT(plan_brief_html(plan, {draw_map(plan, {}, {}, 720.0, 420.0), section},
+                              {"p-01", "", plan.departure, {}}),
+              HasSubstr("deepest keels (dotted)"));
+}
+
+TEST(IceSection, IsLeftOutWithoutIce) {
+  planning::Plan plan = two_legs();
+  EXPECT_FALSE(draw_ice_section(plan, {{core::Metres{0.0}, core::Metres{1.0}}}, 720.0, 150.0))
+      << "not planned with ice";
+  plan.surfacing = planning::SurfacingPlan{.waypoints = {{}, {.leg_upper_turn = core::Metres{0.0}}},
+                                           .reckoned = {},
+                                           .surfacings = {},
+                                           .escapes = {}};
+  EXPECT_FALSE(draw_ice_section(plan, {{core::Metres{0.0}, core::Metres{0.0}}}, 720.0, 150.0));
 }
 
 TEST(PlanImc, KeepsStationWhereThePlanHolds) {
@@ -426,11 +484,11 @@ TEST(PlanBrief, IsAPdfOfAnyNameAndLength) {
   const MapPicture picture = draw_map(plan, {}, {}, 720.0, 420.0);
 
   const std::string pdf =
-      plan_brief_pdf(plan, picture, {"p-01", "Diskobugt \xc3\xa6 \xff\xe2\x82 \x01", plan.departure, {}});
+      plan_brief_pdf(plan, {picture}, {"p-01", "Diskobugt \xc3\xa6 \xff\xe2\x82 \x01", plan.departure, {}});
 
   EXPECT_EQ(pdf.substr(0, 5), "%PDF-");
   EXPECT_THAT(pdf.substr(pdf.size() - 8), HasSubstr("%%EOF"));
-  EXPECT_EQ(pdf, plan_brief_pdf(plan, picture,
+  EXPECT_EQ(pdf, plan_brief_pdf(plan, {picture},
                                 {"p-01", "Diskobugt \xc3\xa6 \xff\xe2\x82 \x01", plan.departure, {}}));
 }
 
