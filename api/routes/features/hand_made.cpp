@@ -71,7 +71,7 @@ DatasetId hand_made_dataset(sql::Connection& db, DatasetKind kind, core::UtcTime
   Dataset dataset;
   dataset.id = id;
   dataset.kind = kind;
-  dataset.name = "Made by hand";
+  dataset.name = "Manual entries";
   dataset.provenance.file_name = "none";
   dataset.provenance.ingested = now;
   dataset.provenance.tool_version = core::program_version();

@@ -4,9 +4,9 @@ import { expect, mapAtRest, open, pixelOf, planByTyping, settled, test, typed, t
 import { findPlaces } from '../support/places';
 import type { APIRequestContext, Page } from '@playwright/test';
 
-const part = (page: Page) => page.getByRole('region', { name: 'Made by hand' });
+const part = (page: Page) => page.getByRole('region', { name: 'Manual entries' });
 const data = (page: Page) => page.getByRole('button', { name: 'Data', exact: true });
-const list = (page: Page) => part(page).getByRole('list', { name: 'Made by hand' });
+const list = (page: Page) => part(page).getByRole('list', { name: 'Manual entries' });
 
 /** Takes away what a test has reported, so that the next one finds the store as it was. */
 async function clear(request: APIRequestContext): Promise<void> {
@@ -37,7 +37,7 @@ test('an iceberg is reported, moved and retired with the mouse, and a plan made 
   await expect(list(page)).toContainText('seen from the bridge');
   await expect(page.locator('#map')).toHaveAttribute('data-icebergs', String(bergs + 1));
   const stale = page.getByRole('region', { name: 'Stale data' });
-  await expect(stale).toContainText('newer icebergs: Made by hand');
+  await expect(stale).toContainText('newer icebergs: Manual entries');
   await stale.getByRole('button', { name: 'Re-check' }).click();
   await expect(stale.getByRole('alert')).toContainText(/ice/i);
 

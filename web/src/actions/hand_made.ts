@@ -34,7 +34,7 @@ async function readLists(hasBergs: boolean, hasZones: boolean): Promise<void> {
     bergsByHand.value = reported?.features ?? [];
     zones.value = stored?.features ?? [];
   } catch (error) {
-    handFault.value = `The zones and icebergs made by hand could not be read: ${api.wordsOf(error)}`;
+    handFault.value = `The manual entries could not be read: ${api.wordsOf(error)}`;
   }
 }
 

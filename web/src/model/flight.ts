@@ -138,6 +138,6 @@ export const modeTitles: Record<FlightMode, string> = {
 export const endedSo = ({ statistics }: Pick<SimulationSummary, 'statistics'>, end: FlightEnd): number => statistics.ends.find((one) => one.end === end)?.runs ?? 0;
 
 export const endTitles: Record<FlightEnd, string> = {
-  arrived: 'arrived', collided: 'collided', grounded: 'grounded', gave_up: 'gave up', time_up: 'took too long', battery: 'battery empty',
+  arrived: 'arrived', collided: 'collided', grounded: 'grounded', gave_up: 'aborted', time_up: 'took too long', battery: 'battery empty',
   left_data: 'left the data', stopped: 'stopped',
 };

@@ -22,14 +22,14 @@ export function HandMadePart(): VNode | null {
   ];
   if (!may('pilot') && listed.length === 0) return null;
   return (
-    <section class="hand-made" aria-label="Made by hand">
+    <section class="hand-made" aria-label="Manual entries">
       <div class="setup-head">
-        <h2>Made by hand</h2>
+        <h2>Manual entries</h2>
         <UndoButtons />
       </div>
       {handFault.value && <p class="fault" role="alert">{handFault.value}</p>}
       {listed.length > 0 && (
-        <ul class="dataset-list" aria-label="Made by hand">
+        <ul class="dataset-list" aria-label="Manual entries">
           {listed.map(([kind, one]) => <Row key={`${kind} ${one.id}`} kind={kind} one={one} />)}
         </ul>
       )}
