@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "api/codec/bytes/bare_value.hpp"
-#include "api/codec/documents/surfacing_document.hpp"
+#include "api/codec/bytes/document_values.hpp"
 #include "api/codec/exports/svg_parts.hpp"
 #include "engine/planning/problem/under_ice_rules.hpp"
 

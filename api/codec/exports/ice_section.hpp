@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "api/codec/exports/map_picture.hpp"
+#include "api/codec/exports/picture_parts.hpp"
 #include "engine/core/units.hpp"
 #include "engine/planning/problem/plan.hpp"
 
@@ -19,12 +19,12 @@ struct IceAbove {
 /// A section along a route: how deep the ice above it reaches, and how deep the dives of each leg turn. In picture
 /// units, y downwards.
 struct IceSection {
-  using Line = std::vector<MapPicture::Point>;
+  using Line = std::vector<PicturePoint>;
 
   double width{};
   double height{};
   std::vector<Line> grid{};  // depths, and the waypoints
-  std::vector<MapPicture::Label> labels{};
+  std::vector<PictureLabel> labels{};
   std::vector<Line> draft{};  // of level ice; a line for each stretch where it is known
   std::vector<Line> keel{};   // of the deepest keels, the same
   Line turn{};                // of the dives, by leg

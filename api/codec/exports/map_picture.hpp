@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "api/codec/exports/picture_parts.hpp"
 #include "engine/geo/polygon.hpp"
 #include "engine/ocean/ice/iceberg.hpp"
 #include "engine/planning/problem/plan.hpp"
@@ -11,17 +12,11 @@ namespace floeplan::codec {
 
 /// A small map of a plan in picture units, y downwards, ready for any way of drawing lines and words.
 struct MapPicture {
-  struct Point {
-    double x{};
-    double y{};
-  };
+  using Point = PicturePoint;
+  using Label = PictureLabel;
   struct Disc {
     Point centre;
     double radius{};
-  };
-  struct Label {
-    Point at;
-    std::string text;
   };
   double width{};
   double height{};

@@ -16,7 +16,7 @@ std::string svg_head(const char* ground, double width, double height) {
   return head.data();
 }
 
-std::string svg_points(const std::vector<MapPicture::Point>& points) {
+std::string svg_points(const std::vector<PicturePoint>& points) {
   std::string text;
   for (const auto& point : points) {
     std::array<char, 48> pair{};
@@ -26,11 +26,11 @@ std::string svg_points(const std::vector<MapPicture::Point>& points) {
   return text;
 }
 
-std::string svg_line(const std::vector<MapPicture::Point>& points, const char* style) {
+std::string svg_line(const std::vector<PicturePoint>& points, const char* style) {
   return "<polyline class=\"" + std::string{style} + "\" points=\"" + svg_points(points) + "\"/>\n";
 }
 
-std::string svg_label(const MapPicture::Label& label, const char* style) {
+std::string svg_label(const PictureLabel& label, const char* style) {
   std::array<char, 96> start{};
   std::snprintf(start.data(), start.size(), "<text class=\"%s\" x=\"%.1f\" y=\"%.1f\">", style, label.at.x,
                 label.at.y);

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "api/codec/exports/map_picture.hpp"
+#include "api/codec/exports/picture_parts.hpp"
 
 /// Elements of SVG, one line each. Places have one decimal: the same picture gives the same bytes.
 namespace floeplan::codec {
@@ -11,8 +11,8 @@ namespace floeplan::codec {
 /// Begins a picture, with a ground of this style.
 [[nodiscard]] std::string svg_head(const char* ground, double width, double height);
 /// The corners of a line or an outline.
-[[nodiscard]] std::string svg_points(const std::vector<MapPicture::Point>& points);
-[[nodiscard]] std::string svg_line(const std::vector<MapPicture::Point>& points, const char* style);
-[[nodiscard]] std::string svg_label(const MapPicture::Label& label, const char* style);
+[[nodiscard]] std::string svg_points(const std::vector<PicturePoint>& points);
+[[nodiscard]] std::string svg_line(const std::vector<PicturePoint>& points, const char* style);
+[[nodiscard]] std::string svg_label(const PictureLabel& label, const char* style);
 
 }  // namespace floeplan::codec
