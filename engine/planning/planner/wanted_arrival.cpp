@@ -9,6 +9,7 @@
 #include "engine/core/utc_text.hpp"
 #include "engine/messages/plan_messages.hpp"
 #include "engine/messages/refusal_messages.hpp"
+#include "engine/planning/cost/hold_times.hpp"
 #include "engine/planning/planner/departure.hpp"
 #include "engine/planning/planner/robust_plan.hpp"
 #include "engine/planning/planner/strategies.hpp"
@@ -29,6 +30,8 @@ struct Beginning {
   core::UtcTime
       depart;  // estimated from the legs of the grids; the earliest departure where they have no way
   core::UtcTime arrive;  // the last moment up to the wanted arrival at which the goal is open
+  core::UtcTime
+      holds_until;  // until when a vehicle that is at the start from the earliest departure on can hold there
 };
 
 core::Seconds last_open_moment(const cost::Sea& sea, geo::PlanePoint place, core::Seconds until) {
@@ -38,16 +41,25 @@ core::Seconds last_open_moment(const cost::Sea& sea, geo::PlanePoint place, core
   return until;
 }
 
+/// Until when the vehicle can hold at the start, after the earliest departure; `until` at most.
+core::Seconds stays_at_the_start(const cost::Sea& sea, geo::PlanePoint start, core::Seconds until) {
+  constexpr core::Seconds earliest{0.0};
+  const core::Seconds longest = std::min(sea.holding().longest, until);
+  return longest > earliest ? cost::can_stay_until(sea, start, earliest, longest) : earliest;
+}
+
 Result<Beginning> begin(const ocean::Environment& environment, const PlanRequest& request,
                         const std::stop_token& stop) {
   constexpr core::Seconds earliest{0.0};
-  Beginning beginning{request.depart, *request.departures.arrive_by};
+  Beginning beginning{request.depart, *request.departures.arrive_by, request.depart};
   for (const cost::GridReach reach : cost::reaches(request)) {
     const auto chart = search::draw_chart(environment, request, reach, stop);
     if (!chart) return tl::unexpected(chart.error());
     const core::Seconds arrive = last_open_moment(chart->sea, chart->layout.points.back(),
                                                   *request.departures.arrive_by - request.depart);
     if (arrive > earliest) beginning.arrive = request.depart + arrive;
+    beginning.holds_until =
+        request.depart + stays_at_the_start(chart->sea, chart->layout.points.front(), arrive);
     if (request.method == Method::direct) break;
     const auto grids = search::open_grids(chart->sea, chart->layout.grids, request.sectors, stop);
     const auto depart = search::latest_departure(chart->sea, grids, arrive, earliest, stop);
@@ -98,9 +110,10 @@ class LatestDeparture {
     const auto beginning = begin(environment_, request_, stop_);
     if (!beginning) return tl::unexpected(beginning.error());
     wanted_ = beginning->arrive;
+    holds_until_ = beginning->holds_until;
     climb(std::max(whole_second(beginning->depart), request_.depart));
-    // Where closures break the order of arrivals, a later departure may be in time again.
-    if (!is_cancelled() && !is_late_enough() && !is_closed_for_good()) look_through_the_rest();
+    if (!is_cancelled() && !is_late_enough() && !is_closed_for_good() && !earlier_is_in_time_too())
+      look_through_the_rest();
     if (is_cancelled()) return tl::unexpected(search::explain_cancelled(request_));
     if (!best_) return explained();
     wanted_ = *request_.departures.arrive_by;
@@ -125,6 +138,13 @@ class LatestDeparture {
     if (some_arrive_ || !binds_) return false;
     return binds_ == Constraint::land || binds_ == Constraint::depth || binds_ == Constraint::data_area ||
            binds_ == Constraint::memory;
+  }
+
+  /// Whether a departure that is in time has none before it that is not: the vehicle may hold at the start until it comes.
+  /// Elsewhere closures break the order of arrivals, and a later departure may be in time again.
+  [[nodiscard]] bool earlier_is_in_time_too() const {
+    return request_.energy.objective.is_time() && request_.uncertainty.objective == RobustObjective::none &&
+           request_.method == Method::astar && holds_until_ >= wanted_ - least_travel_time();
   }
 
   /// Makes a whole plan, and keeps it as the best one if it arrives in time.
@@ -212,7 +232,8 @@ class LatestDeparture {
 
   const ocean::Environment& environment_;
   const PlanRequest& request_;
-  core::UtcTime wanted_;  // or the last moment before it at which the goal is open
+  core::UtcTime holds_until_;  // as in Beginning
+  core::UtcTime wanted_;       // or the last moment before it at which the goal is open
   const std::stop_token& stop_;
   core::PartsOfProgress parts_;
   std::optional<Plan> best_;         // the latest departure that is in time
