@@ -1,4 +1,6 @@
+import { formatPosition } from '../geo/coordinates';
 import { labelsOfFlags } from './fields';
+import { settings } from './settings';
 import { shortTime } from './time';
 
 const instant = /\d{4}-\d\d-\d\dT\d\d:\d\d:\d\dZ/g;
@@ -14,9 +16,13 @@ export const asSentence = (text: string): string => {
   return begun + (isOpen ? '.' : '');
 };
 
-/** A sentence of the server in the words of this page: “Longest hold” where it says --max-hold. */
+/** A place as the server's sentences have it: longitude and latitude to four decimals. */
+const placeInText = /(-?\d{1,3}\.\d{4}), (-?\d{1,2}\.\d{4})/g;
+
+/** A sentence of the server in the words of this page: “Longest hold” where it says --max-hold, and positions as the page writes them. */
 export const inPageWords = (text: string): string =>
   text
     .replace(orderOfNumbers, '')
+    .replace(placeInText, (_, lon: string, lat: string) => formatPosition([Number(lon), Number(lat)], settings.value.coordinates))
     .replace(instant, (time) => shortTime(Date.parse(time)))
     .replace(/--[a-z]+(-[a-z]+)*/g, (flag) => (labelsOfFlags[flag] ? `“${labelsOfFlags[flag]}”` : flag));

@@ -22,5 +22,6 @@ it('makes what stands alone a sentence', () => {
   expect(asSentence('the route comes too close at 2026-11-22T23:51:00Z')).toMatch(/^The route comes too close at 22 Nov.*\.$/);
   expect(asSentence('Depart later.')).toBe('Depart later.');
   expect(asSentence('goto_l10.ma holds no waypoint')).toBe('goto_l10.ma holds no waypoint.');
+  expect(asSentence('the position error of 6.2 km at -52.4026, 68.9388 reaches ice')).toBe('The position error of 6.2 km at 68°56.3′N 052°24.2′W reaches ice.');
   expect(asSentence('')).toBe('');
 });
