@@ -13,6 +13,10 @@ serve=yes
 read_options() {
   while (($# > 0)); do
     case $1 in
+      -h | --help)
+        sed -n '2,/^[^#]/s/^# *//p' "${BASH_SOURCE[0]}"
+        exit
+        ;;
       --no-serve) serve=no ;;
       --listen)
         [[ ${2-} == *:* ]] || fail "--listen needs an address and a port" "for example --listen 127.0.0.1:8081"
