@@ -17,6 +17,7 @@
 #include "storage/ingest/netcdf_contents.hpp"
 #include "storage/ingest/recognise.hpp"
 #include "storage/repository/datasets/dataset_repository.hpp"
+#include "storage/repository/datasets/resampled.hpp"
 #include "storage/sql/transaction.hpp"
 
 namespace floeplan::ingest {
@@ -30,12 +31,6 @@ using repository::DatasetKind;
 repository::DatasetId id_of(DatasetKind kind, const std::string& sha256, bool at_own_points) {
   constexpr std::size_t digits = 8;
   return {repository::kind_name(kind) + "-" + sha256.substr(at_own_points ? digits : 0, digits)};
-}
-
-/// Whether an older program has resampled the data; it said so in its warnings.
-bool was_resampled(const Dataset& dataset) {
-  return std::ranges::any_of(
-      dataset.warnings, [](const std::string& warning) { return warning.starts_with("resampled from "); });
 }
 
 /// "u.nc + v.nc", "charts.zip: ice.shp"; of the many files of a track the first ones.
@@ -124,7 +119,7 @@ Candidate check_kind(sql::Connection& db, const RecognisedFile& file, const File
     if (stored->provenance.sha256 != sha256)
       return {refused(files, options, {messages::ingest_file_message<"dataset-id-taken">(stored->id.value)}),
               std::nullopt};
-    if (!stored->outdated && !was_resampled(*stored))
+    if (!stored->outdated && !repository::was_resampled(stored->warnings))
       return {{.file = names_of(files, options),
                .status = IngestStatus::unchanged,
                .dataset = std::move(stored),

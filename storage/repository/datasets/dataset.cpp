@@ -6,6 +6,8 @@
 #include <tuple>
 #include <utility>
 
+#include "storage/repository/datasets/resampled.hpp"
+
 namespace floeplan::repository {
 namespace {
 
@@ -45,7 +47,8 @@ void sort_newest_run_first(std::vector<Dataset>& datasets) {
                       dataset.time_end};
   };
   std::ranges::stable_sort(datasets, [&](const Dataset& a, const Dataset& b) {
-    return std::tuple{newness(b), a.id} < std::tuple{newness(a), b.id};
+    return std::tuple{newness(b), was_resampled(a.warnings), a.id} <
+           std::tuple{newness(a), was_resampled(b.warnings), b.id};
   });
 }
 

@@ -55,8 +55,8 @@ struct Dataset {
 };
 
 /// The order in which datasets win: the model run that began last first. A file that does not state its run counts as
-/// run when it was ingested. Of several files of one command, which are ingested at the same time, that whose data
-/// begin last, then that whose data end last; ties by id.
+/// run when it was ingested. Of several files of one command, which are ingested at the same time, that whose data begin
+/// last, then that whose data end last; then that which no older version resampled (`was_resampled`); ties by id.
 void sort_newest_run_first(std::vector<Dataset>& datasets);
 
 /// The dataset of what people made of a kind over the service; there is one at most.

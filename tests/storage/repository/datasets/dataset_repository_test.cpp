@@ -118,5 +118,22 @@ TEST(DatasetKind, HasANameThatLeadsBackToIt) {
   EXPECT_EQ(parse_kind("weather"), std::nullopt);
 }
 
+TEST(NewestRunFirst, TakesOfOneRunTheDataThatNoOlderVersionResampled) {
+  Dataset resampled = sample_dataset("a", DatasetKind::currents);
+  resampled.run = sample_time;
+  resampled.warnings = {"resampled from a bent grid to a regular grid of 0.05 x 0.05 degrees"};
+  Dataset native = sample_dataset("b", DatasetKind::currents);
+  native.run = sample_time;
+  Dataset older = sample_dataset("c", DatasetKind::currents);
+  older.run = sample_time - day;
+
+  std::vector<Dataset> datasets{older, resampled, native};
+  sort_newest_run_first(datasets);
+
+  EXPECT_EQ(datasets[0].id, native.id);
+  EXPECT_EQ(datasets[1].id, resampled.id);
+  EXPECT_EQ(datasets[2].id, older.id);
+}
+
 }  // namespace
 }  // namespace floeplan::repository::dataset_repository_test

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "engine/geo/geodesic.hpp"
+#include "storage/repository/datasets/dataset_repository.hpp"
 #include "tests/storage/ingest/support/model_grid_writer.hpp"
 #include "tests/storage/ingest/support/netcdf_writer.hpp"
 #include "tests/storage/ingest/support/store_fixture.hpp"
@@ -305,6 +306,27 @@ TEST_F(ModelLayouts, FacesOfAMeshAreInterpolatedAtDepthsAboveASigmaBed) {
     EXPECT_THAT(words(report_), HasSubstr("the faces of a mesh"));
     std::filesystem::remove(path("fvcom.nc"));
   }
+}
+
+TEST_F(ModelLayouts, TheSameFileThatAnOlderVersionResampledMakesADatasetOfItsOwn) {
+  write_fvcom({.origin = {15.0, 70.0}}, path("fvcom.nc"));
+  const auto native = ingest(path("fvcom.nc"));
+  ASSERT_EQ(native.status, IngestStatus::stored) << words(native);
+  repository::DatasetRepository datasets{db_};
+  datasets.remove(native.dataset->id);
+  repository::Dataset resampled = *native.dataset;
+  resampled.id = {"currents-" + resampled.provenance.sha256.substr(0, 8)};
+  resampled.warnings = {"resampled from the faces of a mesh to a regular grid of 0.05 x 0.05 degrees"};
+  datasets.insert(resampled);
+
+  const auto again = ingest(path("fvcom.nc"));
+
+  EXPECT_EQ(again.status, IngestStatus::stored) << words(again);
+  EXPECT_EQ(again.dataset->id, native.dataset->id);
+  EXPECT_NE(again.dataset->id, resampled.id);
+  EXPECT_TRUE(datasets.find(resampled.id).has_value());
+  EXPECT_EQ(ingest(path("fvcom.nc")).status, IngestStatus::unchanged);
+  EXPECT_EQ(stored_datasets(), 2U);
 }
 
 TEST_F(ModelLayouts, AProjectedPlaneKeepsItsFrameAndItsVectorsAreTurned) {

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <algorithm>
+#include <span>
+#include <string>
+
+namespace floeplan::repository {
+
+/// Whether currents or wind were resampled when an older version ingested them, which said so among its warnings. The
+/// same file, ingested again, makes a dataset at its model's own points.
+[[nodiscard]] inline bool was_resampled(std::span<const std::string> warnings) {
+  return std::ranges::any_of(
+      warnings, [](const std::string& warning) { return warning.starts_with("resampled from "); });
+}
+
+}  // namespace floeplan::repository
