@@ -24,6 +24,7 @@
 #include "tests/storage/ingest/support/archive_writer.hpp"
 #include "tests/storage/ingest/support/foreign_files.hpp"
 #include "tests/storage/ingest/support/grib_writer.hpp"
+#include "tests/storage/ingest/support/model_grid_writer.hpp"
 #include "tests/storage/ingest/support/netcdf_writer.hpp"
 #include "tests/storage/ingest/support/s100_writer.hpp"
 #include "tests/storage/ingest/support/store_fixture.hpp"
@@ -76,6 +77,7 @@ class HostileFiles : public StoreFixture {
       return file;
     }
     if (name == "currents.nc") CurrentFile{}.write(path(name));
+    if (name == "mesh.nc") write_fvcom({.origin = {15.0, 70.0}}, path(name));
     if (name == "bed.tif") write_geotiff(path(name));
     if (name == "bergs.gpkg") write_points("GPKG", path(name));
     if (name == "bergs.shp") write_points("ESRI Shapefile", path(name));
@@ -89,8 +91,9 @@ class HostileFiles : public StoreFixture {
         return std::pair{0.5F + 0.1F * static_cast<float>(column), 60.0F * static_cast<float>(row)};
       }).write(path(name));
     if (name == "places.h5") {
-      S100Sample sample =
-          s111_sample([](std::size_t, std::size_t, std::size_t) { return std::pair{0.5F, 60.0F}; });
+      S100Sample sample = s111_sample([](std::size_t, std::size_t, std::size_t) {
+        return std::pair{0.5F, 60.0F};
+      });
       sample.feature_numbers["dataCodingFormat"] = 3.0;
       for (int node = 0; node < 64; ++node)
         sample.places.emplace_back(-50.0 + 0.1 * (node % 8), 60.0 + 0.05 * (node / 8));
@@ -311,9 +314,9 @@ TEST_P(HostileFormat, WithBytesChangedLeavesNothingHalfInTheStore) {
 INSTANTIATE_TEST_SUITE_P(
     Of, HostileFormat,
     testing::Values("US4MD81M.000", "gutils_profile.nc", "gnome_gridded_current.nc", "sample-2.0.1.bag",
-                    "comet-2019-222-02-154.dbd", "currents.nc", "bed.tif", "bergs.gpkg", "bergs.shp",
-                    "bergs.zip", "currents.grb", "currents.h5", "places.h5", "bed.h5", "tides.tcd",
-                    "detections.csv", "log.csv", "p5610005.log", "sea035.6.gli.sub.1",
+                    "comet-2019-222-02-154.dbd", "currents.nc", "mesh.nc", "bed.tif", "bergs.gpkg",
+                    "bergs.shp", "bergs.zip", "currents.grb", "currents.h5", "places.h5", "bed.h5",
+                    "tides.tcd", "detections.csv", "log.csv", "p5610005.log", "sea035.6.gli.sub.1",
                     "seaglider_p1800001.nc", "bed.asc", "bergs.kml", "chart_20261120.gml", "bergs.geojson",
                     "nw_atlantic_etopo1_4min.xyz", "cis_beacon_1997_12995.csv", "byu_latest_20260818.json",
                     "noaa_anchorage-knik-arm.json", "otps_tpxo9v2a_extract_HC_sample_out.txt"),
