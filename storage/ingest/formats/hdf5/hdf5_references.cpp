@@ -3,8 +3,10 @@
 #include <optional>
 #include <string>
 
+#include "engine/messages/ingest_file_messages.hpp"
 #include "engine/messages/ingest_format_messages.hpp"
 #include "storage/ingest/files/first_bytes.hpp"
+#include "storage/ingest/formats/hdf5/hdf5_heaps.hpp"
 #include "storage/ingest/formats/hdf5/hdf5_library.hpp"
 
 namespace floeplan::ingest {
@@ -66,6 +68,8 @@ Checked<bool> cannot_be_walked() { return refuse(messages::ingest_format_message
 Checked<bool> check_hdf5_references(const std::filesystem::path& file) {
   const QuietHdf5 quiet;
   if (first_bytes(file, 8) != "\x89HDF\r\n\x1a\n") return true;
+  if (!hdf5_heaps_are_whole(file))
+    return refuse(messages::ingest_file_message<"file-damaged">("HDF5 file", "a text goes beyond its heap"));
   const Hdf5Handle<H5Fclose> opened{H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT)};
   Checked<bool> found = true;
   if (!opened) return cannot_be_walked();

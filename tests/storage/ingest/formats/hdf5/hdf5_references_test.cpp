@@ -49,6 +49,20 @@ TEST_F(Hdf5References, AreNotMissedInALink) {
   expect_refused_for("\"outside\" is a link to another file");
 }
 
+TEST_F(Hdf5References, OfTextsThatGoBeyondTheirHeapAreRefusedBeforeTheyAreFollowed) {
+  H5Fclose(opened_);
+  std::ifstream in{file_, std::ios::binary};
+  std::string bytes{std::istreambuf_iterator<char>{in}, {}};
+  const std::size_t heap = bytes.find("GCOL");
+  ASSERT_NE(heap, std::string::npos);
+  for (const std::size_t byte : {std::size_t{25}, std::size_t{27}, std::size_t{31}}) {  // of the first size
+    std::string damaged = bytes;
+    damaged[heap + byte] = '\x7F';
+    write_file("damaged.nc", damaged);
+    expect_refused(path("damaged.nc"), "a text goes beyond its heap");
+  }
+}
+
 TEST_F(Hdf5References, AreNotMissedInAVirtualDataset) {
   const std::array<hsize_t, 2> size{3, 4};
   const hid_t space = H5Screate_simple(2, size.data(), nullptr);
