@@ -139,6 +139,7 @@ std::optional<HorizontalGrid> lattice_for(const Mesh& mesh) {
 }
 
 HorizontalGrid refined(const HorizontalGrid& lattice, const Mesh& part) {
+  if (lattice.wraps()) return lattice;  // its seam is a step, too, which no axis has
   const double wanted_m = half * quantile_of_sides_m(part, share_of_fine_sides);
   const double spacing_m = lattice.spacing().value;
   if (!(wanted_m > 0.0) || !(spacing_m > wanted_m)) return lattice;

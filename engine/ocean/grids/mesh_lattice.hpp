@@ -15,6 +15,7 @@ namespace floeplan::ocean {
 
 /// Part of such a grid, its steps divided evenly so that they are half as long as the fine sides of the part of the mesh
 /// that lies there; with at most four nodes for each of the part's points and a million, or none more than `lattice` has.
+/// A lattice all round the globe stays as it is.
 [[nodiscard]] HorizontalGrid refined(const HorizontalGrid& lattice, const Mesh& part);
 
 }  // namespace floeplan::ocean

@@ -187,6 +187,8 @@ TEST(MeshLattice, IsRefinedWhereTheModelIsFineAndNoFinerThanFourNodesForEachPoin
   EXPECT_GT(found.size(), 10 * coarse.size());
   EXPECT_LE(found.size(), 5 * fine.points.size());
   EXPECT_EQ(refined(found, fine).size(), found.size());
+  const HorizontalGrid globe{geo::GeographicFrame{}, Axis{{-180.0, -90.0, 0.0, 90.0}}, Axis{{64.0, 66.0}}};
+  EXPECT_EQ(refined(globe, fine).size(), globe.size());
 }
 
 }  // namespace
