@@ -5,6 +5,7 @@
 
 #include "api/codec/documents/departure_document.hpp"
 #include "api/codec/documents/plan_document.hpp"
+#include "api/service/threads.hpp"
 #include "engine/core/utc_text.hpp"
 #include "engine/messages/plan_messages.hpp"
 #include "engine/planning/evaluate_route.hpp"
@@ -49,13 +50,16 @@ class Stopwatch {
 
 /// The plan for the departure, for the best one of a window, or for the latest one that arrives in time.
 planning::WindowPlan make_plan(const ocean::Environment& environment, const planning::PlanRequest& request,
-                               const planning::WiderSea& wider, const std::stop_token& stop,
-                               const core::ProgressCallback& progress) {
-  if (request.departures.until) return planning::plan_window(environment, request, stop, progress, wider);
+                               const planning::WiderSea& wider, const core::Executor& executor,
+                               const std::stop_token& stop, const core::ProgressCallback& progress) {
+  if (request.departures.until)
+    return planning::plan_window(environment, request, stop, progress, wider, executor);
   if (request.departures.arrive_by) {
-    return {.departures = {}, .plan = planning::plan_arrival(environment, request, stop, progress, wider)};
+    return {.departures = {},
+            .plan = planning::plan_arrival(environment, request, stop, progress, wider, executor)};
   }
-  return {.departures = {}, .plan = planning::plan_route(environment, request, stop, progress, wider)};
+  return {.departures = {},
+          .plan = planning::plan_route(environment, request, stop, progress, wider, executor)};
 }
 
 void add_remarks(planning::Plan& plan, const std::vector<std::string>& remarks) {
@@ -84,7 +88,7 @@ GroundKey ground_key(sql::Connection& db, const codec::EvaluateInputs& inputs,
 }  // namespace
 
 tl::expected<json, core::Violations> plan_route_document(sql::Connection& db, const codec::PlanInputs& inputs,
-                                                         const std::stop_token& stop,
+                                                         std::size_t workers, const std::stop_token& stop,
                                                          const core::ProgressCallback& progress,
                                                          core::UtcTime now, KeptWork* kept) {
   if (progress) progress("loading data", 0.0);
@@ -100,7 +104,7 @@ tl::expected<json, core::Violations> plan_route_document(sql::Connection& db, co
     return std::move(*sea);
   };
   const Stopwatch watch;
-  auto [departures, plan] = make_plan(*environment, inputs.request, wider, stop, progress);
+  auto [departures, plan] = make_plan(*environment, inputs.request, wider, Threads{workers}, stop, progress);
   if (!plan) {
     json document = codec::infeasible_document(plan.error(), *environment);
     add_departures(document, departures);

@@ -9,11 +9,11 @@ namespace floeplan::planning {
 
 Result<Plan> plan_route(const ocean::Environment& environment, const PlanRequest& request,
                         const std::stop_token& stop, const core::ProgressCallback& report,
-                        const WiderSea& wider) {
+                        const WiderSea& wider, const core::Executor& executor) {
   throw_if_invalid(request);
   const core::ProgressCallback progress = report ? report : [](std::string_view, double) {};
   Result<Plan> plan =
-      planner::plan_by(planner::all_strategies(), {environment, request, stop, progress, wider});
+      planner::plan_by(planner::all_strategies(), {environment, request, stop, progress, wider, executor});
   if (plan) return plan;
   return tl::unexpected(
       diagnosis::with_what_would_help(environment, request, std::move(plan.error()), stop, report));

@@ -2,6 +2,7 @@
 
 #include <stop_token>
 
+#include "engine/core/executor.hpp"
 #include "engine/core/progress.hpp"
 #include "engine/ocean/environment.hpp"
 #include "engine/planning/problem/infeasible.hpp"
@@ -23,6 +24,7 @@ namespace floeplan::planning {
 ///          250 km round, in what `wider` knows of that: as `best_of_more_grids`
 [[nodiscard]] Result<Plan> plan_route(const ocean::Environment& environment, const PlanRequest& request,
                                       const std::stop_token& stop, const core::ProgressCallback& progress,
-                                      const WiderSea& wider = {});
+                                      const WiderSea& wider = {},
+                                      const core::Executor& executor = core::in_order());
 
 }  // namespace floeplan::planning

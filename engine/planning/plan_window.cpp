@@ -29,25 +29,25 @@ Infeasible what_would_help(const ocean::Environment& environment, const PlanRequ
 
 WindowPlan plan_window(const ocean::Environment& environment, const PlanRequest& request,
                        const std::stop_token& stop, const core::ProgressCallback& report,
-                       const WiderSea& wider) {
+                       const WiderSea& wider, const core::Executor& executor) {
   const core::ProgressCallback progress = report ? report : [](std::string_view, double) {};
   const double share = planner::share_of_usual_grids(environment, request, stop);
   const core::ProgressCallback usual = core::part_of(progress, "", 0.0, share);
   const core::ProgressCallback more = core::part_of(progress, "", share, 1.0);
-  WindowPlan window = planner::try_to_plan_window(environment, request, stop, usual);
+  WindowPlan window = planner::try_to_plan_window(environment, request, stop, usual, executor);
   if (window.plan) {
     const planner::Planning plan_once = [](const planner::Task& task) {
-      return planner::try_to_plan(task.environment, task.request, task.stop, task.progress);
+      return planner::try_to_plan(task.environment, task.request, task.stop, task.progress, task.executor);
     };
     const PlanRequest best = leaving_at(request, window.plan->departure);
-    window.plan = planner::best_of_more_grids(std::move(window.plan), {environment, best, stop, more, wider},
-                                              plan_once);
+    window.plan = planner::best_of_more_grids(std::move(window.plan),
+                                              {environment, best, stop, more, wider, executor}, plan_once);
     return window;
   }
   if (planner::more_room_may_help(window.plan.error(), environment, request, stop)) {
     const auto roomy = planner::with_more_room(environment, request, wider);
     if (roomy) {
-      WindowPlan in_room = planner::try_to_plan_window(roomy->sea, roomy->request, stop, more);
+      WindowPlan in_room = planner::try_to_plan_window(roomy->sea, roomy->request, stop, more, executor);
       if (in_room.plan) return in_room;
     }
     window.plan = tl::unexpected(

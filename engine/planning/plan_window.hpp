@@ -2,6 +2,7 @@
 
 #include <stop_token>
 
+#include "engine/core/executor.hpp"
 #include "engine/core/progress.hpp"
 #include "engine/ocean/environment.hpp"
 #include "engine/planning/problem/plan_request.hpp"
@@ -15,6 +16,7 @@ namespace floeplan::planning {
 /// compared with more room.
 [[nodiscard]] WindowPlan plan_window(const ocean::Environment& environment, const PlanRequest& request,
                                      const std::stop_token& stop, const core::ProgressCallback& progress,
-                                     const WiderSea& wider = {});
+                                     const WiderSea& wider = {},
+                                     const core::Executor& executor = core::in_order());
 
 }  // namespace floeplan::planning

@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <memory>
+#include <thread>
 
 #include "api/codec/inputs/plan_inputs.hpp"
 #include "api/fields/process_fields.hpp"
@@ -18,7 +20,8 @@ int run_plan(const InputFlags& flags, PlanOutput output, const Program& program)
   if (!inputs) return print_violations(inputs.error(), json_out, flags_of(fields::Process::plan_route));
 
   auto db = open_existing_store(program);
-  const auto document = service::plan_route_document(db, *inputs, {}, terminal_progress(), now());
+  const std::size_t workers = std::max(1U, std::thread::hardware_concurrency());
+  const auto document = service::plan_route_document(db, *inputs, workers, {}, terminal_progress(), now());
   if (!document) return print_violations(document.error(), json_out, flags_of(fields::Process::plan_route));
   return print_plan(*document, output);
 }

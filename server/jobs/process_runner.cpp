@@ -68,8 +68,8 @@ struct Work {
 using Outcome = tl::expected<ProcessResult, std::string>;
 
 Outcome plan_route(const Work& work, const codec::PlanInputs& inputs) {
-  const auto plan =
-      service::plan_route_document(work.db, inputs, work.stop, work.progress, work.now, &work.kept);
+  const auto plan = service::plan_route_document(work.db, inputs, work.workers, work.stop, work.progress,
+                                                 work.now, &work.kept);
   note_owner(work.db, work.job, work.now, repository::plan_table, "plan_id", plan);
   return result("plan", plan);
 }

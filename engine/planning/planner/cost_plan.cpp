@@ -131,7 +131,7 @@ struct CostAttempt {
 
 /// The pipeline: request, domain, search, refinement, plan.
 CostAttempt plan_cost_within(cost::GridReach reach, const Task& task) {
-  const auto& [environment, request, stop, progress, wider, of_use] = task;
+  const auto& [environment, request, stop, progress, wider, executor, of_use] = task;
   progress("environment", 0.0);
   const Result<search::Chart> chart = search::draw_chart(environment, request, reach, stop);
   if (!chart) return {tl::unexpected(chart.error())};
@@ -232,7 +232,7 @@ Result<Plan> publish_straight_way(const search::Chart& chart, const ocean::Envir
 }
 
 Result<Plan> search_least_cost_plan(const KnownPlan& known, const Task& task) {
-  const auto& [environment, request, stop, progress, wider, of_use] = task;
+  const auto& [environment, request, stop, progress, wider, executor, of_use] = task;
   // Only the fastest plans hold.
   PlanRequest on_the_move = request;
   on_the_move.holds.longest = core::Seconds{0.0};

@@ -4,7 +4,7 @@
 #include <functional>
 #include <limits>
 #include <map>
-#include <memory>
+#include <mutex>
 #include <stdexcept>
 #include <utility>
 
@@ -83,39 +83,87 @@ struct Journey {
   bool touches_rim{false};
 };
 
-/// Searches the same grids for one departure after another.
+/// A search area of one size, laid out for all departures.
+struct Ground {
+  PlanRequest request;
+  search::Chart chart;
+  std::vector<search::OpenGrid> grids;  // none for a straight line
+  std::vector<Ground> fastest;          // for each drive by itself, where it is not time that counts
+};
+
+/// Errors   as draw_chart
+Result<Ground> lay_out(const ocean::Environment& environment, const PlanRequest& request,
+                       cost::GridReach reach, const std::stop_token& stop) {
+  // Only the fastest way holds.
+  PlanRequest drawn = request;
+  if (!request.energy.objective.is_time()) drawn.holds.longest = core::Seconds{0.0};
+  auto chart = search::draw_chart(environment, drawn, reach, stop);
+  if (!chart) return tl::unexpected(chart.error());
+  Ground ground{request, std::move(*chart), {}, {}};
+  if (request.method != Method::direct)
+    ground.grids = search::open_grids(ground.chart.sea, ground.chart.layout.grids, request.sectors, stop);
+  if (request.energy.objective.is_time()) return ground;
+  for (const vehicle::Drive drive : drives(request.energy, request.vehicle)) {
+    auto other = lay_out(environment, fastest_request(request, drive), reach, stop);
+    if (!other) return other;
+    ground.fastest.push_back(std::move(*other));
+  }
+  return ground;
+}
+
+/// The search areas of a request, each laid out when it is first needed.
+/// Threads  any
+class Grounds {
+ public:
+  /// Everything is borrowed and outlives this.
+  Grounds(const ocean::Environment& environment, const PlanRequest& request, const std::stop_token& stop)
+      : environment_{environment}, request_{request}, stop_{stop} {}
+
+  [[nodiscard]] const Result<Ground>& near() { return laid_out(near_, cost::reaches(request_).front()); }
+  [[nodiscard]] const Result<Ground>& wide() { return laid_out(wide_, cost::reaches(request_).back()); }
+
+ private:
+  const Result<Ground>& laid_out(std::optional<Result<Ground>>& ground, cost::GridReach reach) {
+    const std::lock_guard lock{mutex_};
+    if (!ground) ground.emplace(lay_out(environment_, request_, reach, stop_));
+    return *ground;
+  }
+
+  const ocean::Environment& environment_;
+  const PlanRequest& request_;
+  const std::stop_token& stop_;
+  std::mutex mutex_;
+  std::optional<Result<Ground>> near_;
+  std::optional<Result<Ground>> wide_;
+};
+
+/// Searches the grids of a ground for one departure after another.
 class DepartureSweep {
  public:
-  /// Errors   as draw_chart
-  static Result<DepartureSweep> on_grids(cost::GridReach reach, const ocean::Environment& environment,
-                                         const PlanRequest& request, const std::stop_token& stop) {
-    // Only the fastest way holds.
-    PlanRequest drawn = request;
-    if (!request.energy.objective.is_time()) drawn.holds.longest = core::Seconds{0.0};
-    auto chart = search::draw_chart(environment, drawn, reach, stop);
-    if (!chart) return tl::unexpected(chart.error());
-    std::vector<search::OpenGrid> grids;
-    if (request.method != Method::direct) {
-      grids = search::open_grids(chart->sea, chart->layout.grids, request.sectors, stop);
+  /// The ground is borrowed and outlives this.
+  explicit DepartureSweep(const Ground& ground) : ground_{ground} {
+    const PlanRequest& request = ground.request;
+    const core::Seconds ahead = departures_a_sweep * request.departures.step;
+    const core::Seconds window = request.departures.departures(request.depart).back() - request.depart;
+    for (const search::OpenGrid& open : ground.grids) {
+      if (request.energy.objective.is_time()) {
+        foresights_.emplace_back(ground.chart.sea, open, ahead);
+      } else {
+        guides_.emplace_back(ground.chart.sea, open, window);
+      }
     }
-    DepartureSweep sweep{std::move(*chart), std::move(grids), request};
-    if (request.energy.objective.is_time()) return sweep;
-    for (const vehicle::Drive drive : drives(request.energy, request.vehicle)) {
-      auto other = on_grids(reach, environment, fastest_request(request, drive), stop);
-      if (!other) return other;
-      sweep.fastest_.push_back(std::move(*other));
-    }
-    return sweep;
+    for (const Ground& each : ground.fastest) fastest_.emplace_back(each);
   }
 
   /// The way with the least cost, as a plan for this departure alone would choose it.
   Result<Journey> leave(core::Seconds after, const std::stop_token& stop) {
-    if (auto closed = search::closed_start(*chart_, request_, after))
+    const PlanRequest& request = ground_.request;
+    if (auto closed = search::closed_start(ground_.chart, request, after))
       return tl::unexpected(std::move(*closed));
-    if (request_.energy.objective.is_time()) return earliest(after, stop);
-    Result<Journey> best = request_.method == Method::direct ? straight(after) : cheapest(after, stop);
+    if (request.energy.objective.is_time()) return earliest(after, stop);
+    Result<Journey> best = request.method == Method::direct ? straight(after) : cheapest(after, stop);
     for (DepartureSweep& sweep : fastest_) {
-      if (stop.stop_requested()) return tl::unexpected(search::explain_cancelled(request_));
+      if (stop.stop_requested()) return tl::unexpected(search::explain_cancelled(request));
       auto other = sweep.leave(after, stop);
       if (!other) continue;
       other->cost = cost(other->arrival - after, other->energy);
@@ -126,50 +174,37 @@ class DepartureSweep {
 
  private:
   Result<Journey> earliest(core::Seconds after, const std::stop_token& stop) {
-    if (request_.method == Method::direct) return straight(after);
-    auto found = search::search_voyage(chart_->sea, grids_, request_, after, stop, [](double) {},
-                                       {.way = last_ ? &*last_ : nullptr, .foresights = &foresights_});
+    if (ground_.request.method == Method::direct) return straight(after);
+    auto found =
+        search::search_voyage(ground_.chart.sea, ground_.grids, ground_.request, after, stop, [](double) {},
+                              {.way = last_ ? &*last_ : nullptr, .foresights = &foresights_});
     if (!found) return tl::unexpected(std::move(found.error()));
     last_ = std::move(*found);
     return on_first_drive(last_->route.points, last_->touches_rim, after);
   }
 
-  DepartureSweep(search::Chart chart, std::vector<search::OpenGrid> grids, const PlanRequest& request)
-      : chart_{std::make_unique<const search::Chart>(std::move(chart))},
-        grids_{std::move(grids)},
-        request_{request} {
-    const core::Seconds ahead = departures_a_sweep * request.departures.step;
-    const core::Seconds window = request.departures.departures(request.depart).back() - request.depart;
-    for (const search::OpenGrid& open : grids_) {
-      if (request.energy.objective.is_time()) {
-        foresights_.emplace_back(chart_->sea, open, ahead);
-      } else {
-        guides_.emplace_back(chart_->sea, open, window);
-      }
-    }
-  }
-
   Result<Journey> straight(core::Seconds after) const {
-    return on_first_drive(chart_->layout.points, false, after);
+    return on_first_drive(ground_.chart.layout.points, false, after);
   }
 
   Result<Journey> cheapest(core::Seconds after, const std::stop_token& stop) {
+    const cost::Sea& sea = ground_.chart.sea;
     const auto found =
-        search::search_least_cost(chart_->sea, grids_, request_, after, stop, [](double) {}, &guides_);
+        search::search_least_cost(sea, ground_.grids, ground_.request, after, stop, [](double) {}, &guides_);
     if (!found) return tl::unexpected(found.error());
-    const auto times = cost::drive_along(chart_->sea, found->route, after);
+    const auto times = cost::drive_along(sea, found->route, after);
     if (!times) {
       const cost::RouteClosed closed{.reason = times.error(), .at = found->route.points.front()};
-      return tl::unexpected(search::explain_route(closed, chart_->sea, request_));
+      return tl::unexpected(search::explain_route(closed, sea, ground_.request));
     }
     return journey(times->arrivals, times->energy, found->touches_rim);
   }
 
   Result<Journey> on_first_drive(const std::vector<geo::PlanePoint>& points, bool touches_rim,
                                  core::Seconds after) const {
-    const cost::Sea& sea = chart_->sea;
+    const cost::Sea& sea = ground_.chart.sea;
     const auto arrivals = cost::arrivals_along(sea, points, after);
-    if (!arrivals) return tl::unexpected(search::explain_route(arrivals.error(), sea, request_));
+    if (!arrivals) return tl::unexpected(search::explain_route(arrivals.error(), sea, ground_.request));
     EnergyUse energy;
     for (std::size_t i = 1; i < points.size(); ++i) {
       energy += sea.energy_along(points[i - 1], points[i], (*arrivals)[i - 1],
@@ -185,16 +220,14 @@ class DepartureSweep {
   }
 
   [[nodiscard]] double cost(core::Seconds time, core::Joules energy) const {
-    return request_.energy.objective.cost(time, energy);
+    return ground_.request.energy.objective.cost(time, energy);
   }
 
-  std::unique_ptr<const search::Chart> chart_;
-  std::vector<search::OpenGrid> grids_;
+  const Ground& ground_;
   std::vector<search::Foresight> foresights_;  // one for each grid, for the least time
   std::vector<search::CostGuide> guides_;      // likewise, for another objective
-  PlanRequest request_;
-  std::optional<search::FoundWay> last_;  // of the departure before
-  std::vector<DepartureSweep> fastest_;   // on each drive by itself, where it is not time that counts
+  std::optional<search::FoundWay> last_;       // of the departure before
+  std::vector<DepartureSweep> fastest_;        // on each drive by itself
 };
 
 /// Whether a larger search area may have a way where there was none for this reason.
@@ -205,50 +238,80 @@ bool may_be_mended(Reason why) {
 /// Chooses between the two search areas as a plan for this departure alone would.
 class Comparison {
  public:
-  Comparison(const ocean::Environment& environment, const PlanRequest& request, const std::stop_token& stop)
-      : environment_{environment}, request_{request}, stop_{stop} {}
+  /// Both are borrowed and outlive this.
+  Comparison(Grounds& grounds, const PlanRequest& request) : grounds_{grounds}, request_{request} {}
 
-  Result<Journey> leave(core::Seconds after) {
-    const std::vector<cost::GridReach> to_try = cost::reaches(request_);
-    auto first = on(near_, to_try.front(), after);
+  Result<Journey> leave(core::Seconds after, const std::stop_token& stop) {
+    auto first = on(near_, grounds_.near(), after, stop);
     const bool wider_may_help = first ? first->touches_rim : may_be_mended(first.error().reason);
-    if (!wider_may_help || to_try.size() == 1 || request_.method == Method::direct) return first;
-    auto second = on(wide_, to_try.back(), after);
+    if (!wider_may_help || cost::reaches(request_).size() == 1 || request_.method == Method::direct)
+      return first;
+    auto second = on(wide_, grounds_.wide(), after, stop);
     if (first && (!second || first->cost <= second->cost)) return first;
     return second;
   }
 
  private:
-  Result<Journey> on(std::optional<Result<DepartureSweep>>& sweep, cost::GridReach reach,
-                     core::Seconds after) {
-    if (!sweep) sweep.emplace(DepartureSweep::on_grids(reach, environment_, request_, stop_));
-    if (!*sweep) return tl::unexpected(sweep->error());
-    return (*sweep)->leave(after, stop_);
+  static Result<Journey> on(std::optional<DepartureSweep>& sweep, const Result<Ground>& ground,
+                            core::Seconds after, const std::stop_token& stop) {
+    if (!ground) return tl::unexpected(ground.error());
+    if (!sweep) sweep.emplace(*ground);
+    return sweep->leave(after, stop);
   }
 
-  const ocean::Environment& environment_;
+  Grounds& grounds_;
   const PlanRequest& request_;
-  const std::stop_token& stop_;
-  std::optional<Result<DepartureSweep>> near_;
-  std::optional<Result<DepartureSweep>> wide_;  // laid out when it is first needed
+  std::optional<DepartureSweep> near_;
+  std::optional<DepartureSweep> wide_;
 };
+
+/// How many departures are a piece of work. The first of them costs twice what the others do: nothing bounds its search.
+constexpr std::size_t departures_a_piece = 8;
+
+/// What came of each departure, in one sea. Departures after which `stop` was requested are cancelled.
+/// `ended`  is told how many departures have ended
+std::vector<Result<Journey>> leave_all(const std::vector<core::UtcTime>& departures,
+                                       const ocean::Environment& environment, const PlanRequest& request,
+                                       const std::stop_token& stop, const core::Executor& executor,
+                                       const core::Executor::Count& ended) {
+  Grounds grounds{environment, request, stop};
+  std::vector<Result<Journey>> journeys(departures.size(),
+                                        tl::unexpected(search::explain_cancelled(request)));
+  const std::size_t pieces = (departures.size() + departures_a_piece - 1) / departures_a_piece;
+  executor.run(
+      pieces,
+      [&](std::size_t piece) {
+        Comparison comparison{grounds, request};
+        const std::size_t first = piece * departures.size() / pieces;
+        const std::size_t end = (piece + 1) * departures.size() / pieces;
+        for (std::size_t i = first; i < end && !stop.stop_requested(); ++i)
+          journeys[i] = comparison.leave(departures[i] - request.depart, stop);
+      },
+      [&](std::size_t piece) { ended(piece * departures.size() / pieces); });
+  return journeys;
+}
+
+bool is_cancelled(const std::vector<Result<Journey>>& journeys) {
+  return std::ranges::any_of(journeys, [](const Result<Journey>& journey) {
+    return !journey && journey.error().reason == Reason::cancelled;
+  });
+}
 
 /// Sets the cost of each departure: the request's robust objective over the best ways in all members.
 /// Returns  false once `stop` is requested
 bool weigh_members(std::vector<DepartureOutcome>& outcomes, const ocean::Environment& environment,
-                   const PlanRequest& request, const std::stop_token& stop,
+                   const PlanRequest& request, const std::stop_token& stop, const core::Executor& executor,
                    const std::function<void(std::size_t, std::size_t)>& report) {
   const cost::SeaMembers members{environment, request.uncertainty};
+  std::vector<core::UtcTime> departures;
+  for (const DepartureOutcome& outcome : outcomes) departures.push_back(outcome.departure);
   std::vector<std::vector<std::optional<double>>> costs(outcomes.size());  // [departure][member]
   for (std::size_t member = 0; member < members.size(); ++member) {
-    const ocean::Environment sea = members.environment(member);
-    Comparison comparison{sea, request, stop};
-    for (std::size_t i = 0; i < outcomes.size(); ++i) {
-      report(1 + member, i);
-      const auto found = comparison.leave(outcomes[i].departure - request.depart);
-      if (!found && found.error().reason == Reason::cancelled) return false;
-      costs[i].push_back(found ? std::optional{found->cost} : std::nullopt);
-    }
+    const auto journeys = leave_all(departures, members.environment(member), request, stop, executor,
+                                    [&](std::size_t ended) { report(1 + member, ended); });
+    if (is_cancelled(journeys)) return false;
+    for (std::size_t i = 0; i < outcomes.size(); ++i)
+      costs[i].push_back(journeys[i] ? std::optional{journeys[i]->cost} : std::nullopt);
   }
   for (std::size_t i = 0; i < outcomes.size(); ++i) {
     const MemberSpread spread{costs[i]};
@@ -282,7 +345,8 @@ std::size_t best_planned(const std::vector<DepartureOutcome>& outcomes,
 Result<std::vector<DepartureOutcome>> compare_departures(const ocean::Environment& environment,
                                                          const PlanRequest& request,
                                                          const std::stop_token& stop,
-                                                         const core::ProgressCallback& progress) {
+                                                         const core::ProgressCallback& progress,
+                                                         const core::Executor& executor) {
   throw_if_invalid(request);
   const std::vector<core::UtcTime> departures = request.departures.departures(request.depart);
   const std::size_t seas = count_of_seas(environment, request);
@@ -294,32 +358,32 @@ Result<std::vector<DepartureOutcome>> compare_departures(const ocean::Environmen
     progress("departures", (static_cast<double>(sea) + done) / static_cast<double>(seas));
   };
 
-  Comparison comparison{environment, request, stop};
+  report(0, 0);
+  auto journeys = leave_all(departures, environment, request, stop, executor,
+                            [&](std::size_t ended) { report(0, ended); });
+  if (is_cancelled(journeys)) return tl::unexpected(search::explain_cancelled(request));
   std::vector<DepartureOutcome> outcomes;
-  for (const core::UtcTime departure : departures) {
-    report(0, outcomes.size());
-    auto found = comparison.leave(departure - request.depart);
-    DepartureOutcome outcome{.departure = departure};
-    if (found) {
-      outcome.travel_time = found->arrival - (departure - request.depart);
+  for (std::size_t i = 0; i < departures.size(); ++i) {
+    DepartureOutcome outcome{.departure = departures[i]};
+    if (Result<Journey>& found = journeys[i]) {
+      outcome.travel_time = found->arrival - (departures[i] - request.depart);
       outcome.energy = found->energy;
-    } else if (found.error().reason == Reason::cancelled) {
-      return tl::unexpected(std::move(found.error()));
     } else {
       outcome.closed = std::move(found.error());
     }
     outcomes.push_back(std::move(outcome));
   }
-  if (seas > 1 && !weigh_members(outcomes, environment, request, stop, report))
+  if (seas > 1 && !weigh_members(outcomes, environment, request, stop, executor, report))
     return tl::unexpected(search::explain_cancelled(request));
   return outcomes;
 }
 
 WindowPlan try_to_plan_window(const ocean::Environment& environment, const PlanRequest& request,
-                              const std::stop_token& stop, const core::ProgressCallback& progress) {
+                              const std::stop_token& stop, const core::ProgressCallback& progress,
+                              const core::Executor& executor) {
   double done = share_of_comparison(environment, request);
-  auto outcomes =
-      compare_departures(environment, request, stop, core::part_of(progress, "departures", 0.0, done));
+  auto outcomes = compare_departures(environment, request, stop,
+                                     core::part_of(progress, "departures", 0.0, done), executor);
   if (!outcomes) return {.departures = {}, .plan = tl::unexpected(outcomes.error())};
   std::optional<Infeasible> refused;
   std::map<std::size_t, Plan> planned;
@@ -336,7 +400,7 @@ WindowPlan try_to_plan_window(const ocean::Environment& environment, const PlanR
     const double share = outcome.robust_cost ? 1.0 / static_cast<double>(most_planned - planned.size()) : 0.9;
     const double from = std::exchange(done, done + share * (1.0 - done));
     auto plan = try_to_plan(environment, leaving_at(request, outcome.departure), stop,
-                            core::part_of(progress, "best departure", from, done));
+                            core::part_of(progress, "best departure", from, done), executor);
     if (plan && outcome.robust_cost) {
       count_plan(outcome, *plan, request.uncertainty);
       planned.emplace(*best, std::move(*plan));

@@ -5,6 +5,7 @@
 #include <stop_token>
 #include <vector>
 
+#include "engine/core/executor.hpp"
 #include "engine/core/progress.hpp"
 #include "engine/ocean/environment.hpp"
 #include "engine/planning/problem/infeasible.hpp"
@@ -15,18 +16,20 @@ namespace floeplan::planning::planner {
 
 /// Finds, for each departure of the request's window, the earliest arrival, or the least cost if that is the objective. Each
 /// result is that of a plan for this departure alone, without refinement. No departure is skipped, so the curve has no gaps.
-/// The way of one departure bounds the search for the next, which changes no result.
+/// The way of one departure bounds the search for the next, which changes no result. Blocks of departures are pieces of
+/// work for the executor; they share the charts and the grids.
 /// Returns  an outcome for each departure, in their order
 /// Errors   only Reason::cancelled, within 100 ms after `stop` is requested
 /// Throws   std::invalid_argument when `request.violations()` is not empty
 [[nodiscard]] Result<std::vector<DepartureOutcome>> compare_departures(
     const ocean::Environment& environment, const PlanRequest& request, const std::stop_token& stop,
-    const core::ProgressCallback& progress);
+    const core::ProgressCallback& progress, const core::Executor& executor = core::in_order());
 
 /// As `plan_window`, on the request's own grids. Does not say what would help where there is no plan.
 [[nodiscard]] WindowPlan try_to_plan_window(const ocean::Environment& environment, const PlanRequest& request,
                                             const std::stop_token& stop,
-                                            const core::ProgressCallback& progress);
+                                            const core::ProgressCallback& progress,
+                                            const core::Executor& executor = core::in_order());
 
 /// The departure with the least cost by the objective, the first of equal ones. With a robust objective only those count that
 /// are open in the most members. Empty if all departures are closed.

@@ -90,7 +90,7 @@ bool is_as_early_as_any(const search::Chart& chart, core::Seconds travel_time) {
 
 /// The pipeline: request, domain, search, refinement, plan.
 Attempt plan_within(cost::GridReach reach, const Task& task) {
-  const auto& [environment, request, stop, progress, wider, of_use] = task;
+  const auto& [environment, request, stop, progress, wider, executor, of_use] = task;
   progress("environment", 0.0);
   Result<search::Chart> chart = search::draw_chart(environment, request, reach, stop);
   if (!chart) return {.plan = tl::unexpected(std::move(chart.error()))};
@@ -155,7 +155,7 @@ std::optional<PlanRequest> without_leave(const ocean::Environment& environment, 
 }  // namespace
 
 Result<Plan> plan_fastest(const Task& task, const Planning&) {
-  const auto& [environment, request, stop, progress, wider, of_use] = task;
+  const auto& [environment, request, stop, progress, wider, executor, of_use] = task;
   const std::optional<PlanRequest> strict = without_leave(environment, request);
   const core::ProgressCallback as_asked = core::part_of(progress, "", 0.0, strict ? 0.5 : 1.0);
   Attempt best = plan_on_grids(task.telling(as_asked));

@@ -141,7 +141,7 @@ core::UtcTime arrival_that_counts(const Plan& plan, const UncertaintyRules& rule
 }
 
 Result<Plan> plan_uncertain(const Task& task, const Planning& plan_in_one_sea) {
-  const auto& [environment, asked, stop, progress, wider, of_use] = task;
+  const auto& [environment, asked, stop, progress, wider, executor, of_use] = task;
   PlanRequest request = asked;
   request.optimality_gap = false;
   const UncertaintyRules& rules = request.uncertainty;
@@ -150,49 +150,57 @@ Result<Plan> plan_uncertain(const Task& task, const Planning& plan_in_one_sea) {
   const bool plans_in_mean = is_robust && rules.drawn_members == 0;
   const std::size_t plans = is_robust ? 1 + members.size() + (plans_in_mean ? 1 : 0) : 1;
   const double work = static_cast<double>(plans) + plans_a_look * static_cast<double>(members.size());
-  std::size_t planned = 0;
-  const auto plan_in = [&](const ocean::Environment& sea) {
-    const double from = static_cast<double>(planned++) / work;
-    const double to = static_cast<double>(planned) / work;
-    const core::ProgressCallback part = core::part_of(progress, "members", from, to);
-    return plan_in_one_sea(task.with(request).in(sea).telling(part));
+  const auto told = [&](double done) { progress("members", done / work); };
+  const auto plan_in = [&](const ocean::Environment& sea, const Task& how) {
+    return plan_in_one_sea(how.with(request).in(sea));
   };
-  Result<Plan> base = plan_in(environment);
+  Result<Plan> base = plan_in(environment, task.telling(core::part_of(progress, "members", 0.0, 1.0 / work)));
   if (!base) return base;
 
-  std::vector<Plan> candidates{*base};
-  const auto add_candidate = [&](const ocean::Environment& sea) {
-    const Result<Plan> plan = plan_in(sea);
-    if (!plan) return;
-    // A route that is closed in the first currents cannot be published.
-    Result<Plan> in_first = evaluate_in(environment, places_of(*plan), request, stop);
-    if (in_first) candidates.push_back(std::move(*in_first));
-  };
-  for (std::size_t member = 0; is_robust && member < members.size(); ++member) {
-    if (stop.stop_requested()) return tl::unexpected(search::explain_cancelled(request));
-    add_candidate(members.environment(member));
-  }
   // Between the members' own ways there may be one that is good in all members. The best way in their mean is the most
   // likely one.
+  std::vector<std::optional<Plan>> ways(plans - 1);  // of the members, then of their mean
+  const auto sea_of = [&](std::size_t way) -> std::optional<ocean::Environment> {
+    if (way < members.size()) return members.environment(way);
+    auto mean = ocean::ensemble_mean(environment.members);
+    if (!mean) return std::nullopt;
+    ocean::Environment sea = environment;
+    sea.members.clear();
+    sea.drift_members.clear();
+    sea.currents = std::make_shared<const ocean::CurrentGrid>(std::move(*mean));
+    return sea;
+  };
+  executor.run(
+      ways.size(),
+      [&](std::size_t way) {
+        if (stop.stop_requested()) return;
+        const auto sea = sea_of(way);
+        if (!sea) return;
+        const Result<Plan> plan = plan_in(*sea, task.as_piece());
+        if (!plan) return;
+        // A route that is closed in the first currents cannot be published.
+        Result<Plan> in_first = evaluate_in(environment, places_of(*plan), request, stop);
+        if (in_first) ways[way] = std::move(*in_first);
+      },
+      [&](std::size_t ended) { told(static_cast<double>(1 + ended)); });
   if (stop.stop_requested()) return tl::unexpected(search::explain_cancelled(request));
-  if (plans_in_mean) {
-    if (auto mean = ocean::ensemble_mean(environment.members)) {
-      ocean::Environment sea = environment;
-      sea.members.clear();
-      sea.drift_members.clear();
-      sea.currents = std::make_shared<const ocean::CurrentGrid>(std::move(*mean));
-      add_candidate(sea);
-    }
-  }
+  std::vector<Plan> candidates{*base};
+  for (std::optional<Plan>& way : ways)
+    if (way) candidates.push_back(std::move(*way));
 
   const Objective objective = request.objective();
   std::vector<Fares> fares(candidates.size());
-  for (std::size_t member = 0; member < members.size(); ++member) {
-    if (stop.stop_requested()) return tl::unexpected(search::explain_cancelled(request));
-    progress("members", (static_cast<double>(plans) + plans_a_look * static_cast<double>(member)) / work);
-    const auto driven = drive_all(members.environment(member), request, candidates, stop);
-    for (std::size_t i = 0; i < candidates.size(); ++i) fares[i].add(driven[i], objective);
-  }
+  std::vector<std::vector<std::optional<cost::DrivenTimes>>> driven(members.size());
+  executor.run(
+      members.size(),
+      [&](std::size_t member) {
+        driven[member] = drive_all(members.environment(member), request, candidates, stop);
+      },
+      [&](std::size_t ended) {
+        told(static_cast<double>(plans) + plans_a_look * static_cast<double>(ended));
+      });
+  for (const auto& in_member : driven)
+    for (std::size_t i = 0; i < candidates.size(); ++i) fares[i].add(in_member[i], objective);
   if (stop.stop_requested()) return tl::unexpected(search::explain_cancelled(request));
 
   std::vector<MemberSpread> costs;

@@ -31,6 +31,7 @@ struct Strategy {
 /// As `plan_route`, without a diagnosis and on one kind of grid; for callers that plan many variants.
 /// Errors and Stops  as `plan_route`
 [[nodiscard]] Result<Plan> try_to_plan(const ocean::Environment& environment, const PlanRequest& request,
-                                       const std::stop_token& stop, const core::ProgressCallback& progress);
+                                       const std::stop_token& stop, const core::ProgressCallback& progress,
+                                       const core::Executor& executor = core::in_order());
 
 }  // namespace floeplan::planning::planner

@@ -99,11 +99,13 @@ class LatestDeparture {
  public:
   /// Everything is borrowed and outlives this.
   LatestDeparture(const ocean::Environment& environment, const PlanRequest& request,
-                  const std::stop_token& stop, const core::ProgressCallback& progress)
+                  const std::stop_token& stop, const core::ProgressCallback& progress,
+                  const core::Executor& executor)
       : environment_{environment},
         request_{request},
         wanted_{*request.departures.arrive_by},
         stop_{stop},
+        executor_{executor},
         parts_{progress, "latest departure"} {}
 
   Result<Plan> find() {
@@ -149,7 +151,7 @@ class LatestDeparture {
 
   /// Makes a whole plan, and keeps it as the best one if it arrives in time.
   std::optional<core::Seconds> try_at(core::UtcTime depart) {
-    auto plan = try_to_plan(environment_, leaving_at(request_, depart), stop_, parts_.next());
+    auto plan = try_to_plan(environment_, leaving_at(request_, depart), stop_, parts_.next(), executor_);
     if (!plan) {
       binds_ = plan.error().binding;
       return std::nullopt;
@@ -192,7 +194,7 @@ class LatestDeparture {
     window.departures = {.until = wanted_ - least, .step = (wanted_ - least - window.depart) / samples};
     if (window.departures.step < close_enough) return;
     window.uncertainty.objective = RobustObjective::none;  // members count in the whole plans
-    const auto curve = compare_departures(environment_, window, stop_, parts_.next());
+    const auto curve = compare_departures(environment_, window, stop_, parts_.next(), executor_);
     if (!curve) return;
     std::optional<core::UtcTime> fails;
     for (std::size_t i = curve->size(); i-- > 0 && !is_cancelled();) {
@@ -224,7 +226,8 @@ class LatestDeparture {
 
   /// Why no departure is in time.
   Result<Plan> explained() {
-    auto earliest = try_to_plan(environment_, leaving_at(request_, request_.depart), stop_, parts_.next());
+    auto earliest =
+        try_to_plan(environment_, leaving_at(request_, request_.depart), stop_, parts_.next(), executor_);
     if (earliest && left(*earliest).count() >= 0.0) return earliest;
     if (earliest) return tl::unexpected(too_early(request_, *earliest));
     return earliest;
@@ -235,6 +238,7 @@ class LatestDeparture {
   core::UtcTime holds_until_;  // as in Beginning
   core::UtcTime wanted_;       // or the last moment before it at which the goal is open
   const std::stop_token& stop_;
+  const core::Executor& executor_;
   core::PartsOfProgress parts_;
   std::optional<Plan> best_;         // the latest departure that is in time
   bool some_arrive_{false};          // in time or not
@@ -244,8 +248,9 @@ class LatestDeparture {
 }  // namespace
 
 Result<Plan> try_to_plan_arrival(const ocean::Environment& environment, const PlanRequest& request,
-                                 const std::stop_token& stop, const core::ProgressCallback& progress) {
-  return LatestDeparture{environment, request, stop, progress}.find();
+                                 const std::stop_token& stop, const core::ProgressCallback& progress,
+                                 const core::Executor& executor) {
+  return LatestDeparture{environment, request, stop, progress, executor}.find();
 }
 
 }  // namespace floeplan::planning::planner

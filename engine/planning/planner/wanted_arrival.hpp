@@ -2,6 +2,7 @@
 
 #include <stop_token>
 
+#include "engine/core/executor.hpp"
 #include "engine/core/progress.hpp"
 #include "engine/ocean/environment.hpp"
 #include "engine/planning/problem/infeasible.hpp"
@@ -16,6 +17,7 @@ namespace floeplan::planning::planner {
 /// Errors   as `plan_arrival`
 [[nodiscard]] Result<Plan> try_to_plan_arrival(const ocean::Environment& environment,
                                                const PlanRequest& request, const std::stop_token& stop,
-                                               const core::ProgressCallback& progress);
+                                               const core::ProgressCallback& progress,
+                                               const core::Executor& executor);
 
 }  // namespace floeplan::planning::planner

@@ -69,7 +69,7 @@ class CostVoyage {
 
   [[nodiscard]] double key(graph::Vertex v, double arrival_s, const State& state) const;
 
-  [[nodiscard]] bool dominates(graph::Vertex v, const graph::Label<State>& a,
+  [[nodiscard]] bool dominates(graph::Vertex, const graph::Label<State>& a,
                                const graph::Label<State>& b) const {
     if (a.state.cost > b.state.cost) return false;
     // In steady water the time matters only to how long ago the vehicle could last surface.

@@ -5,6 +5,7 @@
 #include "engine/planning/plan_route.hpp"
 #include "engine/planning/plan_window.hpp"
 #include "tests/engine/planning/drifting_bergs.hpp"
+#include "tests/support/backwards.hpp"
 #include "tests/support/property.hpp"
 #include "tests/support/small_sea.hpp"
 
@@ -229,6 +230,25 @@ TEST(CompareDepartures, WeighAllMembersWhereTheObjectiveIsRobust) {
     }
     EXPECT_NEAR(outcome.robust_cost.value(), sum_s / 3.0, 1e-3 * sum_s);
     EXPECT_EQ(outcome.members_closed, 0U);
+  }
+}
+
+TEST(CompareDepartures, AreTheSameToTheLastBitOnHoweverManyThreads) {
+  ocean::Environment environment{.currents = currents_from(tide, 120)};
+  environment.members = {environment.currents, turning_stream(-0.2, 0.15)};
+  PlanRequest request = window_request(24.0, 3600.0);
+  for (const RobustObjective objective : {RobustObjective::none, RobustObjective::mean}) {
+    request.uncertainty.objective = objective;
+    const auto in_order = curve(environment, request);
+
+    const auto at_once = compare_departures(environment, request, {}, {}, support::Backwards{}).value();
+
+    ASSERT_EQ(at_once.size(), 25U);
+    for (std::size_t i = 0; i < at_once.size(); ++i) {
+      EXPECT_EQ(at_once[i].travel_time, in_order[i].travel_time) << i;
+      EXPECT_EQ(at_once[i].energy, in_order[i].energy) << i;
+      EXPECT_EQ(at_once[i].robust_cost, in_order[i].robust_cost) << i;
+    }
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include "engine/messages/sentence.hpp"
 #include "engine/planning/plan_route.hpp"
+#include "tests/support/backwards.hpp"
 #include "tests/support/property.hpp"
 #include "tests/support/small_sea.hpp"
 
@@ -112,6 +113,21 @@ TEST(RobustPlan, IsNeverWorseInItsObjectiveThanThePlanOfTheFirstMember) {
   EXPECT_EQ(robust->arrival, again->arrival) << "the same seed, the same plan";
   EXPECT_DOUBLE_EQ(*robust->uncertainty->chance,
                    robust->uncertainty->spread.chance_within(core::Seconds{36.0 * 3600.0}));
+}
+
+TEST(RobustPlan, IsTheSameToTheLastBitOnHoweverManyThreads) {
+  const ocean::Environment environment =
+      ensemble({stream(68.95, 0.15), stream(69.0, 0.1), stream(69.05, 0.15), stream(69.0, -0.1)});
+  PlanRequest request = coarse_request();
+  request.uncertainty.objective = RobustObjective::mean;
+  const auto in_order = plan(environment, request);
+
+  const auto at_once = plan_route(environment, request, {}, {}, {}, support::Backwards{});
+
+  ASSERT_TRUE(in_order && at_once);
+  EXPECT_EQ(at_once->arrival, in_order->arrival);
+  EXPECT_EQ(at_once->uncertainty->candidates, in_order->uncertainty->candidates);
+  EXPECT_EQ(at_once->uncertainty->spread.travel_times(), in_order->uncertainty->spread.travel_times());
 }
 
 TEST(RobustPlan, FindsTheWayBetweenThoseThatTheMembersTake) {

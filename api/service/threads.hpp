@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstddef>
+
+#include "api/service/parallel_runs.hpp"
+#include "engine/core/executor.hpp"
+
+namespace floeplan::service {
+
+/// Does the engine's pieces of work on so many threads, the calling one among them.
+class Threads final : public core::Executor {
+ public:
+  explicit Threads(std::size_t workers) : workers_{workers} {}
+
+  void run(std::size_t count, const Piece& piece, const Count& ended) const override {
+    run_in_parallel(count, workers_, {}, [&](std::size_t i, const std::stop_token&) { piece(i); }, ended);
+  }
+
+ private:
+  std::size_t workers_;
+};
+
+}  // namespace floeplan::service

@@ -1,0 +1,23 @@
+#include "engine/core/executor.hpp"
+
+namespace floeplan::core {
+namespace {
+
+class InOrder : public Executor {
+ public:
+  void run(std::size_t count, const Piece& piece, const Count& ended) const override {
+    for (std::size_t i = 0; i < count; ++i) {
+      piece(i);
+      ended(i + 1);
+    }
+  }
+};
+
+}  // namespace
+
+const Executor& in_order() {
+  static const InOrder executor;
+  return executor;
+}
+
+}  // namespace floeplan::core
