@@ -17,8 +17,8 @@ constexpr double page_width = 595.0;
 constexpr double page_height = 842.0;
 constexpr double margin = 36.0;
 constexpr double text_width = page_width - 2.0 * margin;
-constexpr std::array<double, 10> column_ends{24.0,  98.0,  172.0, 284.0, 322.0,
-                                             360.0, 394.0, 432.0, 484.0, 523.0};
+constexpr std::array<double, 10> column_ends{20.0,  92.0,  164.0, 272.0, 308.0,
+                                             344.0, 372.0, 416.0, 480.0, 523.0};
 
 struct Colour {
   double red, green, blue;
@@ -30,6 +30,7 @@ constexpr Colour land{0.85, 0.82, 0.75};
 constexpr Colour ice{0.04, 0.43, 0.66};
 constexpr Colour route{0.76, 0.25, 0.05};
 constexpr Colour surfacing{0.07, 0.47, 0.20};
+constexpr Colour waypoint_ink{0.49, 0.18, 0.07};
 
 cairo_status_t append(void* bytes, const unsigned char* data, unsigned int length) {
   static_cast<std::string*>(bytes)->append(reinterpret_cast<const char*>(data), length);
@@ -203,6 +204,7 @@ void draw_picture(Sheet& sheet, const MapPicture& picture) {
   for (const auto& place : picture.closed) square(sheet, place);
   for (const auto& place : picture.surfacings) ring(sheet, place, surfacing_radius, surfacing);
   sheet.font(11.0, true);
+  sheet.colour(waypoint_ink);
   for (const auto& label : picture.waypoints) sheet.write_at(label.at.x, label.at.y, label.text);
   stroke(sheet, picture.scale, ink, 2.0);
   sheet.font(9.0, false);

@@ -237,9 +237,11 @@ test('stored currents are the members of an ensemble, until one of them is remov
   await page.getByText('Uncertainty of currents', { exact: true }).click();
   await expect(page.getByText('The members are the 2 currents chosen under Data')).toBeVisible();
   await page.getByLabel('Plan for').selectOption('mean');
+  await page.getByLabel(/^Chance to arrive before/).fill('2026-11-24 00:00');
   await expectAccessible(page);
   await planAndWait(page);
   await expect(page.getByText('Arrival, p10–p90')).toBeVisible();
+  await expect(page.locator('.figures-grid div', { hasText: 'Chance to arrive in time' }).locator('dd')).toHaveText(/^\d+ %$/);
 
   await page.getByRole('button', { name: 'Data', exact: true }).click();
   page.once('dialog', (dialog) => void dialog.accept());
