@@ -12,8 +12,9 @@ class Threads final : public core::Executor {
  public:
   explicit Threads(std::size_t workers) : workers_{workers} {}
 
-  void run(std::size_t count, const Piece& piece, const Count& ended) const override {
-    run_in_parallel(count, workers_, {}, [&](std::size_t i, const std::stop_token&) { piece(i); }, ended);
+  void run(std::size_t count, const Piece& piece) const override {
+    run_in_parallel(
+        count, workers_, {}, [&](std::size_t i, const std::stop_token&) { piece(i); }, [](std::size_t) {});
   }
 
  private:

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <functional>
+#include <thread>
+#include <utility>
 
 namespace floeplan::core {
 
@@ -10,7 +13,6 @@ namespace floeplan::core {
 class Executor {
  public:
   using Piece = std::function<void(std::size_t index)>;
-  using Count = std::function<void(std::size_t pieces)>;
 
   Executor() = default;
   Executor(const Executor&) = delete;
@@ -18,13 +20,28 @@ class Executor {
   virtual ~Executor() = default;
 
   /// Calls `piece` once for every index below `count`, in any order and maybe on several threads at once; each call writes
-  /// to its own place only. Returns when all of them have ended.
-  /// `ended`  is told now and then, on the calling thread, how many have ended
-  /// Errors   rethrows the first exception of a piece; some pieces are then left out
-  virtual void run(std::size_t count, const Piece& piece, const Count& ended) const = 0;
+  /// to its own place only. The calling thread may do pieces, too. Returns when all of them have ended.
+  /// Errors  rethrows the first exception of a piece; some pieces are then left out
+  virtual void run(std::size_t count, const Piece& piece) const = 0;
 };
 
 /// Does one piece after the other on the calling thread.
 [[nodiscard]] const Executor& in_order();
+
+/// Counts what has ended on several threads, and tells of it on the thread that made it only, where progress is listened to.
+class CountOfEnded {
+ public:
+  explicit CountOfEnded(std::function<void(std::size_t)> listener) : listener_{std::move(listener)} {}
+
+  void add() {
+    const std::size_t ended = ++ended_;
+    if (std::this_thread::get_id() == told_on_) listener_(ended);
+  }
+
+ private:
+  std::function<void(std::size_t)> listener_;
+  std::thread::id told_on_{std::this_thread::get_id()};
+  std::atomic<std::size_t> ended_{0};
+};
 
 }  // namespace floeplan::core

@@ -11,7 +11,7 @@ namespace floeplan::support {
 /// Begins the last piece of work first, on three threads.
 class Backwards final : public core::Executor {
  public:
-  void run(std::size_t count, const Piece& piece, const Count& ended) const override {
+  void run(std::size_t count, const Piece& piece) const override {
     std::atomic<std::size_t> left{count};
     const auto work = [&] {
       for (std::size_t next = left.load(); next > 0;) {
@@ -20,11 +20,8 @@ class Backwards final : public core::Executor {
         next = left.load();
       }
     };
-    {
-      std::vector<std::jthread> threads;
-      for (int i = 0; i < 3; ++i) threads.emplace_back(work);
-    }
-    ended(count);
+    std::vector<std::jthread> threads;
+    for (int i = 0; i < 3; ++i) threads.emplace_back(work);
   }
 };
 

@@ -273,21 +273,21 @@ constexpr std::size_t departures_a_piece = 8;
 std::vector<Result<Journey>> leave_all(const std::vector<core::UtcTime>& departures,
                                        const ocean::Environment& environment, const PlanRequest& request,
                                        const std::stop_token& stop, const core::Executor& executor,
-                                       const core::Executor::Count& ended) {
+                                       const std::function<void(std::size_t)>& ended) {
   Grounds grounds{environment, request, stop};
   std::vector<Result<Journey>> journeys(departures.size(),
                                         tl::unexpected(search::explain_cancelled(request)));
   const std::size_t pieces = (departures.size() + departures_a_piece - 1) / departures_a_piece;
-  executor.run(
-      pieces,
-      [&](std::size_t piece) {
-        Comparison comparison{grounds, request};
-        const std::size_t first = piece * departures.size() / pieces;
-        const std::size_t end = (piece + 1) * departures.size() / pieces;
-        for (std::size_t i = first; i < end && !stop.stop_requested(); ++i)
-          journeys[i] = comparison.leave(departures[i] - request.depart, stop);
-      },
-      [&](std::size_t piece) { ended(piece * departures.size() / pieces); });
+  core::CountOfEnded count{ended};
+  executor.run(pieces, [&](std::size_t piece) {
+    Comparison comparison{grounds, request};
+    const std::size_t first = piece * departures.size() / pieces;
+    const std::size_t end = (piece + 1) * departures.size() / pieces;
+    for (std::size_t i = first; i < end && !stop.stop_requested(); ++i) {
+      journeys[i] = comparison.leave(departures[i] - request.depart, stop);
+      count.add();
+    }
+  });
   return journeys;
 }
 

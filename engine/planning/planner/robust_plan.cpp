@@ -170,19 +170,20 @@ Result<Plan> plan_uncertain(const Task& task, const Planning& plan_in_one_sea) {
     sea.currents = std::make_shared<const ocean::CurrentGrid>(std::move(*mean));
     return sea;
   };
-  executor.run(
-      ways.size(),
-      [&](std::size_t way) {
-        if (stop.stop_requested()) return;
-        const auto sea = sea_of(way);
-        if (!sea) return;
-        const Result<Plan> plan = plan_in(*sea, task.as_piece());
-        if (!plan) return;
-        // A route that is closed in the first currents cannot be published.
-        Result<Plan> in_first = evaluate_in(environment, places_of(*plan), request, stop);
-        if (in_first) ways[way] = std::move(*in_first);
-      },
-      [&](std::size_t ended) { told(static_cast<double>(1 + ended)); });
+  core::CountOfEnded planned{[&](std::size_t ended) { told(static_cast<double>(1 + ended)); }};
+  const auto plan_a_way = [&](std::size_t way) {
+    const auto sea = sea_of(way);
+    if (!sea) return;
+    const Result<Plan> plan = plan_in(*sea, task.as_piece());
+    if (!plan) return;
+    // A route that is closed in the first currents cannot be published.
+    Result<Plan> in_first = evaluate_in(environment, places_of(*plan), request, stop);
+    if (in_first) ways[way] = std::move(*in_first);
+  };
+  executor.run(ways.size(), [&](std::size_t way) {
+    if (!stop.stop_requested()) plan_a_way(way);
+    planned.add();
+  });
   if (stop.stop_requested()) return tl::unexpected(search::explain_cancelled(request));
   std::vector<Plan> candidates{*base};
   for (std::optional<Plan>& way : ways)
@@ -191,14 +192,13 @@ Result<Plan> plan_uncertain(const Task& task, const Planning& plan_in_one_sea) {
   const Objective objective = request.objective();
   std::vector<Fares> fares(candidates.size());
   std::vector<std::vector<std::optional<cost::DrivenTimes>>> driven(members.size());
-  executor.run(
-      members.size(),
-      [&](std::size_t member) {
-        driven[member] = drive_all(members.environment(member), request, candidates, stop);
-      },
-      [&](std::size_t ended) {
-        told(static_cast<double>(plans) + plans_a_look * static_cast<double>(ended));
-      });
+  core::CountOfEnded timed{[&](std::size_t ended) {
+    told(static_cast<double>(plans) + plans_a_look * static_cast<double>(ended));
+  }};
+  executor.run(members.size(), [&](std::size_t member) {
+    driven[member] = drive_all(members.environment(member), request, candidates, stop);
+    timed.add();
+  });
   for (const auto& in_member : driven)
     for (std::size_t i = 0; i < candidates.size(); ++i) fares[i].add(in_member[i], objective);
   if (stop.stop_requested()) return tl::unexpected(search::explain_cancelled(request));

@@ -10,15 +10,12 @@ namespace {
 
 using Numbers = std::vector<std::size_t>;
 
-TEST(InOrder, DoesOnePieceAfterTheOtherAndTellsOfEach) {
+TEST(InOrder, DoesOnePieceAfterTheOther) {
   Numbers begun;
-  Numbers told;
 
-  in_order().run(
-      3, [&](std::size_t piece) { begun.push_back(piece); }, [&](std::size_t n) { told.push_back(n); });
+  in_order().run(3, [&](std::size_t piece) { begun.push_back(piece); });
 
   EXPECT_EQ(begun, (Numbers{0, 1, 2}));
-  EXPECT_EQ(told, (Numbers{1, 2, 3}));
 }
 
 TEST(InOrder, PassesOnWhatAPieceThrowsAndBeginsNoMore) {
@@ -28,8 +25,19 @@ TEST(InOrder, PassesOnWhatAPieceThrowsAndBeginsNoMore) {
     if (piece == 1) throw std::runtime_error{"no room"};
   };
 
-  EXPECT_THROW(in_order().run(3, second_fails, [](std::size_t) {}), std::runtime_error);
+  EXPECT_THROW(in_order().run(3, second_fails), std::runtime_error);
   EXPECT_EQ(begun, (Numbers{0, 1}));
+}
+
+TEST(CountOfEnded, TellsOnTheThreadThatMadeItWhatEndedOnAll) {
+  Numbers told;
+  CountOfEnded count{[&](std::size_t ended) { told.push_back(ended); }};
+
+  count.add();
+  std::jthread{[&] { count.add(); }}.join();
+  count.add();
+
+  EXPECT_EQ(told, (Numbers{1, 3}));
 }
 
 }  // namespace
