@@ -55,6 +55,19 @@ Type type_of_part(hid_t compound, const std::string& part) {
   return Type{index < 0 ? H5I_INVALID_HID : H5Tget_member_type(compound, static_cast<unsigned>(index))};
 }
 
+/// Whether every part lies inside an element of a table: the library copies each from where it is said to lie.
+bool parts_lie_inside(hid_t compound) {
+  const std::size_t size = H5Tget_size(compound);
+  const int parts = H5Tget_nmembers(compound);
+  for (int i = 0; i < parts; ++i) {
+    const auto number = static_cast<unsigned>(i);
+    const Type part{H5Tget_member_type(compound, number)};
+    const std::size_t offset = H5Tget_member_offset(compound, number);
+    if (!part || offset > size || H5Tget_size(part.get()) > size - offset) return false;
+  }
+  return true;
+}
+
 /// A compound type in memory with only this one member.
 Type part_alone(const std::string& part, hid_t type) {
   Type compound{H5Tcreate(H5T_COMPOUND, H5Tget_size(type))};
@@ -243,7 +256,8 @@ Checked<Hdf5Table> Hdf5Group::table(const std::string& name) const {
   Type type{H5Dget_type(dataset.get())};
   const Space space{H5Dget_space(dataset.get())};
   const int dimensions = space ? H5Sget_simple_extent_ndims(space.get()) : -1;
-  if (!type || H5Tget_class(type.get()) != H5T_COMPOUND || dimensions < 1 || dimensions > 2)
+  if (!type || H5Tget_class(type.get()) != H5T_COMPOUND || !parts_lie_inside(type.get()) || dimensions < 1 ||
+      dimensions > 2)
     return unreadable_part(name);
   std::array<hsize_t, 2> sizes{};
   H5Sget_simple_extent_dims(space.get(), sizes.data(), nullptr);

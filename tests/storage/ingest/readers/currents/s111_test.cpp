@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <functional>
+#include <iterator>
 #include <numbers>
 #include <random>
 
@@ -236,6 +238,19 @@ TEST_F(S111, AtPlacesThatAreNoneIsRefused) {
   sample = scattered(4, [](std::size_t, std::size_t) { return true; });
   sample.file_numbers["horizontalCRS"] = 32633.0;
   expect_refused(sample.write(path("d.h5")), "not longitudes and latitudes");
+}
+
+TEST_F(S111, WhosePartsAreSaidToLieBeyondTheirElementsIsRefused) {
+  const auto file = scattered(4, [](std::size_t, std::size_t) { return true; }).write(path("3.h5"));
+  std::ifstream in{file, std::ios::binary};
+  std::string bytes{std::istreambuf_iterator<char>{in}, {}};
+  const std::string name{"latitude\0\0\0\0\0\0\0\0",
+                         16};  // as a compound type has it, before the place of the part
+  const std::size_t at = bytes.find(name);
+  ASSERT_NE(at, std::string::npos);
+  bytes[at + name.size() + 2] = '\x7F';
+  write_file("damaged.h5", bytes);
+  expect_refused(path("damaged.h5"), "geometryValues");
 }
 
 /// S-111 1.0 and S-102 2.0 and 2.1 are of S-100 edition 4, which names the reference system otherwise.
