@@ -174,8 +174,11 @@ Row mesh_row() {
   {
     auto db = repository::open_store(folder.path());
     const ocean::Mesh mesh = repository::in_blocks(million_points()).mesh;
-    repository::DatasetRepository{db}.insert(
-        {.id = id, .kind = repository::DatasetKind::currents, .name = "mesh"});
+    repository::Dataset dataset;
+    dataset.id = id;
+    dataset.kind = repository::DatasetKind::currents;
+    dataset.name = "mesh";
+    repository::DatasetRepository{db}.insert(dataset);
     repository::FieldRepository fields{db};
     fields.create(id, {ocean::lattice_for(mesh).value(), std::nullopt, ocean::Axis{{1.8e9}}}, {mesh, 0});
     std::vector<float> speeds;
