@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <string_view>
@@ -7,14 +8,14 @@
 
 namespace floeplan::core {
 
-/// Long work calls it now and then, on its own thread. The stage is in words ("search"); after a colon stands more of it, for
+/// Long work calls it from time to time, on its own thread. The stage is a word or two ("search"). Details follow a colon, for
 /// places with room ("not possible as asked: the goal lies on land"). The fraction is the share of the whole work that is
-/// done, 0 to 1. It must be cheap, and is never called from an innermost loop.
+/// done, 0 to 1. The callback must be cheap; it is never called from an innermost loop.
 using ProgressCallback = std::function<void(std::string_view stage, double fraction)>;
 
-/// The progress of one part of a work as progress of the whole, which it takes from `from` to `to`. Its stages are told
-/// as the one `stage`, or as they are where that is empty. `whole` and `stage` are borrowed and outlive the result; where
-/// `whole` is empty, the result is.
+/// The progress of a part of the work, scaled to the progress of the whole between `from` and `to`. All its stages are reported
+/// as `stage`, or unchanged if that is empty. `whole` and `stage` are borrowed and must outlive the result. If `whole` is
+/// empty, so is the result.
 inline ProgressCallback part_of(const ProgressCallback& whole, std::string_view stage, double from,
                                 double to) {
   if (!whole) return {};
@@ -23,10 +24,21 @@ inline ProgressCallback part_of(const ProgressCallback& whole, std::string_view 
   };
 }
 
-/// Shares out the progress of a work whose number of parts is not known before: each part gets half of what is left.
+/// Progress that never falls and stays between 0 and 1. Work may have to start again, on another grid or in a wider area; its
+/// share then stands still until it exceeds what was reported before.
+/// `listener` is borrowed and must outlive the result; if it is empty, the result does nothing.
+inline ProgressCallback never_falling(const ProgressCallback& listener) {
+  if (!listener) return [](std::string_view, double) {};
+  return [&listener, most = 0.0](std::string_view stage, double fraction) mutable {
+    most = std::clamp(fraction, most, 1.0);
+    listener(stage, most);
+  };
+}
+
+/// Divides the progress of work whose number of parts is not known in advance: each part gets half of the rest.
 class PartsOfProgress {
  public:
-  /// Both are borrowed and outlive the parts.
+  /// Both are borrowed and must outlive the parts.
   PartsOfProgress(const ProgressCallback& whole, std::string_view stage) : whole_{whole}, stage_{stage} {}
 
   /// The progress of the next part.

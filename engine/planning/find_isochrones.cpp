@@ -187,7 +187,7 @@ std::optional<messages::Message> of_battery(const cost::Sea& sea, const Isochron
 Result<Isochrones> find_isochrones(const ocean::Environment& environment, const IsochroneRequest& request,
                                    const std::stop_token& stop, const core::ProgressCallback& report) {
   if (!request.violations().empty()) throw std::invalid_argument{request.violations().front().rule};
-  const core::ProgressCallback progress = report ? report : [](std::string_view, double) {};
+  const core::ProgressCallback progress = core::never_falling(report);
   progress("environment", 0.0);
   const PlanRequest voyage = voyage_of(request);
   const double side = 2.0 * request.data_radius() / request.step() + 1.0;

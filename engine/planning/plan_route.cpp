@@ -11,12 +11,12 @@ Result<Plan> plan_route(const ocean::Environment& environment, const PlanRequest
                         const std::stop_token& stop, const core::ProgressCallback& report,
                         const WiderSea& wider, const core::Executor& executor) {
   throw_if_invalid(request);
-  const core::ProgressCallback progress = report ? report : [](std::string_view, double) {};
+  const core::ProgressCallback progress = core::never_falling(report);
   Result<Plan> plan =
       planner::plan_by(planner::all_strategies(), {environment, request, stop, progress, wider, executor});
   if (plan) return plan;
   return tl::unexpected(
-      diagnosis::with_what_would_help(environment, request, std::move(plan.error()), stop, report));
+      diagnosis::with_what_would_help(environment, request, std::move(plan.error()), stop, progress));
 }
 
 }  // namespace floeplan::planning

@@ -30,7 +30,7 @@ Infeasible what_would_help(const ocean::Environment& environment, const PlanRequ
 WindowPlan plan_window(const ocean::Environment& environment, const PlanRequest& request,
                        const std::stop_token& stop, const core::ProgressCallback& report,
                        const WiderSea& wider, const core::Executor& executor) {
-  const core::ProgressCallback progress = report ? report : [](std::string_view, double) {};
+  const core::ProgressCallback progress = core::never_falling(report);
   const double share = planner::share_of_usual_grids(environment, request, stop);
   const core::ProgressCallback usual = core::part_of(progress, "", 0.0, share);
   const core::ProgressCallback more = core::part_of(progress, "", share, 1.0);

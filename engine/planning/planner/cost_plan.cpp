@@ -170,9 +170,12 @@ bool costs_less(const Result<Plan>& a, const Result<Plan>& b, const Objective& o
 /// The plan in the smaller search area, and in the larger one where that may give a better plan.
 Result<Plan> plan_on_either_reach(const Task& task) {
   const std::vector<cost::GridReach> to_try = cost::reaches(task.request);
-  CostAttempt attempt = plan_cost_within(to_try.front(), task);
+  core::PartsOfProgress parts{task.progress, ""};
+  const core::ProgressCallback first = parts.next();
+  CostAttempt attempt = plan_cost_within(to_try.front(), task.telling(first));
   if (!attempt.wider_may_help || to_try.size() == 1) return std::move(attempt.plan);
-  CostAttempt wider = plan_cost_within(to_try.back(), task);
+  const core::ProgressCallback second = parts.next();
+  CostAttempt wider = plan_cost_within(to_try.back(), task.telling(second));
   const bool is_better =
       costs_less(wider.plan, attempt.plan, task.request.objective()) || (!attempt.plan && !wider.plan);
   return std::move(is_better ? wider.plan : attempt.plan);
@@ -243,8 +246,11 @@ Result<Plan> search_least_cost_plan(const KnownPlan& known, const Task& task) {
   const bool may_be_coarse =
       known.plan && request.refine && request.method != Method::direct && !request.spacing_along;
   Result<Plan> best = known.plan;
+  core::PartsOfProgress parts{progress, ""};
   if (may_be_coarse) {
-    Result<Plan> coarse = best_on_grids(task.with(cost::on_coarser_grids(on_the_move)), known.on_drives);
+    const core::ProgressCallback on_coarser = parts.next();
+    const PlanRequest coarser = cost::on_coarser_grids(on_the_move);
+    Result<Plan> coarse = best_on_grids(task.with(coarser).telling(on_coarser), known.on_drives);
     const bool is_near =
         coarse && cost_of(*coarse, objective) <= (1.0 + much) * cost_of(*known.plan, objective);
     const bool is_evidence = is_near || was_cut_short(coarse);  // then a finer grid would not have helped
@@ -253,7 +259,9 @@ Result<Plan> search_least_cost_plan(const KnownPlan& known, const Task& task) {
   }
   if (stop.stop_requested()) return tl::unexpected(search::explain_cancelled(request));
   const std::vector<vehicle::Drive> none;
-  Result<Plan> found = best_on_grids(task.with(on_the_move), may_be_coarse ? none : known.on_drives);
+  const core::ProgressCallback on_its_own = parts.next();
+  Result<Plan> found =
+      best_on_grids(task.with(on_the_move).telling(on_its_own), may_be_coarse ? none : known.on_drives);
   if (stop.stop_requested()) return tl::unexpected(search::explain_cancelled(request));
   return better_of(std::move(best), std::move(found), objective);
 }
@@ -261,15 +269,19 @@ Result<Plan> search_least_cost_plan(const KnownPlan& known, const Task& task) {
 Result<Plan> plan_least_cost(const Task& task, const Planning& plan_fastest) {
   const PlanRequest& request = task.request;
   KnownPlan fastest{.plan = tl::unexpected(Infeasible{}), .on_drives = {}};
+  core::PartsOfProgress parts{task.progress, ""};
   for (const vehicle::Drive drive : drives(request.energy, request.vehicle)) {
     if (task.stop.stop_requested()) return tl::unexpected(search::explain_cancelled(request));
-    Result<Plan> plan = plan_fastest(task.with(fastest_request(request, drive)).silently());
+    const core::ProgressCallback part = parts.next();
+    const PlanRequest on_drive = fastest_request(request, drive);
+    Result<Plan> plan = plan_fastest(task.with(on_drive).telling(part));
     if (plan) fastest.on_drives.push_back(drive);
     if (costs_less(plan, fastest.plan, request.objective())) fastest.plan = std::move(plan);
   }
-  Result<Plan> best = search_least_cost_plan(fastest, task);
+  const core::ProgressCallback part = parts.next();
+  Result<Plan> best = search_least_cost_plan(fastest, task.telling(part));
   if (best && request.optimality_gap) best->optimality_gap_reason = no_gap;
-  task.progress("done", 1.0);
+  if (best) task.progress("done", 1.0);
   return best;
 }
 

@@ -51,27 +51,30 @@ class WayFinder {
   }
 
   [[nodiscard]] Result<RefinedWay> find() const {
-    if (!chart_.sea.overhead().bounds_surfacing()) return find_in(chart_.sea);
-    // If the best way without the bound keeps the bound, it is also the best with it. Refinement often moves a way out of
+    if (!chart_.sea.overhead().bounds_surfacing()) return find_in(chart_.sea, task_.progress);
+    // If the best route without the bound keeps the bound, it is also the best with it. Refinement often moves a route out of
     // ice that the grid could not avoid.
-    auto free = find_in(chart_.sea.without_bound_on_surfacing());
+    constexpr double share_without_bound = 0.2;  // of the work: a judgement
+    const core::ProgressCallback first = core::part_of(task_.progress, "", 0.0, share_without_bound);
+    auto free = find_in(chart_.sea.without_bound_on_surfacing(), first);
     if (!free || cost::arrivals_along(chart_.sea, free->improved.route.points, cost::at_departure))
       return free;
-    return find_in(chart_.sea);
+    return find_in(chart_.sea, core::part_of(task_.progress, "", share_without_bound, 1.0));
   }
 
  private:
-  [[nodiscard]] Result<RefinedWay> find_in(const cost::Sea& sea) const {
+  [[nodiscard]] Result<RefinedWay> find_in(const cost::Sea& sea,
+                                           const core::ProgressCallback& progress) const {
     search::FoundWay way;
     way.route = cost::fixed_route(chart_.layout.points);
     if (task_.request.method != Method::direct) {
-      const auto report = [&](double fraction) { task_.progress("search", 0.1 + 0.8 * fraction); };
+      const auto report = [&](double fraction) { progress("search", 0.1 + 0.8 * fraction); };
       auto found = search::search_voyage(sea, grids_, task_.request, cost::at_departure, task_.stop, report,
                                          {.of_use = cost::at_departure + task_.of_use});
       if (!found) return tl::unexpected(std::move(found.error()));
       way = std::move(*found);
     }
-    task_.progress("refinement", 0.9);
+    progress("refinement", 0.9);
     publish::Improved improved = publish::improve(sea, way.route, task_.request, task_.stop);
     return RefinedWay{std::move(way), std::move(improved)};
   }
@@ -114,12 +117,16 @@ Attempt plan_within(cost::GridReach reach, const Task& task) {
           .wider_may_help = way->found.touches_rim && !(plan && plan->search.none_is_earlier)};
 }
 
-/// The plan in the smaller search area, and in the larger one where that may give a better plan.
-Attempt best_attempt(const Task& task) {
+/// The plan in the smaller search area, and in the larger one where that may give a better plan. Each attempt takes one of
+/// `parts`.
+Attempt best_attempt(const Task& task, core::PartsOfProgress& parts) {
   const std::vector<cost::GridReach> to_try = cost::reaches(task.request);
-  Attempt best = plan_within(to_try.front(), task);
+  const core::ProgressCallback first = parts.next();
+  Attempt best = plan_within(to_try.front(), task.telling(first));
   if (best.wider_may_help && to_try.size() > 1) {
-    Attempt wider = plan_within(to_try.back(), best.plan ? task.to_beat(*best.plan) : task);
+    const core::ProgressCallback second = parts.next();
+    const Task in_wider_area = task.telling(second);
+    Attempt wider = plan_within(to_try.back(), best.plan ? in_wider_area.to_beat(*best.plan) : in_wider_area);
     const bool nearer_will_do = best.plan && (!wider.plan || best.plan->arrival <= wider.plan->arrival);
     if (!nearer_will_do) best = std::move(wider);
   }
@@ -134,9 +141,11 @@ bool search_was_cut_short(const Attempt& attempt) {
 /// coarser grids, on which it gets further.
 Attempt plan_on_grids(const Task& task) {
   const PlanRequest& request = task.request;
-  Attempt best = best_attempt(task);
+  core::PartsOfProgress parts{task.progress, ""};
+  Attempt best = best_attempt(task, parts);
   if (request.under_ice.max_time_without_surfacing && !request.spacing_along && search_was_cut_short(best)) {
-    Attempt coarse = best_attempt(task.with(cost::on_coarser_grids(request)));
+    const PlanRequest on_coarser = cost::on_coarser_grids(request);
+    Attempt coarse = best_attempt(task.with(on_coarser), parts);
     if (coarse.plan && (!best.plan || coarse.plan->arrival < best.plan->arrival)) best = std::move(coarse);
   }
   if (best.plan) publish::rate(*best.plan, best.chart->sea, request, best.route, task.stop);
@@ -168,7 +177,7 @@ Result<Plan> plan_fastest(const Task& task, const Planning&) {
     const bool is_no_later = without.plan && (!best.plan || without.plan->arrival <= best.plan->arrival);
     if (is_no_later) best = std::move(without);
   }
-  progress("done", 1.0);
+  if (best.plan) progress("done", 1.0);
   return std::move(best.plan);
 }
 

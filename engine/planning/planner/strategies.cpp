@@ -46,7 +46,9 @@ bool may_surface_more_often(const Task& task) { return task.request.under_ice.es
 
 /// For routes without an escape route from some waypoint: routes that pass more places to surface mostly have one.
 Result<Plan> plan_surfacing_more_often(const Task& task, const Planning& rest) {
-  Result<Plan> best = rest(task);
+  core::PartsOfProgress parts{task.progress, ""};
+  const core::ProgressCallback first = parts.next();
+  Result<Plan> best = rest(task.telling(first));
   if (best || best.error().reason != Reason::no_escape) return best;
   const core::Seconds until_there = best.error().when - task.request.depart;
   const core::Seconds bound =
@@ -55,7 +57,8 @@ Result<Plan> plan_surfacing_more_often(const Task& task, const Planning& rest) {
     PlanRequest tighter = task.request;
     tighter.under_ice.max_time_without_surfacing = share * bound;
     if (!tighter.violations().empty()) break;
-    Result<Plan> plan = rest(task.with(tighter));
+    const core::ProgressCallback part = parts.next();
+    Result<Plan> plan = rest(task.with(tighter).telling(part));
     if (!plan && plan.error().reason == Reason::cancelled) return plan;
     if (!plan && plan.error().reason == Reason::no_escape) continue;
     if (!plan) break;  // no way surfaces so often, and so none more often

@@ -168,8 +168,8 @@ RouteSearch search_unbounded(const cost::Sea& sea, const OpenGrid& open, const P
   const StraightBound straight{sea, grid, graph, grid.goal};
   RefusedEdges refused;
   const graph::ExpansionCallback report = [&](std::int64_t expansions) {
-    report_fraction(static_cast<double>(expansions) /
-                    static_cast<double>(std::max<std::int64_t>(1, result.statistics.vertices)));
+    const auto vertices = static_cast<double>(std::max<std::int64_t>(1, result.statistics.vertices));
+    report_fraction(std::min(1.0, static_cast<double>(expansions) / vertices));
   };
   // The same result as a search with the straight-line bound alone, with fewer vertices.
   const auto search_ahead = [&](const auto& travel_time, bool timed_closures) -> graph::SearchTree {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <memory>
 #include <vector>
@@ -128,12 +129,12 @@ class Searches {
                            wanted.before,
                            wanted.aim,
                            wanted.pass.weight};
-    const auto report = [&](std::int64_t expansions) {
-      const auto vertices = static_cast<double>(std::max<std::int64_t>(1, open.vertices));
-      report_fraction_(std::min(1.0, static_cast<double>(expansions) / vertices));
-    };
     const std::size_t affordable =
         voyage.may_wait() ? std::min(most_labels, most_waiting_labels) : most_labels;
+    const auto report = [&, before = searches_++](std::int64_t expansions) {
+      const double share = static_cast<double>(expansions) / static_cast<double>(affordable);
+      report_fraction_((before + std::min(1.0, share)) / most_searches);
+    };
     const cost::RouteGrid& grid = open.grid;
     const double least_s = sea_.least_time(grid.point(grid.start), grid.point(grid.goal)).count();
     const SurfacingVoyage::State start{.surfaced_s = (depart_ - since_surfacing_).count()};
@@ -146,6 +147,8 @@ class Searches {
   core::Seconds since_surfacing_;
   const std::stop_token& stop_;
   const std::function<void(double)>& report_fraction_;
+  static constexpr double most_searches = 1.0 + std::size(passes);  // for any route, then the passes
+  int searches_{0};                                                 // that have begun
   VertexClosures closures_;
   SurfacingReach reach_;
   Foresight foresight_;

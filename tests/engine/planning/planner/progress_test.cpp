@@ -1,10 +1,13 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 #include "engine/planning/plan_arrival.hpp"
 #include "engine/planning/plan_route.hpp"
 #include "engine/planning/plan_window.hpp"
+#include "engine/planning/planner/strategies.hpp"
 #include "tests/support/small_sea.hpp"
 
 namespace floeplan::planning::planner::progress_test {
@@ -12,8 +15,10 @@ namespace {
 
 using testing::DoubleNear;
 using testing::Each;
+using testing::ElementsAre;
 using testing::Ge;
 using testing::Le;
+using testing::Lt;
 using testing::SizeIs;
 
 PlanRequest coarse_request() {
@@ -142,6 +147,65 @@ TEST(Progress, OfMoreGridsNeverFallsAndLeavesThemHalf) {
   expect_never_falling(told);
   ASSERT_FALSE(told.of_stage.empty()) << "more grids were tried";
   EXPECT_GE(told.of_stage.front(), 0.5);
+}
+
+/// Shallow water across the route from the south up to this latitude, deep water elsewhere.
+ocean::Environment barrier_up_to(double lat_deg) {
+  return {.bathymetry = support::bathymetry_from([=](geo::LonLat place) {
+            return std::abs(place.lon_deg + 53.0) < 0.08 && place.lat_deg < lat_deg ? 5.0 : 300.0;
+          })};
+}
+
+/// The first search area reaches 20 km to either side, the second one 40 km; the barrier ends between the two.
+TEST(Progress, OfAWiderSearchAreaGoesOnInTheSecondHalf) {
+  const ocean::Environment environment = barrier_up_to(69.26);
+  Told told;
+
+  ASSERT_TRUE(plan_route(environment, coarse_request(), {}, told.listener("environment")).has_value());
+
+  expect_never_falling(told);
+  EXPECT_THAT(told.of_stage, ElementsAre(0.0, 0.5));
+  EXPECT_EQ(told.all.back(), 1.0);
+}
+
+TEST(Progress, OfAFailureNeverSaysDone) {
+  const ocean::Environment environment = barrier_up_to(71.0);
+  Told told;
+
+  ASSERT_FALSE(plan_route(environment, coarse_request(), {}, told.listener("environment")).has_value());
+
+  expect_never_falling(told);
+  EXPECT_THAT(told.all, Each(Lt(1.0)));
+}
+
+/// The strategies themselves share the progress out: nothing is left to the rule that what is reported never falls.
+TEST(Progress, OfStrategiesThatPlanMoreThanOnceNeverFalls) {
+  PlanRequest cheapest = coarse_request();
+  cheapest.energy.objective = energy_objective;
+  cheapest.spacing_along.reset();
+  PlanRequest safest = coarse_request();
+  safest.icebergs.drift = false;
+  safest.icebergs.max_inflation = core::Metres{0.0};
+  safest.icebergs.encounter_weight = core::Seconds{86'400.0};
+  PlanRequest surfacing = coarse_request();
+  surfacing.under_ice.max_time_without_surfacing = core::Seconds{6.0 * 3600.0};
+  ocean::Environment berg;
+  berg.icebergs = {support::iceberg_at({-53.0, 68.995}, 100.0)};
+  berg.icebergs[0].position_uncertainty = core::Metres{3000.0};
+  const ocean::Environment ice{.ice = support::ice_from(
+                                   [](geo::LonLat p, double) {
+                                     return std::abs(p.lon_deg + 53.0) < 0.26 && p.lat_deg < 69.15 ? 0.9
+                                                                                                   : 0.0;
+                                   },
+                                   {0.0}, 1.0)};
+
+  for (const auto& [environment, request] :
+       {std::pair{barrier_up_to(69.26), cheapest}, {berg, safest}, {ice, surfacing}}) {
+    Told told;
+    ASSERT_TRUE(try_to_plan(environment, request, {}, told.listener("search")).has_value());
+    expect_never_falling(told);
+    EXPECT_EQ(std::ranges::count(told.all, 1.0), 1) << "done is told once, at the end";
+  }
 }
 
 }  // namespace
