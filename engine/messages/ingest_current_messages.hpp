@@ -193,7 +193,7 @@ inline constexpr auto ingest_current_kinds = std::to_array<Kind>({
      .slots = {{{"first", "u"}, {"second", "v"}, {"latitude", "80"}, {"limit", "65"}}}},
     {.code = "levels-not-of-the-bed",
      .rank = Rank::caution,
-     .text = "the levels of {what} do not follow the sea bed",
+     .text = "levels that follow the sea bed are not possible in {what}",
      .slots = {{{"what", "a regular grid"}}}},
     // GRIB.
     {.code = "grib-surface-not-a-depth",
@@ -252,7 +252,7 @@ inline constexpr auto ingest_current_kinds = std::to_array<Kind>({
     {.code = "grib-layers",
      .rank = Rank::caution,
      .text = "the currents are means over layers of the water ({layers}). Each was placed at the middle of "
-             "its layer; within a layer the current may be much stronger or run another way",
+             "its layer; within a layer the current may be much stronger, or run in another direction",
      .slots = {{{"layers", "0 to 10 m"}}}},
     {.code = "grib-without-values",
      .rank = Rank::caution,
@@ -265,7 +265,7 @@ inline constexpr auto ingest_current_kinds = std::to_array<Kind>({
      .text = "the GRIB file holds {others}no wind 10 m above the ground (discipline 0, category 2, surface "
              "103), which is the wind that moves icebergs: there is nothing to store",
      .hint = "Give a file with both components of that wind",
-     .slots = {{{"others", "the wind 80 m above the ground, but"}}}},
+     .slots = {{{"others", "the wind 80 m above the ground, but "}}}},
     {.code = "grib-current-as-direction",
      .rank = Rank::caution,
      .text = "the GRIB file gives the current as speed and direction, which this program does not read",
@@ -304,8 +304,8 @@ inline constexpr auto ingest_current_kinds = std::to_array<Kind>({
      .slots = {{{"unit", "furlong"}}}},
     {.code = "uppermost-layer",
      .rank = Rank::note,
-     .text = "the currents are means over the uppermost {depth} m of the water; they were placed at the "
-             "middle of that layer",
+     .text =
+         "the currents are means over the uppermost {depth} m; they were stored at the middle of that layer",
      .slots = {{{"depth", "10"}}}},
     {.code = "depth-from-chart-datum",
      .rank = Rank::note,
@@ -315,8 +315,8 @@ inline constexpr auto ingest_current_kinds = std::to_array<Kind>({
     // The part of the water.
     {.code = "current-of-one-depth",
      .rank = Rank::caution,
-     .text = "{variables} are currents at a depth of {depth} m, as they say themselves; nothing is known of "
-             "the water below it",
+     .text = "{variables} are currents at a depth of {depth} m, as the file says; below it the current is "
+             "unknown",
      .slots = {{{"variables", "\"uo\" and \"vo\""}, {"depth", "15"}}}},
     {.code = "current-of-the-surface",
      .rank = Rank::caution,
@@ -394,7 +394,8 @@ inline constexpr auto ingest_current_kinds = std::to_array<Kind>({
                 {"advice", "; name one component with --variable to store its pair instead"}}}},
     {.code = "climatology",
      .rank = Rank::caution,
-     .text = "{variables} are means over many years (a climatology): at no single time is the sea like that",
+     .text = "{variables} are means over many years (a climatology); the sea at any single time differs from "
+             "them",
      .slots = {{{"variables", "\"uo\" and \"vo\""}}}},
     {.code = "taken-as-currents-by-name",
      .rank = Rank::caution,

@@ -338,9 +338,9 @@ inline constexpr auto ingest_format_kinds = std::to_array<Kind>({
      .slots = {{{"feature", "SurfaceCurrent"}}}},
     {.code = "s-hundred-areas",
      .rank = Rank::caution,
-     .text = "the S-100 file holds {areas} areas of {feature}, each on a grid of its own; this program "
-             "reads files with one",
-     .hint = "Ask its producer for one file an area",
+     .text = "the S-100 file holds {areas} areas of {feature}, each on its own grid; this program reads "
+             "files with one area",
+     .hint = "Ask its producer for a file for each area",
      .slots = {{{"areas", 3}, {"feature", "SurfaceCurrent"}}}},
     {.code = "s-hundred-too-many-records",
      .rank = Rank::caution,
@@ -358,9 +358,9 @@ inline constexpr auto ingest_format_kinds = std::to_array<Kind>({
      .hint = "Copy or download it again"},
     {.code = "s-hundred-layout-not-read",
      .rank = Rank::caution,
-     .text = "the values of {feature} in the S-100 file are those of {layout}; of this family the program "
-             "reads regular grids, and of currents places of their own (data coding format 3)",
-     .hint = "Ask its producer for one",
+     .text = "the values of {feature} in the S-100 file belong to {layout}; this program reads regular "
+             "grids, and currents at separate places (data coding format 3)",
+     .hint = "Ask its producer for such a file",
      .slots = {{{"feature", "SurfaceCurrent"}, {"layout", "fixed stations"}}}},
     {.code = "s-hundred-places-projected",
      .rank = Rank::caution,
@@ -491,8 +491,7 @@ inline constexpr auto ingest_format_kinds = std::to_array<Kind>({
      .slots = {{{"reason", "database disk image is malformed"}}}},
     {.code = "geopackage-of-tiles",
      .rank = Rank::caution,
-     .text = "the file holds a raster in tiles, but neither points nor polygons, which alone are read of "
-             "this format",
+     .text = "the file holds a raster in tiles. Of this format the program reads points and polygons only",
      .hint = "Convert a raster of depths with gdal_translate IN.gpkg OUT.tif, and give that"},
     {.code = "vector-file-unreadable",
      .rank = Rank::caution,

@@ -134,7 +134,7 @@ inline constexpr auto ingest_tide_kinds = std::to_array<Kind>({
      .slots = {{{"constituent", "M2"}, {"stated", "30"}, {"known", "28.9841042"}}}},
     {.code = "station-constituents-left-out",
      .rank = Rank::caution,
-     .text = "constituents left out, because they are not known: {constituents}, {metres} m in all",
+     .text = "constituents left out, because they are not known: {constituents} (together {metres} m)",
      .slots = {{{"constituents", "XX7"}, {"metres", "0.02"}}}},
     {.code = "station-without-constituents",
      .rank = Rank::caution,
@@ -197,12 +197,12 @@ inline constexpr auto ingest_tide_kinds = std::to_array<Kind>({
     {.code = "extract-row-short",
      .rank = Rank::caution,
      .text = "the line \"{line}\" has {fields} fields, not {wanted}: the file seems to be cut short",
-     .hint = "Extract it again",
+     .hint = "Run extract_HC again",
      .slots = {{{"line", "69.0 -52.0"}, {"fields", 2}, {"wanted", 18}}}},
     {.code = "extract-row-unreadable",
      .rank = Rank::caution,
      .text = "the line \"{line}\" holds something that is not a number",
-     .hint = "Extract it again",
+     .hint = "Run extract_HC again",
      .slots = {{{"line", "69.0 x"}}}},
     {.code = "too-many-places",
      .rank = Rank::caution,
@@ -218,9 +218,9 @@ inline constexpr auto ingest_tide_kinds = std::to_array<Kind>({
      .hint = "Copy or download it again"},
     {.code = "tcd-without-levels",
      .rank = Rank::caution,
-     .text =
-         "the database of tides (TCD) holds no station with a place and harmonic constants of the water "
-         "level, which alone are read: its stations are of currents, or stated as differences from others",
+     .text = "the database of tides (TCD) holds no station with a place and harmonic constants of the water "
+             "level. This program reads no other stations, such as those of currents or with differences "
+             "from another station",
      .hint = "Give another file"},
     {.code = "tcd-stations-left-out",
      .rank = Rank::note,

@@ -22,11 +22,11 @@ inline constexpr auto ingest_track_kinds = std::to_array<Kind>({
      .slots = {{{"depths", 3}}}},
     {.code = "track-put-in-order",
      .rank = Rank::note,
-     .text = "the times do not ascend; the rows were put into their order"},
+     .text = "the times do not ascend; the rows were sorted by time"},
     {.code = "zero-currents-left-out",
      .rank = Rank::note,
-     .text = "{currents} {currents:depth-averaged current is|depth-averaged currents are} exactly 0, as "
-             "where the glider knows none, and left out",
+     .text = "{currents} {currents:depth-averaged current is|depth-averaged currents are} exactly 0, which a "
+             "glider writes if it knows none, and left out",
      .slots = {{{"currents", 3}}}},
     {.code = "impossible-currents-left-out",
      .rank = Rank::note,
@@ -49,8 +49,9 @@ inline constexpr auto ingest_track_kinds = std::to_array<Kind>({
      .hint = "Ask the producer if they look turned"},
     {.code = "reckoned-positions-left-out",
      .rank = Rank::note,
-     .text = "{positions} {positions:position|positions} that the vehicle reckoned before its first fix "
-             "{positions:is|are} too far from it and left out",
+     .text = "{positions} {positions:position|positions} {positions:was|were} left out: the vehicle computed "
+             "{positions:it|them} by dead reckoning before its first fix, and {positions:it is|they are} too "
+             "far from that fix",
      .slots = {{{"positions", 3}}}},
     {.code = "currents-turned-to-true-north",
      .rank = Rank::note,
@@ -209,7 +210,7 @@ inline constexpr auto ingest_track_kinds = std::to_array<Kind>({
      .slots = {{{"fault", "its tags end early"}}}},
     {.code = "binary-log-without-end",
      .rank = Rank::note,
-     .text = "the log ends before its end mark; all that is whole was read",
+     .text = "the log ends before its end mark; its complete part was read",
      .hint = "If it was cut short, copy it again"},
     {.code = "sensor-unit-altered",
      .rank = Rank::caution,

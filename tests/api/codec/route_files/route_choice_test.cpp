@@ -153,7 +153,7 @@ TEST(RouteChoice, IsTheSameForEveryFormat) {
           }
         }
       }
-      EXPECT_THAT(fault_of(name, text, "nothing"), HasSubstr("holds no route \"nothing\", but 1 "));
+      EXPECT_THAT(fault_of(name, text, "nothing"), HasSubstr("holds no route \"nothing\"; it holds 1 "));
     }
   });
 }
@@ -172,7 +172,7 @@ TEST(RouteChoice, IsARefusalThatNamesTheRoutesAndTheWay) {
   EXPECT_EQ(read_route_file("a.gpx", gpx(alike, "rte", "rtept"), "2")->places.front(), two[1].places.front());
   const std::vector<Given> counted{{"2", two[0].places}, {"back", two[1].places}};
   EXPECT_THAT(fault_of("a.gpx", gpx(counted, "rte", "rtept"), "2"),
-              HasSubstr("as the name of 1 \"2\" and as the number of 2 \"back\""));
+              HasSubstr("is the name of 1 \"2\" and the number of 2 \"back\""));
   EXPECT_EQ(read_route_file("a.gpx", gpx(counted, "rte", "rtept"), "1")->places.front(),
             two[0].places.front());
 }
@@ -214,7 +214,7 @@ TEST(RouteChoice, LeavesOutWhatIsHiddenAndTracksBesideARouteUnlessNamed) {
     EXPECT_EQ(read->places, two[0].places);
     EXPECT_THAT(read->warnings, ElementsAre(HasSubstr("\"old\" is left out (hidden)")));
     EXPECT_EQ(read_route_file("a.kml", text, "old")->places, two[1].places);
-    EXPECT_THAT(fault_of("a.kml", "<kml>" + hidden + "</kml>"), HasSubstr("no route that is shown"));
+    EXPECT_THAT(fault_of("a.kml", "<kml>" + hidden + "</kml>"), HasSubstr("only routes that are not shown"));
   }
   const std::string both =
       "<gpx><trk><name>flown</name><trkseg><trkpt lat='1' lon='1'/><trkpt lat='1' lon='2'/>"
@@ -243,7 +243,7 @@ TEST(RouteChoice, LeavesOutWhatOpenCpnHides) {
     file += "</gpx>";
 
     if (shown == count) {
-      EXPECT_THAT(fault_of("a.gpx", file), HasSubstr("no route that is shown"));
+      EXPECT_THAT(fault_of("a.gpx", file), HasSubstr("only routes that are not shown"));
     } else {
       const auto read = read_route_file("a.gpx", file, {});
       ASSERT_TRUE(read) << fault_of("a.gpx", file);
@@ -364,7 +364,7 @@ TEST(NmeaRoutes, ThatAreSentAgainCountOnceAndThoseThatLackASentenceAreRefused) {
   const std::string none = "$GPRTE,1,1,c,*37\n";  // what a plotter without an active route sends
   EXPECT_EQ(read_route_file("a.nmea", places + none + listing + listing)->places, two[0].places);
   EXPECT_THAT(fault_of("a.nmea", places + "$GPRTE,2,1,c,r,A\n"), HasSubstr("lacks sentence 2 of 2"));
-  EXPECT_THAT(fault_of("a.nmea", places + "$GPRTE,2,2,c,r,B\n"), HasSubstr("one before is missing"));
+  EXPECT_THAT(fault_of("a.nmea", places + "$GPRTE,2,2,c,r,B\n"), HasSubstr("the sentence before it is missing"));
 }
 
 TEST(ImcRoutes, ThatBranchAreRefused) {

@@ -267,12 +267,12 @@ TEST(NmeaRoute, IsFlownInTheOrderOfItsWaypointsWhereNoRouteIsGiven) {
 TEST(NmeaRoute, IsRefusedWithTheLineThatIsWrong) {
   const std::string good = "$GPWPL,6915.0000,N,05330.0000,W,A\n";
   EXPECT_THAT(fault_of("a.nmea", good + "$GPWPL,6915.0000,N,05330.0000,W,B*00\n"),
-              HasSubstr("line 2: has a check"));
+              HasSubstr("line 2: has a wrong checksum"));
   EXPECT_THAT(fault_of("a.nmea", good + "$GPWPL,6960.0000,N,05330.0000,W,B\n"),
-              HasSubstr("line 2: is no latitude"));
-  EXPECT_THAT(fault_of("a.nmea", good + "$GPWPL,69.25,N,53.5,W,B\n"), HasSubstr("line 2: is no latitude"));
+              HasSubstr("line 2: is not a latitude"));
+  EXPECT_THAT(fault_of("a.nmea", good + "$GPWPL,69.25,N,53.5,W,B\n"), HasSubstr("line 2: is not a latitude"));
   EXPECT_THAT(fault_of("a.nmea", good + "$GPWPL,6915.0000,E,05330.0000,W,B\n"), HasSubstr("line 2"));
-  EXPECT_THAT(fault_of("a.nmea", good + "$GPWPL,6916.0000,N,05330.0000,W,A\n"), HasSubstr("somewhere else"));
+  EXPECT_THAT(fault_of("a.nmea", good + "$GPWPL,6916.0000,N,05330.0000,W,A\n"), HasSubstr("another position"));
   EXPECT_THAT(fault_of("a.nmea", good + "$GPRTE,1,1,c,r,A,B\n"), HasSubstr("waypoint B in its route"));
   EXPECT_THAT(fault_of("a.nmea", good + "$GPRTE,1,1,c,r,A\n$GPRTE,1,1,c,s,A\n"), HasSubstr("holds 2 routes"));
   EXPECT_THAT(fault_of("a.nmea", "$GPGGA,120000\n"), HasSubstr("no WPL"));
