@@ -81,7 +81,7 @@ std::string for_zsh(std::span<const Command> commands) {
       "# Completion of floeplan for zsh, as floeplan completion zsh writes it.\n"
       "_floeplan() {\n"
       "  local word command=''\n"
-      "  local -a offered\n"
+      "  local -a commands flags\n"
       "  for word in \"${(@)words[2,CURRENT-1]}\"; do\n"
       "    case $command in\n" +
       steps(commands) +
@@ -89,16 +89,18 @@ std::string for_zsh(std::span<const Command> commands) {
       "  done\n"
       "  case $command in\n";
   for (const Command& command : commands) {
-    text += "    " + quoted(command.path) + ") offered=(";
+    text += "    " + quoted(command.path) + ") commands=(";
     for (const std::string& name : command.commands)
       text += ' ' + described(name, find(commands, path_below(command, name))->description);
+    text += " ) flags=(";
     for (const Argument& flag : command.flags)
       for (const std::string& name : flag.names) text += ' ' + described(name, flag.help);
     text += " ) ;;\n";
   }
   return text +
          "  esac\n"
-         "  _describe -o floeplan offered\n"
+         "  _describe command commands\n"
+         "  _describe -o flag flags\n"  // zsh offers what is called an option only after a "-"
          "  _files\n"
          "}\n"
          "_floeplan \"$@\"\n";

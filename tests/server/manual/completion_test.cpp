@@ -77,6 +77,41 @@ TEST(FishCompletion, OffersCommandsAndThenTheirFlags) {
   EXPECT_THAT(offered_by_fish("floeplan datasets pr"), testing::StartsWith("prune"));
 }
 
+/// Prints the line that a Tab makes of the words of its second argument, in an interactive zsh with the script in the folder of
+/// its first.
+constexpr const char* zsh_with_tab = R"(
+zmodload zsh/zpty
+zpty shell zsh -f -i
+zpty -w shell "unset zle_bracketed_paste; PS1=; fpath=($1 \$fpath); autoload -Uz compinit; compinit -D -u"
+zpty -w shell 'show() { print -r -- "<$BUFFER>" }; zle -N show; bindkey "^X" show; print READ""Y'
+zpty -r shell line '*READY*'
+zpty -w -n shell "$2"$'\t\x18'
+zpty -r shell line '*<*>*'
+print -r -- "${${line##*<}%%>*}"
+zpty -d shell
+)";
+
+TEST(ZshCompletion, OffersCommandsAndThenTheirFlags) {
+  if (!is_there("zsh")) GTEST_SKIP() << "zsh is not installed";
+  const support::TemporaryFolder folder;
+  std::ofstream{folder.path() / "_floeplan"} << completion("zsh", commands());
+  std::ofstream{folder.path() / "tab"} << zsh_with_tab;
+  const auto completed = [&](const std::string& words) {
+    const std::string here = folder.path().string();
+    EXPECT_EQ(
+        std::system(
+            ("timeout 60 zsh -f " + here + "/tab " + here + " '" + words + "' > " + here + "/out").c_str()),
+        0)
+        << words;
+    std::ifstream out{folder.path() / "out"};
+    return std::string{std::istreambuf_iterator<char>{out}, {}};
+  };
+
+  EXPECT_EQ(completed("floeplan pl"), "floeplan plan \n");
+  EXPECT_EQ(completed("floeplan datasets pr"), "floeplan datasets prune \n");
+  EXPECT_THAT(completed("floeplan plan --mar"), testing::StartsWith("floeplan plan --margin"));
+}
+
 TEST(Completions, AreRefusedForAnotherShell) {
   EXPECT_THROW((void)completion("csh", commands()), std::invalid_argument);
 }
