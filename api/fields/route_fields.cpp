@@ -27,13 +27,13 @@ const std::vector<Field>& way_fields() {
       {.name = "from",
        .kind = Kind::place,
        .flag = "from",
-       .help = "Start, [longitude, latitude] in degrees",
+       .help = "Start, longitude and latitude in degrees",
        .details = "A third number, the height, is ignored",
        .form = {"Start", {}, "69°10.2′N 51°21.0′W"}},
       {.name = "to",
        .kind = Kind::place,
        .flag = "to",
-       .help = "Goal, [longitude, latitude] in degrees",
+       .help = "Goal, longitude and latitude in degrees",
        .form = {"Goal"}},
       {.name = "via",
        .kind = Kind::places,
@@ -58,7 +58,8 @@ const Table<PlanRequest>& order_fields() {
               {.name = "via_order",
                .flag = "best-order",
                .flag_sets = "best",
-               .help = "Order of the via points: as given, or the one that reaches the goal earliest"},
+               .help =
+                   "Visit the via points in the given order, or in the order that reaches the goal earliest"},
               std::vector<Choice<bool>>{{{"given"}, false}, {{"best"}, true}},
               [](auto& request) -> auto& { return request.via_in_best_order; }),
       });
@@ -142,7 +143,7 @@ const std::vector<Field>& window_fields() {
        .kind = Kind::time,
        .flag = "depart-until",
        .group = group::window,
-       .help = "Last departure of a window that begins at depart; the best departure is planned",
+       .help = "Last departure of a window that begins at the given departure; the best departure is planned",
        .form = {"Latest departure", "UTC", "one departure only"}},
       {.name = "depart_step",
        .kind = Kind::duration,
@@ -155,7 +156,7 @@ const std::vector<Field>& window_fields() {
        .kind = Kind::time,
        .flag = "arrive-by",
        .group = group::window,
-       .help = "Latest arrival: the plan leaves as late as possible, not before depart",
+       .help = "Latest arrival: the plan leaves as late as possible, but not before the given departure",
        .form = {"Latest arrival", "UTC", "any", "The plan leaves as late as possible and arrives in time."}},
   };
   return list;

@@ -77,7 +77,7 @@ const Table<PlanRequest>& search_fields() {
           bound<PlanRequest>(
               {.name = "refine",
                .flag = "no-refine",
-               .help = "Refine the route: move waypoints off the grid where that lowers the cost",
+               .help = "Refine the route by moving waypoints off the grid where that lowers the cost",
                .form = {"Refine the route beyond the grid"}},
               [](auto& request) -> auto& { return request.refine; }),
           bound<PlanRequest>(
@@ -86,7 +86,7 @@ const Table<PlanRequest>& search_fields() {
                .least = 0.05,
                .most = 60.0,
                .flag = "refine-seconds",
-               .help = "Work of the refinement, as the time that a usual machine takes for it",
+               .help = "Limit of the work of refinement, as its time on a usual machine",
                .details =
                    "Each second allows 200000 leg computations, 30000 with energy or encounters in "
                    "the objective, half of that with a thruster. The limit counts computations and not "

@@ -21,8 +21,8 @@ const std::vector<Field>& vehicle_fields() {
   static const std::vector<Field> list{
       {.name = "vehicle",
        .flag = "vehicle",
-       .help = "Vehicle: name of a vehicle profile (default slocum-g3-200); in a request also an object with "
-               "that name as profile and the members to change",
+       .help = "Name of a vehicle profile (default slocum-g3-200)",
+       .details = "Also an object with that name as profile and the members to change",
        .form = {"Vehicle"}},
   };
   return list;

@@ -133,7 +133,7 @@ FigurePath until(const FigurePath& path, const planning::optimal_control::TimedW
 
 Figure time_sequence(const Water<planning::currents::MeanderingJet>& jet) {
   constexpr int panels = 6;
-  Figure figure = jet_figure(8, "Figure 8: the way by the 3-sector grid as time goes by", 460.0);
+  Figure figure = jet_figure(8, "Figure 8: the route on the 3-sector grid at several times", 460.0);
   figure.panels_in_a_row = 2;
   const GridCase& searched = find_case(jet.cases, "3-sector").searched;
   const auto way = CaseSearch{searched, jet.current, jet.through_water, tolerance}.fastest().value();

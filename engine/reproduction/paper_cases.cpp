@@ -61,7 +61,7 @@ std::vector<PaperCase> river_cases() {
 
 std::vector<PaperCase> jet_cases() {
   const std::string no_gain = "no gain, as the paper says";
-  const std::string closed = "the way that the weights at departure give cannot be travelled later";
+  const std::string closed = "the route found with the weights at departure is closed later";
   return {
       {{"1-sector", 19.623, 19.606, 6520, ""}, {jet_grid, 1}},
       {{"2-sector", 17.951, 18.006, 12680, ""}, {jet_grid, 2}},

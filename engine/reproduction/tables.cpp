@@ -59,7 +59,7 @@ class Table {
   void add_refined(std::size_t legs) {
     const CaseSearch product{water_, current_, through_water_, product_default};
     ReproducedRow row{.printed = {.row = "refined, " + std::to_string(legs) + " legs",
-                                  .remark = "the 3-sector way, its points moved off the grid"}};
+                                  .remark = "the 3-sector route with its points moved off the grid"}};
     if (const auto found = product.fastest()) {
       planning::cost::Route way{found->points, std::vector<bool>(found->points.size(), false)};
       way.fixed.front() = way.fixed.back() = true;

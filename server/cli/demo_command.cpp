@@ -52,7 +52,7 @@ int run_demo(const DemoFlags& flags) {
     for (const auto& file : files) std::cout << file.string() << '\n';
   }
   std::cerr << "These data are synthetic and not for navigation; README.txt beside them says what is real.\n"
-               "Once they are ingested, try: "
+               "Once they are ingested, plan with: "
             << command_line(example) << '\n';
   if (scenario == demo::Scenario::disko)
     std::cerr << "For a plan under ice: floeplan demo ice/ --scenario pack-ice\n";

@@ -17,7 +17,7 @@ struct RecheckFlags {
 };
 
 void print_lines(const json& document, const service::PlanCheck& check) {
-  if (!document.at("stale")) std::cout << "The plan's data are those of today.\n";
+  if (!document.at("stale")) std::cout << "No data of the plan have changed.\n";
   for (const json& dataset : document.at("changed_data"))
     std::cout << dataset.at("change").get<std::string>() << "  " << dataset.at("kind").get<std::string>()
               << "  " << dataset.at("name").get<std::string>() << " (" << dataset.at("id").get<std::string>()
@@ -45,7 +45,7 @@ int run_recheck(const RecheckFlags& flags, const Program& program) {
 void add_recheck(CLI::App& app, Program& program) {
   auto flags = std::make_shared<RecheckFlags>();
   auto* command = app.add_subcommand(
-      "recheck", "Tell which data of a plan have changed since, and follow it through those of today");
+      "recheck", "List the data that changed since a plan was made, and check the plan in today's data");
   command->add_option("PLAN", flags->plan_id, "The plan's id")->required();
   command->add_flag("--json", flags->json_out, "Answer with one JSON document");
   command->callback([flags, &program] { program.exit_code = run_recheck(*flags, program); });

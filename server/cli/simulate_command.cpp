@@ -107,9 +107,10 @@ void print_statistics(const json& document) {
   const json& statistics = document.at("statistics");
   for (const json& end : statistics.at("ends")) {
     const json& interval = end.at("share_interval_95");
-    std::printf("%-24s %9d  %5.1f %% (%.1f to %.1f)\n", end.at("end").get<std::string>().c_str(),
-                end.at("runs").get<int>(), 100.0 * end.at("share").get<double>(),
-                100.0 * interval[0].get<double>(), 100.0 * interval[1].get<double>());
+    std::printf("%-24s %9d  %5.1f %% (95 %% confidence: %.1f to %.1f)\n",
+                end.at("end").get<std::string>().c_str(), end.at("runs").get<int>(),
+                100.0 * end.at("share").get<double>(), 100.0 * interval[0].get<double>(),
+                100.0 * interval[1].get<double>());
   }
   std::printf("%-24s %9s %9s %9s %9s %9s\n", "quantiles", "5 %", "25 %", "50 %", "75 %", "95 %");
   print_distribution("travel time, arrived", statistics.at("travel_time_s"), 3600.0, "h");

@@ -123,7 +123,7 @@ std::vector<DataFormat> all_formats() {
   using enum repository::DatasetKind;
   return {
       {.name = "Zarr",
-       .reads = "stores of version 2, and of version 3 without shards: what is read of NetCDF",
+       .reads = "the same as from NetCDF; stores of version 2, and of version 3 without shards",
        .kinds = {currents, wind, bathymetry, ice, tides, glider_tracks},
        .writing = Writing::folder,
        .is_it = [](const FileStart& start) { return is_zarr(start.folder); },
@@ -149,9 +149,8 @@ std::vector<DataFormat> all_formats() {
        .check = check_hdf5_references},
 
       {.name = "S-111",
-       .reads = "surface currents of a hydrographic office on a regular grid, or at places of their own "
-                "(data coding "
-                "formats 2 and 3)",
+       .reads = "surface currents of a hydrographic office, on a regular grid or at separate places "
+                "(data coding formats 2 and 3)",
        .kinds = {currents},
        .writing = Writing::binary,
        .is_it = [](const FileStart& start) { return is_s100(start.bytes, "S-111"); },
@@ -203,7 +202,7 @@ std::vector<DataFormat> all_formats() {
            }},
 
       {.name = "shapefile",
-       .reads = "what is read of a GeoPackage, with the parts beside it",
+       .reads = "the same as from a GeoPackage; needs the other files of the shapefile beside it",
        .kinds = {icebergs, zones, coastline, ice},
        .writing = Writing::binary,
        .is_it = [](const FileStart& start) { return start.bytes.starts_with("\x00\x00\x27\x0a"sv); },
@@ -256,7 +255,7 @@ std::vector<DataFormat> all_formats() {
            }},
 
       {.name = "Brigham Young University",
-       .reads = "its list of the current positions of icebergs, JSON",
+       .reads = "its list of present iceberg positions, JSON",
        .kinds = {icebergs},
        .writing = Writing::json,
        .is_it = [](const FileStart& start) { return is_iceberg_list_json(start.bytes); },
@@ -270,7 +269,7 @@ std::vector<DataFormat> all_formats() {
        .read = [](const Reading& r) { return read_tide_json(r.file.path, r.options); }},
 
       {.name = "KML",
-       .reads = "what is read of GeoJSON; KMZ is an archive of it",
+       .reads = "the same as from GeoJSON; KMZ too",
        .kinds = {icebergs, zones, coastline, ice},
        .writing = Writing::xml,
        .is_it = [](const FileStart& start) { return xml::root_name(start.bytes) == "kml"; },
@@ -321,9 +320,9 @@ std::vector<DataFormat> all_formats() {
        .has_lines = true},
 
       {.name = "table of your own",
-       .reads = "icebergs: columns id, lat, lon and time, and what else is known of them; detections from "
-                "satellites "
-                "with a confidence in place of the id",
+       .reads =
+           "columns id, lat, lon and time, and others that are known; satellite detections with a confidence "
+           "in place of the id",
        .kinds = {icebergs},
        .writing = Writing::text,
        .is_it =

@@ -39,11 +39,11 @@ std::string cell(const json& value, const char* format, double factor = 1.0) {
 std::string label(const json& index) { return codec::waypoint_label(index.get<std::size_t>()); }
 
 void print_table(const json& plan) {
-  std::printf("%-4s %-14s %-14s %-20s %9s %8s %6s %7s %8s  %s\n", "no.", "latitude", "longitude", "ETA",
-              "leg km", "course", "m/s", "depth m", "kJ", "drive");
+  std::printf("%-4s %-14s %-14s %-20s %9s %8s %8s %7s %8s  %s\n", "no.", "latitude", "longitude", "ETA",
+              "leg km", "course", "SOG m/s", "depth m", "kJ", "propulsion");
   for (const json& waypoint : plan.at("waypoints")) {
     std::printf(
-        "%-4s %-14s %-14s %-20s %9s %8s %6s %7s %8s  %s\n", label(waypoint.at("index")).c_str(),
+        "%-4s %-14s %-14s %-20s %9s %8s %8s %7s %8s  %s\n", label(waypoint.at("index")).c_str(),
         degrees_minutes(waypoint.at("lat"), 'N', 'S').c_str(),
         degrees_minutes(waypoint.at("lon"), 'E', 'W').c_str(), waypoint.at("eta").get<std::string>().c_str(),
         cell(waypoint.at("leg_m"), "%.2f", 1e-3).c_str(), cell(waypoint.at("course_deg"), "%.1f").c_str(),
@@ -219,7 +219,7 @@ std::vector<std::string> clearance_lines(const json& plan) {
   std::vector<std::string> lines;
   if (!known.empty()) lines.push_back(std::move(known));
   if (const json expected = plan.value("iceberg_encounters", json()); expected.is_number())
-    lines.push_back("expected encounters with icebergs, within the margin: " + cell(expected, "%.2g"));
+    lines.push_back("expected encounters with icebergs (closer than the margin): " + cell(expected, "%.2g"));
   return lines;
 }
 

@@ -85,7 +85,7 @@ struct OwnWay {
 /// By the pointers of their fields.
 const std::map<std::string, OwnWay> own_ways{
     {"/uncertainty/objective", {set_robust, "mean, or a share of the members such as 0.9"}},
-    {"/objective", {set_objective, "weighted:W with W the seconds that a joule is worth"}},
+    {"/objective", {set_objective, "weighted:W counts each joule as W seconds"}},
     {"/spacing_m", {set_spacing, "as 1000 or 1000,500"}},
     {"/hours", {set_hours, "as 6 or 6,12,24"}},
     {"/goals_file",
@@ -155,9 +155,9 @@ std::string form_of(const Field& field) {
       for (const fields::Word& word : field.words)
         words += (words.empty() ? ": " : ", ") + std::string{word.name};
       return words;
-    case Kind::place: return "; as LON,LAT";
-    case Kind::places: return "; as LON,LAT, may be repeated";
-    case Kind::datasets: return "; as ID,ID";
+    case Kind::place: return "; for example " + flag_of(field) + "=-53.20,69.20";
+    case Kind::places: return "; may be repeated";
+    case Kind::datasets: return "";
     default: return "";
   }
 }
@@ -165,7 +165,7 @@ std::string form_of(const Field& field) {
 /// "Kept below the deepest keel when passing under, metres, 0 to 1000; default 20".
 std::string help_of(const Field& field) {
   std::string help{field.help};
-  if (!field.flag_sets.empty()) return help + ": sets " + std::string{field.flag_sets};
+  if (!field.flag_sets.empty()) return help + "; the flag selects " + std::string{field.flag_sets};
   if (field.kind == Kind::boolean && is_usual(field)) {
     help.front() = static_cast<char>(std::tolower(help.front()));
     return "Do not " + help;
