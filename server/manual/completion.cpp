@@ -101,7 +101,7 @@ std::string for_zsh(std::span<const Command> commands) {
          "  esac\n"
          "  _describe command commands\n"
          "  _describe -o flag flags\n"  // zsh offers what is called an option only after a "-"
-         "  _files\n"
+         "  (( $#commands )) || _files\n"
          "}\n"
          "_floeplan \"$@\"\n";
 }
