@@ -297,7 +297,7 @@ TEST(ImcRoute, IsRefusedWithTheManeuverThatIsWrong) {
               HasSubstr("radians"));
   EXPECT_THAT(fault_of("plan.json", imc_plan({R"({"abbrev":"Rows","lat":1.2,"lon":-0.9})"})),
               HasSubstr("pattern"));
-  EXPECT_THAT(fault_of("plan.json", imc_plan({})), HasSubstr("not there"));
+  EXPECT_THAT(fault_of("plan.json", imc_plan({})), HasSubstr("does not hold it"));
   EXPECT_THAT(fault_of("plan.json", R"({"abbrev":"Abort"})"), HasSubstr("PlanSpecification"));
 }
 
