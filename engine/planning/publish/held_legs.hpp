@@ -26,8 +26,8 @@ class HeldLegs {
  private:
   struct Hold {
     geo::PlanePoint place;
-    core::Metres about;       // places so near count as this one
-    core::Seconds no_sooner;  // the earliest departure from the place
+    core::Metres about;  // places so near count as this one
+    core::Seconds ends;  // by the schedule
   };
 
   const cost::Sea& sea_;

@@ -72,8 +72,7 @@ void tell_of_long_below_ice(Plan& plan, const PlanRequest& request) {
     return;
   const auto arrives = static_cast<std::size_t>(first - states.begin());
   const Waypoint& begin = plan.waypoints[arrives > 0 ? arrives - 1 : 0];
-  plan.messages.push_back(
-      messages::plan_message<"long-below-ice">(longest.count() / 3600.0).at(begin.place));
+  plan.messages.push_back(messages::plan_message<"long-below-ice">(longest.count() / 3600.0).at(begin.place));
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "engine/planning/cost/route_cost.hpp"
 #include "engine/planning/cost/straightening.hpp"
 #include "engine/planning/publish/held_legs.hpp"
+#include "engine/planning/publish/holds_for_legs.hpp"
 #include "engine/planning/refinement/refinement.hpp"
 #include "engine/planning/refinement/refinement_budget.hpp"
 #include "engine/planning/refinement/shortening.hpp"
@@ -192,8 +193,11 @@ Improved improve(const cost::Sea& sea, const cost::Route& way, const PlanRequest
   }
   improved.route = finished(sea, improved.route, request, stop);
   if (request.max_waypoints ? stays_open(sea, improved.route)
-                            : is_as_early(sea, improved.route, way, request.leg_tolerance))
+                            : is_as_early(sea, improved.route, way, request.leg_tolerance)) {
+    if (request.refine && request.leg_tolerance > 0.0 && !request.max_leg)
+      improved.route = with_holds_for_short_legs(sea, std::move(improved.route), stop);
     return improved;
+  }
   const cost::Route joined = joined_where_open(sea, way);
   if (request.refine && request.method != Method::direct && sea.overhead().bounds_surfacing()) {
     Improved held = refined(sea, held_at_the_ice(sea, joined), request, stop);

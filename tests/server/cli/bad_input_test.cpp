@@ -157,13 +157,13 @@ TEST(BadInput, NotANumberInAFlagIsWrongUsage) {
   EXPECT_THAT(outcome.err, HasSubstr("--from"));
 }
 
-/// Of each flag of a command whose help says that it takes a number.
+/// The names of the flags of a command whose help says that they take a number; of several names the first, as messages do.
 std::vector<std::string> flags_with_a_number(const Program& program,
                                              const std::vector<std::string>& command) {
   std::vector<std::string> words = command;
   words.push_back("--help-all");
   const std::string help = program.run(words).out;
-  static const std::regex form{R"((--[a-z-]+) (NUMBER|INTEGER))"};
+  static const std::regex form{R"((--[a-z-]+)(,--[a-z-]+)* (NUMBER|INTEGER))"};
   std::vector<std::string> flags;
   for (std::sregex_iterator at{help.begin(), help.end(), form}; at != std::sregex_iterator{}; ++at)
     flags.push_back((*at)[1]);

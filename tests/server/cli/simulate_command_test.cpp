@@ -23,7 +23,7 @@ class SimulateCli : public testing::Test {
     const auto demo = program_.folder() / "demo";
     ASSERT_EQ(program_.run({"demo", demo.string(), "--start", "2026-11-22"}).exit_code, 0);
     ASSERT_EQ(program_.run({"ingest", (demo / "disko-synthetic-bathymetry.tif").string()}).exit_code, 0);
-    const Outcome plan = program_.run({"plan", "--from=-53.0,69.0", "--to=-52.96,69.005", "--depart",
+    const Outcome plan = program_.run({"plan", "--from=-53.0,69.0", "--to=-52.8,69.02", "--depart",
                                        "2026-11-22T06:00:00Z", "--spacing", "500", "--no-refine", "--json"});
     ASSERT_EQ(plan.exit_code, 0) << plan.err;
     plan_id_ = plan.json()["plan_id"];

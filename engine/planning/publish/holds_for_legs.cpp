@@ -1,0 +1,89 @@
+#include "engine/planning/publish/holds_for_legs.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "engine/planning/cost/hold_times.hpp"
+#include "engine/planning/cost/route_cost.hpp"
+#include "engine/planning/refinement/longer_legs.hpp"
+
+namespace floeplan::planning::publish {
+namespace {
+
+struct Candidate {
+  cost::Route route;
+  core::Seconds arrival;
+};
+
+/// Points of a route, both included.
+struct Run {
+  std::size_t first;
+  std::size_t last;
+};
+
+/// The ends of the short legs next to each other, that from point `i` among them.
+Run run_about(std::size_t i, const std::vector<std::size_t>& short_legs) {
+  const auto is_short = [&](std::size_t leg) {
+    return std::ranges::find(short_legs, leg) != short_legs.end();
+  };
+  Run run{i, i + 1};
+  while (run.first > 0 && is_short(run.first - 1)) --run.first;
+  while (is_short(run.last)) ++run.last;
+  return run;
+}
+
+/// Without the free points of a run, but for one that is kept.
+cost::Route without(const cost::Route& route, Run run, std::optional<std::size_t> kept) {
+  cost::Route left;
+  for (std::size_t i = 0; i < route.points.size(); ++i) {
+    const bool goes = run.first <= i && i <= run.last && !route.fixed[i] && i != kept;
+    if (goes) continue;
+    left.points.push_back(route.points[i]);
+    left.fixed.push_back(route.fixed[i]);
+  }
+  return left;
+}
+
+/// The earliest of the routes with fewer short legs that arrive in time; empty: there is none.
+std::optional<Candidate> with_hold_about(const cost::Sea& sea, const cost::Route& route, Run run,
+                                         std::size_t short_legs, core::Seconds latest) {
+  std::optional<Candidate> best;
+  const auto consider = [&](std::optional<std::size_t> kept) {
+    cost::Route other = without(route, run, kept);
+    if (other.points.size() == route.points.size()) return;
+    if (refinement::short_legs(other).size() >= short_legs) return;
+    const auto arrivals = cost::arrivals_along(sea, other.points, cost::at_departure);
+    if (!arrivals || arrivals->back() > latest || (best && best->arrival <= arrivals->back())) return;
+    best = Candidate{std::move(other), arrivals->back()};
+  };
+  consider(std::nullopt);
+  for (std::size_t kept = run.first; kept <= run.last; ++kept)
+    if (!route.fixed[kept]) consider(kept);
+  return best;
+}
+
+}  // namespace
+
+cost::Route with_holds_for_short_legs(const cost::Sea& sea, cost::Route route, const std::stop_token& stop) {
+  constexpr double worth = 0.5;  // of the time on the short legs, for a hold in their place: a judgement
+  if (!cost::holds_may_help(sea)) return route;
+  for (bool changed = true; changed && !stop.stop_requested();) {
+    const auto arrivals = cost::arrivals_along(sea, route.points, cost::at_departure);
+    if (!arrivals) return route;
+    const std::vector<std::size_t> too_short = refinement::short_legs(route);
+    changed = std::ranges::any_of(too_short, [&](std::size_t i) {
+      const Run run = run_about(i, too_short);
+      const core::Seconds latest =
+          arrivals->back() + worth * ((*arrivals)[run.last] - (*arrivals)[run.first]);
+      auto held = with_hold_about(sea, route, run, too_short.size(), latest);
+      if (held) route = std::move(held->route);
+      return held.has_value();
+    });
+  }
+  return route;
+}
+
+}  // namespace floeplan::planning::publish
