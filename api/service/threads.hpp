@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <thread>
 
 #include "api/service/parallel_runs.hpp"
 #include "engine/core/executor.hpp"
@@ -13,8 +14,11 @@ class Threads final : public core::Executor {
   explicit Threads(std::size_t workers) : workers_{workers} {}
 
   void run(std::size_t count, const Piece& piece) const override {
-    run_in_parallel(
-        count, workers_, {}, [&](std::size_t i, const std::stop_token&) { piece(i); }, [](std::size_t) {});
+    const auto caller = std::this_thread::get_id();
+    const auto run = [&](std::size_t i, const std::stop_token&) {
+      piece(i, std::this_thread::get_id() == caller);
+    };
+    run_in_parallel(count, workers_, {}, run, [](std::size_t) {});
   }
 
  private:

@@ -6,7 +6,7 @@ namespace {
 class InOrder : public Executor {
  public:
   void run(std::size_t count, const Piece& piece) const override {
-    for (std::size_t i = 0; i < count; ++i) piece(i);
+    for (std::size_t i = 0; i < count; ++i) piece(i, true);
   }
 };
 

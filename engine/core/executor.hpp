@@ -3,7 +3,6 @@
 #include <atomic>
 #include <cstddef>
 #include <functional>
-#include <thread>
 #include <utility>
 
 namespace floeplan::core {
@@ -12,7 +11,8 @@ namespace floeplan::core {
 /// threads there are. Results do not depend on their number.
 class Executor {
  public:
-  using Piece = std::function<void(std::size_t index)>;
+  /// `is_caller`  whether this is the thread that called `run`, where progress is listened to
+  using Piece = std::function<void(std::size_t index, bool is_caller)>;
 
   Executor() = default;
   Executor(const Executor&) = delete;
@@ -28,19 +28,18 @@ class Executor {
 /// Does one piece after the other on the calling thread.
 [[nodiscard]] const Executor& in_order();
 
-/// Counts what has ended on several threads, and tells of it on the thread that made it only, where progress is listened to.
+/// Counts what has ended on several threads, and tells of it on the one that called `run`.
 class CountOfEnded {
  public:
   explicit CountOfEnded(std::function<void(std::size_t)> listener) : listener_{std::move(listener)} {}
 
-  void add() {
+  void add(bool is_caller) {
     const std::size_t ended = ++ended_;
-    if (std::this_thread::get_id() == told_on_) listener_(ended);
+    if (is_caller) listener_(ended);
   }
 
  private:
   std::function<void(std::size_t)> listener_;
-  std::thread::id told_on_{std::this_thread::get_id()};
   std::atomic<std::size_t> ended_{0};
 };
 

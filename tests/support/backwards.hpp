@@ -16,7 +16,7 @@ class Backwards final : public core::Executor {
     const auto work = [&] {
       for (std::size_t next = left.load(); next > 0;) {
         if (!left.compare_exchange_weak(next, next - 1)) continue;
-        piece(next - 1);
+        piece(next - 1, false);
         next = left.load();
       }
     };

@@ -279,13 +279,13 @@ std::vector<Result<Journey>> leave_all(const std::vector<core::UtcTime>& departu
                                         tl::unexpected(search::explain_cancelled(request)));
   const std::size_t pieces = (departures.size() + departures_a_piece - 1) / departures_a_piece;
   core::CountOfEnded count{ended};
-  executor.run(pieces, [&](std::size_t piece) {
+  executor.run(pieces, [&](std::size_t piece, bool is_caller) {
     Comparison comparison{grounds, request};
     const std::size_t first = piece * departures.size() / pieces;
     const std::size_t end = (piece + 1) * departures.size() / pieces;
     for (std::size_t i = first; i < end && !stop.stop_requested(); ++i) {
       journeys[i] = comparison.leave(departures[i] - request.depart, stop);
-      count.add();
+      count.add(is_caller);
     }
   });
   return journeys;

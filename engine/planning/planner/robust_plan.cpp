@@ -180,9 +180,9 @@ Result<Plan> plan_uncertain(const Task& task, const Planning& plan_in_one_sea) {
     Result<Plan> in_first = evaluate_in(environment, places_of(*plan), request, stop);
     if (in_first) ways[way] = std::move(*in_first);
   };
-  executor.run(ways.size(), [&](std::size_t way) {
+  executor.run(ways.size(), [&](std::size_t way, bool is_caller) {
     if (!stop.stop_requested()) plan_a_way(way);
-    planned.add();
+    planned.add(is_caller);
   });
   if (stop.stop_requested()) return tl::unexpected(search::explain_cancelled(request));
   std::vector<Plan> candidates{*base};
@@ -195,9 +195,9 @@ Result<Plan> plan_uncertain(const Task& task, const Planning& plan_in_one_sea) {
   core::CountOfEnded timed{[&](std::size_t ended) {
     told(static_cast<double>(plans) + plans_a_look * static_cast<double>(ended));
   }};
-  executor.run(members.size(), [&](std::size_t member) {
+  executor.run(members.size(), [&](std::size_t member, bool is_caller) {
     driven[member] = drive_all(members.environment(member), request, candidates, stop);
-    timed.add();
+    timed.add(is_caller);
   });
   for (const auto& in_member : driven)
     for (std::size_t i = 0; i < candidates.size(); ++i) fares[i].add(in_member[i], objective);
