@@ -8,11 +8,11 @@
 namespace floeplan::simulation {
 namespace {
 
-/// Until a dive is under way its mean speed is that of starting.
+/// A dive has no steady mean speed before this.
 constexpr core::Seconds under_way{60.0};
 /// Shorter times between fixes tell more of their errors than of the drift.
 constexpr core::Seconds shortest_drift{30.0};
-/// Nor do shorter dives tell of the current.
+/// The surfacing after a shorter dive tells nothing of the current.
 constexpr core::Seconds shortest_dive{120.0};
 
 }  // namespace

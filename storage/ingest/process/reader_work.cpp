@@ -77,7 +77,7 @@ class Listening {
  private:
   static constexpr std::size_t most_reports = 100;  // a group holds a few kinds of data
 
-  /// False, and says why, where nothing more will come.
+  /// Whether the process may still send something. If not, `told_` says why.
   bool heard(ReaderProcess::Reading reading) {
     switch (reading) {
       case ReaderProcess::Reading::line: return true;

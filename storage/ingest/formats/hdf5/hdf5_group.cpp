@@ -34,12 +34,12 @@ Attribute single_attribute(hid_t object, const std::string& name) {
   return attribute;
 }
 
-/// Of the length that the library fills with zeros or blanks.
+/// A text that the library fills up to `most` bytes with zeros or blanks.
 std::string bounded_text(const char* bytes, std::size_t most) {
   return trimmed({bytes, strnlen(bytes, most)});
 }
 
-/// How a text of a file's type is written in memory.
+/// The type in memory that takes a text of this type of a file: its length, its characters and its padding are kept.
 Type text_in_memory(hid_t in_file) {
   Type type{H5Tcopy(H5T_C_S1)};
   const bool variable = H5Tis_variable_str(in_file) > 0;
