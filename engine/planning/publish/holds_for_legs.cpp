@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -17,6 +18,16 @@ struct Candidate {
   cost::Route route;
   core::Seconds arrival;
 };
+
+/// What a hold in the place of legs has to keep to.
+struct Exchange {
+  core::Seconds latest_arrival;
+  core::Seconds least_held;  // in the whole route
+};
+
+core::Seconds held_in(const cost::Schedule& schedule) {
+  return std::accumulate(schedule.waits.begin(), schedule.waits.end(), core::Seconds{0.0});
+}
 
 /// Points of a route, both included.
 struct Run {
@@ -47,17 +58,19 @@ cost::Route without(const cost::Route& route, Run run, std::optional<std::size_t
   return left;
 }
 
-/// The earliest of the routes with fewer short legs that arrive in time; empty: there is none.
+/// The earliest of the routes with fewer short legs that hold for long enough and arrive in time; empty: there is none.
 std::optional<Candidate> with_hold_about(const cost::Sea& sea, const cost::Route& route, Run run,
-                                         std::size_t short_legs, core::Seconds latest) {
+                                         std::size_t short_legs, const Exchange& exchange) {
   std::optional<Candidate> best;
   const auto consider = [&](std::optional<std::size_t> kept) {
     cost::Route other = without(route, run, kept);
     if (other.points.size() == route.points.size()) return;
     if (refinement::short_legs(other).size() >= short_legs) return;
-    const auto arrivals = cost::arrivals_along(sea, other.points, cost::at_departure);
-    if (!arrivals || arrivals->back() > latest || (best && best->arrival <= arrivals->back())) return;
-    best = Candidate{std::move(other), arrivals->back()};
+    const auto schedule = cost::schedule_along(sea, other.points, cost::at_departure);
+    if (!schedule || held_in(*schedule) < exchange.least_held) return;
+    const core::Seconds arrival = schedule->arrivals.back();
+    if (arrival > exchange.latest_arrival || (best && best->arrival <= arrival)) return;
+    best = Candidate{std::move(other), arrival};
   };
   consider(std::nullopt);
   for (std::size_t kept = run.first; kept <= run.last; ++kept)
@@ -68,17 +81,19 @@ std::optional<Candidate> with_hold_about(const cost::Sea& sea, const cost::Route
 }  // namespace
 
 cost::Route with_holds_for_short_legs(const cost::Sea& sea, cost::Route route, const std::stop_token& stop) {
-  constexpr double worth = 0.5;  // of the time on the short legs, for a hold in their place: a judgement
+  constexpr double most_later = 0.5;  // shares of the time on the short legs: judgements
+  constexpr double least_held = 0.5;
   if (!cost::holds_may_help(sea)) return route;
   for (bool changed = true; changed && !stop.stop_requested();) {
-    const auto arrivals = cost::arrivals_along(sea, route.points, cost::at_departure);
-    if (!arrivals) return route;
+    const auto schedule = cost::schedule_along(sea, route.points, cost::at_departure);
+    if (!schedule) return route;
     const std::vector<std::size_t> too_short = refinement::short_legs(route);
     changed = std::ranges::any_of(too_short, [&](std::size_t i) {
       const Run run = run_about(i, too_short);
-      const core::Seconds latest =
-          arrivals->back() + worth * ((*arrivals)[run.last] - (*arrivals)[run.first]);
-      auto held = with_hold_about(sea, route, run, too_short.size(), latest);
+      const core::Seconds on_short_legs = schedule->arrivals[run.last] - schedule->leaves(run.first);
+      const Exchange exchange{schedule->arrivals.back() + most_later * on_short_legs,
+                              held_in(*schedule) + least_held * on_short_legs};
+      auto held = with_hold_about(sea, route, run, too_short.size(), exchange);
       if (held) route = std::move(held->route);
       return held.has_value();
     });
