@@ -104,7 +104,9 @@ TEST(Bathymetry, IsAsDeepAtAPointOfItsFrameAsAtThePlaceThere) {
     const auto at_point = chart.shoalest_at(point);
     const auto at_place = chart.shoalest(geo::to_lon_lat(utm_22, point));
     ASSERT_EQ(at_point.has_value(), at_place.has_value());
-    if (at_point) EXPECT_NEAR(at_point->value, at_place->value, 1e-4);
+    if (at_point) {
+      EXPECT_NEAR(at_point->value, at_place->value, 1e-4);
+    }
   });
 }
 

@@ -170,7 +170,9 @@ void hold_as_planned(std::uint64_t seeds, bool is_tide) {
 
     EXPECT_EQ(flown.record.end, FlightEnd::arrived) << flown.record.end_reason;
     EXPECT_NEAR(share_of_wait(scene, flown), 1.0, 0.1);
-    if (!is_tide) EXPECT_LT(flown.farthest_m, 1.5 * planning::HoldRules{}.radius.value);
+    if (!is_tide) {
+      EXPECT_LT(flown.farthest_m, 1.5 * planning::HoldRules{}.radius.value);
+    }
   });
 }
 
