@@ -7,8 +7,8 @@
 namespace floeplan::planning::publish {
 namespace {
 
-/// How much later a hold ends than by the schedule: a leg that was moved a little opens a few seconds later. What is lost is
-/// won back when the holds are timed again. A judgement.
+/// How much earlier a hold may end after places were moved.
+constexpr core::Seconds leeway{3600.0};
 constexpr core::Seconds tardiness{2.0};
 /// Share of the legs beside a hold: how far its place may be moved. A judgement.
 constexpr double share_about = 0.25;
@@ -18,12 +18,18 @@ constexpr double share_about = 0.25;
 HeldLegs::HeldLegs(const cost::Sea& sea, const cost::Route& route, const cost::Schedule& schedule)
     : sea_{sea} {
   const auto& points = route.points;
+  std::vector<core::Seconds> ends;
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {
     if (schedule.waits[i].count() <= 0.0) continue;
     double leg_m = geo::distance_m(points[i], points[i + 1]);
     if (i > 0) leg_m = std::min(leg_m, geo::distance_m(points[i - 1], points[i]));
-    holds_.push_back({points[i], core::Metres{share_about * leg_m}, schedule.leaves(i)});
+    const core::Seconds end = schedule.leaves(i);
+    holds_.push_back({points[i], core::Metres{share_about * leg_m}, end - leeway});
+    ends.push_back(end);
   }
+  if (keeps(route, schedule)) return;
+  // With that leeway the vehicle would leave so early that something closes on it. So each hold ends as scheduled.
+  for (std::size_t i = 0; i < holds_.size(); ++i) holds_[i].no_sooner = ends[i];
 }
 
 tl::expected<core::Seconds, motion::EdgeClosed> HeldLegs::operator()(geo::PlanePoint a, geo::PlanePoint b,
@@ -31,10 +37,38 @@ tl::expected<core::Seconds, motion::EdgeClosed> HeldLegs::operator()(geo::PlaneP
   const auto hold = std::ranges::find_if(
       holds_, [&](const Hold& each) { return geo::distance_m(each.place, a) <= each.about.value; });
   if (hold == holds_.end()) return sea_.leg_time(a, b, depart);
-  const core::Seconds leaves = std::max(depart, hold->ends + tardiness);
-  if (leaves > depart && cost::can_stay_until(sea_, a, depart, leaves) < leaves)
-    return tl::unexpected(motion::EdgeClosed::too_late);
-  return sea_.leg_time(a, b, leaves).map([&](core::Seconds time) { return leaves + time - depart; });
+  return after_hold(a, b, depart, hold->no_sooner);
+}
+
+tl::expected<core::Seconds, motion::EdgeClosed> HeldLegs::after_hold(geo::PlanePoint a, geo::PlanePoint b,
+                                                                     core::Seconds depart,
+                                                                     core::Seconds no_sooner) const {
+  const auto at_once = sea_.leg_time(a, b, depart);
+  if (at_once && depart >= no_sooner) return at_once;
+  const core::Seconds stays = cost::can_stay_until(sea_, a, depart, depart + sea_.holding().longest);
+  core::Seconds from = std::max(depart, no_sooner);
+  while (from < stays) {
+    const cost::OpenLegLook look = cost::next_open_leg(sea_, a, b, {from, stays}, depart);
+    if (look.leg) {
+      // Not at the first possible second: the leg after it may close at that second.
+      const core::Seconds leaves = std::min(look.leg->depart + tardiness, stays);
+      const auto time = sea_.leg_time(a, b, leaves);
+      return time ? leaves + *time - depart : look.leg->arrival() - depart;
+    }
+    from = look.looked_until;
+  }
+  return tl::unexpected(at_once ? motion::EdgeClosed::too_late : at_once.error());
+}
+
+bool HeldLegs::keeps(const cost::Route& route, const cost::Schedule& schedule) const {
+  constexpr core::Seconds rounding{10.0};
+  core::Seconds now = schedule.arrivals.front();
+  for (std::size_t i = 1; i < route.points.size(); ++i) {
+    const auto time = (*this)(route.points[i - 1], route.points[i], now);
+    if (!time) return false;
+    now += *time;
+  }
+  return now <= schedule.arrivals.back() + rounding;
 }
 
 }  // namespace floeplan::planning::publish

