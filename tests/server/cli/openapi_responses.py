@@ -379,7 +379,8 @@ def data():
     drive("GET", "/map/bathymetry", 200, query=box + "&nx=32&ny=32")
     drive("GET", "/map/currents", 200, query=box + f"&nx=32&ny=32&time={DEPART}")
     drive("GET", "/map/sea-ice", 200, query=box + f"&nx=32&ny=32&time={DEPART}")
-    drive("GET", "/map/ice-chart", 200, query=box + f"&nx=32&ny=32&time={DEPART}")
+    ice = next(entry["id"] for entry in datasets if entry["kind"] == "ice")
+    drive("GET", "/map/ice-chart", 200, query=box + f"&nx=32&dataset={ice}")
     drive("POST", "/datasets/prune", 200, {"older_than": "P1D", "kind": "currents", "dry_run": True})
     for rules in ({}, {"older_than": "long"}, {"max_bytes": 0.5}, {"max_bytes": 1, "kind": "zones"}, {"younger": 1}, []):
         drive("POST", "/datasets/prune", 400, rules)
