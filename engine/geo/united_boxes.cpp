@@ -30,7 +30,8 @@ BoundingBox united(std::span<const BoundingBox> boxes) {
     arcs.push_back({wrap_longitude(box.west_deg), width_deg(box)});
   }
   std::ranges::sort(arcs, {}, &Arc::west_deg);
-  // Counted on from the first arc's beginning; an arc that runs past the last one's beginning closes the gaps there.
+  // Degrees are counted from the beginning of the first arc. An arc that runs past 360 reaches over the beginning of the
+  // first one again, and closes the gaps there.
   double reached_deg = 0.0;
   for (const Arc& arc : arcs)
     reached_deg = std::max(reached_deg, arc.west_deg - arcs.front().west_deg + arc.width_deg - 360.0);

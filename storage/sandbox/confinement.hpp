@@ -14,8 +14,9 @@ struct Layers {
   friend bool operator==(const Layers&, const Layers&) = default;
 };
 
-/// Whether a process in these layers may be given foreign bytes: the filter, and Landlock from version 2 on (Linux 5.19;
-/// Debian 12 has 6.1). Without Landlock it could read what its user can, without the filter speak to the network.
+/// Whether a process in these layers may be given foreign bytes. It needs the filter, and Landlock in version 2 at least
+/// (Linux 5.19; Debian 12 has 6.1). Without Landlock it could read every file of its user; without the filter it could
+/// speak to the network.
 [[nodiscard]] bool is_enough(const Layers& layers);
 
 /// "seccomp, Landlock 7"; "seccomp, no Landlock"

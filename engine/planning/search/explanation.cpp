@@ -23,7 +23,7 @@ struct Closure {
   messages::Message why;
 };
 
-/// "iceberg 57 at 2026-11-21T05:12:00Z, from whose hull 500 m of margin and ... are kept".
+/// The iceberg nearest to the place, with its time and what is kept clear of it.
 std::string iceberg_text(const cost::Sea& sea, geo::PlanePoint place, core::Seconds when,
                          const PlanRequest& request) {
   const auto berg = sea.icebergs().nearest(place, when);

@@ -57,10 +57,10 @@ int complain(ExitCode code, const core::Violations& violations);
 /// Says that no plan is stored under this id.
 int complain_of_no_plan(const std::string& id);
 
-/// One line on stderr with stage and percent, rewritten from the second second of the work on and wiped at its end;
-/// nothing where stderr is no terminal. Work that plans several times begins each plan at 0: the percent stays where
-/// it was until it is passed, and 100 is never shown.
-/// Lines    go to stderr; `clock` tells the time since any moment
+/// Shows stage and percent in one line on stderr. The line appears once the work has taken a second, is written anew as the
+/// work goes on, and is wiped at the end. Where stderr is no terminal nothing is written. The percent never falls, and 100
+/// is never shown.
+/// `clock`  tells the time since any moment
 [[nodiscard]] core::ProgressCallback terminal_progress(const core::SteadyClock& clock = steady_now);
 
 void add_ingest(CLI::App& app, Program& program);
