@@ -20,7 +20,7 @@ struct ProcessResult {
   std::string message{};  // why it holds no route; empty: it holds what was asked for
 };
 
-/// Does the work of a job. A batch of flights is flown with so many `workers` at once.
+/// Does the work of a job. Flights, departures and members are worked at on so many threads (`workers`) at once.
 /// `kept`   of the store that `db` is connected to
 /// Returns  of no use when `stop` was requested meanwhile
 /// Errors   why it could not be done, for a person; std::exception when the machine or the stored data fail

@@ -29,7 +29,7 @@ using OpenStore = std::function<sql::Connection()>;
 ///          starving, too: interactive jobs slow a batch 8 times where there are no more workers than cores.
 /// Fairness between owners, within each class (JobRepository::claim); the kernel shares the cores evenly between the
 ///          threads of batches that run side by side.
-/// A batch of flights uses as many threads as there are workers. Currents that a job has read are kept for the next, in
+/// A batch of flights, a window of departures and a plan over members use as many threads as there are workers. Currents that a job has read are kept for the next, in
 /// at most 256 MiB, and the seas that routes were judged in, in at most 128 MiB.
 /// Limits   a job that runs longer than its class may is stopped, and fails with what to do about it
 /// Start    jobs that a killed process left running become free at once

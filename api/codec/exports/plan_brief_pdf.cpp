@@ -170,17 +170,26 @@ void square(const Sheet& sheet, const MapPicture::Point& centre) {
   cairo_stroke(pen);
 }
 
-void draw_picture(Sheet& sheet, const MapPicture& picture) {
+/// Draws over water across the text, in the units of a drawing of this size, and goes on below it.
+template <class Draw>
+void draw_across(Sheet& sheet, double width, double height, const Draw& draw) {
   cairo_t* pen = sheet.pen();
-  const double scale = text_width / picture.width;
-  sheet.need(scale * picture.height + 6.0);
+  const double scale = text_width / width;
+  sheet.need(scale * height + 6.0);
   cairo_save(pen);
   cairo_translate(pen, margin, sheet.y());
   cairo_scale(pen, scale, scale);
-  cairo_rectangle(pen, 0.0, 0.0, picture.width, picture.height);
-  cairo_clip_preserve(pen);
+  cairo_rectangle(pen, 0.0, 0.0, width, height);
   sheet.colour(sea);
   cairo_fill(pen);
+  draw(pen);
+  cairo_restore(pen);
+  sheet.skip(scale * height + 6.0);
+}
+
+void draw_map(Sheet& sheet, const MapPicture& picture, cairo_t* pen) {
+  cairo_rectangle(pen, 0.0, 0.0, picture.width, picture.height);
+  cairo_clip(pen);
   for (const auto& outline : picture.land) {
     trace(pen, outline);
     cairo_close_path(pen);
@@ -209,20 +218,9 @@ void draw_picture(Sheet& sheet, const MapPicture& picture) {
   stroke(sheet, picture.scale, ink, 2.0);
   sheet.font(9.0, false);
   sheet.write_at(picture.scale.front().x, picture.scale.front().y - 4.0, picture.scale_label);
-  cairo_restore(pen);
-  sheet.skip(scale * picture.height + 6.0);
 }
 
-void draw_section(Sheet& sheet, const IceSection& section) {
-  cairo_t* pen = sheet.pen();
-  const double scale = text_width / section.width;
-  sheet.need(scale * section.height + 6.0);
-  cairo_save(pen);
-  cairo_translate(pen, margin, sheet.y());
-  cairo_scale(pen, scale, scale);
-  cairo_rectangle(pen, 0.0, 0.0, section.width, section.height);
-  sheet.colour(sea);
-  cairo_fill(pen);
+void draw_section(Sheet& sheet, const IceSection& section, cairo_t* pen) {
   for (const auto& line : section.grid) stroke(sheet, line, faint, 0.5);
   sheet.font(9.0, false);
   sheet.colour(ink);
@@ -233,8 +231,6 @@ void draw_section(Sheet& sheet, const IceSection& section) {
   cairo_set_dash(pen, nullptr, 0, 0.0);
   for (const auto& line : section.draft) stroke(sheet, line, ink, 3.0);
   stroke(sheet, section.turn, route, 2.0);
-  cairo_restore(pen);
-  sheet.skip(scale * section.height + 6.0);
 }
 
 void write_row(Sheet& sheet, const std::vector<std::string>& cells, bool bold) {
@@ -254,10 +250,12 @@ std::string plan_brief_pdf(const planning::Plan& plan, const BriefPictures& pict
   sheet.paragraph(notes.name.empty() ? "Plan " + notes.plan_id : notes.name, 16.0, true);
   sheet.paragraph(brief_origin(notes), 9.0);
   for (const std::string& fact : brief_facts(plan)) sheet.paragraph(fact, 9.0);
-  draw_picture(sheet, pictures.map);
+  draw_across(sheet, pictures.map.width, pictures.map.height,
+              [&](cairo_t* pen) { draw_map(sheet, pictures.map, pen); });
   sheet.paragraph(brief_caption(pictures.map), 7.5);
   if (pictures.ice) {
-    draw_section(sheet, *pictures.ice);
+    draw_across(sheet, pictures.ice->width, pictures.ice->height,
+                [&](cairo_t* pen) { draw_section(sheet, *pictures.ice, pen); });
     sheet.paragraph(section_caption, 7.5);
   }
   write_row(sheet,

@@ -35,15 +35,15 @@ struct Run {
   std::size_t last;
 };
 
-/// The ends of the short legs next to each other, that from point `i` among them.
-Run run_about(std::size_t i, const std::vector<std::size_t>& short_legs) {
-  const auto is_short = [&](std::size_t leg) {
-    return std::ranges::find(short_legs, leg) != short_legs.end();
-  };
-  Run run{i, i + 1};
-  while (run.first > 0 && is_short(run.first - 1)) --run.first;
-  while (is_short(run.last)) ++run.last;
-  return run;
+/// The ends of short legs that follow each other, run by run.
+std::vector<Run> runs_of(std::vector<std::size_t> short_legs) {
+  std::ranges::sort(short_legs);
+  std::vector<Run> runs;
+  for (const std::size_t leg : short_legs) {
+    if (runs.empty() || runs.back().last != leg) runs.push_back({leg, leg});
+    runs.back().last = leg + 1;
+  }
+  return runs;
 }
 
 /// Without the free points of a run, but for one that is kept.
@@ -88,8 +88,7 @@ cost::Route with_holds_for_short_legs(const cost::Sea& sea, cost::Route route, c
     const auto schedule = cost::schedule_along(sea, route.points, cost::at_departure);
     if (!schedule) return route;
     const std::vector<std::size_t> too_short = refinement::short_legs(route);
-    changed = std::ranges::any_of(too_short, [&](std::size_t i) {
-      const Run run = run_about(i, too_short);
+    changed = std::ranges::any_of(runs_of(too_short), [&](const Run& run) {
       const core::Seconds on_short_legs = schedule->arrivals[run.last] - schedule->leaves(run.first);
       const Exchange exchange{schedule->arrivals.back() + most_later * on_short_legs,
                               held_in(*schedule) + least_held * on_short_legs};

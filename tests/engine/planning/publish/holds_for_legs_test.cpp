@@ -6,33 +6,16 @@
 
 #include "engine/planning/cost/route_cost.hpp"
 #include "engine/planning/refinement/longer_legs.hpp"
-#include "tests/engine/planning/drifting_bergs.hpp"
+#include "tests/engine/planning/publish/berg_across.hpp"
 
 namespace floeplan::planning::publish::holds_for_legs_test {
 namespace {
 
-/// A berg drifts across the straight line and lets the vehicle pass after some hours.
-class HoldsForShortLegs : public testing::Test {
+class HoldsForShortLegs : public BergAcross {
  protected:
-  HoldsForShortLegs() {
-    request_.holds.longest = core::Seconds{48.0 * hour_s};
-    request_.icebergs.max_inflation = core::Metres{1000.0};
-    environment_.icebergs = {
-        drifting_berg(geo::LocalProjection{request_.from}.to_lon_lat({12'000.0, 0.0}), 1000.0, 0.02, 0.0)};
-  }
-  [[nodiscard]] cost::Sea sea() const {
-    return {environment_,
-            request_,
-            geo::LocalProjection{request_.from},
-            {{-5'000.0, -9'000.0}, {25'000.0, 9'000.0}},
-            core::Metres{500.0}};
-  }
   static core::Seconds arrival(const cost::Sea& sea, const cost::Route& route) {
     return cost::arrivals_along(sea, route.points, cost::at_departure).value().back();
   }
-
-  PlanRequest request_{support::eastward_request()};
-  ocean::Environment environment_;
 };
 
 /// To and fro between two places before the berg, as often as it takes to let the berg drift by.
