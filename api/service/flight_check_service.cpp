@@ -3,6 +3,7 @@
 #include "api/codec/documents/plan_document.hpp"
 #include "api/codec/inputs/plan_inputs.hpp"
 #include "api/service/export_sea.hpp"
+#include "engine/messages/fault.hpp"
 #include "engine/mission/checking/flight_check.hpp"
 #include "engine/mission/checking/plan_comparison.hpp"
 #include "engine/mission/writing/flight_files.hpp"
@@ -43,7 +44,7 @@ core::Violations check_flight(sql::Connection& db, const json& inputs, std::opti
 core::Violations compare_with_plan(sql::Connection& db, const std::string& plan_id,
                                    std::vector<mission::Document>& documents) {
   const auto record = repository::PlanRepository{db}.find({plan_id});
-  if (!record) return {{"/plan_id", "no plan has the id " + plan_id}};
+  if (!record) return {messages::fault<"no-such-plan">("/plan_id", plan_id)};
   const planning::Plan plan = codec::parse_plan_document(json::parse(record->document_json));
   mission::HoldOptions holds = holds_of(db, *record, plan);
   if (const auto inputs = inputs_of(*record))

@@ -9,6 +9,7 @@
 #include "api/service/export_sea.hpp"
 #include "engine/core/version.hpp"
 #include "engine/messages/export_messages.hpp"
+#include "engine/messages/mission_fault_messages.hpp"
 #include "engine/mission/checking/yo_flight.hpp"
 #include "engine/mission/document/line_words.hpp"
 #include "engine/mission/reading/read_document.hpp"
@@ -148,8 +149,7 @@ tl::expected<mission::MissionFiles, core::Violations> mission_of(sql::Connection
 tl::expected<std::string, core::Violation> handover_folder(const std::string& glider, bool seaglider) {
   if (glider.empty()) return "";
   if (!mission::is_name(glider) || glider.size() > longest_glider_name)
-    return tl::unexpected(core::Violation{
-        "/glider", "must be one to 40 letters, digits and underscores, the name of a folder"});
+    return tl::unexpected(messages::mission_fault<"wrong-glider-name">("/glider"));
   return seaglider ? glider + "/" : "gliders/" + glider + "/to-glider/";
 }
 

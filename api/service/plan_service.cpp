@@ -7,6 +7,7 @@
 #include "api/codec/documents/plan_document.hpp"
 #include "api/service/threads.hpp"
 #include "engine/core/utc_text.hpp"
+#include "engine/messages/fault.hpp"
 #include "engine/messages/plan_messages.hpp"
 #include "engine/planning/evaluate_route.hpp"
 #include "engine/planning/plan_arrival.hpp"
@@ -139,7 +140,7 @@ tl::expected<json, core::Violations> evaluate_route_document(sql::Connection& db
   if (inputs.plan_id) {
     const auto stored = repository::PlanRepository{db}.find({*inputs.plan_id});
     if (!stored)
-      return tl::unexpected(core::Violations{{"/plan_id", "no plan has the id " + *inputs.plan_id}});
+      return tl::unexpected(core::Violations{messages::fault<"no-such-plan">("/plan_id", *inputs.plan_id)});
     codec::set_route(inputs, codec::route_of(json::parse(stored->document_json)));
   }
   const planning::PlanRequest on_route = planning::search::request_along(inputs.route, inputs.request);

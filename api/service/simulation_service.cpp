@@ -17,6 +17,8 @@
 #include "engine/core/random.hpp"
 #include "engine/core/utc_text.hpp"
 #include "engine/core/version.hpp"
+#include "engine/messages/fault.hpp"
+#include "engine/messages/flight_fault_messages.hpp"
 #include "engine/messages/plan_messages.hpp"
 #include "engine/mission/reading/read_document.hpp"
 #include "engine/mission/writing/below_ice.hpp"
@@ -59,17 +61,16 @@ core::Violations of_mission_files(core::Violations violations) {
 /// The plan, with the choice of data that the simulation makes instead of the plan's own.
 tl::expected<FlownPlan, core::Violations> plan_of(sql::Connection& db, const SimulateInputs& inputs) {
   auto record = repository::PlanRepository{db}.find({inputs.plan_id});
-  if (!record) return tl::unexpected(core::Violations{{"/plan_id", "no plan has the id " + inputs.plan_id}});
+  if (!record)
+    return tl::unexpected(core::Violations{messages::fault<"no-such-plan">("/plan_id", inputs.plan_id)});
   json request = json::parse(record->request_json);
   request.update(inputs.data);
   auto planned = codec::parse_plan_inputs(request);
   if (!planned) return tl::unexpected(planned.error());
   const vehicle::GliderProfile& vehicle = planned->request.vehicle;
   if (inputs.vehicle && *inputs.vehicle != vehicle.name) {
-    return tl::unexpected(core::Violations{
-        {"/vehicle", "is " + *inputs.vehicle + ", but the plan " + inputs.plan_id + " is for " +
-                         vehicle.name +
-                         "; plan again for the vehicle that is to fly, or leave the vehicle out"}});
+    return tl::unexpected(core::Violations{messages::flight_fault<"plan-for-another-vehicle">(
+        "/vehicle", *inputs.vehicle, inputs.plan_id, vehicle.name)});
   }
   planning::Plan plan = codec::parse_plan_document(json::parse(record->document_json));
   codec::cover_way(*planned, record->bounds);
@@ -183,8 +184,8 @@ class Batch {
     core::Violations found = simulation::violations(request_in(forecast_, 0));
     if (system_ && !system_->settings.violations().empty()) {
       const core::Violation& first = system_->settings.violations().front();
-      found.push_back({"/sonar", "does not suit the obstacle avoidance system: its " + first.field.substr(1) +
-                                     " " + first.rule + "; or fly without it, with avoidance false"});
+      found.push_back(
+          messages::flight_fault<"sonar-does-not-suit">("/sonar", first.field.substr(1), first.rule));
     }
     return found;
   }

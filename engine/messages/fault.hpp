@@ -13,9 +13,7 @@ namespace floeplan::messages {
 /// What a row of requests says of a field.
 template <Code code, class... Given>
 [[nodiscard]] core::Violation fault(std::string field, const Given&... values) {
-  Message message = make_message<request_kinds, code>(values...);
-  std::string rule = whole_text(message);
-  return {std::move(field), std::move(rule), std::move(message.code), std::move(message.values)};
+  return violation_of(std::move(field), make_message<request_kinds, code>(values...));
 }
 
 /// Collects the faults of an object, as far as `core::note` goes.

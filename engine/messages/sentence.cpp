@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 namespace floeplan::messages {
 
@@ -16,6 +17,11 @@ std::string whole_text(const Message& message) {
   const bool is_sentence = message.hint.front() >= 'A' && message.hint.front() <= 'Z';
   const char* const between = message.text.ends_with(':') ? " " : (is_sentence ? ". " : "; ");
   return message.text + between + message.hint;
+}
+
+core::Violation violation_of(std::string field, Message message) {
+  std::string rule = whole_text(message);
+  return {std::move(field), std::move(rule), std::move(message.code), std::move(message.values)};
 }
 
 std::string sentence(const Message& message) {

@@ -22,6 +22,9 @@ inline constexpr std::string_view danger_mark = "Danger: ";
 /// the text's colon where that ends in one, else after a semicolon.
 [[nodiscard]] std::string whole_text(const Message& message);
 
+/// The whole text as a rule that the field breaks.
+[[nodiscard]] core::Violation violation_of(std::string field, Message message);
+
 /// The whole text with its rank.
 [[nodiscard]] std::string sentence(const Message& message);
 [[nodiscard]] std::vector<std::string> sentences(const std::vector<Message>& messages);

@@ -22,6 +22,7 @@
 #include "engine/core/version.hpp"
 #include "engine/geo/geodesic.hpp"
 #include "engine/messages/export_messages.hpp"
+#include "engine/messages/mission_fault_messages.hpp"
 #include "engine/mission/writing/below_ice.hpp"
 #include "engine/mission/writing/goto_lists.hpp"
 #include "engine/mission/writing/nmea_route.hpp"
@@ -169,7 +170,8 @@ std::vector<messages::Message> messages_of(const planning::Plan& plan, const Exp
 
 core::Violations violations_of(const planning::Plan& plan, const ExportFormat& format) {
   if (format.name == "nmea" && plan.waypoints.size() > mission::most_nmea_waypoints)
-    return {{"/waypoints", "must be 999 at most for NMEA"}};
+    return {
+        messages::mission_fault<"too-many-waypoints-for-nmea">("/waypoints", mission::most_nmea_waypoints)};
   if (format.name == "targets")
     if (const auto closed = mission::closed_to_seagliders(plan)) return {*closed};
   return {};

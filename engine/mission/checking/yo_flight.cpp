@@ -7,6 +7,7 @@
 
 #include "engine/core/utc_text.hpp"
 #include "engine/messages/export_messages.hpp"
+#include "engine/messages/mission_fault_messages.hpp"
 #include "engine/mission/checking/route_check.hpp"
 #include "engine/mission/document/thruster_yo.hpp"
 #include "engine/mission/writing/argument_lines.hpp"
@@ -112,7 +113,7 @@ YoFlight fly_by_yo(const ocean::Environment& environment, const std::vector<geo:
     const std::string text =
         flyer + ", before waypoint " + std::to_string(finding.place) + ": " + finding.text;
     if (finding.dangerous)
-      result.violations.push_back({"/waypoints", "cannot be flown " + text + "; " + instead});
+      result.violations.push_back(messages::mission_fault<"not-flown-by-yo">("/waypoints", text, instead));
     else
       result.messages.push_back(messages::export_message<"yo-may-not-fly-plan">(text));
   }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/messages/mission_fault_messages.hpp"
+
 namespace floeplan::mission {
 namespace {
 
@@ -13,8 +15,7 @@ bool is_whole_within(double value, double low, double high) {
 }
 
 core::Violation of_another_program(const char* argument) {
-  return {argument,
-          "stands for a parameter that another program on board sets: which rows are flown is not known"};
+  return messages::mission_fault<"legs-of-another-program">(argument);
 }
 
 /// "row 2", "rows 0, 1 and 2".
@@ -41,16 +42,10 @@ tl::expected<ListOrders, core::Violation> list_orders(std::optional<double> legs
   if (!legs) return tl::unexpected(of_another_program("num_legs_to_run"));
   if (!initial) return tl::unexpected(of_another_program("initial_wpt"));
   if (!is_whole_within(*legs, -2.0, most_legs) || *legs == 0.0) {
-    return tl::unexpected(core::Violation{
-        "num_legs_to_run",
-        "must be from 1 to " + std::to_string(most_legs) + ", -1 (round and round) or -2 (once)"});
+    return tl::unexpected(messages::mission_fault<"wrong-legs-to-run">("num_legs_to_run", most_legs));
   }
   if (!is_whole_within(*initial, -2.0, static_cast<double>(rows) - 1.0)) {
-    return tl::unexpected(core::Violation{
-        "initial_wpt",
-        "must be a row of the list counted from 0, -1 (the one after the last achieved) or -2 "
-        "(the closest); the list has " +
-            std::to_string(rows) + (rows == 1 ? " row" : " rows")});
+    return tl::unexpected(messages::mission_fault<"wrong-initial-waypoint">("initial_wpt", rows));
   }
   return ListOrders{static_cast<int>(*legs), static_cast<int>(*initial)};
 }

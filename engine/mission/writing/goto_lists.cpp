@@ -8,6 +8,8 @@
 
 #include "engine/geo/geodesic.hpp"
 #include "engine/messages/export_messages.hpp"
+#include "engine/messages/fault.hpp"
+#include "engine/messages/mission_fault_messages.hpp"
 #include "engine/mission/document/hold_order.hpp"
 #include "engine/mission/document/printed_text.hpp"
 #include "engine/mission/writing/argument_lines.hpp"
@@ -89,20 +91,16 @@ std::vector<List> lists_of_plan(const planning::Plan& plan, const GotoListOption
 
 core::Violations violations_of_options(const planning::Plan& plan, const GotoListOptions& options) {
   core::Violations found;
-  if (plan.waypoints.size() < 2)
-    found.push_back({"/waypoints", "a plan to export has at least a start and a goal"});
+  if (plan.waypoints.size() < 2) found.push_back(messages::mission_fault<"no-start-and-goal">("/waypoints"));
   for (std::size_t i = 0; i < plan.waypoints.size(); ++i) {
     const geo::LonLat place = plan.waypoints[i].place;
     if (!geo::is_valid(place) || std::abs(place.lat_deg) > max_latitude_deg) {
-      found.push_back(
-          {"/waypoints/" + std::to_string(i),
-           "must be a place between 89 degrees south and 89 degrees north; nearer to a pole the vehicle "
-           "cannot navigate by longitude and latitude"});
+      found.push_back(messages::mission_fault<"waypoint-near-pole">("/waypoints/" + std::to_string(i)));
     }
   }
-  if (options.max_waypoints < 1) found.push_back({"/max_waypoints", "must be at least 1"});
+  if (options.max_waypoints < 1) found.push_back(messages::fault<"not-at-least">("/max_waypoints", "1"));
   if (options.radius && !(options.radius->value >= smallest_radius_m && options.radius->value <= 100'000.0)) {
-    found.push_back({"/radius_m", "must be between 10 m, the vehicle's minimum, and 100 km"});
+    found.push_back(messages::mission_fault<"wrong-waypoint-radius">("/radius_m"));
   }
   if (!found.empty()) return found;
 
@@ -115,14 +113,11 @@ core::Violations violations_of_numbers(const std::vector<List>& lists, const Got
   core::Violations found;
   const auto count = static_cast<int>(lists.size());
   if (options.first_number < 0 || options.first_number + count - 1 > last_free_number) {
-    found.push_back(
-        {"/number", "the plan takes " + std::to_string(count) +
-                        " list(s), numbered from the given number on; all numbers must lie between 0 and 97 "
-                        "(98 and 99 belong to the firmware)"});
+    found.push_back(messages::mission_fault<"list-numbers-used-up">("/number", count));
   }
   const auto rows_of_first = static_cast<int>(first_with_waypoints(lists).part.last);
   if (options.initial_waypoint < -2 || options.initial_waypoint >= rows_of_first) {
-    found.push_back({"/initial_waypoint", "must be -2, -1 or a row of the first list, counted from 0"});
+    found.push_back(messages::mission_fault<"no-such-row">("/initial_waypoint"));
   }
   return found;
 }

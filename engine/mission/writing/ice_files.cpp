@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/messages/export_messages.hpp"
+#include "engine/messages/mission_fault_messages.hpp"
 #include "engine/mission/document/packed_degrees.hpp"
 #include "engine/mission/writing/argument_lines.hpp"
 #include "engine/mission/writing/below_ice.hpp"
@@ -69,22 +70,20 @@ core::Violations ice_violations(const planning::Plan& plan, const MissionSetOpti
   if (!options.under_ice) return found;
   const UnderIce& ice = *options.under_ice;
   if (options.firmware < first_with_ice)
-    found.push_back(
-        {"/firmware", "must be 10.0 or later for work under ice: older ones have no response to it"});
+    found.push_back(messages::mission_fault<"firmware-without-ice">("/firmware"));
   if (ice.safe_places.empty() || ice.safe_places.size() > most_safe_places) {
-    found.push_back({"/safe", "must name one to eight places in open water that the vehicle can recover to"});
+    found.push_back(messages::mission_fault<"wrong-number-of-safe-places">("/safe"));
   }
   for (std::size_t i = 0; i < ice.safe_places.size(); ++i) {
     if (!geo::is_valid(ice.safe_places[i]) || std::abs(ice.safe_places[i].lat_deg) > max_latitude_deg)
-      found.push_back({"/safe/" + std::to_string(i), "must be a place between 89 degrees south and north"});
+      found.push_back(messages::mission_fault<"safe-place-near-pole">("/safe/" + std::to_string(i)));
   }
   const double draft_m = expected_iceberg_depth(plan, options).value;
   if (!(draft_m > 0.0 && draft_m < target_depth(options.vehicle).value))
-    found.push_back({"/iceberg_depth_m", "must be more than 0 m and less than the depth to dive to"});
+    found.push_back(messages::mission_fault<"wrong-iceberg-depth">("/iceberg_depth_m"));
   const double keel_m = std::ceil(deepest_keel(plan, ice.margin_below_ice).value);
   if (std::ceil(draft_m) < keel_m) {
-    found.push_back({"/iceberg_depth_m", "must be " + whole(keel_m) +
-                                             " m at least, as deep as what the plan passes below reaches"});
+    found.push_back(messages::mission_fault<"iceberg-depth-too-small">("/iceberg_depth_m", keel_m));
   }
   return found;
 }

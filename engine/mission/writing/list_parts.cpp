@@ -5,6 +5,7 @@
 #include <limits>
 #include <string>
 
+#include "engine/messages/mission_fault_messages.hpp"
 #include "engine/mission/writing/below_ice.hpp"
 #include "engine/mission/writing/hold_lists.hpp"
 #include "engine/motion/speed_over_ground.hpp"
@@ -128,10 +129,11 @@ std::size_t last_of_list(const planning::Plan& plan, std::size_t first, std::siz
 }
 
 /// `is_end`  of the plan
-std::string end_too_near(const ListEnd& end, core::Metres radius, bool is_end) {
-  return (is_end ? "is the end of the plan, " : "is where a list has to end, ") + text_of(end, radius) +
-         ": extend the plan until it is more than " + std::to_string(std::lround(std::ceil(radius.value))) +
-         " m beyond them" + (is_end ? "" : ", or use fewer waypoints before it");
+core::Violation end_too_near(const std::string& place, const ListEnd& end, core::Metres radius, bool is_end) {
+  const std::string room = text_of(end, radius);
+  const double beyond_m = std::ceil(radius.value);
+  return is_end ? messages::mission_fault<"plan-ends-near-ice">(place, room, beyond_m)
+                : messages::mission_fault<"list-ends-near-ice">(place, room, beyond_m);
 }
 
 }  // namespace
@@ -229,20 +231,14 @@ core::Violations list_end_violations(const planning::Plan& plan, const ListRules
     const Overhead above = overhead(plan, part.last);
     const std::string place = "/waypoints/" + std::to_string(part.last);
     if (above == Overhead::open && !has_room(plan, part, &ListEnd::room, rules.radius))
-      found.push_back({place, end_too_near(*end_of(plan, part), rules.radius, is_end)});
+      found.push_back(end_too_near(place, *end_of(plan, part), rules.radius, is_end));
     if (above != Overhead::closed) continue;
-    if (is_end)
-      found.push_back({place,
-                       "is the end of the plan and lies below ice or icebergs, but the vehicle surfaces at "
-                       "the end of its list: extend the plan to open water"});
+    if (is_end) found.push_back(messages::mission_fault<"plan-ends-below-ice">(place));
     if (is_end || part.last <= told) continue;
     told = part.last;
     while (told + 1 < count && overhead(plan, told + 1) == Overhead::closed) ++told;
-    found.push_back(
-        {"/waypoints", "are too many below ice or icebergs in a row: " + waypoints_text(part.first, told) +
-                           " lie there, a list holds " + std::to_string(rules.max_waypoints) +
-                           ", and the vehicle surfaces at the end of each list; plan again with fewer "
-                           "waypoints (--max-waypoints) or longer legs (--max-leg)"});
+    found.push_back(messages::mission_fault<"too-many-waypoints-below-ice">(
+        "/waypoints", waypoints_text(part.first, told), rules.max_waypoints));
   }
   return found;
 }

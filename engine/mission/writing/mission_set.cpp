@@ -6,6 +6,7 @@
 
 #include "engine/core/letter_case.hpp"
 #include "engine/messages/export_messages.hpp"
+#include "engine/messages/mission_fault_messages.hpp"
 #include "engine/mission/document/line_words.hpp"
 #include "engine/mission/document/thruster_yo.hpp"
 #include "engine/mission/writing/argument_lines.hpp"
@@ -35,16 +36,13 @@ core::Violations violations_of(const planning::Plan& plan, const MissionSetOptio
   core::Violations found = ice_violations(plan, options);
   const std::string& name = options.name;
   if (!is_name(name) || name.size() > 8 || name != core::lower_case(name))
-    found.push_back({"/mission", "must have one to eight small letters, digits or underscores"});
-  if (is_stock_mission(name))
-    found.push_back({"/mission", "must not be " + name + ", a mission that every vehicle has on board"});
+    found.push_back(messages::mission_fault<"wrong-mission-name">("/mission"));
+  if (is_stock_mission(name)) found.push_back(messages::mission_fault<"mission-on-board">("/mission", name));
   if (options.firmware < oldest || newest < options.firmware)
-    found.push_back({"/firmware", "must be a version from 7.0 to 11.99"});
+    found.push_back(messages::mission_fault<"wrong-firmware">("/firmware"));
   const int last = surfacings_of(options).back().number;
   if (options.lists.first_number < 0 || last > last_free_number) {
-    found.push_back({"/number", "the files take the numbers from the given one on to " +
-                                    std::to_string(last) +
-                                    "; all must lie between 0 and 97 (98 and 99 belong to the firmware)"});
+    found.push_back(messages::mission_fault<"file-numbers-used-up">("/number", last));
   }
   return found;
 }
@@ -104,14 +102,10 @@ std::string mission_text(const planning::Plan& plan, const MissionSetOptions& op
 core::Violations violations_below_ice(const planning::Plan& plan, const MissionSetOptions& options) {
   core::Violations found;
   if (!tells_upper_turns(plan)) {
-    found.push_back({"/plan_id",
-                     "is a plan of an older version that passes where the vehicle must not surface, without "
-                     "the depth where its dives turn there: plan again"});
+    found.push_back(messages::mission_fault<"turns-of-earlier-version">("/plan_id"));
   }
   if (least_upper_turn(plan).value > 0.0 && !options.under_ice) {
-    found.push_back({"/under_ice",
-                     "is required, with safe places in open water: the plan passes below ice or icebergs, "
-                     "where the vehicle must not surface"});
+    found.push_back(messages::mission_fault<"safe-places-required">("/under_ice"));
   }
   return found;
 }
@@ -132,23 +126,18 @@ core::Violations violations_of_yo(const planning::Plan& plan, const MissionSetOp
   const vehicle::GliderProfile& vehicle = options.vehicle;
   const core::Metres least_dive = climb_target(plan, vehicle) + vehicle::lowest_tooth;
   if (least_dive > target_depth(vehicle)) {
-    found.push_back({"/dive_depth_m", "leaves a yo that turns at " + whole(target_depth(vehicle).value) +
-                                          " m no room, for it must turn no higher than " +
-                                          climb_text(plan, vehicle)});
+    found.push_back(messages::mission_fault<"no-room-for-yo">("/dive_depth_m", target_depth(vehicle).value,
+                                                              climb_text(plan, vehicle)));
   }
   const core::Metres needed = least_dive + core::Metres{std::ceil(vehicle.altimeter_margin.value)};
   const auto shoal = shoalest_of(plan, options.shoals);
   if (!shoal || shoal->bed >= needed) return found;
-  std::string rule = "lead over water of " + whole(std::floor(shoal->bed.value)) + " m at " +
-                     place_text(shoal->place) + ", before waypoint " + std::to_string(shoal->waypoint) +
-                     ", but the one yo of the mission must turn no higher than " + climb_text(plan, vehicle) +
-                     ", and needs " + whole(needed.value) +
-                     " m: plan again with via points that lead round it, or with a minimum working depth "
-                     "(minimum_working_depth_m) of " +
-                     whole(needed.value) + " for the vehicle, which below ice counts from the turn under it";
-  if (is_below_ice(plan, vehicle))
-    rule += ", or fly two plans, one over this water and one below the ice, each with a yo of its own";
-  found.push_back({"/waypoints", std::move(rule)});
+  const auto too_shallow = [&]<messages::Code code>() {
+    return messages::mission_fault<code>("/waypoints", std::floor(shoal->bed.value), place_text(shoal->place),
+                                         shoal->waypoint, climb_text(plan, vehicle), needed.value);
+  };
+  found.push_back(is_below_ice(plan, vehicle) ? too_shallow.operator()<"water-too-shallow-for-yo-below-ice">()
+                                              : too_shallow.operator()<"water-too-shallow-for-yo">());
   return found;
 }
 

@@ -8,6 +8,7 @@
 
 #include "engine/geo/geodesic.hpp"
 #include "engine/messages/export_messages.hpp"
+#include "engine/messages/mission_fault_messages.hpp"
 #include "engine/mission/writing/argument_lines.hpp"
 #include "engine/mission/writing/shoals.hpp"
 
@@ -110,26 +111,27 @@ bool covers(const ocean::Iceberg& berg, geo::LonLat place) {
   return away(berg, place).value <= 0.5 * ocean::safe_length(berg).value;
 }
 
-/// What refuses the place; empty: nothing.
-std::string fault_of(const planning::Plan& plan, const vehicle::GliderProfile& vehicle,
-                     double max_concentration, const SafePlace& safe, const std::optional<core::Metres>& bed,
-                     const IceThere& ice) {
-  const std::string must = "must be open water that the vehicle can recover to: " + place_text(safe.place);
-  if (is_on_land(safe, bed)) return must + " is on land";
+/// What refuses the place.
+std::optional<core::Violation> fault_of(const planning::Plan& plan, const vehicle::GliderProfile& vehicle,
+                                        double max_concentration, const SafePlace& safe,
+                                        const std::optional<core::Metres>& bed, const IceThere& ice,
+                                        const std::string& field) {
+  const std::string place = place_text(safe.place);
+  if (is_on_land(safe, bed)) return messages::mission_fault<"safe-place-on-land">(field, place);
   if (bed && *bed < vehicle.least_water())
-    return must + " has " + whole(std::floor(bed->value)) + " m of water, and the vehicle needs " +
-           whole(std::ceil(vehicle.least_water().value)) + " m";
+    return messages::mission_fault<"safe-place-too-shallow">(field, place, std::floor(bed->value),
+                                                             std::ceil(vehicle.least_water().value));
   if (ice.densest > max_concentration)
-    return must + " has " + whole(std::round(100.0 * ice.densest)) +
-           " % of ice while the plan lasts, and the vehicle surfaces in " +
-           whole(std::round(100.0 * max_concentration)) + " % at most";
-  if (const ocean::Zone* zone = zone_round(plan, safe)) return must + " lies in the no-go area " + zone->name;
+    return messages::mission_fault<"safe-place-in-ice">(field, place, std::round(100.0 * ice.densest),
+                                                        std::round(100.0 * max_concentration));
+  if (const ocean::Zone* zone = zone_round(plan, safe))
+    return messages::mission_fault<"safe-place-in-zone">(field, place, zone->name);
   for (const ocean::Iceberg& berg : safe.sea.icebergs)
-    if (covers(berg, safe.place)) return must + " is where iceberg " + berg.id + " was seen last";
+    if (covers(berg, safe.place))
+      return messages::mission_fault<"safe-place-at-iceberg">(field, place, berg.id);
   if (!is_within_battery(plan, vehicle, safe.place))
-    return must + " is " + whole(distance_km(plan, safe.place)) +
-           " km away from the plan, farther than the rest of the battery carries the vehicle";
-  return "";
+    return messages::mission_fault<"safe-place-too-far">(field, place, distance_km(plan, safe.place));
+  return std::nullopt;
 }
 
 }  // namespace
@@ -144,9 +146,9 @@ SafePlaceFindings check_safe_places(const planning::Plan& plan, const vehicle::G
     std::optional<core::Metres> bed;
     if (safe.sea.bathymetry) bed = safe.sea.bathymetry->shoalest(safe.place);
     const IceThere ice = ice_at(plan, safe);
-    std::string fault = fault_of(plan, vehicle, max_concentration_to_surface, safe, bed, ice);
-    if (!fault.empty()) {
-      found.violations.push_back({"/safe/" + std::to_string(i), std::move(fault)});
+    if (auto fault = fault_of(plan, vehicle, max_concentration_to_surface, safe, bed, ice,
+                              "/safe/" + std::to_string(i))) {
+      found.violations.push_back(std::move(*fault));
       continue;
     }
     for (const ocean::Iceberg& berg : safe.sea.icebergs) {

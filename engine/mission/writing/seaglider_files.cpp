@@ -7,6 +7,7 @@
 
 #include "engine/core/letter_case.hpp"
 #include "engine/messages/export_messages.hpp"
+#include "engine/messages/mission_fault_messages.hpp"
 #include "engine/mission/document/line_words.hpp"
 #include "engine/mission/document/packed_degrees.hpp"
 #include "engine/mission/reading/read_document.hpp"
@@ -61,19 +62,19 @@ void check_bands(const SeagliderOptions& options, core::Violations& found) {
   const Document science = read_document("science", science_text(options, ""));
   for (const Message& message : science.messages) {
     if (message.severity == Severity::note) continue;
-    found.push_back({"/science/" + std::to_string(message.line - 1), message.text});
+    found.push_back(messages::mission_fault<"science-band-refused">(
+        "/science/" + std::to_string(message.line - 1), message.text));
   }
 }
 
 core::Violations violations_of(const planning::Plan& plan, const SeagliderOptions& options) {
   core::Violations found;
-  if (plan.waypoints.size() < 2)
-    found.push_back({"/waypoints", "a plan to export has at least a start and a goal"});
+  if (plan.waypoints.size() < 2) found.push_back(messages::mission_fault<"no-start-and-goal">("/waypoints"));
   if (dive_depth_m(options.vehicle) > deepest_dive_m)
-    found.push_back({"/dive_depth_m", "must be 1100 m at most, the deepest a Seaglider is sent"});
+    found.push_back(messages::mission_fault<"too-deep-for-seaglider">("/dive_depth_m"));
   const double minutes = dive_minutes(options.vehicle);
   if (!(minutes >= shortest_dive_min && minutes <= longest_dive_min))
-    found.push_back({"/dive_depth_m", "must give dives of 5 to 2880 minutes, not of " + whole(minutes)});
+    found.push_back(messages::mission_fault<"dives-of-wrong-length">("/dive_depth_m", minutes));
   if (const auto closed = closed_to_seagliders(plan)) found.push_back(*closed);
   check_bands(options, found);
   return found;
@@ -95,9 +96,7 @@ std::optional<messages::Message> shoal_warning(const planning::Plan& plan, const
 
 std::optional<core::Violation> closed_to_seagliders(const planning::Plan& plan) {
   if (least_upper_turn(plan).value <= 0.0 && tells_upper_turns(plan)) return std::nullopt;
-  return core::Violation{"/format",
-                         "must not be that of a Seaglider, which comes up after every dive: the plan passes "
-                         "below ice or icebergs"};
+  return messages::mission_fault<"seaglider-below-ice">("/format");
 }
 
 MissionFile write_targets(const planning::Plan& plan, core::Metres radius, const FileOrigin& origin) {

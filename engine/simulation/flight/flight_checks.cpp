@@ -5,6 +5,7 @@
 
 #include "engine/core/violation_list.hpp"
 #include "engine/messages/fault.hpp"
+#include "engine/messages/flight_fault_messages.hpp"
 #include "engine/simulation/flight/flight.hpp"
 #include "engine/simulation/flight/flight_path.hpp"
 
@@ -49,34 +50,30 @@ core::Violations violations(const FlightRequest& request) {
   std::ranges::move(request.settings.violations(), std::back_inserter(found));
   if (!std::isfinite(core::unix_seconds(request.departure)))
     found.push_back(messages::fault<"not-a-time">("/departure"));
-  if (request.orders.lists.empty()) found.push_back({"/files", "must hold a goto list with a waypoint"});
+  if (request.orders.lists.empty()) found.push_back(messages::flight_fault<"no-list-to-fly">("/files"));
   if (!geo::is_valid(request.start)) {
-    found.push_back({"/start", "must be a longitude and a latitude"});
+    found.push_back(messages::flight_fault<"wrong-start">("/start"));
     return found;
   }
   const World& world = request.world;
   const Vector start = world.to_frame(request.start);
   if (!world.covers(start, request.departure))
-    found.push_back({"/start", "lies outside the data of sea bed and currents at the departure"});
+    found.push_back(messages::flight_fault<"start-outside-data">("/start"));
   if (const auto bed_m = world.bed_depth_m(start.east, start.north); bed_m && *bed_m <= 0.0)
-    found.push_back({"/start", "lies on land"});
+    found.push_back(messages::flight_fault<"start-on-land">("/start"));
   if (world.ice_draft_m(start.east, start.north, request.departure) > 0.0)
-    found.push_back({"/start",
-                     "lies under ice at the departure, but the simulator launches a vehicle at the surface: "
-                     "plan again from a start in open water"});
+    found.push_back(messages::flight_fault<"launch-under-ice">("/start"));
   for (std::size_t i = 0; i < request.orders.lists.size(); ++i) {
     const auto& waypoints = request.orders.lists[i].waypoints;
     for (std::size_t row = 0; row < waypoints.size() && !core::is_full(found); ++row) {
       if (!world.covers(world.to_frame(waypoints[row]), request.departure)) {
-        core::note(found, {"/files/list " + std::to_string(i + 1) + "/row " + std::to_string(row + 1),
-                           "lies outside the data of sea bed and currents"});
+        core::note(found, messages::flight_fault<"row-outside-data">("/files/list " + std::to_string(i + 1) +
+                                                                     "/row " + std::to_string(row + 1)));
       }
     }
   }
   if (found.empty() && data_end_too_early(request)) {
-    found.push_back({"/departure",
-                     "is too late: the currents end before the vehicle can be at its last "
-                     "waypoint, even at twice its speed; use data that reach further"});
+    found.push_back(messages::flight_fault<"currents-end-in-flight">("/departure"));
   }
   return found;
 }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "engine/geo/geodesic.hpp"
+#include "engine/messages/flight_fault_messages.hpp"
 #include "engine/mission/document/packed_degrees.hpp"
 #include "engine/simulation/logs/log_table.hpp"
 #include "engine/simulation/logs/logged_positions.hpp"
@@ -62,13 +63,13 @@ class Reader {
   tl::expected<std::vector<LoggedSegment>, core::Violations> read() {
     for (const char* name : {"m_present_time", "m_lat", "m_lon", "m_gps_lat", "m_gps_lon", "m_depth",
                              "m_pitch", "x_dr_state", "m_water_vx", "m_water_vy", "c_wpt_lat", "c_wpt_lon"}) {
-      if (!log_.has(name)) found_.push_back({std::string{"/"} + name, "is a column that the log must have"});
+      if (!log_.has(name))
+        found_.push_back(messages::flight_fault<"column-missing">(std::string{"/"} + name));
     }
     if (!log_.has("m_initial_water_vx") && !log_.has("m_final_water_vx"))
-      found_.push_back({"/m_initial_water_vx", "is a column that the log must have, or m_final_water_vx"});
+      found_.push_back(messages::flight_fault<"column-of-currents-missing">("/m_initial_water_vx"));
     if (!pump_column())
-      found_.push_back(
-          {"/m_ballast_pumped", "is a column that the log must have, or m_de_oil_vol, and move"});
+      found_.push_back(messages::flight_fault<"column-of-pump-missing">("/m_ballast_pumped"));
     if (!found_.empty()) return tl::unexpected(std::move(found_));
 
     const auto positions = settle_positions(log_);
@@ -82,18 +83,13 @@ class Reader {
     }
     for (LoggedSegment& segment : segments) segment.positions_read = positions->value_or("");
     if (segments.empty())
-      return tl::unexpected(core::Violations{{"/x_dr_state",
-                                              "shows no dive with a position before and after it, a "
-                                              "waypoint, a current and two turns at depth"}});
+      return tl::unexpected(core::Violations{messages::flight_fault<"no-dive-in-log">("/x_dr_state")});
     return segments;
   }
 
  private:
   static core::Violation unknown_axes() {
-    return {"/m_gps_mag_var",
-            "is a column that the log must have, or x_utm_to_lmc_00 and _01: its currents are in the "
-            "vehicle's own "
-            "axes, and the World Magnetic Model tells these from 2010 to 2030 alone"};
+    return messages::flight_fault<"axes-of-currents-unknown">("/m_gps_mag_var");
   }
 
   /// What the log says of its axes, and the number of those that hold at each row.

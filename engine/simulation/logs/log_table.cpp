@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/messages/flight_fault_messages.hpp"
+
 namespace floeplan::simulation {
 namespace {
 
@@ -80,7 +82,7 @@ tl::expected<LogTable, core::Violations> LogTable::read(std::string_view text,
                                                         std::span<const std::string_view> wanted) {
   core::Violations found;
   if (text.size() > most_bytes)
-    return tl::unexpected(core::Violations{{"/file", "is larger than 256 MiB; cut it by segments"}});
+    return tl::unexpected(core::Violations{messages::flight_fault<"log-too-large">("/file")});
   std::vector<std::string> names;
   std::vector<Column> columns;
   std::vector<bool> kept;
@@ -109,23 +111,21 @@ tl::expected<LogTable, core::Violations> LogTable::read(std::string_view text,
     if (are_units) units.assign(fields.begin(), fields.end());
     if (are_units || rows_seen <= layout.lines_of_labels) continue;
     if (fields.size() > names.size()) {
-      found.push_back({"/line " + std::to_string(line_number), "has more fields than the line of names"});
+      found.push_back(
+          messages::flight_fault<"more-fields-than-names">("/line " + std::to_string(line_number)));
     }
     for (std::size_t i = 0; i < columns.size(); ++i) {
       const auto value = i < fields.size() ? number(fields[i]) : std::optional{std::optional<double>{}};
       if (!value) {
-        found.push_back({"/line " + std::to_string(line_number) + "/" + names[i],
-                         "must be a number or empty, not " + std::string{fields[i].substr(0, 40)}});
+        found.push_back(messages::flight_fault<"log-not-a-number">(
+            "/line " + std::to_string(line_number) + "/" + names[i], fields[i].substr(0, 40)));
       }
       if (kept[i]) columns[i].push_back(value.value_or(std::nullopt));
     }
     ++rows;
     if (found.size() >= most_faults) break;
   }
-  if (names.empty())
-    found.push_back({"/file",
-                     "must begin with a line of sensor names between commas; turn a vehicle's binary log "
-                     "into such text first"});
+  if (names.empty()) found.push_back(messages::flight_fault<"log-without-names">("/file"));
   if (!found.empty()) return tl::unexpected(std::move(found));
 
   LogTable table;

@@ -9,6 +9,7 @@
 #include "engine/core/letter_case.hpp"
 #include "engine/geo/geodesic.hpp"
 #include "engine/geo/lon_lat.hpp"
+#include "engine/messages/flight_fault_messages.hpp"
 #include "engine/mission/document/packed_degrees.hpp"
 
 namespace floeplan::simulation {
@@ -102,8 +103,9 @@ std::string angle_words(double value) {
   return text.ends_with('.') ? text + "0" : text;
 }
 
-core::Violation contradiction(const Pair& pair, const std::string& what) {
-  return {std::string{"/"} + pair.lat_name, "and " + std::string{pair.lon_name} + " " + what};
+template <messages::Code code, class... Given>
+core::Violation contradiction(const Pair& pair, const Given&... values) {
+  return messages::flight_fault<code>(std::string{"/"} + pair.lat_name, pair.lon_name, values...);
 }
 
 /// Ways between the rows of a pair, in both readings and by other sensors.
@@ -281,26 +283,21 @@ class Settling {
     const auto of_lat = notation_of_unit(log_.unit(pair.lat_name));
     const auto of_lon = notation_of_unit(log_.unit(pair.lon_name));
     has_places_.at(i) = proofs.values > 0;
-    if (of_lat && of_lon && *of_lat != *of_lon)
-      return contradiction(pair, "state different notations by their units; write the same unit above both");
+    if (of_lat && of_lon && *of_lat != *of_lon) return contradiction<"units-of-positions-differ">(pair);
     if (const auto stated = of_lat ? of_lat : of_lon) {
       const bool is_decimal = *stated == Notation::decimal;
       notations_.at(i) = *stated;
       if (proofs.has(is_decimal ? proofs.packed : proofs.decimal))
-        return contradiction(pair, is_decimal ? "are in degrees by their unit, but hold " +
-                                                    angle_words(proofs.packed_value) +
-                                                    ", which is degrees and minutes; correct the unit"
-                                              : "are in degrees and minutes by their unit, but hold " +
-                                                    angle_words(proofs.decimal_value) +
-                                                    ", which is decimal degrees; correct the unit");
+        return is_decimal
+                   ? contradiction<"positions-not-in-degrees">(pair, angle_words(proofs.packed_value))
+                   : contradiction<"positions-not-in-minutes">(pair, angle_words(proofs.decimal_value));
       return std::nullopt;
     }
     const bool is_packed = proofs.has(proofs.packed);
     const bool is_decimal = proofs.has(proofs.decimal);
     if (is_packed && is_decimal)
-      return contradiction(pair, "hold both degrees and minutes (" + angle_words(proofs.packed_value) +
-                                     ") and decimal degrees (" + angle_words(proofs.decimal_value) +
-                                     "); convert the log again, in one notation");
+      return contradiction<"positions-of-two-notations">(pair, angle_words(proofs.packed_value),
+                                                         angle_words(proofs.decimal_value));
     if (is_packed) notations_.at(i) = Notation::packed;
     if (is_decimal) take_for_decimal(i, "their minutes would be 60 and more");
     return std::nullopt;
@@ -344,13 +341,7 @@ class Settling {
       return place ? angle_words(place->lat_deg) + " N " + angle_words(place->lon_deg) + " E"
                    : std::string{"no place"};
     };
-    return contradiction(
-        pairs.at(i),
-        "could be degrees and minutes or decimal degrees, and nothing in the log tells which: the "
-        "first position would be " +
-            words(first.places[0]) + " or " + words(first.places[1]) +
-            "; write the unit ddmm or deg above both, or convert the log with m_x_lmc, m_y_lmc, "
-            "m_lat and m_lon");
+    return contradiction<"positions-undecided">(pairs.at(i), words(first.places[0]), words(first.places[1]));
   }
 
   [[nodiscard]] std::optional<std::string> told() const {

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/messages/flight_fault_messages.hpp"
 #include "engine/simulation/flight/flight.hpp"
 
 namespace floeplan::simulation {
@@ -129,7 +130,7 @@ tl::expected<SegmentComparison, core::Violations> compare_segment(const LoggedSe
   const FlightEvent* fix = first_of(record, EventKind::fix);
   if (surfacing == nullptr || fix == nullptr)
     return tl::unexpected(
-        core::Violations{{"/segment", "did not come up when it was simulated: " + record.end_reason}});
+        core::Violations{messages::flight_fault<"did-not-come-up">("/segment", record.end_reason)});
   const Vector end = world.to_frame(segment.end);
   const core::Seconds simulated = surfacing->time - segment.dived;
   const auto turns = std::ranges::count(record.events, EventKind::inflection, &FlightEvent::kind);

@@ -8,6 +8,7 @@
 
 #include "engine/core/letter_case.hpp"
 #include "engine/core/violation_list.hpp"
+#include "engine/messages/flight_fault_messages.hpp"
 #include "engine/mission/document/argument_rules.hpp"
 #include "engine/mission/document/behavior_table.hpp"
 #include "engine/mission/writing/goto_lists.hpp"
@@ -88,7 +89,7 @@ class Reader {
     } else {
       read_loose_files();
     }
-    if (orders_.lists.empty()) found_.push_back({"/files", "must hold a goto list with a waypoint"});
+    if (orders_.lists.empty()) refuse<"no-list-to-fly">("/files");
     if (!has_yo_) take_yo_of_vehicle(mission != documents_.end());
     if (orders_.surfaces.empty()) take_surfacing_at_the_end();
     if (!found_.empty()) return tl::unexpected(std::move(found_));
@@ -96,25 +97,25 @@ class Reader {
   }
 
  private:
-  void refuse(std::string field, std::string rule) {
-    core::note(found_, {std::move(field), std::move(rule)});
+  template <messages::Code code, class... Given>
+  void refuse(std::string field, const Given&... values) {
+    core::note(found_, messages::flight_fault<code>(std::move(field), values...));
   }
 
   void refuse_unusable() {
-    if (documents_.empty()) refuse("/files", "must hold a mission or a goto list");
+    if (documents_.empty()) refuse<"no-mission-and-no-list">("/files");
     std::size_t missions = 0;
     for (const Document& document : documents_) {
       if (document.kind == DocumentKind::mission) ++missions;
       if (document.kind != DocumentKind::mission && document.kind != DocumentKind::arguments) {
-        refuse("/files/" + document.name,
-               "is a file of a Seaglider; this vehicle (" + vehicle_.title + ") reads .mi and .ma files");
+        refuse<"file-of-seaglider">("/files/" + document.name, vehicle_.title);
       }
       for (const mission::Message& message : document.messages) {
         if (message.severity != mission::Severity::error) continue;
-        refuse("/files/" + document.name, "line " + std::to_string(message.line) + ": " + message.text);
+        refuse<"mission-line-refused">("/files/" + document.name, message.line, message.text);
       }
     }
-    if (missions > 1) refuse("/files", "must hold one mission (.mi), not " + std::to_string(missions));
+    if (missions > 1) refuse<"several-missions">("/files", missions);
   }
 
   [[nodiscard]] const Document* document(const std::string& name) const {
@@ -135,8 +136,7 @@ class Reader {
         where = file_name(behavior.name, whole(number->value));
         file = document(where);
         if (file == nullptr && matters(behavior.name)) {
-          refuse("/files/" + mission.name, "asks for " + where + " in line " + std::to_string(behavior.line) +
-                                               ", which is not among the files");
+          refuse<"file-asked-for-missing">("/files/" + mission.name, where, behavior.line);
           has_yo_ = has_yo_ || behavior.name == "yo";
           continue;
         }
@@ -198,9 +198,12 @@ class Reader {
     for (const mission::WaypointRow& row : rows.waypoints) list.waypoints.push_back(row.place);
     if (list.waypoints.empty()) return;
     list.radius = {arguments.value("list_when_wpt_dist", 10.0)};
-    const auto flown = mission::list_orders(arguments.known("num_legs_to_run"),
-                                            arguments.known("initial_wpt"), list.waypoints.size());
-    if (!flown) return refuse("/files/" + arguments.where() + "/" + flown.error().field, flown.error().rule);
+    auto flown = mission::list_orders(arguments.known("num_legs_to_run"), arguments.known("initial_wpt"),
+                                      list.waypoints.size());
+    if (!flown) {
+      flown.error().field = "/files/" + arguments.where() + "/" + flown.error().field;
+      return core::note(found_, std::move(flown.error()));
+    }
     list.rows = *flown;
     list.hold = mission::hold_order(rows);
     if (list.hold && list.hold->planned)
@@ -216,13 +219,10 @@ class Reader {
       const double altitude_m = arguments.value(prefix + "target_altitude", -1.0);
       if (altitude_m >= 0.0) half.altitude = core::Metres{altitude_m};
       if (mission::is_mission_parameter(half.depth.value)) {
-        refuse(field + "target_depth",
-               "stands for a parameter that another program on board sets; the "
-               "simulator needs the depth itself");
+        refuse<"depth-of-another-program">(field + "target_depth");
       } else if (half.depth > vehicle_.depth_rating) {
-        refuse(field + "target_depth", "is " + text(half.depth.value) + " m, below the rating of " +
-                                           vehicle_.title + " (" + text(vehicle_.depth_rating.value) +
-                                           " m): the files are for another vehicle");
+        refuse<"deeper-than-rating">(field + "target_depth", text(half.depth.value), vehicle_.title,
+                                     text(vehicle_.depth_rating.value));
       }
     }
     // Held by servo in radians (3) or set once from a curve (2); the battery's place in inches (1) needs the vehicle's
@@ -234,7 +234,7 @@ class Reader {
       note("Pitch by battery position needs the vehicle's calibration; " +
            text(core::radians_to_degrees(vehicle_.pitch.value)) + " degrees stand in.");
     } else if (!(std::abs(half.pitch_rad) <= 0.5 * std::numbers::pi)) {
-      refuse(field + "pitch_value", "must be an angle in radians between -1.57 and 1.57");
+      refuse<"wrong-pitch">(field + "pitch_value");
     }
     const int pump_code = arguments.code(prefix + "use_bpump", 2);
     const double asked_m3 = pump_code == 2 || pump_code == 3
@@ -243,7 +243,7 @@ class Reader {
     half.buoyancy_m3 = sign * std::min(asked_m3, vehicle_.buoyancy.value);
     half.thruster = arguments.code(prefix + "use_thruster", 0) != 0;
     if (half.thruster && !vehicle_.thruster)
-      refuse(field + "use_thruster", "needs a thruster, and " + vehicle_.title + " has none");
+      refuse<"yo-without-thruster">(field + "use_thruster", vehicle_.title);
     return half;
   }
 
@@ -255,7 +255,7 @@ class Reader {
     orders_.yo.half_cycles = arguments.code("num_half_cycles_to_do", -1);
     orders_.yo.dives_first = arguments.code("start_diving", 1) != 0;
     if (!(orders_.yo.climb.depth < orders_.yo.dive.depth))
-      refuse("/files/" + arguments.where() + "/c_target_depth", "must be above d_target_depth");
+      refuse<"climb-below-dive">("/files/" + arguments.where() + "/c_target_depth");
   }
 
   void read_surface(const Arguments& arguments) {
@@ -284,7 +284,7 @@ class Reader {
                        surface.cause == Cause::no_contact;
     surface.interval = core::Seconds{arguments.value("when_secs", 1200.0)};
     if (timed && !(surface.interval.count() >= 120.0))
-      refuse("/files/" + arguments.where() + "/when_secs", "must be 120 s or more");
+      refuse<"surfacings-too-often">("/files/" + arguments.where() + "/when_secs");
     surface.distance = {arguments.value("when_wpt_dist", 10.0)};
     surface.turns = arguments.code("when_num_inflections", -1);
     surface.ends_mission = arguments.code("end_action", 1) == 0;
@@ -297,7 +297,7 @@ class Reader {
   }
 
   void take_yo_of_vehicle(bool in_mission) {
-    if (in_mission) return refuse("/files", "must hold a yo: nothing else commands pitch and buoyancy");
+    if (in_mission) return refuse<"no-yo-to-fly">("/files");
     orders_.yo = {.dive = {.depth = vehicle_.dive_depth,
                            .altitude = vehicle_.altimeter_margin,
                            .pitch_rad = -vehicle_.pitch.value,

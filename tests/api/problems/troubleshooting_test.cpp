@@ -5,6 +5,7 @@
 #include "api/problems/problem_catalogue.hpp"
 #include "engine/messages/data_messages.hpp"
 #include "engine/messages/export_messages.hpp"
+#include "engine/messages/flight_fault_messages.hpp"
 #include "engine/messages/ingest_area_messages.hpp"
 #include "engine/messages/ingest_current_messages.hpp"
 #include "engine/messages/ingest_depth_messages.hpp"
@@ -14,6 +15,7 @@
 #include "engine/messages/ingest_iceberg_messages.hpp"
 #include "engine/messages/ingest_tide_messages.hpp"
 #include "engine/messages/ingest_track_messages.hpp"
+#include "engine/messages/mission_fault_messages.hpp"
 #include "engine/messages/plan_messages.hpp"
 #include "engine/messages/refusal_messages.hpp"
 #include "engine/messages/request_messages.hpp"
@@ -68,9 +70,16 @@ TEST(Troubleshooting, HasEveryMessageAndProblemByItsCode) {
       entries(messages::ingest_iceberg_kinds) + "\n## Files: zones and coastlines\n" +
       entries(messages::ingest_area_kinds) + "\n## Files: tracks of gliders\n" +
       entries(messages::ingest_track_kinds) +
-      "\n## Faults of requests and routes\n\nEach follows the name of the field, parameter or line that it is "
+      "\n## Faults of requests and routes\n\nEach follows the name of the field, parameter or line that it "
+      "is "
       "about.\n" +
-      entries(messages::request_kinds) + "\n## Problems of the API\n\nThe type of a problem ends in its code, or "
+      entries(messages::request_kinds) +
+      "\n## Faults of mission files\n\nEach follows the name of the field or file that it is about.\n" +
+      entries(messages::mission_fault_kinds) +
+      "\n## Faults of simulated flights and logs\n\nEach follows the name of the field, file or column that "
+      "it is about.\n" +
+      entries(messages::flight_fault_kinds) +
+      "\n## Problems of the API\n\nThe type of a problem ends in its code, or "
       "in that of a group of problems.\n" +
       problem_entries();
   support::expect_written_part("web/guide/troubleshooting.md", "messages", part, "problems_test");
