@@ -4,6 +4,7 @@
 
 #include "api/codec/bytes/document_values.hpp"
 #include "api/codec/documents/dataset_document.hpp"
+#include "api/log/log.hpp"
 #include "engine/messages/sentence.hpp"
 #include "storage/ingest/files/file_digest.hpp"
 #include "storage/ingest/process/staging_folder.hpp"
@@ -90,6 +91,11 @@ json report_document(const std::vector<ingest::IngestReport>& reports) {
   return {{"datasets", std::move(documents)}};
 }
 
+void log_technical_cause(const ingest::IngestReport& report) {
+  if (report.technical_cause.empty()) return;
+  log::warn({"reader failed file=\"", report.file, "\" cause=\"", report.technical_cause, "\""});
+}
+
 tl::expected<json, std::string> ingest_document(sql::Connection& db, const codec::IngestInputs& inputs,
                                                 const IngestPlace& place, const std::string& owner,
                                                 bool again, const std::stop_token& stop,
@@ -97,13 +103,14 @@ tl::expected<json, std::string> ingest_document(sql::Connection& db, const codec
   const ingest::StagingFolder folder{place.guard.staging};
   const auto files = lay_out(inputs, place.uploads, folder.path());
   if (!files) return tl::unexpected(files.error());
-  const auto note_owner = [&](const ingest::IngestReport& report) {
+  const auto take_note = [&](const ingest::IngestReport& report) {
+    log_technical_cause(report);
     const bool is_new = report.status == ingest::IngestStatus::stored;
     if (report.dataset && (is_new || again))
       repository::Owners{db}.note_dataset(report.dataset->id.value, owner);
   };
   return report_document(
-      ingest::guarded_ingest(db, place.guard, *files, options_of(inputs), now, stop, progress, note_owner));
+      ingest::guarded_ingest(db, place.guard, *files, options_of(inputs), now, stop, progress, take_note));
 }
 
 }  // namespace floeplan::service

@@ -26,6 +26,9 @@ struct IngestPlace {
 /// {"datasets": [...]}, one report after the other.
 [[nodiscard]] nlohmann::json report_document(const std::vector<ingest::IngestReport>& reports);
 
+/// Writes the technical cause of a refusal, where the report has one, to the server's log.
+void log_technical_cause(const ingest::IngestReport& report);
+
 /// Reads uploads into the store, for their `owner`. A file that is refused is part of the report, not an error.
 /// `again`  after an attempt that broke off: what is found unchanged may be the owner's of then
 /// Errors   why nothing could be read: an upload has expired

@@ -54,8 +54,10 @@ inline constexpr auto ingest_current_kinds = std::to_array<Kind>({
      .slots = {{{"what", "current"}}}},
     {.code = "current-markers-left-out",
      .rank = Rank::note,
-     .text = "{markers} {markers:value is|values are} markers for \"missing\" that the file does not "
-             "declare, or outside its valid range, and left out",
+     .text =
+         "{markers} {markers:value|values} left out: {markers:it stands|they stand} for a missing current, "
+         "although "
+         "the file does not declare that, or {markers:lies|lie} outside the valid range that the file states",
      .slots = {{{"markers", 12}}}},
     {.code = "zeros-taken-as-land",
      .rank = Rank::note,
@@ -113,10 +115,10 @@ inline constexpr auto ingest_current_kinds = std::to_array<Kind>({
      .slots = {{{"speed", "35"}, {"place", "longitude -52, latitude 69"}}}},
     {.code = "possible-marker",
      .rank = Rank::caution,
-     .text = "at {points} points both components are exactly {value} m/s and none is {beyond}: this looks "
-             "like an undeclared marker of missing values",
-     .hint = "If it is one, remove the dataset and ingest the file again with --missing and the number as "
-             "the file has it",
+     .text = "at {points} points both components are exactly {value} m/s and none is {beyond}: this "
+             "number probably marks missing values, although the file does not declare it",
+     .hint = "If it does, remove the dataset and ingest the file again with --missing and the number as the "
+             "file has it",
      .slots = {{{"points", 120}, {"value", "-9.99"}, {"beyond", "smaller"}}}},
     // Which way it points.
     {.code = "axes-of-variable-unknown",
@@ -469,8 +471,9 @@ inline constexpr auto ingest_current_kinds = std::to_array<Kind>({
      .hint = "Give a file with, for example, the variables uo and vo"},
     {.code = "wind-not-found",
      .rank = Rank::caution,
-     .text = "the file holds no wind near the sea: there is nothing to store",
-     .hint = "Give a file with, for example, the variables u10 and v10"},
+     .text = "the file holds no wind at 10 m above the sea, so nothing was stored",
+     .hint = "Give a file with the eastward and the northward wind at that height, for example the "
+             "variables u10 and v10"},
     {.code = "several-pairs",
      .rank = Rank::caution,
      .text = "the file holds several pairs of components, {pairs}. It is not known which of them is meant",

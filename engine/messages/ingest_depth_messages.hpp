@@ -13,8 +13,9 @@ inline constexpr auto ingest_depth_kinds = std::to_array<Kind>({
      .hint = "Copy or download it again"},
     {.code = "depth-markers-left-out",
      .rank = Rank::note,
-     .text = "{markers} {markers:value is a marker|values are markers} for \"missing\" that the file does "
-             "not declare and left out",
+     .text = "{markers} {markers:value|values} left out: {markers:it stands|they stand} for a missing depth, "
+             "although "
+             "the file does not declare that",
      .slots = {{{"markers", 12}}}},
     {.code = "depths-all-missing",
      .rank = Rank::caution,
@@ -125,9 +126,9 @@ inline constexpr auto ingest_depth_kinds = std::to_array<Kind>({
     {.code = "depth-impossible",
      .rank = Rank::caution,
      .text = "\"{variable}\" has {what} at longitude {longitude}, latitude {latitude}, but there is none on "
-             "Earth. The unit is wrong, or a marker for missing values is not declared",
-     .hint = "Ask the producer, or name the marker of a NetCDF file with --missing, for example --missing "
-             "-9999",
+             "Earth. The unit is wrong, or the file marks missing values without declaring them",
+     .hint = "Ask the producer, or name the number that marks them in a NetCDF file with --missing, for "
+             "example --missing -9999",
      .slots = {{{"variable", "elevation"},
                 {"what", "a depth of 32767 m"},
                 {"longitude", "-52"},

@@ -62,9 +62,10 @@ inline constexpr auto ingest_file_kinds = std::to_array<Kind>({
      .hint = "Copy or download it again"},
     {.code = "reader-failed",
      .rank = Rank::caution,
-     .text = "the file cannot be read: {reason}",
-     .hint = "Copy or download it again",
-     .slots = {{{"reason", "vector::_M_default_append"}}}},
+     .text = "the program could not finish reading the file: it is damaged, or written in a variant of its "
+             "format that this program does not know",
+     .hint = "Copy or download it again. If that does not help, open it in another program and save it in "
+             "one of the formats that `floeplan formats` lists"},
     {.code = "reader-not-confined",
      .rank = Rank::caution,
      .text = "this machine cannot confine the process that reads files ({layers}). A hostile file could "

@@ -53,10 +53,10 @@ inline constexpr auto ingest_format_kinds = std::to_array<Kind>({
      .slots = {{{"axis", "lon"}}}},
     {.code = "axis-out-of-order",
      .rank = Rank::caution,
-     .text = "the coordinate \"{axis}\" does not run one way: {one} is followed by {next}, so places would "
-             "be mixed up",
+     .text = "the values of the coordinate \"{axis}\" must rise, or fall, from the first to the last. Here "
+             "they {course}, but {one} is followed by {next}, so places would be mixed up",
      .hint = "Ask the producer for a regular grid",
-     .slots = {{{"axis", "lon"}, {"one", "10"}, {"next", "9"}}}},
+     .slots = {{{"axis", "lon"}, {"course", "rise"}, {"one", "10"}, {"next", "9"}}}},
     {.code = "longitudes-not-degrees",
      .rank = Rank::caution,
      .text = "the longitudes in \"{axis}\" run from {range}: they are not degrees",

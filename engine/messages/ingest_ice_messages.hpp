@@ -109,9 +109,9 @@ inline constexpr auto ingest_ice_kinds = std::to_array<Kind>({
     {.code = "concentration-off-scale",
      .rank = Rank::caution,
      .text = "the concentration \"{variable}\" states the unit \"{unit}\" but runs from {range}. The unit "
-             "is wrong, or markers for land and missing values are not declared",
-     .hint = "Ask the producer, correct the attributes (units, _FillValue, valid_range), or name the marker "
-             "with --missing",
+             "is wrong, or the file marks land and missing values without declaring them",
+     .hint = "Ask the producer, correct the attributes (units, _FillValue, valid_range), or name the number "
+             "that marks them with --missing, for example --missing 255",
      .slots = {{{"variable", "siconc"}, {"unit", "%"}, {"range", "0 to 255"}}}},
     {.code = "concentration-taken-as-shares",
      .rank = Rank::caution,
@@ -146,8 +146,9 @@ inline constexpr auto ingest_ice_kinds = std::to_array<Kind>({
     {.code = "thickness-off-scale",
      .rank = Rank::caution,
      .text = "the thickness \"{variable}\" runs from {range} {unit}, thicker than any sea ice. The unit is "
-             "wrong, or missing values are not declared",
-     .hint = "Ask the producer, or name their marker with --missing",
+             "wrong, or the file marks missing values without declaring them",
+     .hint =
+         "Ask the producer, or name the number that marks them with --missing, for example --missing 9999",
      .slots = {{{"variable", "sithick"}, {"range", "0 to 9999"}, {"unit", "m"}}}},
     {.code = "ice-variable-not-found",
      .rank = Rank::caution,

@@ -293,8 +293,9 @@ inline constexpr auto plan_kinds = std::to_array<Kind>({
      .text = "the search reached the limit of its work: a plan of lower cost may exist"},
     {.code = "route-not-refined",
      .rank = Rank::note,
-     .text = "the route is not refined: refined routes are faster, but break a rule that holds for the whole "
-             "route, such as the longest time without a place to surface"},
+     .text = "the route keeps to the lines of the search grid. A route off these lines would be faster, but "
+             "it would break a limit of the request, such as the longest time without a place to surface",
+     .hint = "A smaller grid spacing (--spacing) may give a faster route"},
     {.code = "more-waypoints-than-asked",
      .rank = Rank::caution,
      .text = "the route needs more waypoints than requested: with fewer it would be closed or have legs that "

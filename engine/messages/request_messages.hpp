@@ -226,8 +226,9 @@ inline constexpr auto request_kinds = std::to_array<Kind>({
      .text = "no dataset has the id {id}; /datasets lists them",
      .slots = {{{"id", "ice-1"}}}},
     {.code = "dataset-of-another-kind",
-     .text = "the dataset {id} is of kind {kind}",
-     .slots = {{{"id", "ice-1"}, {"kind", "ice"}}}},
+     .text = "the dataset {id} holds {kind}, but this field needs one that holds {wanted}; /datasets lists "
+             "the datasets with their kinds",
+     .slots = {{{"id", "ice-1"}, {"kind", "ice"}, {"wanted", "currents"}}}},
     {.code = "no-such-plan", .text = "no plan has the id {id}", .slots = {{{"id", "p0123456789ab"}}}},
     {.code = "no-such-upload",
      .text = "no upload has the id {id}; it was removed or has expired",

@@ -32,6 +32,9 @@ struct IngestFlags {
 void complain_of(const ingest::IngestReport& report) {
   for (const messages::Message& error : report.errors)
     complain(bad_data, report.file + ": " + messages::sentence(error));
+  if (!report.technical_cause.empty())
+    complain(bad_data,
+             report.file + ": technical cause, for a report of this fault: " + report.technical_cause);
 }
 
 void print_report(const ingest::IngestReport& report) {

@@ -87,7 +87,8 @@ void ingest_and_put_away(sql::Connection& db, const ingest::Guard& guard, const 
                          const std::stop_token& stop) {
   std::map<ingest::FileGroup, std::vector<ingest::IngestReport>> groups;
   const core::UtcTime now = std::chrono::system_clock::now();
-  for (ingest::IngestReport& report : ingest::guarded_ingest(db, guard, files, {}, now, stop, {}, {}))
+  for (ingest::IngestReport& report :
+       ingest::guarded_ingest(db, guard, files, {}, now, stop, {}, service::log_technical_cause))
     groups[report.files].push_back(std::move(report));
   for (const auto& [group, reports] : groups) {
     const bool refused = std::ranges::any_of(

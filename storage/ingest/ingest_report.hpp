@@ -20,6 +20,8 @@ struct IngestReport {
   Messages warnings;                           // what the reader assumed, changed or left out
   Messages errors;                             // empty unless refused
   FileGroup files{};                           // what `file` names; set by guarded_ingest
+  /// The exception that ended the reader, in the words of its library: for a log, never for a pilot. Usually empty.
+  std::string technical_cause{};
 };
 
 }  // namespace floeplan::ingest

@@ -32,7 +32,8 @@ void check_choice(sql::Connection& db, const repository::DatasetChoice& choice, 
     const auto dataset = repository::DatasetRepository{db}.find(id);
     if (!dataset) faults.refuse<"no-such-dataset">("/" + key, id.value);
     if (dataset && dataset->kind != kind)
-      faults.refuse<"dataset-of-another-kind">("/" + key, id.value, kind_name(dataset->kind));
+      faults.refuse<"dataset-of-another-kind">("/" + key, id.value, kind_name(dataset->kind),
+                                               kind_name(kind));
   }
 }
 

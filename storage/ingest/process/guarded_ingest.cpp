@@ -107,6 +107,13 @@ class Delivery {
   std::optional<repository::DatasetReceiver> receiver_;
 };
 
+/// Requires `told.breakdown`.
+IngestReport refused_by_breakdown(const FileGroup& files, const IngestOptions& options, const Told& told) {
+  IngestReport report = refused(files, options, {*told.breakdown});
+  report.technical_cause = told.technical_cause;
+  return report;
+}
+
 /// Whether a reader can have said this of its files.
 bool is_possible(const IngestReport& report) {
   return (report.status == IngestStatus::refused) == !report.dataset &&
@@ -145,7 +152,7 @@ std::optional<std::vector<IngestReport>> ingest_one_group(sql::Connection& db, c
   if (told.stopped) return std::nullopt;
   if (!told.breakdown && (told.reports.empty() || !std::ranges::all_of(told.reports, is_possible)))
     told.breakdown = unexplained_end();
-  if (told.breakdown) return std::vector{refused(files, options, {*told.breakdown})};
+  if (told.breakdown) return std::vector{refused_by_breakdown(files, options, told)};
   std::vector<repository::DatasetId> taken_over;
   try {
     taken_over = delivery.take_over(db, told.reports);
@@ -175,7 +182,7 @@ class Arrivals {
                            stop, {}, {});
     if (told.stopped) return std::nullopt;
     if (!told.breakdown && told.reports.size() == 1) return std::move(told.reports.front());
-    if (told.breakdown) return refused({file}, {}, {*told.breakdown});
+    if (told.breakdown) return refused_by_breakdown({file}, {}, told);
     const auto& unpacked = told.unpacked;
     if (!unpacked || !are_inside(unpacked->data)) return refused({file}, {}, {unexplained_end()});
     for (const std::string& name : unpacked->data) {

@@ -41,7 +41,8 @@ void note(const Failed& failed, const ReaderLimits& limits, Told& told) {
                                                                                       bytes_per_megabyte);
       return;
     case Failed::Cause::reader:
-      told.breakdown = messages::ingest_file_message<"reader-failed">(failed.reason);
+      told.breakdown = messages::ingest_file_message<"reader-failed">();
+      told.technical_cause = failed.reason;
       return;
     case Failed::Cause::store: throw std::runtime_error{failed.reason};
     case Failed::Cause::sandbox:

@@ -22,7 +22,8 @@ struct Told {
   std::size_t looks_at{};
   std::optional<sandbox::Layers> layers;  // that it was confined by
   std::optional<messages::Message>
-      breakdown;  // why the files are refused; empty where the process did its work
+      breakdown;                // why the files are refused; empty where the process did its work
+  std::string technical_cause;  // of the breakdown, as IngestReport has it
   bool stopped{false};
 };
 

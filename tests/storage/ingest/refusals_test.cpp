@@ -220,7 +220,13 @@ TEST_F(Refusals, ALatitudeBeyondThePole) {
 TEST_F(Refusals, LatitudesInDisorder) {
   CurrentFile file;
   file.lats = {50.0, 52.0, 51.0};
-  expect_refused_currents(file, "does not run one way");
+  expect_refused_currents(file, "they rise, but 52 is followed by 51");
+}
+
+TEST_F(Refusals, DescendingLatitudesInDisorder) {
+  CurrentFile file;
+  file.lats = {52.0, 50.0, 51.0};
+  expect_refused_currents(file, "they fall, but 50 is followed by 51");
 }
 
 TEST_F(Refusals, OneComponentAlone) {

@@ -93,14 +93,18 @@ Checked<AxisNodes> monotonic_nodes(const std::string& name, std::vector<double> 
   if (const auto missing = first_missing(name, values)) return refuse(*missing);
 
   AxisNodes axis = in_file_order(std::move(values));
-  if (axis.nodes.front() > axis.nodes.back()) {
+  const bool falls = axis.nodes.front() > axis.nodes.back();
+  if (falls) {
     std::reverse(axis.nodes.begin(), axis.nodes.end());
     std::reverse(axis.source.begin(), axis.source.end());
   }
   const auto disorder = std::adjacent_find(axis.nodes.begin(), axis.nodes.end(), std::greater_equal<>{});
-  if (disorder != axis.nodes.end())
-    return refuse(messages::ingest_format_message<"axis-out-of-order">(name, number(*disorder, digits),
-                                                                       number(*(disorder + 1), digits)));
+  if (disorder != axis.nodes.end()) {
+    const double one = falls ? *(disorder + 1) : *disorder;
+    const double next = falls ? *disorder : *(disorder + 1);
+    return refuse(messages::ingest_format_message<"axis-out-of-order">(
+        name, falls ? "fall" : "rise", number(one, digits), number(next, digits)));
+  }
   return axis;
 }
 

@@ -104,6 +104,22 @@ TEST_F(GuardedIngest, TellsWithCodesAndValuesWhyAFileIsRefused) {
                                                 std::string{"<html>502 Bad Gateway</html>"}));
 }
 
+TEST_F(GuardedIngest, KeepsTheExceptionOfAReaderOutOfWhatAPilotReads) {
+  const auto program = write_file("reader.sh",
+                                  "#!/bin/sh\n"
+                                  "echo '{\"confined\": [true, 3]}'\n"
+                                  "echo '{\"failed\": [1, \"vector::_M_default_append\"]}'\n");
+  std::filesystem::permissions(program, std::filesystem::perms::owner_all);
+  const Guard guard{.program = program, .staging = path("incoming"), .allow_weak_sandbox = true};
+
+  const auto reports = guarded_ingest(db_, guard, {write_file("a.nc", "x")}, options_,
+                                      core::from_unix_seconds(1.8e9), {}, {}, {});
+
+  ASSERT_EQ(reports.size(), 1U);
+  EXPECT_EQ(reports.front().errors, Messages{messages::ingest_file_message<"reader-failed">()});
+  EXPECT_EQ(reports.front().technical_cause, "vector::_M_default_append");
+}
+
 TEST_F(GuardedIngest, StoresWhatReadingInThisProcessStores) {
   const auto files = good_files();
   auto here = repository::open_store_in_memory();

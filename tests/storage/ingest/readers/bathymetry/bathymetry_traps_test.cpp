@@ -273,7 +273,7 @@ TEST_F(BathymetryTraps, AnUndeclaredMarkerIsLeftOutWithAWarning) {
 
   EXPECT_TRUE(std::isnan(sea.depth_m()[0]));
   EXPECT_TRUE(std::isnan(sea.depth_m()[5]));
-  EXPECT_THAT(words(report_), HasSubstr("2 values are markers"));
+  EXPECT_THAT(words(report_), HasSubstr("2 values left out: they stand for a missing depth"));
 }
 
 TEST_F(BathymetryTraps, PlainTextInMetresIsNotTakenForDegrees) {

@@ -56,7 +56,7 @@ TEST_F(CurrentTraps, ValuesOutsideTheValidRangeAreMissingPackedOrNot) {
 
     EXPECT_FLOAT_EQ(samples.u[0], 0.1F);
     EXPECT_TRUE(std::isnan(samples.u[1]));
-    EXPECT_THAT(words(report_), HasSubstr("outside its valid range"));
+    EXPECT_THAT(words(report_), HasSubstr("outside the valid range that the file states"));
     db_ = repository::open_store_in_memory();
   }
 }
@@ -176,7 +176,7 @@ TEST_F(CurrentTraps, AnUndeclaredFillIsLeftOutWithAWarning) {
   const auto samples = stored(file);
 
   EXPECT_TRUE(std::isnan(samples.u[1]));
-  EXPECT_THAT(words(report_), HasSubstr("does not declare"));
+  EXPECT_THAT(words(report_), HasSubstr("they stand for a missing current"));
 }
 
 TEST_F(CurrentTraps, DepthsThatCountUpwardsBecomePositiveDownAndAscend) {
