@@ -285,8 +285,9 @@ inline constexpr auto ingest_file_kinds = std::to_array<Kind>({
      .rank = Rank::caution,
      .text = "the file holds {variables}, but neither currents of the sea nor depths nor sea ice nor wind "
              "under known names: there is nothing to store",
-     .hint = "If two of them are the current, say so by their standard_name, eastward_sea_water_velocity "
-             "and northward_sea_water_velocity, for example with ncatted",
+     .hint = "If one of them is the concentration of sea ice, give --kind ice and --variable with its name. "
+             "If two of them are the current, say so by their standard_name, eastward_sea_water_velocity and "
+             "northward_sea_water_velocity, for example with ncatted",
      .slots = {{{"variables", "temp and salt"}}}},
     {.code = "groups-not-read",
      .rank = Rank::note,

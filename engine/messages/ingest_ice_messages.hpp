@@ -132,8 +132,14 @@ inline constexpr auto ingest_ice_kinds = std::to_array<Kind>({
      .rank = Rank::caution,
      .text = "the concentration \"{variable}\" states no unit and runs from {range}: these may be shares of "
              "1 or percent",
-     .hint = "Add the units attribute, or ask the producer",
+     .hint = "Say which it is with --unit share or --unit percent; the producer of the file knows",
      .slots = {{{"variable", "siconc"}, {"range", "0 to 0.1"}}}},
+    {.code = "concentration-not-in-the-given-unit",
+     .rank = Rank::caution,
+     .text = "the concentration \"{variable}\" states no unit and runs from {range}, which is impossible for "
+             "--unit {given}",
+     .hint = "Give the other of --unit share and --unit percent, or ask the producer",
+     .slots = {{{"variable", "siconc"}, {"given", "share"}, {"range", "0 to 98"}}}},
     {.code = "thickness-unit-unknown",
      .rank = Rank::caution,
      .text = "the thickness \"{variable}\" has the unit \"{unit}\", which is not a known length",

@@ -122,8 +122,12 @@ void add_ingest(CLI::App& app, Program& program) {
   command->add_option("--time", flags->time, "Valid time of sea ice, if the file does not state it");
   command->add_option("--at", flags->at,
                       "Position of a tide station, LON,LAT, if the file does not state it");
-  command->add_option("--unit", flags->unit, "Unit of a station's amplitudes, if the file does not state it")
-      ->check(CLI::IsMember({"m", "cm", "mm", "ft"}));
+  command
+      ->add_option(
+          "--unit", flags->unit,
+          "Unit, if the file does not state it: of a tide station's amplitudes (m, cm, mm, ft) or of a "
+          "concentration of sea ice (share of 1, percent)")
+      ->check(CLI::IsMember({"m", "cm", "mm", "ft", "share", "percent"}));
   command
       ->add_option("--zone-kind", flags->zone_kind,
                    "Rule of zones, if the file states none: no_go or stay_in")

@@ -64,7 +64,7 @@ tl::expected<IngestInputs, core::Violations> parse_ingest_inputs(const json& doc
   inputs.missing = reader.number("missing", {-largest, largest});
   inputs.time = reader.time("time");
   inputs.at = reader.place("at");
-  inputs.unit = choice(reader, "unit", {"m", "cm", "mm", "ft"});
+  inputs.unit = choice(reader, "unit", {"m", "cm", "mm", "ft", "share", "percent"});
   inputs.zone_kind = choice(reader, "zone_kind", {"no_go", "stay_in"});
   reader.refuse_unknown();
   if (!reader.violations().empty()) return tl::unexpected(reader.violations());

@@ -23,7 +23,7 @@ struct IngestInputs {
   std::optional<double> missing;      // marks missing values beside what the files declare
   std::optional<core::UtcTime> time;  // for which an ice chart holds that does not say it
   std::optional<geo::LonLat> at;
-  std::optional<std::string> unit;       // "m", "cm", "mm" or "ft"
+  std::optional<std::string> unit;       // as of ingest::IngestOptions
   std::optional<std::string> zone_kind;  // "no_go" or "stay_in"
 };
 

@@ -46,7 +46,7 @@ export interface IngestOptions {
   missing?: number;
   time?: string;
   at?: Position;
-  unit?: 'm' | 'cm' | 'mm' | 'ft';
+  unit?: 'm' | 'cm' | 'mm' | 'ft' | 'share' | 'percent';
   zone_kind?: 'no_go' | 'stay_in';
 }
 

@@ -26,7 +26,13 @@ export const ingestOptions: Record<OptionName, Option> = {
   missing: { title: 'Mark of missing values', placeholder: '-99.99' },
   time: { title: 'Holds at', placeholder: '2026-11-20T18:00:00Z' },
   at: { title: 'Station at', placeholder: '69°13.2′N 51°06.0′W' },
-  unit: { title: 'Unit of amplitudes', choices: [['m', 'metres'], ['cm', 'centimetres'], ['mm', 'millimetres'], ['ft', 'feet']] },
+  unit: {
+    title: 'Unit',
+    choices: [
+      ['m', 'tide: metres'], ['cm', 'tide: centimetres'], ['mm', 'tide: millimetres'], ['ft', 'tide: feet'],
+      ['share', 'sea ice: shares of 1'], ['percent', 'sea ice: percent'],
+    ],
+  },
   zone_kind: { title: 'Rule of the zones', choices: [['no_go', 'keep out'], ['stay_in', 'stay in']] },
 };
 

@@ -74,8 +74,8 @@ void warn_of_marks(const Quantity& quantity, const Found& found, Messages& warni
 }
 
 Checked<Quantity> concentration_of(const NetcdfVariable& variable, const NetcdfLayout& layout,
-                                   Messages& warnings) {
-  const auto stated = stated_unit_of_concentration(variable);
+                                   const std::optional<std::string>& given_unit, Messages& warnings) {
+  const auto stated = stated_unit_of_concentration(variable, given_unit);
   if (!stated) return refuse(stated.error());
   Quantity quantity{&variable, MissingMarks{variable}, *stated};
   const auto found = look_through(quantity, layout);
@@ -178,7 +178,7 @@ Checked<IceSource> open_source(const std::shared_ptr<const NetcdfFile>& file, co
   warnings.insert(warnings.end(), layout->warnings.begin(), layout->warnings.end());
   IceSource source{file, {}, {}, std::move(*layout), std::move(place->grid), std::move(place->bent)};
   for (const NetcdfVariable* variable : ice->concentrations) {
-    auto quantity = concentration_of(*variable, source.layout, warnings);
+    auto quantity = concentration_of(*variable, source.layout, options.unit, warnings);
     if (!quantity) return refuse(quantity.error());
     source.concentrations.push_back(std::move(*quantity));
   }

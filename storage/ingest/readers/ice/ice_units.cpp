@@ -39,6 +39,10 @@ std::string extent_text(const Found& found) {
   return number(found.extent.least) + " to " + number(found.extent.greatest);
 }
 
+bool states_unit(const NetcdfVariable& variable) {
+  return !is_one_of(lower(variable.attribute("units")), {"", "unitless", "none"});
+}
+
 /// Whether the greatest value that the variable declares valid is a share of 1. NOAA's OISST says percent beside it.
 bool declares_shares(const NetcdfVariable& variable) {
   const auto range = variable.numbers("valid_range");
@@ -48,9 +52,12 @@ bool declares_shares(const NetcdfVariable& variable) {
 
 }  // namespace
 
-Checked<IceUnit> stated_unit_of_concentration(const NetcdfVariable& variable) {
+Checked<IceUnit> stated_unit_of_concentration(const NetcdfVariable& variable,
+                                              const std::optional<std::string>& given) {
   const std::string unit = lower(variable.attribute("units"));
-  if (unit.empty() || unit == "unitless" || unit == "none") {
+  if (!states_unit(variable)) {
+    if (given == "share") return with_declared_overshoot(unit_with(1.0), variable);
+    if (given == "percent") return unit_with(0.01);
     IceUnit open = unit_with(0.01);
     open.factor = 0.0;
     return open;
@@ -68,11 +75,16 @@ Checked<IceUnit> settled_unit_of_concentration(const NetcdfVariable& variable, I
   const std::string name = "the concentration \"" + variable.name() + "\"";
   const double greatest = found.extent.greatest;
   if (stated.factor > 0.0) {
-    if (!stated.possible.contains(found.extent.least) || !stated.possible.contains(greatest))
+    const bool given = !states_unit(variable);
+    const bool fits = stated.possible.contains(found.extent.least) && stated.possible.contains(greatest);
+    if (!fits && given)
+      return refuse(messages::ingest_ice_message<"concentration-not-in-the-given-unit">(
+          variable.name(), stated.factor == 1.0 ? "share" : "percent", extent_text(found)));
+    if (!fits)
       return refuse(messages::ingest_ice_message<"concentration-off-scale">(
           variable.name(), variable.attribute("units"), extent_text(found)));
     const bool looks_like_shares =
-        stated.factor < 1.0 && greatest > 0.0 && greatest <= 1.0 && !found.whole_numbers;
+        !given && stated.factor < 1.0 && greatest > 0.0 && greatest <= 1.0 && !found.whole_numbers;
     if (looks_like_shares && declares_shares(variable)) {
       warnings.push_back(messages::ingest_ice_message<"concentration-taken-as-shares">(
           variable.name(), variable.attribute("units")));

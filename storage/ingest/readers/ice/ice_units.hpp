@@ -10,7 +10,7 @@
 
 namespace floeplan::ingest {
 
-/// The unit of a variable, found from all its values.
+/// What all values of a variable show about its unit.
 struct Found {
   Extent extent{};           // of the values that are not missing
   bool whole_numbers{true};  // all of them
@@ -24,14 +24,16 @@ struct IceUnit {
   Extent possible{};  // in the variable's unit
 };
 
-/// The unit that a concentration states ("1", "%", tenths); with none, the extent for which every unit is possible
+/// The unit that a concentration states ("1", "%", tenths). A variable without a unit has the one that the user gave
+/// for it (IngestOptions::unit: "share" or "percent"); if the user gave none, the extent for which every unit is possible
 /// and a factor of zero.
 /// Errors   a unit that is no share
-[[nodiscard]] Checked<IceUnit> stated_unit_of_concentration(const NetcdfVariable& variable);
+[[nodiscard]] Checked<IceUnit> stated_unit_of_concentration(const NetcdfVariable& variable,
+                                                            const std::optional<std::string>& given);
 
-/// Settles the unit by what was found in it: values that fit the stated unit; or, with none stated, shares of one or
-/// percent if only one of both is possible.
-/// Errors   values that contradict the unit, or leave it open
+/// Settles the unit by the values of the variable: they must fit the unit that was stated or given; without such a unit
+/// they are shares of one or percent if only one of both is possible.
+/// Errors   values that contradict the unit, or that both units could have
 [[nodiscard]] Checked<IceUnit> settled_unit_of_concentration(const NetcdfVariable& variable, IceUnit stated,
                                                              const Found& found, Messages& warnings);
 

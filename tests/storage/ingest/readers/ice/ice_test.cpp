@@ -183,6 +183,32 @@ TEST_F(IceTest, WithoutAUnitOnlyValuesAbove1Point5TellPercent) {
   expect_refused_ice(file, "may be shares of 1 or percent");
 }
 
+TEST_F(IceTest, WithoutAUnitTheUserMayGiveIt) {
+  IceFile file;
+  file.texts.erase("units");
+  file.values.assign(12, 0.1);
+  EXPECT_FLOAT_EQ(stored(file, {.unit = "share"}).concentration[5], 0.1F);
+
+  file.values.assign(12, 0.12);
+  EXPECT_FLOAT_EQ(stored(file, {.unit = "percent"}).concentration[5], 0.0012F);
+}
+
+TEST_F(IceTest, AUnitOfTheUserThatTheValuesContradictIsRefused) {
+  IceFile file;
+  file.texts.erase("units");
+  file.values.assign(12, 98.0);
+  file.write(path("ice.nc"));
+
+  const IngestReport report = ingest(path("ice.nc"), {.unit = "share"});
+
+  EXPECT_EQ(report.status, IngestStatus::refused);
+  EXPECT_THAT(words(report), HasSubstr("impossible for --unit share"));
+}
+
+TEST_F(IceTest, AUnitThatTheFileStatesIsNotOverruled) {
+  EXPECT_FLOAT_EQ(stored(IceFile{}, {.unit = "percent"}).concentration[5], 1.0F);
+}
+
 TEST_F(IceTest, AUnitThatTheValuesContradictIsRefused) {
   IceFile file;
   file.texts["units"] = "1";
