@@ -3,6 +3,7 @@
 #include <chrono>
 #include <optional>
 
+#include "api/codec/documents/alternative_document.hpp"
 #include "api/codec/documents/departure_document.hpp"
 #include "api/codec/documents/plan_document.hpp"
 #include "api/service/threads.hpp"
@@ -10,6 +11,7 @@
 #include "engine/messages/fault.hpp"
 #include "engine/messages/plan_messages.hpp"
 #include "engine/planning/evaluate_route.hpp"
+#include "engine/planning/find_alternatives.hpp"
 #include "engine/planning/plan_arrival.hpp"
 #include "engine/planning/plan_route.hpp"
 #include "engine/planning/plan_window.hpp"
@@ -72,6 +74,47 @@ void add_departures(json& document, const std::vector<planning::DepartureOutcome
   if (!departures.empty()) document["departures"] = codec::departures_json(departures);
 }
 
+/// Gives the plan an id and stores it with its document.
+/// `document`  what is said of the plan beside itself
+/// Returns  the whole document; of a plan of this id that was stored before that one's, because it is what is flown and
+///          exported
+json keep(sql::Connection& db, const codec::PlanInputs& inputs, const planning::Plan& plan, core::UtcTime now,
+          const json& besides = json::object()) {
+  const json request = codec::to_json(inputs);
+  const std::string id = codec::plan_identity(request, plan);
+  json document = codec::plan_document(plan, id, inputs.name);
+  document["sightings"] = sightings_json(inputs.data, plan.departure);
+  document.update(besides);
+  repository::PlanRepository plans{db};
+  plans.insert({.row = 0,
+                .id = {id},
+                .name = inputs.name,
+                .created = now,
+                .departure = plan.departure,
+                .arrival = plan.arrival,
+                .bounds = bounds(plan),
+                .request_json = request.dump(),
+                .document_json = document.dump()});
+  const auto stored = plans.find({id});
+  return stored ? json::parse(stored->document_json) : document;
+}
+
+/// Stores each alternative as a plan of its own.
+/// Returns  what the document of the plan says of them
+json keep_alternatives(sql::Connection& db, const codec::PlanInputs& inputs,
+                       std::vector<planning::Alternative>& alternatives, core::UtcTime now) {
+  json list = json::array();
+  for (planning::Alternative& alternative : alternatives) {
+    codec::PlanInputs own = inputs;
+    own.request = alternative.request;
+    own.name =
+        (inputs.name.empty() ? "" : inputs.name + ", ") + "alternative " + std::to_string(list.size() + 1);
+    add_remarks(alternative.plan, inputs.warnings);
+    list.push_back(codec::alternative_json(alternative, keep(db, own, alternative.plan, now)));
+  }
+  return list;
+}
+
 repository::Reading reading(const std::stop_token& stop, KeptWork* kept) {
   return {stop, kept != nullptr ? &kept->currents : nullptr};
 }
@@ -104,34 +147,30 @@ tl::expected<json, core::Violations> plan_route_document(sql::Connection& db, co
     if (!sea || stop.stop_requested()) return std::nullopt;
     return std::move(*sea);
   };
+  const planning::PlanRequest& request = inputs.request;
+  const Threads threads{workers};
+  const double share_of_plan = 1.0 / (1.0 + request.alternatives);
+  const core::ProgressCallback of_plan = core::part_of(progress, "", 0.0, share_of_plan);
+  const core::ProgressCallback of_alternatives = core::part_of(progress, "", share_of_plan, 1.0);
   const Stopwatch watch;
-  auto [departures, plan] = make_plan(*environment, inputs.request, wider, Threads{workers}, stop, progress);
+  auto [departures, plan] = make_plan(*environment, request, wider, threads, stop, of_plan);
   if (!plan) {
     json document = codec::infeasible_document(plan.error(), *environment);
     add_departures(document, departures);
     return document;
   }
+  json besides = json::object();
+  add_departures(besides, departures);
+  if (request.alternatives > 0) {
+    auto alternatives =
+        planning::find_alternatives(*environment, request, *plan, stop, of_alternatives, threads);
+    if (!alternatives) return codec::infeasible_document(alternatives.error(), *environment);
+    besides["alternatives"] = keep_alternatives(db, inputs, alternatives->found, now);
+    if (alternatives->fewer) plan->messages.push_back(*alternatives->fewer);
+  }
   plan->search.duration = watch.elapsed();
   add_remarks(*plan, inputs.warnings);
-
-  const json request = codec::to_json(inputs);
-  const std::string id = codec::plan_identity(request, *plan);
-  json document = codec::plan_document(*plan, id, inputs.name);
-  document["sightings"] = sightings_json(inputs.data, plan->departure);
-  add_departures(document, departures);
-  repository::PlanRepository plans{db};
-  plans.insert({.row = 0,
-                .id = {id},
-                .name = inputs.name,
-                .created = now,
-                .departure = plan->departure,
-                .arrival = plan->arrival,
-                .bounds = bounds(*plan),
-                .request_json = request.dump(),
-                .document_json = document.dump()});
-  // A plan of this id that was there before stays: it is what is flown and exported, so it is what everybody is told.
-  const auto stored = plans.find({id});
-  return stored ? json::parse(stored->document_json) : document;
+  return keep(db, inputs, *plan, now, besides);
 }
 
 tl::expected<json, core::Violations> evaluate_route_document(sql::Connection& db,

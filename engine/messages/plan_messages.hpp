@@ -178,6 +178,29 @@ inline constexpr auto plan_kinds = std::to_array<Kind>({
      .text = "currents in the area are as fast as the vehicle, but the plans on several grids differ by less "
              "than {agreement_pct:.0f} %. This plan is the best of them",
      .slots = {{{"agreement_pct", 1.0}}}},
+    {.code = "alternative",
+     .rank = Rank::note,
+     .text = "this route passes {side} of the {obstacle} at {lon_deg:.4f}, {lat_deg:.4f} ({extent_km:.0f} km "
+             "across), which the best route leaves on its other side. It takes {difference_h:.1f} h {more}",
+     .slots = {{{"side", "south"},
+                {"obstacle", "land"},
+                {"lon_deg", -53.5},
+                {"lat_deg", 69.25},
+                {"extent_km", 12.0},
+                {"difference_h", 3.2},
+                {"more", "more"}}}},
+    {.code = "nothing-to-go-round",
+     .rank = Rank::note,
+     .text =
+         "no alternative: nothing of {least_km:.1f} km or more lies beside the route that a vehicle could "
+         "leave on its other side",
+     .slots = {{{"least_km", 4.2}}}},
+    {.code = "few-alternatives",
+     .rank = Rank::note,
+     .text =
+         "fewer alternatives than asked for: {tried} {tried:route|routes} round other sides of obstacles "
+         "{tried:was|were} tried. The rest are closed, take more than {longest_h:.0f} h, or hardly differ",
+     .slots = {{{"tried", 4}, {"longest_h", 91.0}}}},
     {.code = "may-depart-later",
      .rank = Rank::note,
      .text = "the vehicle may depart {later_h:.1f} h later, at {time}: it arrives no later",

@@ -128,6 +128,10 @@ inline constexpr auto request_kinds = std::to_array<Kind>({
     {.code = "order-in-window",
      .text =
          "must be \"given\" in a departure window: plan the best order afterwards, for the best departure"},
+    {.code = "unknown-number-of-alternatives", .text = "must be 0, 1, 2 or 3"},
+    {.code = "alternatives-of-several",
+     .text = "need a single departure and a search: plan without a window, a wanted arrival and the method "
+             "direct. Choose the departure first, then plan again for it with alternatives"},
     {.code = "unknown-neighbourhood", .text = "must be 1, 2, 3, 4 or 5"},
     {.code = "not-so-many-times", .text = "must have 1 to {most} times", .slots = {{{"most", 48}}}},
     {.code = "wrong-weights", .text = "must have weights that are not negative and not both zero"},

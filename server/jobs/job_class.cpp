@@ -18,8 +18,8 @@ bool makes_many_searches(const std::string& inputs_json) {
   const auto parsed = codec::parse_plan_inputs(inputs);
   if (!parsed) return false;
   const planning::UncertaintyRules& uncertainty = parsed->request.uncertainty;
-  return parsed->request.departures.until || uncertainty.drawn_members > 0 ||
-         uncertainty.objective != planning::RobustObjective::none;
+  return parsed->request.departures.until || parsed->request.alternatives > 0 ||
+         uncertainty.drawn_members > 0 || uncertainty.objective != planning::RobustObjective::none;
 }
 
 const char* what_to_ask(JobClass job_class) {

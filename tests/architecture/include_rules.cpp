@@ -55,7 +55,7 @@ const std::map<std::string, Folder>& folders() {
       {"engine/planning/planner", {{"engine/planning/publish", "engine/planning/search/energy"}}},
       {"engine/planning/diagnosis", {{"engine/planning/planner"}}},
       {"engine/planning", {{"engine/planning/diagnosis"}}},
-      // Outside the planner its five verbs are known, what they take and give, and little else.
+      // Outside the planner its six verbs are known, what they take and give, and little else.
       {"engine/reproduction", {{"engine/planning/optimal_control", "engine/planning/refinement"}}},
       {"engine/mission/document", {{"engine/planning/problem"}}},
       {"engine/mission/reading", {{"engine/mission/document"}}},

@@ -57,6 +57,10 @@ core::Violations PlanRequest::violations() const {
                                 "100 km");
   faults.within(refine_time.count(), 0.05, 60.0, "/refine_seconds", "0.05", "60");
   faults.within(leg_tolerance, 0.0, 0.1, "/leg_tolerance", "0", "0.1");
+  faults.require<"unknown-number-of-alternatives">(alternatives >= 0 && alternatives <= most_alternatives,
+                                                   "/alternatives");
+  const bool is_one_search = !departures.until && !departures.arrive_by && method != Method::direct;
+  faults.require<"alternatives-of-several">(alternatives == 0 || is_one_search, "/alternatives");
   faults.require<"not-at-least">(!max_waypoints || *max_waypoints >= 2, "/max_waypoints",
                                  "2: the start and the goal");
   if (max_leg) faults.within(max_leg->value, 100.0, 5e6, "/max_leg_m", "100 m", "5000 km");

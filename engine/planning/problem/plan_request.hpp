@@ -31,6 +31,9 @@ enum class Method {
 [[nodiscard]] std::string method_name(Method method);
 [[nodiscard]] std::optional<Method> parse_method(std::string_view name);
 
+/// More than a pilot would compare.
+inline constexpr int most_alternatives = 3;
+
 /// What to plan, apart from the data to plan it in.
 struct PlanRequest {
   geo::LonLat from;
@@ -55,6 +58,7 @@ struct PlanRequest {
   core::Seconds refine_time{1.0};    // worth of legs that refinement may time: refinement_budget.hpp
   bool optimality_gap{true};         // compare the plan with the best way in open water
   double leg_tolerance{0.005};       // share of its cost that refinement may give for fewer and longer legs
+  int alternatives{0};               // to the plan, which `find_alternatives` looks for; 0 to 3
   std::optional<int> max_waypoints;  // start and goal included
   std::optional<core::Metres> max_leg;  // longer legs are parted
   HoldRules holds;

@@ -59,6 +59,7 @@ export const requestFields = {
   "sectors": {"kind":"whole_number","usual":3,"flag":"sectors","group":"Advanced","label":"Neighbourhood","unit":"1–5 sectors"},
   "method": {"kind":"word","words":["tve","dijkstra","astar","frozen","direct"],"usual":"astar","flag":"method","group":"Advanced","label":"Method"},
   "leg_tolerance": {"kind":"number","usual":0.005,"flag":"leg-tolerance","group":"Advanced","label":"Fewer legs for at most","unit":"%","factor":0.01},
+  "alternatives": {"kind":"whole_number","usual":0,"flag":"alternatives","group":"Advanced","label":"Alternatives","blank":"0"},
   "max_waypoints": {"kind":"whole_number","flag":"max-waypoints","group":"Advanced","label":"Max. waypoints","blank":"no limit"},
   "max_leg_m": {"kind":"number","flag":"max-leg","group":"Advanced","label":"Max. leg length","unit":"km","factor":1000,"blank":"no limit"},
   "refine": {"kind":"boolean","usual":true,"flag":"no-refine","group":"Advanced","label":"Refine the route beyond the grid"},

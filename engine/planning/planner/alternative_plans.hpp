@@ -1,0 +1,11 @@
+#pragma once
+
+#include "engine/planning/planner/task.hpp"
+#include "engine/planning/problem/alternative.hpp"
+
+namespace floeplan::planning::planner {
+
+/// As `find_alternatives`, by plans of `plan_once`, which are pieces of work for the task's executor.
+[[nodiscard]] Alternatives alternatives_to(const Plan& plan, const Task& task, const Planning& plan_once);
+
+}  // namespace floeplan::planning::planner
