@@ -1,5 +1,6 @@
 #include "engine/messages/catalogue.hpp"
 
+#include "engine/messages/command_messages.hpp"
 #include "engine/messages/data_messages.hpp"
 #include "engine/messages/export_messages.hpp"
 #include "engine/messages/flight_fault_messages.hpp"
@@ -24,10 +25,10 @@ std::vector<Kind> catalogue() {
   using Kinds = std::span<const Kind>;
   for (const Kinds kinds :
        {Kinds{plan_kinds}, Kinds{data_kinds}, Kinds{refusal_kinds}, Kinds{phrase_kinds}, Kinds{request_kinds},
-        Kinds{export_kinds}, Kinds{mission_fault_kinds}, Kinds{flight_fault_kinds}, Kinds{ingest_area_kinds},
-        Kinds{ingest_current_kinds}, Kinds{ingest_depth_kinds}, Kinds{ingest_file_kinds},
-        Kinds{ingest_format_kinds}, Kinds{ingest_ice_kinds}, Kinds{ingest_iceberg_kinds},
-        Kinds{ingest_tide_kinds}, Kinds{ingest_track_kinds}})
+        Kinds{export_kinds}, Kinds{mission_fault_kinds}, Kinds{flight_fault_kinds}, Kinds{command_kinds},
+        Kinds{ingest_area_kinds}, Kinds{ingest_current_kinds}, Kinds{ingest_depth_kinds},
+        Kinds{ingest_file_kinds}, Kinds{ingest_format_kinds}, Kinds{ingest_ice_kinds},
+        Kinds{ingest_iceberg_kinds}, Kinds{ingest_tide_kinds}, Kinds{ingest_track_kinds}})
     all.insert(all.end(), kinds.begin(), kinds.end());
   return all;
 }

@@ -16,8 +16,7 @@ namespace fs = std::filesystem;
 
 int back_up(const fs::path& file, const Program& program) {
   if (!fs::exists(sql::database_in(program.store)))
-    return complain(could_not,
-                    "there is no store in " + program.store.string() + "; name its folder with --data");
+    return complain<"no-store-to-keep">(could_not, program.store.string());
   auto db = repository::open_store(program.store);
   sql::back_up(db, file);
   std::cout << file.string() << '\n';
@@ -29,7 +28,7 @@ std::string words_for_kept(const fs::path& kept) {
 }
 
 int restore(const fs::path& file, const Program& program) {
-  if (!fs::exists(file)) return complain(could_not, "there is no file " + file.string() + "; name a backup");
+  if (!fs::exists(file)) return complain<"no-backup-file">(could_not, file.string());
   const repository::StoreLock lock{program.store};
   try {
     const auto replacement = repository::restore_store(program.store, file, terminal_progress());

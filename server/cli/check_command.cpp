@@ -77,9 +77,7 @@ tl::expected<std::vector<mission::Document>, core::Violations> judged(const Chec
   std::optional<geo::LonLat> start;
   if (flags.from) {
     start = parse_place(*flags.from);
-    if (!start)
-      throw CLI::ValidationError{"--from",
-                                 *flags.from + " is not LON,LAT in degrees; write it as --from=-53.2,69.2"};
+    if (!start) throw flag_fault<"not-lon-lat">("--from", *flags.from, "--from");
   }
   auto db = repository::open_store(program.store);
   core::Violations faults;

@@ -30,7 +30,8 @@ tl::expected<std::string, core::Violations> text_of(const std::string& file) {
   std::ostringstream text;
   text << stream.rdbuf();
   if (!stream || !text)
-    return tl::unexpected(core::Violations{{file, "cannot be read; check its name and rights"}});
+    return tl::unexpected(
+        core::Violations{messages::violation_of(file, messages::command_message<"log-not-readable">())});
   return std::move(text).str();
 }
 

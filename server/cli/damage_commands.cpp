@@ -60,8 +60,7 @@ int verify(bool as_json, const Program& program) {
 
 int repair(bool as_json, const Program& program) {
   if (!std::filesystem::exists(sql::database_in(program.store)))
-    return complain(could_not,
-                    "there is no store in " + program.store.string() + "; name its folder with --data");
+    return complain<"no-store-to-keep">(could_not, program.store.string());
   const repository::StoreLock lock{program.store};
   const auto replacement = repository::repair_store(program.store, terminal_progress());
   if (as_json) {

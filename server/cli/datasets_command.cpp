@@ -7,6 +7,7 @@
 #include "api/codec/inputs/retention_inputs.hpp"
 #include "engine/core/utc_text.hpp"
 #include "server/cli/program/command.hpp"
+#include "server/cli/program/flag_values.hpp"
 #include "storage/json/json.hpp"
 #include "storage/repository/datasets/dataset_repository.hpp"
 #include "storage/repository/datasets/retention.hpp"
@@ -52,20 +53,18 @@ int list_datasets(const DatasetsFlags& flags, const Program& program) {
 int remove_datasets(const DatasetsFlags& flags, const Program& program) {
   auto db = open_existing_store(program);
   if (repository::DatasetRepository{db}.remove({flags.remove_id})) return done;
-  return complain(could_not, "no dataset has the id " + flags.remove_id + "; floeplan datasets lists them");
+  return complain<"no-stored-dataset">(could_not, flags.remove_id);
 }
 
 int prune_datasets(const DatasetsFlags& flags, const Program& program) {
   repository::RetentionRules rules;
   if (flags.older_than) {
     rules.max_age = core::parse_iso8601_duration(*flags.older_than);
-    if (!rules.max_age)
-      return complain(wrong_usage, "--older-than " + *flags.older_than + " is not a length of time; as P30D");
+    if (!rules.max_age) throw flag_fault<"no-length-of-time">("--older-than", *flags.older_than);
   }
   if (flags.max_bytes) rules.max_bytes = static_cast<std::int64_t>(*flags.max_bytes);
   if (flags.kind != "all") rules.kind = repository::parse_kind(flags.kind);
-  if (!rules.max_age && !rules.max_bytes)
-    return complain(wrong_usage, "say what may go: --older-than P30D, --max-size 20GB or both");
+  if (!rules.max_age && !rules.max_bytes) return complain<"nothing-to-prune">(wrong_usage);
 
   auto db = open_existing_store(program);
   const auto gone = flags.dry_run ? repository::beyond_retention(repository::stored_sizes(db), rules, now())

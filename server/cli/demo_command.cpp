@@ -5,6 +5,7 @@
 
 #include "engine/core/utc_text.hpp"
 #include "server/cli/program/command.hpp"
+#include "server/cli/program/flag_values.hpp"
 #include "storage/demo/write_demo.hpp"
 #include "storage/json/json.hpp"
 
@@ -31,9 +32,7 @@ std::string command_line(const std::vector<std::string>& words) {
 int run_demo(const DemoFlags& flags) {
   const auto start = flags.start ? core::parse_iso8601(*flags.start) : today();
   if (!start) {
-    return complain(wrong_usage, "--start " + *flags.start +
-                                     " is not a date or a time with its zone; write it as 2026-11-22 or "
-                                     "2026-11-22T06:00:00Z");
+    throw flag_fault<"no-date-and-no-moment">("--start", *flags.start);
   }
   const demo::Scenario scenario = *demo::parse_scenario(flags.scenario);
   const auto files = demo::write_demo(flags.directory, scenario, flags.seed, *start);
@@ -51,9 +50,8 @@ int run_demo(const DemoFlags& flags) {
   } else {
     for (const auto& file : files) std::cout << file.string() << '\n';
   }
-  std::cerr << "These data are synthetic and not for navigation; README.txt beside them says what is real.\n"
-               "Once they are ingested, plan with: "
-            << command_line(example) << '\n';
+  std::cerr << messages::command_text<"data-synthetic">()
+            << "\nOnce they are ingested, plan with: " << command_line(example) << '\n';
   if (scenario == demo::Scenario::disko)
     std::cerr << "For a plan under ice: floeplan demo ice/ --scenario pack-ice\n";
   return done;

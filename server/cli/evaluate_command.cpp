@@ -23,7 +23,7 @@ int run_evaluate(const std::string& route, const InputFlags& flags, PlanOutput o
   if (std::filesystem::is_regular_file(route)) {
     inputs["route_file"] = file_member(route);
   } else if (route.find('.') != std::string::npos || route.find('/') != std::string::npos) {
-    return complain(could_not, "the file " + route + " cannot be read; check its name");
+    return complain<"file-not-readable">(could_not, "file", route);
   } else {
     inputs["plan_id"] = route;
   }

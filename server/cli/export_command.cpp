@@ -42,28 +42,24 @@ struct ExportFlags {
 service::MissionRequest mission_request(const ExportFlags& flags) {
   service::MissionRequest request = flags.mission;
   const auto firmware = service::parse_firmware(flags.firmware);
-  if (!firmware) throw CLI::ValidationError{"--firmware", flags.firmware + " is not a version; as 10.5"};
+  if (!firmware) throw flag_fault<"no-firmware">("--firmware", flags.firmware);
   request.firmware = *firmware;
   request.seaglider = flags.format == "seaglider";
   if (!flags.science.empty() && !request.seaglider)
-    throw CLI::ValidationError{"--science", "is for --format seaglider"};
+    throw flag_fault<"science-of-another-format">("--science");
   for (const std::string& text : flags.science) {
     const auto band = mission::parse_science_band(text);
-    if (!band)
-      throw CLI::ValidationError{"--science", text + " is not DEPTH:SECONDS:SENSORS:GC; as 200:10:1110:120"};
+    if (!band) throw flag_fault<"no-science-band">("--science", text);
     request.bands.push_back(*band);
   }
   if (flags.safe.empty()) {
-    if (flags.iceberg_depth_m)
-      throw CLI::ValidationError{"--iceberg-depth", "is for work under ice, which takes --safe LON,LAT too"};
+    if (flags.iceberg_depth_m) throw flag_fault<"iceberg-depth-without-safe-place">("--iceberg-depth");
     return request;
   }
   request.under_ice.emplace();
   for (const std::string& text : flags.safe) {
     const auto place = parse_place(text);
-    if (!place)
-      throw CLI::ValidationError{"--safe",
-                                 text + " is not LON,LAT in degrees; write it as --safe=-53.2,69.2"};
+    if (!place) throw flag_fault<"not-lon-lat">("--safe", text, "--safe");
     request.under_ice->safe_places.push_back(*place);
   }
   if (flags.iceberg_depth_m)
@@ -110,7 +106,7 @@ std::vector<OutputFile> laid_out(const mission::MissionFiles& set, const reposit
 /// A name of a folder, and no way out of it.
 std::string check_glider(const std::string& name) {
   const auto folder = service::handover_folder(name, false);
-  return folder ? "" : name + " " + folder.error().rule;
+  return folder ? "" : messages::command_text<"no-such-folder-name">(name, folder.error().rule);
 }
 
 /// Nothing is written of a plan whose dangers nobody has confirmed.
@@ -119,9 +115,7 @@ int refuse(const std::vector<messages::Message>& to_confirm, bool json_out) {
   std::ranges::transform(to_confirm, std::back_inserter(dangers), messages::whole_text);
   if (json_out) std::cout << json{{"status", "dangerous"}, {"dangers", dangers}}.dump(2) << '\n';
   for (const std::string& danger : dangers) complain(could_not, danger);
-  return complain(could_not,
-                  "nothing was written, because the plan is dangerous; plan again, or confirm the dangers "
-                  "with --accept-dangers");
+  return complain<"dangers-not-confirmed">(could_not);
 }
 
 int run_export(const ExportFlags& flags, const Program& program) {
@@ -138,7 +132,7 @@ int run_export(const ExportFlags& flags, const Program& program) {
   std::ranges::move(files->messages, std::back_inserter(told));
   const std::vector<OutputFile> output = laid_out(*files, *record, flags);
   if (const auto there = first_existing(flags.out, output); there && !flags.force) {
-    return complain(could_not, there->string() + " exists; nothing was written; --force replaces it");
+    return complain<"file-exists">(could_not, there->string());
   }
   json written = json::array();
   for (const auto& file : write_set(flags.out, output)) {

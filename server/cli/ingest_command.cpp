@@ -59,14 +59,12 @@ int run_ingest(const IngestFlags& flags, const Program& program) {
   options.zone_kind = flags.zone_kind;
   if (flags.time) {
     options.time = core::parse_iso8601(*flags.time);
-    if (!options.time)
-      return complain(wrong_usage, "--time " + *flags.time + " is no moment; as 2026-11-20T18:00:00Z");
+    if (!options.time) throw flag_fault<"no-moment">("--time", *flags.time);
   }
   if (flags.at) {
     options.at = parse_place(*flags.at);
     if (!options.at || !geo::is_valid(*options.at))
-      return complain(wrong_usage,
-                      "--at " + *flags.at + " is not LON,LAT in degrees; write it as --at=-53.2,69.2");
+      throw flag_fault<"not-lon-lat">("--at", *flags.at, "--at");
   }
   if (flags.kind != "auto") options.kind = repository::parse_kind(flags.kind);
 

@@ -78,20 +78,12 @@ void print_probe(const codec::Probe& probe) {
 
 int run_probe(const ProbeFlags& flags, const Program& program) {
   const auto place = parse_place(flags.at);
-  if (!place)
-    return complain(wrong_usage,
-                    "--at " + flags.at + " is not LON,LAT in degrees; write it as --at=-53.2,69.2");
-  if (!geo::is_valid(*place)) {
-    return complain(bad_data,
-                    "--at " + flags.at + " is no place on the Earth; longitude comes first, then latitude");
-  }
+  if (!place) throw flag_fault<"not-lon-lat">("--at", flags.at, "--at");
+  if (!geo::is_valid(*place)) return complain<"not-on-earth">(bad_data, flags.at);
   service::ProbeQuery query{.place = *place, .time = now(), .depth = {}, .dataset_ids = flags.datasets};
   if (flags.time) {
     const auto time = core::parse_iso8601(*flags.time);
-    if (!time) {
-      return complain(wrong_usage, "--time " + *flags.time +
-                                       " is not a time with its zone; write it as 2026-11-20T06:00:00Z");
-    }
+    if (!time) throw flag_fault<"no-moment">("--time", *flags.time);
     query.time = *time;
   }
   if (flags.depth_m) query.depth = core::Metres{*flags.depth_m};

@@ -90,8 +90,7 @@ void write_whole(const std::filesystem::path& file, const std::string& text) {
     std::ofstream stream{part, std::ios::binary | std::ios::trunc};
     stream << text;
     stream.flush();
-    if (!stream)
-      throw std::runtime_error{file.string() + " cannot be written; check the folder and the free space"};
+    if (!stream) throw std::runtime_error{messages::command_text<"file-not-written">(file.string())};
   }
   std::filesystem::rename(part, file);
 }
@@ -101,7 +100,7 @@ int write_figures(const ReproduceFlags& flags) {
     for (const char* extension : {".svg", ".geojson"}) {
       const std::filesystem::path file = figure_file(flags, number, extension);
       if (flags.force || !std::filesystem::exists(file)) continue;
-      return complain(could_not, file.string() + " exists; nothing was written; --force replaces it");
+      return complain<"file-exists">(could_not, file.string());
     }
   }
   std::filesystem::create_directories(flags.figures);

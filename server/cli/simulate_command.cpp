@@ -17,6 +17,7 @@
 #include "server/cli/output/plan_output.hpp"
 #include "server/cli/output/violation_output.hpp"
 #include "server/cli/program/command.hpp"
+#include "server/cli/program/flag_values.hpp"
 #include "server/cli/program/input_flags.hpp"
 #include "server/cli/program/interruption.hpp"
 #include "storage/json/json.hpp"
@@ -171,30 +172,26 @@ int write_files(sql::Connection& db, const json& document, const SimulateFlags& 
   for (const auto& format : routes::simulation_formats())
     files.push_back({id + "." + format.name, *routes::export_simulation(db, *record, format, {})});
   if (const auto there = first_existing(*flags.out, files); there && !flags.force)
-    return complain(could_not, there->string() + " exists; --force replaces it");
+    return complain<"flight-file-exists">(could_not, there->string());
   for (const auto& file : write_set(*flags.out, files)) std::cerr << "wrote " << file.string() << '\n';
   return done;
 }
 
 bool was_interrupted(const json& document) { return document.value("status", "") == "cancelled"; }
 
-int complain_of_interruption() {
-  return complain(could_not,
-                  "interrupted; nothing was stored; give the command again to fly the same flights");
-}
+int complain_of_interruption() { return complain<"flights-interrupted">(could_not); }
 
 int run_simulate(const SimulateFlags& flags, const Program& program) {
   const auto inputs = codec::parse_simulate_inputs(inputs_of(flags));
   if (!inputs) return print_violations(inputs.error(), flags.json_out, input_flags);
-  if (flags.out && inputs->tracks == 0)
-    return complain(wrong_usage, "--out writes the flights that are kept, of which --tracks 0 leaves none");
+  if (flags.out && inputs->tracks == 0) throw flag_fault<"no-flights-to-write">("--out");
 
   auto db = open_existing_store(program);
   if (!repository::PlanRepository{db}.find({inputs->plan_id})) return complain_of_no_plan(inputs->plan_id);
   const auto begin = std::chrono::steady_clock::now();
   const Interruption interruption;
   auto document = service::simulate_plan_document(db, *inputs, flags.workers, interruption.token(),
-                                               terminal_progress(), now());
+                                                  terminal_progress(), now());
   if (!document) return print_violations(document.error(), flags.json_out, input_flags);
   if (was_interrupted(*document)) return complain_of_interruption();
   (*document)["real_time_factor"] = real_time_factor(*document, begin);
@@ -275,8 +272,7 @@ void add_simulate(CLI::App& app, Program& program) {
   command->add_flag("--force", flags->force, "Replace files that exist");
   command->add_flag("--json", flags->json_out, "Answer with one JSON document");
   command->callback([flags, &program] {
-    if (flags->plan_id.empty() == flags->scenario.empty())
-      throw CLI::ValidationError{"simulate", "takes the id of a plan, or --scenario and no plan"};
+    if (flags->plan_id.empty() == flags->scenario.empty()) throw flag_fault<"plan-or-scenario">("simulate");
     program.exit_code = flags->scenario.empty() ? run_simulate(*flags, program) : run_scenario(*flags);
   });
 }

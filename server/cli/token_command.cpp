@@ -34,8 +34,7 @@ bool is_name(const std::string& text) {
 /// The token is shown this once; the store keeps a digest.
 int add_token(const TokenFlags& flags, const Program& program) {
   if (!is_name(flags.name)) {
-    return complain(wrong_usage, "the token cannot be called \"" + flags.name +
-                                     "\"; use up to 64 letters, digits and . _ @ -, and not \"local\"");
+    return complain<"wrong-token-name">(wrong_usage, flags.name);
   }
   const codec::Credential credential = codec::new_credential();
   const TokenRecord token{.name = flags.name,
@@ -45,15 +44,13 @@ int add_token(const TokenFlags& flags, const Program& program) {
                           .created = now()};
   auto db = repository::open_store(program.store);
   if (!TokenRepository{db}.add(token)) {
-    return complain(could_not,
-                    "there is a token " + flags.name +
-                        " already; choose another name, or revoke it first with floeplan token revoke");
+    return complain<"token-exists">(could_not, flags.name);
   }
   const std::string text = codec::credential_text(credential);
   if (flags.json_out) {
     std::cout << json{{"name", token.name}, {"role", flags.role}, {"token", text}}.dump(2) << '\n';
   } else {
-    std::cerr << "Keep this token as you would a password; it is not shown again:\n";
+    std::cerr << messages::command_text<"token-shown-once">() << '\n';
     std::cout << text << '\n';
   }
   return done;
@@ -87,11 +84,8 @@ int list_tokens(const TokenFlags& flags, const Program& program) {
 int revoke_token(const TokenFlags& flags, const Program& program) {
   auto db = open_existing_store(program);
   TokenRepository tokens{db};
-  if (!tokens.remove(flags.name))
-    return complain(could_not, "there is no token " + flags.name + "; floeplan token list shows them");
-  if (!tokens.any())
-    std::cerr
-        << "That was the last token: the server lets nobody in until floeplan token add makes another.\n";
+  if (!tokens.remove(flags.name)) return complain<"no-such-token">(could_not, flags.name);
+  if (!tokens.any()) std::cerr << messages::command_text<"last-token-revoked">() << '\n';
   return done;
 }
 

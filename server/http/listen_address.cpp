@@ -3,6 +3,8 @@
 #include <boost/asio/ip/address.hpp>
 #include <charconv>
 
+#include "engine/messages/command_messages.hpp"
+
 namespace floeplan::http {
 
 tl::expected<ListenAddress, std::string> parse_listen_address(std::string_view text) {
@@ -17,8 +19,7 @@ tl::expected<ListenAddress, std::string> parse_listen_address(std::string_view t
   boost::system::error_code not_an_address;
   const auto ip = boost::asio::ip::make_address(address.host, not_an_address);
   if (not_an_address || error != std::errc{} || end != digits.data() + digits.size()) {
-    return tl::unexpected("\"" + std::string{text} +
-                          "\" is not an address to listen on; write ADDR:PORT, as 127.0.0.1:8080");
+    return tl::unexpected(messages::command_text<"wrong-listen-address">(text));
   }
   address.loopback = ip.is_loopback();
   return address;

@@ -15,6 +15,7 @@
 #include <unordered_set>
 
 #include "api/log/log.hpp"
+#include "engine/messages/command_messages.hpp"
 #include "server/http/session.hpp"
 #include "server/http/tls_context.hpp"
 
@@ -35,8 +36,8 @@ class Server::Listener {
     acceptor_.bind(endpoint, error);
     if (!error) acceptor_.listen(net::socket_base::max_listen_connections, error);
     if (error) {
-      throw std::runtime_error{"cannot listen on " + address.host + ":" + std::to_string(address.port) +
-                               "; " + error.message() + "; choose another port with --listen"};
+      throw std::runtime_error{messages::command_text<"address-not-listened-on">(
+          address.host + ":" + std::to_string(address.port), error.message())};
     }
   }
 
@@ -89,7 +90,7 @@ class Server::Listener {
                                                                {},
                                                                {}};
       if (settings.tls.has_value() != (share_.tls != nullptr))
-        throw std::runtime_error{"TLS cannot be switched on or off while the server runs; restart it"};
+        throw std::runtime_error{messages::command_text<"tls-not-switched">()};
       if (settings.tls) share_.tls = make_tls_context(*settings.tls);
       share_.limits = settings.limits;
       equipment.streaming.most_bytes = settings.most_upload_bytes;

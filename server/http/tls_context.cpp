@@ -4,6 +4,8 @@
 
 #include <stdexcept>
 
+#include "engine/messages/command_messages.hpp"
+
 namespace floeplan::http {
 namespace {
 
@@ -11,8 +13,8 @@ namespace ssl = boost::asio::ssl;
 
 std::runtime_error fault(const char* what, const std::filesystem::path& file,
                          const boost::system::error_code& error) {
-  return std::runtime_error{std::string{what} + " " + file.string() + " cannot be used; " + error.message() +
-                            "; give files in PEM format that this user may read"};
+  return std::runtime_error{
+      messages::command_text<"tls-file-not-usable">(what, file.string(), error.message())};
 }
 
 }  // namespace
@@ -29,12 +31,12 @@ std::unique_ptr<ssl::context> make_tls_context(const TlsFiles& files) {
         "the cryptographic library has none of the ciphers that TLS is spoken with here"};
   boost::system::error_code error;
   context->use_certificate_chain_file(files.certificate.string(), error);
-  if (error) throw fault("the certificate", files.certificate, error);
+  if (error) throw fault("certificate", files.certificate, error);
   context->use_private_key_file(files.key.string(), ssl::context::pem, error);
-  if (error) throw fault("the key", files.key, error);
+  if (error) throw fault("key", files.key, error);
   if (SSL_CTX_check_private_key(context->native_handle()) != 1)
-    throw std::runtime_error{"the key " + files.key.string() + " belongs to another certificate than " +
-                             files.certificate.string() + "; give the one it was made with"};
+    throw std::runtime_error{
+        messages::command_text<"key-of-another-certificate">(files.key.string(), files.certificate.string())};
   return context;
 }
 

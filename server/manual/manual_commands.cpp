@@ -5,6 +5,7 @@
 #include <iostream>
 #include <memory>
 
+#include "engine/messages/command_messages.hpp"
 #include "server/manual/command_list.hpp"
 #include "server/manual/completion.hpp"
 #include "server/manual/guide_text.hpp"
@@ -32,8 +33,8 @@ std::string no_topic(const CLI::App& app, const std::string& topic) {
   const std::vector<Command> commands = commands_of(app);
   words.insert(words.end(), commands.front().commands.begin(), commands.front().commands.end());
   const std::string meant = nearest(topic, words);
-  return "there is no topic " + topic + (meant.empty() ? "" : "; did you mean " + meant + "?") +
-         "; floeplan help lists the topics";
+  return meant.empty() ? messages::command_text<"unknown-topic">(topic)
+                       : messages::command_text<"misspelt-topic">(topic, meant);
 }
 
 /// Whether there is such a topic.
@@ -61,7 +62,7 @@ void write_manual(const CLI::App& app, const std::filesystem::path& share) {
     stream << text;
     stream.close();
     if (!stream)
-      throw std::runtime_error{"cannot write " + (share / name).string() + "; check the folder and the disk"};
+      throw std::runtime_error{messages::command_text<"file-not-written">((share / name).string())};
   };
   const std::vector<Command> commands = commands_of(app);
   for (const Command& command : commands)

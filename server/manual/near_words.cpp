@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/messages/command_messages.hpp"
 #include "server/manual/command_list.hpp"
 
 namespace floeplan::manual {
@@ -40,11 +41,13 @@ std::vector<std::string> flag_names(const CLI::App& app) {
   return flags;
 }
 
+/// `who`   has no such word: "plan has no flag"
 /// `list`  the help that lists the words
-std::string meant(const std::string& written, const std::vector<std::string>& words,
-                  const std::string& list) {
-  const std::string word = nearest(written, words);
-  return word.empty() ? "; floeplan " + list + " lists them" : "; did you mean " + word + "?";
+std::string unknown(const std::string& who, const std::string& written, const std::vector<std::string>& words,
+                    const std::string& list) {
+  const std::string meant = nearest(written, words);
+  return meant.empty() ? messages::command_text<"unknown-word">(who, written, list)
+                       : messages::command_text<"misspelt-word">(who, written, meant);
 }
 
 }  // namespace
@@ -63,18 +66,17 @@ std::string nearest(std::string_view written, const std::vector<std::string>& wo
 }
 
 std::optional<std::string> unknown_word(const CLI::App& app) {
-  const std::vector<std::string> unknown = app.remaining(true);
-  if (unknown.empty()) return std::nullopt;
+  const std::vector<std::string> remaining = app.remaining(true);
+  if (remaining.empty()) return std::nullopt;
   const CLI::App& command = last_command(app);
   const std::string path = path_of(command);
   const std::string who = path.empty() ? "there is no" : path + " has no";
   const std::string help = path.empty() ? "" : path + ' ';
-  const std::string word = unknown.front().substr(0, unknown.front().find('='));
-  if (word.starts_with("-"))
-    return who + " flag " + word + meant(word, flag_names(command), help + "--help-all");
+  const std::string word = remaining.front().substr(0, remaining.front().find('='));
+  if (word.starts_with("-")) return unknown(who + " flag", word, flag_names(command), help + "--help-all");
   const std::vector<std::string> commands = commands_below(command);
   if (commands.empty()) return std::nullopt;
-  return who + " command " + word + meant(word, commands, help + "--help");
+  return unknown(who + " command", word, commands, help + "--help");
 }
 
 }  // namespace floeplan::manual

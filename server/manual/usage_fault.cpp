@@ -3,6 +3,7 @@
 #include <regex>
 #include <vector>
 
+#include "engine/messages/command_messages.hpp"
 #include "server/manual/command_list.hpp"
 #include "server/manual/near_words.hpp"
 
@@ -41,29 +42,33 @@ std::string said_plainly(const CLI::App& command, const std::string& said) {
   std::smatch found;
   static const std::regex conversion{R"(Could not convert: (\S+) = ([^]*))"};
   if (std::regex_match(said, found, conversion))
-    return found[1].str() + " must be " + kind_of_number(command, found[1]) + ", not \"" + found[2].str() +
-           '"';
+    return messages::command_text<"flag-not-a-number">(found[1].str(), kind_of_number(command, found[1]),
+                                                       found[2].str());
   static const std::regex range{R"((\S+): Value ([^]*) not in range (\S+) to (\S+))"};
   if (std::regex_match(said, found, range)) {
-    return found[1].str() + " must be from " + plain_number(found[3]) + " to " + plain_number(found[4]) +
-           ", not " + found[2].str();
+    return messages::command_text<"flag-out-of-range">(found[1].str(), plain_number(found[3]),
+                                                       plain_number(found[4]), found[2].str());
   }
   static const std::regex member{R"((\S+): ([^]*) not in \{(.*)\})"};
   if (std::regex_match(said, found, member))
-    return found[1].str() + " must be " + alternatives(split(found[3])) + ", not \"" + found[2].str() + '"';
+    return messages::command_text<"flag-of-other-words">(found[1].str(), alternatives(split(found[3])),
+                                                         found[2].str());
   if (said == "A subcommand is required") {
     for (const Command& known : commands_of(command))
-      if (known.path == path) return who + " needs a command: " + alternatives(known.commands);
+      if (known.path == path)
+        return messages::command_text<"command-missing">(who, alternatives(known.commands));
   }
   static const std::regex required{R"((\S+) is required)"};
-  if (std::regex_match(said, found, required)) return who + " needs " + found[1].str();
+  if (std::regex_match(said, found, required))
+    return messages::command_text<"argument-missing">(who, found[1].str());
   static const std::regex unexpected{R"(The following arguments? w(?:as|ere) not expected: ([^]*))"};
-  if (std::regex_match(said, found, unexpected)) return who + " takes no argument \"" + found[1].str() + '"';
+  if (std::regex_match(said, found, unexpected))
+    return messages::command_text<"unexpected-argument">(who, found[1].str());
   static const std::regex missing{R"((\S+): \d+ required (.*) missing)"};
-  if (std::regex_match(said, found, missing)) return found[1].str() + " needs a value";
+  if (std::regex_match(said, found, missing)) return messages::command_text<"value-missing">(found[1].str());
   static const std::regex excludes{R"((\S+) excludes (\S+))"};
   if (std::regex_match(said, found, excludes))
-    return found[1].str() + " and " + found[2].str() + " exclude each other; give one of them";
+    return messages::command_text<"flags-exclude-each-other">(found[1].str(), found[2].str());
   return said;
 }
 
@@ -73,8 +78,8 @@ std::string usage_fault(const CLI::App& app, const CLI::ParseError& error) {
   if (auto unknown = unknown_word(app)) return *unknown;
   const CLI::App& command = last_command(app);
   const std::string path = path_of(command);
-  return said_plainly(command, error.what()) + "; see floeplan " + (path.empty() ? "" : path + ' ') +
-         "--help";
+  return messages::command_text<"wrong-usage">(said_plainly(command, error.what()),
+                                               (path.empty() ? "" : path + ' ') + "--help");
 }
 
 }  // namespace floeplan::manual

@@ -146,9 +146,9 @@ const std::map<std::string, Folder>& folders() {
         {"api/routes/request/job_gateway.hpp", "engine/planning/search/route_ground.hpp"}}},
       // The listener speaks in messages and problems; it knows no resource.
       {"server/http",
-       {{"engine/core", "api/log", "api/problems"},
+       {{"engine/core", "engine/messages", "api/log", "api/problems"},
         {"api/codec/bytes/sha256.hpp", "api/routes/request/message.hpp", "api/routes/request/reply.hpp"}}},
-      {"server/manual", {{}}},
+      {"server/manual", {{"engine/messages"}}},
       {"server/cli/program", {{"api/codec"}}},
       {"server/cli/output", {{"server/cli/program", "engine/reproduction"}}},
       {"server/cli/serving", {{"server/cli/program", "api/routes", "server/http", "server/jobs"}}},

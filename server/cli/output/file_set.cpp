@@ -3,6 +3,8 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "engine/messages/command_messages.hpp"
+
 namespace floeplan::cli {
 namespace {
 
@@ -15,8 +17,7 @@ void write_part(const fs::path& file, const std::string& bytes) {
   std::ofstream stream{part_of(file), std::ios::binary | std::ios::trunc};
   stream << bytes;
   stream.flush();
-  if (!stream)
-    throw std::runtime_error{file.string() + " cannot be written; check the folder and the free space"};
+  if (!stream) throw std::runtime_error{messages::command_text<"file-not-written">(file.string())};
 }
 
 }  // namespace

@@ -366,7 +366,7 @@ int print_plan(const json& document, PlanOutput output) {
     print_summary(document);
   }
   if (ok) return done;
-  return complain(could_not, "no plan: " + why_no_plan(document));
+  return complain<"no-plan-found">(could_not, why_no_plan(document));
 }
 
 void print_messages(const json& document) {

@@ -31,9 +31,7 @@ std::filesystem::path default_store() {
 
 sql::Connection open_existing_store(const Program& program) {
   if (program.store != default_store() && !std::filesystem::exists(program.store))
-    throw std::runtime_error{
-        "there is no store in " + program.store.string() +
-        "; name its folder with --data, or read data into it with floeplan ingest FILE..."};
+    throw std::runtime_error{messages::command_text<"no-store">(program.store.string())};
   return repository::open_store(program.store);
 }
 
@@ -54,9 +52,7 @@ int complain(ExitCode code, const core::Violations& violations) {
   return code;
 }
 
-int complain_of_no_plan(const std::string& id) {
-  return complain(could_not, "no plan has the id " + id + "; floeplan plan prints the id");
-}
+int complain_of_no_plan(const std::string& id) { return complain<"no-stored-plan">(could_not, id); }
 
 core::ProgressCallback terminal_progress(const core::SteadyClock& clock) {
   if (isatty(STDERR_FILENO) == 0) return [](std::string_view, double) {};

@@ -10,6 +10,7 @@
 #include "engine/core/progress.hpp"
 #include "engine/core/units.hpp"
 #include "engine/core/violation.hpp"
+#include "engine/messages/command_messages.hpp"
 #include "storage/sql/connection.hpp"
 
 namespace floeplan::cli {
@@ -51,6 +52,11 @@ class BadDataError : public std::runtime_error {
 
 /// One line on stderr: "floeplan: what; why; what to do". Returns `code`.
 int complain(ExitCode code, const std::string& sentence);
+/// With the message of the catalogue.
+template <messages::Code message, class... Given>
+int complain(ExitCode code, const Given&... values) {
+  return complain(code, messages::command_text<message>(values...));
+}
 /// One such line for each violation.
 int complain(ExitCode code, const core::Violations& violations);
 

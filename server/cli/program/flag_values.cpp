@@ -14,7 +14,7 @@ bool takes_number(const CLI::Option& option) {
 }
 
 std::string refuse_empty(const std::string& text) {
-  return text.empty() ? "an empty text is no number; give one, or leave the flag out" : "";
+  return text.empty() ? messages::command_text<"empty-number">() : "";
 }
 
 }  // namespace
@@ -59,7 +59,7 @@ CLI::Validator seconds_or_duration() {
     }
     const auto numbers = parse_numbers(text);
     if (numbers && numbers->size() == 1) return "";
-    return text + " is neither a number of seconds nor a duration; write it as 72000 or PT20H";
+    return messages::command_text<"no-seconds-and-no-duration">(text);
   };
   return CLI::Validator{to_seconds, ""};
 }

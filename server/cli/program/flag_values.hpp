@@ -7,8 +7,15 @@
 
 #include "engine/core/units.hpp"
 #include "engine/geo/lon_lat.hpp"
+#include "engine/messages/command_messages.hpp"
 
 namespace floeplan::cli {
+
+/// Wrong usage of a flag, to be thrown: what the catalogue says of its text.
+template <messages::Code code, class... Given>
+[[nodiscard]] CLI::ValidationError flag_fault(const std::string& flag, const Given&... values) {
+  return CLI::ValidationError{flag, messages::command_text<code>(values...)};
+}
 
 /// "LON,LAT" in decimal degrees. Whether the numbers are a place on the Earth is not judged here.
 [[nodiscard]] std::optional<geo::LonLat> parse_place(const std::string& text);

@@ -25,9 +25,7 @@ std::string flag_of(const Field& field) { return "--" + std::string{field.flag};
 
 json place_of(const std::string& flag, const std::string& text) {
   const auto place = parse_place(text);
-  if (!place)
-    throw CLI::ValidationError{flag,
-                               text + " is not LON,LAT in degrees; write it as " + flag + "=-53.2,69.2"};
+  if (!place) throw flag_fault<"not-lon-lat">(flag, text, flag);
   return json::array({place->lon_deg, place->lat_deg});
 }
 
@@ -42,7 +40,7 @@ void set_inside(json& inputs, const std::string& object, const std::string& key,
 void set_robust(json& inputs, const std::string& text) {
   const auto numbers = parse_numbers(text);
   if (text != "mean" && (!numbers || numbers->size() != 1)) {
-    throw CLI::ValidationError{"--robust", text + " is neither mean nor a share of the members such as 0.9"};
+    throw flag_fault<"no-share-of-members">("--robust", text);
   }
   set_inside(inputs, "uncertainty", "objective", numbers ? "quantile" : "mean");
   if (numbers) set_inside(inputs, "uncertainty", "quantile", numbers->front());
@@ -55,7 +53,7 @@ void set_objective(json& inputs, const std::string& text) {
   if (!text.starts_with(weighted)) return;
   const auto weight = parse_numbers(text.substr(weighted.size()));
   if (!weight || weight->size() != 1) {
-    throw CLI::ValidationError{"--objective", text + " has no weight; write it as weighted:0.5"};
+    throw flag_fault<"objective-without-weight">("--objective", text);
   }
   inputs["objective"] = {{"time", 1.0}, {"energy", weight->front()}};
 }
@@ -63,16 +61,14 @@ void set_objective(json& inputs, const std::string& text) {
 void set_spacing(json& inputs, const std::string& text) {
   const auto numbers = parse_numbers(text);
   if (!numbers || numbers->size() > 2) {
-    throw CLI::ValidationError{"--spacing",
-                               text + " is not a distance in metres; write it as 1000 or 1000,500"};
+    throw flag_fault<"no-spacing">("--spacing", text);
   }
   inputs["spacing_m"] = numbers->size() == 1 ? json((*numbers)[0]) : json(*numbers);
 }
 
 void set_hours(json& inputs, const std::string& text) {
   const auto numbers = parse_numbers(text);
-  if (!numbers)
-    throw CLI::ValidationError{"--hours", text + " is not a number of hours; write it as 6 or 6,12,24"};
+  if (!numbers) throw flag_fault<"no-hours">("--hours", text);
   inputs["hours"] = *numbers;
 }
 
@@ -226,27 +222,24 @@ constexpr std::size_t most_bytes = 16UL * 1024 * 1024;
 }  // namespace
 
 json read_object(const std::string& file, const std::string& what) {
-  const std::string subject = "the " + what + " " + file;
   std::ifstream stream{file, std::ios::binary};
-  if (!stream) throw std::runtime_error{subject + " cannot be read; check its name"};
+  if (!stream) throw std::runtime_error{messages::command_text<"file-not-readable">(what, file)};
   std::string text(most_bytes + 1, '\0');
   stream.read(text.data(), static_cast<std::streamsize>(text.size()));
   text.resize(static_cast<std::size_t>(stream.gcount()));
-  if (text.size() > most_bytes)
-    throw BadDataError{subject + " is longer than 16 MB; store areas with ingest, or leave out distant ones"};
+  if (text.size() > most_bytes) throw BadDataError{messages::command_text<"file-too-long">(what, file)};
   json object;
   try {
     object = json::parse(text);
   } catch (const json::out_of_range&) {
-    throw BadDataError{subject + " holds a number that is too large; give finite numbers"};
+    throw BadDataError{messages::command_text<"file-with-endless-number">(what, file)};
   } catch (const json::parse_error& error) {
-    throw BadDataError{subject + " is not JSON from byte " + std::to_string(error.byte) +
-                       " on; check brackets, commas and quotes there"};
+    throw BadDataError{messages::command_text<"file-not-json">(what, file, error.byte)};
   }
   // The parser takes what the server refuses: one key twice, and nesting without an end.
   if (const auto checked = codec::parse_json(text); !checked)
-    throw BadDataError{subject + " is refused. " + checked.error()};
-  if (!object.is_object()) throw BadDataError{subject + " is not a JSON object"};
+    throw BadDataError{messages::command_text<"json-file-refused">(what, file, checked.error())};
+  if (!object.is_object()) throw BadDataError{messages::command_text<"file-no-json-object">(what, file)};
   return object;
 }
 
@@ -254,7 +247,7 @@ json file_member(const std::string& file) {
   std::ifstream stream{file, std::ios::binary};
   std::string text{std::istreambuf_iterator<char>{stream}, {}};
   if (!stream && text.empty())
-    throw std::runtime_error{"the file " + file + " cannot be read; check its name"};
+    throw std::runtime_error{messages::command_text<"file-not-readable">("file", file)};
   return {{"name", std::filesystem::path{file}.filename().string()}, {"text", std::move(text)}};
 }
 

@@ -110,24 +110,16 @@ std::string without_slash(std::string url) {
 /// Why the doors may not be opened like this, for a person; nothing when they may.
 std::optional<std::string> fault_of(const ServeOptions& options, const http::ListenAddress& address) {
   for (const std::string& site : options.allow_origins) {
-    if (!routes::is_origin(site))
-      return "--allow-origin " + site +
-             " is not an origin; write only scheme, host and port, for example https://map.example";
+    if (!routes::is_origin(site)) return messages::command_text<"no-origin">(site);
   }
   if (address.loopback && !options.behind_proxy) return std::nullopt;
   auto db = repository::open_store(options.store);
   const std::string others = options.behind_proxy ? "through a proxy" : "on " + address.host;
   if (!repository::TokenRepository{db}.any()) {
-    return "will not serve " + others +
-           " without tokens; whoever reaches it could do anything; add the first one with floeplan token add "
-           "NAME "
-           "--role admin";
+    return messages::command_text<"served-without-tokens">(others);
   }
   if (!options.behind_proxy && !options.tls_cert) {
-    return "will not listen on " + address.host +
-           " without TLS; tokens could be read on their way; give --tls-cert and --tls-key, or say "
-           "--behind-proxy when a "
-           "proxy does TLS";
+    return messages::command_text<"served-without-tls">(address.host);
   }
   return std::nullopt;
 }
@@ -180,9 +172,9 @@ void serve_until_stopped(const ServeOptions& options, const http::ListenAddress&
   Api api;  // needs the port, so it is filled in once that is known
   const std::filesystem::path uploads = options.store / "uploads";
   const service::IngestPlace place{{.program = own_program(),
-                                 .staging = options.store / "incoming",
-                                 .allow_weak_sandbox = options.allow_weak_sandbox},
-                                uploads};
+                                    .staging = options.store / "incoming",
+                                    .allow_weak_sandbox = options.allow_weak_sandbox},
+                                   uploads};
   const auto counts = std::make_shared<routes::RequestCounts>();
   const auto quotas = std::make_shared<routes::QuotasInForce>(options.quotas);
   http::Server server{address,
@@ -239,20 +231,11 @@ void serve_until_stopped(const ServeOptions& options, const http::ListenAddress&
 
 int serve(const ServeOptions& options) {
   const auto address = http::parse_listen_address(options.listen);
-  if (!address) {
-    std::cerr << "floeplan: " << address.error() << "\n";
-    return 2;
-  }
-  if (options.workers < 1 || options.workers > 64) {
-    std::cerr << "floeplan: " << options.workers
-              << " workers are not possible; choose 1 to 64 with --workers\n";
-    return 2;
-  }
+  if (!address) return complain(wrong_usage, address.error());
+  if (options.workers < 1 || options.workers > 64)
+    return complain<"wrong-number-of-workers">(wrong_usage, options.workers);
   if (options.https_only && !options.tls_cert && !options.behind_proxy)
-    return complain(
-        wrong_usage,
-        "--https-only tells browsers to come by HTTPS, which is not spoken here; give --tls-cert and "
-        "--tls-key, or --behind-proxy");
+    return complain<"https-only-without-tls">(wrong_usage);
   log::to_stderr(options.log_level);
   std::signal(SIGHUP, SIG_IGN);  // until there is something that it could reload
   try {
@@ -260,8 +243,7 @@ int serve(const ServeOptions& options) {
     serve_until_stopped(options, *address);
     return 0;
   } catch (const std::exception& error) {
-    std::cerr << "floeplan: " << error.what() << "\n";
-    return 1;
+    return complain(could_not, error.what());
   }
 }
 

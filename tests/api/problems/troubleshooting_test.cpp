@@ -3,6 +3,7 @@
 #include <span>
 
 #include "api/problems/problem_catalogue.hpp"
+#include "engine/messages/command_messages.hpp"
 #include "engine/messages/data_messages.hpp"
 #include "engine/messages/export_messages.hpp"
 #include "engine/messages/flight_fault_messages.hpp"
@@ -79,6 +80,8 @@ TEST(Troubleshooting, HasEveryMessageAndProblemByItsCode) {
       "\n## Faults of simulated flights and logs\n\nEach follows the name of the field, file or column that "
       "it is about.\n" +
       entries(messages::flight_fault_kinds) +
+      "\n## The command line\n\nAn entry of a flag follows the flag's name.\n" +
+      entries(messages::command_kinds) +
       "\n## Problems of the API\n\nThe type of a problem ends in its code, or "
       "in that of a group of problems.\n" +
       problem_entries();
