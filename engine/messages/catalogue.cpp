@@ -13,10 +13,13 @@
 #include "engine/messages/ingest_iceberg_messages.hpp"
 #include "engine/messages/ingest_tide_messages.hpp"
 #include "engine/messages/ingest_track_messages.hpp"
+#include "engine/messages/mission_check_messages.hpp"
 #include "engine/messages/mission_fault_messages.hpp"
+#include "engine/messages/mission_file_messages.hpp"
 #include "engine/messages/plan_messages.hpp"
 #include "engine/messages/refusal_messages.hpp"
 #include "engine/messages/request_messages.hpp"
+#include "engine/messages/seaglider_file_messages.hpp"
 
 namespace floeplan::messages {
 
@@ -24,11 +27,13 @@ std::vector<Kind> catalogue() {
   std::vector<Kind> all;
   using Kinds = std::span<const Kind>;
   for (const Kinds kinds :
-       {Kinds{plan_kinds}, Kinds{data_kinds}, Kinds{refusal_kinds}, Kinds{phrase_kinds}, Kinds{request_kinds},
-        Kinds{export_kinds}, Kinds{mission_fault_kinds}, Kinds{flight_fault_kinds}, Kinds{command_kinds},
-        Kinds{ingest_area_kinds}, Kinds{ingest_current_kinds}, Kinds{ingest_depth_kinds},
-        Kinds{ingest_file_kinds}, Kinds{ingest_format_kinds}, Kinds{ingest_ice_kinds},
-        Kinds{ingest_iceberg_kinds}, Kinds{ingest_tide_kinds}, Kinds{ingest_track_kinds}})
+       {Kinds{plan_kinds},           Kinds{data_kinds},           Kinds{refusal_kinds},
+        Kinds{phrase_kinds},         Kinds{request_kinds},        Kinds{export_kinds},
+        Kinds{mission_fault_kinds},  Kinds{flight_fault_kinds},   Kinds{command_kinds},
+        Kinds{mission_file_kinds},   Kinds{seaglider_file_kinds}, Kinds{mission_check_kinds},
+        Kinds{ingest_area_kinds},    Kinds{ingest_current_kinds}, Kinds{ingest_depth_kinds},
+        Kinds{ingest_file_kinds},    Kinds{ingest_format_kinds},  Kinds{ingest_ice_kinds},
+        Kinds{ingest_iceberg_kinds}, Kinds{ingest_tide_kinds},    Kinds{ingest_track_kinds}})
     all.insert(all.end(), kinds.begin(), kinds.end());
   return all;
 }

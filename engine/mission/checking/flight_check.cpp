@@ -1,13 +1,11 @@
 #include "engine/mission/checking/flight_check.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdio>
 #include <iterator>
 
 #include "engine/core/letter_case.hpp"
-#include "engine/core/utc_text.hpp"
 #include "engine/geo/geodesic.hpp"
+#include "engine/messages/mission_check_messages.hpp"
 #include "engine/messages/sentence.hpp"
 #include "engine/mission/checking/ice_check.hpp"
 #include "engine/mission/checking/yo_flight.hpp"
@@ -26,9 +24,7 @@ void check_files(Document& mission, const std::vector<Document>& documents) {
   for (const std::string& name : files_referenced(mission)) {
     const bool there = std::ranges::any_of(
         documents, [&](const Document& document) { return core::lower_case(document.name) == name; });
-    if (!there)
-      report(mission, 0, Severity::warning, "file_missing",
-             "asks for " + name + ", which is not among the files; the vehicle must have it");
+    if (!there) report(mission, 0, messages::mission_check_message<"file_missing">(name));
   }
 }
 
@@ -38,25 +34,20 @@ void check_commands(Document& mission) {
       first_of(mission, "goto_list") || first_of(mission, "goto_wpt") || first_of(mission, "set_heading");
   const bool dives =
       first_of(mission, "yo") || first_of(mission, "drift_at_depth") || first_of(mission, "dive_to");
-  if (steers && !dives)
-    report(mission, 0, Severity::error, "nothing_dives",
-           "a list but no yo: with nobody commanding pitch it aborts");
-  if (dives && !steers)
-    report(mission, 0, Severity::warning, "nothing_steers", "a yo but no list: nobody commands the heading");
+  if (steers && !dives) report(mission, 0, messages::mission_check_message<"nothing_dives">());
+  if (dives && !steers) report(mission, 0, messages::mission_check_message<"nothing_steers">());
 }
 
 void check_overdepth(Document& mission, const std::optional<DiveArguments>& dive) {
   const Behavior* abend = first_of(mission, "abend");
   if (abend == nullptr) {
-    if (!mission.behaviors.empty())
-      report(mission, 0, Severity::error, "no_abend_to_fly", "without abend the vehicle aborts at once");
+    if (!mission.behaviors.empty()) report(mission, 0, messages::mission_check_message<"no_abend_to_fly">());
     return;
   }
   const auto limit = value_of(*abend, "overdepth");
   if (!dive || !limit || *limit < 0.0 || dive->target_depth.value < *limit) return;
-  report(mission, abend->line, Severity::error, "target_below_overdepth",
-         "the yo dives to " + std::to_string(std::lround(dive->target_depth.value)) +
-             " m, at or below the overdepth of abend: the mission aborts on its first dive");
+  report(mission, abend->line,
+         messages::mission_check_message<"target_below_overdepth">(dive->target_depth.value));
 }
 
 void check_distances(Document& mission, const std::vector<geo::LonLat>& places) {
@@ -66,9 +57,7 @@ void check_distances(Document& mission, const std::vector<geo::LonLat>& places) 
   for (std::size_t i = 1; i < places.size(); ++i) {
     const double leg_m = geo::geodesic_between(places[i - 1], places[i]).length.value;
     if (leg_m <= *limit_m) continue;
-    report(mission, abend->line, Severity::error, "waypoint_too_far",
-           "leg " + std::to_string(i) + " is " + std::to_string(std::lround(leg_m)) +
-               " m long, beyond max_wpt_distance: the mission aborts");
+    report(mission, abend->line, messages::mission_check_message<"waypoint_too_far">(i, leg_m));
     return;
   }
 }
@@ -80,11 +69,10 @@ std::vector<geo::LonLat> with_start(std::optional<geo::LonLat> start, const Flig
 }
 
 void note_timing(Document& document, const planning::Plan& timing) {
-  char text[200];
-  std::snprintf(text, sizeof text, "clear; %.1f km in %.1f h, from %s to %s", timing.distance.value / 1000.0,
-                timing.travel_time().count() / 3600.0, core::iso8601(timing.departure).c_str(),
-                core::iso8601(timing.arrival).c_str());
-  report(document, 0, Severity::note, "route_clear", text);
+  report(document, 0,
+         messages::mission_check_message<"route_clear">(timing.distance.value / 1000.0,
+                                                        timing.travel_time().count() / 3600.0,
+                                                        timing.departure, timing.arrival));
 }
 
 /// Lists of the route's files that it leaves out.
@@ -93,15 +81,14 @@ void note_recovery_lists(std::vector<Document>& documents, const FlightRoute& ro
     const bool is_flown =
         std::ranges::find(route.stops, i, &FlightRoute::Stop::document) != route.stops.end();
     if (!is_flown && is_recovery_list(documents[i]))
-      report(documents[i], 0, Severity::note, "recovery_list",
-             "not part of the route: the firmware flies it to recover");
+      report(documents[i], 0, messages::mission_check_message<"recovery_list">());
   }
 }
 
 /// What the answer rests on: data that are missing or stretched, a battery that falls short.
 void warn_of_grounds(Document& document, const std::vector<messages::Message>& grounds) {
   for (const std::string& ground : messages::sentences(grounds))
-    report(document, 0, Severity::warning, "sea_data", ground);
+    report(document, 0, messages::mission_check_message<"sea_data">(ground));
 }
 
 void check_mission(Document& mission, const std::vector<Document>& documents,
@@ -119,8 +106,7 @@ void check_sea(std::vector<Document>& documents, const ocean::Environment& envir
   if (dive) request = flown_with(std::move(request), {dive->climb_to, dive->target_depth, dive->on_thruster});
   Document& first = documents[route.stops.front().document];
   if (places.size() < 2) {
-    return report(first, route.stops.front().line, Severity::warning, "no_leg",
-                  "one waypoint and no start: there is no leg to check");
+    return report(first, route.stops.front().line, messages::mission_check_message<"no_leg">());
   }
   RouteCheck check = check_route(environment, places, request);
   if (dive) std::ranges::move(check_depths(environment, places, *dive), std::back_inserter(check.findings));
@@ -128,8 +114,8 @@ void check_sea(std::vector<Document>& documents, const ocean::Environment& envir
   const std::size_t before_first = start ? 1 : 0;
   for (const RouteFinding& finding : check.findings) {
     const auto& stop = route.stops[finding.place < before_first ? 0 : finding.place - before_first];
-    report(documents[stop.document], stop.line, finding.dangerous ? Severity::error : Severity::warning,
-           finding.code.c_str(), finding.text);
+    documents[stop.document].messages.push_back(
+        {stop.line, finding.dangerous ? Severity::error : Severity::warning, finding.code, finding.text});
   }
   warn_of_grounds(first, check.timing ? check.timing->messages : environment.messages);
   if (!check.timing) return;

@@ -6,9 +6,9 @@
 #include <string>
 
 #include "engine/core/letter_case.hpp"
+#include "engine/messages/mission_check_messages.hpp"
 #include "engine/mission/document/behavior_values.hpp"
 #include "engine/mission/document/document_text.hpp"
-#include "engine/mission/document/printed_text.hpp"
 #include "engine/mission/writing/below_ice.hpp"
 #include "engine/mission/writing/list_parts.hpp"
 #include "engine/mission/writing/waypoint_ranges.hpp"
@@ -119,10 +119,8 @@ class IceCheck {
     for (std::size_t i = 1; i < plan_.waypoints.size(); ++i) {
       const core::Metres turn = needed_turn(i);
       if (turn <= dive.climb_to + rounding) continue;
-      at_row(i, Severity::error, "ice_above_climb",
-             print("the yo climbs to %.0f m, but below the ice or icebergs of this leg it must turn no "
-                   "higher than %.0f m",
-                   dive.climb_to.value, std::ceil(turn.value)));
+      at_row(i,
+             messages::mission_check_message<"ice_above_climb">(dive.climb_to.value, std::ceil(turn.value)));
     }
   }
 
@@ -131,15 +129,14 @@ class IceCheck {
       if (!list.ends || documents_[list.document].kind == DocumentKind::targets) continue;
       const std::size_t last = list.part.last;
       if (overhead(plan_, last) == Overhead::closed) {
-        at_row(last, Severity::error, "list_ends_below_ice",
-               "the list ends here, and the vehicle surfaces below ice or icebergs");
+        at_row(last, messages::mission_check_message<"list_ends_below_ice">());
       } else if (overhead(plan_, last) == Overhead::unknown) {
-        at_row(last, Severity::warning, "list_end_unknown",
-               "the list ends here, and the vehicle surfaces where the ice is unknown");
+        at_row(last, messages::mission_check_message<"list_end_unknown">());
       } else if (const auto end = end_of(plan_, list.part); end && end->sure_room() <= list.radius) {
         const bool is_sure_to = end->room() <= list.radius;
-        at_row(last, is_sure_to ? Severity::error : Severity::warning, "list_ends_near_ice",
-               "the list ends here, " + text_of(*end, list.radius));
+        const std::string room = text_of(*end, list.radius);
+        at_row(last, is_sure_to ? messages::mission_check_message<"list_ends_near_ice">(room)
+                                : messages::mission_check_message<"list_ends_near_ice/perhaps">(room));
       }
     }
   }
@@ -164,32 +161,27 @@ class IceCheck {
     for (const FlownList& list : lists_) {
       if (documents_[list.document].kind != DocumentKind::targets || !passes_below(plan_, list.part))
         continue;
-      report(list.document, 0, Severity::error,
-             "surfaces after every dive, but ice or icebergs are above " + legs_below(list.part));
+      add(list.document, 0,
+          messages::mission_check_message<"surfaces_below_ice/dive">(legs_below(list.part)));
     }
   }
 
   [[nodiscard]] bool is_clear() const { return is_clear_; }
 
  private:
-  void add(std::size_t document, Message message) {
-    is_clear_ = is_clear_ && message.severity != Severity::error;
-    documents_[document].messages.push_back(std::move(message));
+  void add(std::size_t document, int line, const messages::Message& message) {
+    is_clear_ = is_clear_ && !messages::is_grave(message);
+    report(documents_[document], line, message);
   }
 
-  void at_row(std::size_t waypoint, Severity severity, const char* code, std::string text) {
+  void at_row(std::size_t waypoint, const messages::Message& message) {
     const FlightRoute::Stop& row = *route_.rows[waypoint];
-    add(row.document, {row.line, severity, code, std::move(text)});
+    add(row.document, row.line, message);
   }
 
-  void report(std::size_t document, int line, Severity severity, std::string text) {
-    add(document, {line, severity, "surfaces_below_ice", std::move(text)});
-  }
-
-  void report(const SurfaceOrders& orders, Severity severity, std::string text) {
+  void at_orders(const SurfaceOrders& orders, const messages::Message& message) {
     const Argument* start_when = orders.behavior->find("start_when");
-    report(orders.document, start_when == nullptr ? orders.behavior->line : start_when->line, severity,
-           std::move(text));
+    add(orders.document, start_when == nullptr ? orders.behavior->line : start_when->line, message);
   }
 
   /// By ice or an iceberg above the leg to the waypoint.
@@ -220,25 +212,24 @@ class IceCheck {
         const auto end = end_of(plan_, {i, i});
         const bool is_near = end && end->room() <= radius;
         if (overhead(plan_, i) != Overhead::closed && !is_near) continue;
-        at_row(i, Severity::error, "surfaces_below_ice",
-               documents_[orders.document].name + " surfaces at this waypoint, " +
-                   (is_near && overhead(plan_, i) != Overhead::closed ? text_of(*end, radius)
-                                                                      : "below ice or icebergs"));
+        const std::string where = is_near && overhead(plan_, i) != Overhead::closed ? text_of(*end, radius)
+                                                                                    : "below ice or icebergs";
+        at_row(i, messages::mission_check_message<"surfaces_below_ice/waypoint">(
+                      documents_[orders.document].name, where));
       }
     }
   }
 
   void after_a_time(const SurfaceOrders& orders) {
     if (!passes_below(plan_, whole_way())) return;
-    report(orders, Severity::error,
-           print("surfaces every %.1f h, but ice or icebergs are above ", orders.interval.count() / 3600.0) +
-               legs_below(whole_way()));
+    at_orders(orders, messages::mission_check_message<"surfaces_below_ice/interval">(
+                          orders.interval.count() / 3600.0, legs_below(whole_way())));
   }
 
   void at_any_time(const SurfaceOrders& orders) {
     if (!passes_below(plan_, whole_way())) return;
-    report(orders, Severity::warning,
-           "may surface at any time, but ice or icebergs are above " + legs_below(whole_way()));
+    at_orders(orders,
+              messages::mission_check_message<"surfaces_below_ice/any-time">(legs_below(whole_way())));
   }
 
   /// Whether the vehicle comes up at the waypoint by its files.
@@ -260,11 +251,9 @@ class IceCheck {
       if (has_contact_at(i)) contact = arrival;
     }
     if (longest <= orders.interval) return;
-    report(orders, Severity::error,
-           print("surfaces after %.1f h without contact, but is below ice or icebergs for up to %.1f h after "
-                 "the last one, on ",
-                 orders.interval.count() / 3600.0, longest.count() / 3600.0) +
-               legs_below(whole_way()));
+    at_orders(orders,
+              messages::mission_check_message<"surfaces_below_ice/no-contact">(
+                  orders.interval.count() / 3600.0, longest.count() / 3600.0, legs_below(whole_way())));
   }
 
   std::vector<Document>& documents_;

@@ -6,6 +6,7 @@
 
 #include "engine/core/utc_text.hpp"
 #include "engine/geo/geodesic.hpp"
+#include "engine/messages/mission_check_messages.hpp"
 #include "engine/mission/checking/flight_route.hpp"
 #include "engine/mission/document/hold_order.hpp"
 #include "engine/mission/document/printed_text.hpp"
@@ -40,23 +41,23 @@ class Comparison {
     leave_out(last, 0, plan_.waypoints.size());
     for (std::size_t i = 0; i < plan_.waypoints.size(); ++i) {
       if (!is_held_at(plan_, i) || is_held_[i] || !hold_legs(hold_flight(plan_, i, holds_))) continue;
-      differ(last, 0, "hold_missing",
-             print("the plan holds for %.1f h at waypoint %zu, until %s: no list holds there",
-                   hours(plan_.waypoints[i].wait), i, until(i).c_str()));
+      differ(last, 0,
+             messages::mission_check_message<"hold_missing">(hours(plan_.waypoints[i].wait), i, until(i)));
     }
-    if (is_same_) report(last, 0, Severity::note, "as_planned", "the lists order what the plan does");
+    if (is_same_) report(last, 0, messages::mission_check_message<"as_planned">());
   }
 
  private:
-  void differ(Document& list, int line, const char* code, std::string text) {
+  void differ(Document& list, int line, const messages::Message& difference) {
     is_same_ = false;
-    report(list, line, Severity::warning, code, std::move(text));
+    report(list, line, difference);
   }
 
   /// The plan's waypoints from the next one on, before `end`.
   void leave_out(Document& list, int line, std::size_t end) {
     if (next_ < end)
-      differ(list, line, "waypoint_left_out", span_of_waypoints(next_, end - 1) + " of the plan left out");
+      differ(list, line,
+             messages::mission_check_message<"waypoint_left_out">(span_of_waypoints(next_, end - 1)));
     next_ = std::max(next_, end);
   }
 
@@ -67,8 +68,7 @@ class Comparison {
       next_ = i + 1;
       return;
     }
-    differ(list, row.line, "waypoint_not_in_plan",
-           "no waypoint of the plan lies here, or it is behind by now");
+    differ(list, row.line, messages::mission_check_message<"waypoint_not_in_plan">());
   }
 
   [[nodiscard]] std::string until(std::size_t waypoint) const {
@@ -79,15 +79,13 @@ class Comparison {
     const std::size_t at = next_ - 1;
     const planning::Waypoint& waypoint = plan_.waypoints[at];
     if (!is_held_at(plan_, at))
-      return differ(list, 0, "hold_not_in_plan",
-                    print("holds station after waypoint %zu, where the plan does not hold", at));
+      return differ(list, 0, messages::mission_check_message<"hold_not_in_plan">(at));
     is_held_[at] = true;
     const core::Metres off = apart(waypoint.place, hold.place);
     const core::Metres farthest = off + 0.5 * hold.apart;
     if (farthest > holds_.radius + same_waypoint) {
-      differ(list, 0, "hold_beyond_circle",
-             print("its rows lie up to %.0f m from waypoint %zu; the plan found a circle of %.0f m clear",
-                   farthest.value, at, holds_.radius.value));
+      differ(list, 0,
+             messages::mission_check_message<"hold_beyond_circle">(farthest.value, at, holds_.radius.value));
     }
     compare_times(list, hold, at);
   }
@@ -96,9 +94,9 @@ class Comparison {
     const core::Seconds wait = plan_.waypoints[at].wait;
     if (hold.planned &&
         std::abs((hold.planned->until - (plan_.waypoints[at].eta + wait)).count()) > same_time.count()) {
-      differ(list, 0, "hold_of_other_time",
-             print("its comment says that the hold ends at %s; the plan holds until %s",
-                   core::iso8601(hold.planned->until).c_str(), until(at).c_str()));
+      differ(list, 0,
+             messages::mission_check_message<"hold_of_other_time">(core::iso8601(hold.planned->until),
+                                                                   until(at)));
     }
     if (hold.legs < 0) return;
     const auto time =
@@ -106,8 +104,7 @@ class Comparison {
                   {.axis = hold.axis, .apart = hold.apart, .radius = hold.radius, .legs = hold.legs});
     if (time && std::abs(*time / wait - 1.0) <= same_hold) return;
     const std::string takes = time ? print("about %.1f h", hours(*time)) : std::string{"hours longer"};
-    differ(list, 0, "hold_of_other_length",
-           print("its %d legs take %s; the plan holds for %.1f h", hold.legs, takes.c_str(), hours(wait)));
+    differ(list, 0, messages::mission_check_message<"hold_of_other_length">(hold.legs, takes, hours(wait)));
   }
 
   const planning::Plan& plan_;

@@ -7,8 +7,9 @@
 #include <optional>
 #include <stdexcept>
 
-#include "engine/core/utc_text.hpp"
 #include "engine/geo/geodesic.hpp"
+#include "engine/messages/mission_check_messages.hpp"
+#include "engine/messages/sentence.hpp"
 #include "engine/planning/evaluate_route.hpp"
 #include "engine/vehicle/dive_band.hpp"
 
@@ -70,29 +71,31 @@ std::size_t leg_at(const std::vector<geo::LonLat>& places, geo::LonLat at) {
   return nearest;
 }
 
-std::string text_of(const Infeasible& closed) {
+RouteFinding finding_of(const Infeasible& closed, std::size_t place) {
   std::array<char, 80> where{};
-  std::snprintf(where.data(), where.size(), " at %.4f, %.4f", closed.at.lon_deg, closed.at.lat_deg);
-  return closed.explanation() + where.data() + " on " + core::iso8601(closed.when);
+  std::snprintf(where.data(), where.size(), "%.4f, %.4f", closed.at.lon_deg, closed.at.lat_deg);
+  const bool dangerous = is_dangerous(closed.reason);
+  const messages::Message told =
+      dangerous
+          ? messages::mission_check_message<"leg_closed">(closed.explanation(), where.data(), closed.when)
+          : messages::mission_check_message<"leg_unknown">(closed.explanation(), where.data(), closed.when);
+  return {place, dangerous, planning::reason_name(closed.reason), messages::whole_text(told)};
+}
+
+/// A danger that the catalogue words.
+RouteFinding danger(std::size_t place, const messages::Message& told) {
+  return {place, true, told.code, messages::whole_text(told)};
 }
 
 /// What is wrong with the dives on a leg that leads to `place`, over its shoalest bed.
 std::optional<RouteFinding> finding_of(const DiveArguments& dive, core::Metres bed, std::size_t place) {
-  std::array<char, 200> text{};
-  if (!dive.altimeter && bed <= dive.target_depth) {
-    std::snprintf(text.data(), text.size(),
-                  "the yo turns at %.0f m without using the altimeter, but the sea bed lies at %.0f m",
-                  dive.target_depth.value, bed.value);
-    return RouteFinding{place, true, "bottom_above_target", text.data()};
-  }
+  if (!dive.altimeter && bed <= dive.target_depth)
+    return danger(place,
+                  messages::mission_check_message<"bottom_above_target">(dive.target_depth.value, bed.value));
   const bool on_land = bed.value <= 0.0;  // which check_route finds
   if (on_land || bed >= dive.climb_to + vehicle::lowest_tooth + dive.altitude) return std::nullopt;
-  std::snprintf(
-      text.data(), text.size(),
-      "the yo climbs to %.0f m and turns %.0f m above the sea bed, yet that lies at %.0f m: there is no "
-      "room for it",
-      dive.climb_to.value, dive.altitude.value, bed.value);
-  return RouteFinding{place, true, "bottom_above_climb", text.data()};
+  return danger(place, messages::mission_check_message<"bottom_above_climb">(dive.climb_to.value,
+                                                                             dive.altitude.value, bed.value));
 }
 
 }  // namespace
@@ -110,8 +113,7 @@ RouteCheck check_route(const ocean::Environment& environment, const std::vector<
     for (const std::size_t place : rest.places) places.push_back(route[place]);
     for (std::size_t i = 1; i < places.size(); ++i) {
       if (length_m(places[i - 1], places[i]) <= longest_leg_m) continue;
-      check.findings.push_back({rest.places[i], true, "leg_too_long",
-                                "the leg is longer than 5000 km: are the coordinates right?"});
+      check.findings.push_back(danger(rest.places[i], messages::mission_check_message<"leg_too_long">()));
       return check;
     }
     planning::PlanRequest from_here = request;
@@ -128,8 +130,7 @@ RouteCheck check_route(const ocean::Environment& environment, const std::vector<
     const bool at_start = concerns_start(closed.reason);
     const bool at_goal = concerns_goal(closed.reason);
     const std::size_t leg = at_start ? 1 : at_goal ? places.size() - 1 : leg_at(places, closed.at);
-    check.findings.push_back({rest.places[at_start ? 0 : leg], is_dangerous(closed.reason),
-                              planning::reason_name(closed.reason), text_of(closed)});
+    check.findings.push_back(finding_of(closed, rest.places[at_start ? 0 : leg]));
     if (!is_dangerous(closed.reason)) break;  // from here on nothing is known
     if (at_goal) {
       rest.places.pop_back();

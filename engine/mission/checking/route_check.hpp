@@ -15,7 +15,7 @@ namespace floeplan::mission {
 struct RouteFinding {
   std::size_t place{};  // index into the route: where the leg leads to, or the place itself
   bool dangerous{};     // the vehicle may be lost; otherwise it is not known, or merely worth a look
-  std::string code;     // a reason of planning::reason_name, "bottom_above_target" or "bottom_above_climb"
+  std::string code;     // a reason of planning::reason_name, or that of a row of the catalogue
   std::string text;
 };
 

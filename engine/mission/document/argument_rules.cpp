@@ -7,6 +7,7 @@
 #include <initializer_list>
 #include <map>
 
+#include "engine/messages/mission_file_messages.hpp"
 #include "engine/mission/document/behavior_table.hpp"
 #include "engine/mission/document/thruster_yo.hpp"
 
@@ -15,37 +16,36 @@ namespace {
 
 constexpr int largest_file_number = 99;  // names are 8.3, so two digits are left for the number
 
-void report(Messages& messages, int line, Severity severity, const char* code, std::string text) {
-  messages.push_back({line, severity, code, std::move(text)});
+void report(Messages& messages, int line, const messages::Message& message) {
+  messages.push_back(finding(line, message));
 }
 
 void check_unknown(const Behavior& behavior, const BehaviorRule& rule, const Argument& argument,
                    Messages& messages) {
   if (!rule.complete) return;
   if (const BehaviorRule* owner = sole_owner(argument.name)) {
-    report(messages, argument.line, Severity::warning, "b_arg_of_another_behavior",
-           argument.name + " is an argument of " + std::string{owner->name} + ", not of " + behavior.name);
+    report(messages, argument.line,
+           messages::mission_file_message<"b_arg_of_another_behavior">(argument.name, owner->name,
+                                                                       behavior.name));
     return;
   }
-  report(messages, argument.line, Severity::note, "unknown_b_arg",
-         argument.name + " is not among the arguments of " + behavior.name + " in firmware 10.5");
+  report(messages, argument.line,
+         messages::mission_file_message<"unknown_b_arg">(argument.name, behavior.name));
 }
 
 void check_known(const Argument& argument, const ArgumentRule& rule, Messages& messages) {
   if (!argument.unit.empty() && argument.unit != rule.unit) {
-    report(messages, argument.line, Severity::note, "unit_differs",
-           "the dictionary writes " + argument.name + "(" + std::string{rule.unit} + ")");
+    report(messages, argument.line, messages::mission_file_message<"unit_differs">(argument.name, rule.unit));
   }
   if (is_mission_parameter(argument.value)) {
-    report(messages, argument.line, Severity::note, "mission_parameter",
-           argument.name + " names a mission parameter of back-seat firmware");
+    report(messages, argument.line, messages::mission_file_message<"mission_parameter">(argument.name));
     return;
   }
   const bool below = rule.least && argument.value < *rule.least;
   const bool above = rule.most && argument.value > *rule.most;
   if (below || above) {
-    report(messages, argument.line, Severity::note, "value_out_of_dictionary_range",
-           argument.name + " " + argument.raw + " lies outside of the dictionary's range");
+    report(messages, argument.line,
+           messages::mission_file_message<"value_out_of_dictionary_range">(argument.name, argument.raw));
   }
 }
 
@@ -62,22 +62,19 @@ void check_thruster_value(const Behavior& behavior, const Argument& argument, Me
   const double least = is_power ? least_thruster_power.value : 0.0;
   const double most = is_power ? most_thruster_power.value : 100.0;
   if (argument.value >= least && argument.value <= most) return;
-  report(messages, argument.line, Severity::note, "value_out_of_dictionary_range",
-         argument.name + " " + argument.raw + " lies outside of the dictionary's range for " + mode->name +
-             " " + mode->raw + (is_power ? ", 1 to 9 W" : ", 0 to 100 %"));
+  report(messages, argument.line,
+         messages::mission_file_message<"value_out_of_dictionary_range/thruster">(
+             argument.name, argument.raw, mode->name, mode->raw, is_power ? "1 to 9 W" : "0 to 100 %"));
 }
 
 void check_file_number(const Behavior& behavior, const Argument& argument, Messages& messages) {
   if (argument.value != std::floor(argument.value) || argument.value < -1.0) {
-    report(messages, argument.line, Severity::warning, "bad_file_number",
-           "args_from_file must be a whole number, or -1 for none");
+    report(messages, argument.line, messages::mission_file_message<"bad_file_number">());
   } else if (argument.value > largest_file_number) {
-    report(messages, argument.line, Severity::warning, "file_number_above_99",
-           "args_from_file above 99 gives a file name of more than eight characters");
+    report(messages, argument.line, messages::mission_file_message<"file_number_above_99">());
   } else if ((behavior.name == "goto_list" && argument.value >= 98.0) ||
              (behavior.name == "yo" && argument.value == 99.0)) {
-    report(messages, argument.line, Severity::note, "file_number_of_firmware",
-           "the firmware's recovery under ice uses goto_l98, goto_l99 and yo99 itself");
+    report(messages, argument.line, messages::mission_file_message<"file_number_of_firmware">());
   }
 }
 
@@ -125,9 +122,18 @@ void check_code(std::string_view behavior, const Argument& argument, Messages& m
   const bool allowed =
       exists && (rule == code_rules.end() || (rule->allowed >> static_cast<int>(argument.value) & 1U) != 0U);
   if (allowed) return;
-  messages.push_back({argument.line, Severity::note, "unknown_code",
-                      argument.name + " " + argument.raw + " is no code that " + std::string{behavior} +
-                          " takes in firmware 10.5"});
+  report(messages, argument.line,
+         messages::mission_file_message<"unknown_code">(argument.name, argument.raw, behavior));
+}
+
+/// `conflicts`  whether two values of it are an error: of a b_arg nobody knows which one counts
+messages::Message duplicate(const Argument& setting, const Argument& first, bool conflicts) {
+  const auto told = [&]<messages::Code other, messages::Code same>() {
+    return first.value == setting.value ? messages::mission_file_message<same>(setting.name, first.line)
+                                        : messages::mission_file_message<other>(setting.name, first.line);
+  };
+  return conflicts ? told.operator()<"duplicate_b_arg", "duplicate_b_arg/same">()
+                   : told.operator()<"duplicate_sensor", "duplicate_sensor/same">();
 }
 
 }  // namespace
@@ -137,12 +143,7 @@ void check_duplicates(const std::vector<Argument>& settings, bool conflicts, Mes
   for (const Argument& setting : settings) {
     const auto [first, fresh] = seen.emplace(setting.name, &setting);
     if (fresh) continue;
-    const bool equal = first->second->value == setting.value;
-    const Severity of_equal = conflicts ? Severity::warning : Severity::note;
-    report(messages, setting.line, equal || !conflicts ? of_equal : Severity::error,
-           conflicts ? "duplicate_b_arg" : "duplicate_sensor",
-           setting.name + " is given again, first in line " + std::to_string(first->second->line) +
-               (equal ? ", with the same value" : ", with another value; nobody knows which one counts"));
+    report(messages, setting.line, duplicate(setting, *first->second, conflicts));
   }
 }
 
@@ -151,21 +152,19 @@ void check_arguments(const Behavior& behavior, Messages& messages) {
   const BehaviorRule* rule = find_behavior(behavior.name);
   if (rule == nullptr) {
     if (!behavior.name.empty()) {
-      report(messages, behavior.line, Severity::note, "unknown_behavior",
-             "firmware 10.5 has no behavior " + behavior.name +
-                 "; firmware before 10.04 crashes on unknown ones");
+      report(messages, behavior.line, messages::mission_file_message<"unknown_behavior">(behavior.name));
     }
     return;
   }
   if (behavior.name != behavior.written) {
-    report(messages, behavior.line, Severity::note, "capital_letters",
-           "the dictionary writes " + behavior.name + ", not " + behavior.written);
+    report(messages, behavior.line,
+           messages::mission_file_message<"capital_letters">(behavior.name, behavior.written));
   }
   for (const Argument& argument : behavior.arguments) {
     check_code(behavior.name, argument, messages);
     if (argument.name != argument.written) {
-      report(messages, argument.line, Severity::note, "capital_letters",
-             "the dictionary writes " + argument.name + ", not " + argument.written);
+      report(messages, argument.line,
+             messages::mission_file_message<"capital_letters">(argument.name, argument.written));
     }
     if (argument.name == "args_from_file") check_file_number(behavior, argument, messages);
     check_thruster_value(behavior, argument, messages);

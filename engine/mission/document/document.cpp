@@ -10,8 +10,8 @@ const Argument* Behavior::find(std::string_view argument_name) const {
   return found == arguments.end() ? nullptr : &*found;
 }
 
-void report(Document& document, int line, Severity severity, const char* code, std::string text) {
-  document.messages.push_back({line, severity, code, std::move(text)});
+void report(Document& document, int line, const messages::Message& message) {
+  document.messages.push_back(finding(line, message));
 }
 
 }  // namespace floeplan::mission

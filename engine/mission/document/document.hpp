@@ -84,6 +84,6 @@ struct Document {
 };
 
 /// Adds what was noticed on a line; line 0 is the file as a whole.
-void report(Document& document, int line, Severity severity, const char* code, std::string text);
+void report(Document& document, int line, const messages::Message& message);
 
 }  // namespace floeplan::mission

@@ -4,6 +4,7 @@
 #include <iterator>
 
 #include "engine/core/letter_case.hpp"
+#include "engine/messages/mission_file_messages.hpp"
 #include "engine/mission/document/argument_rules.hpp"
 #include "engine/mission/document/behavior_table.hpp"
 #include "engine/mission/document/line_words.hpp"
@@ -24,12 +25,11 @@ void check_file_name(const Document& document, const Behavior& behavior, Message
   const BehaviorRule* named = find_by_file_prefix(stem.substr(0, letters));
   if (letters == stem.size() || named == nullptr || find_behavior(behavior.name) == nullptr) return;
   if (named->name != behavior.name) {
-    messages.push_back({behavior.line, Severity::warning, "file_name_of_another_behavior",
-                        document.name + " is the name of a file for " + std::string{named->name} +
-                            ", but this one is for " + behavior.name});
+    messages.push_back(finding(behavior.line, messages::mission_file_message<"file_name_of_another_behavior">(
+                                                  document.name, named->name, behavior.name)));
   } else if (stem.size() - letters > 2) {
-    messages.push_back({0, Severity::warning, "file_number_above_99",
-                        document.name + " has more than two digits; vehicles know 0 to 99"});
+    messages.push_back(
+        finding(0, messages::mission_file_message<"file_number_above_99/name">(document.name)));
   }
 }
 
@@ -45,8 +45,8 @@ void check_arguments_file(Document& document) {
     }
     check_list(behavior, document.waypoints, document.messages);
   } else if (!document.waypoints.empty()) {
-    document.messages.push_back({document.waypoints.front().line, Severity::warning, "waypoints_elsewhere",
-                                 "only a goto_list has waypoints"});
+    report(document, document.waypoints.front().line,
+           messages::mission_file_message<"waypoints_elsewhere">());
   }
 }
 
@@ -60,9 +60,7 @@ void check_mission_rules(Document& document) {
     }
   }
   if (std::ranges::find(document.behaviors, "abend", &Behavior::name) == document.behaviors.end()) {
-    document.messages.push_back(
-        {0, Severity::note, "no_abend",
-         "no abend: the vehicle does not run this file, it can only load its sensors"});
+    report(document, 0, messages::mission_file_message<"no_abend">());
   }
 }
 

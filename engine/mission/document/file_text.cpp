@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "engine/messages/mission_file_messages.hpp"
+
 namespace floeplan::mission {
 namespace {
 
@@ -99,14 +101,13 @@ void split_lines(std::string_view text, FileText& file) {
 
 tl::expected<FileText, Message> decode_file(std::string_view bytes) {
   if (bytes.size() > max_file_bytes) {
-    return tl::unexpected(Message{0, Severity::error, "file_too_large",
-                                  "the file has more than 64 KiB, and mission files so large are not read"});
+    return tl::unexpected(finding(0, messages::mission_file_message<"file_too_large">()));
   }
   if (const auto nul = bytes.find('\0'); nul != std::string_view::npos) {
     const auto line = 1 + std::ranges::count(bytes.substr(0, nul), '\n');
-    return tl::unexpected(Message{static_cast<int>(line), Severity::error, "binary_file",
-                                  is_utf16(bytes) ? "UTF-16, which no vehicle reads; save the file as ASCII"
-                                                  : "a NUL character; this is no mission text"});
+    return tl::unexpected(
+        finding(static_cast<int>(line), is_utf16(bytes) ? messages::mission_file_message<"binary_file/wide">()
+                                                        : messages::mission_file_message<"binary_file">()));
   }
   FileText file;
   file.format.bytes = bytes.size();

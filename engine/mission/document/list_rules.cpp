@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/messages/mission_file_messages.hpp"
 #include "engine/mission/document/argument_rules.hpp"
 #include "engine/mission/document/flown_rows.hpp"
 #include "engine/mission/document/setting_line.hpp"
@@ -21,12 +22,9 @@ bool is_parameter(const Argument* argument) {
 void check_radius(const Behavior& list, Messages& messages) {
   const Argument* radius = list.find("list_when_wpt_dist");
   if (radius == nullptr) {
-    messages.push_back(
-        {list.line, Severity::note, "list_when_wpt_dist_not_given",
-         "no list_when_wpt_dist: a waypoint is reached within 10 m, the dictionary's default"});
+    messages.push_back(finding(list.line, messages::mission_file_message<"list_when_wpt_dist_not_given">()));
   } else if (radius->value < smallest_radius_m) {
-    messages.push_back({radius->line, Severity::warning, "radius_below_minimum",
-                        "list_when_wpt_dist is below 10 m, the dictionary's minimum"});
+    messages.push_back(finding(radius->line, messages::mission_file_message<"radius_below_minimum">()));
   }
 }
 
@@ -34,9 +32,7 @@ void check_legs(const Behavior& list, Messages& messages) {
   const Argument* legs = list.find("num_legs_to_run");
   if (legs == nullptr || is_parameter(legs)) return;
   if (legs->value == 0.0 || legs->value < -2.0 || legs->value > most_legs || !is_whole(legs->value)) {
-    messages.push_back({legs->line, Severity::warning, "illegal_legs",
-                        "num_legs_to_run must be from 1 to " + std::to_string(most_legs) +
-                            ", -1 to go round for ever or -2 for once"});
+    messages.push_back(finding(legs->line, messages::mission_file_message<"illegal_legs">(most_legs)));
   }
 }
 
@@ -46,30 +42,26 @@ void check_initial(const Behavior& list, std::optional<std::size_t> rows, Messag
   if (initial == nullptr || is_parameter(initial)) return;
   const bool beyond = rows && initial->value >= 0.0 && initial->value >= static_cast<double>(*rows);
   if (!is_whole(initial->value) || initial->value < -2.0 || beyond) {
-    messages.push_back({initial->line, Severity::error, "bad_initial_wpt",
-                        "initial_wpt must be a row of the list counted from 0, -1 for the one after the last "
-                        "achieved or -2 for the closest"});
+    messages.push_back(finding(initial->line, messages::mission_file_message<"bad_initial_wpt">()));
   }
 }
 
 void check_count(const Behavior& list, std::size_t rows, Messages& messages) {
   const Argument* declared = list.find("num_waypoints");
   if (declared == nullptr) {
-    messages.push_back(
-        {list.line, Severity::error, "num_waypoints_not_given",
-         "no num_waypoints, which then is 0, though there are " + std::to_string(rows) + " rows"});
+    messages.push_back(finding(list.line, messages::mission_file_message<"num_waypoints_not_given">(rows)));
     return;
   }
-  const std::string both = declared->raw + " declared, " + std::to_string(rows) + " listed";
+  const std::string& count = declared->raw;
   if (!is_whole(declared->value) || declared->value < 1.0) {
-    messages.push_back({declared->line, Severity::error, "waypoint_count_mismatch",
-                        both + "; num_waypoints must be a whole number, 1 at least"});
+    messages.push_back(finding(
+        declared->line, messages::mission_file_message<"waypoint_count_mismatch/no-count">(count, rows)));
   } else if (declared->value > static_cast<double>(rows)) {
-    messages.push_back({declared->line, Severity::error, "waypoint_count_mismatch",
-                        both + "; the vehicle would read past the end of the list"});
-  } else if (declared->value < static_cast<double>(rows)) {
     messages.push_back(
-        {declared->line, Severity::warning, "waypoint_count_mismatch", both + "; all of them are kept here"});
+        finding(declared->line, messages::mission_file_message<"waypoint_count_mismatch">(count, rows)));
+  } else if (declared->value < static_cast<double>(rows)) {
+    messages.push_back(finding(declared->line,
+                               messages::mission_file_message<"waypoint_count_mismatch/fewer">(count, rows)));
   }
 }
 
@@ -87,10 +79,7 @@ void check_decimal_look(const std::vector<WaypointRow>& rows, Messages& messages
     return digits_before_point(row.lon_raw) <= 3 && digits_before_point(row.lat_raw) <= 2;
   });
   if (!decimal) return;
-  messages.push_back(
-      {rows.front().line, Severity::warning, "decimal_degrees",
-       "these look like decimal degrees, but are read as degrees and minutes (DDDMM.MMMM), all "
-       "within a few degrees of 0 N 0 E"});
+  messages.push_back(finding(rows.front().line, messages::mission_file_message<"decimal_degrees">()));
 }
 
 void check_list(const Behavior& list, const std::vector<WaypointRow>& rows, Messages& messages) {
@@ -124,8 +113,7 @@ std::vector<WaypointRow> inline_waypoints(const Behavior& behavior, Messages& me
     if (x == nullptr || y == nullptr) break;
     const Argument* units = behavior.find("wpt_units" + ending);
     if (units == nullptr || units->value != by_longitude_and_latitude) {
-      messages.push_back({x->line, Severity::note, "local_coordinates",
-                          "given in local metres or UTM, which cannot be placed without the vehicle"});
+      messages.push_back(finding(x->line, messages::mission_file_message<"local_coordinates">()));
     } else if (!is_parameter(x) && !is_parameter(y)) {
       rows.push_back({x->raw, y->raw, read_packed_place(x->value, y->value, x->line, messages), x->line});
     }

@@ -3,7 +3,26 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "engine/messages/sentence.hpp"
+
 namespace floeplan::mission {
+namespace {
+
+Severity severity_of(messages::Rank rank) {
+  switch (rank) {
+    case messages::Rank::danger: return Severity::error;
+    case messages::Rank::caution: return Severity::warning;
+    case messages::Rank::note: return Severity::note;
+  }
+  throw std::logic_error{"Rank without a severity"};
+}
+
+}  // namespace
+
+Message finding(int line, const messages::Message& message) {
+  return {line, severity_of(message.rank), message.code.substr(0, message.code.find('/')),
+          messages::whole_text(message)};
+}
 
 Verdict verdict_of(const Messages& messages) {
   const auto any = [&](Severity severity) {

@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "engine/messages/message.hpp"
+
 namespace floeplan::mission {
 
 enum class Severity { note, warning, error };
@@ -18,6 +20,10 @@ struct Message {
 };
 
 using Messages = std::vector<Message>;
+
+/// What the catalogue says of a line: a danger is an error, a caution a warning. A code ends before the slash that tells
+/// rows of the same code apart.
+[[nodiscard]] Message finding(int line, const messages::Message& message);
 
 /// Whether a file may become a plan: notes alone leave it `ok`, a warning makes it `warn`, an error `reject`.
 enum class Verdict { ok, warn, reject };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/messages/mission_file_messages.hpp"
 #include "engine/mission/document/line_words.hpp"
 #include "engine/mission/document/packed_degrees.hpp"
 
@@ -31,8 +32,7 @@ std::optional<Parts> cut_with_unit(std::string_view text, std::size_t open, int 
   const auto units = words_of(text.substr(open + 1, close - open - 1));
   if (names.size() != 1 || units.size() > 1) return std::nullopt;
   if (!text.substr(0, open).ends_with(names.front())) {
-    messages.push_back({line, Severity::warning, "blank_before_unit",
-                        "a blank between name and unit; write " + std::string{names.front()} + "(...)"});
+    messages.push_back(finding(line, messages::mission_file_message<"blank_before_unit">(names.front())));
   }
   return Parts{names.front(), units.empty() ? std::string_view{} : units.front(),
                words_of(text.substr(close + 1))};
@@ -42,9 +42,8 @@ std::optional<Parts> cut_with_unit(std::string_view text, std::size_t open, int 
 std::optional<Parts> cut_without_unit(std::string_view text, int line, Messages& messages) {
   auto words = words_of(text);
   if (words.empty()) return std::nullopt;
-  messages.push_back(
-      {line, Severity::warning, "unit_missing",
-       std::string{words.front().substr(0, max_quote_length)} + " has no unit in parentheses"});
+  messages.push_back(finding(
+      line, messages::mission_file_message<"unit_missing">(words.front().substr(0, max_quote_length))));
   const std::string_view name = words.front();
   words.erase(words.begin());
   return Parts{name, {}, std::move(words)};
@@ -53,26 +52,24 @@ std::optional<Parts> cut_without_unit(std::string_view text, int line, Messages&
 }  // namespace
 
 std::optional<Argument> read_setting(std::string_view text, int line, Messages& messages) {
-  const auto fail = [&](const char* code, const std::string& reason) {
-    messages.push_back({line, Severity::error, code, reason});
+  const auto fail = [&](const messages::Message& fault) {
+    messages.push_back(finding(line, fault));
     return std::nullopt;
   };
   const std::size_t open = text.find('(');
   const auto parts = open == std::string_view::npos ? cut_without_unit(text, line, messages)
                                                     : cut_with_unit(text, open, line, messages);
   if (!parts || !is_name(parts->name) || parts->unit.size() > max_unit_length) {
-    return fail("malformed_setting", quoted(text) + " is not name(unit) value");
+    return fail(messages::mission_file_message<"malformed_setting">(quoted(text)));
   }
   const std::string name{parts->name};
-  if (parts->values.empty()) return fail("value_missing", name + " has no value");
+  if (parts->values.empty()) return fail(messages::mission_file_message<"value_missing">(name));
   const auto value = parse_number(parts->values.front());
   if (!value) {
-    return fail("value_not_a_number",
-                "the value of " + name + " is " + quoted(parts->values.front()) + ", which is not a number");
+    return fail(messages::mission_file_message<"value_not_a_number">(name, quoted(parts->values.front())));
   }
   if (parts->values.size() > 1) {
-    messages.push_back({line, Severity::warning, "extra_tokens",
-                        "words after the value of " + name + "; a comment begins with #"});
+    messages.push_back(finding(line, messages::mission_file_message<"extra_tokens/value">(name)));
   }
   return Argument{name, name, std::string{parts->unit}, std::string{parts->values.front()}, *value, line};
 }
@@ -81,17 +78,12 @@ geo::LonLat read_packed_place(double lon_packed, double lat_packed, int line, Me
   const UnpackedAngle lon = unpack_degrees(lon_packed);
   const UnpackedAngle lat = unpack_degrees(lat_packed);
   if (lon.sixty_minutes || lat.sixty_minutes) {
-    messages.push_back({line, Severity::warning, "minutes_60_or_more",
-                        "minutes of 60 or more; the value is defined, but a writer went wrong"});
+    messages.push_back(finding(line, messages::mission_file_message<"minutes_60_or_more">()));
   }
   if (std::abs(lat.degrees) > 90.0) {
-    messages.push_back({line, Severity::error, "out_of_range",
-                        "the latitude lies beyond 90 degrees; the longitude comes first, are the columns "
-                        "swapped?"});
+    messages.push_back(finding(line, messages::mission_file_message<"out_of_range/latitude">()));
   } else if (std::abs(lon.degrees) > 180.0) {
-    messages.push_back({line, Severity::error, "out_of_range",
-                        "the longitude lies beyond 180 degrees; it is written as degrees and minutes, "
-                        "DDDMM.MMMM, east positive"});
+    messages.push_back(finding(line, messages::mission_file_message<"out_of_range/longitude">()));
   }
   return {lon.degrees, lat.degrees};
 }
@@ -101,15 +93,11 @@ std::optional<WaypointRow> read_waypoint_row(std::string_view text, int line, Me
   const auto lon = words.empty() ? std::nullopt : parse_number(words[0]);
   const auto lat = words.size() < 2 ? std::nullopt : parse_number(words[1]);
   if (!lon || !lat) {
-    messages.push_back(
-        {line, Severity::error, "bad_waypoint_row",
-         quoted(text) + " is not two numbers; a row is longitude and latitude as DDDMM.MMMM and DDMM.MMMM "
-                        "between blanks, without commas and letters"});
+    messages.push_back(finding(line, messages::mission_file_message<"bad_waypoint_row">(quoted(text))));
     return std::nullopt;
   }
   if (words.size() > 2) {
-    messages.push_back({line, Severity::warning, "extra_tokens_in_waypoint_row",
-                        "words after the coordinates; a comment begins with #"});
+    messages.push_back(finding(line, messages::mission_file_message<"extra_tokens_in_waypoint_row">()));
   }
   return WaypointRow{std::string{words[0]}, std::string{words[1]},
                      read_packed_place(*lon, *lat, line, messages), line};

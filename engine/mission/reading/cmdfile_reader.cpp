@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "engine/messages/seaglider_file_messages.hpp"
 #include "engine/mission/document/line_words.hpp"
 #include "engine/mission/reading/seaglider_lines.hpp"
 
@@ -58,31 +59,32 @@ bool is_directive(std::string_view line) {
 void check_range(const Argument& parameter, Document& document) {
   const auto rule = std::ranges::find(parameters, std::string_view{parameter.name}, &ParameterRule::name);
   if (rule == parameters.end())
-    return report(document, parameter.line, Severity::note, "unknown_parameter",
-                  "$" + parameter.name + " is not among the parameters that are known here");
+    return report(document, parameter.line,
+                  messages::seaglider_file_message<"unknown_parameter">(parameter.name));
   if (rule->whole && parameter.value != std::floor(parameter.value))
-    report(document, parameter.line, Severity::error, "not_whole",
-           "$" + parameter.name + " must be a whole number");
+    report(document, parameter.line, messages::seaglider_file_message<"not_whole">(parameter.name));
   if (parameter.value < rule->least || parameter.value > rule->most)
-    report(document, parameter.line, rule->advice ? Severity::warning : Severity::error, "out_of_range",
-           "$" + parameter.name + " lies outside of what the vehicle takes");
+    report(document, parameter.line,
+           rule->advice ? messages::seaglider_file_message<"out_of_range/advice">(parameter.name)
+                        : messages::seaglider_file_message<"out_of_range/parameter">(parameter.name));
 }
 
 void read_parameter(std::string_view word, int line, Document& document) {
   const std::size_t comma = word.find(',');
   const std::string_view name = word.substr(1, comma == std::string_view::npos ? comma : comma - 1);
   if (comma == std::string_view::npos || !is_name(name))
-    return report(document, line, Severity::error, "unknown_line", "neither $NAME,number nor a directive");
+    return report(document, line, messages::seaglider_file_message<"unknown_line/cmdfile">());
   const std::string_view raw = word.substr(comma + 1);
   const auto value = parse_number(raw);
   if (!value)
-    return report(document, line, Severity::error, "value_not_a_number",
-                  "the value of $" + std::string{name} + " is not a number");
+    return report(document, line, messages::seaglider_file_message<"value_not_a_number/cmdfile">(name));
   Argument parameter{std::string{name}, std::string{name}, "", std::string{raw}, *value, line};
   const auto before = std::ranges::find(document.sensors, parameter.name, &Argument::name);
   if (before != document.sensors.end())
-    report(document, line, before->value == *value ? Severity::warning : Severity::error, "parameter_twice",
-           "$" + parameter.name + " is given again, first in line " + std::to_string(before->line));
+    report(document, line,
+           before->value == *value
+               ? messages::seaglider_file_message<"parameter_twice/same">(parameter.name, before->line)
+               : messages::seaglider_file_message<"parameter_twice">(parameter.name, before->line));
   check_range(parameter, document);
   document.sensors.push_back(std::move(parameter));
 }
@@ -93,8 +95,7 @@ void check_limits(Document& document) {
     const auto low = std::ranges::find(document.sensors, less, &Argument::name);
     const auto high = std::ranges::find(document.sensors, more, &Argument::name);
     if (low == document.sensors.end() || high == document.sensors.end() || low->value < high->value) return;
-    report(document, low->line, Severity::error, "beyond_limit",
-           std::string{"$"} + less + " must be less than $" + more + ", at which the dive is aborted");
+    report(document, low->line, messages::seaglider_file_message<"beyond_limit">(less, more));
   };
   require_less("D_TGT", "D_ABORT");
   require_less("T_DIVE", "T_MISSION");
@@ -107,18 +108,16 @@ void read_cmdfile(const FileText& text, Document& document) {
   int directive_line = 0;
   for (const SeagliderLine& line : seaglider_lines(text, document)) {
     if (directive_line != 0)
-      report(document, line.number, Severity::warning, "after_directive",
-             "a line after the directive of line " + std::to_string(directive_line) + ", which comes last");
+      report(document, line.number, messages::seaglider_file_message<"after_directive">(directive_line));
     if (line.words.size() > 1 || !line.words.front().starts_with('$')) {
-      report(document, line.number, Severity::error, "unknown_line", "neither $NAME,number nor a directive");
+      report(document, line.number, messages::seaglider_file_message<"unknown_line/cmdfile">());
     } else if (is_directive(line.words.front())) {
       directive_line = line.number;
     } else {
       read_parameter(line.words.front(), line.number, document);
     }
   }
-  if (directive_line == 0)
-    report(document, 0, Severity::error, "no_directive", "$GO, $RESUME, $QUIT or $EXIT_TO_MENU is missing");
+  if (directive_line == 0) report(document, 0, messages::seaglider_file_message<"no_directive">());
   check_limits(document);
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/core/letter_case.hpp"
+#include "engine/messages/mission_file_messages.hpp"
 #include "engine/mission/document/document_rules.hpp"
 #include "engine/mission/document/file_text.hpp"
 #include "engine/mission/document/hold_order.hpp"
@@ -35,16 +36,16 @@ class Reader {
   explicit Reader(Document& document) : document_{document} {}
 
  protected:
-  void report(Severity severity, const char* code, std::string text) {
-    document_.messages.push_back({line_, severity, code, std::move(text)});
+  template <messages::Code code>
+  void report() {
+    document_.messages.push_back(finding(line_, messages::mission_file_message<code>()));
   }
 
   void keep(std::string content) { document_.lines.back().content = std::move(content); }
 
   /// Words that are left over on a line that is understood without them.
   void warn_of_extra(const std::vector<std::string_view>& words) {
-    if (words.size() > 1)
-      report(Severity::warning, "extra_tokens", "words after the name; a comment begins with #");
+    if (words.size() > 1) report<"extra_tokens">();
   }
 
   void read_sensor(std::string_view text) {
@@ -79,7 +80,7 @@ class MissionReader : private Reader {
     if (const auto sensor = after(content, "sensor:")) return read_sensor(*sensor);
     if (const auto argument = after(content, "b_arg:")) {
       if (!document_.behaviors.empty()) return read_argument(*argument);
-      return report(Severity::error, "b_arg_before_behavior", "a b_arg before the first behavior");
+      return report<"b_arg_before_behavior">();
     }
     if (const auto behavior = after(content, "behavior:")) return read_behavior(*behavior);
     read_configuration(content);
@@ -87,15 +88,13 @@ class MissionReader : private Reader {
 
   void finish() {
     line_ = 0;
-    if (document_.behaviors.empty() && document_.sensors.empty())
-      report(Severity::error, "empty_mission", "neither a sensor nor a behavior");
+    if (document_.behaviors.empty() && document_.sensors.empty()) report<"empty_mission">();
   }
 
  private:
   void read_behavior(std::string_view text) {
     const auto words = words_of(text);
-    if (words.empty() || !is_name(words.front()))
-      return report(Severity::error, "malformed_behavior", "behavior: without a name");
+    if (words.empty() || !is_name(words.front())) return report<"malformed_behavior">();
     warn_of_extra(words);
     keep("behavior: " + std::string{words.front()});
     begin_behavior(words.front());
@@ -106,9 +105,9 @@ class MissionReader : private Reader {
     const auto words = words_of(content);
     if (words.size() == 2 && (words[0] == "name" || words[0] == "installed")) {
       keep(std::string{words[0]} + " " + std::string{words[1]});
-      return report(Severity::note, "configuration_line", "a line of a vehicle's configuration");
+      return report<"configuration_line">();
     }
-    report(Severity::error, "unknown_line", "neither sensor:, behavior: nor b_arg:; a comment begins with #");
+    report<"unknown_line">();
   }
 };
 
@@ -122,24 +121,21 @@ class ArgumentsReader : private Reader {
     if (section_ == Section::waypoints) return read_row(content);
     if (const auto argument = after(content, "b_arg:")) {
       if (section_ == Section::arguments) return read_argument_of_file(*argument);
-      return report(Severity::error, "b_arg_outside_section",
-                    "a b_arg outside of <start:b_arg> and <end:b_arg>");
+      return report<"b_arg_outside_section">();
     }
     if (const auto sensor = after(content, "sensor:")) return read_sensor(*sensor);
     if (const auto name = after(content, "behavior_name"); name && section_ == Section::none)
       return read_name(*name);
-    report(Severity::error, "unknown_line", "nothing that an argument file holds; a comment begins with #");
+    report<"unknown_line/arguments">();
   }
 
   void finish() {
     if (section_ != Section::none) {
-      report(Severity::error, "section_not_closed_at_eof",
-             "the file ends inside a section; was its transfer cut short?");
+      report<"section_not_closed_at_eof">();
     }
     line_ = 0;
-    if (!named_) report(Severity::error, "no_behavior_name", "behavior_name= is missing");
-    if (!arguments_read_ && section_ != Section::arguments)
-      report(Severity::error, "no_b_arg_section", "<start:b_arg> is missing");
+    if (!named_) report<"no_behavior_name">();
+    if (!arguments_read_ && section_ != Section::arguments) report<"no_b_arg_section">();
   }
 
  private:
@@ -149,14 +145,11 @@ class ArgumentsReader : private Reader {
     const std::size_t equals = text.find_first_not_of(" \t");
     const bool assigned = equals != std::string_view::npos && text[equals] == '=';
     const auto words = assigned ? words_of(text.substr(equals + 1)) : std::vector<std::string_view>{};
-    if (words.empty() || !is_name(words.front()))
-      return report(Severity::error, "malformed_behavior_name", "behavior_name= without a name");
-    if (equals > 0 || !text.substr(1).starts_with(words.front()))
-      report(Severity::warning, "blanks_around_equals", "blanks around the = of behavior_name");
+    if (words.empty() || !is_name(words.front())) return report<"malformed_behavior_name">();
+    if (equals > 0 || !text.substr(1).starts_with(words.front())) report<"blanks_around_equals">();
     warn_of_extra(words);
     if (named_) return read_name_again(words.front());
-    if (arguments_read_ || waypoints_read_)
-      report(Severity::warning, "unusual_order", "behavior_name comes first in every vehicle's files");
+    if (arguments_read_ || waypoints_read_) report<"unusual_order">();
     named_ = true;
     if (document_.behaviors.empty()) begin_behavior("");
     document_.behaviors.back().name = core::lower_case(words.front());
@@ -167,7 +160,10 @@ class ArgumentsReader : private Reader {
 
   void read_name_again(std::string_view name) {
     const bool same = core::lower_case(name) == document_.behaviors.back().name;
-    report(same ? Severity::warning : Severity::error, "behavior_name_twice", "behavior_name is given twice");
+    if (same)
+      report<"behavior_name_twice/same">();
+    else
+      report<"behavior_name_twice">();
   }
 
   void read_argument_of_file(std::string_view text) {
@@ -177,7 +173,9 @@ class ArgumentsReader : private Reader {
 
   void read_row(std::string_view content) {
     if (document_.waypoints.size() == max_waypoint_rows) {
-      if (!too_many_) report(Severity::error, "too_many_waypoints", "more than 1000 waypoints");
+      if (!too_many_)
+        document_.messages.push_back(
+            finding(line_, messages::mission_file_message<"too_many_waypoints">(max_waypoint_rows)));
       too_many_ = true;
       return;
     }
@@ -192,9 +190,7 @@ class ArgumentsReader : private Reader {
     warn_of_extra(words);
     const std::string tag = core::lower_case(words.front());
     if (tag == "<start:b_arg>") {
-      if (waypoints_read_)
-        report(Severity::warning, "unusual_order",
-               "the b_args come before the waypoints in every vehicle's files");
+      if (waypoints_read_) report<"unusual_order/sections">();
       open(Section::arguments, arguments_read_);
     } else if (tag == "<start:waypoints>") {
       open(Section::waypoints, waypoints_read_);
@@ -203,22 +199,20 @@ class ArgumentsReader : private Reader {
     } else if (tag == "<end:waypoints>") {
       close(Section::waypoints);
     } else {
-      return report(Severity::error, "unknown_section", "not one of the sections b_arg and waypoints");
+      return report<"unknown_section">();
     }
     keep(tag);
   }
 
   void open(Section section, bool& read_before) {
-    if (section_ != Section::none)
-      report(Severity::error, "section_not_closed", "a section begins before the one before it ends");
-    if (read_before) report(Severity::error, "section_twice", "the section is there twice");
+    if (section_ != Section::none) report<"section_not_closed">();
+    if (read_before) report<"section_twice">();
     read_before = true;
     section_ = section;
   }
 
   void close(Section section) {
-    if (section_ != section)
-      report(Severity::error, "section_not_open", "a section ends that did not begin, or ended before");
+    if (section_ != section) report<"section_not_open">();
     section_ = Section::none;
   }
 
@@ -272,8 +266,8 @@ void read_lines(const FileText& text, LineReader reader, Document& document) {
     if (document.messages.size() == judged) continue;
     judged = document.messages.size();
     if (has_too_many_errors(document.messages)) {
-      document.messages.push_back({static_cast<int>(i) + 1, Severity::error, "too_many_errors",
-                                   "more than 100 errors; the rest was not read"});
+      report(document, static_cast<int>(i) + 1,
+             messages::mission_file_message<"too_many_errors">(max_errors));
       return;
     }
   }
@@ -282,13 +276,10 @@ void read_lines(const FileText& text, LineReader reader, Document& document) {
 
 void warn_of_layout(const FileText& text, Messages& messages) {
   if (text.byte_order_mark) {
-    messages.push_back({1, Severity::warning, "byte_order_mark",
-                        "a byte order mark, which a vehicle takes for text; save without it"});
+    messages.push_back(finding(1, messages::mission_file_message<"byte_order_mark">()));
   }
   if (text.format.line_endings == "CR" || text.format.line_endings == "mixed") {
-    messages.push_back(
-        {0, Severity::warning, "carriage_return_alone",
-         "lines that end in a carriage return alone; no vehicle's files do, save it with other line ends"});
+    messages.push_back(finding(0, messages::mission_file_message<"carriage_return_alone">()));
   }
 }
 
@@ -302,7 +293,7 @@ void read_text(const FileText& text, Document& document) {
   }
   check_document(document);
   if (const auto hold = hold_order(document))
-    report(document, 0, Severity::note, "holds_station", hold_text(*hold));
+    report(document, 0, messages::mission_file_message<"holds_station">(hold_text(*hold)));
 }
 
 }  // namespace

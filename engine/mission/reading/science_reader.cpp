@@ -4,6 +4,7 @@
 #include <map>
 
 #include "engine/core/letter_case.hpp"
+#include "engine/messages/seaglider_file_messages.hpp"
 #include "engine/mission/document/line_words.hpp"
 #include "engine/mission/reading/seaglider_lines.hpp"
 
@@ -20,8 +21,7 @@ Fields fields_of(const SeagliderLine& line, Document& document) {
   if (!named) {
     static constexpr std::array columns{"", "seconds", "sensors", "gc"};
     if (line.words.size() != columns.size())
-      report(document, line.number, Severity::error, "malformed_band",
-             "a band has four columns (depth, seconds, sensors, gc), or the last three by name");
+      report(document, line.number, messages::seaglider_file_message<"malformed_band">());
     for (std::size_t i = 1; i < std::min(line.words.size(), columns.size()); ++i)
       fields.emplace(columns[i], line.words[i]);
     return fields;
@@ -29,15 +29,14 @@ Fields fields_of(const SeagliderLine& line, Document& document) {
   for (std::size_t i = 1; i < line.words.size(); ++i) {
     const auto parts = SeagliderLine::field(line.words[i]);
     if (!parts) {
-      report(document, line.number, Severity::error, "malformed_field",
-             "a word that is not FIELD=VALUE; no blanks around the equals sign");
+      report(document, line.number, messages::seaglider_file_message<"malformed_field">());
       continue;
     }
     const std::string name = core::lower_case(parts->first);
     if (!fields.emplace(name, parts->second).second)
-      report(document, line.number, Severity::error, "field_twice", name + " is given twice");
+      report(document, line.number, messages::seaglider_file_message<"field_twice">(name));
     if (name != "seconds" && name != "sensors" && name != "gc")
-      report(document, line.number, Severity::warning, "unknown_field", name + " is no field of a band");
+      report(document, line.number, messages::seaglider_file_message<"unknown_field/band">(name));
   }
   return fields;
 }
@@ -45,9 +44,7 @@ Fields fields_of(const SeagliderLine& line, Document& document) {
 double positive(const Fields& fields, const std::string& name, int line, Document& document) {
   const auto found = fields.find(name);
   const auto value = found == fields.end() ? std::nullopt : parse_number(found->second);
-  if (!value || !(*value > 0.0))
-    report(document, line, Severity::error, "bad_band",
-           name + " must be given, as a number of seconds above 0");
+  if (!value || !(*value > 0.0)) report(document, line, messages::seaglider_file_message<"bad_band">(name));
   return value.value_or(0.0);
 }
 
@@ -57,8 +54,7 @@ ScienceBand read_band(const SeagliderLine& line, Document& document) {
   if (core::lower_case(line.words.front()) != "loiter") {
     const auto depth = parse_number(line.words.front());
     if (!depth || !(*depth > 0.0))
-      report(document, line.number, Severity::error, "bad_depth",
-             "a band begins with its depth in metres, more than 0, or with the word loiter");
+      report(document, line.number, messages::seaglider_file_message<"bad_depth">());
     band.depth = core::Metres{depth.value_or(0.0)};
   }
   const Fields fields = fields_of(line, document);
@@ -66,8 +62,7 @@ ScienceBand read_band(const SeagliderLine& line, Document& document) {
   band.guidance_seconds = positive(fields, "gc", line.number, document);
   const auto sensors = fields.find("sensors");
   if (sensors == fields.end() || !std::ranges::all_of(sensors->second, is_digit)) {
-    report(document, line.number, Severity::error, "bad_sensors",
-           "sensors must be given, one digit for each sensor");
+    report(document, line.number, messages::seaglider_file_message<"bad_sensors">());
   } else {
     band.sensors = sensors->second;
   }
@@ -79,18 +74,16 @@ ScienceBand read_band(const SeagliderLine& line, Document& document) {
 void read_science(const FileText& text, Document& document) {
   for (const SeagliderLine& line : seaglider_lines(text, document))
     document.bands.push_back(read_band(line, document));
-  if (document.bands.empty()) report(document, 0, Severity::error, "no_band", "the file holds no depth band");
+  if (document.bands.empty()) report(document, 0, messages::seaglider_file_message<"no_band">());
 
   std::optional<core::Metres> above;
   for (const ScienceBand& band : document.bands) {
     const ScienceBand& first = document.bands.front();
     if (band.sensors.size() != first.sensors.size())
-      report(document, band.line, Severity::error, "sensor_count_differs",
-             "this band is for another number of sensors than the first one");
+      report(document, band.line, messages::seaglider_file_message<"sensor_count_differs">());
     if (!band.depth) continue;
     if (above && *band.depth <= *above)
-      report(document, band.line, Severity::warning, "depths_not_increasing",
-             "the bands must be listed from the surface down");
+      report(document, band.line, messages::seaglider_file_message<"depths_not_increasing">());
     above = band.depth;
   }
 }

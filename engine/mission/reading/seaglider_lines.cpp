@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/messages/seaglider_file_messages.hpp"
 #include "engine/mission/document/line_words.hpp"
 
 namespace floeplan::mission {
@@ -36,8 +37,9 @@ std::vector<SeagliderLine> seaglider_lines(const FileText& text, Document& docum
     const bool comment = !words.empty() && words.front().starts_with('/');
     document.lines.push_back(comment ? SourceLine{"", joined(words)} : SourceLine{joined(words), ""});
     if (!is_printable_ascii(line))
-      report(document, number, comment ? Severity::warning : Severity::error, "not_ascii",
-             "the vehicle's shore station takes ASCII alone");
+      report(document, number,
+             comment ? messages::seaglider_file_message<"not_ascii/comment">()
+                     : messages::seaglider_file_message<"not_ascii">());
     if (!comment && !words.empty()) lines.push_back({number, words});
   }
   return lines;

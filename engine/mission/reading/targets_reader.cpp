@@ -7,6 +7,8 @@
 #include <set>
 
 #include "engine/core/letter_case.hpp"
+#include "engine/messages/mission_file_messages.hpp"
+#include "engine/messages/seaglider_file_messages.hpp"
 #include "engine/mission/document/line_words.hpp"
 #include "engine/mission/document/list_rules.hpp"
 #include "engine/mission/document/packed_degrees.hpp"
@@ -44,19 +46,15 @@ bool is_number_field(std::string_view field) {
 bool names_target(std::string_view field) { return field == "goto" || field.ends_with("-goto"); }
 
 void read_field(std::string_view word, Target& target, Document& document) {
-  const auto fault = [&](const char* code, const std::string& text) {
-    report(document, target.line, Severity::error, code, text);
-  };
+  const auto fault = [&](const messages::Message& message) { report(document, target.line, message); };
   const auto parts = SeagliderLine::field(word);
-  if (!parts)
-    return fault("malformed_field", "a word that is not FIELD=VALUE; no blanks around the equals sign");
+  if (!parts) return fault(messages::seaglider_file_message<"malformed_field">());
   const std::string field = core::lower_case(parts->first);
   if (!target.fields.emplace(field, parts->second).second)
-    return fault("field_twice", field + " is given twice");
-  if (!is_known(field))
-    report(document, target.line, Severity::warning, "unknown_field", field + " is no field of a target");
+    return fault(messages::seaglider_file_message<"field_twice">(field));
+  if (!is_known(field)) fault(messages::seaglider_file_message<"unknown_field/target">(field));
   if (is_number_field(field) && !parse_number(parts->second))
-    fault("value_not_a_number", "the value of " + field + " is not a number");
+    fault(messages::seaglider_file_message<"value_not_a_number/target">(field));
 }
 
 double number_in(const Target& target, std::string_view field) {
@@ -69,11 +67,9 @@ void read_place(Target& target, Document& document) {
   const UnpackedAngle lat = unpack_degrees(number_in(target, "lat"));
   const UnpackedAngle lon = unpack_degrees(number_in(target, "lon"));
   if (lat.sixty_minutes || lon.sixty_minutes)
-    report(document, target.line, Severity::warning, "minutes_60_or_more",
-           "minutes of 60 or more; the value is defined, but a writer went wrong");
+    report(document, target.line, messages::mission_file_message<"minutes_60_or_more">());
   if (std::abs(lat.degrees) > 90.0 || std::abs(lon.degrees) > 180.0)
-    report(document, target.line, Severity::error, "out_of_range",
-           "lat lies beyond 90 degrees or lon beyond 180; they are written as DDMM.MMMM and DDDMM.MMMM");
+    report(document, target.line, messages::seaglider_file_message<"out_of_range/target">());
   target.place = WaypointRow{std::string{target.fields.find("lon")->second},
                              std::string{target.fields.find("lat")->second},
                              {lon.degrees, lat.degrees},
@@ -84,23 +80,21 @@ void check_target(const std::string& name, Target& target, Document& document) {
   const auto has = [&](std::string_view field) { return target.fields.contains(field); };
   const bool by_place = has("lat") && has("lon") && has("radius");
   if (!has("goto") || !(by_place || has("head"))) {
-    report(document, target.line, Severity::error, "fields_missing",
-           name + " needs goto, and lat, lon and radius or else head");
+    report(document, target.line, messages::seaglider_file_message<"fields_missing">(name));
   } else if (by_place) {
     read_place(target, document);
     if (!(number_in(target, "radius") > 0.0))
-      report(document, target.line, Severity::error, "bad_radius", "radius must be more than 0 m");
+      report(document, target.line, messages::seaglider_file_message<"bad_radius">());
   }
   if (has("head") && !(number_in(target, "head") >= 0.0 && number_in(target, "head") <= 360.0))
-    report(document, target.line, Severity::error, "out_of_range", "head must be between 0 and 360 degrees");
+    report(document, target.line, messages::seaglider_file_message<"out_of_range/heading">());
 }
 
 void check_names(const Targets& targets, Document& document) {
   for (const auto& [name, target] : targets) {
     for (const auto& [field, value] : target.fields) {
       if (names_target(field) && !targets.contains(value))
-        report(document, target.line, Severity::error, "unknown_target",
-               field + "=" + std::string{value} + " names no target");
+        report(document, target.line, messages::seaglider_file_message<"unknown_target">(field, value));
     }
   }
 }
@@ -116,23 +110,19 @@ void follow(const Targets& targets, std::string_view first, Document& document) 
   for (auto at = targets.find(first); at != targets.end(); last = at->first, at = next_of(targets, at)) {
     if (!visited.insert(at->first).second) {
       if (at->first != last)
-        report(document, at->second.line, Severity::note, "targets_go_round",
-               "after " + std::string{last} + " the vehicle goes on to " + at->first +
-                   " again, round and round; it is followed to " + std::string{last} + " once");
+        report(document, at->second.line,
+               messages::seaglider_file_message<"targets_go_round">(last, at->first));
       break;
     }
     if (!at->second.place) {
-      report(
-          document, at->second.line, Severity::warning, "target_without_place",
-          at->first + " is steered to by its heading: where the vehicle goes from there cannot be followed");
+      report(document, at->second.line, messages::seaglider_file_message<"target_without_place">(at->first));
       break;
     }
     document.waypoints.push_back(*at->second.place);
   }
   for (const auto& [name, target] : targets) {
     if (!visited.contains(name))
-      report(document, target.line, Severity::note, "target_off_the_way",
-             name + " does not follow from the first target");
+      report(document, target.line, messages::seaglider_file_message<"target_off_the_way">(name));
   }
 }
 
@@ -143,7 +133,8 @@ void read_targets(const FileText& text, Document& document) {
   std::string_view first;
   for (const SeagliderLine& line : seaglider_lines(text, document)) {
     if (targets.size() == max_targets) {
-      report(document, line.number, Severity::error, "too_many_waypoints", "more than 1000 targets");
+      report(document, line.number,
+             messages::seaglider_file_message<"too_many_waypoints/targets">(max_targets));
       return;
     }
     Target target;
@@ -151,13 +142,13 @@ void read_targets(const FileText& text, Document& document) {
     for (std::size_t i = 1; i < line.words.size(); ++i) read_field(line.words[i], target, document);
     const std::string name{line.words.front()};
     if (name.find('=') != std::string::npos)
-      report(document, line.number, Severity::error, "no_name", "the line begins without the target's name");
+      report(document, line.number, messages::seaglider_file_message<"no_name">());
     check_target(name, target, document);
     if (!targets.emplace(name, target).second)
-      report(document, line.number, Severity::error, "target_twice", "target " + name + " is there twice");
+      report(document, line.number, messages::seaglider_file_message<"target_twice">(name));
     if (first.empty()) first = line.words.front();
   }
-  if (targets.empty()) report(document, 0, Severity::error, "no_target", "the file holds no target");
+  if (targets.empty()) report(document, 0, messages::seaglider_file_message<"no_target">());
   check_names(targets, document);
   if (document.verdict() == Verdict::reject) return;
   follow(targets, first, document);

@@ -16,10 +16,13 @@
 #include "engine/messages/ingest_iceberg_messages.hpp"
 #include "engine/messages/ingest_tide_messages.hpp"
 #include "engine/messages/ingest_track_messages.hpp"
+#include "engine/messages/mission_check_messages.hpp"
 #include "engine/messages/mission_fault_messages.hpp"
+#include "engine/messages/mission_file_messages.hpp"
 #include "engine/messages/plan_messages.hpp"
 #include "engine/messages/refusal_messages.hpp"
 #include "engine/messages/request_messages.hpp"
+#include "engine/messages/seaglider_file_messages.hpp"
 #include "engine/messages/sentence.hpp"
 #include "tests/support/written_out.hpp"
 
@@ -80,6 +83,10 @@ TEST(Troubleshooting, HasEveryMessageAndProblemByItsCode) {
       "\n## Faults of simulated flights and logs\n\nEach follows the name of the field, file or column that "
       "it is about.\n" +
       entries(messages::flight_fault_kinds) +
+      "\n## Findings of check\n\nA danger is an error, a caution a warning. The code of a finding ends "
+      "before the slash.\n" +
+      entries(messages::mission_file_kinds) + entries(messages::seaglider_file_kinds) +
+      entries(messages::mission_check_kinds) +
       "\n## The command line\n\nAn entry of a flag follows the flag's name.\n" +
       entries(messages::command_kinds) +
       "\n## Problems of the API\n\nThe type of a problem ends in its code, or "

@@ -35,7 +35,7 @@ TEST(Catalogue, HasOneKindForACode) {
   std::set<std::string_view> codes;
   for (const Kind& kind : catalogue()) {
     EXPECT_TRUE(codes.insert(kind.code).second) << kind.code;
-    EXPECT_THAT(std::string{kind.code}, testing::MatchesRegex("[a-z]+(-[a-z]+)*"));
+    EXPECT_THAT(std::string{kind.code}, testing::MatchesRegex("[a-z]+([-_][a-z0-9]+)*(/[a-z-]+)?"));
   }
 }
 
