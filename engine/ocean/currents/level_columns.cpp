@@ -28,11 +28,12 @@ std::vector<double> standard_depths_m(double deepest_m) {
   return depths;
 }
 
-LevelColumns::LevelColumns(std::span<const double> depths_m, std::size_t points)
+LevelColumns::LevelColumns(std::span<const double> depths_m, std::size_t points, Components components)
     : depths_m_{depths_m},
       next_(points, 0),
       filled_(depths_m.size(), PointVelocities{std::vector<float>(points, missing_sample),
-                                               std::vector<float>(points, missing_sample)}) {}
+                                               std::vector<float>(components == Components::both ? points : 0,
+                                                                  missing_sample)}) {}
 
 template <class Share>
 void LevelColumns::fill(std::size_t point, double lower_m, const PointVelocities& upper,
@@ -40,7 +41,8 @@ void LevelColumns::fill(std::size_t point, double lower_m, const PointVelocities
   for (std::uint16_t& next = next_[point]; next < depths_m_.size() && depths_m_[next] <= lower_m; ++next) {
     const float share = static_cast<float>(share_of_lower(depths_m_[next]));
     filled_[next].east[point] = blend_of(upper.east[point], lower.east[point], share);
-    filled_[next].north[point] = blend_of(upper.north[point], lower.north[point], share);
+    if (!filled_[next].north.empty())
+      filled_[next].north[point] = blend_of(upper.north[point], lower.north[point], share);
   }
 }
 

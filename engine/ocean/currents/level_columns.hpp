@@ -16,11 +16,14 @@ namespace floeplan::ocean {
 
 /// Brings currents on levels that follow the sea bed to fixed depths, at every point by itself: linear between the
 /// levels, the uppermost level up to the surface, the lowest down to the bed, missing below it. Holds two levels and
-/// the result at a time.
+/// the result at a time. Where each point has one component alone, it is taken for east, and north stays empty.
 class LevelColumns {
  public:
+  enum class Components { both, one };
+
   /// `depths_m`  ascending; borrowed, and outlives this
-  LevelColumns(std::span<const double> depths_m, std::size_t points);
+  LevelColumns(std::span<const double> depths_m, std::size_t points,
+               Components components = Components::both);
 
   /// The next level downwards. `level_m`: its depth at every point, NaN over land.
   void add(PointVelocities level, std::vector<float> level_m);

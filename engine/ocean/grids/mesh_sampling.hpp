@@ -37,7 +37,6 @@ class MeshSampling {
     std::array<float, 4> along{};
     std::array<float, 4> across{};
   };
-  class Builder;
 
   explicit MeshSampling(std::vector<Stencil> stencils) : stencils_{std::move(stencils)} {}
 
