@@ -26,11 +26,12 @@ namespace {
 using repository::Dataset;
 using repository::DatasetKind;
 
-/// Data at their model's own points have another part of the digest: the same file may be stored resampled, by an older
-/// program, and plans cite what they were made from.
-repository::DatasetId id_of(DatasetKind kind, const std::string& sha256, bool at_own_points) {
+/// Data that are kept otherwise have another part of the digest: an older program may have stored the same file in its
+/// own way, and plans cite what they were made from.
+repository::DatasetId id_of(DatasetKind kind, const std::string& sha256, Keeping keeping) {
   constexpr std::size_t digits = 8;
-  return {repository::kind_name(kind) + "-" + sha256.substr(at_own_points ? digits : 0, digits)};
+  return {repository::kind_name(kind) + "-" +
+          sha256.substr(static_cast<std::size_t>(keeping) * digits, digits)};
 }
 
 /// "u.nc + v.nc", "charts.zip: ice.shp"; of the many files of a track the first ones.
@@ -55,7 +56,7 @@ std::int64_t size_of(const FileGroup& files) {
 
 Dataset dataset_of(const PreparedDataset& data, const FileGroup& files, const IngestOptions& options,
                    const std::string& sha256, core::UtcTime now) {
-  return {.id = id_of(data.kind, sha256, data.at_own_points),
+  return {.id = id_of(data.kind, sha256, data.keeping),
           .kind = data.kind,
           .name = options.name.value_or(files.front().stem().string()),
           .variables = data.variables,
@@ -113,8 +114,9 @@ void warn_of_open_end(const RecognisedFile& file, Messages& warnings) {
 Candidate check_kind(sql::Connection& db, const RecognisedFile& file, const FileGroup& files,
                      DatasetKind kind, const std::string& sha256, const IngestOptions& options,
                      const core::ProgressCallback& progress) {
-  for (const bool at_own_points : {true, false}) {
-    auto stored = repository::DatasetRepository{db}.find(id_of(kind, sha256, at_own_points));
+  for (const Keeping keeping :
+       {Keeping::at_points_of_components, Keeping::at_own_points, Keeping::on_a_grid}) {
+    auto stored = repository::DatasetRepository{db}.find(id_of(kind, sha256, keeping));
     if (!stored) continue;
     if (stored->provenance.sha256 != sha256)
       return {refused(files, options, {messages::ingest_file_message<"dataset-id-taken">(stored->id.value)}),

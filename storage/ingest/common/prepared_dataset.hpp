@@ -14,6 +14,9 @@
 
 namespace floeplan::ingest {
 
+/// Where the values of a dataset lie. A file that an older program kept otherwise makes a new dataset with another id.
+enum class Keeping { on_a_grid, at_own_points, at_points_of_components };
+
 /// One kind of data in a file, read and checked to its end, and the way to write it once its dataset is in
 /// the list.
 struct PreparedDataset {
@@ -23,7 +26,7 @@ struct PreparedDataset {
   std::optional<core::UtcTime> time_start;
   std::optional<core::UtcTime> time_end;
   std::optional<core::UtcTime> run{};  // when the model run began; empty: the file does not say
-  bool at_own_points{false};  // of its model, which until then were resampled: another id than theirs
+  Keeping keeping{Keeping::on_a_grid};
   std::int64_t rows_accepted{};
   std::int64_t rows_refused{};
   Messages warnings;

@@ -1,5 +1,7 @@
 #include "storage/ingest/grids/centre_tables.hpp"
 
+#include <algorithm>
+#include <limits>
 #include <numbers>
 
 #include "engine/messages/ingest_format_messages.hpp"
@@ -32,18 +34,22 @@ bool CentreTables::fits(const NetcdfVariable& table) const {
 Checked<std::vector<double>> CentreTables::read(const NetcdfVariable& table,
                                                 const std::vector<std::uint64_t>& leading) const {
   const auto& dimensions = table.dimensions();
-  std::vector<std::uint64_t> start = leading;
-  std::vector<std::size_t> count(leading.size(), 1);
-  start.push_back(staggering_.collocated ? 0 : staggering_.first_row);
-  start.push_back(staggering_.collocated ? 0 : staggering_.second_column);
-  count.push_back(staggering_.rows);
-  count.push_back(staggering_.columns);
-  if (start.size() != dimensions.size())
+  if (leading.size() + 2 != dimensions.size())
     return refuse(messages::ingest_format_message<"table-of-other-dimensions">(table.name()));
-  auto values = table.read_packed(start, count);
+  const std::size_t rows = std::min<std::size_t>(dimensions[leading.size()].size, staggering_.all_rows);
+  const std::size_t columns = std::min<std::size_t>(dimensions.back().size, staggering_.all_columns);
+  std::vector<std::uint64_t> start = leading;
+  start.insert(start.end(), 2, 0);
+  std::vector<std::size_t> count(leading.size(), 1);
+  count.insert(count.end(), {rows, columns});
+  const auto values = table.read_packed(start, count);
   if (!values) return refuse(values.error());
-  for (double& value : *values) value = table.unpacked(value);
-  return values;
+  std::vector<double> plane(staggering_.all_rows * staggering_.all_columns,
+                            std::numeric_limits<double>::quiet_NaN());
+  for (std::size_t row = 0; row < rows; ++row)
+    for (std::size_t column = 0; column < columns; ++column)
+      plane[row * staggering_.all_columns + column] = table.unpacked((*values)[row * columns + column]);
+  return plane;
 }
 
 const NetcdfVariable* CentreTables::find(const NetcdfFiles& files, std::string_view name) const {

@@ -10,8 +10,8 @@
 
 namespace floeplan::ingest {
 
-/// Finds what a model states at the centres of its staggered grid (ROMS' rho points) and cuts it to the centres that
-/// are used: those that have all their points.
+/// Finds what a model states at the centres of its staggered grid (ROMS' rho points).
+/// Shape  [row][column] of all centres of the staggering
 class CentreTables {
  public:
   /// `variable` is the first component; where the components are collocated its plane is that of the centres.
@@ -19,7 +19,8 @@ class CentreTables {
 
   /// Whether a variable's last two dimensions can be those of the centres.
   [[nodiscard]] bool fits(const NetcdfVariable& table) const;
-  /// The plane of a table with its leading dimensions at `leading` (one index each), scale applied, fill as NaN.
+  /// The plane of a table with its leading dimensions at `leading` (one index each), scale applied, fill as NaN, as is
+  /// what the table does not reach.
   [[nodiscard]] Checked<std::vector<double>> read(const NetcdfVariable& table,
                                                   const std::vector<std::uint64_t>& leading) const;
   /// Angle of the grid's first axis, radians counterclockwise from east; empty where the file has none.

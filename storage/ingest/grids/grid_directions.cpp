@@ -6,6 +6,7 @@
 
 #include "engine/geo/tangent_plane.hpp"
 #include "engine/messages/ingest_format_messages.hpp"
+#include "storage/ingest/common/missing_value.hpp"
 
 namespace floeplan::ingest {
 namespace {
@@ -36,6 +37,50 @@ std::optional<double> second_axis(const Staggering& way, const Positions& second
   const std::size_t before = row == 0 ? 0 : row - 1;
   const std::size_t after = std::min(row + 1, second.rows - 1);
   return geo::direction_at(centre, second.at(before, column), second.at(after, column));
+}
+
+/// The mean of the model's angles on either side of a point; empty where it states none.
+std::optional<double> stated_beside(const std::vector<double>& stated, const CentresBeside& centres) {
+  const auto at = [&](std::optional<std::size_t> centre) {
+    return stated.empty() || !centre || !std::isfinite(stated[*centre]) ? std::nullopt
+                                                                        : std::optional{stated[*centre]};
+  };
+  const auto before = at(centres.before);
+  const auto after = at(centres.after);
+  if (before && after) return *before + 0.5 * wrapped(*after - *before);
+  return before ? before : after;
+}
+
+/// Angle of the way along a line of points at its first one, `end`: of the parabola through three of them, unless they
+/// make a bend that no grid has.
+std::optional<double> way_from(geo::LonLat end, geo::LonLat next, geo::LonLat one_more) {
+  const geo::UnitVector p = geo::unit_vector(end);
+  const geo::UnitVector q = geo::unit_vector(next);
+  const geo::UnitVector r = geo::unit_vector(one_more);
+  const geo::LonLat ahead =
+      geo::lon_lat({4.0 * q.x - r.x - 2.0 * p.x, 4.0 * q.y - r.y - 2.0 * p.y, 4.0 * q.z - r.z - 2.0 * p.z});
+  const auto straight = geo::direction_at(end, end, next);
+  const auto bent = geo::direction_at(end, end, ahead);
+  return straight && bent && std::abs(wrapped(*bent - *straight)) < quarter_turn_tolerance ? bent : straight;
+}
+
+/// Angle of the way along a row or a column of points past one of them.
+std::optional<double> way_past(const Positions& points, std::size_t row, std::size_t column, bool along_row) {
+  const std::size_t count = along_row ? points.columns : points.rows;
+  const std::size_t number = along_row ? column : row;
+  const auto place = [&](std::size_t at) { return along_row ? points.at(row, at) : points.at(at, column); };
+  std::optional<double> angle;
+  if (number > 0 && number + 1 < count) {
+    angle = geo::direction_at(place(number), place(number - 1), place(number + 1));
+  } else if (count > 2) {
+    const bool first = number == 0;
+    angle = first ? way_from(place(0), place(1), place(2))
+                  : way_from(place(number), place(number - 1), place(number - 2));
+    if (angle && !first) *angle += pi;
+  } else if (count == 2) {
+    angle = geo::direction_at(place(number), place(0), place(1));
+  }
+  return angle && std::isfinite(*angle) ? angle : std::nullopt;
 }
 
 bool is_exceptional(std::size_t exceptions, std::size_t total) {
@@ -74,6 +119,38 @@ Checked<GridDirections> directions_of(const Staggering& staggering, const Positi
   if (is_exceptional(contradicted, known))
     return refuse(messages::ingest_format_message<"grid-angle-contradicts">());
   return directions;
+}
+
+ocean::ComponentAxes axes_of_components(const Staggering& staggering, const Positions& first,
+                                        const Positions& second, FallingAxes falling,
+                                        const std::vector<double>& stated) {
+  ocean::ComponentAxes axes = axes_east_and_north(first, second);
+  for (std::size_t i = 0; i < first.places.size(); ++i) {
+    const std::size_t row = i / first.columns;
+    const std::size_t column = i % first.columns;
+    if (const auto angle = stated_beside(stated, beside_first(staggering, row, column)))
+      axes.first_rad[i] = static_cast<float>(wrapped(*angle));
+    else if (const auto along = way_past(first, row, column, true))
+      axes.first_rad[i] = static_cast<float>(wrapped(*along + (falling.first ? pi : 0.0)));
+  }
+  for (std::size_t i = 0; i < second.places.size(); ++i) {
+    const std::size_t row = i / second.columns;
+    const std::size_t column = i % second.columns;
+    float& axis = axes.second_rad[first.places.size() + i];
+    if (const auto angle = stated_beside(stated, beside_second(staggering, row, column)))
+      axis = static_cast<float>(wrapped(*angle + pi / 2.0));
+    else if (const auto along = way_past(second, row, column, false))
+      axis = static_cast<float>(wrapped(*along + (falling.second ? pi : 0.0)));
+  }
+  return axes;
+}
+
+ocean::ComponentAxes axes_east_and_north(const Positions& first, const Positions& second) {
+  ocean::ComponentAxes axes{std::vector<float>(first.places.size(), 0.0F),
+                            std::vector<float>(first.places.size(), missing)};
+  axes.first_rad.resize(first.places.size() + second.places.size(), missing);
+  axes.second_rad.resize(axes.first_rad.size(), static_cast<float>(pi / 2.0));
+  return axes;
 }
 
 }  // namespace floeplan::ingest

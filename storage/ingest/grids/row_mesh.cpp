@@ -70,4 +70,14 @@ ocean::Mesh mesh_of_rows(std::vector<geo::LonLat> points, std::size_t columns) {
   return mesh;
 }
 
+ocean::Mesh mesh_of_components(const Positions& first, const Positions& second) {
+  ocean::Mesh mesh = mesh_of_rows(first.places, first.columns);
+  const ocean::Mesh beside = mesh_of_rows(second.places, second.columns);
+  const std::uint32_t count = index(mesh.points.size());
+  mesh.points.insert(mesh.points.end(), beside.points.begin(), beside.points.end());
+  for (const ocean::Mesh::Cell& cell : beside.cells)
+    mesh.cells.push_back({count + cell[1], count + cell[2], count + cell[3], count + cell[0]});
+  return mesh;
+}
+
 }  // namespace floeplan::ingest

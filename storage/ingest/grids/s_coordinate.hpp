@@ -29,7 +29,7 @@ enum class SCoordinate {
 [[nodiscard]] std::optional<double> s_stretching(int form, double s, double theta_s, double theta_b);
 
 /// The levels of a ROMS or CROCO file, or of any other on a regular or bent grid whose coordinate is one of those forms,
-/// at the centres of its grid. Where the file has no free surface its mean is taken,
+/// at all centres of its grid. Where the file has no free surface its mean is taken,
 /// with a warning.
 /// Errors   parameters that are missing or contradict each other
 [[nodiscard]] Checked<std::shared_ptr<const BedLevels>> s_coordinate_levels(

@@ -52,7 +52,13 @@ Staggering arranged(std::size_t first_row, std::size_t second_column, std::size_
           .first_row = first_row,
           .second_column = second_column,
           .rows = std::min(less(first_rows, first_row), less(second_rows, 1)),
-          .columns = std::min(less(first_columns, 1), less(second_columns, second_column))};
+          .columns = std::min(less(first_columns, 1), less(second_columns, second_column)),
+          .all_rows = std::max(first_rows, second_rows + first_row),
+          .all_columns = std::max(first_columns + second_column, second_columns)};
+}
+
+std::optional<std::size_t> within(std::size_t number, std::size_t shift, std::size_t count) {
+  return number >= shift && number - shift < count ? std::optional{number - shift} : std::nullopt;
 }
 
 }  // namespace
@@ -64,7 +70,11 @@ Checked<Staggering> staggering_of(const Positions& first, const Positions& secon
       return geo::sphere_distance_m(first.at(row, column), second.at(row, column));
     });
     if (apart < same_place_share * spacing)
-      return Staggering{.collocated = true, .rows = first.rows, .columns = first.columns};
+      return Staggering{.collocated = true,
+                        .rows = first.rows,
+                        .columns = first.columns,
+                        .all_rows = first.rows,
+                        .all_columns = first.columns};
   }
 
   std::optional<Staggering> best;
@@ -90,14 +100,34 @@ Checked<Staggering> staggering_of(const Positions& first, const Positions& secon
 }
 
 Checked<Staggering> points_after_centres(std::size_t first_rows, std::size_t first_columns,
-                                         std::size_t second_rows, std::size_t second_columns) {
+                                         std::size_t second_rows, std::size_t second_columns,
+                                         std::size_t centre_rows, std::size_t centre_columns) {
   const std::size_t apart_rows = std::max(first_rows, second_rows) - std::min(first_rows, second_rows);
   const std::size_t apart_columns =
       std::max(first_columns, second_columns) - std::min(first_columns, second_columns);
-  const Staggering way = arranged(1, 1, first_rows, first_columns, second_rows, second_columns);
+  // Half-way between two centres there must be both.
+  const std::size_t rows = std::min({first_rows, second_rows, less(centre_rows, 1)});
+  const std::size_t columns = std::min({first_columns, second_columns, less(centre_columns, 1)});
+  const Staggering way = arranged(1, 1, rows, columns, rows, columns);
   if (apart_rows > 1 || apart_columns > 1 || way.rows < 2 || way.columns < 2)
     return refuse(messages::ingest_format_message<"components-of-other-shapes">());
   return way;
+}
+
+CentresBeside beside_first(const Staggering& staggering, std::size_t row, std::size_t column) {
+  const auto centre = [&](std::optional<std::size_t> beside) {
+    return beside ? std::optional{row * staggering.all_columns + *beside} : std::nullopt;
+  };
+  const std::size_t after = column + staggering.second_column;
+  return {centre(within(after, 1, staggering.all_columns)), centre(within(after, 0, staggering.all_columns))};
+}
+
+CentresBeside beside_second(const Staggering& staggering, std::size_t row, std::size_t column) {
+  const auto centre = [&](std::optional<std::size_t> beside) {
+    return beside ? std::optional{*beside * staggering.all_columns + column} : std::nullopt;
+  };
+  const std::size_t after = row + staggering.first_row;
+  return {centre(within(after, 1, staggering.all_rows)), centre(within(after, 0, staggering.all_rows))};
 }
 
 std::vector<geo::LonLat> centres_of(const Staggering& staggering, const Positions& first) {

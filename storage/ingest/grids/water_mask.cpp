@@ -12,6 +12,10 @@ void WaterMask::apply(std::vector<double>& values) const {
     if (!water_[i]) values[i] = std::numeric_limits<double>::quiet_NaN();
 }
 
+WaterMask whole_centres_of(const Staggering& staggering, const WaterMask& all) {
+  return WaterMask{of_whole_centres(staggering, all.water())};
+}
+
 std::vector<bool> water_of(const std::vector<double>& mask) {
   std::vector<bool> water;
   water.reserve(mask.size());

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "storage/ingest/formats/netcdf/position_tables.hpp"
+#include "storage/ingest/grids/staggering.hpp"
 
 namespace floeplan::ingest {
 
@@ -16,10 +17,15 @@ class WaterMask {
   [[nodiscard]] bool is_water(std::size_t point) const { return water_.empty() || water_[point]; }
   /// Makes land missing.
   void apply(std::vector<double>& values) const;
+  /// Empty: all is water.
+  [[nodiscard]] const std::vector<bool>& water() const { return water_; }
 
  private:
   std::vector<bool> water_;
 };
+
+/// Of a mask of all the model's centres that of those that have all their points.
+[[nodiscard]] WaterMask whole_centres_of(const Staggering& staggering, const WaterMask& all);
 
 /// The mask of this name over a variable's own plane.
 [[nodiscard]] Checked<WaterMask> mask_over(const NetcdfFiles& files, const NetcdfVariable& variable,

@@ -45,7 +45,9 @@ struct Period {
 /// Currents of models on bent grids and meshes are kept at the model's own points, in blocks of them, and interpolated
 /// once, when they are read: on a grid that is as fine as they are, or at the one place that is asked for.
 /// Variables are "depth_m" and (where cells are known to be shoaler) "shoalest_m" for bathymetry, "u_m_s" and "v_m_s"
-/// for currents, with "level_depth_m" where their levels follow the sea bed (the level after the last is the bed), "concentration" and (where known) "thickness_m" for ice.
+/// for currents, or of a C grid "component_m_s" with "first_axis_rad" and "second_axis_rad" (the angle of a point's
+/// component counterclockwise from east, under the name of its axis alone); "level_depth_m" where levels follow the sea
+/// bed (the level after the last is the bed); "concentration" and (where known) "thickness_m" for ice.
 /// Stops    reading early once `stop` is requested; what is returned then is incomplete and must not be used
 /// Threads  as the connection: one thread at a time
 class FieldRepository {

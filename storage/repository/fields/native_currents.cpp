@@ -5,11 +5,13 @@
 #include <limits>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "engine/ocean/currents/level_columns.hpp"
 #include "engine/ocean/grids/mesh_lattice.hpp"
 #include "engine/ocean/grids/mesh_sampling.hpp"
+#include "engine/ocean/grids/staggered_sampling.hpp"
 #include "storage/repository/fields/mesh_blocks.hpp"
 #include "storage/sql/driver/failure.hpp"
 #include "storage/sql/statement.hpp"
@@ -18,6 +20,7 @@ namespace floeplan::repository {
 namespace {
 
 using ocean::PointVelocities;
+using Components = ocean::LevelColumns::Components;
 
 constexpr std::size_t points_in_row = 64;
 
@@ -27,11 +30,22 @@ ocean::Axis counting(std::size_t count) {
   return ocean::Axis{std::move(numbers)};
 }
 
+/// Whether each point has one component of the current, along an axis of its own.
+bool has_components_apart(sql::Connection& db, std::int64_t dataset_row) {
+  sql::Statement query{
+      db, "SELECT 1 FROM field_chunk WHERE dataset_row = ?1 AND variable = 'first_axis_rad' LIMIT 1"};
+  query.bind(1, dataset_row);
+  return query.step();
+}
+
 /// Reads the samples of a part of a mesh.
 class PointReader {
  public:
   PointReader(sql::Connection& db, const NativeLayout& layout, const MeshPart& part)
-      : chunks_{db, layout.chunks}, mesh_{part.mesh} {
+      : chunks_{db, layout.chunks},
+        mesh_{part.mesh},
+        components_{has_components_apart(db, layout.chunks.dataset_row) ? Components::one
+                                                                        : Components::both} {
     const ocean::Axis columns = counting(points_in_row);
     for (const std::size_t block : part.blocks) {
       const NodeRun rows{block * points_in_row,
@@ -53,7 +67,11 @@ class PointReader {
     return samples;
   }
 
+  [[nodiscard]] Components components() const { return components_; }
+
+  /// Where each point has one component alone, north is empty.
   [[nodiscard]] PointVelocities velocities(std::size_t time, std::size_t level) {
+    if (components_ == Components::one) return {read({"component_m_s", time, level}), {}};
     PointVelocities slice{read({"u_m_s", time, level}), read({"v_m_s", time, level})};
     if (mesh_.in_faces) {
       fill_nodes_from_faces(mesh_, slice.east);
@@ -66,10 +84,56 @@ class PointReader {
     return read({"level_depth_m", time, level});
   }
 
+  [[nodiscard]] ocean::ComponentAxes axes() {
+    return {read({"first_axis_rad", 0, 0}), read({"second_axis_rad", 0, 0})};
+  }
+
  private:
   ChunkReader chunks_;
   const ocean::Mesh& mesh_;
+  Components components_;
   std::vector<GridWindow> blocks_;
+};
+
+/// Interpolates what a reader reads at the nodes of a lattice, as the model's points have it.
+class NodeSampling {
+ public:
+  /// Errors  sql::Failure (damaged) for cells that lie over one another
+  static NodeSampling of(const ocean::Mesh& mesh, const ocean::HorizontalGrid& lattice, PointReader& reader) {
+    if (reader.components() == Components::one) {
+      if (auto found = ocean::StaggeredSampling::of(mesh, reader.axes(), lattice))
+        return NodeSampling{std::move(*found)};
+    } else if (auto found = ocean::MeshSampling::of(mesh, lattice)) {
+      return NodeSampling{std::move(*found)};
+    }
+    throw sql::Failure{
+        // never stored so
+        "stored data are damaged (the cells of a mesh lie over one another); remove the dataset and ingest "
+        "its file again, or restore the store from a backup",
+        sql::Trouble::damaged};
+  }
+
+  [[nodiscard]] PointVelocities velocities(const PointVelocities& slice) const {
+    if (const auto* apart = std::get_if<ocean::StaggeredSampling>(&sampling_))
+      return apart->apply(slice.east);
+    return std::get<ocean::MeshSampling>(sampling_).apply(slice);
+  }
+
+  /// At the nodes; of components apart those at the points of the first and then those of the second.
+  [[nodiscard]] std::vector<float> depths(const std::vector<float>& level) const {
+    if (const auto* apart = std::get_if<ocean::StaggeredSampling>(&sampling_)) {
+      auto [first, second] = apart->apply_to_numbers(level);
+      first.insert(first.end(), second.begin(), second.end());
+      return first;
+    }
+    return std::get<ocean::MeshSampling>(sampling_).apply(level);
+  }
+
+ private:
+  using Sampling = std::variant<ocean::MeshSampling, ocean::StaggeredSampling>;
+  explicit NodeSampling(Sampling sampling) : sampling_{std::move(sampling)} {}
+
+  Sampling sampling_;
 };
 
 bool is_one_place(const geo::BoundingBox& area) {
@@ -84,12 +148,11 @@ ocean::HorizontalGrid lattice_of(const NativeRequest& request, const ocean::Mesh
 
 /// The depths asked for, joined by those at which the levels lie between the first and the last of them.
 std::vector<double> with_levels(const std::vector<double>& depths_m, const NativeLayout& layout,
-                                const NodeRun& times, const ocean::MeshSampling& sampling,
-                                PointReader& reader) {
+                                const NodeRun& times, const NodeSampling& sampling, PointReader& reader) {
   std::vector<double> all_m = depths_m;
   for (std::size_t time = times.first; time < times.first + times.count; ++time) {
     for (std::size_t level = 0; level <= layout.bed_levels; ++level) {
-      for (const float level_m : sampling.apply(reader.level_depths(time, level))) {
+      for (const float level_m : sampling.depths(reader.level_depths(time, level))) {
         const double depth_m = static_cast<double>(level_m);
         if (depth_m > depths_m.front() && depth_m < depths_m.back()) all_m.push_back(depth_m);
       }
@@ -102,7 +165,7 @@ std::vector<double> with_levels(const std::vector<double>& depths_m, const Nativ
 
 std::vector<PointVelocities> at_depths(const std::vector<double>& depths_m, std::size_t levels,
                                        std::size_t time, std::size_t points, PointReader& reader) {
-  ocean::LevelColumns columns{depths_m, points};
+  ocean::LevelColumns columns{depths_m, points, reader.components()};
   for (std::size_t level = 0; level < levels; ++level)
     columns.add(reader.velocities(time, level), reader.level_depths(time, level));
   return std::move(columns).down_to(reader.level_depths(time, levels));
@@ -130,20 +193,15 @@ ocean::CurrentGrid read_native_currents(sql::Connection& db, const NativeLayout&
                                         const NativeRequest& request, const std::stop_token& stop) {
   const MeshPart part = MeshBlocks{db}.around(layout.chunks.dataset_row, request.area);
   const ocean::HorizontalGrid lattice = lattice_of(request, part.mesh);
-  const auto sampling = ocean::MeshSampling::of(part.mesh, lattice);
-  if (!sampling)  // never stored so
-    throw sql::Failure{
-        "stored data are damaged (the cells of a mesh lie over one another); remove the dataset and ingest "
-        "its file again, or restore the store from a backup",
-        sql::Trouble::damaged};
   PointReader reader{db, layout, part};
+  const NodeSampling sampling = NodeSampling::of(part.mesh, lattice, reader);
   const NodeRun times = request.times.runs.front();
   ocean::CurrentGrid::Samples samples{
       .grid = lattice, .depths_m = std::nullopt, .times_s = request.times.nodes, .u = {}, .v = {}};
   std::vector<double> depths_m;
   if (request.depths) depths_m = request.depths->nodes.nodes();
   if (layout.bed_levels > 0 && is_one_place(request.area))
-    depths_m = with_levels(depths_m, layout, times, *sampling, reader);
+    depths_m = with_levels(depths_m, layout, times, sampling, reader);
   if (request.depths) samples.depths_m = ocean::Axis{depths_m};
 
   const std::size_t slices = times.count * std::max<std::size_t>(depths_m.size(), 1);
@@ -154,11 +212,11 @@ ocean::CurrentGrid read_native_currents(sql::Connection& db, const NativeLayout&
     if (layout.bed_levels > 0) {
       for (const PointVelocities& slice :
            at_depths(depths_m, layout.bed_levels, time, part.mesh.points.size(), reader))
-        add_slice(sampling->apply(slice), samples);
+        add_slice(sampling.velocities(slice), samples);
       continue;
     }
     for (std::size_t level = levels.first; level < levels.first + levels.count; ++level)
-      add_slice(sampling->apply(reader.velocities(time, level)), samples);
+      add_slice(sampling.velocities(reader.velocities(time, level)), samples);
   }
   samples.u.resize(slices * lattice.size());  // of those that were not read once it stopped
   samples.v.resize(slices * lattice.size());

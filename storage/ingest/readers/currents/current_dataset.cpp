@@ -7,10 +7,12 @@
 #include "engine/ocean/currents/level_columns.hpp"
 #include "engine/ocean/grids/mesh_lattice.hpp"
 #include "engine/ocean/grids/mesh_sampling.hpp"
+#include "engine/ocean/grids/staggered_sampling.hpp"
 #include "storage/ingest/common/grid_limits.hpp"
 #include "storage/ingest/common/missing_value.hpp"
 #include "storage/ingest/notation/text.hpp"
 #include "storage/ingest/readers/currents/current_survey.hpp"
+#include "storage/ingest/readers/velocity/velocity_level.hpp"
 #include "storage/repository/fields/field_repository.hpp"
 #include "storage/repository/fields/mesh_blocks.hpp"
 
@@ -21,6 +23,7 @@ namespace {
 struct StoredCurrents {
   std::shared_ptr<const VelocitySource> source;
   std::shared_ptr<const ZeroLand> land;
+  std::shared_ptr<const ComponentSource> components;   // null: both lie at the source's points
   ocean::HorizontalGrid grid;                          // of its points, or on which they are used
   std::optional<repository::MeshInBlocks> own_points;  // empty: they are the grid's nodes
   std::optional<std::vector<double>> depths_m;  // of the levels, or of plans where those follow the sea bed
@@ -44,20 +47,33 @@ struct StoredCurrents {
   }
 };
 
+/// The slice of one level at one time.
+Checked<void> write_slice(const StoredCurrents& currents, std::size_t time, std::size_t level,
+                          repository::FieldRepository& fields, const repository::DatasetId& id) {
+  if (currents.components) {
+    auto slice = currents.components->read(time, level, currents.land.get());
+    if (!slice) return refuse(slice.error());
+    fields.write_slice(id, "component_m_s", time, level, currents.as_kept(std::move(slice->values)),
+                       slice->steps);
+    return {};
+  }
+  auto slice = currents.read(time, level);
+  if (!slice) return refuse(slice.error());
+  fields.write_slice(id, "u_m_s", time, level, currents.as_kept(std::move(slice->east)), slice->east_steps);
+  fields.write_slice(id, "v_m_s", time, level, currents.as_kept(std::move(slice->north)), slice->north_steps);
+  return {};
+}
+
 /// All slices of one time.
 Checked<void> write_time(const StoredCurrents& currents, std::size_t time,
                          repository::FieldRepository& fields, const repository::DatasetId& id) {
   const SourceShape& shape = currents.source->shape();
-  for (std::size_t level = 0; level < shape.levels; ++level) {
-    auto slice = currents.read(time, level);
-    if (!slice) return refuse(slice.error());
-    fields.write_slice(id, "u_m_s", time, level, currents.as_kept(std::move(slice->east)), slice->east_steps);
-    fields.write_slice(id, "v_m_s", time, level, currents.as_kept(std::move(slice->north)),
-                       slice->north_steps);
-  }
+  for (std::size_t level = 0; level < shape.levels; ++level)
+    if (const auto written = write_slice(currents, time, level, fields, id); !written) return written;
   if (!shape.levels_follow_bed) return {};
   for (std::size_t level = 0; level <= shape.levels; ++level) {
-    auto depths_m = currents.source->level_depths(time, level);
+    auto depths_m = currents.components ? currents.components->level_depths(time, level)
+                                        : currents.source->level_depths(time, level);
     if (!depths_m) return refuse(depths_m.error());
     fields.write_slice(id, "level_depth_m", time, level, currents.as_kept(std::move(*depths_m)));
   }
@@ -75,6 +91,10 @@ Checked<void> write_currents(const StoredCurrents& currents, const core::Progres
     fields.create(id, shape, {currents.own_points->mesh, source.levels_follow_bed ? source.levels : 0});
   else
     fields.create(id, shape);
+  if (currents.components) {
+    fields.write_slice(id, "first_axis_rad", 0, 0, currents.as_kept(currents.components->axes().first_rad));
+    fields.write_slice(id, "second_axis_rad", 0, 0, currents.as_kept(currents.components->axes().second_rad));
+  }
   for (std::size_t time = 0; time < currents.times(); ++time) {
     if (const auto written = write_time(currents, time, fields, id); !written) return written;
     if (progress)
@@ -95,11 +115,13 @@ Checked<double> deepest_m(const VelocitySource& source) {
 }
 
 /// The grid on which currents of a mesh are used.
-Checked<ocean::HorizontalGrid> grid_of_use(const ocean::Mesh& mesh) {
-  auto grid = ocean::lattice_for(mesh);
+Checked<ocean::HorizontalGrid> grid_of_use(const CurrentInput& input) {
+  auto grid = ocean::lattice_for(input.mesh);
   if (!grid) return refuse(messages::ingest_format_message<"positions-enclose-no-area">());
-  if (!ocean::MeshSampling::of(mesh, *grid))
-    return refuse(messages::ingest_format_message<"cells-overlap">());
+  const bool usable =
+      input.components ? ocean::StaggeredSampling::of(input.mesh, input.components->axes(), *grid).has_value()
+                       : ocean::MeshSampling::of(input.mesh, *grid).has_value();
+  if (!usable) return refuse(messages::ingest_format_message<"cells-overlap">());
   return std::move(*grid);
 }
 
@@ -113,10 +135,15 @@ Checked<StoredCurrents> placed(const CurrentInput& input, std::shared_ptr<const 
     depths_m = ocean::standard_depths_m(*deepest);
   }
   if (input.grid)
-    return StoredCurrents{input.source, std::move(land), *input.grid, std::nullopt, std::move(depths_m)};
-  auto grid = grid_of_use(input.mesh);
+    return StoredCurrents{input.source, std::move(land), nullptr,
+                          *input.grid,  std::nullopt,    std::move(depths_m)};
+  auto grid = grid_of_use(input);
   if (!grid) return refuse(grid.error());
-  return StoredCurrents{input.source, std::move(land), std::move(*grid), repository::in_blocks(input.mesh),
+  return StoredCurrents{input.source,
+                        std::move(land),
+                        input.components,
+                        std::move(*grid),
+                        repository::in_blocks(input.mesh),
                         std::move(depths_m)};
 }
 
@@ -137,6 +164,12 @@ std::optional<messages::Message> above_the_first_level(const StoredCurrents& cur
 }
 
 }  // namespace
+
+void keep_level(CurrentInput& input, std::size_t level, std::optional<double> depth_m) {
+  input.source = one_level(std::move(input.source), level, depth_m);
+  if (input.components)
+    input.components = std::make_shared<const ComponentSource>(input.components->of_level(level));
+}
 
 Checked<PreparedDataset> prepare_currents(CurrentInput input, const core::ProgressCallback& progress) {
   const SourceShape& shape = input.source->shape();
@@ -171,7 +204,7 @@ Checked<PreparedDataset> prepare_currents(CurrentInput input, const core::Progre
         messages::ingest_current_message<"zeros-taken-as-land">(number(100.0 * found->land->share(), 3)));
   if (auto above = above_the_first_level(*currents)) data.warnings.push_back(std::move(*above));
   if (currents->own_points) {
-    data.at_own_points = true;
+    data.keeping = currents->components ? Keeping::at_points_of_components : Keeping::at_own_points;
     const std::size_t points = ocean::points_with_values(currents->own_points->mesh);
     data.warnings.push_back(messages::ingest_current_message<"kept-at-own-points">(points, input.layout));
     data.rows_accepted = static_cast<std::int64_t>(points);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <string>
@@ -10,6 +11,7 @@
 #include "engine/ocean/grids/mesh.hpp"
 #include "storage/ingest/common/prepared_dataset.hpp"
 #include "storage/ingest/grids/velocity_source.hpp"
+#include "storage/ingest/readers/currents/component_source.hpp"
 #include "storage/ingest/readers/velocity/velocity_kind.hpp"
 
 namespace floeplan::ingest {
@@ -21,11 +23,16 @@ struct CurrentInput {
   std::optional<ocean::HorizontalGrid>
       grid;  // its nodes are the source's points; empty: those of the mesh are
   ocean::Mesh mesh;
+  std::shared_ptr<const ComponentSource>
+      components{};    // of a staggered grid: what lies at the points of the mesh; null: the source
   std::string layout;  // of a mesh, in words
   std::vector<std::string> variables;
   bool states_unit{true};
   Messages warnings;
 };
+
+/// Leaves one level of the input, at a depth or at none.
+void keep_level(CurrentInput& input, std::size_t level, std::optional<double> depth_m);
 
 /// Reads the source once to check every value and a second time to write it, slice by slice, so memory holds a few
 /// slices whatever the file's size. Every value is kept as it is, at the source's own points and levels.

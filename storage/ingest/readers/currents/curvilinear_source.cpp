@@ -31,39 +31,31 @@ struct ComponentPlane {
   std::optional<Positions> positions;
 };
 
-/// All that is needed to read slices at the centres.
-struct CurvilinearParts {
-  NetcdfFiles files;  // kept open
-  VelocityComponent first;
-  VelocityComponent second;
-  Staggering staggering;
-  std::vector<geo::LonLat> centres;
-  GridDirections directions;
-  WaterMask first_mask;
-  WaterMask second_mask;
-  WaterMask centre_mask;
-  std::shared_ptr<const BedLevels> levels;  // null: the levels are depths, or there are none
-};
-
+/// Both components at the centres of their grid, at those that have all their points.
 class CurvilinearSource : public VelocitySource {
  public:
-  explicit CurvilinearSource(CurvilinearParts parts) : parts_{std::move(parts)} {
-    shape_ = shape_in_time_and_depth(parts_.first.layout(), parts_.levels != nullptr);
-    shape_.columns = parts_.staggering.columns;
-    shape_.rows = parts_.staggering.rows;
+  CurvilinearSource(std::shared_ptr<const GridComponents> parts, std::vector<geo::LonLat> centres,
+                    GridDirections directions, WaterMask mask)
+      : parts_{std::move(parts)},
+        centres_{std::move(centres)},
+        directions_{std::move(directions)},
+        centre_mask_{std::move(mask)} {
+    shape_ = shape_in_time_and_depth(parts_->first.layout(), parts_->levels != nullptr);
+    shape_.columns = parts_->staggering.columns;
+    shape_.rows = parts_->staggering.rows;
   }
 
   [[nodiscard]] const SourceShape& shape() const override { return shape_; }
-  [[nodiscard]] geo::LonLat place(std::size_t point) const override { return parts_.centres[point]; }
+  [[nodiscard]] geo::LonLat place(std::size_t point) const override { return centres_[point]; }
 
   [[nodiscard]] Checked<VelocitySlice> read(std::size_t time, std::size_t level) const override {
-    const std::size_t file_level = parts_.levels ? parts_.levels->file_level(level) : level;
-    auto first = parts_.first.read(time, file_level);
+    const std::size_t file_level = parts_->levels ? parts_->levels->file_level(level) : level;
+    auto first = parts_->first.read(time, file_level);
     if (!first) return refuse(first.error());
-    auto second = parts_.second.read(time, file_level);
+    auto second = parts_->second.read(time, file_level);
     if (!second) return refuse(second.error());
-    parts_.first_mask.apply(first->values);
-    parts_.second_mask.apply(second->values);
+    parts_->first_mask.apply(first->values);
+    parts_->second_mask.apply(second->values);
 
     VelocitySlice slice{std::vector<float>(shape_.points(), missing),
                         std::vector<float>(shape_.points(), missing),
@@ -72,11 +64,11 @@ class CurvilinearSource : public VelocitySource {
     for (std::size_t row = 0; row < shape_.rows; ++row) {
       for (std::size_t column = 0; column < shape_.columns; ++column) {
         const std::size_t point = row * shape_.columns + column;
-        if (!parts_.centre_mask.is_water(point)) continue;
-        const auto both = parts_.staggering.collocated ? as_read(*first, *second, point)
-                                                       : at_centre(*first, *second, row, column);
+        if (!centre_mask_.is_water(point)) continue;
+        const auto both = parts_->staggering.collocated ? as_read(*first, *second, point)
+                                                        : at_centre(*first, *second, row, column);
         if (!both) continue;
-        const EastNorth current = to_true_north(both->u, both->v, parts_.directions, point);
+        const EastNorth current = to_true_north(both->u, both->v, directions_, point);
         slice.east[point] = current.east;
         slice.north[point] = current.north;
       }
@@ -85,7 +77,9 @@ class CurvilinearSource : public VelocitySource {
   }
 
   [[nodiscard]] Checked<std::vector<float>> level_depths(std::size_t time, std::size_t level) const override {
-    return parts_.levels->depths(time, level);
+    const auto depths = parts_->levels->depths(time, level);
+    if (!depths) return refuse(depths.error());
+    return of_whole_centres(parts_->staggering, *depths);
   }
 
  private:
@@ -106,23 +100,26 @@ class CurvilinearSource : public VelocitySource {
   /// the current is not known.
   [[nodiscard]] std::optional<Components> at_centre(const ComponentSlice& first, const ComponentSlice& second,
                                                     std::size_t row, std::size_t column) const {
-    const Staggering& way = parts_.staggering;
-    const std::size_t left = (row + way.first_row) * parts_.first.columns() + column;
-    const std::size_t below = row * parts_.second.columns() + column + way.second_column;
+    const Staggering& way = parts_->staggering;
+    const std::size_t left = (row + way.first_row) * parts_->first.columns() + column;
+    const std::size_t below = row * parts_->second.columns() + column + way.second_column;
     if (first.is_bad(left) || first.is_bad(left + 1) || second.is_bad(below) ||
-        second.is_bad(below + parts_.second.columns()))
+        second.is_bad(below + parts_->second.columns()))
       return std::nullopt;
     const double u_left = first.values[left];
     const double u_right = first.values[left + 1];
     const double v_below = second.values[below];
-    const double v_above = second.values[below + parts_.second.columns()];
+    const double v_above = second.values[below + parts_->second.columns()];
     if (std::isnan(u_left) && std::isnan(u_right) && std::isnan(v_below) && std::isnan(v_above))
       return std::nullopt;
     const auto flow = [](double value) { return std::isnan(value) ? 0.0 : value; };
     return Components{0.5 * (flow(u_left) + flow(u_right)), 0.5 * (flow(v_below) + flow(v_above))};
   }
 
-  CurvilinearParts parts_;
+  std::shared_ptr<const GridComponents> parts_;
+  std::vector<geo::LonLat> centres_;
+  GridDirections directions_;
+  WaterMask centre_mask_;
   SourceShape shape_;
 };
 
@@ -176,28 +173,28 @@ Checked<Arrangement> arrangement_round_centres(const NetcdfFiles& files, const V
   const auto size = [](const NetcdfVariable& variable, std::size_t dimension) {
     return static_cast<std::size_t>(variable.dimensions()[dimension].size);
   };
+  const Positions& rho = **centres;
+  const std::size_t first_rows = size(*pair.first, first.dimensions.y);
+  const std::size_t first_columns = size(*pair.first, first.dimensions.x);
+  const std::size_t second_rows = size(*pair.second, second.dimensions.y);
+  const std::size_t second_columns = size(*pair.second, second.dimensions.x);
   auto way =
-      points_after_centres(size(*pair.first, first.dimensions.y), size(*pair.first, first.dimensions.x),
-                           size(*pair.second, second.dimensions.y), size(*pair.second, second.dimensions.x));
+      points_after_centres(first_rows, first_columns, second_rows, second_columns, rho.rows, rho.columns);
   if (!way) return refuse(way.error());
-  if (way->rows + 1 > (*centres)->rows || way->columns + 1 > (*centres)->columns)
+  if (std::min(first_rows, second_rows) > rho.rows || std::min(first_columns, second_columns) > rho.columns)
     return refuse(without_positions(pair));
 
   // Each component's point lies half-way between its centre and the next one.
-  const Positions& rho = **centres;
   Arrangement result{*way, {{}, way->rows + 1, way->columns + 1}, {{}, way->rows + 1, way->columns + 1}, {}};
-  const auto place = [&](std::size_t row, std::size_t column) {
-    return rho.places[std::min(row, rho.rows - 1) * rho.columns + std::min(column, rho.columns - 1)];
-  };
   for (std::size_t row = 0; row <= way->rows; ++row) {
     for (std::size_t column = 0; column <= way->columns; ++column) {
-      result.first.places.push_back(geo::midpoint(place(row, column), place(row, column + 1)));
-      result.second.places.push_back(geo::midpoint(place(row, column), place(row + 1, column)));
+      result.first.places.push_back(geo::midpoint(rho.at(row, column), rho.at(row, column + 1)));
+      result.second.places.push_back(geo::midpoint(rho.at(row, column), rho.at(row + 1, column)));
     }
   }
   for (std::size_t row = 0; row < way->rows; ++row)
     for (std::size_t column = 0; column < way->columns; ++column)
-      result.centres.push_back(place(row + 1, column + 1));
+      result.centres.push_back(rho.at(row + 1, column + 1));
   return result;
 }
 
@@ -210,24 +207,33 @@ Checked<Arrangement> arrangement_of(const NetcdfFiles& files, const VelocityPair
   return Arrangement{*way, std::move(*first.positions), std::move(*second.positions), std::move(centres)};
 }
 
-/// Directions of the components: none to turn where they already point east and north.
-Checked<GridDirections> directions_for(const NetcdfFiles& files, const VelocityPair& pair,
-                                       const ComponentPlane& first, const Arrangement& arrangement,
-                                       const CentreTables& tables, Messages& warnings) {
+/// Directions of the components at the centres and, of a staggered grid, at points of their own.
+struct Directions {
+  GridDirections at_centres;
+  ocean::ComponentAxes of_components;
+};
+
+/// None to turn where the components already point east and north.
+Checked<Directions> directions_for(const NetcdfFiles& files, const VelocityPair& pair,
+                                   const ComponentPlane& first, const Arrangement& arrangement,
+                                   const CentreTables& tables, Messages& warnings) {
   const FallingAxes falling{falls(*pair.first_file, pair.first->dimensions()[first.dimensions.x]),
                             falls(*pair.first_file, pair.first->dimensions()[first.dimensions.y])};
   const auto stated = tables.angle(files);
   if (!stated) return refuse(stated.error());
+  const Staggering& way = arrangement.staggering;
   auto directions =
-      directions_of(arrangement.staggering, arrangement.first, arrangement.second, falling, *stated);
+      directions_of(way, arrangement.first, arrangement.second, falling, of_whole_centres(way, *stated));
   if (!directions) return refuse(directions.error());
 
   const bool straight = directions->largest_turn_deg() < straight_deg;
-  if (pair.axes == VelocityAxes::east_north && !arrangement.staggering.collocated && !straight)
+  if (pair.axes == VelocityAxes::east_north && !way.collocated && !straight)
     return refuse(messages::ingest_current_message<"called-eastward-on-a-turned-grid">(pair.first->name(),
                                                                                        pair.second->name()));
-  if (pair.axes == VelocityAxes::east_north) return GridDirections::along_east(arrangement.centres.size());
-  if (pair.axes == VelocityAxes::unstated && arrangement.staggering.collocated && !straight) {
+  if (pair.axes == VelocityAxes::east_north)
+    return Directions{GridDirections::along_east(arrangement.centres.size()),
+                      axes_east_and_north(arrangement.first, arrangement.second)};
+  if (pair.axes == VelocityAxes::unstated && way.collocated && !straight) {
     if (!is_model_of_grid_axes(*pair.first))
       return refuse(messages::ingest_current_message<"direction-of-components-unknown">(
           pair.first->name(), pair.second->name(), "bent"));
@@ -235,7 +241,32 @@ Checked<GridDirections> directions_for(const NetcdfFiles& files, const VelocityP
   if (!straight)
     warnings.push_back(messages::ingest_current_message<"turned-from-model-grid">(
         pair.first->name(), pair.second->name(), number(directions->largest_turn_deg(), 3)));
-  return directions;
+  Directions result{std::move(*directions), {}};
+  if (!way.collocated)
+    result.of_components = axes_of_components(way, arrangement.first, arrangement.second, falling, *stated);
+  return result;
+}
+
+/// Collocated components are kept where they lie, towards east and north; those of a staggered grid each at its own points.
+MeshCurrents kept_at_points(std::shared_ptr<const GridComponents> parts, Arrangement arrangement,
+                            Directions directions, bool straight_axes) {
+  const Staggering way = arrangement.staggering;
+  MeshCurrents result;
+  if (way.collocated) {
+    result.mesh = mesh_of_rows(arrangement.centres, way.columns);
+    result.layout = straight_axes ? "a grid whose levels follow the sea bed" : "a bent grid";
+  } else {
+    const ComponentSource::Planes planes{arrangement.first.rows, arrangement.first.columns,
+                                         arrangement.second.rows, arrangement.second.columns};
+    result.components =
+        std::make_shared<const ComponentSource>(parts, planes, std::move(directions.of_components));
+    result.mesh = mesh_of_components(arrangement.first, arrangement.second);
+    result.layout = "the faces of a staggered grid";
+  }
+  WaterMask mask = whole_centres_of(way, parts->centre_mask);
+  result.source = std::make_shared<const CurvilinearSource>(
+      std::move(parts), std::move(arrangement.centres), std::move(directions.at_centres), std::move(mask));
+  return result;
 }
 
 }  // namespace
@@ -282,24 +313,15 @@ Checked<MeshCurrents> curvilinear_currents(const NetcdfFiles& files, const Veloc
   if (!u) return refuse(u.error());
   auto v = VelocityComponent::of(*pair.second_file, *pair.second, std::move(*second_layout), warnings);
   if (!v) return refuse(v.error());
-  const bool staggered = !arrangement->staggering.collocated;
-  const std::string layout_in_words = staggered       ? "a bent and staggered grid"
-                                      : straight_axes ? "a grid whose levels follow the sea bed"
-                                                      : "a bent grid";
-  auto source =
-      std::make_shared<const CurvilinearSource>(CurvilinearParts{.files = files,
-                                                                 .first = std::move(*u),
-                                                                 .second = std::move(*v),
-                                                                 .staggering = arrangement->staggering,
-                                                                 .centres = arrangement->centres,
-                                                                 .directions = std::move(*directions),
-                                                                 .first_mask = std::move(*first_mask),
-                                                                 .second_mask = std::move(*second_mask),
-                                                                 .centre_mask = std::move(*centre_mask),
-                                                                 .levels = std::move(levels)});
-  return MeshCurrents{std::move(source),
-                      mesh_of_rows(std::move(arrangement->centres), arrangement->staggering.columns),
-                      layout_in_words};
+  auto parts = std::make_shared<const GridComponents>(GridComponents{.files = files,
+                                                                     .first = std::move(*u),
+                                                                     .second = std::move(*v),
+                                                                     .staggering = arrangement->staggering,
+                                                                     .first_mask = std::move(*first_mask),
+                                                                     .second_mask = std::move(*second_mask),
+                                                                     .centre_mask = std::move(*centre_mask),
+                                                                     .levels = std::move(levels)});
+  return kept_at_points(std::move(parts), std::move(*arrangement), std::move(*directions), straight_axes);
 }
 
 }  // namespace floeplan::ingest

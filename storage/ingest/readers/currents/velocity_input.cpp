@@ -12,7 +12,6 @@
 #include "storage/ingest/readers/currents/curvilinear_source.hpp"
 #include "storage/ingest/readers/currents/mesh_source.hpp"
 #include "storage/ingest/readers/currents/rectilinear_source.hpp"
-#include "storage/ingest/readers/velocity/velocity_level.hpp"
 
 namespace floeplan::ingest {
 namespace {
@@ -102,6 +101,7 @@ Checked<CurrentInput> input_as_laid_out(const NetcdfFiles& files, const Velocity
   auto bent = curvilinear_currents(files, pair, input.warnings);
   if (!bent) return refuse(bent.error());
   input.source = std::move(bent->source);
+  input.components = std::move(bent->components);
   input.mesh = std::move(bent->mesh);
   input.layout = std::move(bent->layout);
   return input;
@@ -115,10 +115,10 @@ void place_by_words(CurrentInput& input, const VelocityPair& pair) {
   if (pair.depth_m) {
     input.warnings.push_back(
         messages::ingest_current_message<"current-of-one-depth">(names, number(*pair.depth_m)));
-    input.source = one_level(std::move(input.source), 0, *pair.depth_m);
+    keep_level(input, 0, *pair.depth_m);
   } else if (pair.part == WaterPart::surface) {
     input.warnings.push_back(messages::ingest_current_message<"current-of-the-surface">(names));
-    input.source = one_level(std::move(input.source), 0, 0.0);
+    keep_level(input, 0, 0.0);
   } else if (pair.part == WaterPart::column_mean) {
     input.warnings.push_back(messages::ingest_current_message<"current-of-the-column">(names));
   } else {

@@ -9,7 +9,6 @@
 #include "storage/ingest/formats/netcdf/variable_level.hpp"
 #include "storage/ingest/notation/text.hpp"
 #include "storage/ingest/readers/currents/velocity_input.hpp"
-#include "storage/ingest/readers/velocity/velocity_level.hpp"
 
 namespace floeplan::ingest {
 namespace {
@@ -67,7 +66,7 @@ Checked<CurrentInput> open_wind(const std::shared_ptr<const NetcdfFile>& file,
   if (!shape.depths_m && !names_ten_metres(*pair->first))
     input->warnings.push_back(
         messages::ingest_current_message<"wind-without-height">(pair->first->name(), pair->second->name()));
-  input->source = one_level(std::move(input->source), *level, std::nullopt);
+  keep_level(*input, *level, std::nullopt);
   return input;
 }
 

@@ -207,6 +207,15 @@ void write_roms(const ModelGrid& grid, const std::filesystem::path& file, const 
         plane(grid.rows, grid.columns, 0.0, 0.0,
               [&](double i, double j) { return grid.angle(i, j) + options.angle_error_deg * radians; }),
         {{"units", "radians"}}));
+  if (options.wall_rows > 0)
+    writer.variable(variable("mask_u", {"eta_u", "xi_u"},
+                             plane(grid.rows, grid.columns - 1, 0.0, 0.0,
+                                   [&](double i, double j) {
+                                     const bool wall = i == static_cast<double>(options.wall_after) &&
+                                                       j < static_cast<double>(options.wall_rows);
+                                     return wall ? 0.0 : 1.0;
+                                   }),
+                             {}));
   for (const bool is_u : {true, false}) {
     std::vector<double> values;
     for (std::size_t k = 0; k < levels; ++k) {

@@ -48,7 +48,10 @@ struct RomsOptions {
   bool with_positions_of_components{true};
   bool with_angle{true};
   double angle_error_deg{0.0};
-  double shear_per_m{0.0};  // the current falls by this share per metre of depth
+  double shear_per_m{0.0};    // the current falls by this share per metre of depth
+  std::size_t wall_after{0};  // a wall between this column of centres and the next one ...
+  std::size_t wall_rows{
+      0};  // ... of so many rows; it is masked, and the file has a current there all the same
 };
 
 /// One file on a C grid whose levels follow a sloping bed (100 m at the first column, 5 m deeper with each), under a

@@ -3,9 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <numbers>
+#include <optional>
+#include <random>
 
 #include "engine/geo/geodesic.hpp"
+#include "engine/geo/tangent_plane.hpp"
 #include "storage/repository/datasets/dataset_repository.hpp"
+#include "storage/repository/fields/field_repository.hpp"
 #include "tests/storage/ingest/support/model_grid_writer.hpp"
 #include "tests/storage/ingest/support/netcdf_writer.hpp"
 #include "tests/storage/ingest/support/store_fixture.hpp"
@@ -134,6 +140,74 @@ TEST_F(ModelLayouts, LandWrittenAsZeroOnAStaggeredGridIsMissing) {
   EXPECT_FALSE(currents.at(grid.place(32, 15), {1.0}, when).has_value());
   EXPECT_TRUE(currents.at(grid.place(15, 15), {1.0}, when).has_value());
   EXPECT_THAT(words(report_), HasSubstr("count as land"));
+}
+
+/// The model's own components at random points of a C grid, as the currents that are stored have them along the axes.
+void expect_own_components(const ModelGrid& grid, const std::string& what,
+                           const std::function<std::optional<geo::VelocityEn>(geo::LonLat)>& current,
+                           const std::function<double(double, double, bool)>& axis_rad) {
+  std::mt19937_64 rng{11};
+  for (int n = 0; n < 200; ++n) {
+    const bool first = n % 2 == 0;
+    const double i = 1.0 + static_cast<double>(rng() % (grid.columns - 3)) + (first ? 0.5 : 0.0);
+    const double j = 1.0 + static_cast<double>(rng() % (grid.rows - 3)) + (first ? 0.0 : 0.5);
+    const auto water = current(grid.place(i, j));
+    ASSERT_TRUE(water.has_value()) << what << " " << i << " " << j;
+    const double axis = axis_rad(i, j, first);
+    ASSERT_NEAR(water->east.value * std::cos(axis) + water->north.value * std::sin(axis),
+                first ? grid.first(i, j) : grid.second(i, j), 1e-6)
+        << what << " " << i << " " << j;
+  }
+}
+
+TEST_F(ModelLayouts, APointOfACGridHasTheModelsOwnComponent) {
+  for (const geo::LonLat origin :
+       {geo::LonLat{15.0, 70.0}, geo::LonLat{179.8, -60.0}, geo::LonLat{40.0, 89.3}}) {
+    const ModelGrid grid{.origin = origin};
+    repository::DatasetId id;
+    const auto current = [&](geo::LonLat place) {
+      const auto found = repository::FieldRepository{db_}.load_currents(
+          id, {place.lon_deg, place.lat_deg, place.lon_deg, place.lat_deg}, std::nullopt, std::nullopt);
+      return found ? found->at(place, {0.5}, core::from_unix_seconds(1795132800.0)) : std::nullopt;
+    };
+
+    write_nemo(grid, path("u.nc"), path("v.nc"), no_land);
+    id = ingest_together({path("u.nc"), path("v.nc")}).dataset.value().id;
+    expect_own_components(grid, "nemo", current, [&](double i, double j, bool first) {
+      const double di = first ? 1.0 : 0.0;
+      const double dj = first ? 0.0 : 1.0;
+      return geo::direction_at(grid.place(i, j), grid.place(i - di, j - dj), grid.place(i + di, j + dj))
+          .value();
+    });
+
+    write_roms(grid, path("roms.nc"), {});
+    id = ingest(path("roms.nc")).dataset.value().id;
+    expect_own_components(grid, "roms", current, [&](double i, double j, bool first) {
+      const double half_i = first ? 0.5 : 0.0;
+      const double half_j = first ? 0.0 : 0.5;
+      const double before = grid.angle(i - half_i, j - half_j);
+      const double turn = std::remainder(grid.angle(i + half_i, j + half_j) - before, 2.0 * std::numbers::pi);
+      return before + 0.5 * turn + (first ? 0.0 : 0.5 * std::numbers::pi);
+    });
+    std::filesystem::remove(path("roms.nc"));
+  }
+}
+
+TEST_F(ModelLayouts, NothingFlowsThroughAWallAcrossAStaggeredGrid) {
+  const ModelGrid grid{.origin = {-30.0, 65.0}};
+  write_roms(grid, path("roms.nc"), {.wall_after = 20, .wall_rows = 18});
+  const auto id = ingest(path("roms.nc")).dataset.value().id;
+  const auto current = [&](double i, double j) {
+    const geo::LonLat place = grid.place(i, j);
+    const auto found = repository::FieldRepository{db_}.load_currents(
+        id, {place.lon_deg, place.lat_deg, place.lon_deg, place.lat_deg}, std::nullopt, std::nullopt);
+    const auto water = found.value().at(place, {5.0}, core::from_unix_seconds(1795132800.0)).value();
+    return water.east.value * std::cos(grid.angle(i, j)) + water.north.value * std::sin(grid.angle(i, j));
+  };
+
+  for (double j = 2.0; j < 17.4; j += 0.3) EXPECT_NEAR(current(20.5, j), 0.0, 1e-4) << j;
+  EXPECT_NEAR(current(20.5, 17.8), grid.first(20.5, 17.8), 2e-3);  // past its end
+  EXPECT_NEAR(current(19.5, 10.0), grid.first(19.5, 10.0), 2e-3);  // a cell before it
 }
 
 TEST_F(ModelLayouts, OneComponentAloneAsksForTheOther) {
