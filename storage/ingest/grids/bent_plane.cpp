@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "engine/messages/ingest_format_messages.hpp"
+#include "engine/messages/ingest_grid_messages.hpp"
 #include "engine/ocean/grids/mesh_lattice.hpp"
 #include "storage/ingest/formats/netcdf/netcdf_grid.hpp"
 #include "storage/ingest/formats/netcdf/position_tables.hpp"
@@ -51,10 +51,10 @@ Checked<std::optional<BentPlane>> bent_plane_of(const std::shared_ptr<const Netc
   std::vector<geo::LonLat> points = std::move((*positions)->places);
   const ocean::Mesh mesh = mesh_of_rows(points, (*positions)->columns);
   auto grid = ocean::lattice_for(mesh);
-  if (!grid) return refuse(messages::ingest_format_message<"positions-enclose-no-area">());
+  if (!grid) return refuse(messages::ingest_grid_message<"positions-enclose-no-area">());
   auto sampling = ocean::MeshSampling::of(mesh, *grid);
-  if (!sampling) return refuse(messages::ingest_format_message<"cells-overlap">());
-  messages::Message account = messages::ingest_format_message<"resampled-from-bent-grid">(
+  if (!sampling) return refuse(messages::ingest_grid_message<"cells-overlap">());
+  messages::Message account = messages::ingest_grid_message<"resampled-from-bent-grid">(
       variable.name(), (*positions)->rows, (*positions)->columns, spacing_in_words(*grid));
   return BentPlane{std::move(*layout),   std::move(points), std::move(*grid),
                    std::move(*sampling), std::move(*water), std::move(account)};

@@ -4,7 +4,7 @@
 #include <limits>
 #include <numbers>
 
-#include "engine/messages/ingest_format_messages.hpp"
+#include "engine/messages/ingest_grid_messages.hpp"
 #include "storage/ingest/notation/text.hpp"
 
 namespace floeplan::ingest {
@@ -35,7 +35,7 @@ Checked<std::vector<double>> CentreTables::read(const NetcdfVariable& table,
                                                 const std::vector<std::uint64_t>& leading) const {
   const auto& dimensions = table.dimensions();
   if (leading.size() + 2 != dimensions.size())
-    return refuse(messages::ingest_format_message<"table-of-other-dimensions">(table.name()));
+    return refuse(messages::ingest_grid_message<"table-of-other-dimensions">(table.name()));
   const std::size_t rows = std::min<std::size_t>(dimensions[leading.size()].size, staggering_.all_rows);
   const std::size_t columns = std::min<std::size_t>(dimensions.back().size, staggering_.all_columns);
   std::vector<std::uint64_t> start = leading;

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "engine/geo/tangent_plane.hpp"
-#include "engine/messages/ingest_format_messages.hpp"
+#include "engine/messages/ingest_grid_messages.hpp"
 #include "storage/ingest/common/missing_value.hpp"
 
 namespace floeplan::ingest {
@@ -114,10 +114,10 @@ Checked<GridDirections> directions_of(const Staggering& staggering, const Positi
       directions.set(point, angle);
     }
   }
-  if (known == 0) return refuse(messages::ingest_format_message<"grid-without-direction">());
-  if (is_exceptional(mirrored, known)) return refuse(messages::ingest_format_message<"grid-mirrored">());
+  if (known == 0) return refuse(messages::ingest_grid_message<"grid-without-direction">());
+  if (is_exceptional(mirrored, known)) return refuse(messages::ingest_grid_message<"grid-mirrored">());
   if (is_exceptional(contradicted, known))
-    return refuse(messages::ingest_format_message<"grid-angle-contradicts">());
+    return refuse(messages::ingest_grid_message<"grid-angle-contradicts">());
   return directions;
 }
 

@@ -5,7 +5,7 @@
 #include <limits>
 #include <optional>
 
-#include "engine/messages/ingest_format_messages.hpp"
+#include "engine/messages/ingest_grid_messages.hpp"
 #include "storage/ingest/common/missing_value.hpp"
 #include "storage/ingest/formats/netcdf/formula_terms.hpp"
 #include "storage/ingest/formats/netcdf/netcdf_coordinates.hpp"
@@ -72,7 +72,7 @@ class PointTable {
 };
 
 messages::Message too_deep(const NetcdfVariable& table, double depth_m) {
-  return messages::ingest_format_message<"bed-impossible">(table.name(), number(depth_m));
+  return messages::ingest_grid_message<"bed-impossible">(table.name(), number(depth_m));
 }
 
 class SigmaLevels : public BedLevels {
@@ -246,9 +246,9 @@ Checked<MeshLevels> levels_by_heights(const std::shared_ptr<const NetcdfFile>& f
   const auto factor = unit.empty() ? std::optional{1.0} : length_factor(unit);
   if (!level || (!node && !face) || !fits ||
       (dimensions.size() == 3 && (*level == 0 || node == 0U || face == 0U)))
-    return refuse(messages::ingest_format_message<"level-heights-elsewhere">(table.name()));
+    return refuse(messages::ingest_grid_message<"level-heights-elsewhere">(table.name()));
   if (!factor)
-    return refuse(messages::ingest_format_message<"level-heights-without-length">(table.name(), unit));
+    return refuse(messages::ingest_grid_message<"level-heights-without-length">(table.name(), unit));
   auto levels =
       HeightLevels::of({.file = file,
                         .table = &table,
@@ -274,8 +274,8 @@ Checked<MeshLevels> mesh_levels(const std::shared_ptr<const NetcdfFile>& file, c
   const std::string layout_name = coordinate == nullptr ? "" : lower(coordinate->attribute("standard_name"));
   if (layout_name.starts_with("ocean_") && !layout_name.starts_with("ocean_sigma_coordinate") &&
       !layout_name.starts_with("ocean_sigma/"))
-    return refuse(messages::ingest_format_message<"levels-of-unknown-layout">(coordinate->name(), layout_name,
-                                                                              " on a mesh"));
+    return refuse(messages::ingest_grid_message<"levels-of-unknown-layout">(coordinate->name(), layout_name,
+                                                                            " on a mesh"));
 
   const auto named = [&](const char* term, std::initializer_list<std::string> usual) {
     const std::string name = formula_term(coordinate, term);
@@ -289,7 +289,7 @@ Checked<MeshLevels> mesh_levels(const std::shared_ptr<const NetcdfFile>& file, c
   const std::string& points = in_faces ? mesh.face_dimension : mesh.node_dimension;
   if (!bed) bed = PointTable::of(bed_table, points, times);
   if (sigma == nullptr || !bed)
-    return refuse(messages::ingest_format_message<"levels-incomplete">(
+    return refuse(messages::ingest_grid_message<"levels-incomplete">(
         variable.name(),
         sigma == nullptr ? "where they lie between the surface and the bed"
                          : "how deep the sea is at the nodes or in the faces of its mesh",
@@ -304,13 +304,13 @@ Checked<MeshLevels> mesh_levels(const std::shared_ptr<const NetcdfFile>& file, c
   const bool possible =
       std::ranges::all_of(*values, [](double value) { return value >= -1.0 - 1e-4 && value <= 1e-4; });
   if ((values->size() != levels && !per_point) || !possible)
-    return refuse(messages::ingest_format_message<"levels-no-shares">(sigma->name()));
+    return refuse(messages::ingest_grid_message<"levels-no-shares">(sigma->name()));
   for (const double depth : *bed_m)
     if (depth > max_bed_depth_m) return refuse(too_deep(*bed_table, depth));
 
   const bool of_the_moment = is_depth_of_the_moment(*bed_table);
   auto surface = of_the_moment ? std::nullopt : PointTable::of(named("eta", {"zeta"}), points, times);
-  if (!surface && !of_the_moment) warnings.push_back(messages::ingest_format_message<"surface-not-stated">());
+  if (!surface && !of_the_moment) warnings.push_back(messages::ingest_grid_message<"surface-not-stated">());
   return MeshLevels{std::make_shared<const SigmaLevels>(SigmaLevels::Parts{.file = file,
                                                                            .sigma = std::move(*values),
                                                                            .levels = levels,

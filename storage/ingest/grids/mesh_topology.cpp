@@ -4,7 +4,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "engine/messages/ingest_format_messages.hpp"
+#include "engine/messages/ingest_grid_messages.hpp"
 #include "storage/ingest/formats/netcdf/netcdf_axis.hpp"
 #include "storage/ingest/notation/text.hpp"
 
@@ -98,7 +98,7 @@ std::optional<FaceTable> table_of(const NetcdfVariable& faces) {
 }
 
 messages::Message damaged(const NetcdfVariable& faces) {
-  return messages::ingest_format_message<"mesh-damaged">(faces.name());
+  return messages::ingest_grid_message<"mesh-damaged">(faces.name());
 }
 
 /// Without what stands in the place of corners that a face does not have: numbers before the first node, or its own
@@ -113,7 +113,7 @@ Checked<MeshFaces> read_faces(const Description& description, std::size_t nodes)
   const NetcdfVariable& table = *description.faces;
   if (table.dimensions()[0].size > 4 && table.dimensions()[1].size > most_corners &&
       table.dimensions()[0].size > most_corners)
-    return refuse(messages::ingest_format_message<"mesh-of-many-corners">(table.name(), most_corners));
+    return refuse(messages::ingest_grid_message<"mesh-of-many-corners">(table.name(), most_corners));
   const auto shape = table_of(table);
   if (!shape || shape->count > 2 * max_nodes) return refuse(damaged(table));
   const auto values = table.read_all();
@@ -179,10 +179,10 @@ bool lies_on_mesh(const NetcdfFile& file, const NetcdfVariable& variable) {
 
 Checked<MeshTopology> mesh_topology(const NetcdfFile& file) {
   const Description description = describe(file);
-  if (!is_whole(description)) return refuse(messages::ingest_format_message<"mesh-not-described">());
+  if (!is_whole(description)) return refuse(messages::ingest_grid_message<"mesh-not-described">());
   const std::uint64_t count = description.lons->dimensions()[0].size;
   if (count == 0 || count > max_nodes)
-    return refuse(messages::ingest_format_message<"mesh-too-large">(count, max_nodes));
+    return refuse(messages::ingest_grid_message<"mesh-too-large">(count, max_nodes));
   const auto lons = description.lons->read_all();
   if (!lons) return refuse(lons.error());
   const auto lats = description.lats->read_all();
@@ -195,7 +195,7 @@ Checked<MeshTopology> mesh_topology(const NetcdfFile& file) {
     const double lon = (*lons)[i];
     const double lat = (*lats)[i];
     if (!(std::abs(lat) <= 90.0 && std::abs(lon) <= 720.0))
-      return refuse(messages::ingest_format_message<"mesh-node-off-the-earth">(number(lon), number(lat)));
+      return refuse(messages::ingest_grid_message<"mesh-node-off-the-earth">(number(lon), number(lat)));
     mesh.nodes.push_back({geo::wrap_longitude(lon), lat});
   }
   auto middles = read_middles(description, faces->size());

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/messages/ingest_format_messages.hpp"
+#include "engine/messages/ingest_grid_messages.hpp"
 #include "storage/ingest/formats/netcdf/formula_terms.hpp"
 #include "storage/ingest/formats/netcdf/netcdf_coordinates.hpp"
 #include "storage/ingest/notation/text.hpp"
@@ -57,7 +57,7 @@ Checked<std::vector<double>> level_values(const NetcdfVariable& variable, std::s
   if (!values) return values;
   bool usable = values->size() == levels;
   for (const double value : *values) usable = usable && value >= -1.0 - 1e-6 && value <= 1e-6;
-  if (!usable) return refuse(messages::ingest_format_message<"levels-no-shares">(variable.name()));
+  if (!usable) return refuse(messages::ingest_grid_message<"levels-no-shares">(variable.name()));
   return values;
 }
 
@@ -107,7 +107,7 @@ class SLevels : public BedLevels {
     for (const double value : *values)
       if (std::abs(value) > max_surface_m)
         return refuse(
-            messages::ingest_format_message<"surface-impossible">(parts_.surface->name(), number(value)));
+            messages::ingest_grid_message<"surface-impossible">(parts_.surface->name(), number(value)));
     surface_m_ = std::move(*values);
     time_read_ = time;
     return true;
@@ -128,7 +128,7 @@ std::string unread_layout_of(const NetcdfVariable* coordinate) {
 }
 
 messages::Message incomplete(const NetcdfVariable& variable, const std::string& what) {
-  return messages::ingest_format_message<"levels-incomplete">(
+  return messages::ingest_grid_message<"levels-incomplete">(
       variable.name(), what,
       "Give the model's grid file in the same command, or ask the producer for a complete file");
 }
@@ -179,8 +179,7 @@ Checked<std::shared_ptr<const BedLevels>> s_coordinate_levels(
   const NetcdfVariable* s = coordinate != nullptr ? coordinate : find(files, {"s_rho", "sc_r"});
   if (s == nullptr) return refuse(incomplete(variable, "where they lie (s_rho)"));
   if (const std::string layout = unread_layout_of(coordinate); !layout.empty())
-    return refuse(
-        messages::ingest_format_message<"levels-of-unknown-layout">(coordinate->name(), layout, ""));
+    return refuse(messages::ingest_grid_message<"levels-of-unknown-layout">(coordinate->name(), layout, ""));
   const auto form = form_of(files, coordinate);
   if (!form)
     return refuse(incomplete(variable, "without contradiction in which form they do so (Vtransform 1 or 2)"));
@@ -222,7 +221,7 @@ Checked<std::shared_ptr<const BedLevels>> s_coordinate_levels(
   if (!bed_m) return refuse(bed_m.error());
   for (double& depth : *bed_m) {
     if (depth > max_bed_depth_m)
-      return refuse(messages::ingest_format_message<"bed-impossible">(bed->name(), number(depth)));
+      return refuse(messages::ingest_grid_message<"bed-impossible">(bed->name(), number(depth)));
     if (!(depth > 0.0)) depth = std::numeric_limits<double>::quiet_NaN();
   }
   const NetcdfVariable* surface = named_or(files, formula_term(coordinate, "eta"), {"zeta"});
@@ -232,7 +231,7 @@ Checked<std::shared_ptr<const BedLevels>> s_coordinate_levels(
                         (surface->dimensions()[0].size == 1 ||
                          surface->dimensions()[0].size == layout.times_s->nodes.size())));
   const bool of_the_moment = sigma && is_depth_of_the_moment(*bed);
-  if (!usable && !of_the_moment) warnings.push_back(messages::ingest_format_message<"surface-not-stated">());
+  if (!usable && !of_the_moment) warnings.push_back(messages::ingest_grid_message<"surface-not-stated">());
   return std::make_shared<const SLevels>(
       SLevels::Parts{.files = files,
                      .form = *form,

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "engine/geo/tangent_plane.hpp"
-#include "engine/messages/ingest_format_messages.hpp"
+#include "engine/messages/ingest_grid_messages.hpp"
 
 namespace floeplan::ingest {
 namespace {
@@ -95,7 +95,7 @@ Checked<Staggering> staggering_of(const Positions& first, const Positions& secon
     }
   }
   if (!best || least > meeting_share * spacing)
-    return refuse(messages::ingest_format_message<"staggering-unknown">());
+    return refuse(messages::ingest_grid_message<"staggering-unknown">());
   return *best;
 }
 
@@ -110,7 +110,7 @@ Checked<Staggering> points_after_centres(std::size_t first_rows, std::size_t fir
   const std::size_t columns = std::min({first_columns, second_columns, less(centre_columns, 1)});
   const Staggering way = arranged(1, 1, rows, columns, rows, columns);
   if (apart_rows > 1 || apart_columns > 1 || way.rows < 2 || way.columns < 2)
-    return refuse(messages::ingest_format_message<"components-of-other-shapes">());
+    return refuse(messages::ingest_grid_message<"components-of-other-shapes">());
   return way;
 }
 

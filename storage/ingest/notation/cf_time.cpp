@@ -8,7 +8,7 @@
 #include <tuple>
 #include <utility>
 
-#include "engine/messages/ingest_format_messages.hpp"
+#include "engine/messages/ingest_time_messages.hpp"
 #include "storage/ingest/notation/text.hpp"
 
 namespace floeplan::ingest {
@@ -250,23 +250,23 @@ Checked<CfTime> CfTime::parse(std::string_view units, std::string_view calendar)
   const std::string text = lower(trimmed(units));
   const std::size_t since = text.find(" since ");
   if (since == std::string::npos)
-    return refuse(messages::ingest_format_message<"time-unit-without-date">(quoted));
+    return refuse(messages::ingest_time_message<"time-unit-without-date">(quoted));
 
   CfTime time;
   time.text_ = quoted + (calendar.empty() ? "" : " in the calendar \"" + std::string{calendar} + "\"");
   const auto unit_s = unit_seconds(trimmed(text.substr(0, since)));
-  if (!unit_s) return refuse(messages::ingest_format_message<"time-unit-unknown">(quoted));
+  if (!unit_s) return refuse(messages::ingest_time_message<"time-unit-unknown">(quoted));
   const auto known = calendar_named(lower(trimmed(calendar)));
-  if (!known) return refuse(messages::ingest_format_message<"calendar-unknown">(std::string{calendar}));
+  if (!known) return refuse(messages::ingest_time_message<"calendar-unknown">(std::string{calendar}));
 
   auto reference = parse_reference(trimmed(text.substr(since + 7)));
   if (reference) {
     const auto year = year_with_zero(*known, reference->date);
-    if (!year) return refuse(messages::ingest_format_message<"year-zero-unclear">(time.text_));
+    if (!year) return refuse(messages::ingest_time_message<"year-zero-unclear">(time.text_));
     reference->date.year = *year;
   }
   const auto day = reference ? day_number(*known, reference->date) : std::nullopt;
-  if (!day) return refuse(messages::ingest_format_message<"starting-date-unreadable">(time.text_));
+  if (!day) return refuse(messages::ingest_time_message<"starting-date-unreadable">(time.text_));
 
   time.calendar_ = *known;
   time.unit_s_ = *unit_s;
@@ -284,21 +284,21 @@ bool CfTime::is_julian() const { return calendar_ == CfCalendar::julian && !befo
 
 Checked<core::UtcTime> CfTime::at(double value) const {
   const std::string quoted = number(value, 15) + " " + text_;
-  if (!std::isfinite(value)) return refuse(messages::ingest_format_message<"step-without-time">(quoted));
+  if (!std::isfinite(value)) return refuse(messages::ingest_time_message<"step-without-time">(quoted));
   double seconds = std::round((epoch_s_ + value * unit_s_) * 1000.0) / 1000.0;
-  if (std::abs(seconds) > 1e12) return refuse(messages::ingest_format_message<"time-out-of-range">(quoted));
+  if (std::abs(seconds) > 1e12) return refuse(messages::ingest_time_message<"time-out-of-range">(quoted));
 
   if (is_julian()) {
     const double day = std::floor(seconds / day_s);
     const auto date = julian_date(day);
-    if (!date) return refuse(messages::ingest_format_message<"leap-day-of-no-year">(quoted));
+    if (!date) return refuse(messages::ingest_time_message<"leap-day-of-no-year">(quoted));
     seconds += (*day_number(CfCalendar::proleptic_gregorian, *date) - day) * day_s;
   }
   if (is_model_calendar()) {
     const double day = std::floor(seconds / day_s);
     const Date date = model_date(calendar_, day);
     if (!civil(date).ok())
-      return refuse(messages::ingest_format_message<"date-of-model-calendar">(
+      return refuse(messages::ingest_time_message<"date-of-model-calendar">(
           quoted,
           std::to_string(date.year) + "-" + std::to_string(date.month) + "-" + std::to_string(date.day)));
     seconds = *day_number(CfCalendar::proleptic_gregorian, date) * day_s + (seconds - day * day_s);
@@ -307,7 +307,7 @@ Checked<core::UtcTime> CfTime::at(double value) const {
   constexpr double year_1800_s = -5364662400.0;
   constexpr double year_2200_s = 7258118400.0;
   if (seconds < year_1800_s || seconds >= year_2200_s)
-    return refuse(messages::ingest_format_message<"time-out-of-range">(quoted));
+    return refuse(messages::ingest_time_message<"time-out-of-range">(quoted));
   return core::from_unix_seconds(seconds);
 }
 

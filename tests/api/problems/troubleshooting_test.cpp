@@ -10,12 +10,19 @@
 #include "engine/messages/ingest_area_messages.hpp"
 #include "engine/messages/ingest_current_messages.hpp"
 #include "engine/messages/ingest_depth_messages.hpp"
+#include "engine/messages/ingest_feature_messages.hpp"
 #include "engine/messages/ingest_file_messages.hpp"
-#include "engine/messages/ingest_format_messages.hpp"
+#include "engine/messages/ingest_grib_messages.hpp"
+#include "engine/messages/ingest_grid_messages.hpp"
+#include "engine/messages/ingest_hdf5_messages.hpp"
 #include "engine/messages/ingest_ice_messages.hpp"
 #include "engine/messages/ingest_iceberg_messages.hpp"
+#include "engine/messages/ingest_netcdf_messages.hpp"
 #include "engine/messages/ingest_tide_messages.hpp"
+#include "engine/messages/ingest_time_messages.hpp"
 #include "engine/messages/ingest_track_messages.hpp"
+#include "engine/messages/ingest_velocity_messages.hpp"
+#include "engine/messages/ingest_zarr_messages.hpp"
 #include "engine/messages/mission_check_messages.hpp"
 #include "engine/messages/mission_fault_messages.hpp"
 #include "engine/messages/mission_file_messages.hpp"
@@ -67,10 +74,14 @@ TEST(Troubleshooting, HasEveryMessageAndProblemByItsCode) {
       entries(messages::data_kinds) + "\n## Why there is no plan\n" + entries(messages::refusal_kinds) +
       "\n## Messages of exports and checks\n" + entries(messages::export_kinds) +
       "\n## Files that are read\n" + entries(messages::ingest_file_kinds) +
-      entries(messages::ingest_format_kinds) + "\n## Files: depths and charts\n" +
+      entries(messages::ingest_netcdf_kinds) + entries(messages::ingest_zarr_kinds) +
+      entries(messages::ingest_hdf5_kinds) + entries(messages::ingest_time_kinds) +
+      entries(messages::ingest_grid_kinds) + entries(messages::ingest_grib_kinds) +
+      entries(messages::ingest_feature_kinds) + "\n## Files: depths and charts\n" +
       entries(messages::ingest_depth_kinds) + "\n## Files: currents and wind\n" +
-      entries(messages::ingest_current_kinds) + "\n## Files: tides\n" + entries(messages::ingest_tide_kinds) +
-      "\n## Files: sea ice\n" + entries(messages::ingest_ice_kinds) + "\n## Files: icebergs\n" +
+      entries(messages::ingest_velocity_kinds) + entries(messages::ingest_current_kinds) +
+      "\n## Files: tides\n" + entries(messages::ingest_tide_kinds) + "\n## Files: sea ice\n" +
+      entries(messages::ingest_ice_kinds) + "\n## Files: icebergs\n" +
       entries(messages::ingest_iceberg_kinds) + "\n## Files: zones and coastlines\n" +
       entries(messages::ingest_area_kinds) + "\n## Files: tracks of gliders\n" +
       entries(messages::ingest_track_kinds) +

@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "engine/geo/lon_lat.hpp"
-#include "engine/messages/ingest_format_messages.hpp"
+#include "engine/messages/ingest_grib_messages.hpp"
 #include "storage/ingest/common/gdal_guard.hpp"
 #include "storage/ingest/common/grid_limits.hpp"
 #include "storage/ingest/formats/grib/grib_section.hpp"
@@ -56,23 +56,23 @@ class GridReader {
       case 10: return on_mercator();
       case 20: return on_polar_stereographic();
       case 30: return on_lambert();
-      default: fail_grib(messages::ingest_format_message<"grib-grid-template-not-read">(template_));
+      default: fail_grib(messages::ingest_grib_message<"grib-grid-template-not-read">(template_));
     }
   }
 
  private:
   void refuse_what_is_not_regular() const {
-    if (section_.at(6, 1) != 0) fail_grib(messages::ingest_format_message<"grib-grid-not-described">());
+    if (section_.at(6, 1) != 0) fail_grib(messages::ingest_grib_message<"grib-grid-not-described">());
     const std::uint64_t columns = section_.at(31, 4);
     const std::uint64_t rows = section_.at(35, 4);
     if (section_.at(11, 1) != 0 || section_.is_missing(31, 4) || section_.is_missing(35, 4))
-      fail_grib(messages::ingest_format_message<"grib-grid-reduced">());
+      fail_grib(messages::ingest_grib_message<"grib-grid-reduced">());
     if (columns == 0 || rows == 0 || columns > max_grid_points / std::max<std::uint64_t>(rows, 1))
-      fail_grib(messages::ingest_format_message<"grib-grid-too-large">(columns, rows, max_grid_points));
+      fail_grib(messages::ingest_grib_message<"grib-grid-too-large">(columns, rows, max_grid_points));
     if (section_.at(7, 4) != columns * rows)
       fail_grib(
-          messages::ingest_format_message<"grib-values-differ-from-nodes">(columns, rows, section_.at(7, 4)));
-    if ((scanning() & offset_rows) != 0) fail_grib(messages::ingest_format_message<"grib-rows-offset">());
+          messages::ingest_grib_message<"grib-values-differ-from-nodes">(columns, rows, section_.at(7, 4)));
+    if ((scanning() & offset_rows) != 0) fail_grib(messages::ingest_grib_message<"grib-rows-offset">());
   }
 
   [[nodiscard]] const Octets& octets() const {
@@ -94,7 +94,7 @@ class GridReader {
     const std::uint64_t parts = section_.at(43, 4);
     if (basic == 0 || section_.is_missing(39, 4)) return 1e-6;
     if (parts == 0 || section_.is_missing(43, 4))
-      fail_grib(messages::ingest_format_message<"grib-angle-unit-missing">());
+      fail_grib(messages::ingest_grib_message<"grib-angle-unit-missing">());
     return static_cast<double>(basic) / static_cast<double>(parts);
   }
 
@@ -108,8 +108,8 @@ class GridReader {
   [[noreturn]] static void fail_contradiction(const std::string& axis, double first, double last,
                                               double sense, const std::string& step, const char* up,
                                               const char* down) {
-    fail_grib(messages::ingest_format_message<"grib-axis-contradicts">(
-        axis, number(first, 9), number(last, 9), (sense > 0.0 ? up : down) + step));
+    fail_grib(messages::ingest_grib_message<"grib-axis-contradicts">(axis, number(first, 9), number(last, 9),
+                                                                     (sense > 0.0 ? up : down) + step));
   }
 
   /// "in 12 steps of 0.25 degrees", where a file states the step.
@@ -161,19 +161,19 @@ class GridReader {
           fail_contradiction("longitude", first, last, towards_east(), in_words(count, step), "east", "west");
       }
     }
-    if (span > 720.0) fail_grib(messages::ingest_format_message<"grib-round-the-earth-twice">());
+    if (span > 720.0) fail_grib(messages::ingest_grib_message<"grib-round-the-earth-twice">());
     const double west = geo::wrap_longitude(towards_east() > 0.0 ? first : first - span);
     return nodes_between(west, west + span, count);
   }
 
   [[noreturn]] static void fail_without_step(const std::string& axis) {
-    fail_grib(messages::ingest_format_message<"grib-step-missing">(axis));
+    fail_grib(messages::ingest_grib_message<"grib-step-missing">(axis));
   }
 
   GribGrid on_latitude_longitude() const { return {longitudes(), latitudes(), nullptr}; }
 
   GribGrid round_a_turned_pole() const {
-    if (section_.at(81, 4) != 0) fail_grib(messages::ingest_format_message<"grib-pole-turned-further">());
+    if (section_.at(81, 4) != 0) fail_grib(messages::ingest_grib_message<"grib-pole-turned-further">());
     auto plane = std::make_shared<OGRSpatialReference>();
     plane->SetGeogCS("own", "own", "own", 6371229.0, 0.0);
     const double lat = static_cast<double>(section_.signed_at(73, 4)) * angle_unit();
@@ -193,8 +193,8 @@ class GridReader {
       constexpr double smallest_m = 6.3e6;
       constexpr double largest_m = 6.4e6;
       if (!(minor_m > smallest_m && minor_m <= major_m && major_m < largest_m))
-        fail_grib(messages::ingest_format_message<"grib-earth-of-other-size">(number(major_m, 9),
-                                                                              number(minor_m, 9)));
+        fail_grib(messages::ingest_grib_message<"grib-earth-of-other-size">(number(major_m, 9),
+                                                                            number(minor_m, 9)));
       auto crs = std::make_shared<OGRSpatialReference>();
       crs->SetGeogCS("own", "own", "own", major_m, major_m > minor_m ? major_m / (major_m - minor_m) : 0.0);
       return crs;
@@ -210,14 +210,14 @@ class GridReader {
       case 6: return ellipsoid(6371229.0, 6371229.0);
       case 7: return ellipsoid(scaled(21, 22), scaled(26, 27));
       case 8: return ellipsoid(6371200.0, 6371200.0);
-      default: fail_grib(messages::ingest_format_message<"grib-figure-unknown">(shape));
+      default: fail_grib(messages::ingest_grib_message<"grib-figure-unknown">(shape));
     }
   }
 
   /// Metres between neighbours of a projection.
   [[nodiscard]] double spacing_m(std::size_t octet) const {
     if (section_.at(octet, 4) == 0 || section_.is_missing(octet, 4))
-      fail_grib(messages::ingest_format_message<"grib-spacing-missing">());
+      fail_grib(messages::ingest_grib_message<"grib-spacing-missing">());
     return static_cast<double>(section_.at(octet, 4)) * 1e-3;
   }
 
@@ -239,11 +239,11 @@ class GridReader {
   }
 
   [[noreturn]] static void fail_unusable() {
-    fail_grib(messages::ingest_format_message<"grib-plane-unusable">());
+    fail_grib(messages::ingest_grib_message<"grib-plane-unusable">());
   }
 
   [[nodiscard]] GribGrid on_mercator() const {
-    if (section_.at(61, 4) != 0) fail_grib(messages::ingest_format_message<"grib-mercator-turned">());
+    if (section_.at(61, 4) != 0) fail_grib(messages::ingest_grib_message<"grib-mercator-turned">());
     auto plane = figure();
     // The meridian of the first node, so that no seam lies within the grid.
     const double first_lon = micro_degrees(43);
@@ -269,19 +269,19 @@ class GridReader {
     const double last_lat = micro_degrees(52);
     const double last_lon = micro_degrees(56);
     if (std::abs(lat - last_lat) > tolerance || std::abs(geo::wrap_longitude(lon - last_lon)) > tolerance)
-      fail_grib(messages::ingest_format_message<"grib-mercator-ends-elsewhere">(number(last_lon, 9),
-                                                                                number(last_lat, 9)));
+      fail_grib(messages::ingest_grib_message<"grib-mercator-ends-elsewhere">(number(last_lon, 9),
+                                                                              number(last_lat, 9)));
   }
 
   [[nodiscard]] GribGrid on_polar_stereographic() const {
     const std::uint64_t centre = section_.at(64, 1);
-    if ((centre & 0x40U) != 0) fail_grib(messages::ingest_format_message<"grib-two-poles">());
+    if ((centre & 0x40U) != 0) fail_grib(messages::ingest_grib_message<"grib-two-poles">());
     const double pole = (centre & 0x80U) != 0 ? -1.0 : 1.0;
     const double true_lat = micro_degrees(48);
-    if (true_lat == 0.0) fail_grib(messages::ingest_format_message<"grib-polar-scale-missing">());
+    if (true_lat == 0.0) fail_grib(messages::ingest_grib_message<"grib-polar-scale-missing">());
     // Some producers give that latitude without its sign; then the first node has to lie on that side.
     if (pole * true_lat < 0.0 && pole * micro_degrees(39) <= 0.0)
-      fail_grib(messages::ingest_format_message<"grib-pole-contradicts">(pole > 0.0 ? "north" : "south"));
+      fail_grib(messages::ingest_grib_message<"grib-pole-contradicts">(pole > 0.0 ? "north" : "south"));
     auto plane = figure();
     if (plane->SetPS(pole * std::abs(true_lat), micro_degrees(52), 1.0, 0.0, 0.0) != OGRERR_NONE)
       fail_unusable();
@@ -291,7 +291,7 @@ class GridReader {
   [[nodiscard]] GribGrid on_lambert() const {
     const double one = micro_degrees(66);
     const double other = micro_degrees(70);
-    if (one * other <= 0.0) fail_grib(messages::ingest_format_message<"grib-cone-impossible">());
+    if (one * other <= 0.0) fail_grib(messages::ingest_grib_message<"grib-cone-impossible">());
     auto plane = figure();
     if (plane->SetLCC(one, other, micro_degrees(48), micro_degrees(52), 0.0, 0.0) != OGRERR_NONE)
       fail_unusable();

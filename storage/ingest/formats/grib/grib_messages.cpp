@@ -5,7 +5,7 @@
 #include <fstream>
 #include <optional>
 
-#include "engine/messages/ingest_format_messages.hpp"
+#include "engine/messages/ingest_grib_messages.hpp"
 #include "storage/ingest/formats/grib/grib_section.hpp"
 
 namespace floeplan::ingest {
@@ -18,7 +18,7 @@ double seconds_of_date(const GribSection& section, std::size_t first) {
   const std::chrono::year_month_day date{std::chrono::year{static_cast<int>(section.at(first, 2))},
                                          std::chrono::month{static_cast<unsigned>(section.at(first + 2, 1))},
                                          std::chrono::day{static_cast<unsigned>(section.at(first + 3, 1))}};
-  if (!date.ok()) fail_grib(messages::ingest_format_message<"grib-date-impossible">());
+  if (!date.ok()) fail_grib(messages::ingest_grib_message<"grib-date-impossible">());
   return static_cast<double>(std::chrono::sys_days{date}.time_since_epoch().count()) * 86400.0 +
          static_cast<double>(section.at(first + 4, 1)) * 3600.0 +
          static_cast<double>(section.at(first + 5, 1)) * 60.0 + static_cast<double>(section.at(first + 6, 1));
@@ -33,7 +33,7 @@ double seconds_of_unit(std::uint64_t unit) {
     case 11: return 6.0 * 3600.0;
     case 12: return 12.0 * 3600.0;
     case 13: return 1.0;
-    default: fail_grib(messages::ingest_format_message<"grib-time-unit-without-length">());
+    default: fail_grib(messages::ingest_grib_message<"grib-time-unit-without-length">());
   }
 }
 
@@ -42,7 +42,7 @@ bool is_along_grid(const GribSection& grid, int grid_template) {
   const bool latitude_longitude = grid_template == 0 || grid_template == 1;
   const bool projected = grid_template == 10 || grid_template == 20 || grid_template == 30;
   if (!latitude_longitude && !projected)
-    fail_grib(messages::ingest_format_message<"grib-grid-template-not-read">(grid_template));
+    fail_grib(messages::ingest_grib_message<"grib-grid-template-not-read">(grid_template));
   const std::uint64_t flags = grid.at(latitude_longitude ? 55 : 47, 1);
   return (flags & 8U) != 0;
 }
@@ -66,7 +66,7 @@ void describe_end_of_layer(GribField& field, const GribSection& product) {
 void describe_product(GribField& field, const GribSection& product, double reference_s) {
   const std::uint64_t product_template = product.at(8, 2);
   if (product_template != 0 && product_template != 8 && product_template != 1 && product_template != 11)
-    fail_grib(messages::ingest_format_message<"grib-product-not-read">(product_template));
+    fail_grib(messages::ingest_grib_message<"grib-product-not-read">(product_template));
   field.category = static_cast<int>(product.at(10, 1));
   field.number = static_cast<int>(product.at(11, 1));
   field.valid_s =
@@ -108,7 +108,7 @@ class Walker {
     const GribSection indicator{take(16)};
     if (indicator.octets().substr(0, 4) != "GRIB") fail_cut_grib();
     if (indicator.at(8, 1) != 2)
-      fail_grib(messages::ingest_format_message<"grib-edition-not-read">(indicator.at(8, 1)));
+      fail_grib(messages::ingest_grib_message<"grib-edition-not-read">(indicator.at(8, 1)));
     const std::uint64_t length = indicator.at(9, 8);
     const std::uint64_t start = at_ - 16;
     if (length < 20 || length > size_ - start) fail_cut_grib();
@@ -153,7 +153,7 @@ class Walker {
   void add(const GribField& field, const std::optional<double>& reference_s) {
     if (!reference_s || field.grid.empty()) fail_cut_grib();
     if (fields_.size() == max_fields)
-      fail_grib(messages::ingest_format_message<"grib-with-too-many-fields">(max_fields));
+      fail_grib(messages::ingest_grib_message<"grib-with-too-many-fields">(max_fields));
     fields_.push_back(field);
   }
 

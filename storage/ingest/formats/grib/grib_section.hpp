@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "engine/messages/ingest_format_messages.hpp"
+#include "engine/messages/ingest_grib_messages.hpp"
 
 namespace floeplan::ingest {
 
@@ -16,7 +16,7 @@ struct BadGrib {
 
 [[noreturn]] inline void fail_grib(messages::Message reason) { throw BadGrib{std::move(reason)}; }
 
-[[noreturn]] inline void fail_cut_grib() { fail_grib(messages::ingest_format_message<"grib-cut-short">()); }
+[[noreturn]] inline void fail_cut_grib() { fail_grib(messages::ingest_grib_message<"grib-cut-short">()); }
 
 /// Numbers out of a section of a GRIB2 message, by the octet numbers of the manual (from 1).
 /// Errors  BadGrib for octets beyond its end

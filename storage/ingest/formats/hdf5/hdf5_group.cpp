@@ -4,7 +4,7 @@
 #include <array>
 #include <cstring>
 
-#include "engine/messages/ingest_format_messages.hpp"
+#include "engine/messages/ingest_hdf5_messages.hpp"
 #include "storage/ingest/formats/hdf5/hdf5_library.hpp"
 #include "storage/ingest/notation/text.hpp"
 
@@ -21,7 +21,7 @@ constexpr hssize_t most_texts = 1000;          // chosen: tables of texts descri
 constexpr std::size_t largest_number = 16;     // bytes of one number
 
 tl::unexpected<Messages> unreadable_part(const std::string& name) {
-  return refuse(messages::ingest_format_message<"hdf-part-unreadable">(name));
+  return refuse(messages::ingest_hdf5_message<"hdf-part-unreadable">(name));
 }
 
 /// A single attribute that holds a single value; an invalid handle where there is none.

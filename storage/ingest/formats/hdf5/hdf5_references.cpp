@@ -4,7 +4,7 @@
 #include <string>
 
 #include "engine/messages/ingest_file_messages.hpp"
-#include "engine/messages/ingest_format_messages.hpp"
+#include "engine/messages/ingest_hdf5_messages.hpp"
 #include "storage/ingest/files/first_bytes.hpp"
 #include "storage/ingest/formats/hdf5/hdf5_heaps.hpp"
 #include "storage/ingest/formats/hdf5/hdf5_library.hpp"
@@ -57,11 +57,11 @@ herr_t visit(hid_t parent, const char* name, const H5L_info_t* link, void* found
   }
   if (!reason) return 0;
   *static_cast<Checked<bool>*>(found) =
-      refuse(messages::ingest_format_message<"hdf-leads-elsewhere">(name, *reason));
+      refuse(messages::ingest_hdf5_message<"hdf-leads-elsewhere">(name, *reason));
   return 1;
 }
 
-Checked<bool> cannot_be_walked() { return refuse(messages::ingest_format_message<"hdf-hides-something">()); }
+Checked<bool> cannot_be_walked() { return refuse(messages::ingest_hdf5_message<"hdf-hides-something">()); }
 
 }  // namespace
 

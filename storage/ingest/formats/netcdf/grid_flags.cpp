@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include "engine/messages/ingest_format_messages.hpp"
+#include "engine/messages/ingest_netcdf_messages.hpp"
 
 namespace floeplan::ingest {
 namespace {
@@ -49,7 +49,7 @@ GridFlags::GridFlags(const NetcdfFile& file, const NetcdfVariable& variable, con
     auto beside = flags.variable->is_numeric() ? layout_beside(*flags.variable, variable, layout)
                                                : std::optional<NetcdfLayout>{};
     if (!beside) {
-      warn_once(warnings, messages::ingest_format_message<"flags-not-read">(
+      warn_once(warnings, messages::ingest_netcdf_message<"flags-not-read">(
                               flags.variable->name(), variable.name(),
                               flags.variable->is_numeric() ? "do not lie on its nodes" : "are no numbers"));
       continue;

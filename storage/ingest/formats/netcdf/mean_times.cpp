@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "engine/core/units.hpp"
-#include "engine/messages/ingest_format_messages.hpp"
+#include "engine/messages/ingest_netcdf_messages.hpp"
 #include "storage/ingest/formats/netcdf/variable_meaning.hpp"
 #include "storage/ingest/notation/cf_time.hpp"
 
@@ -49,9 +49,9 @@ Checked<AxisNodes> times_of_means(const NetcdfFile& file, const NetcdfVariable& 
   }
   if (!moved) return stated;
   if (!std::ranges::is_sorted(stated.nodes, std::less_equal{}))
-    return refuse(messages::ingest_format_message<"means-out-of-order">(bounds->name(), coordinate.name()));
+    return refuse(messages::ingest_netcdf_message<"means-out-of-order">(bounds->name(), coordinate.name()));
   warnings.push_back(
-      messages::ingest_format_message<"means-placed-in-the-middle">(variable.name(), bounds->name()));
+      messages::ingest_netcdf_message<"means-placed-in-the-middle">(variable.name(), bounds->name()));
   return stated;
 }
 

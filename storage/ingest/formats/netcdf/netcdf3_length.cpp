@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "engine/messages/ingest_format_messages.hpp"
+#include "engine/messages/ingest_netcdf_messages.hpp"
 
 namespace floeplan::ingest {
 namespace {
@@ -175,7 +175,7 @@ Checked<std::uint64_t> netcdf3_length(const std::filesystem::path& file) {
   try {
     return Header{file}.length();
   } catch (const BadHeader& fault) {
-    return refuse(messages::ingest_format_message<"netcdf-header-damaged">(std::string{fault.what()}));
+    return refuse(messages::ingest_netcdf_message<"netcdf-header-damaged">(std::string{fault.what()}));
   }
 }
 

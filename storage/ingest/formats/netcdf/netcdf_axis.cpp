@@ -5,7 +5,7 @@
 #include <numeric>
 #include <optional>
 
-#include "engine/messages/ingest_format_messages.hpp"
+#include "engine/messages/ingest_netcdf_messages.hpp"
 #include "storage/ingest/notation/cf_units.hpp"
 #include "storage/ingest/notation/text.hpp"
 
@@ -41,7 +41,7 @@ AxisRole role_of_name(const std::string& name) {
 std::optional<messages::Message> first_missing(const std::string& name, const std::vector<double>& values) {
   if (std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); }))
     return std::nullopt;
-  return messages::ingest_format_message<"axis-with-gaps">(name);
+  return messages::ingest_netcdf_message<"axis-with-gaps">(name);
 }
 
 // Enough to see what is out of order, and that a latitude lies beyond a pole.
@@ -89,7 +89,7 @@ AxisRole role_of(const NetcdfVariable& coordinate) {
 
 Checked<AxisNodes> monotonic_nodes(const std::string& name, std::vector<double> values) {
   if (values.empty())
-    return refuse(messages::ingest_format_message<"axis-empty">("the coordinate \"" + name + "\""));
+    return refuse(messages::ingest_netcdf_message<"axis-empty">("the coordinate \"" + name + "\""));
   if (const auto missing = first_missing(name, values)) return refuse(*missing);
 
   AxisNodes axis = in_file_order(std::move(values));
@@ -102,7 +102,7 @@ Checked<AxisNodes> monotonic_nodes(const std::string& name, std::vector<double> 
   if (disorder != axis.nodes.end()) {
     const double one = falls ? *(disorder + 1) : *disorder;
     const double next = falls ? *disorder : *(disorder + 1);
-    return refuse(messages::ingest_format_message<"axis-out-of-order">(
+    return refuse(messages::ingest_netcdf_message<"axis-out-of-order">(
         name, falls ? "fall" : "rise", number(one, digits), number(next, digits)));
   }
   return axis;
@@ -116,7 +116,7 @@ Checked<AxisNodes> longitude_nodes(const std::string& name, std::vector<double> 
   auto axis = monotonic_nodes(name, std::move(values));
   if (!axis) return axis;
   if (axis->nodes.front() < -540.0 || axis->nodes.back() > 720.0)
-    return refuse(messages::ingest_format_message<"longitudes-not-degrees">(name, extent_text(stated)));
+    return refuse(messages::ingest_netcdf_message<"longitudes-not-degrees">(name, extent_text(stated)));
 
   const double full_turn = axis->nodes.front() + 360.0 - 1e-6;
   while (axis->nodes.size() > 1 && axis->nodes.back() >= full_turn) {
@@ -131,7 +131,7 @@ Checked<AxisNodes> latitude_nodes(const std::string& name, std::vector<double> v
   if (!axis) return axis;
   if (axis->nodes.front() < -90.0 - 1e-6 || axis->nodes.back() > 90.0 + 1e-6)
     return refuse(
-        messages::ingest_format_message<"latitudes-beyond-the-poles">(name, extent_text(axis->nodes)));
+        messages::ingest_netcdf_message<"latitudes-beyond-the-poles">(name, extent_text(axis->nodes)));
   axis->nodes.front() = std::max(axis->nodes.front(), -90.0);
   axis->nodes.back() = std::min(axis->nodes.back(), 90.0);
   return axis;
@@ -139,7 +139,7 @@ Checked<AxisNodes> latitude_nodes(const std::string& name, std::vector<double> v
 
 Checked<AxisNodes> sorted_nodes(const std::string& name, std::vector<double> values) {
   if (values.empty())
-    return refuse(messages::ingest_format_message<"axis-empty">("the time axis \"" + name + "\""));
+    return refuse(messages::ingest_netcdf_message<"axis-empty">("the time axis \"" + name + "\""));
   AxisNodes axis = in_file_order(std::move(values));
   const std::vector<double> unsorted = axis.nodes;
   std::sort(axis.source.begin(), axis.source.end(),
@@ -147,7 +147,7 @@ Checked<AxisNodes> sorted_nodes(const std::string& name, std::vector<double> val
   std::transform(axis.source.begin(), axis.source.end(), axis.nodes.begin(),
                  [&](std::size_t i) { return unsorted[i]; });
   if (std::adjacent_find(axis.nodes.begin(), axis.nodes.end()) != axis.nodes.end())
-    return refuse(messages::ingest_format_message<"times-twice">(name));
+    return refuse(messages::ingest_netcdf_message<"times-twice">(name));
   return axis;
 }
 

@@ -5,7 +5,7 @@
 #include <iterator>
 #include <string_view>
 
-#include "engine/messages/ingest_format_messages.hpp"
+#include "engine/messages/ingest_netcdf_messages.hpp"
 #include "storage/ingest/notation/cf_time.hpp"
 #include "storage/ingest/notation/cf_units.hpp"
 #include "storage/ingest/notation/text.hpp"
@@ -81,9 +81,9 @@ Checked<AxisNodes> depth_nodes(const NetcdfVariable& coordinate, Messages& warni
   const std::string unit = coordinate.attribute("units");
   const auto factor = unit.empty() ? std::optional{1.0} : length_factor(unit);
   if (!factor)
-    return refuse(messages::ingest_format_message<"depth-axis-without-length">(coordinate.name(), unit));
+    return refuse(messages::ingest_netcdf_message<"depth-axis-without-length">(coordinate.name(), unit));
   if (unit.empty())
-    warnings.push_back(messages::ingest_format_message<"axis-without-unit">("depth axis", coordinate.name()));
+    warnings.push_back(messages::ingest_netcdf_message<"axis-without-unit">("depth axis", coordinate.name()));
 
   const std::string positive = lower(coordinate.attribute("positive"));
   const std::string standard_name = lower(coordinate.attribute("standard_name"));
@@ -102,13 +102,13 @@ Checked<AxisNodes> depth_nodes(const NetcdfVariable& coordinate, Messages& warni
   auto nodes = monotonic_nodes(coordinate.name(), std::move(*values));
   const bool above_ground = up && (is_height || contains_any(lower(coordinate.name()), {"height"}));
   if (nodes && !above_ground && (nodes->nodes.front() < -10.0 || nodes->nodes.back() > 12000.0))
-    return refuse(messages::ingest_format_message<"depths-impossible">(coordinate.name(), stated));
+    return refuse(messages::ingest_netcdf_message<"depths-impossible">(coordinate.name(), stated));
   return nodes;
 }
 
 Checked<AxisNodes> time_nodes(const NetcdfVariable& coordinate, Messages& warnings) {
   const std::string unit = coordinate.attribute("units");
-  if (unit.empty()) return refuse(messages::ingest_format_message<"times-without-units">(coordinate.name()));
+  if (unit.empty()) return refuse(messages::ingest_netcdf_message<"times-without-units">(coordinate.name()));
   const auto decoder = CfTime::parse(unit, coordinate.attribute("calendar"));
   if (!decoder) return refuse(decoder.error());
   const auto values = coordinate.read_all();
@@ -121,10 +121,10 @@ Checked<AxisNodes> time_nodes(const NetcdfVariable& coordinate, Messages& warnin
     seconds.push_back(core::unix_seconds(*time));
   }
   if (const double rounding_s = rounding_of_float32_s(coordinate, *values, *decoder); rounding_s > 1.0)
-    warnings.push_back(messages::ingest_format_message<"times-rounded">(number(rounding_s, 2)));
-  if (decoder->is_julian()) warnings.push_back(messages::ingest_format_message<"julian-calendar">());
+    warnings.push_back(messages::ingest_netcdf_message<"times-rounded">(number(rounding_s, 2)));
+  if (decoder->is_julian()) warnings.push_back(messages::ingest_netcdf_message<"julian-calendar">());
   if (decoder->is_model_calendar())
-    warnings.push_back(messages::ingest_format_message<"model-calendar">(coordinate.attribute("calendar")));
+    warnings.push_back(messages::ingest_netcdf_message<"model-calendar">(coordinate.attribute("calendar")));
   return sorted_nodes(coordinate.name(), std::move(seconds));
 }
 
@@ -151,7 +151,7 @@ bool cannot_be_placed(const NetcdfVariable& levels) {
 messages::Message not_in_metres(const NetcdfVariable& levels, const std::string& variable) {
   const std::string standard_name = lower(levels.attribute("standard_name"));
   if (contains_any(standard_name, {"sea_floor"}))
-    return messages::ingest_format_message<"levels-above-the-bed">(variable, levels.name());
+    return messages::ingest_netcdf_message<"levels-above-the-bed">(variable, levels.name());
   const std::string unit = levels.attribute("units");
   const bool follows_ground = contains_any(standard_name, {"sigma", "hybrid", "model_level"});
   const bool is_number = unit == "1" || lower(unit).starts_with("level");
@@ -159,7 +159,7 @@ messages::Message not_in_metres(const NetcdfVariable& levels, const std::string&
                            : contains_any(standard_name, {"pressure"}) || is_pressure_unit(unit) ? "pressures"
                            : unit.empty() ? "in no unit that the file states"
                                           : "in the unit \"" + unit + "\", not in metres";
-  return messages::ingest_format_message<"levels-without-depths">(variable, levels.name(), what);
+  return messages::ingest_netcdf_message<"levels-without-depths">(variable, levels.name(), what);
 }
 
 const NetcdfVariable* level_beside(const NetcdfFile& file, const NetcdfVariable& variable) {
@@ -185,10 +185,10 @@ Checked<AxisNodes> projected_nodes(const NetcdfVariable& coordinate, Messages& w
   const std::string unit = coordinate.attribute("units");
   const auto factor = unit.empty() ? std::optional{1.0} : length_factor(unit);
   if (!factor)
-    return refuse(messages::ingest_format_message<"projected-axis-without-length">(coordinate.name(), unit));
+    return refuse(messages::ingest_netcdf_message<"projected-axis-without-length">(coordinate.name(), unit));
   if (unit.empty())
     warnings.push_back(
-        messages::ingest_format_message<"axis-without-unit">("projected coordinate", coordinate.name()));
+        messages::ingest_netcdf_message<"axis-without-unit">("projected coordinate", coordinate.name()));
   for (double& value : *values) value *= *factor;
   return monotonic_nodes(coordinate.name(), std::move(*values));
 }

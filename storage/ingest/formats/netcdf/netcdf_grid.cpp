@@ -3,7 +3,7 @@
 #include <ogr_spatialref.h>
 
 #include "engine/geo/geodesic.hpp"
-#include "engine/messages/ingest_format_messages.hpp"
+#include "engine/messages/ingest_netcdf_messages.hpp"
 #include "storage/ingest/formats/netcdf/netcdf_projection.hpp"
 #include "storage/ingest/notation/crs_text.hpp"
 #include "storage/ingest/notation/grid_frame_of_crs.hpp"
@@ -59,13 +59,13 @@ Checked<ocean::HorizontalGrid> grid_of(const NetcdfFile& file, const NetcdfVaria
   if (const auto stated = projection_of(file, variable)) {
     crs = *stated;
   } else if (!stated_crs || !read_crs(*stated_crs, crs)) {
-    return refuse(messages::ingest_format_message<"projection-not-stated">(variable.name()));
+    return refuse(messages::ingest_netcdf_message<"projection-not-stated">(variable.name()));
   }
   const auto frame = grid_frame_of(crs);
-  if (!frame) return refuse(messages::ingest_format_message<"projection-not-usable">(variable.name()));
+  if (!frame) return refuse(messages::ingest_netcdf_message<"projection-not-usable">(variable.name()));
   ocean::HorizontalGrid grid{*frame, std::move(x), std::move(y)};
   if (contradicts_tables(file, variable, layout, grid))
-    return refuse(messages::ingest_format_message<"projection-contradicts-tables">(variable.name()));
+    return refuse(messages::ingest_netcdf_message<"projection-contradicts-tables">(variable.name()));
   return grid;
 }
 

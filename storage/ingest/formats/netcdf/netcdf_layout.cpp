@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <span>
 
-#include "engine/messages/ingest_format_messages.hpp"
+#include "engine/messages/ingest_netcdf_messages.hpp"
 #include "storage/ingest/formats/netcdf/mean_times.hpp"
 #include "storage/ingest/formats/netcdf/netcdf_coordinates.hpp"
 #include "storage/ingest/notation/text.hpp"
@@ -70,10 +70,10 @@ Checked<bool> add_dimension(NetcdfLayout& layout, std::size_t index, const RoleO
 }
 
 std::optional<messages::Message> fault_of_size(const NetcdfDimension& dimension, bool of_points) {
-  if (dimension.size == 0) return messages::ingest_format_message<"dimension-empty">(dimension.name);
+  if (dimension.size == 0) return messages::ingest_netcdf_message<"dimension-empty">(dimension.name);
   const std::uint64_t most = of_points ? max_mesh_points : max_axis_nodes;
   if (dimension.size > most)
-    return messages::ingest_format_message<"dimension-too-long">(dimension.name, dimension.size, most);
+    return messages::ingest_netcdf_message<"dimension-too-long">(dimension.name, dimension.size, most);
   return std::nullopt;
 }
 
@@ -92,14 +92,14 @@ messages::Message unknown_dimension(const NetcdfFile& file, const std::string& d
     return std::ranges::find(names, name) != names.end();
   };
   if (is_any({"expver"}))
-    return messages::ingest_format_message<"final-and-preliminary">(variable, dimension);
+    return messages::ingest_netcdf_message<"final-and-preliminary">(variable, dimension);
   if (is_any({"number", "member", "members", "ens", "ensemble", "ensemble_member", "realization"}))
-    return messages::ingest_format_message<"ensemble-members">(variable, dimension);
+    return messages::ingest_netcdf_message<"ensemble-members">(variable, dimension);
   if (is_any({"step", "lead", "leadtime", "lead_time", "forecast_period", "forecast_time"}))
-    return messages::ingest_format_message<"several-forecasts">(variable, dimension);
+    return messages::ingest_netcdf_message<"several-forecasts">(variable, dimension);
   if (const auto group = group_with_coordinates(file, dimension))
-    return messages::ingest_format_message<"coordinates-of-another-group">(dimension, variable, *group);
-  return messages::ingest_format_message<"dimension-without-coordinates">(dimension, variable);
+    return messages::ingest_netcdf_message<"coordinates-of-another-group">(dimension, variable, *group);
+  return messages::ingest_netcdf_message<"dimension-without-coordinates">(dimension, variable);
 }
 
 /// Of a dimension without a coordinate variable. The levels of terrain-following models often have tables alone.
@@ -135,7 +135,7 @@ Checked<bool> add_level_beside(const NetcdfFile& file, const NetcdfVariable& var
 /// Checks the size of a slice and adds the time and the level that a file states once for all.
 Checked<NetcdfLayout> finished(const NetcdfFile& file, const NetcdfVariable& variable, NetcdfLayout layout) {
   if (layout.x.nodes.size() * layout.y.nodes.size() > max_slice_nodes)
-    return refuse(messages::ingest_format_message<"too-many-nodes">("the grid", layout.x.nodes.size(),
+    return refuse(messages::ingest_netcdf_message<"too-many-nodes">("the grid", layout.x.nodes.size(),
                                                                     layout.y.nodes.size(), max_slice_nodes));
 
   const NetcdfVariable* time = layout.time_dimension
@@ -164,19 +164,19 @@ std::optional<messages::Message> unsupported_grid(const NetcdfFile& file, const 
   for (const NetcdfDimension& dimension : variable.dimensions()) {
     const std::string name = lower(dimension.name);
     if (mesh || name == "nele" || name == "node" || name == "ncells" || name.starts_with("nmesh2"))
-      return messages::ingest_format_message<"layout-of-a-mesh">();
+      return messages::ingest_netcdf_message<"layout-of-a-mesh">();
   }
   for (const NetcdfDimension& dimension : variable.dimensions()) {
     const std::string name = lower(dimension.name);
     if (name.starts_with("xi_") || name.starts_with("eta_") || name.starts_with("s_rho"))
-      return messages::ingest_format_message<"layout-of-roms">();
+      return messages::ingest_netcdf_message<"layout-of-roms">();
   }
   const bool located = std::all_of(variable.dimensions().begin(), variable.dimensions().end(),
                                    [&](const NetcdfDimension& dimension) {
                                      return dimension.size == 1 || coordinate_of(file, dimension) != nullptr;
                                    });
   if (!located && has_table_of_positions(file))
-    return messages::ingest_format_message<"layout-of-a-bent-grid">(variable.name());
+    return messages::ingest_netcdf_message<"layout-of-a-bent-grid">(variable.name());
   return std::nullopt;
 }
 
@@ -190,7 +190,7 @@ Checked<NetcdfLayout> layout_of(const NetcdfFile& file, const NetcdfVariable& va
     const NetcdfVariable* coordinate = coordinate_of(file, dimension);
     roles.push_back({coordinate == nullptr ? AxisRole::unknown : role_of(*coordinate), coordinate});
     if (roles.back().role == AxisRole::model_level)
-      return refuse(messages::ingest_format_message<"levels-follow-the-bed">(dimension.name));
+      return refuse(messages::ingest_netcdf_message<"levels-follow-the-bed">(dimension.name));
     if (coordinate != nullptr && cannot_be_placed(*coordinate))
       return refuse(not_in_metres(*coordinate, variable.name()));
     if (roles.back().role == AxisRole::unknown && dimension.size > 1)
@@ -204,7 +204,7 @@ Checked<NetcdfLayout> layout_of(const NetcdfFile& file, const NetcdfVariable& va
   const bool geographic = has(AxisRole::longitude) == 1 && has(AxisRole::latitude) == 1;
   layout.projected = has(AxisRole::projected_x) == 1 && has(AxisRole::projected_y) == 1;
   if (geographic == layout.projected || has(AxisRole::depth) > 1 || has(AxisRole::time) > 1)
-    return refuse(messages::ingest_format_message<"without-plain-axes">(variable.name()));
+    return refuse(messages::ingest_netcdf_message<"without-plain-axes">(variable.name()));
 
   for (std::size_t i = 0; i < roles.size(); ++i) {
     const auto added = add_dimension(layout, i, roles[i]);

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/messages/ingest_format_messages.hpp"
+#include "engine/messages/ingest_netcdf_messages.hpp"
 #include "storage/ingest/common/gdal_guard.hpp"
 #include "storage/ingest/common/grid_limits.hpp"
 #include "storage/ingest/formats/netcdf/netcdf_coordinates.hpp"
@@ -152,7 +152,7 @@ Checked<std::vector<geo::LonLat>> places_by_projection(const NetcdfFile& file, c
   const auto xs = values_of(*axes.x, axes.turned);
   if (!xs) return refuse(xs.error());
   if (ys->size() > max_grid_points / std::max<std::size_t>(1, xs->size()))
-    return refuse(messages::ingest_format_message<"too-many-nodes">("the grid of \"" + variable.name() + "\"",
+    return refuse(messages::ingest_netcdf_message<"too-many-nodes">("the grid of \"" + variable.name() + "\"",
                                                                     ys->size(), xs->size(), max_grid_points));
 
   const GdalMessages messages;
@@ -166,7 +166,7 @@ Checked<std::vector<geo::LonLat>> places_by_projection(const NetcdfFile& file, c
       OGRCreateCoordinateTransformation(&crs, &geographic)};
   if (!way)
     return refuse(
-        messages::ingest_format_message<"projection-unusable">(variable.name(), messages.first_error()));
+        messages::ingest_netcdf_message<"projection-unusable">(variable.name(), messages.first_error()));
 
   constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
   std::vector<geo::LonLat> places;

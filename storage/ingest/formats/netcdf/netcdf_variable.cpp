@@ -6,7 +6,7 @@
 #include <limits>
 #include <type_traits>
 
-#include "engine/messages/ingest_format_messages.hpp"
+#include "engine/messages/ingest_netcdf_messages.hpp"
 #include "storage/ingest/common/gdal_guard.hpp"
 #include "storage/ingest/common/in_blocks.hpp"
 #include "storage/ingest/notation/text.hpp"
@@ -106,7 +106,7 @@ Checked<std::vector<double>> NetcdfVariable::read_as(const std::vector<std::uint
   const std::vector<GUInt64> first(start.begin(), start.end());
   if (!array_->Read(first.data(), count.data(), nullptr, nullptr,
                     GDALExtendedDataType::Create(gdal_type<Number>), values.data()))
-    return refuse(messages::ingest_format_message<"variable-unreadable">(name_, messages.first_error()));
+    return refuse(messages::ingest_netcdf_message<"variable-unreadable">(name_, messages.first_error()));
   if constexpr (std::is_same_v<Number, double>) {
     return values;
   } else {
@@ -121,7 +121,7 @@ Checked<std::vector<double>> NetcdfVariable::read_all() const {
   for (const NetcdfDimension& dimension : dimensions_) {
     if (dimension.size == 0 || dimension.size > max_coordinate_values / size)
       return refuse(
-          messages::ingest_format_message<"coordinate-too-long">(name_, dimension.size, dimension.name));
+          messages::ingest_netcdf_message<"coordinate-too-long">(name_, dimension.size, dimension.name));
     size *= dimension.size;
     start.push_back(0);
     count.push_back(static_cast<std::size_t>(dimension.size));

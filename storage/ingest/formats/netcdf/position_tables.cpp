@@ -7,7 +7,7 @@
 #include <sstream>
 #include <string_view>
 
-#include "engine/messages/ingest_format_messages.hpp"
+#include "engine/messages/ingest_netcdf_messages.hpp"
 #include "storage/ingest/common/grid_limits.hpp"
 #include "storage/ingest/formats/netcdf/netcdf_coordinates.hpp"
 #include "storage/ingest/formats/netcdf/netcdf_projection.hpp"
@@ -125,7 +125,7 @@ Checked<std::optional<Positions>> read_table(const Table& table) {
   const auto dimensions = table_dimensions(*table.lons).value();
   if (dimensions[0].size == 0 || dimensions[1].size == 0 ||
       dimensions[0].size > max_grid_points / dimensions[1].size)
-    return refuse(messages::ingest_format_message<"too-many-nodes">(
+    return refuse(messages::ingest_netcdf_message<"too-many-nodes">(
         "the table of positions \"" + table.lons->name() + "\"", dimensions[0].size, dimensions[1].size,
         max_grid_points));
   const auto lons = table.lons->read_all();
@@ -157,7 +157,7 @@ Checked<std::optional<Positions>> positions_of_axes(const NetcdfFile& file, cons
   if (y == nullptr || x == nullptr || role_of(*y) != AxisRole::latitude || role_of(*x) != AxisRole::longitude)
     return std::optional<Positions>{};
   if (y->dimensions()[0].size > max_grid_points / std::max<std::uint64_t>(1, x->dimensions()[0].size))
-    return refuse(messages::ingest_format_message<"too-many-points">(variable.name()));
+    return refuse(messages::ingest_netcdf_message<"too-many-points">(variable.name()));
   const auto lats = y->read_all();
   if (!lats) return refuse(lats.error());
   const auto lons = x->read_all();

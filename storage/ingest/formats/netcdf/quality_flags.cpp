@@ -5,7 +5,7 @@
 #include <initializer_list>
 #include <string_view>
 
-#include "engine/messages/ingest_format_messages.hpp"
+#include "engine/messages/ingest_netcdf_messages.hpp"
 #include "storage/ingest/notation/text.hpp"
 
 namespace floeplan::ingest {
@@ -81,7 +81,7 @@ QualityFlags by_convention(const NetcdfVariable& variable) {
   QualityFlags flags{.variable = &variable};
   flags.bad = {{4.0}, {9.0}};
   (is_of_qartod(variable) ? flags.doubtful : flags.bad).push_back({3.0});
-  flags.remark = messages::ingest_format_message<"flags-taken-as-usual">(
+  flags.remark = messages::ingest_netcdf_message<"flags-taken-as-usual">(
       variable.name(), flags.doubtful.empty() ? "bad" : "suspect");
   return flags;
 }
@@ -101,10 +101,10 @@ QualityFlags understood(const NetcdfVariable& variable) {
     if (worth == Worth::unknown) unknown.push_back("\"" + meanings[i] + "\"");
   }
   if (marks.empty())
-    flags.remark = messages::ingest_format_message<"flag-bits-unknown">(variable.name());
+    flags.remark = messages::ingest_netcdf_message<"flag-bits-unknown">(variable.name());
   else if (!unknown.empty())
     flags.remark =
-        messages::ingest_format_message<"flag-meanings-unknown">(variable.name(), enumeration(unknown));
+        messages::ingest_netcdf_message<"flag-meanings-unknown">(variable.name(), enumeration(unknown));
   return flags;
 }
 

@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "engine/geo/written_place.hpp"
-#include "engine/messages/ingest_format_messages.hpp"
+#include "engine/messages/ingest_hdf5_messages.hpp"
 #include "storage/ingest/common/missing_value.hpp"
 #include "storage/ingest/formats/netcdf/netcdf_axis.hpp"
 #include "storage/ingest/notation/grid_frame_of_crs.hpp"
@@ -23,7 +23,7 @@ constexpr double most_side = 1'000'000.0;  // nodes along one side
 constexpr std::size_t most_records = 100'000;
 
 tl::unexpected<Messages> s100_lacks(const std::string& what) {
-  return refuse(messages::ingest_format_message<"s-hundred-incomplete">(what));
+  return refuse(messages::ingest_hdf5_message<"s-hundred-incomplete">(what));
 }
 
 /// How the values of a feature lie that are on no regular grid.
@@ -76,10 +76,10 @@ Checked<geo::GridFrame> s100_frame(const Hdf5Group& file) {
   if (!code) return s100_lacks("which reference system its places have (horizontalCRS)");
   OGRSpatialReference crs;
   if (!(*code > 0.0 && *code <= 999'999.0) || crs.importFromEPSG(static_cast<int>(*code)) != OGRERR_NONE)
-    return refuse(messages::ingest_format_message<"s-hundred-crs-unknown">(number(*code)));
+    return refuse(messages::ingest_hdf5_message<"s-hundred-crs-unknown">(number(*code)));
   crs.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
   const auto frame = grid_frame_of(crs);
-  if (!frame) return refuse(messages::ingest_format_message<"s-hundred-crs-unusable">(number(*code)));
+  if (!frame) return refuse(messages::ingest_hdf5_message<"s-hundred-crs-unusable">(number(*code)));
   return *frame;
 }
 
@@ -109,8 +109,8 @@ Checked<Hdf5Group> only_area(const Hdf5Group& feature, const std::string& name) 
   for (const std::string& member : feature.members())
     if (member.starts_with(name + ".")) areas.push_back(member);
   if (areas.size() == 1) return feature.group(areas.front());
-  return refuse(areas.empty() ? messages::ingest_format_message<"s-hundred-without-values">(name)
-                              : messages::ingest_format_message<"s-hundred-areas">(areas.size(), name));
+  return refuse(areas.empty() ? messages::ingest_hdf5_message<"s-hundred-without-values">(name)
+                              : messages::ingest_hdf5_message<"s-hundred-areas">(areas.size(), name));
 }
 
 Checked<std::vector<Hdf5Group>> records_in(const Hdf5Group& area) {
@@ -118,15 +118,14 @@ Checked<std::vector<Hdf5Group>> records_in(const Hdf5Group& area) {
   for (const std::string& member : area.members()) {
     if (!member.starts_with("Group_")) continue;
     if (records.size() == most_records)
-      return refuse(messages::ingest_format_message<"s-hundred-too-many-records">());
+      return refuse(messages::ingest_hdf5_message<"s-hundred-too-many-records">());
     auto record = area.group(member);
     if (!record) return refuse(record.error());
     records.push_back(std::move(*record));
   }
   const double stated = area.number("numGRP").value_or(static_cast<double>(records.size()));
   if (records.empty() || stated != static_cast<double>(records.size()))
-    return refuse(
-        messages::ingest_format_message<"s-hundred-records-missing">(number(stated), records.size()));
+    return refuse(messages::ingest_hdf5_message<"s-hundred-records-missing">(number(stated), records.size()));
   return records;
 }
 
@@ -141,7 +140,7 @@ Checked<Hdf5Table> S100Coverage::table(std::size_t record) const {
   auto table = records[record].table("values");
   if (!table) return refuse(table.error());
   if (table->shape() != std::vector{grid.y().size(), file_columns})
-    return refuse(messages::ingest_format_message<"s-hundred-record-of-other-size">());
+    return refuse(messages::ingest_hdf5_message<"s-hundred-record-of-other-size">());
   return table;
 }
 
@@ -168,7 +167,7 @@ Checked<std::vector<float>> S100Points::read(std::size_t record, const std::stri
   const auto stored = table->all_numbers(value);
   if (!stored) return refuse(stored.error());
   if (stored->size() != places.size())
-    return refuse(messages::ingest_format_message<"s-hundred-record-of-other-size">());
+    return refuse(messages::ingest_hdf5_message<"s-hundred-record-of-other-size">());
   const auto described = values.find(value);
   const float fill = described == values.end() ? missing : described->second.fill;
   std::vector<float> result;
@@ -200,7 +199,7 @@ Checked<S100Points> s100_points(const std::filesystem::path& path, const std::st
   const auto frame = s100_frame(*file);
   if (!frame) return refuse(frame.error());
   if (!std::holds_alternative<geo::GeographicFrame>(*frame))
-    return refuse(messages::ingest_format_message<"s-hundred-places-projected">());
+    return refuse(messages::ingest_hdf5_message<"s-hundred-places-projected">());
   const auto positioning = area->group("Positioning");
   if (!positioning) return refuse(positioning.error());
   const auto table = positioning->table("geometryValues");
@@ -213,8 +212,8 @@ Checked<S100Points> s100_points(const std::filesystem::path& path, const std::st
   for (std::size_t i = 0; i < lons->size(); ++i) {
     const auto place = geo::written_place((*lons)[i], (*lats)[i]);
     if (!place)
-      return refuse(messages::ingest_format_message<"s-hundred-place-impossible">(number((*lons)[i]),
-                                                                                  number((*lats)[i])));
+      return refuse(messages::ingest_hdf5_message<"s-hundred-place-impossible">(number((*lons)[i]),
+                                                                                number((*lats)[i])));
     places.push_back(*place);
   }
   auto values = described_values(*file, feature_name);
@@ -232,12 +231,12 @@ Checked<S100Coverage> s100_coverage(const std::filesystem::path& path, const std
   const double layout = feature->number("dataCodingFormat").value_or(0.0);
   if (layout != regular_grid)
     return refuse(
-        messages::ingest_format_message<"s-hundred-layout-not-read">(feature_name, layout_in_words(layout)));
+        messages::ingest_hdf5_message<"s-hundred-layout-not-read">(feature_name, layout_in_words(layout)));
   const auto area = only_area(*feature, feature_name);
   if (!area) return refuse(area.error());
   const auto share = place_in_cell(*feature);
   if (!share || !runs_row_by_row(*feature, *area))
-    return refuse(messages::ingest_format_message<"s-hundred-order-not-read">());
+    return refuse(messages::ingest_hdf5_message<"s-hundred-order-not-read">());
   const auto frame = s100_frame(*file);
   if (!frame) return refuse(frame.error());
   const auto x_values = s100_nodes(*area, "Longitude", (*share)[0]);

@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-#include "engine/messages/ingest_format_messages.hpp"
+#include "engine/messages/ingest_feature_messages.hpp"
 #include "storage/ingest/common/gdal_guard.hpp"
 #include "storage/ingest/notation/stated_period.hpp"
 #include "storage/ingest/notation/stated_rule.hpp"
@@ -44,7 +44,7 @@ Checked<bool> read_coordinates(const Element& holder, OGRSimpleCurve& line) {
     if (!lon || !lat)
       return refuse(
           about(named_line(*coordinates),
-                messages::ingest_format_message<"kml-coordinates-unreadable">(place.substr(0, 60))));
+                messages::ingest_feature_message<"kml-coordinates-unreadable">(place.substr(0, 60))));
     line.addPoint(*lon, *lat);
   }
   return true;
@@ -54,7 +54,7 @@ Checked<Geometry> point_of(const Element& element) {
   OGRLineString places;
   if (const auto read = read_coordinates(element, places); !read) return refuse(read.error());
   if (places.getNumPoints() != 1)
-    return refuse(about(named_line(element), messages::ingest_format_message<"kml-point-of-many">()));
+    return refuse(about(named_line(element), messages::ingest_feature_message<"kml-point-of-many">()));
   return std::make_unique<OGRPoint>(places.getX(0), places.getY(0));
 }
 
@@ -185,7 +185,7 @@ Checked<Placemark> placemark_of(const Element& element, const Around& around) {
   for (const Element& child : element.children) {
     if (!is_geometry(child.name)) continue;
     if (placemark.geometry)
-      return refuse(about(named_line(child), messages::ingest_format_message<"kml-second-geometry">()));
+      return refuse(about(named_line(child), messages::ingest_feature_message<"kml-second-geometry">()));
     auto geometry = geometry_of(child);
     if (!geometry) return refuse(geometry.error());
     placemark.geometry = std::move(*geometry);
@@ -212,10 +212,10 @@ Checked<bool> gather(const Element& element, const Around& around, std::vector<P
                     around.names + (around.names.empty() || name.empty() ? "" : " / ") + name};
   if (const std::string word = word_of_zone(extended_data_of(element)); !word.empty())
     return refuse(about(named_line(element),
-                        messages::ingest_format_message<"kml-not-handed-down">(element.name, word)));
+                        messages::ingest_feature_message<"kml-not-handed-down">(element.name, word)));
   for (const Element& child : element.children) {
     if (child.name == "NetworkLink")
-      return refuse(about(named_line(child), messages::ingest_format_message<"kml-links-elsewhere">()));
+      return refuse(about(named_line(child), messages::ingest_feature_message<"kml-links-elsewhere">()));
     if (child.name == "Placemark") {
       auto placemark = placemark_of(child, here);
       if (!placemark) return refuse(placemark.error());
@@ -270,11 +270,11 @@ Checked<std::shared_ptr<GDALDataset>> open_kml(const std::filesystem::path& file
   std::ifstream stream{file, std::ios::binary};
   const std::string bytes{std::istreambuf_iterator<char>{stream}, {}};
   const auto document = xml::parse(bytes);
-  if (!document) return refuse(messages::ingest_format_message<"kml-unreadable">(document.error()));
+  if (!document) return refuse(messages::ingest_feature_message<"kml-unreadable">(document.error()));
   std::vector<Placemark> placemarks;
   if (const auto gathered = gather(*document, {}, placemarks); !gathered) return refuse(gathered.error());
   if (placemarks.empty())
-    return refuse(messages::ingest_format_message<"features-missing">("KML file", "placemarks"));
+    return refuse(messages::ingest_feature_message<"features-missing">("KML file", "placemarks"));
   return dataset_of(std::move(placemarks));
 }
 

@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-#include "engine/messages/ingest_format_messages.hpp"
+#include "engine/messages/ingest_feature_messages.hpp"
 #include "storage/ingest/common/gdal_guard.hpp"
 #include "storage/ingest/notation/crs_text.hpp"
 #include "storage/ingest/notation/text.hpp"
@@ -46,7 +46,7 @@ struct IceArea {
 std::string line_words(const Element& element) { return "line " + std::to_string(element.line); }
 
 tl::unexpected<Messages> corners_unreadable(const Element& element) {
-  return refuse(about(line_words(element), messages::ingest_format_message<"ice-gml-corners-unreadable">()));
+  return refuse(about(line_words(element), messages::ingest_feature_message<"ice-gml-corners-unreadable">()));
 }
 
 /// "[87, '85', 99]" and "87" as their numbers, without what stands round them.
@@ -91,7 +91,7 @@ Checked<OGRLinearRing> ring_of(const Element& boundary, bool latitude_first) {
   for (std::size_t i = 0; i < numbers.size(); i += 2) {
     if (latitude_first && std::abs(numbers[i]) > 90.0)
       return refuse(about(line_words(*list),
-                          messages::ingest_format_message<"ice-gml-axes-swapped">(number(numbers[i]))));
+                          messages::ingest_feature_message<"ice-gml-axes-swapped">(number(numbers[i]))));
     line.addPoint(numbers[latitude_first ? i + 1 : i], numbers[latitude_first ? i : i + 1]);
   }
   line.closeRings();
@@ -123,7 +123,7 @@ Checked<IceArea> area_of(const Element& feature) {
   const Element* const polygon = feature.child("Polygon");
   if (polygon == nullptr)
     return refuse(
-        about(line_words(feature), messages::ingest_format_message<"ice-gml-area-without-polygon">()));
+        about(line_words(feature), messages::ingest_feature_message<"ice-gml-area-without-polygon">()));
   IceArea area;
   area.crs = crs_of_name(polygon->attribute("srsName"));
   auto shape = area_polygon(*polygon, area.crs == geographic_crs);
@@ -134,7 +134,7 @@ Checked<IceArea> area_of(const Element& feature) {
   area.parts = codes_in(feature.text_of("iceapc"));
   area.forms = codes_in(feature.text_of("iceflz"));
   if (area.stages.size() > stage_names.size())
-    return refuse(about(line_words(feature), messages::ingest_format_message<"ice-gml-stages-too-many">()));
+    return refuse(about(line_words(feature), messages::ingest_feature_message<"ice-gml-stages-too-many">()));
   return area;
 }
 
@@ -176,9 +176,9 @@ Checked<std::shared_ptr<GDALDataset>> open_s411(const std::filesystem::path& fil
   std::ifstream stream{file, std::ios::binary};
   const std::string bytes{std::istreambuf_iterator<char>{stream}, {}};
   const auto document = xml::parse(bytes);
-  if (!document) return refuse(messages::ingest_format_message<"ice-gml-unreadable">(document.error()));
+  if (!document) return refuse(messages::ingest_feature_message<"ice-gml-unreadable">(document.error()));
   if (document->name != "IceDataSet")
-    return refuse(messages::ingest_format_message<"ice-gml-edition-not-read">());
+    return refuse(messages::ingest_feature_message<"ice-gml-edition-not-read">());
 
   std::vector<IceArea> areas;
   std::set<std::string> left_out;
@@ -192,18 +192,18 @@ Checked<std::shared_ptr<GDALDataset>> open_s411(const std::filesystem::path& fil
       auto area = area_of(feature);
       if (!area) return refuse(area.error());
       if (!areas.empty() && area->crs != areas.front().crs)
-        return refuse(messages::ingest_format_message<"ice-gml-several-crs">(areas.front().crs, area->crs));
+        return refuse(messages::ingest_feature_message<"ice-gml-several-crs">(areas.front().crs, area->crs));
       areas.push_back(std::move(*area));
     }
   }
   if (areas.empty())
-    return refuse(messages::ingest_format_message<"features-missing">("S-411 chart", "areas of sea ice"));
+    return refuse(messages::ingest_feature_message<"features-missing">("S-411 chart", "areas of sea ice"));
   OGRSpatialReference crs;
   if (!read_crs(areas.front().crs, crs))
-    return refuse(messages::ingest_format_message<"ice-gml-crs-unknown">(areas.front().crs));
+    return refuse(messages::ingest_feature_message<"ice-gml-crs-unknown">(areas.front().crs));
   crs.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
   if (!left_out.empty())
-    told.push_back(messages::ingest_format_message<"ice-gml-features-left-out">(
+    told.push_back(messages::ingest_feature_message<"ice-gml-features-left-out">(
         enumeration({left_out.begin(), left_out.end()})));
   return dataset_of_areas(std::move(areas), crs);
 }

@@ -6,7 +6,7 @@
 
 #include <string_view>
 
-#include "engine/messages/ingest_format_messages.hpp"
+#include "engine/messages/ingest_feature_messages.hpp"
 #include "storage/ingest/common/gdal_guard.hpp"
 #include "storage/sql/driver/failure.hpp"
 #include "storage/sql/foreign_database.hpp"
@@ -24,10 +24,10 @@ Checked<void> every_feature_can_be_read(GDALDataset& dataset) {
       static_cast<void>(feature);
       // GDAL gives the feature without that attribute: a rule would lose its period.
       if (std::string_view{CPLGetLastErrorMsg()}.starts_with("Invalid content for record"))
-        return refuse(messages::ingest_format_message<"table-value-too-long">(CPLGetLastErrorMsg()));
+        return refuse(messages::ingest_feature_message<"table-value-too-long">(CPLGetLastErrorMsg()));
     }
     if (CPLGetLastErrorType() >= CE_Failure)
-      return refuse(messages::ingest_format_message<"features-unreadable">(CPLGetLastErrorMsg()));
+      return refuse(messages::ingest_feature_message<"features-unreadable">(CPLGetLastErrorMsg()));
     layer->ResetReading();
   }
   return {};
@@ -43,9 +43,9 @@ Checked<void> holds_plain_tables(const std::filesystem::path& file) {
   try {
     const auto part = sql::active_part_of(file);
     if (!part) return {};
-    return refuse(messages::ingest_format_message<"geopackage-with-code">(*part));
+    return refuse(messages::ingest_feature_message<"geopackage-with-code">(*part));
   } catch (const sql::Failure& failure) {
-    return refuse(messages::ingest_format_message<"geopackage-unreadable">(failure.what()));
+    return refuse(messages::ingest_feature_message<"geopackage-unreadable">(failure.what()));
   }
 }
 
@@ -71,12 +71,12 @@ Checked<std::shared_ptr<GDALDataset>> open_vector_file(const std::filesystem::pa
   std::shared_ptr<GDALDataset> dataset{
       GDALDataset::Open(path.c_str(), GDAL_OF_VECTOR | GDAL_OF_VERBOSE_ERROR, drivers, options)};
   if (!dataset && is_raster(path, drivers, options))
-    return refuse(messages::ingest_format_message<"geopackage-of-tiles">());
+    return refuse(messages::ingest_feature_message<"geopackage-of-tiles">());
   if (!dataset)
-    return refuse(messages::ingest_format_message<"vector-file-unreadable">(messages.first_error()));
+    return refuse(messages::ingest_feature_message<"vector-file-unreadable">(messages.first_error()));
   GIntBig features = 0;
   for (OGRLayer* const layer : dataset->GetLayers()) features += layer->GetFeatureCount();
-  if (features == 0) return refuse(messages::ingest_format_message<"features-missing">("file", "features"));
+  if (features == 0) return refuse(messages::ingest_feature_message<"features-missing">("file", "features"));
   if (const auto whole = every_feature_can_be_read(*dataset); !whole) return refuse(whole.error());
   return dataset;
 }

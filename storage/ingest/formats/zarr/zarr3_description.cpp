@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "engine/messages/ingest_format_messages.hpp"
+#include "engine/messages/ingest_zarr_messages.hpp"
 #include "storage/json/json.hpp"
 
 namespace floeplan::ingest {
@@ -42,11 +42,11 @@ std::string text_or_empty(const json& value) {
 }
 
 messages::Message unreadable(const std::string& what) {
-  return messages::ingest_format_message<"zarr-not-read">(what);
+  return messages::ingest_zarr_message<"zarr-not-read">(what);
 }
 
 messages::Message damaged(const std::string& what) {
-  return messages::ingest_format_message<"zarr-damaged">("the description of an array", what);
+  return messages::ingest_zarr_message<"zarr-damaged">("the description of an array", what);
 }
 
 std::optional<std::vector<std::uint64_t>> counts(const json& numbers) {

@@ -4,7 +4,7 @@
 #include <array>
 #include <optional>
 
-#include "engine/messages/ingest_format_messages.hpp"
+#include "engine/messages/ingest_zarr_messages.hpp"
 #include "storage/ingest/files/file_digest.hpp"
 #include "storage/ingest/files/first_bytes.hpp"
 #include "storage/ingest/formats/zarr/zarr3_description.hpp"
@@ -22,7 +22,7 @@ constexpr std::uint64_t most_bytes_a_value = 16;
 
 messages::Message damaged_store(const fs::path& file, const std::string& why) {
   const std::string array = file.parent_path().filename().string();
-  return messages::ingest_format_message<"zarr-damaged">(
+  return messages::ingest_zarr_message<"zarr-damaged">(
       "the description " + array + "/" + file.filename().string(), why);
 }
 
@@ -96,23 +96,23 @@ Checked<ZarrStore> open_zarr(const fs::path& folder) {
   if (store.version == 3) {
     const auto top = zarr3_array(first_bytes(folder / description, max_zarr_description_bytes));
     if (!top) return refuse(top.error());
-    if (*top) return refuse(messages::ingest_format_message<"zarr-array-alone">());
+    if (*top) return refuse(messages::ingest_zarr_message<"zarr-array-alone">());
   }
   if (store.version == 2 && !fs::exists(folder / ".zgroup"))
-    return refuse(messages::ingest_format_message<"zarr-without-group">());
+    return refuse(messages::ingest_zarr_message<"zarr-without-group">());
   std::error_code error;
   for (auto entry = fs::recursive_directory_iterator{folder, error};
        entry != fs::recursive_directory_iterator{}; entry.increment(error)) {
-    if (error) return refuse(messages::ingest_format_message<"zarr-unreadable">());
+    if (error) return refuse(messages::ingest_zarr_message<"zarr-unreadable">());
     if (entry->is_symlink() || (!entry->is_directory() && !entry->is_regular_file()))
-      return refuse(messages::ingest_format_message<"zarr-with-links">(entry->path().filename().string()));
+      return refuse(messages::ingest_zarr_message<"zarr-with-links">(entry->path().filename().string()));
     if (entry->is_directory()) continue;
     store.files.push_back(entry->path());
     store.bytes += entry->file_size();
     if (store.files.size() > max_files)
-      return refuse(messages::ingest_format_message<"zarr-with-too-many-files">());
+      return refuse(messages::ingest_zarr_message<"zarr-with-too-many-files">());
   }
-  if (error) return refuse(messages::ingest_format_message<"zarr-unreadable">());
+  if (error) return refuse(messages::ingest_zarr_message<"zarr-unreadable">());
   std::ranges::sort(store.files);
   for (const fs::path& file : store.files) {
     if (file.filename() != description) continue;

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "engine/messages/ingest_current_messages.hpp"
-#include "engine/messages/ingest_format_messages.hpp"
+#include "engine/messages/ingest_grid_messages.hpp"
 #include "engine/ocean/currents/level_columns.hpp"
 #include "engine/ocean/grids/mesh_lattice.hpp"
 #include "engine/ocean/grids/mesh_sampling.hpp"
@@ -117,11 +117,11 @@ Checked<double> deepest_m(const VelocitySource& source) {
 /// The grid on which currents of a mesh are used.
 Checked<ocean::HorizontalGrid> grid_of_use(const CurrentInput& input) {
   auto grid = ocean::lattice_for(input.mesh);
-  if (!grid) return refuse(messages::ingest_format_message<"positions-enclose-no-area">());
+  if (!grid) return refuse(messages::ingest_grid_message<"positions-enclose-no-area">());
   const bool usable =
       input.components ? ocean::StaggeredSampling::of(input.mesh, input.components->axes(), *grid).has_value()
                        : ocean::MeshSampling::of(input.mesh, *grid).has_value();
-  if (!usable) return refuse(messages::ingest_format_message<"cells-overlap">());
+  if (!usable) return refuse(messages::ingest_grid_message<"cells-overlap">());
   return std::move(*grid);
 }
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-#include "engine/messages/ingest_current_messages.hpp"
+#include "engine/messages/ingest_grib_messages.hpp"
 #include "storage/ingest/notation/text.hpp"
 
 namespace floeplan::ingest {
@@ -82,12 +82,12 @@ bool is_depth(int surface_type) { return surface_type == depth_surface || surfac
 /// Errors  a surface that is no depth
 Checked<Layer> layer_of(const GribField& field) {
   if (!is_depth(field.surface_type))
-    return refuse(messages::ingest_current_message<"grib-surface-not-a-depth">(field.surface_type));
+    return refuse(messages::ingest_grib_message<"grib-surface-not-a-depth">(field.surface_type));
   const double first_m = field.surface_type == depth_surface ? field.surface_value : 0.0;
   if (!field.is_of_layer()) return Layer{first_m, first_m};
   if (!is_depth(field.second_surface_type))
-    return refuse(messages::ingest_current_message<"grib-layer-not-of-depths">(number(first_m),
-                                                                               field.second_surface_type));
+    return refuse(messages::ingest_grib_message<"grib-layer-not-of-depths">(number(first_m),
+                                                                            field.second_surface_type));
   const double second_m = field.second_surface_type == depth_surface ? field.second_surface_value : 0.0;
   return Layer{std::min(first_m, second_m), std::max(first_m, second_m)};
 }
@@ -101,8 +101,8 @@ std::optional<messages::Message> overlap_of(const std::set<Layer>& layers) {
   const Layer* deepest = nullptr;
   for (const Layer& layer : layers) {
     if (deepest != nullptr && layer.top_m < deepest->bottom_m)
-      return messages::ingest_current_message<"grib-layers-overlap">(words_of_layer(*deepest) + " and " +
-                                                                     words_of_layer(layer));
+      return messages::ingest_grib_message<"grib-layers-overlap">(words_of_layer(*deepest) + " and " +
+                                                                  words_of_layer(layer));
     if (deepest == nullptr || layer.bottom_m > deepest->bottom_m) deepest = &layer;
   }
   return std::nullopt;
@@ -122,12 +122,12 @@ bool is_state(const GribField& field) { return field.statistic == 0; }
 messages::Message nothing_in_grib(Moving what, const std::vector<GribField>& fields, bool direction,
                                   bool statistic) {
   if (statistic)
-    return messages::ingest_current_message<"grib-without-values">(what == Moving::sea ? "current" : "wind");
+    return messages::ingest_grib_message<"grib-without-values">(what == Moving::sea ? "current" : "wind");
   const std::string elsewhere = wind_in_words(fields);
   const std::string beside = elsewhere.empty() ? "" : elsewhere + ", but ";
-  if (what == Moving::air) return messages::ingest_current_message<"grib-without-wind">(beside);
-  if (direction) return messages::ingest_current_message<"grib-current-as-direction">();
-  return messages::ingest_current_message<"grib-without-currents">(beside);
+  if (what == Moving::air) return messages::ingest_grib_message<"grib-without-wind">(beside);
+  if (direction) return messages::ingest_grib_message<"grib-current-as-direction">();
+  return messages::ingest_grib_message<"grib-without-currents">(beside);
 }
 
 }  // namespace
@@ -152,10 +152,10 @@ Checked<GribContents> grib_contents(const std::vector<GribField>& fields, Moving
     if (!layer) return refuse(layer.error());
     if (first == nullptr) first = &field;
     if (field.grid != first->grid)
-      return refuse(messages::ingest_current_message<"grib-fields-on-several-grids">());
+      return refuse(messages::ingest_grib_message<"grib-fields-on-several-grids">());
     GribBands& bands = found[{field.valid_s, *layer}];
     int& band = field.number == east_number ? bands.east : bands.north;
-    if (band != 0) return refuse(messages::ingest_current_message<"grib-component-twice">(name));
+    if (band != 0) return refuse(messages::ingest_grib_message<"grib-component-twice">(name));
     band = static_cast<int>(i) + 1;
     one_run = one_run && field.run_s == first->run_s;
     times.insert(field.valid_s);
@@ -176,13 +176,13 @@ Checked<GribContents> grib_contents(const std::vector<GribField>& fields, Moving
                         words_of_layers(layers)};
   if (!one_run) contents.run = std::nullopt;
   if (contents.depths_m.front() < 0.0 || contents.depths_m.back() > 12000.0)
-    return refuse(messages::ingest_current_message<"grib-depths-impossible">(
-        number(contents.depths_m.front()), number(contents.depths_m.back())));
+    return refuse(messages::ingest_grib_message<"grib-depths-impossible">(number(contents.depths_m.front()),
+                                                                          number(contents.depths_m.back())));
   for (const double time : contents.times_s) {
     for (const Layer& layer : layers) {
       const GribBands bands = found[{time, layer}];
       if (bands.east == 0 || bands.north == 0)
-        return refuse(messages::ingest_current_message<"grib-component-missing">(
+        return refuse(messages::ingest_grib_message<"grib-component-missing">(
             name, what == Moving::sea ? " at a depth of " + words_of_layer(layer) : std::string{}));
       contents.bands.push_back(bands);
     }

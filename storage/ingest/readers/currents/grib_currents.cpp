@@ -11,6 +11,7 @@
 #include "engine/geo/tangent_plane.hpp"
 #include "engine/messages/ingest_current_messages.hpp"
 #include "engine/messages/ingest_file_messages.hpp"
+#include "engine/messages/ingest_grib_messages.hpp"
 #include "storage/ingest/common/gdal_guard.hpp"
 #include "storage/ingest/common/missing_value.hpp"
 #include "storage/ingest/formats/grib/grib_grid.hpp"
@@ -82,7 +83,7 @@ Checked<RasterPlace> raster_place(const GribGrid& grid) {
     return place;
   }
   const auto way = way_to_places(*grid.plane);
-  if (!way) return refuse(messages::ingest_current_message<"grib-projection-unusable">());
+  if (!way) return refuse(messages::ingest_grib_message<"grib-projection-unusable">());
   const std::size_t width = grid.x.size();
   const double ahead = width > 1 ? 1e-3 * (grid.x[1] - grid.x[0]) : 1.0;
   for (std::size_t i = 0; i < width; ++i) place.columns.push_back(i);
@@ -160,7 +161,7 @@ class GribSource : public VelocitySource {
     std::vector<double> values(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
     if (band == nullptr || band->RasterIO(GF_Read, 0, 0, width, height, values.data(), width, height,
                                           GDT_Float64, 0, 0, nullptr) != CE_None)
-      return refuse(messages::ingest_current_message<"grib-field-unreadable">(messages.first_error()));
+      return refuse(messages::ingest_grib_message<"grib-field-unreadable">(messages.first_error()));
     int has_fill = 0;
     const double fill = band->GetNoDataValue(&has_fill);
     std::vector<float> result;
@@ -199,12 +200,12 @@ Checked<PreparedDataset> read_velocities(const std::filesystem::path& file, Movi
   if (!raster)
     return refuse(messages::ingest_file_message<"file-damaged">("GRIB file", messages.first_error()));
   if (static_cast<std::size_t>(raster->GetRasterCount()) != fields->size())
-    return refuse(messages::ingest_current_message<"grib-not-followed">(
+    return refuse(messages::ingest_grib_message<"grib-not-followed">(
         "its fields are not counted alike by two readers"));
   if (static_cast<std::size_t>(raster->GetRasterXSize()) != grid->x.size() ||
       static_cast<std::size_t>(raster->GetRasterYSize()) != grid->y.size())
     return refuse(
-        messages::ingest_current_message<"grib-not-followed">("two readers see grids of different size"));
+        messages::ingest_grib_message<"grib-not-followed">("two readers see grids of different size"));
   auto place = raster_place(*grid);
   if (!place) return refuse(place.error());
 
@@ -212,7 +213,7 @@ Checked<PreparedDataset> read_velocities(const std::filesystem::path& file, Movi
   input.what = what;
   input.variables = {"u", "v"};
   if (!contents->layers.empty())
-    input.warnings.push_back(messages::ingest_current_message<"grib-layers">(contents->layers));
+    input.warnings.push_back(messages::ingest_grib_message<"grib-layers">(contents->layers));
   std::optional<GridDirections> directions;
   if (contents->along_grid && !place->grid) {
     directions = std::move(place->directions);

@@ -9,6 +9,7 @@
 
 #include "engine/core/utc_text.hpp"
 #include "engine/messages/ingest_current_messages.hpp"
+#include "engine/messages/ingest_hdf5_messages.hpp"
 #include "storage/ingest/common/missing_value.hpp"
 #include "storage/ingest/formats/netcdf/netcdf_axis.hpp"
 #include "storage/ingest/formats/s100/s100_coverage.hpp"
@@ -40,7 +41,7 @@ Checked<AxisNodes> record_times(const std::vector<Hdf5Group>& records) {
   for (const Hdf5Group& record : records) {
     const std::string text = record.text("timePoint").value_or("");
     const auto time = s111_time(text);
-    if (!time) return refuse(messages::ingest_current_message<"s-time-unreadable">(text));
+    if (!time) return refuse(messages::ingest_hdf5_message<"s-time-unreadable">(text));
     times_s.push_back(core::unix_seconds(*time));
   }
   return sorted_nodes("timePoint", std::move(times_s));
@@ -88,19 +89,19 @@ Reference reference_of(const Hdf5Group& file) {
 Checked<Level> s111_level(const Hdf5Group& file) {
   const auto stated = file.number("surfaceCurrentDepth");
   if (!stated) return Level{};
-  if (!std::isfinite(*stated)) return refuse(messages::ingest_current_message<"s-depth-missing">());
+  if (!std::isfinite(*stated)) return refuse(messages::ingest_hdf5_message<"s-depth-missing">());
   const double depth_m =
       std::abs(*stated);  // below a surface it is negative, though not every producer has it so
   switch (reference_of(file)) {
     case Reference::surface: return Level{depth_m};
     case Reference::layer:
-      return Level{depth_m / 2.0, messages::ingest_current_message<"uppermost-layer">(number(depth_m))};
+      return Level{depth_m / 2.0, messages::ingest_hdf5_message<"uppermost-layer">(number(depth_m))};
     case Reference::datum:
-      return Level{depth_m, messages::ingest_current_message<"depth-from-chart-datum">(number(depth_m))};
+      return Level{depth_m, messages::ingest_hdf5_message<"depth-from-chart-datum">(number(depth_m))};
     case Reference::bed:
     case Reference::unknown: break;
   }
-  return refuse(messages::ingest_current_message<"s-depth-from-the-bed">());
+  return refuse(messages::ingest_hdf5_message<"s-depth-from-the-bed">());
 }
 
 /// Speeds and directions towards which the water flows, degrees from true north, as components; what is none is missing.
@@ -207,7 +208,7 @@ Checked<S111Head> head_of(const Values& currents) {
   const auto speed = currents.values.find(speed_name);
   const std::string unit = speed == currents.values.end() ? "" : speed->second.unit;
   const auto unit_m_s = speed_factor(unit);
-  if (!unit_m_s) return refuse(messages::ingest_current_message<"s-speed-unit-unknown">(unit));
+  if (!unit_m_s) return refuse(messages::ingest_hdf5_message<"s-speed-unit-unknown">(unit));
   auto times = record_times(currents.records);
   if (!times) return refuse(times.error());
   const auto level = s111_level(currents.file);
@@ -221,7 +222,7 @@ Checked<CurrentInput> points_in(const std::filesystem::path& file) {
   auto head = head_of(*currents);
   if (!head) return refuse(head.error());
   auto mesh = mesh_of_places(currents->places);
-  if (!mesh) return refuse(messages::ingest_current_message<"s-places-without-area">());
+  if (!mesh) return refuse(messages::ingest_hdf5_message<"s-places-without-area">());
   CurrentInput input;
   input.mesh = std::move(*mesh);
   input.layout = "places of their own";

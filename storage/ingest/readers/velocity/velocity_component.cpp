@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/messages/ingest_current_messages.hpp"
+#include "engine/messages/ingest_velocity_messages.hpp"
 #include "storage/ingest/common/in_blocks.hpp"
 #include "storage/ingest/notation/cf_units.hpp"
 
@@ -53,11 +53,11 @@ Extent valid_range_of(const NetcdfVariable& variable, double factor) {
 Checked<double> speed_factor_of(const NetcdfVariable& variable, Messages& warnings) {
   const std::string unit = variable.attribute("units");
   if (unit.empty()) {
-    warnings.push_back(messages::ingest_current_message<"speed-without-unit">(variable.name()));
+    warnings.push_back(messages::ingest_velocity_message<"speed-without-unit">(variable.name()));
     return 1.0;
   }
   if (const auto factor = speed_factor(unit)) return *factor;
-  return refuse(messages::ingest_current_message<"speed-unit-unknown">(variable.name(), unit));
+  return refuse(messages::ingest_velocity_message<"speed-unit-unknown">(variable.name(), unit));
 }
 
 }  // namespace

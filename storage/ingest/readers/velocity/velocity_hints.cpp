@@ -1,6 +1,6 @@
 #include "storage/ingest/readers/velocity/velocity_hints.hpp"
 
-#include "engine/messages/ingest_current_messages.hpp"
+#include "engine/messages/ingest_velocity_messages.hpp"
 #include "storage/ingest/formats/netcdf/variable_meaning.hpp"
 #include "storage/ingest/notation/text.hpp"
 #include "storage/ingest/readers/velocity/velocity_meaning.hpp"
@@ -30,7 +30,7 @@ std::optional<messages::Message> doubt_in_title(const std::string& title, const 
   if (words.empty() && by_title != CurrentContent::whole) words = content_words(by_title);
   if (words.empty()) return std::nullopt;
   const bool whole = title.size() <= longest_title;
-  return messages::ingest_current_message<"title-contradicts">(
+  return messages::ingest_velocity_message<"title-contradicts">(
       title.substr(0, longest_title) + (whole ? "" : "..."), words, names,
       what == Moving::sea ? "whole current" : "wind");
 }
@@ -38,7 +38,7 @@ std::optional<messages::Message> doubt_in_title(const std::string& title, const 
 std::optional<messages::Message> statistic_in_group(std::string_view path) {
   const Statistic found = statistic_in_name(path);
   if (found == Statistic::none || found == Statistic::flag || found == Statistic::count) return std::nullopt;
-  return messages::ingest_current_message<"group-of-statistics">(path, in_words(found));
+  return messages::ingest_velocity_message<"group-of-statistics">(path, in_words(found));
 }
 
 std::optional<messages::Message> part_in_group(std::string_view path) {
@@ -46,7 +46,7 @@ std::optional<messages::Message> part_in_group(std::string_view path) {
   const std::string words =
       content != CurrentContent::whole ? content_words(content) : part_words(part_in_name(path));
   if (words.empty()) return std::nullopt;
-  return messages::ingest_current_message<"group-of-a-part">(path, words);
+  return messages::ingest_velocity_message<"group-of-a-part">(path, words);
 }
 
 }  // namespace floeplan::ingest

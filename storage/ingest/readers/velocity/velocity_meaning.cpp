@@ -4,7 +4,7 @@
 #include <string_view>
 #include <utility>
 
-#include "engine/messages/ingest_current_messages.hpp"
+#include "engine/messages/ingest_velocity_messages.hpp"
 #include "storage/ingest/formats/netcdf/variable_level.hpp"
 #include "storage/ingest/formats/netcdf/variable_meaning.hpp"
 #include "storage/ingest/notation/cf_units.hpp"
@@ -178,7 +178,7 @@ void settle_component(VelocityMeaning& meaning, const NetcdfVariable& variable,
   if (differ(evidence.standard_name, evidence.long_name) &&
       !(evidence.name && !differ(evidence.name, evidence.standard_name))) {
     meaning.component = *evidence.standard_name;
-    meaning.contradiction = messages::ingest_current_message<"component-contradicts-itself">(
+    meaning.contradiction = messages::ingest_velocity_message<"component-contradicts-itself">(
         variable.name(), variable.attribute("standard_name"), in_words(*evidence.standard_name, meaning.axes),
         variable.attribute("long_name"), in_words(*evidence.long_name, meaning.axes));
     return;
@@ -188,12 +188,12 @@ void settle_component(VelocityMeaning& meaning, const NetcdfVariable& variable,
                                              : *evidence.name;
   const std::optional<Component> settled = meaning.component;
   if (evidence.standard_name && (differ(settled, evidence.name) || differ(settled, evidence.long_name)))
-    meaning.remark = messages::ingest_current_message<"taken-by-standard-name">(
+    meaning.remark = messages::ingest_velocity_message<"taken-by-standard-name">(
         variable.name(), in_words(*settled, meaning.axes),
         differ(settled, evidence.name) ? "name" : "long name");
   else if (!evidence.standard_name && differ(settled, evidence.name))
-    meaning.remark = messages::ingest_current_message<"taken-by-long-name">(variable.name(),
-                                                                            in_words(*settled, meaning.axes));
+    meaning.remark = messages::ingest_velocity_message<"taken-by-long-name">(
+        variable.name(), in_words(*settled, meaning.axes));
 }
 
 /// Nobody means the negative of a component without saying so; which sign then holds is not known.
@@ -201,7 +201,7 @@ std::optional<messages::Message> against_custom(const NetcdfVariable& variable, 
   const bool west = contains_any(words, {"westward"}) && !contains_any(words, {"eastward"});
   const bool south = contains_any(words, {"southward"}) && !contains_any(words, {"northward"});
   if (!west && !south) return std::nullopt;
-  return messages::ingest_current_message<"counts-the-other-way">(
+  return messages::ingest_velocity_message<"counts-the-other-way">(
       variable.name(), west ? "westward" : "southward", variable.attribute("long_name"));
 }
 

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <utility>
 
-#include "engine/messages/ingest_current_messages.hpp"
+#include "engine/messages/ingest_velocity_messages.hpp"
 #include "engine/messages/sentence.hpp"
 #include "storage/ingest/formats/netcdf/variable_meaning.hpp"
 #include "storage/ingest/notation/text.hpp"
@@ -54,8 +54,8 @@ std::optional<messages::Message> left_out(const std::vector<VelocityCandidate>& 
   for (const auto& [words, names] : groups)
     text +=
         (text.empty() ? "" : ", ") + enumeration(names) + (names.size() > 1 ? " hold " : " holds ") + words;
-  if (what == Moving::air) return messages::ingest_current_message<"not-the-wind">(text);
-  return messages::ingest_current_message<"not-the-current">(
+  if (what == Moving::air) return messages::ingest_velocity_message<"not-the-wind">(text);
+  return messages::ingest_velocity_message<"not-the-current">(
       text,
       on_request.empty() ? "" : ", or store a part of the current on its own with --variable " + on_request);
 }
@@ -66,7 +66,7 @@ std::optional<messages::Message> both_the_same(const std::vector<CandidatePair>&
     for (const CandidatePair& b : pairs)
       if (a.first != b.first && a.second == nullptr && b.second == nullptr &&
           name_one_pair(a.first->variable->name(), b.first->variable->name()))
-        return messages::ingest_current_message<"same-component-twice">(
+        return messages::ingest_velocity_message<"same-component-twice">(
             a.first->variable->name(), b.first->variable->name(),
             a.meaning().component == Component::first ? "eastward" : "northward");
   return std::nullopt;
@@ -74,7 +74,8 @@ std::optional<messages::Message> both_the_same(const std::vector<CandidatePair>&
 
 messages::Message described_differently(const CandidatePair& pair, const std::string& how,
                                         const std::string& consequence) {
-  return messages::ingest_current_message<"components-described-differently">(pair.names(), how, consequence);
+  return messages::ingest_velocity_message<"components-described-differently">(pair.names(), how,
+                                                                               consequence);
 }
 
 /// Two that are the only ones left although their names say that each belongs to another: "uo_a" and "vo_b".
@@ -87,7 +88,7 @@ bool belong_to_others(const CandidatePair& pair) {
 /// Why a pair cannot be used although both components are there.
 std::optional<messages::Message> fault_of(const CandidatePair& pair, const std::vector<std::string>& wanted) {
   if (belong_to_others(pair) && !(is_wanted(*pair.first, wanted) && is_wanted(*pair.second, wanted)))
-    return messages::ingest_current_message<"components-do-not-belong">(pair.names());
+    return messages::ingest_velocity_message<"components-do-not-belong">(pair.names());
   const VelocityMeaning& first = pair.first->meaning;
   const VelocityMeaning& second = pair.second->meaning;
   for (const VelocityMeaning* meaning : {&first, &second})
@@ -114,14 +115,14 @@ messages::Message one_component_alone(const CandidatePair& pair,
                              : what == Moving::sea
                                  ? "Give the file of the other component in the same command"
                                  : "Merge both components into one file";
-  return messages::ingest_current_message<"component-missing">(what == Moving::sea ? "current" : "wind", name,
-                                                               first ? "northward" : "eastward", advice);
+  return messages::ingest_velocity_message<"component-missing">(
+      what == Moving::sea ? "current" : "wind", name, first ? "northward" : "eastward", advice);
 }
 
 messages::Message nothing_to_store(const std::vector<VelocityCandidate>& candidates, Moving what) {
   if (auto others = left_out(candidates, what)) return std::move(*others);
-  return what == Moving::sea ? messages::ingest_current_message<"velocity-not-found">()
-                             : messages::ingest_current_message<"wind-not-found">();
+  return what == Moving::sea ? messages::ingest_velocity_message<"velocity-not-found">()
+                             : messages::ingest_velocity_message<"wind-not-found">();
 }
 
 void warn_of_content(const CandidatePair& pair, Messages& warnings) {
@@ -133,22 +134,22 @@ void warn_of_content(const CandidatePair& pair, Messages& warnings) {
       const bool both = contains_any(words, {"utotal"});
       const bool waves = both || contains_any(words, {"wave", "stokes"});
       const bool tide = both || !waves || contains_any(words, {"tide", "tidal"});
-      warnings.push_back(messages::ingest_current_message<"currents-hold-the-tide">(
+      warnings.push_back(messages::ingest_velocity_message<"currents-hold-the-tide">(
           std::string{tide ? "the tide" : ""} + (tide && waves ? " and " : "") +
               (waves ? "the drift by waves" : ""),
           tide ? "; add no tide to them" : ""));
       break;
     }
     case CurrentContent::without_tide:
-      warnings.push_back(messages::ingest_current_message<"currents-without-the-tide">());
+      warnings.push_back(messages::ingest_velocity_message<"currents-without-the-tide">());
       break;
     case CurrentContent::geostrophic:
-      warnings.push_back(messages::ingest_current_message<"geostrophic-currents">());
+      warnings.push_back(messages::ingest_velocity_message<"geostrophic-currents">());
       break;
     case CurrentContent::tide:
     case CurrentContent::wave_drift:
     case CurrentContent::other_part:
-      warnings.push_back(messages::ingest_current_message<"part-of-the-current">(
+      warnings.push_back(messages::ingest_velocity_message<"part-of-the-current">(
           pair.names(), content_words(pair.meaning().content),
           pair.meaning().on_request ? "as --variable asks for" : "as their long names say"));
       break;
@@ -170,7 +171,7 @@ void warn_of_others(const std::vector<CandidatePair>& pairs, Moving what, Messag
     if (what == Moving::sea) others += " (" + content_words(pair.meaning().content) + ")";
   }
   if (others.empty()) return;
-  warnings.push_back(messages::ingest_current_message<"one-pair-of-several">(
+  warnings.push_back(messages::ingest_velocity_message<"one-pair-of-several">(
       taken.names(), others,
       what == Moving::sea ? "; name one component with --variable to store its pair instead" : ""));
 }
@@ -181,9 +182,9 @@ void warn_of_meaning(const CandidatePair& pair, Moving what, Messages& warnings)
   const NetcdfVariable& first = *pair.first->variable;
   for (const CellMethod& cell : cell_methods_of(first))
     if (cell.where.size() > 1 && cell.where[0] == "over" && cell.where[1] == "years")
-      warnings.push_back(messages::ingest_current_message<"climatology">(pair.names()));
+      warnings.push_back(messages::ingest_velocity_message<"climatology">(pair.names()));
   if (what == Moving::sea && first.attribute("standard_name").empty() && first.attribute("long_name").empty())
-    warnings.push_back(messages::ingest_current_message<"taken-as-currents-by-name">(pair.names()));
+    warnings.push_back(messages::ingest_velocity_message<"taken-as-currents-by-name">(pair.names()));
 }
 
 /// Pairs that are equal in all that decides.
@@ -194,7 +195,7 @@ std::optional<messages::Message> ambiguity(const std::vector<CandidatePair>& pai
   if (names.size() < 2) return std::nullopt;
   std::string list;
   for (const std::string& name : names) list += (list.empty() ? "" : ", or ") + name;
-  return messages::ingest_current_message<"several-pairs">(
+  return messages::ingest_velocity_message<"several-pairs">(
       list, what == Moving::sea ? "Name one component with --variable, for example --variable " +
                                       pairs.front().first->variable->name()
                                 : "Give a file with one of them");

@@ -1,0 +1,65 @@
+#pragma once
+
+#include "engine/messages/kind.hpp"
+
+/// What a pilot is told of how a file counts its times.
+namespace floeplan::messages {
+
+inline constexpr auto ingest_time_kinds = std::to_array<Kind>({
+    {.code = "time-unit-without-date",
+     .rank = Rank::caution,
+     .text = "the time axis has the unit {unit}, which names no starting date: without one the times are "
+             "not known",
+     .hint = "Ask the producer for a file with units like \"hours since 2000-01-01\"",
+     .slots = {{{"unit", "\"hours\""}}}},
+    {.code = "time-unit-unknown",
+     .rank = Rank::caution,
+     .text = "the time unit {unit} has no fixed length or is not known",
+     .hint = "Use weeks, days, hours, minutes or seconds",
+     .slots = {{{"unit", "\"months since 2000-01-01\""}}}},
+    {.code = "calendar-unknown",
+     .rank = Rank::caution,
+     .text = "the calendar \"{calendar}\" is not known",
+     .hint = "Use \"standard\"",
+     .slots = {{{"calendar", "lunar"}}}},
+    {.code = "year-zero-unclear",
+     .rank = Rank::caution,
+     .text = "the year of the starting date in {unit} is counted differently by different programs, with or "
+             "without a year 0 before year 1, so the times may be a year wrong",
+     .hint = "Ask the producer for a starting date after year 1, like \"1970-01-01\"",
+     .slots = {{{"unit", "\"days since 0000-01-01\""}}}},
+    {.code = "starting-date-unreadable",
+     .rank = Rank::caution,
+     .text = "the starting date in {unit} cannot be read",
+     .hint = "It should look like \"2000-01-01 00:00:00\"",
+     .slots = {{{"unit", "\"days since yesterday\""}}}},
+    {.code = "step-without-time",
+     .rank = Rank::caution,
+     .text = "a time is missing ({unit}), but every step needs one",
+     .hint = "Ask the producer",
+     .slots = {{{"unit", "\"days since 2000-01-01\""}}}},
+    {.code = "time-out-of-range",
+     .rank = Rank::caution,
+     .text = "the time {time} is not within the years 1800 to 2200: the unit or the starting date is wrong",
+     .hint = "Ask the producer",
+     .slots = {{{"time", "\"9e9 days since 2000-01-01\""}}}},
+    {.code = "leap-day-of-no-year",
+     .rank = Rank::caution,
+     .text = "the time {time} is a 29 February that today's calendar does not have",
+     .hint = "Convert the times to the standard calendar",
+     .slots = {{{"time", "\"59 days since 1900-01-01\""}}}},
+    {.code = "date-of-model-calendar",
+     .rank = Rank::caution,
+     .text = "the time {time} is a date that only the model's calendar has ({date}): such data have no "
+             "place in real time",
+     .hint = "Convert them to the standard calendar",
+     .slots = {{{"time", "\"59 days since 1900-01-01\""}, {"date", "1900-2-30"}}}},
+});
+
+/// The message of this code; it is told its values in the order of the catalogue.
+template <Code code, class... Given>
+[[nodiscard]] Message ingest_time_message(const Given&... given) {
+  return make_message<ingest_time_kinds, code>(given...);
+}
+
+}  // namespace floeplan::messages

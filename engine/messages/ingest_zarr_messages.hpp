@@ -1,0 +1,48 @@
+#pragma once
+
+#include "engine/messages/kind.hpp"
+
+/// What a pilot is told of how a Zarr store is written.
+namespace floeplan::messages {
+
+inline constexpr auto ingest_zarr_kinds = std::to_array<Kind>({
+    {.code = "zarr-not-read",
+     .rank = Rank::caution,
+     .text = "this Zarr store of version 3 {what}, which this program does not read",
+     .hint = "Convert it to NetCDF, for example by Python's xarray.open_zarr(...).to_netcdf(...)",
+     .slots = {{{"what", "keeps many chunks in one file (shards)"}}}},
+    {.code = "zarr-damaged",
+     .rank = Rank::caution,
+     .text = "the Zarr store is damaged: {which} {fault}",
+     .hint = "Copy or download it again",
+     .slots = {{{"which", "the description of an array"}, {"fault", "has no shape"}}}},
+    {.code = "zarr-array-alone",
+     .rank = Rank::caution,
+     .text = "this is one array of a Zarr store",
+     .hint = "Give the folder of the whole store"},
+    {.code = "zarr-without-group",
+     .rank = Rank::caution,
+     .text = "this Zarr store has no group at its top",
+     .hint = "Give the folder that holds .zgroup"},
+    {.code = "zarr-unreadable",
+     .rank = Rank::caution,
+     .text = "the Zarr store cannot be read",
+     .hint = "Check that you may read its folders"},
+    {.code = "zarr-with-links",
+     .rank = Rank::caution,
+     .text = "the Zarr store holds something that is no file ({name})",
+     .hint = "Copy it without links",
+     .slots = {{{"name", "latest"}}}},
+    {.code = "zarr-with-too-many-files",
+     .rank = Rank::caution,
+     .text = "the Zarr store has more than 100000 files",
+     .hint = "Cut out your area and period first"},
+});
+
+/// The message of this code; it is told its values in the order of the catalogue.
+template <Code code, class... Given>
+[[nodiscard]] Message ingest_zarr_message(const Given&... given) {
+  return make_message<ingest_zarr_kinds, code>(given...);
+}
+
+}  // namespace floeplan::messages
