@@ -25,6 +25,7 @@ namespace floeplan::fields {
 [[nodiscard]] const Table<planning::PlanRequest>& order_fields();
 [[nodiscard]] const std::vector<Field>& departure_fields();
 [[nodiscard]] const std::vector<Field>& window_fields();
+[[nodiscard]] const Table<planning::PlanRequest>& alternative_fields();
 [[nodiscard]] const std::vector<Field>& grid_fields();
 [[nodiscard]] const Table<planning::PlanRequest>& search_fields();
 [[nodiscard]] const Table<planning::UncertaintyRules>& error_model_fields();

@@ -27,6 +27,24 @@ const std::vector<Field>& grid_fields() {
   return list;
 }
 
+const Table<PlanRequest>& alternative_fields() {
+  static const Table<PlanRequest> table{
+      bound<PlanRequest>(
+          {.name = "alternatives",
+           .least = 0.0,
+           .most = 3.0,
+           .flag = "alternatives",
+           .help = "Number of other routes to look for: round the other side of an island, a "
+                   "bank, a group of icebergs or a closed area",
+           .details = "Each is stored as a plan of its own. Obstacles count that are at least a "
+                      "twentieth of the distance across, and routes that take at most twice the "
+                      "time",
+           .form = {"Alternatives", {}, "0"}},
+          [](auto& request) -> auto& { return request.alternatives; }),
+  };
+  return table;
+}
+
 const Table<PlanRequest>& search_fields() {
   static const Table<PlanRequest> table = in_group<PlanRequest>(
       group::search,
@@ -59,18 +77,6 @@ const Table<PlanRequest>& search_fields() {
                                          "less, are left only where no other route within this share is open",
                               .form = {"Fewer legs for at most", "%"}},
                              [](auto& request) -> auto& { return request.leg_tolerance; }),
-          bound<PlanRequest>(
-              {.name = "alternatives",
-               .least = 0.0,
-               .most = 3.0,
-               .flag = "alternatives",
-               .help = "Number of other routes to look for: round the other side of an island, a bank, a "
-                       "group of icebergs or a closed area",
-               .details =
-                   "Each is stored as a plan of its own. Obstacles count that are at least a twentieth of "
-                   "the distance across, and routes that take at most twice the time",
-               .form = {"Alternatives", {}, "0"}},
-              [](auto& request) -> auto& { return request.alternatives; }),
           bound<PlanRequest>({.name = "max_waypoints",
                               .least = 2.0,
                               .most = 10'000.0,

@@ -217,9 +217,10 @@ class AlternativeSearch {
         projection_.to_lon_lat(nearest_point(timed_route(way.plan, projection_), way.around->middle));
     const double later_h = (way.plan.travel_time() - plan_.travel_time()).count() / 3600.0;
     return messages::plan_message<"alternative">(
-        direction(geo::geodesic_between(middle, passes).course_at_start.degrees()), name_of(way.around->kind),
-        middle.lon_deg, middle.lat_deg, way.around->extent.value / 1000.0, std::abs(later_h),
-        later_h < 0.0 ? "less" : "more");
+               direction(geo::geodesic_between(middle, passes).course_at_start.degrees()),
+               name_of(way.around->kind), middle.lon_deg, middle.lat_deg, way.around->extent.value / 1000.0,
+               std::abs(later_h), later_h < 0.0 ? "less" : "more")
+        .at(middle);
   }
 
   const Plan& plan_;

@@ -136,6 +136,7 @@ TEST(RequestFields, KeepWhatIsSet) {
   keeps_what_is_set(passing_under_ice_fields());
   keeps_what_is_set(surfacing_fields());
   keeps_what_is_set(order_fields());
+  keeps_what_is_set(alternative_fields());
   keeps_what_is_set(search_fields());
   keeps_what_is_set(hold_fields());
   keeps_what_is_set(energy_fields());

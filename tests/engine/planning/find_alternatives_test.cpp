@@ -14,7 +14,10 @@ namespace floeplan::planning::find_alternatives_test {
 namespace {
 
 using support::eastward_request;
+using testing::AllOf;
+using testing::Gt;
 using testing::HasSubstr;
+using testing::Lt;
 using testing::SizeIs;
 
 PlanRequest asking_for(int alternatives) {
@@ -80,6 +83,10 @@ TEST(FindAlternatives, PassABankOnItsOtherSide) {
   EXPECT_GT(latitude_at(found.found[0].plan, -53.0), 69.1);
   const std::string reason = messages::sentence(found.found[0].reason);
   EXPECT_THAT(reason, HasSubstr("north of the shallow water"));
+  const auto place = found.found[0].reason.place;
+  ASSERT_TRUE(place);
+  EXPECT_THAT(place->lon_deg, AllOf(Gt(bank.west), Lt(bank.east)));
+  EXPECT_THAT(place->lat_deg, AllOf(Gt(bank.south), Lt(bank.north)));
   ASSERT_TRUE(found.fewer);
 }
 
