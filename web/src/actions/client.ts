@@ -116,6 +116,8 @@ export async function plans(): Promise<PlanFeature[]> {
   return all;
 }
 
+export const plan = (planId: string): Promise<PlanFeature> => json(`/collections/plans/items/${encodeURIComponent(planId)}`);
+
 /** What a plan was asked for, by whomever. */
 export const planInputs = (planId: string): Promise<PlanInputs> => json(`/collections/plans/items/${encodeURIComponent(planId)}/inputs`);
 

@@ -1,3 +1,6 @@
+import { effect, untracked } from '@preact/signals';
+import { areaOf } from '../model/area';
+import { planAreas } from '../model/plan_areas';
 import { routeOf, selectedId } from '../model/plans';
 import { rememberRequest, requestOf } from '../model/requests';
 import { startEdit } from '../model/route_edit';
@@ -14,6 +17,20 @@ export async function learnRequest(planId: string): Promise<void> {
   } catch {
     // Deleted meanwhile, or the server does not answer.
   }
+}
+
+/** Lets the map show the areas that the selected plan obeys. Call once. */
+export function followPlanAreas(): void {
+  effect(() => {
+    const id = selectedId.value;
+    planAreas.value = [];
+    if (id !== undefined) void untracked(() => showAreas(id));
+  });
+}
+
+async function showAreas(planId: string): Promise<void> {
+  await learnRequest(planId);
+  if (selectedId.peek() === planId) planAreas.value = (requestOf(planId)?.areas?.features ?? []).map(areaOf);
 }
 
 /** Opens a copy of a plan for changes and shows all of it, unless another plan was selected meanwhile. */

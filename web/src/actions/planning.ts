@@ -13,6 +13,7 @@ import { duration } from '../model/time';
 import { keepUnfinished, unfinished } from '../model/unfinished';
 import { ask } from '../model/view';
 import * as api from './client';
+import { withoutDeleted } from './deleting';
 import { follow } from './following';
 import { learnRequest } from './plan_inputs';
 import type { Position } from '../contract/data_types';
@@ -117,7 +118,7 @@ async function carryOut(begun: JobStatus, inputs: PlanInputs, started_ms: number
   const { plan: answer } = await api.jobResults(status.jobID);
   if (answer.status === 'ok') {
     rememberRequest(answer.plan_id, inputs);
-    showPlan(answer);
+    showPlan(answer, await alternativesOf(answer));
   } else {
     failure.value = { kind: 'infeasible', answer };
     ask({ do: 'fit', places: [[answer.at.lon, answer.at.lat], inputs.from, inputs.to].filter((place) => place !== undefined) as Position[] });
@@ -125,13 +126,20 @@ async function carryOut(begun: JobStatus, inputs: PlanInputs, started_ms: number
   }
 }
 
-function showPlan(answer: Plan): void {
+/** The plans of the alternatives, which are stored by themselves. One that somebody has deleted meanwhile is left out. */
+async function alternativesOf({ alternatives = [] }: Plan): Promise<Plan[]> {
+  const asked = await Promise.allSettled(alternatives.map(({ plan_id }) => api.plan(plan_id)));
+  return withoutDeleted(asked.flatMap((answer) => (answer.status === 'fulfilled' ? [answer.value.properties] : [])));
+}
+
+function showPlan(answer: Plan, alternatives: Plan[]): void {
   if (answer.departures) rightTab.value = 'departures';
-  add({ ...answer, created: answer.created ?? new Date().toISOString() });
+  add({ ...answer, created: answer.created ?? new Date().toISOString() }, alternatives);
   drawer.value = undefined; // on a narrow screen it lies over the map
   setTime(Date.parse(answer.departure));
-  ask({ do: 'fit', places: routeOf(answer) });
-  announce(`Plan ready: ${duration(answer.travel_time_s)}, ${answer.waypoints.length} waypoints.${warnedOf(answer)}`);
+  ask({ do: 'fit', places: [answer, ...alternatives].flatMap(routeOf) });
+  const beside = alternatives.length === 0 ? '' : ` ${alternatives.length} alternative${alternatives.length === 1 ? '' : 's'}.`;
+  announce(`Plan ready: ${duration(answer.travel_time_s)}, ${answer.waypoints.length} waypoints.${beside}${warnedOf(answer)}`);
 }
 
 function showRefusal(error: unknown): void {

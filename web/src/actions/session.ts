@@ -26,9 +26,7 @@ export async function refresh(): Promise<void> {
     takeStored(stored);
     vehicles.value = known.vehicles;
     if (draft.value.vehicle === '') fill({ vehicle: known.vehicles[0]?.name ?? '' });
-    model.plans.value = withoutDeleted((await planned).map((feature) => feature.properties))
-      .reverse() // the server lists them as they were stored, also those of one second
-      .sort((a, b) => Date.parse(b.created ?? b.departure) - Date.parse(a.created ?? a.departure));
+    model.plans.value = model.inOrder(withoutDeleted((await planned).map((feature) => feature.properties)));
     connectionFault.value = undefined;
     if (model.shown.value.length === 0) showFirst(opening);
   } catch (error) {

@@ -131,6 +131,17 @@ export interface Uncertainty {
   chance: number | null;
 }
 
+/** A route on the other side of something large, stored as a plan of its own. */
+export interface Alternative {
+  plan_id: string;
+  name: string;
+  arrival: string;
+  travel_time_s: number;
+  distance_m: number;
+  energy_j: number | null;
+  message: Message; // round what it leads
+}
+
 /** Another value for one input that would make the request possible. */
 export interface Change {
   input: string;
@@ -164,6 +175,7 @@ export interface Plan extends Told {
   energy?: { usable_j: number } | null;
   iceberg_encounters?: number | null;
   departures?: Departure[];
+  alternatives?: Alternative[]; // where they were asked for, the best first
   uncertainty?: Uncertainty | null;
   optimality_gap: number | null;
   optimality_gap_reason: string;

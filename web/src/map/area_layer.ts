@@ -9,12 +9,14 @@ import { Circle, Fill, Stroke, Style, Text } from 'ol/style.js';
 import type { Position } from '../contract/data_types';
 import { densify } from '../geo/geodesic';
 import { unproject } from '../geo/projections';
-import { newArea, type Area } from '../model/area';
+import { areaOf, newArea, type Area } from '../model/area';
 import { chosenAll } from '../model/datasets';
 import { draft, edit } from '../model/draft';
 import { drawingWish, drawnCorners, fewestCorners, isDrawing } from '../model/drawing';
-import { areaOf, newZone, openForm, zones } from '../model/hand_made';
+import { newZone, openForm, zones } from '../model/hand_made';
 import { visible } from '../model/layers';
+import { areasOfPlanAlone } from '../model/plan_areas';
+import { selectedShown } from '../model/plans';
 import { announce } from '../model/screen';
 import { projection } from '../model/settings';
 import { tool } from '../model/view';
@@ -23,8 +25,8 @@ import { toMap } from './projections';
 import { StillLayer } from './still_layer';
 
 /**
- * Stored zones and the areas of the set-up, hatched where they are closed, and the tool that draws one; in outline those that the set-up
- * leaves out or that are not stored yet. Sides are geodesics.
+ * Stored zones and the areas of the set-up and of the selected plan, hatched where they are closed, and the tool that draws one; in
+ * outline those that the set-up leaves out or that are not stored yet. Sides are geodesics.
  */
 export function areaLayer(): { layer: VectorLayer<VectorSource>; draw: Draw } {
   const source = new VectorSource();
@@ -49,6 +51,8 @@ export function areaLayer(): { layer: VectorLayer<VectorSource>; draw: Draw } {
     }
     if (form?.zone) put(form.zone, asideStyle(form.zone, 'not stored yet', colours));
     for (const area of draft.value.areas) put(area, areaStyle(area, colours));
+    const plan = selectedShown.value;
+    for (const area of plan ? areasOfPlanAlone.value : []) put(area, areaStyle({ ...area, name: `${plan?.letter ?? ''}: ${area.name}` }, colours));
   });
   effect(() => layer.setVisible(visible.value.areas));
 

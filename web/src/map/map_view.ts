@@ -21,6 +21,7 @@ import { safePlaces } from '../model/export_options';
 import { coast, currents, icebergs, isLoading, seaIce } from '../model/field';
 import { drawnChart } from '../model/ice_chart';
 import { zones } from '../model/hand_made';
+import { areasOfPlanAlone } from '../model/plan_areas';
 import { takePlace } from '../model/placing';
 import { select, selectedWaypoint, shownPlans } from '../model/plans';
 import { reach } from '../model/reach';
@@ -318,6 +319,7 @@ function publishState(map: Map, target: HTMLElement, vehicles: VectorLayer<Vecto
     target.dataset['coverage'] = String(coveredDatasets.value.length);
     target.dataset['safePlaces'] = String(safePlaces.value.length);
     target.dataset['areas'] = String(draft.value.areas.length);
+    target.dataset['planAreas'] = String(areasOfPlanAlone.value.length);
     target.dataset['zones'] = String(zones.value.length);
     target.dataset['tracks'] = String(visible.value.tracks ? gliderTracks.value.length : 0);
     target.dataset['handles'] = String(openEdit.value?.route.length ?? 0);

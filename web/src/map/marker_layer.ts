@@ -21,7 +21,7 @@ import { StillLayer } from './still_layer';
 
 /**
  * Start, goal and places between of the set-up, the safe places of an export (R for recovery), the berg that is being reported, the place where planning failed, those that
- * dangers and cautions of the selected plan speak of, and the place last probed.
+ * dangers and cautions of the selected plan and the messages of its alternatives speak of, and the place last probed.
  */
 export function markerLayer(): VectorLayer<VectorSource> {
   const source = new VectorSource();
@@ -47,7 +47,8 @@ export function markerLayer(): VectorLayer<VectorSource> {
     if (form?.berg) put(placeIn(form.berg.place), disc('B', colours.danger, colours));
 
     const plan = openEdit.value?.figures ?? selectedPlan.value;
-    for (const message of plan ? messagesOf(plan) : []) {
+    const ofAlternatives = selectedPlan.value?.alternatives?.map(({ message }) => message) ?? [];
+    for (const message of plan ? [...messagesOf(plan), ...ofAlternatives] : []) {
       if (message.rank === 'note' && message !== shownMessage.value) continue;
       put(placeOf(message), alarm(message === shownMessage.value, message.rank === 'danger' ? colours.danger : colours.caution, colours));
     }

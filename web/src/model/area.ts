@@ -1,7 +1,7 @@
 import type { AreaProperties, Areas, Position } from '../contract/data_types';
 import { editablePosition } from '../geo/coordinates';
 import { readPosition } from './position';
-import { isoOf, parseTime } from './time';
+import { fieldOf, isoOf, parseTime } from './time';
 
 /** An area to keep out of or to stay in, as a person types it. The first corner is not repeated at the end. */
 export interface Area {
@@ -13,6 +13,28 @@ export interface Area {
   top_m?: string; // empty: from the surface
   bottom_m?: string; // empty: to the sea bed
 }
+
+/** An area as the server states it. */
+interface StatedArea {
+  geometry: { coordinates: Position[][] };
+  properties: Pick<AreaProperties, 'kind'> & { [Name in Exclude<keyof AreaProperties, 'kind'>]?: AreaProperties[Name] | null };
+}
+
+/** A stated area as a form shows it, without its holes. */
+export function areaOf({ geometry, properties }: StatedArea): Area {
+  const { bottom_m, from, kind, name, top_m, until } = properties;
+  const time = (text: string | null | undefined): string => (text ? fieldOf(Date.parse(text)) : '');
+  return {
+    kind, name: name ?? '', corners: (geometry.coordinates[0] ?? []).slice(0, -1), from: time(from), until: time(until),
+    ...(top_m ? { top_m: String(top_m) } : {}), ...(typeof bottom_m === 'number' ? { bottom_m: String(bottom_m) } : {}),
+  };
+}
+
+const inWords = ({ kind, name, corners, from, until, top_m = '', bottom_m = '' }: Area): string =>
+  [kind, name, cornersText(corners), from, until, top_m, bottom_m].join('\n');
+
+/** Whether two areas ask the same in the same place, to the accuracy of their corners as text. */
+export const isSameArea = (a: Area, b: Area): boolean => inWords(a) === inWords(b);
 
 export const newArea = (corners: Position[], number: number): Area => ({
   kind: 'no_go', name: `Area ${number}`, corners, from: '', until: '',

@@ -1,6 +1,7 @@
 import type { Position } from '../contract/data_types';
 import type { PlanInputs } from '../contract/types';
 import { readPosition } from './position';
+import { whyNoAlternatives } from './alternatives';
 import { areasInputs, faultOfAreas } from './area';
 import { choiceInputs, severalIn } from './data_choice';
 import { emptyDraft, hasGoalsFile, isEnsemble, numberIn, placesIn, type Draft, type Faults, type Field } from './draft';
@@ -95,6 +96,7 @@ function placesOf(form: Draft, found: Faults): Pick<PlanInputs, 'from' | 'to' | 
 
 /** Whether a field has no effect on what is asked for. */
 function isLeftOut(field: Field, form: Draft): boolean {
+  if (field === 'alternatives') return whyNoAlternatives(form) !== undefined;
   if (field.startsWith('objective.')) return form.objective !== 'both';
   if (!field.startsWith('uncertainty.')) return false;
   const isAim = field === 'uncertainty.objective' || field === 'uncertainty.quantile' || field === 'uncertainty.arrive_before';

@@ -9,6 +9,7 @@ export const guidePages = {
   setup: { address: 'planning', about: 'planning routes' },
   reach: { address: 'planning#departure-and-arrival', about: 'reach' },
   plans: { address: 'map#plans', about: 'plans' },
+  alternatives: { address: 'planning#alternatives', about: 'alternatives' },
   data: { address: 'data', about: 'data in' },
   layers: { address: 'map#data-and-layers', about: 'layers' },
   waypoints: { address: 'map#waypoints-profile-and-flights', about: 'waypoints' },

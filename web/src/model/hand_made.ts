@@ -2,7 +2,7 @@ import { computed, signal } from '@preact/signals';
 import type { IcebergFeature, NewFeature, Position, ZoneFeature } from '../contract/data_types';
 import { editablePosition } from '../geo/coordinates';
 import { readPosition } from './position';
-import { areasInputs, faultOfAreas, newArea, type Area } from './area';
+import { areaOf, areasInputs, faultOfAreas, newArea, type Area } from './area';
 import { time_ms } from './clock';
 import { byHand } from './datasets';
 import { fieldOf, isoOf, parseTime } from './time';
@@ -82,16 +82,6 @@ export const newZone = (corners: Position[]): OpenForm => ({
 function freeName(): string {
   const numbers = bergsByHand.peek().map(({ properties }) => Number(/^sighted-(\d+)$/.exec(properties.berg_id)?.[1] ?? 0));
   return `sighted-${Math.max(0, ...numbers) + 1}`;
-}
-
-/** A stored zone as the form shows it. Holes are not shown; they stay as long as the corners do not change. */
-export function areaOf({ geometry, properties }: ZoneFeature): Area {
-  const { bottom_m, from, kind, name, top_m, until } = properties;
-  const time = (text: string | null): string => (text ? fieldOf(Date.parse(text)) : '');
-  return {
-    kind, name: name ?? '', corners: (geometry.coordinates[0] ?? []).slice(0, -1), from: time(from), until: time(until),
-    ...(top_m ? { top_m: String(top_m) } : {}), ...(bottom_m === null ? {} : { bottom_m: String(bottom_m) }),
-  };
 }
 
 export function formOf(kind: HandMadeKind, before: HandMade, tag: string | undefined): OpenForm {

@@ -20,6 +20,7 @@ const stages: Record<string, string> = {
   search: 'Searching the route',
   environment: 'Preparing the sea',
   refinement: 'Refining the route',
+  alternatives: 'Looking for alternatives',
   done: 'Storing the plan',
 };
 

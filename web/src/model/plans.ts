@@ -63,9 +63,24 @@ export function select(id: string | undefined): void {
   selectedWaypoint.value = undefined;
 }
 
-export function add(plan: Plan): void {
-  plans.value = [plan, ...plans.value.filter((other) => other.plan_id !== plan.plan_id)];
+/** Adds a plan and selects it, with its alternatives below it in the list and beside it on the map. */
+export function add(plan: Plan, alternatives: Plan[] = []): void {
+  const added = [plan, ...alternatives];
+  const ids = added.map(({ plan_id }) => plan_id);
+  plans.value = [...added, ...plans.value.filter(({ plan_id }) => !ids.includes(plan_id))];
   select(plan.plan_id);
+  shown.value = [...shown.value, ...ids.filter((id) => !shown.value.includes(id))];
+}
+
+/** The newest plan first, and alternatives below the plan that they belong to. `stored`: as the server lists them, the oldest first. */
+export function inOrder(stored: Plan[]): Plan[] {
+  const newestFirst = [...stored].reverse().sort((a, b) => Date.parse(b.created ?? b.departure) - Date.parse(a.created ?? a.departure));
+  const below = new Set(newestFirst.flatMap(({ alternatives = [] }) => alternatives.map(({ plan_id }) => plan_id)));
+  const ordered = newestFirst.filter(({ plan_id }) => !below.has(plan_id)).flatMap((plan) => [
+    plan,
+    ...(plan.alternatives ?? []).flatMap(({ plan_id }) => stored.filter((other) => other.plan_id === plan_id)),
+  ]);
+  return [...new Set(ordered)]; // the same route may be an alternative to two plans
 }
 
 export function forget(id: string): void {

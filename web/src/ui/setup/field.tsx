@@ -39,14 +39,15 @@ export interface Choice {
   title: string;
 }
 
-export function SelectField({ name, choices }: { name: TextField; choices: Choice[] }): VNode {
+/** `closed`: nothing but the first choice is offered, for a reason that stands in the element of this id. */
+export function SelectField({ name, choices, closed }: { name: TextField; choices: Choice[]; closed?: string | undefined }): VNode {
   const fault = faults.value[name];
   return (
     <div class={fault ? 'field faulty' : 'field'}>
       <label for={`field-${name}`}>{formOf(name).label}</label>
       <select
-        id={`field-${name}`} value={draft.value[name]} aria-invalid={fault ? true : undefined}
-        aria-describedby={fault ? `fault-${name}` : undefined}
+        id={`field-${name}`} value={closed ? choices[0]?.value : draft.value[name]} disabled={closed !== undefined} aria-invalid={fault ? true : undefined}
+        aria-describedby={fault ? `fault-${name}` : closed}
         onChange={(event) => edit({ [name]: event.currentTarget.value })}
       >
         {choices.map(({ value, title }) => (

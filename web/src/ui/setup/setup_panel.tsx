@@ -15,6 +15,7 @@ import { Icon, IconButton } from '../common/icon';
 import { RoleNote } from '../common/role_note';
 import { UndoButtons } from '../common/undo_buttons';
 import { Advanced } from './advanced';
+import { AlternativesField, AlternativesHint } from './alternatives_field';
 import { FailureCard } from './failure_card';
 import { SelectField, TextField, type Choice } from './field';
 import { GoalField } from './goal_field';
@@ -53,9 +54,13 @@ export function SetupPanel(): VNode {
         <PickButton which="from" label="Pick the start on the map" />
       </TextField>
       <GoalField />
-      <TextField name="depart">
-        <IconButton icon="clock" label="Depart at the clock's time" onClick={() => edit({ depart: fieldOf(time_ms.value) })} />
-      </TextField>
+      <div class="field-pair departure-row">
+        <TextField name="depart">
+          <IconButton icon="clock" label="Depart at the clock's time" onClick={() => edit({ depart: fieldOf(time_ms.value) })} />
+        </TextField>
+        <AlternativesField />
+      </div>
+      <AlternativesHint />
       <div class="field-pair wide-first">
         <SelectField name="vehicle" choices={vehicleChoices.value} />
         <TextField name="margin_m" />

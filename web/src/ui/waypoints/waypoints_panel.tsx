@@ -15,6 +15,7 @@ import { later } from '../common/later';
 import { Messages } from '../common/messages';
 import { PlanKey } from '../common/plan_key';
 import { RoleNote } from '../common/role_note';
+import { Alternatives } from './alternatives';
 import { Figures } from './figures';
 import { StaleBox } from './stale_box';
 import { WaypointTable } from './waypoint_table';
@@ -53,6 +54,7 @@ export function WaypointsPanel(): VNode {
       <StaleBox plan={plan} />
       <Figures plan={plan} />
       <Messages of={plan} />
+      <Alternatives plan={plan} />
       <RoleNote role="pilot" what="Changing a plan" />
       <div class="edit-save">
         <button type="button" disabled={!may('pilot')} onClick={() => void editCopy(plan)}><Icon name="edit" /> Edit copy</button>

@@ -1,0 +1,28 @@
+import type { VNode } from 'preact';
+import { whyNoAlternatives } from '../../model/alternatives';
+import { draft } from '../../model/draft';
+import { guidePages } from '../../model/guide_pages';
+import { GuideLink } from '../common/guide_link';
+import { SelectField, type Choice } from './field';
+
+const choices: Choice[] = [
+  { value: '', title: 'None' },
+  ...['1', '2', '3'].map((count) => ({ value: count, title: count })),
+];
+
+const hintId = 'hint-alternatives';
+
+/** How many routes round the other side of large obstacles are looked for. */
+export const AlternativesField = (): VNode => <SelectField name="alternatives" choices={choices} closed={whyNoAlternatives(draft.value) && hintId} />;
+
+/** What that number means, or why none can be chosen. It stands below the row of the field, over the whole width. */
+export function AlternativesHint(): VNode | null {
+  const why = whyNoAlternatives(draft.value);
+  if (why) return <p class="hint" id={hintId}>{why}</p>;
+  if (draft.value.alternatives === '') return null;
+  return (
+    <p class="hint" id={hintId}>
+      Also looks for routes on the other side of large obstacles, up to twice as long in time. Each becomes a plan of its own. <GuideLink page={guidePages.alternatives} />
+    </p>
+  );
+}
