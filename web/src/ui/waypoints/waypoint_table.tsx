@@ -26,7 +26,9 @@ export function WaypointTable({ plan }: { plan: Plan }): VNode {
             <th scope="col"><abbr title="Depth of the sea bed">Depth</abbr> <span class="unit">m</span></th>
             <th scope="col" class="surface">
               <abbr title="Whether the vehicle may surface here; –: no data on sea ice">May surface</abbr>{' '}
-              <abbr class="second" title="How deep the dives on the leg must turn to pass below sea ice and icebergs">turn</abbr> <span class="unit">m</span>
+              <span class="second">
+                <abbr title="How deep the dives on the leg must turn to pass below sea ice and icebergs">Turn</abbr> <span class="unit">m</span>
+              </span>
             </th>
           </tr>
         </thead>
