@@ -1,6 +1,8 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
 
 #include "engine/planning/problem/alternative.hpp"
 
@@ -10,5 +12,9 @@ namespace floeplan::codec {
 /// `document`  of the alternative's own plan
 [[nodiscard]] nlohmann::json alternative_json(const planning::Alternative& alternative,
                                               const nlohmann::json& document);
+
+/// What the document of a plan says of its alternatives, as a line for each: name, arrival, travel time, distance, and
+/// round what it leads. Empty where none were asked for.
+[[nodiscard]] std::vector<std::string> alternative_lines(const nlohmann::json& plan_document);
 
 }  // namespace floeplan::codec

@@ -199,6 +199,7 @@ std::string plan_brief_html(const planning::Plan& plan, const BriefPictures& pic
   text += table(plan);
   for (const auto& [title_of_rank, sentences] : brief_messages(plan, notes))
     text += list(title_of_rank, sentences, "warn");
+  text += list("Alternatives", notes.alternatives, "warn");
   std::vector<std::string> data;
   data.reserve(plan.datasets.size());
   for (const auto& dataset : plan.datasets)

@@ -17,6 +17,7 @@ struct BriefNotes {
   std::string name;
   core::UtcTime generated{};
   std::vector<messages::Message> messages;  // of the export; the plan's own are added
+  std::vector<std::string> alternatives{};  // a line for each, the best first
 };
 
 struct BriefPictures {

@@ -268,6 +268,8 @@ std::string plan_brief_pdf(const planning::Plan& plan, const BriefPictures& pict
     sheet.paragraph(title, 9.0, true);
     for (const std::string& sentence : sentences) sheet.paragraph(sentence, 9.0);
   }
+  if (!notes.alternatives.empty()) sheet.paragraph("Alternatives", 9.0, true);
+  for (const std::string& alternative : notes.alternatives) sheet.paragraph(alternative, 9.0);
   for (const auto& dataset : plan.datasets)
     sheet.paragraph(dataset.kind + ": " + dataset.name + " (" + dataset.id + "), sha256 " + dataset.sha256,
                     7.0);

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "api/codec/documents/alternative_document.hpp"
 #include "api/codec/documents/plan_document.hpp"
 #include "api/codec/exports/plan_brief.hpp"
 #include "api/codec/exports/plan_brief_pdf.hpp"
@@ -138,7 +139,8 @@ std::string bytes_of(sql::Connection& db, const PlanRecord& record, const planni
   if (format.name == "imc")
     return codec::plan_imc(plan, service::vehicle_of(record, plan), service::shoals_of(db, record, plan),
                            service::holds_of(db, record, plan).radius, id, record.name, now);
-  const codec::BriefNotes notes{id, record.name, now, told};
+  const codec::BriefNotes notes{id, record.name, now, told,
+                                codec::alternative_lines(nlohmann::json::parse(record.document_json))};
   if (format.name == "html") return codec::plan_brief_html(plan, pictures_of(db, record, plan), notes);
   if (format.name == "pdf") return codec::plan_brief_pdf(plan, pictures_of(db, record, plan), notes);
   throw std::invalid_argument{"export_plan: no format " + format.name};

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "api/codec/documents/alternative_document.hpp"
 #include "api/codec/documents/plan_document.hpp"
 #include "api/codec/exports/plan_brief.hpp"
 #include "api/codec/exports/plan_brief_pdf.hpp"
@@ -443,6 +444,25 @@ TEST(PlanBrief, TellsHoldsInWordsAndOnTheMap) {
 
   EXPECT_THAT(brief_facts(plan), testing::Contains("Hold 2 h 40 min at waypoint 1."));
   EXPECT_EQ(picture.waypoints.at(1).text, "1 hold 2 h 40 min");
+}
+
+TEST(PlanBrief, NamesTheAlternativesOfThePlan) {
+  const json document = json::parse(
+      R"({"alternatives":[{"plan_id":"p-02","name":"survey, alternative 1","arrival":"2026-11-24T11:44:12Z",
+          "travel_time_s":193452.3,"distance_m":59657.0,"energy_j":null,
+          "message":{"text":"this route passes north of the icebergs"}}]})");
+  const std::string line =
+      "survey, alternative 1, arrival 2026-11-24T11:44:12Z, 53.7 h, 59.7 km: this route passes north of the "
+      "icebergs.";
+
+  EXPECT_THAT(alternative_lines(document), testing::ElementsAre(line));
+  EXPECT_THAT(alternative_lines(json::object()), testing::IsEmpty());
+  const planning::Plan plan = two_legs();
+  const BriefPictures pictures{.map = draw_map(plan, {}, {}, 720.0, 420.0)};
+  const BriefNotes notes{"p-01", "", {}, {}, {line}};
+  EXPECT_THAT(plan_brief_html(plan, pictures, notes),
+              HasSubstr("<b>Alternatives</b><ul>\n<li>" + line + "</li>"));
+  EXPECT_THAT(plan_brief_html(plan, pictures, {"p-01", "", {}, {}}), Not(HasSubstr("Alternatives")));
 }
 
 /// What stands between two texts, wherever the first of them is found.
