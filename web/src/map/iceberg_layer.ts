@@ -11,7 +11,7 @@ import { project } from '../geo/projections';
 import { time_ms } from '../model/clock';
 import { icebergs } from '../model/field';
 import { icebergChoice } from '../model/iceberg_choice';
-import { crowd, isStale, keepOutRadii_m, strengthOf, symbolSize_px } from '../model/icebergs';
+import { crowd, keepOutRadii_m, lookOf, symbolSize_px, type Look } from '../model/icebergs';
 import { visible } from '../model/layers';
 import { projection } from '../model/settings';
 import { sighting_days } from '../model/sighting_age';
@@ -66,28 +66,34 @@ export function icebergLayer(): VectorLayer<VectorSource> {
     source.addFeatures([...features.values()]);
   });
   const hour_ms = computed(() => Math.floor(time_ms.value / 3_600_000) * 3_600_000);
+  const lookNow = (berg: IcebergFeature): Look => lookOf(berg.properties, hour_ms.value, icebergChoice.value?.max_sighting_age_days ?? sighting_days);
+  const looks = computed(() => JSON.stringify(icebergs.value.map(lookNow))); // as text, which stays the same in most hours
   effect(() => {
-    const colours = palette.value;
-    const hour = hour_ms.value;
-    const limit_days = icebergChoice.value?.max_sighting_age_days ?? sighting_days;
+    const [colours] = [palette.value, looks.value]; // new symbols when either changes
+    const symbols = new Map<string, RegularShape>();
     layer.setStyle((feature, resolution) => {
       const berg = feature.get('berg') as IcebergFeature;
-      const image = symbolOf(berg.properties, isStale(berg.properties, hour), colours);
-      image.setOpacity(strengthOf(berg.properties, hour, limit_days));
-      return new Style({ image, ...(resolution < 120 ? { text: nameOf(berg.properties, colours) } : {}) });
+      const { properties } = berg;
+      const look = lookNow(berg);
+      const key = `${properties.size} ${look.stale} ${look.strength}`;
+      const image = symbols.get(key) ?? symbolOf(properties, look, colours);
+      symbols.set(key, image);
+      return new Style({ image, ...(resolution < 120 ? { text: nameOf(properties, colours) } : {}) });
     });
   });
   effect(() => layer.setVisible(visible.value.icebergs));
   return layer;
 }
 
-function symbolOf({ size }: IcebergProperties, stale: boolean, colours: Palette): RegularShape {
-  return new RegularShape({
+function symbolOf({ size }: IcebergProperties, { stale, strength }: Look, colours: Palette): RegularShape {
+  const symbol = new RegularShape({
     points: size === 'radar_target' || size === 'unknown' ? 4 : 3,
     radius: symbolSize_px(size),
     fill: new Fill({ color: colours.berg }),
     stroke: new Stroke({ color: stale ? colours.stale : colours.ink, width: 1.6 }),
   });
+  symbol.setOpacity(strength);
+  return symbol;
 }
 
 const nameOf = ({ berg_id, size }: IcebergProperties, colours: Palette): Text =>

@@ -30,6 +30,20 @@ export function strengthOf({ observed }: IcebergProperties, at_ms: number, limit
   return 1 - (1 - faintest) * Math.min(Math.max(spent, 0), 1);
 }
 
+/** How the symbol of a sighting looks at a moment. */
+export interface Look {
+  stale: boolean;
+  strength: number;
+}
+
+/** Opacity in steps that the eye hardly tells apart: each step has all symbols drawn anew, and a clock that plays passes many hours. */
+const strengthSteps = 20;
+
+export const lookOf = (berg: IcebergProperties, at_ms: number, limit_days: number): Look => ({
+  stale: isStale(berg, at_ms),
+  strength: Math.round(strengthSteps * strengthOf(berg, at_ms, limit_days)) / strengthSteps,
+});
+
 const metresIn = (text: string, usual: number): number => {
   const value = numberIn(text);
   return value !== undefined && value >= 0 ? value : usual;

@@ -1,7 +1,7 @@
 import { beforeEach, describe, expect, it } from 'vitest';
 import type { IcebergProperties } from '../../src/contract/data_types';
 import { edit } from '../../src/model/draft';
-import { keepOut_m, strengthOf } from '../../src/model/icebergs';
+import { keepOut_m, lookOf, strengthOf } from '../../src/model/icebergs';
 
 describe('the distance kept from a berg', () => {
   beforeEach(() => edit({ margin_m: '500', max_inflation_m: '' }));
@@ -31,6 +31,18 @@ describe('a sighting', () => {
     expect(strengthAfter(72)).toBeCloseTo(0.35, 6);
     expect(strengthAfter(500)).toBeCloseTo(0.35, 6);
     expect(strengthAfter(72, 6)).toBeCloseTo(0.675, 6);
+  });
+
+  it('looks the same in most hours, and hardly other than its age says', () => {
+    const berg = { observed: seen } as IcebergProperties;
+    const hours = Array.from({ length: 100 }, (_, hour) => Date.parse(seen) + hour * 3_600_000);
+    const looks = hours.map((at_ms) => lookOf(berg, at_ms, 3));
+
+    expect(new Set(looks.map((look) => JSON.stringify(look))).size).toBeLessThanOrEqual(16);
+    looks.forEach(({ strength, stale }, hour) => {
+      expect(Math.abs(strength - strengthOf(berg, hours[hour] ?? NaN, 3))).toBeLessThanOrEqual(0.0251);
+      expect(stale).toBe(hour > 24);
+    });
   });
 
   it('is seen also where no age is allowed', () => expect(strengthAfter(1, 0)).toBeGreaterThan(0.3));
