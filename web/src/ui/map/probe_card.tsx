@@ -2,6 +2,8 @@ import type { ComponentChildren, VNode } from 'preact';
 import type { PlanningKind, Position } from '../../contract/data_types';
 import type { Probe } from '../../contract/types';
 import { formatPosition } from '../../geo/coordinates';
+import { openBergId } from '../../model/berg_card';
+import { icebergs } from '../../model/field';
 import { chartInWords, drawnChart, eggAt, partInWords } from '../../model/ice_chart';
 import { sizeTitle } from '../../model/icebergs';
 import { bedInWords, currentInWords, iceInWords, isLeftOut, probed } from '../../model/probe';
@@ -49,11 +51,21 @@ function Answer({ answer }: { answer: Probe }): VNode {
       <Egg place={[answer.lon, answer.lat]} />
       <dt>Nearest iceberg</dt>
       <Told of="icebergs">
-        {berg ? `${distance(berg.distance_m)}: ${berg.berg_id}` : 'none within 50 km'}
+        {berg ? <>{distance(berg.distance_m)}: <BergName id={berg.berg_id} /></> : 'none within 50 km'}
         {berg && <small>{sizeTitle(berg.size)}, seen {shortTime(Date.parse(berg.observed))}</small>}
       </Told>
     </dl>
   );
+}
+
+/** The name of an iceberg. Where the iceberg is in view, it opens its card in place of the probe's: the keel stands there. */
+function BergName({ id }: { id: string }): VNode {
+  if (!icebergs.value.some(({ properties }) => properties.berg_id === id)) return <>{id}</>;
+  const openCard = (): void => {
+    openBergId.value = id;
+    probed.value = undefined;
+  };
+  return <button type="button" class="link" title="Show its size, keel, history and forecast" onClick={openCard}>{id}</button>;
 }
 
 /** What the data of a kind tell, where plans of the set-up have any. */
