@@ -38,4 +38,10 @@ UnrolledBox unrolled(const geo::BoundingBox& box) {
   return {west, west + geo::width_deg(box)};
 }
 
+void BoxInsert::run(const geo::BoundingBox& box) {
+  const UnrolledBox width = unrolled(box);
+  insert_.bind_all(width.west_deg, width.east_deg, box.south_deg, box.north_deg);
+  insert_.run();
+}
+
 }  // namespace floeplan::repository

@@ -23,4 +23,16 @@ struct UnrolledBox {
 
 [[nodiscard]] UnrolledBox unrolled(const geo::BoundingBox& box);
 
+/// Writes the box of the row that was inserted last into an R*Tree table. Prepared once, for many rows.
+class BoxInsert {
+ public:
+  BoxInsert(sql::Connection& db, const std::string& box_table)
+      : insert_{db, "INSERT INTO " + box_table + " VALUES (last_insert_rowid(), ?1, ?2, ?3, ?4)"} {}
+
+  void run(const geo::BoundingBox& box);
+
+ private:
+  sql::Statement insert_;
+};
+
 }  // namespace floeplan::repository

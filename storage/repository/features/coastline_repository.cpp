@@ -23,16 +23,12 @@ void CoastlineRepository::insert(const DatasetId& dataset, const std::vector<geo
   sql::Transaction transaction{db_};
   const std::int64_t dataset_number = dataset_row(db_, dataset);
   sql::Statement insert{db_, "INSERT INTO land_polygon (dataset_row, rings) VALUES (?1, ?2)"};
-  sql::Statement insert_box{db_, "INSERT INTO land_polygon_box VALUES (last_insert_rowid(), ?1, ?2, ?3, ?4)"};
+  BoxInsert insert_box{db_, "land_polygon_box"};
   BlobCodec codec;
   for (const geo::Polygon& polygon : land) {
     insert.bind_all(dataset_number, pack_polygon(codec, polygon));
     insert.run();
-
-    const geo::BoundingBox box = geo::bounding_box(polygon);
-    const UnrolledBox width = unrolled(box);
-    insert_box.bind_all(width.west_deg, width.east_deg, box.south_deg, box.north_deg);
-    insert_box.run();
+    insert_box.run(geo::bounding_box(polygon));
   }
   transaction.commit();
 }

@@ -142,7 +142,7 @@ class TrackWriter {
             "INSERT INTO glider_track (dataset_row, position, glider, start_s, end_s, deepest_m, points, "
             "way, frame, variation_source, variation_west_rad, utm_zone) VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, "
             "?8, ?9, ?10, ?11, ?12)"},
-        box_{db, "INSERT INTO glider_track_box VALUES (last_insert_rowid(), ?1, ?2, ?3, ?4)"},
+        box_{db, "glider_track_box"},
         current_{db,
                  "INSERT INTO glider_current (dataset_row, position, time_s, lon_deg, lat_deg, east_m_s, "
                  "north_m_s) VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7)"} {}
@@ -161,10 +161,7 @@ class TrackWriter {
     std::vector<geo::LonLat> places;
     places.reserve(track.points.size());
     for (const ocean::TrackPoint& point : track.points) places.push_back(point.place);
-    const geo::BoundingBox box = geo::bounding_box(places);
-    const UnrolledBox width = unrolled(box);
-    box_.bind_all(width.west_deg, width.east_deg, box.south_deg, box.north_deg);
-    box_.run();
+    box_.run(geo::bounding_box(places));
     for (const ocean::DepthAveragedCurrent& each : track.currents) {
       current_.bind_all(dataset_row_, position, each.time, each.place.lon_deg, each.place.lat_deg,
                         each.current.east.value, each.current.north.value);
@@ -175,7 +172,7 @@ class TrackWriter {
  private:
   std::int64_t dataset_row_;
   sql::Statement track_;
-  sql::Statement box_;
+  BoxInsert box_;
   sql::Statement current_;
   BlobCodec codec_;
 };

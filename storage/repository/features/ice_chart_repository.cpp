@@ -35,17 +35,12 @@ void IceChartRepository::insert(const DatasetId& dataset, const std::vector<Char
   sql::Transaction transaction{db_};
   const std::int64_t dataset_number = dataset_row(db_, dataset);
   sql::Statement insert{db_, "INSERT INTO chart_polygon (dataset_row, codes, rings) VALUES (?1, ?2, ?3)"};
-  sql::Statement insert_box{db_,
-                            "INSERT INTO chart_polygon_box VALUES (last_insert_rowid(), ?1, ?2, ?3, ?4)"};
+  BoxInsert insert_box{db_, "chart_polygon_box"};
   BlobCodec codec;
   for (const ChartPolygon& polygon : polygons) {
     insert.bind_all(dataset_number, egg_text(polygon.codes), pack_polygon(codec, polygon.area));
     insert.run();
-
-    const geo::BoundingBox box = geo::bounding_box(polygon.area);
-    const UnrolledBox width = unrolled(box);
-    insert_box.bind_all(width.west_deg, width.east_deg, box.south_deg, box.north_deg);
-    insert_box.run();
+    insert_box.run(geo::bounding_box(polygon.area));
   }
   transaction.commit();
 }

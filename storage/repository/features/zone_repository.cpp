@@ -138,17 +138,13 @@ void ZoneRepository::insert(const DatasetId& dataset, const std::vector<ocean::Z
   sql::Statement insert{db_,
                         "INSERT INTO zone (dataset_row, name, kind, from_s, until_s, top_m, bottom_m, rings) "
                         "VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8)"};
-  sql::Statement insert_box{db_, "INSERT INTO zone_box VALUES (last_insert_rowid(), ?1, ?2, ?3, ?4)"};
+  BoxInsert insert_box{db_, "zone_box"};
   BlobCodec codec;
   for (const ocean::Zone& zone : zones) {
     insert.bind_all(dataset_number, zone.name, ocean::zone_kind_name(zone.kind), zone.from, zone.until,
                     zone.top.value, bottom_m(zone), pack_polygon(codec, zone.area));
     insert.run();
-
-    const geo::BoundingBox box = geo::bounding_box(zone.area);
-    const UnrolledBox width = unrolled(box);
-    insert_box.bind_all(width.west_deg, width.east_deg, box.south_deg, box.north_deg);
-    insert_box.run();
+    insert_box.run(geo::bounding_box(zone.area));
   }
   transaction.commit();
 }
