@@ -79,7 +79,7 @@ class ReachedAreas {
 
  private:
   bool closed_between(Vertex in, Vertex out) const {
-    return sea_.closed_between(open_.grid.point(in), open_.grid.point(out)).has_value();
+    return sea_.closures().closed_between(open_.grid.point(in), open_.grid.point(out)).has_value();
   }
 
   /// How far the vehicle comes on the straight line towards a vertex that it does not reach that way.
@@ -152,7 +152,7 @@ std::optional<motion::EdgeClosed> closed_place(const cost::Sea& sea, geo::PlaneP
                                                const IsochroneRequest& request) {
   if (const auto closed = sea.safety().closed_at(request.place)) return closed;
   const core::Seconds then = request.time - request.begin();
-  for (const TimeSpan& span : sea.closed_times(place)) {
+  for (const TimeSpan& span : sea.closures().closed_times(place)) {
     if (span.from <= then && then <= span.until) return motion::EdgeClosed::obstacle;
   }
   return std::nullopt;

@@ -17,15 +17,15 @@ geo::PlanePoint beside(geo::PlanePoint centre, double x_m, double y_m) {
 
 /// Whether all straight lines from the centre to the rim are free of permanent closures.
 bool is_open_to_rim(const Sea& sea, geo::PlanePoint centre, core::Metres radius) {
-  if (sea.open_about(centre, radius)) return true;
+  if (sea.closures().open_about(centre, radius)) return true;
   const double r_m = radius.value;
   const double d_m = r_m * std::sqrt(0.5);
   const std::array<geo::PlanePoint, 8> rim{beside(centre, r_m, 0.0),  beside(centre, d_m, d_m),
                                            beside(centre, 0.0, r_m),  beside(centre, -d_m, d_m),
                                            beside(centre, -r_m, 0.0), beside(centre, -d_m, -d_m),
                                            beside(centre, 0.0, -r_m), beside(centre, d_m, -d_m)};
-  return std::ranges::none_of(rim,
-                              [&](geo::PlanePoint p) { return sea.closed_between(centre, p).has_value(); });
+  return std::ranges::none_of(
+      rim, [&](geo::PlanePoint p) { return sea.closures().closed_between(centre, p).has_value(); });
 }
 
 }  // namespace
@@ -62,9 +62,9 @@ bool HoldCircle::is_always_kept() const {
 }
 
 std::vector<TimeSpan> HoldCircle::closed_times() const {
-  std::vector<TimeSpan> closed = sea_.closed_times_by_icebergs(centre_, radius_);
+  std::vector<TimeSpan> closed = sea_.closures().closed_times_by_icebergs(centre_, radius_);
   for (const geo::PlanePoint look : looks_)
-    std::ranges::copy(sea_.closed_times_by_zones(look), std::back_inserter(closed));
+    std::ranges::copy(sea_.closures().closed_times_by_zones(look), std::back_inserter(closed));
   return joined(std::move(closed));
 }
 

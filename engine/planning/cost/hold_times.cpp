@@ -10,7 +10,7 @@ namespace floeplan::planning::cost {
 namespace {
 
 constexpr core::Seconds between_looks{900.0};
-constexpr core::Seconds fineness_of_clear{5.0};  // tolerance of `Sea::first_clear_departure`
+constexpr core::Seconds fineness_of_clear{5.0};  // tolerance of `Closures::first_clear_departure`
 constexpr int most_tries = 8;  // departures of a leg at which the straight drive at constant speed is clear
 constexpr int tries_in_currents = 48;  // a tidal cycle in quarters of an hour
 constexpr double tries_per_time_step = 4.0;
@@ -120,7 +120,7 @@ std::optional<core::Seconds> departure_after(const Sea& sea, geo::PlanePoint a, 
     }
   }
   if (opens_again(closed)) {
-    const auto clear = sea.first_clear_departure(a, b, unhindered, depart, until);
+    const auto clear = sea.closures().first_clear_departure(a, b, unhindered, depart, until);
     if (!clear) return std::nullopt;
     is_first = *clear > depart;
     return is_first ? *clear : depart + fineness_of_waits(unhindered);
@@ -170,7 +170,7 @@ tl::expected<WaitedLeg, motion::EdgeClosed> leg_when_slack(const Sea& sea, geo::
 
 bool holds_may_help(const Sea& sea) {
   const bool currents_change = sea.currents() && sea.currents()->time_step();
-  return sea.holding().longest.count() > 0.0 && (sea.has_timed_closures() || currents_change);
+  return sea.holding().longest.count() > 0.0 && (sea.closures().any_timed() || currents_change);
 }
 
 core::Seconds can_stay_until(const Sea& sea, geo::PlanePoint place, core::Seconds from, core::Seconds until) {
@@ -203,11 +203,11 @@ tl::expected<WaitedLeg, motion::EdgeClosed> leg_when_open(const Sea& sea, geo::P
   if (at_once && earliest == arrive) return WaitedLeg{core::Seconds{0.0}, *at_once};
   if (!at_once && at_once.error() == motion::EdgeClosed::current_too_strong && holds_may_help(sea))
     return leg_when_slack(sea, a, b, arrive, latest, earliest);
-  const bool may_wait = sea.holding().longest.count() > 0.0 && sea.has_timed_closures();
+  const bool may_wait = sea.holding().longest.count() > 0.0 && sea.closures().any_timed();
   if (!may_wait || (!at_once && !opens_again(at_once.error())))
     return at_once.map([](core::Seconds time) { return WaitedLeg{core::Seconds{0.0}, time}; });
   const auto closed = tl::unexpected(at_once ? motion::EdgeClosed::too_late : at_once.error());
-  if (sea.closed_between(a, b)) return closed;
+  if (sea.closures().closed_between(a, b)) return closed;
 
   const core::Seconds stays = can_stay_until(sea, a, arrive, arrive + sea.holding().longest);
   core::Seconds depart = earliest;
@@ -215,7 +215,7 @@ tl::expected<WaitedLeg, motion::EdgeClosed> leg_when_open(const Sea& sea, geo::P
   for (int i = 0; i < most_tries && depart <= stays; ++i) {
     const auto unhindered = sea.leg_time_without_timed_closures(a, b, depart, latest);
     if (!unhindered) return closed;
-    const auto clear = sea.first_clear_departure(a, b, *unhindered, depart, stays);
+    const auto clear = sea.closures().first_clear_departure(a, b, *unhindered, depart, stays);
     if (!clear) return closed;
     depart = *clear;
     const auto time = sea.leg_time(a, b, depart, latest);
@@ -235,7 +235,7 @@ tl::expected<core::Seconds, motion::EdgeClosed> time_with_wait(const Sea& sea, g
 OpenLegLook next_open_leg(const Sea& sea, geo::PlanePoint a, geo::PlanePoint b, TimeSpan departures,
                           core::Seconds not_before) {
   const OpenLegLook none{std::nullopt, core::Seconds{INFINITY}};
-  if (sea.closed_between(a, b)) return none;
+  if (sea.closures().closed_between(a, b)) return none;
   const auto open_at = [&](core::Seconds depart) -> std::optional<OpenLeg> {
     const auto time = sea.leg_time(a, b, depart);
     if (!time || depart + *time < not_before) return std::nullopt;
@@ -292,7 +292,7 @@ OpenLeg open_leg_until(const Sea& sea, geo::PlanePoint a, geo::PlanePoint b, con
   constexpr core::Seconds least_step{300.0};
   constexpr int most_steps = 12;
   // A disc may pass in minutes; currents open and close at the pace of their data.
-  const bool by_currents_alone = !sea.has_timed_closures() && sea.currents() && sea.currents()->time_step();
+  const bool by_currents_alone = !sea.closures().any_timed() && sea.currents() && sea.currents()->time_step();
   const core::Seconds step = by_currents_alone
                                  ? std::max(between_looks, *sea.currents()->time_step() / tries_per_time_step)
                                  : std::max(least_step, fineness_of_waits(leg.time));
@@ -338,7 +338,7 @@ std::vector<graph::SafeInterval> safe_intervals(const Sea& sea, geo::PlanePoint 
     add(from, until, false);
   };
   core::Seconds from = within.from;
-  for (const TimeSpan& closed : sea.closed_times(place)) {
+  for (const TimeSpan& closed : sea.closures().closed_times(place)) {
     if (closed.until <= from) continue;
     if (closed.from >= within.until) break;
     add_clear(from, closed.from);

@@ -48,7 +48,7 @@ inline constexpr core::Seconds punctual{0.1};
 /// the request's limit until a closure ends or a current slackens.
 /// `not_before`: earliest departure, besides the arrival.
 /// Errors    as Sea::leg_time, for the departure without a wait
-/// Accuracy  that of Sea::first_clear_departure; `punctual` if the leg is still closed at that departure and then
+/// Accuracy  that of obstacles::Closures::first_clear_departure; `punctual` if the leg is still closed at that departure and then
 ///           stays open. A leg that is open for less than `fineness_of_waits`, or a quarter of an hour, may be
 ///           missed. A leg that a current closed may be missed if it is open for less than `between_tries`
 [[nodiscard]] tl::expected<WaitedLeg, motion::EdgeClosed> leg_when_open(

@@ -91,7 +91,7 @@ std::optional<Schedule> with_waits(const Sea& sea, const std::vector<geo::PlaneP
   constexpr std::size_t most_stages = 16;
   std::vector<std::vector<Stage>> stages{{{.arrival = depart, .since_surfacing = since_surfacing}}};
   for (std::size_t i = 1; i < route.size(); ++i) {
-    const std::vector<TimeSpan> closed = sea.closed_times(route[i]);
+    const std::vector<TimeSpan> closed = sea.closures().closed_times(route[i]);
     std::vector<Stage> here;
     const auto add = [&](const Stage& stage) {
       const auto is_replaced = [&](const Stage& other) {
@@ -139,7 +139,8 @@ tl::expected<Schedule, RouteClosed> schedule_along(const Sea& sea, const std::ve
 core::Seconds earliest_arrival(const Sea& sea, const std::vector<geo::PlanePoint>& stops) {
   core::Seconds earliest = at_departure;
   for (std::size_t i = 1; i < stops.size(); ++i)
-    earliest = open_from(sea.closed_times(stops[i]), earliest + sea.least_time(stops[i - 1], stops[i]));
+    earliest =
+        open_from(sea.closures().closed_times(stops[i]), earliest + sea.least_time(stops[i - 1], stops[i]));
   return earliest;
 }
 

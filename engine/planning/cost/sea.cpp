@@ -14,21 +14,6 @@
 namespace floeplan::planning::cost {
 namespace {
 
-constexpr int scale_cells =
-    64;  // cells on each side: the scale is smooth, so its error within a cell is far below the tolerance
-
-/// Largest change of the scale per metre of the plane, in any direction.
-double steepest_scale(const std::vector<double>& scales, const plane::PlaneBox& area) {
-  constexpr std::size_t row = scale_cells + 1;
-  double along_x = 0.0;
-  double along_y = 0.0;
-  for (std::size_t i = 0; i < scales.size(); ++i) {
-    if ((i + 1) % row != 0) along_x = std::max(along_x, std::abs(scales[i + 1] - scales[i]));
-    if (i + row < scales.size()) along_y = std::max(along_y, std::abs(scales[i + row] - scales[i]));
-  }
-  return std::hypot(along_x * scale_cells / area.width_m(), along_y * scale_cells / area.height_m());
-}
-
 /// `fastest`: of all propulsion, because the dead-reckoning error grows with speed. `scale`: metres of the plane per
 /// metre on the ground.
 Sea::Holding holding_of(const PlanRequest& request, core::MetresPerSecond fastest, double scale,
@@ -55,11 +40,11 @@ Sea::Sea(const ocean::Environment& environment, const PlanRequest& request, obst
          const geo::LocalProjection& projection, const plane::PlaneBox& area, core::Metres cell,
          const std::stop_token& stop, CurrentsShelf* shelf)
     : projection_{projection},
-      area_{area},
       drives_{planning::drives(request.energy, request.vehicle)},
       buoyancy_speed_{request.vehicle.speed_through_water},
       thruster_speed_{request.vehicle.thruster ? request.vehicle.thruster->speed : buoyancy_speed_},
       edge_tolerance_{request.edge_tolerance},
+      lengths_{projection, area},
       safety_{environment, request.vehicle.least_water(), std::move(zones.standing), projection, area, cell,
               stop},
       timed_zones_{lay_out_timed_zones(zones.timed, request, projection, area)},
@@ -75,20 +60,11 @@ Sea::Sea(const ocean::Environment& environment, const PlanRequest& request, obst
                                        area, stop)},
       energy_{request.vehicle, depths_, projection, area, stop} {
   accuracy_ = currents::drive_accuracy(currents_.get(), request.edge_tolerance);
-  for (int iy = 0; iy <= scale_cells; ++iy) {
-    for (int ix = 0; ix <= scale_cells; ++ix) {
-      const geo::PlanePoint point{area.low.x_m + area.width_m() * ix / scale_cells,
-                                  area.low.y_m + area.height_m() * iy / scale_cells};
-      scales_.push_back(projection_.at(projection_.to_lon_lat(point)).scale);
-    }
-  }
-  largest_scale_ = std::ranges::max(scales_);
-  steepest_scale_ = steepest_scale(scales_, area);
   fastest_through_water_ = std::max(speed(drives_.front()), speed(drives_.back()));
   const core::MetresPerSecond astern{currents_ ? currents_->strongest().value : 0.0};
   // Slightly below the bound, because integrated times have an error of the tolerance.
   least_slowness_s_m_ = (1.0 - request.edge_tolerance) / (fastest_through_water_ + astern).value;
-  holding_ = holding_of(request, fastest_through_water_, largest_scale_, currents_.get());
+  holding_ = holding_of(request, fastest_through_water_, lengths_.largest_scale(), currents_.get());
 }
 
 std::size_t Sea::bytes() const {
@@ -98,46 +74,9 @@ std::size_t Sea::bytes() const {
          (currents_ ? currents_->bytes() : 0);
 }
 
-double Sea::scale_at(geo::PlanePoint point) const {
-  const double x = std::clamp((point.x_m - area_.low.x_m) / area_.width_m(), 0.0, 1.0) * scale_cells;
-  const double y = std::clamp((point.y_m - area_.low.y_m) / area_.height_m(), 0.0, 1.0) * scale_cells;
-  const int ix = std::min(static_cast<int>(x), scale_cells - 1);
-  const int iy = std::min(static_cast<int>(y), scale_cells - 1);
-  const double fx = x - ix;
-  const double fy = y - iy;
-  const double* row = scales_.data() + static_cast<std::ptrdiff_t>(iy) * (scale_cells + 1) + ix;
-  const double south = row[0] + fx * (row[1] - row[0]);
-  const double north = row[scale_cells + 1] + fx * (row[scale_cells + 2] - row[scale_cells + 1]);
-  return south + fy * (north - south);
-}
-
-core::Metres Sea::ground_length(geo::PlanePoint a, geo::PlanePoint b) const {
-  // Simpson's rule for the mean of 1/scale along the line.
-  const geo::PlanePoint middle{0.5 * (a.x_m + b.x_m), 0.5 * (a.y_m + b.y_m)};
-  const double mean = (1.0 / scale_at(a) + 4.0 / scale_at(middle) + 1.0 / scale_at(b)) / 6.0;
-  return core::Metres{mean * geo::distance_m(a, b)};
-}
-
-double Sea::least_ground_per_plane(geo::PlanePoint from, core::Metres length) const {
-  return 1.0 / (scale_at(from) + steepest_scale_ * length.value);
-}
-
-std::optional<motion::EdgeClosed> Sea::closed_between(geo::PlanePoint a, geo::PlanePoint b) const {
-  if (const auto closed = safety_.closed_between(a, b)) return closed;
-  constexpr double at_any_time_s = 1.0;
-  if (icebergs().standing() && icebergs().touched({a, b, 0.0, at_any_time_s}))
-    return motion::EdgeClosed::obstacle;
-  return std::nullopt;
-}
-
-bool Sea::open_about(geo::PlanePoint point, core::Metres reach) const {
-  const bool may_stand = icebergs().standing() && !icebergs().empty();
-  return !may_stand && safety_.open_about(point, reach);
-}
-
 EnergyUse Sea::energy_along(geo::PlanePoint a, geo::PlanePoint b, core::Seconds depart, core::Seconds time,
                             vehicle::Drive drive) const {
-  const motion::PlaneEdge edge{a, b, ground_length(a, b)};
+  const motion::PlaneEdge edge{a, b, lengths_.between(a, b)};
   EnergyMeter meter{energy_, overhead_, edge, depart, drive, Dives::over_bed};
   (void)drive_time(edge, depart, core::Seconds{INFINITY}, speed(drive),
                    [&](const motion::EdgePiece& piece) -> std::optional<motion::EdgeClosed> {
@@ -165,40 +104,33 @@ tl::expected<core::Seconds, motion::EdgeClosed> Sea::leg_time(geo::PlanePoint a,
 tl::expected<core::Seconds, motion::EdgeClosed> Sea::leg_time(geo::PlanePoint a, geo::PlanePoint b,
                                                               core::Seconds depart, core::Seconds latest,
                                                               vehicle::Drive drive) const {
-  if (const auto closed = closed_between(a, b)) return tl::unexpected(*closed);
+  if (const auto closed = closures().closed_between(a, b)) return tl::unexpected(*closed);
   const bool below_ice = ice() && ice()->may_be_dense_along(a, b);
-  if (!has_timed_closures() && !below_ice) {
-    return drive_time({a, b, ground_length(a, b)}, depart, latest, speed(drive), motion::VisitNoPiece{});
+  if (!closures().any_timed() && !below_ice) {
+    return drive_time({a, b, lengths_.between(a, b)}, depart, latest, speed(drive), motion::VisitNoPiece{});
   }
-  const motion::PlaneEdge edge{a, b, ground_length(a, b)};
+  const motion::PlaneEdge edge{a, b, lengths_.between(a, b)};
   const double error_m = edge_tolerance_ * geo::distance_m(a, b);
   return drive_time(edge, depart, latest, speed(drive),
                     [&](const motion::EdgePiece& piece) -> std::optional<motion::EdgeClosed> {
-                      if (const auto closed = closed_then(edge, piece, error_m)) return closed;
+                      if (const auto closed = closures().closed_during(edge, piece, error_m)) return closed;
                       if (below_ice && !ice()->may_transit_along(edge, piece))
                         return motion::EdgeClosed::under_ice;
                       return std::nullopt;
                     });
 }
 
-std::optional<motion::EdgeClosed> Sea::closed_then(const motion::PlaneEdge& edge,
-                                                   const motion::EdgePiece& piece, double error_m) const {
-  if (timed_zones_.forbid(edge, piece)) return motion::EdgeClosed::in_zone;
-  if (!icebergs().standing() && icebergs().touched(edge, piece, error_m)) return motion::EdgeClosed::obstacle;
-  return std::nullopt;
-}
-
 tl::expected<core::Seconds, motion::EdgeClosed> Sea::leg_time_without_timed_closures(
     geo::PlanePoint a, geo::PlanePoint b, core::Seconds depart, core::Seconds latest) const {
-  if (const auto closed = closed_between(a, b)) return tl::unexpected(*closed);
-  return drive_time({a, b, ground_length(a, b)}, depart, latest, speed(drives_.front()),
+  if (const auto closed = closures().closed_between(a, b)) return tl::unexpected(*closed);
+  return drive_time({a, b, lengths_.between(a, b)}, depart, latest, speed(drives_.front()),
                     motion::VisitNoPiece{});
 }
 
 std::vector<motion::EvenMove> Sea::drive(geo::PlanePoint a, geo::PlanePoint b, core::Seconds depart,
                                          vehicle::Drive drive) const {
   std::vector<motion::EvenMove> moves;
-  const motion::PlaneEdge edge{a, b, ground_length(a, b)};
+  const motion::PlaneEdge edge{a, b, lengths_.between(a, b)};
   const auto follow = [&](const motion::EdgePiece& piece) -> std::optional<motion::EdgeClosed> {
     constexpr double most_deviation_m = 1.0;
     return motion::follow_piece(
@@ -212,46 +144,6 @@ std::vector<motion::EvenMove> Sea::drive(geo::PlanePoint a, geo::PlanePoint b, c
   return moves;
 }
 
-std::optional<core::Seconds> Sea::first_clear_departure(geo::PlanePoint a, geo::PlanePoint b,
-                                                        core::Seconds duration, core::Seconds depart,
-                                                        core::Seconds latest) const {
-  constexpr core::Seconds first_step{60.0};  // after a zone forbids the leg; the step doubles each time
-  constexpr core::Seconds longest_step{900.0};
-  constexpr core::Seconds close_enough{5.0};
-  const auto forbidden = [&](core::Seconds leaves) {
-    return timed_zones_.forbid(a, b, {leaves, leaves + duration});
-  };
-  while (depart <= latest) {
-    if (!icebergs().standing()) {
-      const auto clear = icebergs().first_clear(a, b, duration, depart, latest);
-      if (!clear) return std::nullopt;
-      depart = *clear;
-    }
-    if (!forbidden(depart)) return depart;
-    core::Seconds closed = depart;
-    core::Seconds open = depart + first_step;
-    for (core::Seconds step = first_step; forbidden(open);) {
-      if (open > latest) return std::nullopt;
-      step = std::min(2.0 * step, longest_step);
-      closed = open;
-      open += step;
-    }
-    while (open - closed > close_enough) {
-      const core::Seconds middle = 0.5 * (closed + open);
-      (forbidden(middle) ? closed : open) = middle;
-    }
-    depart = open;
-  }
-  return std::nullopt;
-}
-
-std::vector<TimeSpan> Sea::closed_times(geo::PlanePoint point) const {
-  std::vector<TimeSpan> closed = closed_times_by_zones(point);
-  const std::vector<TimeSpan> by_icebergs = closed_times_by_icebergs(point);
-  closed.insert(closed.end(), by_icebergs.begin(), by_icebergs.end());
-  return joined(std::move(closed));
-}
-
 tl::expected<core::Seconds, motion::EdgeClosed> Sea::drive_time_back(const motion::PlaneEdge& edge,
                                                                      core::Seconds arrive,
                                                                      core::Seconds earliest) const {
@@ -262,10 +154,10 @@ tl::expected<core::Seconds, motion::EdgeClosed> Sea::drive_time_back(const motio
 tl::expected<core::Seconds, motion::EdgeClosed> Sea::leg_time_back(geo::PlanePoint a, geo::PlanePoint b,
                                                                    core::Seconds arrive,
                                                                    core::Seconds earliest) const {
-  if (const auto closed = closed_between(a, b)) return tl::unexpected(*closed);
-  const auto time = drive_time_back({a, b, ground_length(a, b)}, arrive, earliest);
+  if (const auto closed = closures().closed_between(a, b)) return tl::unexpected(*closed);
+  const auto time = drive_time_back({a, b, lengths_.between(a, b)}, arrive, earliest);
   const bool below_ice = ice() && ice()->may_be_dense_along(a, b);
-  if (!time || !(has_timed_closures() || below_ice)) return time;
+  if (!time || !(closures().any_timed() || below_ice)) return time;
   // Timed closures and the room below the ice are tested along the drive itself.
   const auto forwards = leg_time(a, b, arrive - *time);
   if (!forwards) return tl::unexpected(forwards.error());
@@ -274,8 +166,8 @@ tl::expected<core::Seconds, motion::EdgeClosed> Sea::leg_time_back(geo::PlanePoi
 
 tl::expected<core::Seconds, motion::EdgeClosed> Sea::leg_time_back_without_timed_closures(
     geo::PlanePoint a, geo::PlanePoint b, core::Seconds arrive, core::Seconds earliest) const {
-  if (const auto closed = closed_between(a, b)) return tl::unexpected(*closed);
-  return drive_time_back({a, b, ground_length(a, b)}, arrive, earliest);
+  if (const auto closed = closures().closed_between(a, b)) return tl::unexpected(*closed);
+  return drive_time_back({a, b, lengths_.between(a, b)}, arrive, earliest);
 }
 
 tl::expected<Sea::Leg, motion::EdgeClosed> Sea::leg(geo::PlanePoint a, geo::PlanePoint b,
@@ -293,13 +185,14 @@ tl::expected<Sea::Leg, motion::EdgeClosed> Sea::leg(geo::PlanePoint a, geo::Plan
       return Leg{time, core::Seconds{0.0}};
     });
   }
-  if (const auto closed = closed_between(a, b)) return tl::unexpected(*closed);
-  const motion::PlaneEdge edge{a, b, ground_length(a, b)};
+  if (const auto closed = closures().closed_between(a, b)) return tl::unexpected(*closed);
+  const motion::PlaneEdge edge{a, b, lengths_.between(a, b)};
   SurfacingWatch watch{overhead_, edge, since_surfacing};
   const double error_m = edge_tolerance_ * geo::distance_m(a, b);
   const auto time = drive_time(edge, depart, never, speed(drive),
                                [&](const motion::EdgePiece& piece) -> std::optional<motion::EdgeClosed> {
-                                 if (const auto closed = closed_then(edge, piece, error_m)) return closed;
+                                 if (const auto closed = closures().closed_during(edge, piece, error_m))
+                                   return closed;
                                  return watch(piece);
                                });
   if (!time) return tl::unexpected(time.error());
@@ -311,8 +204,8 @@ tl::expected<Sea::MeteredLeg, motion::EdgeClosed> Sea::metered_leg(geo::PlanePoi
                                                                    core::Seconds since_surfacing,
                                                                    core::Seconds latest, vehicle::Drive drive,
                                                                    Dives dives) const {
-  if (const auto closed = closed_between(a, b)) return tl::unexpected(*closed);
-  const motion::PlaneEdge edge{a, b, ground_length(a, b)};
+  if (const auto closed = closures().closed_between(a, b)) return tl::unexpected(*closed);
+  const motion::PlaneEdge edge{a, b, lengths_.between(a, b)};
   const double error_m = edge_tolerance_ * geo::distance_m(a, b);
   const bool below_ice = ice() && ice()->may_be_dense_along(a, b);
   std::optional<SurfacingWatch> watch;
@@ -320,7 +213,8 @@ tl::expected<Sea::MeteredLeg, motion::EdgeClosed> Sea::metered_leg(geo::PlanePoi
   EnergyMeter meter{energy_, overhead_, edge, depart, drive, dives};
   const auto time = drive_time(edge, depart, latest, speed(drive),
                                [&](const motion::EdgePiece& piece) -> std::optional<motion::EdgeClosed> {
-                                 if (const auto closed = closed_then(edge, piece, error_m)) return closed;
+                                 if (const auto closed = closures().closed_during(edge, piece, error_m))
+                                   return closed;
                                  if (watch) {
                                    if (const auto closed = (*watch)(piece)) return closed;
                                  } else if (below_ice && !ice()->may_transit_along(edge, piece)) {
@@ -338,8 +232,8 @@ tl::expected<Sea::LegBack, motion::EdgeClosed> Sea::leg_back(geo::PlanePoint a, 
                                                              core::Seconds arrive,
                                                              core::Seconds until_surfacing,
                                                              core::Seconds earliest) const {
-  if (const auto closed = closed_between(a, b)) return tl::unexpected(*closed);
-  const motion::PlaneEdge edge{a, b, ground_length(a, b)};
+  if (const auto closed = closures().closed_between(a, b)) return tl::unexpected(*closed);
+  const motion::PlaneEdge edge{a, b, lengths_.between(a, b)};
   const auto time = drive_time_back(edge, arrive, earliest);
   if (!time) return tl::unexpected(time.error());
   const core::Seconds depart = arrive - *time;
@@ -347,7 +241,8 @@ tl::expected<Sea::LegBack, motion::EdgeClosed> Sea::leg_back(geo::PlanePoint a, 
   const double error_m = edge_tolerance_ * geo::distance_m(a, b);
   const auto forwards = drive_time(edge, depart, core::Seconds{INFINITY}, through_water(),
                                    [&](const motion::EdgePiece& piece) -> std::optional<motion::EdgeClosed> {
-                                     if (const auto closed = closed_then(edge, piece, error_m)) return closed;
+                                     if (const auto closed = closures().closed_during(edge, piece, error_m))
+                                       return closed;
                                      return outlook(piece);
                                    });
   if (!forwards) return tl::unexpected(forwards.error());
@@ -358,7 +253,7 @@ tl::expected<Sea::LegBack, motion::EdgeClosed> Sea::leg_back(geo::PlanePoint a, 
 
 core::Seconds Sea::least_time_to_opening(geo::PlanePoint point) const {
   const core::Metres way = ice() ? ice()->least_way_to_opening(point) : core::Metres{0.0};
-  return core::Seconds{least_slowness_s_m_ * way.value / largest_scale_};
+  return core::Seconds{least_slowness_s_m_ * way.value / lengths_.largest_scale()};
 }
 
 std::vector<double> Sea::least_times_to_opening_s(const std::vector<geo::PlanePoint>& points,
@@ -367,14 +262,14 @@ std::vector<double> Sea::least_times_to_opening_s(const std::vector<geo::PlanePo
   if (!ice()) return times_s;
   const std::vector<core::Metres> ways = ice()->least_ways_to_opening(points, from, until);
   for (std::size_t i = 0; i < ways.size(); ++i)
-    times_s[i] = least_slowness_s_m_ * ways[i].value / largest_scale_;
+    times_s[i] = least_slowness_s_m_ * ways[i].value / lengths_.largest_scale();
   return times_s;
 }
 
 std::vector<Sea::Passage> Sea::passages(geo::PlanePoint a, geo::PlanePoint b, core::Seconds depart,
                                         core::Metres step, vehicle::Drive drive) const {
   std::vector<Passage> result;
-  const motion::PlaneEdge edge{a, b, ground_length(a, b)};
+  const motion::PlaneEdge edge{a, b, lengths_.between(a, b)};
   const auto note = [&](const motion::EdgePiece& piece) -> std::optional<motion::EdgeClosed> {
     motion::look_along(edge, piece, step, [&](geo::PlanePoint point, core::Seconds time) {
       result.push_back({point, time});
@@ -397,26 +292,34 @@ bool Sea::currents_known_to_end(geo::PlanePoint point, core::Seconds from) const
   return true;
 }
 
+Sea Sea::with(const Variant& variant) const {
+  Sea other = *this;
+  if (variant.drive) other.drives_ = {*variant.drive};
+  if (!variant.holds) other.holding_.longest = core::Seconds{0.0};
+  if (!variant.bounds_surfacing) other.overhead_.lift_bound_on_surfacing();
+  return other;
+}
+
 core::Seconds Sea::least_time(geo::PlanePoint a, geo::PlanePoint b, vehicle::Drive drive) const {
   const core::MetresPerSecond astern{currents_ ? currents_->strongest().value : 0.0};
-  const core::Metres least_length{geo::distance_m(a, b) / largest_scale_};
+  const core::Metres least_length{geo::distance_m(a, b) / lengths_.largest_scale()};
   return (1.0 - edge_tolerance_) * (least_length / (speed(drive) + astern));
 }
 
 core::Seconds Sea::least_time(core::Metres length, core::MetresPerSecond astern) const {
   const core::MetresPerSecond fastest = fastest_through_water_ + std::min(astern, currents_->strongest());
   if (fastest.value <= 0.0) return core::Seconds{INFINITY};
-  return (1.0 - edge_tolerance_) * ((1.0 / largest_scale_) * length / fastest);
+  return (1.0 - edge_tolerance_) * ((1.0 / lengths_.largest_scale()) * length / fastest);
 }
 
 bool Sea::is_steady() const {
   // Ice changes with time; even a single ice map is valid for some days only.
   const bool ice_matters = ice() && (ice()->has_dense_ice() || overhead_.bounds_surfacing());
-  return !has_timed_closures() && (!currents_ || !currents_->end()) && !ice_matters;
+  return !closures().any_timed() && (!currents_ || !currents_->end()) && !ice_matters;
 }
 
 core::Seconds Sea::least_time(geo::PlanePoint a, geo::PlanePoint b) const {
-  return core::Seconds{least_slowness_s_m_ * geo::distance_m(a, b) / largest_scale_};
+  return core::Seconds{least_slowness_s_m_ * geo::distance_m(a, b) / lengths_.largest_scale()};
 }
 
 }  // namespace floeplan::planning::cost

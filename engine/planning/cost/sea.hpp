@@ -18,11 +18,13 @@
 #include "engine/planning/currents/plane_currents.hpp"
 #include "engine/planning/energy/energy_map.hpp"
 #include "engine/planning/ice/under_ice.hpp"
+#include "engine/planning/obstacles/closures.hpp"
 #include "engine/planning/obstacles/encounter_map.hpp"
 #include "engine/planning/obstacles/iceberg_discs.hpp"
 #include "engine/planning/obstacles/safety_map.hpp"
 #include "engine/planning/obstacles/timed_zones.hpp"
 #include "engine/planning/obstacles/zone_rules.hpp"
+#include "engine/planning/plane/ground_lengths.hpp"
 #include "engine/planning/problem/plan_request.hpp"
 #include "engine/vehicle/drive.hpp"
 
@@ -40,12 +42,6 @@ class Sea {
       const geo::LocalProjection& projection, const plane::PlaneBox& area, core::Metres cell,
       const std::stop_token& stop = {}, CurrentsShelf* shelf = nullptr);
 
-  /// The reason why the straight leg is closed at all times: depth, land, standing zones or standing icebergs. Empty
-  /// when it is open.
-  [[nodiscard]] std::optional<motion::EdgeClosed> closed_between(geo::PlanePoint a, geo::PlanePoint b) const;
-  /// True: no leg from the point is closed at all times, provided that it stays within `reach` along both axes.
-  /// False: unknown.
-  [[nodiscard]] bool open_about(geo::PlanePoint point, core::Metres reach) const;
   /// Travel time of a straight leg, or the reason why it is closed. too_late: it would certainly end after `latest`.
   [[nodiscard]] tl::expected<core::Seconds, motion::EdgeClosed> leg_time(geo::PlanePoint a, geo::PlanePoint b,
                                                                          core::Seconds depart,
@@ -75,12 +71,6 @@ class Sea {
   /// The same without closures that last for a while. Never more than `leg_time`, because the drive is the same.
   [[nodiscard]] tl::expected<core::Seconds, motion::EdgeClosed> leg_time_without_timed_closures(
       geo::PlanePoint a, geo::PlanePoint b, core::Seconds depart, core::Seconds latest) const;
-  /// The earliest departure between `depart` and `latest` at which nothing that closes for a while blocks a vehicle
-  /// that goes from a to b on a straight line at constant speed in `duration`. Empty: there is none.
-  [[nodiscard]] std::optional<core::Seconds> first_clear_departure(geo::PlanePoint a, geo::PlanePoint b,
-                                                                   core::Seconds duration,
-                                                                   core::Seconds depart,
-                                                                   core::Seconds latest) const;
   /// How the vehicle may hold station; lengths in metres of the plane. See hold_circle.hpp.
   struct Holding {
     core::Seconds longest{};  // at one place; zero: the vehicle never holds
@@ -93,17 +83,6 @@ class Sea {
   /// The drive along an open leg as moves of constant speed, in order, each within a metre of the real drive.
   [[nodiscard]] std::vector<motion::EvenMove> drive(geo::PlanePoint a, geo::PlanePoint b,
                                                     core::Seconds depart, vehicle::Drive drive) const;
-  /// When a timed zone or a moving iceberg closes the point: ascending, disjoint.
-  [[nodiscard]] std::vector<TimeSpan> closed_times(geo::PlanePoint point) const;
-  /// The same, by timed zones alone.
-  [[nodiscard]] std::vector<TimeSpan> closed_times_by_zones(geo::PlanePoint point) const {
-    return timed_zones_.closed_times(point);
-  }
-  /// The same, by moving icebergs alone, with their discs enlarged by `grown` metres of the plane.
-  [[nodiscard]] std::vector<TimeSpan> closed_times_by_icebergs(geo::PlanePoint point,
-                                                               core::Metres grown = core::Metres{0.0}) const {
-    return icebergs().standing() ? std::vector<TimeSpan>{} : icebergs().closed_times(point, grown);
-  }
   /// Travel time of the straight leg for a vehicle that must arrive at `arrive`; its departure follows. Closed if the
   /// leg is closed at that departure. too_late: the vehicle would certainly have to leave before `earliest`.
   [[nodiscard]] tl::expected<core::Seconds, motion::EdgeClosed> leg_time_back(geo::PlanePoint a,
@@ -168,24 +147,14 @@ class Sea {
                                   core::Seconds time) const {
     return encounters_ ? encounters_->along(a, b, depart, time) : 0.0;
   }
-  /// The same model with this propulsion alone.
-  [[nodiscard]] Sea driven_by(vehicle::Drive drive) const {
-    Sea driven = *this;
-    driven.drives_ = {drive};
-    return driven;
-  }
-  /// The same model for a vehicle that never holds.
-  [[nodiscard]] Sea without_holds() const {
-    Sea hurried = *this;
-    hurried.holding_.longest = core::Seconds{0.0};
-    return hurried;
-  }
-  /// The same model without a limit on the time without surfacing.
-  [[nodiscard]] Sea without_bound_on_surfacing() const {
-    Sea unbounded = *this;
-    unbounded.overhead_.lift_bound_on_surfacing();
-    return unbounded;
-  }
+  /// What of the request another model leaves out.
+  struct Variant {
+    std::optional<vehicle::Drive> drive{};  // this propulsion alone; empty: all of the request
+    bool holds{true};                       // false: the vehicle never holds
+    bool bounds_surfacing{true};            // false: without a limit on the time without surfacing
+  };
+  /// The same model in a variant.
+  [[nodiscard]] Sea with(const Variant& variant) const;
 
   /// Lower bound of the time of any straight leg between the two points.
   [[nodiscard]] core::Seconds least_time(geo::PlanePoint a, geo::PlanePoint b) const;
@@ -203,20 +172,18 @@ class Sea {
 
   [[nodiscard]] core::MetresPerSecond through_water() const { return speed(drives_.front()); }
   [[nodiscard]] const geo::LocalProjection& projection() const { return projection_; }
+  /// What is closed, and when; shows this model, and ends with it.
+  [[nodiscard]] obstacles::Closures closures() const { return {safety_, timed_zones_, icebergs()}; }
+  /// Lengths on the ground of lines of the plane.
+  [[nodiscard]] const plane::GroundLengths& lengths() const { return lengths_; }
   [[nodiscard]] const obstacles::SafetyMap& safety() const { return safety_; }
   [[nodiscard]] obstacles::SafetyMap& safety() { return safety_; }
   /// Ice and icebergs above the vehicle.
   [[nodiscard]] const Overhead& overhead() const { return overhead_; }
   [[nodiscard]] const obstacles::IcebergDiscs& icebergs() const { return overhead_.icebergs(); }
-  /// Whether something is closed at some times only, so that a later arrival can be better.
-  [[nodiscard]] bool has_timed_closures() const { return !timed_zones_.empty() || !icebergs().standing(); }
-  [[nodiscard]] const obstacles::TimedZones& timed_zones() const { return timed_zones_; }
   [[nodiscard]] const std::optional<ice::UnderIce>& ice() const { return overhead_.ice(); }
   /// Null in still water.
   [[nodiscard]] const currents::PlaneCurrents* currents() const { return currents_.get(); }
-  [[nodiscard]] core::Metres ground_length(geo::PlanePoint a, geo::PlanePoint b) const;
-  /// Lower bound of metres on the ground per metre of the plane, for every line of this length from the point.
-  [[nodiscard]] double least_ground_per_plane(geo::PlanePoint from, core::Metres length) const;
   [[nodiscard]] double edge_tolerance() const { return edge_tolerance_; }
 
   /// Memory of the precomputed grids, without their sources.
@@ -226,11 +193,6 @@ class Sea {
   Sea(const ocean::Environment& environment, const PlanRequest& request, obstacles::ZoneRules zones,
       const geo::LocalProjection& projection, const plane::PlaneBox& area, core::Metres cell,
       const std::stop_token& stop, CurrentsShelf* shelf);
-  [[nodiscard]] double scale_at(geo::PlanePoint point) const;
-  /// Whether a timed zone or a moving iceberg closes a piece of a drive.
-  [[nodiscard]] std::optional<motion::EdgeClosed> closed_then(const motion::PlaneEdge& edge,
-                                                              const motion::EdgePiece& piece,
-                                                              double error_m) const;
   /// Travel time of an edge that nothing closes, for a vehicle that must arrive at `arrive`.
   [[nodiscard]] tl::expected<core::Seconds, motion::EdgeClosed> drive_time_back(const motion::PlaneEdge& edge,
                                                                                 core::Seconds arrive,
@@ -241,11 +203,11 @@ class Sea {
       core::MetresPerSecond through_water, const VisitPiece& visit) const;
 
   geo::LocalProjection projection_;
-  plane::PlaneBox area_;
   std::vector<vehicle::Drive> drives_;
   core::MetresPerSecond buoyancy_speed_;
   core::MetresPerSecond thruster_speed_;  // equal to the buoyancy speed if there is no thruster
   double edge_tolerance_;
+  plane::GroundLengths lengths_;
   motion::EdgeAccuracy accuracy_;
   obstacles::SafetyMap safety_;
   obstacles::TimedZones timed_zones_;
@@ -258,9 +220,6 @@ class Sea {
       currents_;  // null: still water; models with the same grids share it
   energy::EnergyMap energy_;
   Holding holding_;
-  std::vector<double> scales_;  // of the projection, [y][x] on a coarse lattice over the area
-  double largest_scale_{1.0};
-  double steepest_scale_{};  // largest change of the scale per metre of the plane
   core::MetresPerSecond fastest_through_water_;
   double least_slowness_s_m_;  // per metre on the ground, with the strongest current astern
 };

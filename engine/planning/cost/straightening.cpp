@@ -92,12 +92,13 @@ Route part_long_legs(const Sea& sea, const Route& route, core::Metres longest) {
     const geo::PlanePoint from = route.points[i - 1];
     const geo::PlanePoint to = route.points[i];
     // The scale of the plane varies along a leg, so equal parts in the plane differ slightly on the ground.
-    int parts = std::max(1, static_cast<int>(std::ceil(sea.ground_length(from, to).value / longest.value)));
+    int parts =
+        std::max(1, static_cast<int>(std::ceil(sea.lengths().between(from, to).value / longest.value)));
     const auto at = [&](int part) {
       const double share = static_cast<double>(part) / parts;
       return geo::PlanePoint{from.x_m + share * (to.x_m - from.x_m), from.y_m + share * (to.y_m - from.y_m)};
     };
-    const auto too_long = [&](int part) { return sea.ground_length(at(part - 1), at(part)) > longest; };
+    const auto too_long = [&](int part) { return sea.lengths().between(at(part - 1), at(part)) > longest; };
     while (parts > 1 && (too_long(1) || too_long(parts))) ++parts;
     for (int part = 1; part < parts; ++part) {
       result.points.push_back(at(part));

@@ -42,7 +42,7 @@ class Log {
     if (sure) last_sure_ = next_fix(last_sure_, here_);
     was_sure_ = sure;
     const core::Metres turn = sea_.overhead().least_upper_turn(now.point, now.time);
-    const core::Metres step = sea_.ground_length(last.at.point, now.point);
+    const core::Metres step = sea_.lengths().between(last.at.point, now.point);
     leg_upper_turn_ = std::max(leg_upper_turn_, turn);
     const bool below_ice = sea_.ice() && sea_.ice()->least_upper_turn(now.point, now.time).value > 0.0;
     ice_free_before_ = below_ice || was_below_ice_ ? core::Metres{0.0} : ice_free_before_ + step;
@@ -105,7 +105,7 @@ class Log {
     const auto& [point, time] = here_.at;
     const auto ice = ice::nearest_ice_within(distance, *sea_.ice(), point, time);
     if (!ice) return std::nullopt;
-    return sea_.ground_length(point, {point.x_m + ice->value, point.y_m});
+    return sea_.lengths().between(point, {point.x_m + ice->value, point.y_m});
   }
 
   void look_beside() {

@@ -79,7 +79,7 @@ class GridTrial {
     };
     const search::GridTravelTime timed{sea_, open_.grid};
     if (cost::holds_may_help(sea_)) return way_with_holds(depart, untimed);
-    if (!sea_.has_timed_closures()) return likely_or_earliest_way(depart, timed).path;
+    if (!sea_.closures().any_timed()) return likely_or_earliest_way(depart, timed).path;
 
     Way way = likely_or_earliest_way(depart, untimed);
     if (way.path.empty() || cost::schedule_along(sea_, way.path, depart)) return std::move(way.path);
@@ -188,7 +188,7 @@ class GridTrial {
     left_ -= work_of_a_leg * held.leg_times;
     if (held.full) left_ = std::min<std::int64_t>(left_, 0);
     if (!held.path.empty() || left_ <= 0) return std::move(held.path);
-    const cost::Sea moving = sea_.without_holds();
+    const cost::Sea moving = sea_.with({.holds = false});
     return GridTrial{moving, open_, left_, stop_}.unbounded_way(depart);
   }
 

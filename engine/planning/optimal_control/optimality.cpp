@@ -59,7 +59,7 @@ class OpenWater {
                   core::Seconds depart) -> std::optional<core::Seconds> {
       if (is_exhausted()) return std::nullopt;
       ++evaluations_;
-      const motion::PlaneEdge edge{from, to, sea_.ground_length(from, to)};
+      const motion::PlaneEdge edge{from, to, sea_.lengths().between(from, to)};
       const auto time = currents::drive_time(sea_.currents(), edge, depart, sea_.through_water(), accuracy_);
       return time ? std::optional{*time} : std::nullopt;
     };

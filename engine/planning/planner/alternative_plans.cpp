@@ -121,7 +121,7 @@ class AlternativeSearch {
         projection_{chart.layout.projection},
         stops_{chart.layout.points},
         distance_m_{distance_m(stops_)},
-        scan_{chart.sea, chart.layout.area(), core::Metres{distance_m_ / cells_of_distance},
+        scan_{chart.sea.closures(), chart.layout.area(), core::Metres{distance_m_ / cells_of_distance},
               timed_route(plan, projection_)},
         obstacles_{scan_.of_at_least(core::Metres{least_extent * distance_m_})} {}
 

@@ -56,7 +56,7 @@ class WayFinder {
     // ice that the grid could not avoid.
     constexpr double share_without_bound = 0.2;  // of the work: a judgement
     const core::ProgressCallback first = core::part_of(task_.progress, "", 0.0, share_without_bound);
-    auto free = find_in(chart_.sea.without_bound_on_surfacing(), first);
+    auto free = find_in(chart_.sea.with({.bounds_surfacing = false}), first);
     if (!free || cost::arrivals_along(chart_.sea, free->improved.route.points, cost::at_departure))
       return free;
     return find_in(chart_.sea, core::part_of(task_.progress, "", share_without_bound, 1.0));

@@ -66,9 +66,9 @@ geo::PlanePoint nearest_point(const TimedRoute& route, geo::PlanePoint place) {
   return nearest_on(route, place).point;
 }
 
-ObstacleScan::ObstacleScan(const cost::Sea& sea, const plane::PlaneBox& area, core::Metres cell,
-                           const TimedRoute& route)
-    : sea_{sea},
+ObstacleScan::ObstacleScan(const obstacles::Closures& closures, const plane::PlaneBox& area,
+                           core::Metres cell, const TimedRoute& route)
+    : closures_{closures},
       route_{route},
       raster_{area, cell},
       cells_(raster_.size(), Cell::open),
@@ -90,7 +90,7 @@ geo::PlanePoint ObstacleScan::middle_of(std::size_t cell) const {
 
 ObstacleScan::Cell ObstacleScan::look_at(geo::PlanePoint point) const {
   using motion::EdgeClosed;
-  if (const auto closed = sea_.closed_between(point, point)) {
+  if (const auto closed = closures_.closed_between(point, point)) {
     switch (*closed) {
       case EdgeClosed::on_land: return Cell::land;
       case EdgeClosed::obstacle: return Cell::icebergs;
@@ -99,10 +99,10 @@ ObstacleScan::Cell ObstacleScan::look_at(geo::PlanePoint point) const {
       default: return Cell::shallow_water;
     }
   }
-  if (!sea_.has_timed_closures()) return Cell::open;
+  if (!closures_.any_timed()) return Cell::open;
   const core::Seconds then = nearest_on(route_, point).time;
-  if (any_holds(sea_.closed_times_by_icebergs(point), then)) return Cell::icebergs;
-  return any_holds(sea_.closed_times_by_zones(point), then) ? Cell::closed_area : Cell::open;
+  if (any_holds(closures_.closed_times_by_icebergs(point), then)) return Cell::icebergs;
+  return any_holds(closures_.closed_times_by_zones(point), then) ? Cell::closed_area : Cell::open;
 }
 
 bool ObstacleScan::parted_by_route(std::size_t a, std::size_t b) const {
@@ -206,7 +206,7 @@ geo::PlanePoint ObstacleScan::beyond_route(const LargeObstacle& obstacle) const 
     const geo::PlanePoint next{end.x_m + step_m * away.x_m, end.y_m + step_m * away.y_m};
     if (!raster_.area().contains(next)) return end;
     end = next;
-    if (sea_.closed_between(end, end)) return end;
+    if (closures_.closed_between(end, end)) return end;
   }
 }
 

@@ -7,7 +7,7 @@
 
 #include "engine/core/units.hpp"
 #include "engine/geo/local_projection.hpp"
-#include "engine/planning/cost/sea.hpp"
+#include "engine/planning/obstacles/closures.hpp"
 #include "engine/planning/plane/plane_box.hpp"
 #include "engine/planning/plane/plane_raster.hpp"
 #include "engine/planning/problem/alternative.hpp"
@@ -39,8 +39,9 @@ struct LargeObstacle {
 class ObstacleScan {
  public:
   /// A cell is closed if its middle is closed at all times, or at the time when the route is nearest to it.
-  /// `sea` is borrowed and must outlive the scan.
-  ObstacleScan(const cost::Sea& sea, const plane::PlaneBox& area, core::Metres cell, const TimedRoute& route);
+  /// What `closures` shows must outlive the scan.
+  ObstacleScan(const obstacles::Closures& closures, const plane::PlaneBox& area, core::Metres cell,
+               const TimedRoute& route);
 
   /// The obstacles of at least this extent, in the order of their first cell, row by row from the south. Closed cells with
   /// at most three open cells between them belong to one obstacle, unless the route leads through the gap. Obstacles at the
@@ -64,7 +65,7 @@ class ObstacleScan {
                                                    std::vector<bool>& seen) const;
   [[nodiscard]] LargeObstacle obstacle_of(const std::vector<std::size_t>& cells) const;
 
-  const cost::Sea& sea_;
+  obstacles::Closures closures_;
   TimedRoute route_;
   plane::PlaneRaster raster_;
   std::vector<Cell> cells_;

@@ -23,7 +23,7 @@ TourLegs::TourLegs(const cost::Sea& sea, const cost::Layout& layout, const PlanR
                    const std::stop_token& stop)
     : sea_{sea}, layout_{layout}, request_{request}, stop_{stop} {
   request_.method = Method::astar;
-  for (const geo::PlanePoint point : layout.points) closed_.push_back(sea.closed_times(point));
+  for (const geo::PlanePoint point : layout.points) closed_.push_back(sea.closures().closed_times(point));
 }
 
 TourLegs::Leg& TourLegs::leg(Pair pair) {
@@ -85,7 +85,7 @@ std::optional<TourLegs::Way> TourLegs::unbounded(Leg& leg, core::Seconds depart)
   // Only the search for the time avoids places where ice leaves no room. But then icebergs close places, too.
   std::optional<graph::SearchTree> tree;
   if (sea_.ice()) tree = earliest_arrivals(leg, depart, search::GridTravelTime{sea_, open.grid});
-  if (!tree || (sea_.has_timed_closures() && !tree->is_reached(open.grid.goal)))
+  if (!tree || (sea_.closures().any_timed() && !tree->is_reached(open.grid.goal)))
     tree = earliest_arrivals(leg, depart, search::UntimedTravelTime{sea_, open.grid});
   if (!tree->is_reached(open.grid.goal)) return std::nullopt;
   Way way{core::Seconds{tree->arrival_s(open.grid.goal)} - depart, {}};
@@ -127,7 +127,7 @@ std::optional<core::Seconds> TourLegs::time_past_closures(std::size_t from, std:
   const bool may_hold = sea_.holding().longest.count() > 0.0;
   if (!may_hold && opens > arrival) return std::nullopt;
   // Ways with a bound on the time without surfacing are searched with everything that closes and reopens.
-  if (!sea_.has_timed_closures() || sea_.overhead().bounds_surfacing() || arrival == depart)
+  if (!sea_.closures().any_timed() || sea_.overhead().bounds_surfacing() || arrival == depart)
     return opens - depart;
   const auto arrives = arrival_past_closures({from, to}, depart, arrival, opens);
   return arrives ? std::optional{*arrives - depart} : std::nullopt;
@@ -157,7 +157,7 @@ std::optional<core::Seconds> TourLegs::arrival_past_closures(Pair pair, core::Se
     if (!tree.is_reached(v)) continue;
     const core::Seconds there{tree.arrival_s(v)};
     const bool stays_open = std::ranges::none_of(
-        sea_.closed_times(open.grid.point(v)),
+        sea_.closures().closed_times(open.grid.point(v)),
         [&](const TimeSpan& closed) { return closed.from <= opens && there <= closed.until; });
     if (stays_open) return opens;
   }

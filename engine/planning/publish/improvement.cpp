@@ -45,7 +45,7 @@ Improved refined(const cost::Sea& sea, const cost::Route& way, const PlanRequest
   if (!on_grid) return {way, std::nullopt};
   auto start = on_grid;
   if (!has_waits(*schedule)) {
-    const cost::Sea moving = sea.without_holds();
+    const cost::Sea moving = sea.with({.holds = false});
     start = legs.timed(cost::drop_needless_points(moving, way, cost::at_departure, stop), cost::at_departure);
     if (!start) return {way, std::nullopt};
   }

@@ -31,7 +31,7 @@ class Tightest {
 
   void look(const cost::Sea::Passage& at) {
     if (at.time.count() <= 0.0) return;
-    for (const TimeSpan& closed : sea_.closed_times_by_zones(at.point)) {
+    for (const TimeSpan& closed : sea_.closures().closed_times_by_zones(at.point)) {
       const Passing passing{at, closed.until <= at.time ? closed.until : closed.from};
       if (std::isfinite(passing.changes.count()) && (!found || passing.share() < found->share()))
         found = passing;
@@ -50,7 +50,7 @@ std::optional<messages::Message> zone_warning(const cost::Sea& sea, const PlanRe
                                               const std::vector<geo::PlanePoint>& route,
                                               const cost::Schedule& schedule,
                                               const std::vector<vehicle::Drive>& drives) {
-  if (sea.timed_zones().empty()) return std::nullopt;
+  if (sea.closures().timed_zones().empty()) return std::nullopt;
   Tightest tightest{sea};
   for (std::size_t i = 1; i < route.size(); ++i) {
     tightest.look({route[i - 1], schedule.leaves(i - 1)});

@@ -41,7 +41,7 @@ std::optional<motion::EdgeClosed> closed_then(const cost::Sea& sea, geo::PlanePo
                                               core::Seconds when) {
   const auto covers = [&](const TimeSpan& span) { return span.from <= when && when <= span.until; };
   if (std::ranges::any_of(sea.icebergs().closed_times(place), covers)) return motion::EdgeClosed::obstacle;
-  if (sea.timed_zones().forbid(place, place, {when, when})) return motion::EdgeClosed::in_zone;
+  if (sea.closures().timed_zones().forbid(place, place, {when, when})) return motion::EdgeClosed::in_zone;
   return std::nullopt;
 }
 

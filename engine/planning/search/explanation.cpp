@@ -143,16 +143,17 @@ Infeasible unusable_place(motion::EdgeClosed closed, Stop stop, geo::LonLat plac
           request.depart,
           messages::refusal<"place-too-shallow">(subject, request.vehicle.least_water().value));
     case motion::EdgeClosed::in_zone:
-      return infeasible(reason_at(stop, Reason::start_in_zone, Reason::in_zone, Reason::goal_in_zone),
-                        clock(request, when),
-                        messages::refusal<"place-in-zone">(
-                            subject, opening_text(sea.closed_times_by_zones(point), when, request)));
+      return infeasible(
+          reason_at(stop, Reason::start_in_zone, Reason::in_zone, Reason::goal_in_zone), clock(request, when),
+          messages::refusal<"place-in-zone">(
+              subject, opening_text(sea.closures().closed_times_by_zones(point), when, request)));
     case motion::EdgeClosed::obstacle:
       return infeasible(
           reason_at(stop, Reason::start_near_iceberg, Reason::near_iceberg, Reason::goal_near_iceberg),
           clock(request, when),
-          messages::refusal<"place-near-iceberg">(subject, iceberg_text(sea, point, when, request),
-                                                  opening_text(sea.closed_times(point), when, request)));
+          messages::refusal<"place-near-iceberg">(
+              subject, iceberg_text(sea, point, when, request),
+              opening_text(sea.closures().closed_times(point), when, request)));
     case motion::EdgeClosed::outside_data:
     case motion::EdgeClosed::under_ice:
     case motion::EdgeClosed::no_surfacing:
@@ -166,7 +167,7 @@ Infeasible unusable_place(motion::EdgeClosed closed, Stop stop, geo::LonLat plac
 Infeasible explain_closed_place(motion::EdgeClosed closed, Stop stop, geo::LonLat place, core::Seconds when,
                                 const cost::Sea& sea, const PlanRequest& request) {
   Infeasible infeasible = unusable_place(closed, stop, place, when, sea, request);
-  const auto closure = closure_at(sea.closed_times(sea.projection().to_plane(place)), when);
+  const auto closure = closure_at(sea.closures().closed_times(sea.projection().to_plane(place)), when);
   if (closure && std::isfinite(closure->until.count())) infeasible.postponed = closure->until - when;
   return infeasible;
 }
@@ -174,8 +175,8 @@ Infeasible explain_closed_place(motion::EdgeClosed closed, Stop stop, geo::LonLa
 /// The zone or iceberg over a place that stays there longest, if what stopped a search is a zone or an iceberg.
 std::optional<motion::EdgeClosed> closed_for_a_while(const cost::Sea& sea, geo::PlanePoint place,
                                                      core::Seconds when, motion::EdgeClosed stopped_by) {
-  const auto by_iceberg = closure_at(sea.closed_times_by_icebergs(place), when);
-  const auto by_zone = closure_at(sea.closed_times_by_zones(place), when);
+  const auto by_iceberg = closure_at(sea.closures().closed_times_by_icebergs(place), when);
+  const auto by_zone = closure_at(sea.closures().closed_times_by_zones(place), when);
   const bool is_among_them = (stopped_by == motion::EdgeClosed::obstacle && by_iceberg) ||
                              (stopped_by == motion::EdgeClosed::in_zone && by_zone);
   if (!is_among_them) return std::nullopt;

@@ -140,7 +140,7 @@ void take_earlier(RouteSearch& result, HeldWay held) {
 /// Returns  whether no earlier arrival is possible
 bool is_best_departing_later(RouteSearch& result, const cost::Sea& sea, const OpenGrid& open,
                              core::Seconds unhindered, core::Seconds depart, const std::stop_token& stop) {
-  const std::vector<TimeSpan> closed = sea.closed_times(open.grid.point(open.grid.goal));
+  const std::vector<TimeSpan> closed = sea.closures().closed_times(open.grid.point(open.grid.goal));
   const core::Seconds opens = open_from(closed, unhindered);
   if (!std::isfinite(opens.count()) || opens <= unhindered) return false;
   const auto is_best = [&] { return result.arrival <= opens + slack_of_holds(sea, open); };
@@ -228,7 +228,7 @@ RouteSearch search_unbounded(const cost::Sea& sea, const OpenGrid& open, const P
   };
 
   // If no timed closure touches the best route without them, it is also the best route with them.
-  const bool in_time = sea.has_timed_closures() && request.method != Method::frozen;
+  const bool in_time = sea.closures().any_timed() && request.method != Method::frozen;
   graph::SearchTree tree = in_time ? search(UntimedTravelTime{sea, grid, &refused}, false)
                                    : search(GridTravelTime{sea, grid, &refused}, false);
   adopt(tree);
@@ -257,7 +257,7 @@ RouteSearch search_unbounded(const cost::Sea& sea, const OpenGrid& open, const P
     take_earlier(result,
                  search_held_way(sea, open, depart, std::min(latest, result.arrival), stop, report, limits));
   }
-  const bool anything_opens = sea.has_timed_closures() || (sea.currents() && sea.currents()->time_step());
+  const bool anything_opens = sea.closures().any_timed() || (sea.currents() && sea.currents()->time_step());
   result.statistics.holds_may_help =
       anything_opens && sea.holding().longest.count() == 0.0 && (is_hindered || opens_later);
   if (result.path.empty() && !result.cancelled) describe_end(result, sea, grid, graph, tree);
@@ -283,8 +283,8 @@ RouteSearch search_route(const cost::Sea& sea, const OpenGrid& open, const PlanR
   add_work(bounded.statistics, found.statistics);
   if (bounded.path.empty() && bounded.statistics.cut_short && sea.holding().longest.count() > 0.0) {
     // Holds take most of the search's labels.
-    RouteSearch moving =
-        search_with_surfacings(sea.without_holds(), open, depart, since_surfacing, stop, report_fraction);
+    RouteSearch moving = search_with_surfacings(sea.with({.holds = false}), open, depart, since_surfacing,
+                                                stop, report_fraction);
     add_work(moving.statistics, bounded.statistics);
     if (!moving.path.empty()) {
       moving.statistics.cut_short = true;  // holds may allow an earlier arrival there

@@ -13,7 +13,8 @@ constexpr double farthest_m = 100'000.0;  // a place farther away is another mis
 constexpr int most_rings = 400;
 
 bool is_usable(const cost::Sea& sea, geo::PlanePoint point) {
-  return !sea.closed_between(point, point) && !sea.timed_zones().forbid(point, point, {}) &&
+  return !sea.closures().closed_between(point, point) &&
+         !sea.closures().timed_zones().forbid(point, point, {}) &&
          !sea.icebergs().touched({point, point, 0.0, 0.0});
 }
 
@@ -96,7 +97,7 @@ std::optional<geo::LonLat> nearest_usable_place_towards(const cost::Sea& sea, ge
   std::vector<std::size_t> joined;  // connected by open water
   const auto join_from = [&](geo::PlanePoint from) {
     return [&, from](std::size_t node) {
-      if (seen[node] || sea.closed_between(from, lattice.point(node))) return;
+      if (seen[node] || sea.closures().closed_between(from, lattice.point(node))) return;
       seen[node] = true;
       joined.push_back(node);
     };

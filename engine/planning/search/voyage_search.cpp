@@ -119,7 +119,7 @@ class Parts {
                           beginning.since_surfacing,
                           others_.foresights != nullptr ? &(*others_.foresights)[i] : nullptr);
     };
-    const bool bounded = others_.way != nullptr && !sea_.has_timed_closures();
+    const bool bounded = others_.way != nullptr && !sea_.closures().any_timed();
     const core::Seconds of_use = i + 1 == grids_.size() ? others_.of_use : core::Seconds{INFINITY};
     const core::Seconds latest =
         bounded ? arrival_by(sea_, *others_.way, i, beginning.depart) : core::Seconds{INFINITY};

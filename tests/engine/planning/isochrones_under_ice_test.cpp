@@ -148,7 +148,7 @@ TEST(LegBack, ClosesAWayForTheSameVehiclesAsTheLegsForwards) {
         keeps_forwards = leg.has_value();
         if (leg) since = leg->since_surfacing;
       }
-      now += sea.without_bound_on_surfacing().leg_time(way[i - 1], way[i], now).value();
+      now += sea.with({.bounds_surfacing = false}).leg_time(way[i - 1], way[i], now).value();
     }
     core::Seconds until{0.0};
     bool keeps_backwards = true;

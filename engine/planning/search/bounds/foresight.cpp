@@ -90,7 +90,8 @@ bool Foresight::look(graph::Vertex v, core::Seconds time, currents::NearbyCurren
   if (!near) return false;
   const motion::FanVehicle vehicle{
       .through_water_m_s = static_cast<float>(through_water_.value),
-      .ground_per_plane = static_cast<float>(sea_.least_ground_per_plane(open_.grid.point(v), longest_edge_)),
+      .ground_per_plane =
+          static_cast<float>(sea_.lengths().least_per_plane(open_.grid.point(v), longest_edge_)),
       .longest_s = static_cast<float>(longest_drive_.count()),
       .never_stopped = !sea_.currents() || sea_.currents()->strongest() < most_share * through_water_};
   if (fidelity == Fidelity::estimate) {
@@ -108,7 +109,8 @@ const motion::FanTimes* Foresight::estimates(graph::Vertex v, core::Seconds depa
   const core::MetresPerSecond speed = sea_.speed(drive);
   const motion::FanVehicle vehicle{
       .through_water_m_s = static_cast<float>(speed.value),
-      .ground_per_plane = static_cast<float>(sea_.least_ground_per_plane(open_.grid.point(v), longest_edge_)),
+      .ground_per_plane =
+          static_cast<float>(sea_.lengths().least_per_plane(open_.grid.point(v), longest_edge_)),
       .longest_s = static_cast<float>((longest_edge_ / (least_share * speed)).count())};
   motion::estimate_fan(fan_, *near, vehicle, times_);
   return &times_;
@@ -125,8 +127,8 @@ std::vector<graph::Edge> Foresight::likely_way(core::Seconds depart, const std::
   const auto is_closed = [&](const graph::Edge& edge, core::Seconds now, core::Seconds time) {
     const geo::PlanePoint tail = grid.point(edge.tail);
     const geo::PlanePoint head = grid.point(edge.head);
-    return is_barred(edge) || sea_.closed_between(tail, head) ||
-           (minding.timed_closures && !sea_.first_clear_departure(tail, head, time, now, now));
+    return is_barred(edge) || sea_.closures().closed_between(tail, head) ||
+           (minding.timed_closures && !sea_.closures().first_clear_departure(tail, head, time, now, now));
   };
   bool is_known = false;
   const auto time_fan = [&](const graph::Edge& edge, core::Seconds now, core::Seconds latest,
@@ -186,7 +188,7 @@ graph::SearchTree Foresight::sweep_forth(core::Seconds depart, core::Seconds arr
     const core::Seconds there = now + proven(edge, is_known);
     if (there >= latest) return std::nullopt;
     const core::Seconds open = when_open(edge.head, there);
-    if (open >= latest || sea_.closed_between(grid.point(edge.tail), grid.point(edge.head)))
+    if (open >= latest || sea_.closures().closed_between(grid.point(edge.tail), grid.point(edge.head)))
       return std::nullopt;
     return open - now;
   };
@@ -229,7 +231,7 @@ graph::SearchTree Foresight::sweep_back(core::Seconds depart, core::Seconds arri
     if (film_time + time >= latest) return std::nullopt;
     time = when_open(edge.head, film_time + time) - film_time;
     if (film_time + time >= latest) return std::nullopt;
-    if (sea_.closed_between(grid.point(edge.head), grid.point(edge.tail))) return std::nullopt;
+    if (sea_.closures().closed_between(grid.point(edge.head), grid.point(edge.tail))) return std::nullopt;
     return time;
   };
   const graph::Query query{

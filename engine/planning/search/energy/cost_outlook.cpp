@@ -68,9 +68,10 @@ class ClosedEdges {
       if (i % outlook_check_interval == 0 && stop.stop_requested()) return;
       const Vertex v = tails[i];
       const geo::PlanePoint tail = open.grid.point(v);
-      if (sea.open_about(tail, reach)) continue;
+      if (sea.closures().open_about(tail, reach)) continue;
       open.graph.for_each_edge(v, [&](const Edge& edge) {
-        closed_[v * steps_ + edge.step] = sea.closed_between(tail, open.grid.point(edge.head)).has_value();
+        closed_[v * steps_ + edge.step] =
+            sea.closures().closed_between(tail, open.grid.point(edge.head)).has_value();
       });
     }
   }

@@ -104,7 +104,7 @@ class KnownLimit {
   KnownLimit(const cost::Sea& sea, const OpenGrid& open, const PlanRequest& request,
              const Beginning& beginning, CostGuide& guide, const std::stop_token& stop) {
     constexpr double rounding = 1e-9;  // relative, of sums of costs
-    if (!guide.foresight().is_useful() && !sea.has_timed_closures()) return;
+    if (!guide.foresight().is_useful() && !sea.closures().any_timed()) return;
     PlanRequest by_time = request;
     by_time.method = Method::astar;
     const core::Seconds depart = beginning.depart;
@@ -117,7 +117,7 @@ class KnownLimit {
     if (!has_way && sea.drives().size() > 1) {
       // Because of the current, or the bound on the time without surfacing, a route may be open to the faster drive alone.
       const RouteSearch faster = search_route(
-          sea.driven_by(sea.drives().back()), open, by_time, depart, stop, [](double) {},
+          sea.with({.drive = sea.drives().back()}), open, by_time, depart, stop, [](double) {},
           core::Seconds{INFINITY}, beginning.since_surfacing, &guide.foresight());
       cost = least_cost_along(sea, open, faster.path, request.objective(), beginning);
       has_way = !faster.path.empty();
@@ -190,7 +190,7 @@ Result<CostWay> search_least_cost(const cost::Sea& sea, const std::vector<OpenGr
   const auto earliest_on_faster_drive = [&](Result<CostWay> failed) {
     if (sea.drives().size() == 1 || stop.stop_requested()) return failed;
     auto earliest =
-        earliest_way(sea.driven_by(sea.drives().back()), grids, request, depart, stop, report_fraction);
+        earliest_way(sea.with({.drive = sea.drives().back()}), grids, request, depart, stop, report_fraction);
     return earliest ? std::move(earliest) : std::move(failed);
   };
   for (std::size_t i = 0; i < grids.size(); ++i) {

@@ -19,7 +19,7 @@ std::vector<std::uint8_t> open_vertices(const cost::Sea& sea, const cost::RouteG
   for (Vertex v = 0; v < open.size(); ++v) {
     if (v % vertices_between_looks == 0 && stop.stop_requested()) break;
     const geo::PlanePoint point = grid.point(v);
-    open[v] = sea.closed_between(point, point) ? 0 : 1;
+    open[v] = sea.closures().closed_between(point, point) ? 0 : 1;
   }
   return open;
 }
@@ -31,9 +31,9 @@ std::int64_t count_open_edges(const cost::Sea& sea, const cost::RouteGrid& grid,
   for (Vertex v = 0; v < graph.size(); ++v) {
     if (v % vertices_between_looks == 0 && stop.stop_requested()) break;
     if (!graph.is_open(v)) continue;
-    const bool all_open = sea.open_about(grid.point(v), reach);
+    const bool all_open = sea.closures().open_about(grid.point(v), reach);
     graph.for_each_edge(v, [&](const Edge& edge) {
-      if (all_open || !sea.closed_between(grid.point(edge.tail), grid.point(edge.head))) ++count;
+      if (all_open || !sea.closures().closed_between(grid.point(edge.tail), grid.point(edge.head))) ++count;
     });
   }
   return count;

@@ -4,7 +4,7 @@
 #include <deque>
 #include <vector>
 
-#include "engine/planning/cost/sea.hpp"
+#include "engine/planning/obstacles/closures.hpp"
 #include "engine/planning/search/grid/open_grid.hpp"
 
 namespace floeplan::planning::search {
@@ -14,15 +14,15 @@ namespace floeplan::planning::search {
 /// Threads  one at a time
 class VertexClosures {
  public:
-  /// Both are borrowed and outlive this.
-  VertexClosures(const cost::Sea& sea, const cost::RouteGrid& grid)
-      : sea_{sea}, grid_{grid}, kept_(sea.has_timed_closures() ? count(grid) : 0, not_asked) {}
+  /// What the closures show and the grid are borrowed and outlive this.
+  VertexClosures(const obstacles::Closures& closures, const cost::RouteGrid& grid)
+      : closures_{closures}, grid_{grid}, kept_(closures.any_timed() ? count(grid) : 0, not_asked) {}
 
   /// Spans in ascending order, with gaps between them. Borrowed from this object.
   [[nodiscard]] const std::vector<TimeSpan>& at(graph::Vertex v) {
     if (kept_.empty()) return spans_.front();
     if (kept_[v] == not_asked) {
-      std::vector<TimeSpan> closed = sea_.closed_times(grid_.point(v));
+      std::vector<TimeSpan> closed = closures_.closed_times(grid_.point(v));
       kept_[v] = closed.empty() ? never_closed : static_cast<std::uint32_t>(spans_.size());
       if (!closed.empty()) spans_.push_back(std::move(closed));
     }
@@ -36,7 +36,7 @@ class VertexClosures {
     return static_cast<std::size_t>(grid.nx) * static_cast<std::size_t>(grid.ny);
   }
 
-  const cost::Sea& sea_;
+  obstacles::Closures closures_;
   const cost::RouteGrid& grid_;
   std::vector<std::uint32_t> kept_;  // of each vertex: which of the spans; none where nothing is ever closed
   std::deque<std::vector<TimeSpan>> spans_{

@@ -79,7 +79,7 @@ class Searches {
         since_surfacing_{since_surfacing},
         stop_{stop},
         report_fraction_{report_fraction},
-        closures_{sea, open.grid},
+        closures_{sea.closures(), open.grid},
         reach_{sea, open, depart, since_surfacing, stop},
         foresight_{sea, reach_.grid()},
         has_hope_{reach_.has_hope()} {
@@ -105,7 +105,7 @@ class Searches {
   }
   /// A route close to the best that reaches the goal before then.
   [[nodiscard]] Labels find_best(Pass pass, core::Seconds before, std::size_t most_labels) {
-    const Openings openings = sea_.has_timed_closures()
+    const Openings openings = sea_.closures().any_timed()
                                   ? Openings{sea_, reach_.grid(), before, stop_, &closures_, ladder_.get()}
                                   : Openings{};
     return find({.pass = pass, .slack = sea_.edge_tolerance(), .before = before}, openings, most_labels);

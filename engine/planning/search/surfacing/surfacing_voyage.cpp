@@ -39,7 +39,7 @@ SurfacingVoyage::SurfacingVoyage(const cost::Sea& sea, const OpenGrid& open, con
       before_s_{before.count()},
       aim_{aim},
       weight_{weight},
-      may_wait_{sea.holding().longest.count() > 0.0 && sea.has_timed_closures()},
+      may_wait_{sea.holding().longest.count() > 0.0 && sea.closures().any_timed()},
       indifferent_s_{aim == Aim::any_way && !may_wait_ ? step_s_ : 0.0},
       fronts_{open.graph.size()} {}
 

@@ -71,7 +71,7 @@ core::Watts power_at(const PlanRequest& request, const currents::FlownDepths& de
 core::Joules stepped_energy(const Sea& sea, const PlanRequest& request, const currents::FlownDepths& depths,
                             const RandomLeg& leg, Drive drive) {
   const double way_m = geo::distance_m(leg.a, leg.b);
-  const double ground_m = sea.ground_length(leg.a, leg.b).value;
+  const double ground_m = sea.lengths().between(leg.a, leg.b).value;
   const double east = (leg.b.x_m - leg.a.x_m) / way_m;
   const double north = (leg.b.y_m - leg.a.y_m) / way_m;
   const double through_water_m_s = sea.speed(drive).value;

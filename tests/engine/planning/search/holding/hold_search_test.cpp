@@ -213,7 +213,7 @@ class HoldBeforeAGoal : public testing::Test {
 };
 
 TEST_F(HoldBeforeAGoal, EndsWhenItOpens) {
-  const std::vector<TimeSpan> closed = sea().closed_times(grid_.point(grid_.goal));
+  const std::vector<TimeSpan> closed = sea().closures().closed_times(grid_.point(grid_.goal));
   ASSERT_EQ(closed.size(), 1U);
 
   const HeldWay held = search();

@@ -275,7 +275,7 @@ TEST(SurfacingSearch, FindsAnyWayBeforeItLooksForABetterOne) {
   grid.origin = {-1000.0 * 40, -1000.0 * 30};
   const cost::Sea sea{environment, request, projection, grid.bounds().grown(5000.0), core::Metres{1000.0}};
   const OpenGrid open = open_grid(sea, grid, 2, {});
-  ASSERT_TRUE(sea.has_timed_closures());
+  ASSERT_TRUE(sea.closures().any_timed());
   const auto search_with = [&](SurfacingBudget budget) {
     return search_with_surfacings(
         sea, open, core::Seconds{0.0}, core::Seconds{0.0}, {}, [](double) {}, budget);
