@@ -31,12 +31,12 @@ class Lattice {
       : nx_{(window.x.size() - 1) * static_cast<std::size_t>(cut.parts) + 1} {
     const ocean::CurrentRows water{currents, time, window.first_row, window.y.size()};
     const WetLevels wet{window, 0, window.y.size(), water};
-    std::vector<BandMeans::Place> places;
+    std::vector<DepthAverages::Place> places;
     places.reserve(cut.bands.size());
     for (std::size_t i = 0; i < cut.bands.size(); ++i)
       places.push_back({on_uncut(i % nx_, cut.parts, window.x.size()),
                         on_uncut(i / nx_, cut.parts, window.y.size()), cut.bands[i]});
-    const BandMeans means{places, currents.samples().depths_m, window, turns, wet, water};
+    const DepthAverages means{places, currents.samples().depths_m, window, turns, wet, water};
     means_.reserve(places.size());
     for (std::size_t i = 0; i < places.size(); ++i) {
       const auto mean = means.at(i, water);

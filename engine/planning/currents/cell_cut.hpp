@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "engine/ocean/currents/current_grid.hpp"
-#include "engine/planning/currents/band_means.hpp"
+#include "engine/planning/currents/depth_averages.hpp"
 #include "engine/planning/currents/flown_depths.hpp"
 #include "engine/planning/plane/fast_axis.hpp"
 #include "engine/planning/plane/node_window.hpp"

@@ -5,8 +5,8 @@
 #include <limits>
 #include <utility>
 
-#include "engine/planning/currents/band_means.hpp"
 #include "engine/planning/currents/cell_cut.hpp"
+#include "engine/planning/currents/depth_averages.hpp"
 #include "engine/planning/currents/upper_turns.hpp"
 
 namespace floeplan::planning::currents {
@@ -58,10 +58,10 @@ RowBlock block_from(std::size_t first, const plane::NodeWindow& window, std::siz
           .needed = std::min(end + 2, window.y.size()) - first_needed};
 }
 
-std::vector<BandMeans::Place> places_in(const RowBlock& block, std::size_t cut_columns, int parts,
-                                        const plane::NodeWindow& window,
-                                        const std::vector<vehicle::DiveBand>& bands) {
-  std::vector<BandMeans::Place> places;
+std::vector<DepthAverages::Place> places_in(const RowBlock& block, std::size_t cut_columns, int parts,
+                                            const plane::NodeWindow& window,
+                                            const std::vector<vehicle::DiveBand>& bands) {
+  std::vector<DepthAverages::Place> places;
   places.reserve((block.end_cut - block.first_cut) * cut_columns);
   for (std::size_t iy = block.first_cut; iy < block.end_cut; ++iy) {
     for (std::size_t ix = 0; ix < cut_columns; ++ix) {
@@ -76,10 +76,11 @@ std::vector<BandMeans::Place> places_in(const RowBlock& block, std::size_t cut_c
 class PlacesBelowIce {
  public:
   /// Everything is borrowed and outlives this.
-  PlacesBelowIce(const std::vector<BandMeans::Place>& places, std::size_t columns, const UpperTurns& turns)
+  PlacesBelowIce(const std::vector<DepthAverages::Place>& places, std::size_t columns,
+                 const UpperTurns& turns)
       : places_{places}, turns_{turns}, deeper_{places} {
     const auto nearest = [](const plane::CellPosition& at) { return at.cell + (at.share > 0.5 ? 1 : 0); };
-    for (const BandMeans::Place& place : places) {
+    for (const DepthAverages::Place& place : places) {
       nodes_.push_back(nearest(place.y) * columns + nearest(place.x));
       ever_ = ever_ || turns.ever_below(nodes_.back());
     }
@@ -104,12 +105,12 @@ class PlacesBelowIce {
     return changed;
   }
   /// With the bands that they had when they last lay below ice.
-  [[nodiscard]] const std::vector<BandMeans::Place>& deeper() const { return deeper_; }
+  [[nodiscard]] const std::vector<DepthAverages::Place>& deeper() const { return deeper_; }
 
  private:
-  const std::vector<BandMeans::Place>& places_;
+  const std::vector<DepthAverages::Place>& places_;
   const UpperTurns& turns_;
-  std::vector<BandMeans::Place> deeper_;
+  std::vector<DepthAverages::Place> deeper_;
   std::vector<std::size_t> nodes_;  // nearest to each place
   bool ever_{false};
 };
@@ -162,11 +163,11 @@ void PlaneCurrents::fill(const ocean::CurrentGrid& currents, const plane::NodeWi
   double strongest2 = 0.0;
   for (std::size_t first = 0; first < window.y.size(); first += rows_together) {
     const RowBlock block = block_from(first, window, static_cast<std::size_t>(parts), y_.size());
-    const std::vector<BandMeans::Place> places = places_in(block, x_.size(), parts, window, bands);
+    const std::vector<DepthAverages::Place> places = places_in(block, x_.size(), parts, window, bands);
     PlacesBelowIce below_ice{places, window.x.size(), upper_turns};
     std::optional<WetLevels> wet;
-    std::optional<BandMeans> means;
-    std::optional<BandMeans> means_below_ice;
+    std::optional<DepthAverages> means;
+    std::optional<DepthAverages> means_below_ice;
     for (std::size_t t = 0; t < slices; ++t) {
       if (stop.stop_requested()) return;
       const ocean::CurrentRows water{currents, t, window.first_row + block.first_needed, block.needed};

@@ -9,7 +9,7 @@
 namespace floeplan::planning::refinement {
 
 /// Shifts of a route's free points as a sum of hat functions. The coarsest hat bends a whole section between two
-/// fixed points, the finest moves one point. With hats, SmoothMoves takes about as many steps for many points as for
+/// fixed points, the finest moves one point. Gradient descent over hats takes about as many steps for many points as for
 /// few, because the second derivative of a line's length is diagonal in them.
 /// Source  Yserentant 1986, On the multi-level splitting of finite element spaces, Numer. Math. 49,
 ///         doi:10.1007/BF01389538 (hierarchical basis; exactly orthogonal in one dimension)

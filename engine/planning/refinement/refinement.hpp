@@ -8,12 +8,12 @@
 #include <utility>
 #include <vector>
 
-#include "engine/planning/refinement/hat_moves.hpp"
+#include "engine/planning/refinement/coordinate_descent.hpp"
+#include "engine/planning/refinement/gradient_descent.hpp"
 #include "engine/planning/refinement/kept_points.hpp"
 #include "engine/planning/refinement/leg_meter.hpp"
 #include "engine/planning/refinement/leg_trade.hpp"
 #include "engine/planning/refinement/longer_legs.hpp"
-#include "engine/planning/refinement/smooth_moves.hpp"
 #include "engine/planning/refinement/thinning.hpp"
 
 namespace floeplan::planning::refinement {
@@ -109,8 +109,9 @@ class Refiner {
     constexpr double most_steps_in_a_round = 20.0;
     for (;;) {
       const double before = timed.cost();
-      SmoothMoves moves = descend_smoothly(legs_, std::move(timed), worth_a_round / most_steps_in_a_round);
-      timed = moves.met_closed ? HatMoves{legs_, std::move(moves.itinerary)}() : std::move(moves.itinerary);
+      DescentResult found = descend_gradient(legs_, std::move(timed), worth_a_round / most_steps_in_a_round);
+      timed = found.met_closed ? CoordinateDescent{legs_, std::move(found.itinerary)}()
+                               : std::move(found.itinerary);
       if (before - timed.cost() <= worth_a_round * before) return timed;
     }
   }

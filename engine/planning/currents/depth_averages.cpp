@@ -1,4 +1,4 @@
-#include "engine/planning/currents/band_means.hpp"
+#include "engine/planning/currents/depth_averages.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -67,9 +67,9 @@ WetLevels::WetLevels(const plane::NodeWindow& window, std::size_t first_row, std
 }
 
 /// Writes down which columns count how much.
-class BandMeans::Builder {
+class DepthAverages::Builder {
  public:
-  Builder(BandMeans& means, const std::optional<ocean::Axis>& levels_m, const plane::NodeWindow& window,
+  Builder(DepthAverages& means, const std::optional<ocean::Axis>& levels_m, const plane::NodeWindow& window,
           const std::vector<NodeTurn>& turns, const WetLevels& wet, std::size_t data_columns)
       : means_{means},
         levels_m_{levels_m},
@@ -133,7 +133,7 @@ class BandMeans::Builder {
                                .turn = {share * turn.cosine, share * turn.sine}});
   }
 
-  BandMeans& means_;
+  DepthAverages& means_;
   const std::optional<ocean::Axis>& levels_m_;
   const plane::NodeWindow& window_;
   const std::vector<NodeTurn>& turns_;
@@ -144,9 +144,9 @@ class BandMeans::Builder {
   std::size_t last_levels_{};
 };
 
-BandMeans::BandMeans(const std::vector<Place>& places, const std::optional<ocean::Axis>& levels_m,
-                     const plane::NodeWindow& window, const std::vector<NodeTurn>& turns,
-                     const WetLevels& wet, const ocean::CurrentRows& water)
+DepthAverages::DepthAverages(const std::vector<Place>& places, const std::optional<ocean::Axis>& levels_m,
+                             const plane::NodeWindow& window, const std::vector<NodeTurn>& turns,
+                             const WetLevels& wet, const ocean::CurrentRows& water)
     : level_stride_{water.level_stride()} {
   Builder builder{*this, levels_m, window, turns, wet, water.columns()};
   sums_.reserve(places.size() + 1);
@@ -154,7 +154,8 @@ BandMeans::BandMeans(const std::vector<Place>& places, const std::optional<ocean
   sums_.push_back({columns_.size(), false});
 }
 
-std::optional<BandMeans::Mean> BandMeans::at(std::size_t place, const ocean::CurrentRows& water) const {
+std::optional<DepthAverages::Mean> DepthAverages::at(std::size_t place,
+                                                     const ocean::CurrentRows& water) const {
   const std::size_t end = sums_[place + 1].first_column;
   std::size_t i = sums_[place].first_column;
   if (i == end) return std::nullopt;

@@ -44,7 +44,7 @@ class WetLevels {
 /// bilinear between the nodes. As long as the same levels have water, the sums are the same at every time.
 /// Coast  a node without water takes the mean of its neighbours with water, one ring deep, because a model's
 ///        land mask is coarser than the coast
-class BandMeans {
+class DepthAverages {
  public:
   struct Place {
     plane::CellPosition x;
@@ -59,9 +59,9 @@ class BandMeans {
   /// `turns`  one for each node of the window, [y][x]
   /// `wet`    its rows hold those of the places' cells and those beside them, as far as the window has them
   /// `water`  as those the means are asked for; its values do not matter
-  BandMeans(const std::vector<Place>& places, const std::optional<ocean::Axis>& levels_m,
-            const plane::NodeWindow& window, const std::vector<NodeTurn>& turns, const WetLevels& wet,
-            const ocean::CurrentRows& water);
+  DepthAverages(const std::vector<Place>& places, const std::optional<ocean::Axis>& levels_m,
+                const plane::NodeWindow& window, const std::vector<NodeTurn>& turns, const WetLevels& wet,
+                const ocean::CurrentRows& water);
 
   /// Empty where there is no water. `water`: of a time at which the same levels have water.
   [[nodiscard]] std::optional<Mean> at(std::size_t place, const ocean::CurrentRows& water) const;

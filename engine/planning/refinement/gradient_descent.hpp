@@ -9,18 +9,18 @@
 namespace floeplan::planning::refinement {
 
 /// Result of a descent.
-struct SmoothMoves {
+struct DescentResult {
   cost::Itinerary itinerary;  // never costs more than the start
   bool met_closed{false};     // a route with a closed leg was tried: closures may be in the way
 };
 
 /// Moves all free points at once down the gradient of the cost. The number of legs stays.
 template <cost::CostedLeg Leg>
-SmoothMoves descend_smoothly(LegMeter<Leg>& legs, cost::Itinerary start, double relative_tolerance) {
+DescentResult descend_gradient(LegMeter<Leg>& legs, cost::Itinerary start, double relative_tolerance) {
   const cost::Route& from = start.route;
   const HatBasis basis{start};
   const std::size_t hats = basis.hats().size();
-  SmoothMoves best{start, false};
+  DescentResult best{start, false};
   if (hats == 0 || !(start.travel_time().count() > 0.0) || !(start.cost() > 0.0)) return best;
 
   // The units of the hats are those of costs in seconds.

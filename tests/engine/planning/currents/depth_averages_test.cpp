@@ -1,4 +1,4 @@
-#include "engine/planning/currents/band_means.hpp"
+#include "engine/planning/currents/depth_averages.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 
 #include "tests/support/property.hpp"
 
-namespace floeplan::planning::currents::band_means_test {
+namespace floeplan::planning::currents::depth_averages_test {
 namespace {
 
 using support::uniform;
@@ -87,7 +87,7 @@ struct Scene {
     return motion::CurrentXy{sum.x_m_s / count, sum.y_m_s / count};
   }
 
-  [[nodiscard]] std::optional<motion::CurrentXy> mean(const BandMeans::Place& place) const {
+  [[nodiscard]] std::optional<motion::CurrentXy> mean(const DepthAverages::Place& place) const {
     motion::CurrentXy sum;
     for (const std::size_t up : {0U, 1U}) {
       for (const std::size_t right : {0U, 1U}) {
@@ -104,12 +104,12 @@ struct Scene {
   }
 };
 
-std::vector<BandMeans::Place> random_places(std::mt19937_64& rng, const plane::NodeWindow& window) {
+std::vector<DepthAverages::Place> random_places(std::mt19937_64& rng, const plane::NodeWindow& window) {
   const auto position = [&](std::size_t nodes) {
     const auto cell = static_cast<std::size_t>(uniform_int(rng, 0, static_cast<int>(nodes) - 1));
     return plane::CellPosition{cell, cell + 1 < nodes ? 0.25 * uniform_int(rng, 0, 3) : 0.0};
   };
-  std::vector<BandMeans::Place> places;
+  std::vector<DepthAverages::Place> places;
   for (int i = 0; i < 30; ++i) {
     const core::Metres top{uniform(rng, 0.0, 30.0)};
     places.push_back({position(window.x.size()),
@@ -119,14 +119,15 @@ std::vector<BandMeans::Place> random_places(std::mt19937_64& rng, const plane::N
   return places;
 }
 
-TEST(BandMeans, AreThoseOfTheColumnsAroundAPlace) {
+TEST(DepthAverages, AreThoseOfTheColumnsAroundAPlace) {
   support::for_each_seed(300, [](std::mt19937_64& rng) {
     const Scene scene{rng};
-    const std::vector<BandMeans::Place> places = random_places(rng, scene.window);
+    const std::vector<DepthAverages::Place> places = random_places(rng, scene.window);
     const ocean::CurrentRows water{scene.currents, 0, scene.window.first_row, scene.window.y.size()};
     const WetLevels wet{scene.window, 0, scene.window.y.size(), water};
 
-    const BandMeans means{places, scene.currents.samples().depths_m, scene.window, scene.turns, wet, water};
+    const DepthAverages means{places, scene.currents.samples().depths_m, scene.window, scene.turns, wet,
+                              water};
 
     for (std::size_t i = 0; i < places.size(); ++i) {
       const auto mean = means.at(i, water);
@@ -139,15 +140,16 @@ TEST(BandMeans, AreThoseOfTheColumnsAroundAPlace) {
   });
 }
 
-TEST(BandMeans, SayWhereTheyReachBeyondTheDataOwnCoast) {
+TEST(DepthAverages, SayWhereTheyReachBeyondTheDataOwnCoast) {
   support::for_each_seed(50, [](std::mt19937_64& rng) {
     const Scene scene{rng};
     const ocean::CurrentRows water{scene.currents, 0, scene.window.first_row, scene.window.y.size()};
     const WetLevels wet{scene.window, 0, scene.window.y.size(), water};
     const vehicle::DiveBand band{{5.0}, {100.0}};
-    const std::vector<BandMeans::Place> one_node{{{1, 0.0}, {2, 0.0}, band}};
+    const std::vector<DepthAverages::Place> one_node{{{1, 0.0}, {2, 0.0}, band}};
 
-    const BandMeans means{one_node, scene.currents.samples().depths_m, scene.window, scene.turns, wet, water};
+    const DepthAverages means{one_node, scene.currents.samples().depths_m, scene.window, scene.turns, wet,
+                              water};
 
     const auto mean = means.at(0, water);
     if (!mean) return;
@@ -157,4 +159,4 @@ TEST(BandMeans, SayWhereTheyReachBeyondTheDataOwnCoast) {
 }
 
 }  // namespace
-}  // namespace floeplan::planning::currents::band_means_test
+}  // namespace floeplan::planning::currents::depth_averages_test

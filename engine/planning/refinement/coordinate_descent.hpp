@@ -12,9 +12,9 @@ namespace floeplan::planning::refinement {
 /// coarse to fine. It needs no derivative and slides along the rim of closed areas, where a descent of all points at
 /// once stops as soon as one of them touches. The number of legs stays.
 template <cost::CostedLeg Leg>
-class HatMoves {
+class CoordinateDescent {
  public:
-  HatMoves(LegMeter<Leg>& legs, cost::Itinerary start)
+  CoordinateDescent(LegMeter<Leg>& legs, cost::Itinerary start)
       : legs_{legs}, best_{std::move(start)}, basis_{best_} {}
 
   /// One round of all steps and hats.
