@@ -7,7 +7,7 @@
 
 #include "engine/avoidance/disc_set.hpp"
 #include "engine/avoidance/steering.hpp"
-#include "engine/graph/label_setting_search.hpp"
+#include "engine/graph/time_dependent_astar.hpp"
 #include "engine/motion/crabbing.hpp"
 
 namespace floeplan::avoidance {

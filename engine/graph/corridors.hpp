@@ -6,7 +6,7 @@
 #include <stop_token>
 #include <vector>
 
-#include "engine/graph/label_setting_search.hpp"
+#include "engine/graph/time_dependent_astar.hpp"
 
 namespace floeplan::graph {
 

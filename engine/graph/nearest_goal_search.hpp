@@ -20,7 +20,7 @@ struct NearestGoal {
 /// arrival)`. Exact under FIFO for goals that stay goals; arrivals after `latest` are of no use.
 /// Stops    early, and says so in the tree, once `stop` is requested
 /// Source   Dijkstra's search on arrival times, ended at the first settled goal (Dreyfus 1969, see
-///          label_setting_search.hpp)
+///          time_dependent_astar.hpp)
 template <EdgeTravelTime TravelTime, class IsGoal>
 NearestGoal find_nearest_goal(const GridGraph& graph, Vertex source, core::Seconds depart,
                               core::Seconds latest, const TravelTime& travel_time, const IsGoal& is_goal,

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "engine/graph/corridors.hpp"
-#include "engine/graph/label_setting_search.hpp"
+#include "engine/graph/time_dependent_astar.hpp"
 #include "engine/graph/tve_search.hpp"
 #include "engine/motion/edge_time.hpp"
 #include "engine/planning/optimal_control/timed_way.hpp"

@@ -10,7 +10,7 @@
 #include <string>
 #include <utility>
 
-#include "engine/graph/label_setting_search.hpp"
+#include "engine/graph/time_dependent_astar.hpp"
 #include "tests/bench/benchmarks.hpp"
 #include "tests/bench/midpoint_star.hpp"
 

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "engine/graph/label_setting_search.hpp"
+#include "engine/graph/time_dependent_astar.hpp"
 #include "engine/planning/cost/hold_times.hpp"
 #include "engine/planning/cost/route_cost.hpp"
 #include "engine/planning/publish/improvement.hpp"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/graph/label_setting_search.hpp"
+#include "engine/graph/time_dependent_astar.hpp"
 #include "engine/planning/cost/route_cost.hpp"
 #include "engine/planning/planner/visiting_order.hpp"
 #include "engine/planning/search/grid/grid_travel.hpp"

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "engine/graph/label_search.hpp"
-#include "engine/graph/label_setting_search.hpp"
+#include "engine/graph/time_dependent_astar.hpp"
 #include "engine/planning/search/grid/grid_travel.hpp"
 
 namespace floeplan::planning::search {

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "engine/graph/label_setting_search.hpp"
+#include "engine/graph/time_dependent_astar.hpp"
 #include "engine/graph/tve_search.hpp"
 #include "engine/planning/cost/hold_times.hpp"
 #include "engine/planning/cost/route_cost.hpp"

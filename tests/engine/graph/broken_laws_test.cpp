@@ -3,7 +3,7 @@
 #include <optional>
 #include <stop_token>
 
-#include "engine/graph/label_setting_search.hpp"
+#include "engine/graph/time_dependent_astar.hpp"
 #include "engine/graph/tve_search.hpp"
 
 namespace floeplan::graph::broken_laws_test {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "engine/graph/label_setting_search.hpp"
+#include "engine/graph/time_dependent_astar.hpp"
 #include "tests/engine/graph/swinging_times.hpp"
 #include "tests/support/property.hpp"
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "engine/graph/label_setting_search.hpp"
+#include "engine/graph/time_dependent_astar.hpp"
 #include "tests/support/property.hpp"
 
 namespace floeplan::graph::nearest_goal_search_test {

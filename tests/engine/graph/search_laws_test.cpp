@@ -3,7 +3,7 @@
 #include <stop_token>
 #include <vector>
 
-#include "engine/graph/label_setting_search.hpp"
+#include "engine/graph/time_dependent_astar.hpp"
 #include "engine/graph/tve_search.hpp"
 #include "tests/engine/graph/swinging_times.hpp"
 #include "tests/support/property.hpp"

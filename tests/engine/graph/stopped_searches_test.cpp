@@ -5,8 +5,8 @@
 #include <stop_token>
 
 #include "engine/graph/label_search.hpp"
-#include "engine/graph/label_setting_search.hpp"
 #include "engine/graph/nearest_goal_search.hpp"
+#include "engine/graph/time_dependent_astar.hpp"
 #include "engine/graph/tve_search.hpp"
 #include "tests/support/property.hpp"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/graph/label_setting_search.hpp"
+#include "engine/graph/time_dependent_astar.hpp"
 
 namespace floeplan::planning::search {
 namespace {

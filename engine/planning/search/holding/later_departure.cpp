@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "engine/graph/label_setting_search.hpp"
+#include "engine/graph/time_dependent_astar.hpp"
 #include "engine/planning/cost/route_cost.hpp"
 #include "engine/planning/search/bounds/favourable_bound.hpp"
 #include "engine/planning/search/grid/grid_travel.hpp"

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <bit>
 
-#include "engine/graph/label_setting_search.hpp"
+#include "engine/graph/time_dependent_astar.hpp"
 #include "engine/motion/edge_time.hpp"
 #include "engine/planning/currents/analytic_currents.hpp"
 #include "tests/support/property.hpp"

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "engine/graph/label_setting_search.hpp"
+#include "engine/graph/time_dependent_astar.hpp"
 #include "engine/planning/search/grid/grid_travel.hpp"
 #include "tests/engine/planning/drifting_bergs.hpp"
 #include "tests/engine/planning/search/bounds/foresight_waters.hpp"

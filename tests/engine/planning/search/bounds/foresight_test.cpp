@@ -6,7 +6,7 @@
 #include <limits>
 #include <random>
 
-#include "engine/graph/label_setting_search.hpp"
+#include "engine/graph/time_dependent_astar.hpp"
 #include "engine/planning/cost/route_cost.hpp"
 #include "engine/planning/search/route_search.hpp"
 #include "tests/engine/planning/search/bounds/foresight_waters.hpp"
