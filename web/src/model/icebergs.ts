@@ -1,3 +1,4 @@
+import { computed } from '@preact/signals';
 import type { IcebergProperties } from '../contract/data_types';
 import { requestFields } from '../contract/request_fields';
 import { draft, numberIn } from './draft';
@@ -49,10 +50,16 @@ const metresIn = (text: string, usual: number): number => {
   return value !== undefined && value >= 0 ? value : usual;
 };
 
+/** What the set-up says of the keep-out distance. It is read once: each step of the clock asks for that of every iceberg. */
+const keepOutRules = computed(() => {
+  const { margin_m, max_inflation_m } = requestFields;
+  return { margin_m: metresIn(draft.value.margin_m, margin_m.usual), most_m: metresIn(draft.value.max_inflation_m, max_inflation_m.usual) };
+});
+
 /** How far plans keep from where a berg is expected: hull, margin and the error that its position may have by then, up to the set-up's bound. */
 export function keepOut_m(safe_length_m: number, error_m: number): number {
-  const { margin_m, max_inflation_m } = requestFields;
-  return safe_length_m / 2 + metresIn(draft.value.margin_m, margin_m.usual) + Math.min(error_m, metresIn(draft.value.max_inflation_m, max_inflation_m.usual));
+  const { margin_m, most_m } = keepOutRules.value;
+  return safe_length_m / 2 + margin_m + Math.min(error_m, most_m);
 }
 
 /**
