@@ -1,15 +1,24 @@
+import type { APIRequestContext } from '@playwright/test';
 import { expectAccessible } from '../support/accessible';
 import { expect, open, pixelOf, test, type LonLat } from '../support/page';
 
-test('a click on an iceberg opens its card with source, size, keel, history and forecast', async ({ page, request }) => {
-  const { features } = (await (await request.get('/collections/icebergs/items?limit=200')).json()) as {
-    features: { geometry: { coordinates: LonLat }; properties: { berg_id: string } }[];
-  };
-  // One that lies apart, so that no other is hit.
+interface Berg {
+  geometry: { coordinates: LonLat };
+  properties: { berg_id: string };
+}
+
+/** One that lies apart, so that no other is hit. */
+async function loneBerg(request: APIRequestContext): Promise<Berg> {
+  const { features } = (await (await request.get('/collections/icebergs/items?limit=200')).json()) as { features: Berg[] };
   const away = (a: LonLat, b: LonLat): number => Math.hypot((a[0] - b[0]) * 0.36, a[1] - b[1]);
-  const nearest = (berg: (typeof features)[number]): number => Math.min(...features.filter((other) => other !== berg).map((other) => away(berg.geometry.coordinates, other.geometry.coordinates)));
+  const nearest = (berg: Berg): number => Math.min(...features.filter((other) => other !== berg).map((other) => away(berg.geometry.coordinates, other.geometry.coordinates)));
   const [berg] = [...features].sort((a, b) => nearest(b) - nearest(a));
   if (!berg) throw new Error('The store has no icebergs.');
+  return berg;
+}
+
+test('a click on an iceberg opens its card with source, size, keel, history and forecast', async ({ page, request }) => {
+  const berg = await loneBerg(request);
   await open(page);
   const { x, y } = await pixelOf(page, berg.geometry.coordinates);
   await page.mouse.click(x, y);
@@ -21,4 +30,17 @@ test('a click on an iceberg opens its card with source, size, keel, history and 
   await page.locator('#map').focus();
   await page.keyboard.press('Escape');
   await expect(card).toHaveCount(0);
+});
+
+test('the probe leads to the keel of the nearest iceberg', async ({ page, request }) => {
+  const berg = await loneBerg(request);
+  await open(page);
+  await page.getByRole('button', { name: /^Probe/ }).click();
+  const { x, y } = await pixelOf(page, berg.geometry.coordinates);
+  await page.mouse.click(x, y);
+  const probe = page.getByRole('region', { name: 'Probe' });
+  await probe.getByRole('button', { name: berg.properties.berg_id }).focus();
+  await page.keyboard.press('Enter');
+  await expect(page.getByRole('region', { name: `Iceberg ${berg.properties.berg_id}` })).toContainText('Keel');
+  await expect(probe).toBeHidden();
 });
