@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <queue>
@@ -136,6 +137,8 @@ class IntervalSearcher {
     double depart_from_s;
     double depart_until_s;
     bool expanded{false};
+    double
+        known_until_s{};  // of a window: the latest end of it and of those that begin earlier in its interval
   };
   /// A place that is left at any time of a window.
   struct Stand {
@@ -218,10 +221,11 @@ class IntervalSearcher {
     if (place(arrivals.vertex).intervals[arrivals.interval].may_stay) {
       if (!state.arrivals.empty() && arrivals_[state.arrivals.front()].from_s <= arrivals.from_s) return;
       state.arrivals = {index};
+      arrivals_.push_back(arrivals);
     } else {
-      state.arrivals.insert(first_after(state, arrivals.from_s), index);
+      arrivals_.push_back(arrivals);
+      insert_window(state, index);
     }
-    arrivals_.push_back(arrivals);
     if (arrivals.vertex == goal_) {
       if (best_ == none || arrivals.from_s < arrivals_[best_].from_s) best_ = index;
       return;
@@ -236,10 +240,23 @@ class IntervalSearcher {
     queue_.push({key_s, order_s, number_++, arrivals, traveller});
   }
 
+  void insert_window(State& state, std::uint32_t index) {
+    const auto i = state.arrivals.insert(first_after(state, arrivals_[index].from_s), index);
+    double known_until_s = arrivals_[index].until_s;
+    if (i != state.arrivals.begin())
+      known_until_s = std::max(known_until_s, arrivals_[*std::prev(i)].known_until_s);
+    arrivals_[index].known_until_s = known_until_s;
+    for (auto later = std::next(i);
+         later != state.arrivals.end() && arrivals_[*later].known_until_s < known_until_s; ++later)
+      arrivals_[*later].known_until_s = known_until_s;
+  }
+
   /// Of a place that can only be passed: its windows that begin later.
   [[nodiscard]] auto first_after(const State& state, double time_s) const {
-    return std::ranges::upper_bound(state.arrivals, time_s, {},
-                                    [this](std::uint32_t i) { return arrivals_[i].from_s; });
+    return std::ranges::upper_bound(state.arrivals, time_s, {}, from_of());
+  }
+  [[nodiscard]] auto from_of() const {
+    return [this](std::uint32_t i) { return arrivals_[i].from_s; };
   }
 
   void expand(std::uint32_t index) {
@@ -254,9 +271,10 @@ class IntervalSearcher {
       stand.until_s = here.intervals[from.interval].until_s;
     } else {
       // Windows that touch are left as one: many ways lead here at about the same time.
-      for (const std::uint32_t i : state.arrivals) {
-        Arrivals& other = arrivals_[i];
-        if (other.expanded || other.from_s < stand.from_s) continue;
+      const auto first = std::ranges::lower_bound(state.arrivals, stand.from_s, {}, from_of());
+      for (auto i = first; i != state.arrivals.end(); ++i) {
+        Arrivals& other = arrivals_[*i];
+        if (other.expanded) continue;
         if (other.from_s > stand.until_s + touching_s) break;
         other.expanded = true;
         stand.until_s = std::max(stand.until_s, other.until_s);
@@ -332,9 +350,8 @@ class IntervalSearcher {
                   const OpenDeparture& open) {
     const State& state = place(traveller.edge.head).states[traveller.interval];
     const auto next = first_after(state, open.arrive_s + resolution_s);
-    double known_until_s = -SearchTree::never;
-    for (auto i = state.arrivals.begin(); i != next; ++i)
-      known_until_s = std::max(known_until_s, arrivals_[*i].until_s);
+    const double known_until_s =
+        next == state.arrivals.begin() ? -SearchTree::never : arrivals_[*std::prev(next)].known_until_s;
     if (known_until_s > open.arrive_s + resolution_s) {
       traveller.arrive_s = known_until_s;
       return;
