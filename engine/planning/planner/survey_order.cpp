@@ -22,6 +22,11 @@ TourLegTime leg_times(TourLegs& legs, auto time) {
   };
 }
 
+LegEstimates estimates_of(TourLegs& legs) {
+  return {.least = [&legs](std::size_t from, std::size_t to) { return legs.least_time(from, to); },
+          .usual = [&legs](std::size_t from, std::size_t to) { return legs.usual_time(from, to); }};
+}
+
 EstimatedOrder estimated(const VisitingOrder& order) {
   EstimatedOrder result{{{}, order.exact}, order.arrival};
   for (const std::size_t place : order.places) result.order.vias.push_back(place - 1);
@@ -37,15 +42,15 @@ std::optional<EstimatedOrder> best_via_order(const ocean::Environment& environme
   if (!chart) return std::nullopt;
   TourLegs legs{chart->sea, chart->layout, request, stop};
   const TourLegTime past_closures = leg_times(legs, &TourLegs::time_past_closures);
-  auto order =
-      best_visiting_order(request.via.size(), at_once, leg_times(legs, &TourLegs::time), stop,
-                          [&](std::size_t from, std::size_t to) { return legs.least_time(from, to); });
+  auto order = best_visiting_order(request.via.size(), at_once, leg_times(legs, &TourLegs::time), stop,
+                                   estimates_of(legs));
   if (!order) return std::nullopt;
   const auto flown = end_of_tour(order->places, at_once, past_closures);
   const bool is_as_early = flown && *flown <= (1.0 + worth_another_look) * order->arrival;
   if (flown) order->arrival = *flown;
   if (is_as_early) return estimated(*order);
-  const auto orders = best_visiting_orders_without_fifo(request.via.size(), at_once, past_closures, 1, stop);
+  const auto orders = best_visiting_orders_without_fifo(request.via.size(), at_once, past_closures, 1, stop,
+                                                        estimates_of(legs));
   const bool is_better = !orders.empty() && (!flown || orders.front().arrival < *flown);
   return estimated(is_better ? orders.front() : *order);
 }
@@ -59,8 +64,8 @@ std::vector<EstimatedOrder> promising_via_orders(const ocean::Environment& envir
   TourLegs legs{chart->sea, chart->layout, request, stop};
   const TourLegTime past_closures = leg_times(legs, &TourLegs::time_past_closures);
   std::vector<EstimatedOrder> result;
-  for (const VisitingOrder& order :
-       best_visiting_orders_without_fifo(request.via.size(), at_once, past_closures, most, stop))
+  for (const VisitingOrder& order : best_visiting_orders_without_fifo(
+           request.via.size(), at_once, past_closures, most, stop, estimates_of(legs)))
     result.push_back(estimated(order));
   return result;
 }

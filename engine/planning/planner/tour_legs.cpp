@@ -12,17 +12,27 @@
 namespace floeplan::planning::planner {
 namespace {
 
-constexpr double steps_per_leg = 16.0;               // of the grid: a few milliseconds a search
+// Of the grid between two stops. A search takes some tens of milliseconds, and a few where there are many places, of which each
+// pair is asked for.
+constexpr double steps_per_leg = 16.0;
+constexpr double steps_of_many = 10.0;
+constexpr int most_sectors_of_many = 2;
 constexpr core::Seconds between_departures{7200.0};  // a sixth of a half-day tide
 constexpr cost::GridReach reach{0.5, 0.25};
-constexpr core::Seconds just_after{1.0};  // the end of a closure, which still belongs to it
+constexpr long departures_between_searches = 6;  // twelve hours: about a half-day tide
+constexpr core::Seconds just_after{1.0};         // the end of a closure, which still belongs to it
 
 }  // namespace
 
 TourLegs::TourLegs(const cost::Sea& sea, const cost::Layout& layout, const PlanRequest& request,
                    const std::stop_token& stop)
-    : sea_{sea}, layout_{layout}, request_{request}, stop_{stop} {
+    : sea_{sea},
+      layout_{layout},
+      request_{request},
+      has_many_places_{layout.points.size() > most_places_ordered_exactly + 2},
+      stop_{stop} {
   request_.method = Method::astar;
+  if (has_many_places_) request_.sectors = std::min(request_.sectors, most_sectors_of_many);
   for (const geo::PlanePoint point : layout.points) closed_.push_back(sea.closures().closed_times(point));
 }
 
@@ -31,19 +41,60 @@ TourLegs::Leg& TourLegs::leg(Pair pair) {
   if (known != legs_.end()) return known->second;
   const geo::PlanePoint from = layout_.points[pair.first];
   const geo::PlanePoint to = layout_.points[pair.second];
-  const core::Metres step{geo::distance_m(from, to) / steps_per_leg};
+  const core::Metres step{geo::distance_m(from, to) / (has_many_places_ ? steps_of_many : steps_per_leg)};
   const cost::RouteGrid grid = cost::lay_grid(from, to, {step, step}, reach);
   return legs_.emplace(pair, Leg{.open = search::open_grid(sea_, grid, request_.sectors, stop_)})
       .first->second;
 }
 
-std::optional<TourLegs::Way> TourLegs::searched(Leg& leg, long departure) {
-  const auto known = leg.ways.find(departure);
-  if (known != leg.ways.end()) return known->second;
+std::optional<TourLegs::Way> TourLegs::way_at(Pair pair, long departure) {
+  Leg& on_grid = leg(pair);
+  const auto known = on_grid.ways.find(departure);
+  if (known != on_grid.ways.end()) return known->second;
   const core::Seconds depart = static_cast<double>(departure) * between_departures;
-  auto way = sea_.overhead().bounds_surfacing() ? bounded(leg.open, depart) : unbounded(leg, depart);
+  std::optional<Way> way;
+  const long since_search =
+      (departure % departures_between_searches + departures_between_searches) % departures_between_searches;
+  if (has_many_places_ && since_search != 0 && !sea_.overhead().bounds_surfacing()) {
+    const long before = departure - since_search;
+    for (const long other : {before, before + departures_between_searches}) {
+      const auto found = way_at(pair, other);
+      auto same = found ? followed(*found, pair.second, depart) : std::nullopt;
+      if (same && (!way || same->time < way->time)) way = std::move(same);
+    }
+  }
+  if (!way) way = searched(on_grid, depart);
   if (stop_.stop_requested()) return std::nullopt;
-  return leg.ways.emplace(departure, std::move(way)).first->second;
+  return on_grid.ways.emplace(departure, std::move(way)).first->second;
+}
+
+std::optional<TourLegs::Way> TourLegs::searched(Leg& leg, core::Seconds depart) const {
+  return sea_.overhead().bounds_surfacing() ? bounded(leg.open, depart) : unbounded(leg, depart);
+}
+
+std::optional<TourLegs::Way> TourLegs::followed(const Way& way, std::size_t to, core::Seconds depart) const {
+  const auto end_by = [&](auto leg_time) -> std::optional<core::Seconds> {
+    core::Seconds now = depart;
+    for (std::size_t i = 1; i < way.path.size(); ++i) {
+      const auto time = leg_time(way.path[i - 1], way.path[i], now);
+      if (!time) return std::nullopt;
+      now += *time;
+    }
+    return now;
+  };
+  if (way.is_past_closures && sea_.ice()) {
+    const auto end = end_by(
+        [&](geo::PlanePoint a, geo::PlanePoint b, core::Seconds now) { return sea_.leg_time(a, b, now); });
+    if (end) return Way{*end - depart, way.path, true};
+  }
+  const auto end = end_by([&](geo::PlanePoint a, geo::PlanePoint b, core::Seconds now) {
+    return sea_.leg_time_without_timed_closures(a, b, now, core::Seconds{INFINITY});
+  });
+  if (!end) return std::nullopt;
+  // Where the end of the way is closed on arrival, the vehicle waits; anything else that closes asks for another way.
+  const bool waits_at_end = open_from(closed_[to], *end) > *end;
+  if (way.is_past_closures && sea_.ice() && !waits_at_end) return std::nullopt;
+  return Way{*end - depart, way.path, false};
 }
 
 template <class TravelTime>
@@ -53,7 +104,7 @@ graph::SearchTree TourLegs::earliest_arrivals(Leg& leg, core::Seconds depart,
   const graph::Query query{
       .source = open.grid.start, .goal = open.grid.goal, .depart = depart, .latest = core::Seconds{INFINITY}};
   // With many places few departures are tried. Then a bound of each pair would take more time than it saves.
-  if (layout_.points.size() <= most_places_ordered_exactly + 2)
+  if (!has_many_places_)
     return graph::find_earliest_arrivals(open.graph, query, travel_time, stop_, bound_of(leg));
   const search::StraightBound straight{sea_, open.grid, open.graph, open.grid.goal};
   return graph::find_earliest_arrivals(open.graph, query, travel_time, stop_, straight);
@@ -62,6 +113,14 @@ graph::SearchTree TourLegs::earliest_arrivals(Leg& leg, core::Seconds depart,
 const search::FavourableBound& TourLegs::bound_of(Leg& leg) const {
   if (!leg.bound) leg.bound.emplace(sea_, leg.open, stop_);
   return *leg.bound;
+}
+
+core::Seconds TourLegs::usual_time(std::size_t from, std::size_t to) {
+  const geo::PlanePoint a = layout_.points[from];
+  const geo::PlanePoint b = layout_.points[to];
+  if (stop_.stop_requested() || (a.x_m == b.x_m && a.y_m == b.y_m)) return core::Seconds{0.0};
+  const auto way = way_at({from, to}, 0);
+  return way ? way->time : sea_.lengths().between(a, b) / sea_.through_water();
 }
 
 core::Seconds TourLegs::least_time(std::size_t from, std::size_t to) {
@@ -85,10 +144,11 @@ std::optional<TourLegs::Way> TourLegs::unbounded(Leg& leg, core::Seconds depart)
   // Only the search for the time avoids places where ice leaves no room. But then icebergs close places, too.
   std::optional<graph::SearchTree> tree;
   if (sea_.ice()) tree = earliest_arrivals(leg, depart, search::GridTravelTime{sea_, open.grid});
-  if (!tree || (sea_.closures().any_timed() && !tree->is_reached(open.grid.goal)))
+  const bool is_past_closures = tree && tree->is_reached(open.grid.goal);
+  if (!tree || (sea_.closures().any_timed() && !is_past_closures))
     tree = earliest_arrivals(leg, depart, search::UntimedTravelTime{sea_, open.grid});
   if (!tree->is_reached(open.grid.goal)) return std::nullopt;
-  Way way{core::Seconds{tree->arrival_s(open.grid.goal)} - depart, {}};
+  Way way{core::Seconds{tree->arrival_s(open.grid.goal)} - depart, {}, is_past_closures};
   for (const graph::Vertex v : graph::path_to(open.graph, *tree, open.grid.goal))
     way.path.push_back(open.grid.point(v));
   return way;
@@ -100,11 +160,10 @@ std::optional<core::Seconds> TourLegs::time_under_way(std::size_t from, std::siz
   const geo::PlanePoint a = layout_.points[from];
   const geo::PlanePoint b = layout_.points[to];
   if (a.x_m == b.x_m && a.y_m == b.y_m) return core::Seconds{0.0};
-  Leg& on_grid = leg({from, to});
   const double position = depart / between_departures;
   const auto before = static_cast<long>(std::floor(position));
-  const auto early = searched(on_grid, before);
-  const auto late = searched(on_grid, before + 1);
+  const auto early = way_at({from, to}, before);
+  const auto late = way_at({from, to}, before + 1);
   // If only one of the two departures has a way, for instance at the end of the data, it is used for both.
   if (!early && !late) return std::nullopt;
   const core::Seconds first = early ? early->time : late->time;
@@ -140,7 +199,7 @@ std::optional<core::Seconds> TourLegs::arrival_past_closures(Pair pair, core::Se
   const auto slot = static_cast<long>(std::floor(depart / between_departures));
   core::Seconds arrives{INFINITY};
   for (const long departure : {slot, slot + 1}) {
-    const auto way = searched(on_grid, departure);
+    const auto way = way_at(pair, departure);
     const auto schedule =
         way ? cost::schedule_along(sea_, way->path, leaves) : tl::unexpected(cost::RouteClosed{});
     if (schedule) arrives = std::min(arrives, schedule->arrivals.back());

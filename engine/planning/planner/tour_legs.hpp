@@ -15,9 +15,11 @@
 
 namespace floeplan::planning::planner {
 
-/// Travel times between the stops of a layout, for comparing orders of visits. Each pair is searched when it is first asked
-/// for, on a coarse grid of its own and at departures a fixed time apart. Between two departures arrivals are linear, which
-/// keeps FIFO. A vehicle that comes to a closed place, for instance because of an iceberg, waits until it reopens.
+/// Travel times between the stops of a layout, for comparing orders of visits. Times are known at departures two hours apart;
+/// between them arrivals are linear, which keeps FIFO. Each pair of stops is searched when it is first asked for, on a coarse
+/// grid of its own. Of many places each pair is searched once for twelve hours, on a coarser grid: at the departures between,
+/// the vehicle takes one of the ways that were found before and after, unless both are closed then. A vehicle that comes to a
+/// closed place, for instance because of an iceberg, waits until it reopens.
 /// Accuracy  some percent: a plan is searched on its own grid once the order is known
 /// Threads   one thread at a time; answers are remembered
 class TourLegs {
@@ -28,6 +30,8 @@ class TourLegs {
 
   /// Empty where there is no way at that time, and once `stop` is requested.
   [[nodiscard]] std::optional<core::Seconds> time(std::size_t from, std::size_t to, core::Seconds depart);
+  /// About the time, whatever the departure: that of the tour's beginning, or in still water where there is no way then.
+  [[nodiscard]] core::Seconds usual_time(std::size_t from, std::size_t to);
   /// Lower bound for all departures.
   [[nodiscard]] core::Seconds least_time(std::size_t from, std::size_t to);
   /// The time with everything that closes and reopens on the way, such as a place that the vehicle must leave before it closes.
@@ -40,6 +44,7 @@ class TourLegs {
   struct Way {
     core::Seconds time;
     std::vector<geo::PlanePoint> path;
+    bool is_past_closures{true};  // false: what closes and reopens was left out
   };
   struct Leg {
     search::OpenGrid open;
@@ -51,7 +56,12 @@ class TourLegs {
                                                             core::Seconds depart);
   [[nodiscard]] Leg& leg(Pair pair);
   [[nodiscard]] const search::FavourableBound& bound_of(Leg& leg) const;
-  [[nodiscard]] std::optional<Way> searched(Leg& leg, long departure);
+  /// A way at one of the departures.
+  [[nodiscard]] std::optional<Way> way_at(Pair pair, long departure);
+  /// The same, searched on the grid.
+  [[nodiscard]] std::optional<Way> searched(Leg& leg, core::Seconds depart) const;
+  /// The way of another departure, at this one; empty where it is closed.
+  [[nodiscard]] std::optional<Way> followed(const Way& way, std::size_t to, core::Seconds depart) const;
   /// The way that keeps the bound on the time without surfacing, with a surfacing at its start.
   [[nodiscard]] std::optional<Way> bounded(const search::OpenGrid& open, core::Seconds depart) const;
   [[nodiscard]] std::optional<Way> unbounded(Leg& leg, core::Seconds depart) const;
@@ -66,6 +76,7 @@ class TourLegs {
   const cost::Sea& sea_;
   const cost::Layout& layout_;
   PlanRequest request_;
+  bool has_many_places_;
   std::stop_token stop_;
   std::vector<std::vector<TimeSpan>> closed_;  // the closed times of each point of the layout
   std::map<Pair, Leg> legs_;

@@ -45,7 +45,7 @@ struct SetTable {
 class BestBefore {
  public:
   /// Everything is borrowed and outlives this.
-  BestBefore(const SetTable& table, const TourLegTime& leg_time, const LeastLegTime& least_time)
+  BestBefore(const SetTable& table, const TourLegTime& leg_time, const LegEstimates::Estimate& least_time)
       : table_{table}, leg_time_{leg_time}, least_time_{least_time} {}
 
   struct Found {
@@ -77,13 +77,14 @@ class BestBefore {
  private:
   const SetTable& table_;
   const TourLegTime& leg_time_;
-  const LeastLegTime& least_time_;
+  const LegEstimates::Estimate& least_time_;
   std::vector<std::pair<double, std::size_t>>
       candidates_;  // lower bounds of arrivals, and the places they come from
 };
 
 std::optional<VisitingOrder> exact_order(std::size_t n, double depart_s, const TourLegTime& leg_time,
-                                         const std::stop_token& stop, const LeastLegTime& least_time) {
+                                         const std::stop_token& stop,
+                                         const LegEstimates::Estimate& least_time) {
   const std::size_t goal = n + 1;
   if (n == 0) {
     const double end = arrival_s(leg_time, 0, goal, depart_s);
@@ -121,11 +122,15 @@ std::optional<VisitingOrder> exact_order(std::size_t n, double depart_s, const T
   return result;
 }
 
+/// By usual times: the time of day changes the length of a tour by a few percent. A judgement.
+constexpr double worth_timing = 1.05;
+
 /// A tour that is being improved.
 class Tour {
  public:
-  Tour(std::size_t n, double depart_s, const TourLegTime& leg_time, const std::stop_token& stop)
-      : goal_{n + 1}, depart_s_{depart_s}, leg_time_{leg_time}, stop_{stop} {
+  Tour(std::size_t n, double depart_s, const TourLegTime& leg_time, const LegEstimates::Estimate& usual_time,
+       const std::stop_token& stop)
+      : goal_{n + 1}, depart_s_{depart_s}, leg_time_{leg_time}, usual_time_{usual_time}, stop_{stop} {
     insert_all(n);
   }
 
@@ -142,29 +147,43 @@ class Tour {
   void insert_all(std::size_t n) {
     std::vector<std::size_t> left(n);
     std::iota(left.begin(), left.end(), std::size_t{1});
-    while (!left.empty()) {
-      std::vector<std::size_t> best;
-      double best_s = no_arrival;
-      std::size_t taken = 0;
-      for (std::size_t i = 0; i < left.size() && !stop_.stop_requested(); ++i) {
+    while (!left.empty() && !stop_.stop_requested()) {
+      std::vector<std::vector<std::size_t>> orders;
+      for (const std::size_t place : left) {
         for (std::size_t position = 0; position <= order_.size(); ++position) {
-          std::vector<std::size_t> tried = order_;
-          tried.insert(tried.begin() + static_cast<std::ptrdiff_t>(position), left[i]);
-          const double tried_s = end_of_tour_s(tried, goal_, depart_s_, leg_time_);
-          if (!best.empty() && !(tried_s < best_s)) continue;
-          best = std::move(tried);
-          best_s = tried_s;
-          taken = i;
+          orders.push_back(order_);
+          orders.back().insert(orders.back().begin() + static_cast<std::ptrdiff_t>(position), place);
         }
       }
-      if (best.empty()) return;
+      double shortest_s = no_arrival;
+      for (const auto& order : orders) shortest_s = std::min(shortest_s, usual_length_s(order));
+      std::vector<std::size_t> best;
+      double best_s = no_arrival;
+      for (const auto& order : orders) {
+        if (stop_.stop_requested()) return;
+        if (usual_length_s(order) > worth_timing * shortest_s) continue;
+        const double order_s = end_of_tour_s(order, goal_, depart_s_, leg_time_);
+        if (!best.empty() && !(order_s < best_s)) continue;
+        best = order;
+        best_s = order_s;
+      }
       order_ = std::move(best);
       end_s_ = best_s;
-      left.erase(left.begin() + static_cast<std::ptrdiff_t>(taken));
+      std::erase_if(left, [&](std::size_t place) { return std::ranges::count(order_, place) > 0; });
     }
   }
 
+  /// Of a tour in this order, by the usual times; zero where none are known.
+  [[nodiscard]] double usual_length_s(const std::vector<std::size_t>& order) const {
+    if (!usual_time_) return 0.0;
+    double sum_s = 0.0;
+    std::size_t here = 0;
+    for (const std::size_t next : order) sum_s += usual_time_(std::exchange(here, next), next).count();
+    return sum_s + usual_time_(here, goal_).count();
+  }
+
   bool adopt(std::vector<std::size_t> tried) {
+    if (usual_length_s(tried) > worth_timing * usual_length_s(order_)) return false;
     const double tried_s = end_of_tour_s(tried, goal_, depart_s_, leg_time_);
     if (!(tried_s < end_s_)) return false;
     order_ = std::move(tried);
@@ -205,6 +224,7 @@ class Tour {
   std::size_t goal_;
   double depart_s_;
   const TourLegTime& leg_time_;
+  const LegEstimates::Estimate& usual_time_;
   const std::stop_token& stop_;
   std::vector<std::size_t> order_;
   double end_s_{no_arrival};
@@ -266,10 +286,10 @@ class AllOrders {
 
 std::optional<VisitingOrder> best_visiting_order(std::size_t places, core::Seconds depart,
                                                  const TourLegTime& leg_time, const std::stop_token& stop,
-                                                 const LeastLegTime& least_time) {
+                                                 const LegEstimates& estimates) {
   if (places <= most_places_ordered_exactly)
-    return exact_order(places, depart.count(), leg_time, stop, least_time);
-  Tour tour{places, depart.count(), leg_time, stop};
+    return exact_order(places, depart.count(), leg_time, stop, estimates.least);
+  Tour tour{places, depart.count(), leg_time, estimates.usual, stop};
   tour.improve();
   if (tour.order().size() != places || !(tour.end_s() < no_arrival)) return std::nullopt;
   return VisitingOrder{tour.order(), core::Seconds{tour.end_s()}, false};
@@ -277,13 +297,14 @@ std::optional<VisitingOrder> best_visiting_order(std::size_t places, core::Secon
 
 std::vector<VisitingOrder> best_visiting_orders_without_fifo(std::size_t places, core::Seconds depart,
                                                              const TourLegTime& leg_time, std::size_t most,
-                                                             const std::stop_token& stop) {
+                                                             const std::stop_token& stop,
+                                                             const LegEstimates& estimates) {
   if (places <= most_places_tried_in_all_orders) {
     std::vector<VisitingOrder> orders = AllOrders{places, leg_time, most, stop}.best(depart);
     if (!orders.empty()) orders.front().exact = true;
     return orders;
   }
-  auto order = best_visiting_order(places, depart, leg_time, stop);
+  auto order = best_visiting_order(places, depart, leg_time, stop, estimates);
   if (!order) return {};
   order->exact = false;
   return {std::move(*order)};

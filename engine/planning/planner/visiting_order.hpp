@@ -16,8 +16,12 @@ namespace floeplan::planning::planner {
 using TourLegTime =
     std::function<std::optional<core::Seconds>(std::size_t from, std::size_t to, core::Seconds depart)>;
 
-/// Lower bound of the time of a leg, for all departures.
-using LeastLegTime = std::function<core::Seconds(std::size_t from, std::size_t to)>;
+/// What is known of the time of a leg whatever the departure; what is empty is not known.
+struct LegEstimates {
+  using Estimate = std::function<core::Seconds(std::size_t from, std::size_t to)>;
+  Estimate least{};  // a lower bound
+  Estimate usual{};  // about as long as at most departures
+};
 
 /// An order of visits, and the end of its tour.
 struct VisitingOrder {
@@ -33,7 +37,8 @@ inline constexpr std::size_t most_places_ordered_exactly = 12;
 /// of places visited so far: under FIFO the earliest arrival at the last place of a set is all that counts of it.
 /// More by the cheapest insertion of one place after the other into the tour, followed by reversals of a stretch and
 /// moves of up to three neighbours as long as one ends the tour earlier; every tour is timed from its departure.
-/// `least_time`  saves legs that cannot be the best to a place; empty: no lower bound is known
+/// `estimates`  the lower bound saves legs that cannot be the best to a place. Of more than 12 places, orders that are a
+///          twentieth longer than others by the usual times are not timed
 /// Returns  empty when no order leads to the goal, or when `stop` was requested before one was found
 /// Source   Held and Karp 1962, A dynamic programming approach to sequencing problems, J. SIAM 10, with arrivals for
 ///          distances; insertion and 2-opt: Rosenkrantz, Stearns and Lewis 1977, doi:10.1137/0206041, Croes 1958,
@@ -41,7 +46,7 @@ inline constexpr std::size_t most_places_ordered_exactly = 12;
 [[nodiscard]] std::optional<VisitingOrder> best_visiting_order(std::size_t places, core::Seconds depart,
                                                                const TourLegTime& leg_time,
                                                                const std::stop_token& stop,
-                                                               const LeastLegTime& least_time = {});
+                                                               const LegEstimates& estimates = {});
 
 /// Up to so many places are ordered exactly where a later departure may get further. A judgement: each of their 120 orders needs
 /// legs at its own departures, and a search for one takes some milliseconds.
@@ -51,11 +56,9 @@ inline constexpr std::size_t most_places_tried_in_all_orders = 5;
 /// More places: as if FIFO held. Then one order at most is returned; it can be travelled, but another one may end earlier, or
 /// be the only one.
 /// `most`   orders, at least one
-[[nodiscard]] std::vector<VisitingOrder> best_visiting_orders_without_fifo(std::size_t places,
-                                                                           core::Seconds depart,
-                                                                           const TourLegTime& leg_time,
-                                                                           std::size_t most,
-                                                                           const std::stop_token& stop);
+[[nodiscard]] std::vector<VisitingOrder> best_visiting_orders_without_fifo(
+    std::size_t places, core::Seconds depart, const TourLegTime& leg_time, std::size_t most,
+    const std::stop_token& stop, const LegEstimates& estimates = {});
 
 /// The arrival at the goal of the tour in this order; empty where a leg has no way.
 [[nodiscard]] std::optional<core::Seconds> end_of_tour(const std::vector<std::size_t>& places,

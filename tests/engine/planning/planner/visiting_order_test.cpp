@@ -84,13 +84,14 @@ TEST(VisitingOrder, IsTheSameWithABoundOnTheTimesOfLegs) {
         return leg_time(from, to, depart);
       };
     };
-    const LeastLegTime least_time = [&](std::size_t from, std::size_t to) {
+    const LegEstimates::Estimate least_time = [&](std::size_t from, std::size_t to) {
       constexpr double most_swing_s = 16.0;
       return std::max(Seconds{0.0}, *leg_time(from, to, Seconds{0.0}) - Seconds{most_swing_s});
     };
 
     const auto without = best_visiting_order(places, Seconds{0.0}, counted(looks_without), {});
-    const auto with = best_visiting_order(places, Seconds{0.0}, counted(looks_with), {}, least_time);
+    const auto with =
+        best_visiting_order(places, Seconds{0.0}, counted(looks_with), {}, {.least = least_time});
 
     ASSERT_TRUE(without && with);
     EXPECT_EQ(with->places, without->places);
@@ -116,6 +117,35 @@ TEST(VisitingOrder, VisitsEveryPlaceOnceAndBeatsTheOrderGivenWhenThereAreMany) {
     EXPECT_NEAR(end_of(found->places, leg_time), found->arrival.count(), 1e-9);
     EXPECT_LT(found->arrival.count(), end_of(given, leg_time));
   });
+}
+
+/// Usual times save legs, and cost at most some percent.
+TEST(VisitingOrder, IsAboutAsEarlyWhereUsualTimesSayWhichOrdersAreWorthTiming) {
+  int looks_without = 0;
+  int looks_with = 0;
+  support::for_each_seed(6, [&](std::mt19937_64& rng) {
+    constexpr std::size_t places = 20;
+    const TourLegTime leg_time = swinging_tour(rng, places);
+    const auto counted = [&](int& looks) -> TourLegTime {
+      return [&](std::size_t from, std::size_t to, Seconds depart) {
+        ++looks;
+        return leg_time(from, to, depart);
+      };
+    };
+    const LegEstimates::Estimate usual_time = [&](std::size_t from, std::size_t to) {
+      Seconds sum{0.0};
+      for (int i = 0; i < 20; ++i) sum += *leg_time(from, to, Seconds{30.0 * i});
+      return sum / 20.0;
+    };
+
+    const auto without = best_visiting_order(places, Seconds{0.0}, counted(looks_without), {});
+    const auto with =
+        best_visiting_order(places, Seconds{0.0}, counted(looks_with), {}, {.usual = usual_time});
+
+    ASSERT_TRUE(without && with);
+    EXPECT_LT(with->arrival, 1.1 * without->arrival);
+  });
+  EXPECT_LT(looks_with, 0.5 * looks_without);
 }
 
 TEST(VisitingOrder, FindsTheOneOrderWhoseLegsAllHaveAWay) {
