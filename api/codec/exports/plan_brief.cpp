@@ -56,7 +56,8 @@ constexpr const char* style =
 std::string table(const planning::Plan& plan) {
   std::string text =
       "<table><thead><tr><th>no.</th><th>latitude</th><th>longitude</th><th>ETA (UTC)</th><th>leg km</th>"
-      "<th>course</th><th>m/s</th><th>depth m</th><th>may surface</th><th>turn m</th></tr></thead><tbody>\n";
+      "<th>course</th><th>SOG m/s</th><th>depth m</th><th>may surface</th><th>turn "
+      "m</th></tr></thead><tbody>\n";
   for (const auto& row : brief_rows(plan)) {
     text += "<tr>";
     for (const std::string& cell : row) text += "<td>" + xml_text(cell) + "</td>";
@@ -65,7 +66,7 @@ std::string table(const planning::Plan& plan) {
   return text + "</tbody></table>\n";
 }
 
-/// Of a waypoint; "-" where nothing is known of ice.
+/// Whether the vehicle may surface at a waypoint, in words; "-" where nothing is known of ice.
 std::string may_surface(const planning::Plan& plan, std::size_t waypoint) {
   if (!plan.surfacing) return "-";
   return plan.surfacing->waypoints.at(waypoint).may_surface ? "yes" : "no";

@@ -17,8 +17,8 @@ constexpr double page_width = 595.0;
 constexpr double page_height = 842.0;
 constexpr double margin = 36.0;
 constexpr double text_width = page_width - 2.0 * margin;
-constexpr std::array<double, 10> column_ends{20.0,  92.0,  164.0, 272.0, 308.0,
-                                             344.0, 372.0, 416.0, 480.0, 523.0};
+constexpr std::array<double, 10> column_ends{20.0,  90.0,  160.0, 262.0, 297.0,
+                                             333.0, 374.0, 416.0, 480.0, 523.0};
 
 struct Colour {
   double red, green, blue;
@@ -259,8 +259,8 @@ std::string plan_brief_pdf(const planning::Plan& plan, const BriefPictures& pict
     sheet.paragraph(section_caption, 7.5);
   }
   write_row(sheet,
-            {"no.", "latitude", "longitude", "ETA (UTC)", "leg km", "course", "m/s", "depth m", "may surface",
-             "turn m"},
+            {"no.", "latitude", "longitude", "ETA (UTC)", "leg km", "course", "SOG m/s", "depth m",
+             "may surface", "turn m"},
             true);
   for (const auto& row : brief_rows(plan)) write_row(sheet, row, false);
   sheet.skip(8.0);
