@@ -21,7 +21,7 @@ std::vector<Field> joined(const Parts&... parts) {
   return all;
 }
 
-/// Of all three.
+/// Fields of all three processes.
 std::vector<Field> voyage() {
   return joined(departure_fields(), vehicle_fields(), flight_fields(), margin_fields(), iceberg_fields(),
                 sighting_fields(), passing_under_ice_fields(), area_fields(), data_fields(), name_fields());

@@ -20,7 +20,7 @@
 /// Threads  every table is made once and only read
 namespace floeplan::fields {
 
-// Of a plan's way.
+// Fields of plan-route.
 [[nodiscard]] const std::vector<Field>& way_fields();  // from where to where, by what
 [[nodiscard]] const Table<planning::PlanRequest>& order_fields();
 [[nodiscard]] const std::vector<Field>& departure_fields();
@@ -32,7 +32,7 @@ namespace floeplan::fields {
 [[nodiscard]] const Table<planning::UncertaintyRules>& robustness_fields();
 [[nodiscard]] const Table<planning::IcebergRules>& encounter_fields();
 
-// Of a route that is judged, and of isochrones.
+// Fields of evaluate-route and of reach.
 [[nodiscard]] const std::vector<Field>& route_fields();
 [[nodiscard]] const std::vector<Field>& isochrone_fields();
 [[nodiscard]] const Table<planning::IsochroneRequest>& isochrone_grid_fields();

@@ -13,7 +13,7 @@ namespace floeplan::log {
 /// "error", "off") are not written.
 void to_stderr(const std::string& level);
 
-/// From now on, for every thread.
+/// Sets the level from now on, for every thread.
 void set_level(const std::string& level);
 
 void info(std::initializer_list<std::string_view> parts) noexcept;

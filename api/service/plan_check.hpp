@@ -46,7 +46,7 @@ struct PlanCheck {
 /// The dangers first.
 [[nodiscard]] std::vector<messages::Message> all_of(const PlanCheck& check);
 
-/// As API and command line show it.
+/// The check as a document, for the API and the command line.
 [[nodiscard]] nlohmann::json plan_check_document(const repository::PlanRecord& record,
                                                  const PlanCheck& check);
 

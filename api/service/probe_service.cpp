@@ -147,7 +147,7 @@ void read_ice(sql::Connection& db, const Source& source, codec::Probe& probe) {
   if (!ice.state) ice.reason = "no value here: land, a gap of the data, or beyond their area";
 }
 
-/// Of parts that were joined in time those that lie around a moment, each cut down to the steps next to it.
+/// The parts of joined data that lie around a moment, each cut down to its steps next to that moment.
 std::vector<repository::JoinedPart> around(std::vector<repository::JoinedPart> parts, core::UtcTime time) {
   std::vector<repository::JoinedPart> near;
   for (repository::JoinedPart& part : parts) {
@@ -192,7 +192,7 @@ std::optional<Velocities> joined_velocities(sql::Connection& db, const std::vect
   return std::nullopt;
 }
 
-/// Of the named dataset, or of one without time.
+/// Velocities of one dataset alone: of a dataset that the query names, or of one that holds a single time.
 std::optional<Velocities> own_velocities(sql::Connection& db, const Dataset& dataset,
                                          const ProbeQuery& query) {
   if (!covers_time(dataset, query.time)) return std::nullopt;

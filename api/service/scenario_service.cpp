@@ -88,7 +88,7 @@ json listed(const std::vector<RunSummary>& runs, const Is& is) {
   return list;
 }
 
-/// Of the runs that arrived, over the straight way; null when none did.
+/// Median detour of the runs that arrived, in per cent of the straight line; null if none arrived.
 json median_detour_of_runs(const std::vector<RunSummary>& runs) {
   const double straight_m = simulation::IcebergFieldSettings{}.route.value;
   std::vector<double> detours;

@@ -211,7 +211,7 @@ class Batch {
     return {std::move(record), std::move(summary)};
   }
 
-  /// Of the frame of all its worlds.
+  /// The projection that all simulated worlds share.
   [[nodiscard]] const geo::LocalProjection& projection() const { return forecast_.projection(); }
 
  private:

@@ -23,7 +23,7 @@ class EchoConfirmation {
   static constexpr int needed = 3;
   static constexpr std::uint32_t within_pings = 5;
 
-  /// Of the mean of two echoes of one surface, in metres on the plane and in depth.
+  /// How far the mean of two echoes of one surface may lie off it, in metres on the plane and in depth.
   static constexpr double gate_m = 6.0;
 
   void begin_ping() { ++ping_; }

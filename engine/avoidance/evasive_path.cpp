@@ -126,7 +126,8 @@ class StraightBound {
   double fastest_m_s_;
 };
 
-/// From each point straight to the farthest later one that is reached no later than by the vertices between.
+/// The path with each point joined straight to the farthest later point that is reached no later than by the vertices
+/// between.
 std::vector<TimedPoint> straightened(const std::vector<TimedPoint>& path, const LocalSea& sea) {
   std::vector<TimedPoint> straight{path.front()};
   std::size_t i = 0;

@@ -77,7 +77,7 @@ ReactiveCourse ReactiveControl::steer(geo::PlanePoint own_in_water, double throu
   };
   const double watch_s = settings_.watch.count();
   const double imminent_s = settings_.imminent.count();
-  // As far and as wide as can be had.
+  // The looks from the farthest and widest to the nearest and narrowest; the first that finds a free heading counts.
   const std::array<Look, 4> looks{Look{watch_s, settings_.clearance.value},
                                   Look{std::max(0.3 * watch_s, imminent_s), settings_.clearance.value},
                                   Look{imminent_s, settings_.clearance.value},

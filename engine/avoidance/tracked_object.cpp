@@ -46,7 +46,7 @@ class LocalLine {
     double normal_y;
     double residual_m;  // of the echo, along the normal
   };
-  /// Of the line, seen from an echo at (0, 0); empty where the cells make no line.
+  /// The line through the cells, seen from an echo at (0, 0); empty if the cells lie on no line.
   [[nodiscard]] std::optional<Fit> fit() const {
     if (count_ < 3) return std::nullopt;
     const double n = count_;

@@ -96,7 +96,7 @@ class TrackedObject {
   geo::PlanePoint low_{};  // corners of the box, from the origin
   geo::PlanePoint high_{};
 
-  // Of the echoes since the last correction: sums of n n^T / sigma^2 and of n r / sigma^2.
+  // Sums over the echoes since the last correction: of n n^T / sigma^2 and of n r / sigma^2.
   std::array<double, 3> information_{};
   std::array<double, 2> pull_{};
   int echoes_{};

@@ -10,7 +10,7 @@ namespace floeplan::elementary {
 ///          log(1 + r) with r = (x - c) / c, whose first two terms are kept exactly
 [[nodiscard]] DoubleDouble logarithm(double x);
 
-/// That of x.high + x.low, positive, normalised and 2^-28 or more from one.
+/// Natural logarithm of x.high + x.low, which is positive, normalised and 2^-28 or more from one.
 [[nodiscard]] DoubleDouble logarithm(DoubleDouble x);
 
 }  // namespace floeplan::elementary

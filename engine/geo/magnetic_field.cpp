@@ -14,7 +14,7 @@
 namespace floeplan::geo {
 namespace {
 
-/// Of the sphere that the coefficients refer to.
+/// Radius of the sphere that the coefficients refer to.
 constexpr double reference_radius_m = 6'371'200.0;
 constexpr double years_an_edition = 5.0;
 

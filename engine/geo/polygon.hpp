@@ -21,12 +21,12 @@ struct Polygon {
   Ring outer;
   std::vector<Ring> holes;
 
-  /// Of its corners.
+  /// Memory of the corners.
   [[nodiscard]] std::size_t bytes() const;
 };
 
 [[nodiscard]] bool contains(const Polygon& polygon, LonLat place);
-/// Of each place, whether any of the polygons contains it: many places in a coastline of many corners take little
+/// For each place, whether any of the polygons contains it. Many places in a coastline of many corners take little
 /// longer than one.
 [[nodiscard]] std::vector<bool> contained_in_any(std::span<const Polygon> polygons,
                                                  std::span<const LonLat> places);

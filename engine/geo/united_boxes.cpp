@@ -12,7 +12,7 @@ struct Arc {
   double width_deg{};
 };
 
-/// From `from_deg` eastwards, in [0, 360).
+/// Angle from `from_deg` eastwards to `to_deg`, in [0, 360).
 double turn(double from_deg, double to_deg) {
   const double difference = longitude_difference(from_deg, to_deg);
   return difference < 0.0 ? difference + 360.0 : difference;

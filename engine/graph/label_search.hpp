@@ -72,7 +72,7 @@ struct LabelSearch {
 /// and past moving obstacles, some hundred microseconds in all.
 inline constexpr std::int64_t label_expansions_between_looks = 4;
 
-/// Of labels with equal keys the one with the least `order` goes first, where a model has one.
+/// Rank of a label among labels with equal keys, the least first; zero if the model gives no `order`.
 template <class M>
 double order_of(const M& model, Vertex v, double arrival_s) {
   if constexpr (requires { model.order(v, arrival_s); }) {

@@ -11,7 +11,7 @@
 
 namespace floeplan::graph {
 
-/// From where to where, and when.
+/// The start and the goal of a search, and its departure.
 struct Query {
   Vertex source{};
   std::optional<Vertex> goal;  // empty: to every vertex that can be reached
@@ -59,7 +59,7 @@ class SearchTree {
 /// The vertices from the source to `goal`, both included; empty when the goal was not reached.
 [[nodiscard]] std::vector<Vertex> path_to(const GridGraph& graph, const SearchTree& tree, Vertex goal);
 
-/// Told the number of expansions every 1024 of them.
+/// Called with the number of expansions after every 1024 of them.
 using ExpansionCallback = std::function<void(std::int64_t expansions)>;
 
 }  // namespace floeplan::graph

@@ -7,7 +7,7 @@
 namespace floeplan::messages {
 
 inline constexpr auto request_kinds = std::to_array<Kind>({
-    // Of any field.
+    // Rows for any field.
     {.code = "required",
      .text = "is required: {what}",
      .slots = {{{"what", "the start as [longitude, latitude]"}}}},

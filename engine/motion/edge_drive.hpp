@@ -180,7 +180,7 @@ class EdgeDrive {
   Position here_;
   double wish_m_{std::numeric_limits<double>::infinity()};  // step that the tolerance would like next
 
-  // Of the current that is asked point by point: room at the latest point, and range over the step on trial.
+  // For a current that is known point by point: its room at the latest point, and its range over the step on trial.
   double latest_room_{};
   double least_room_{};
   double most_room_{};

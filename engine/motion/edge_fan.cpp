@@ -110,7 +110,7 @@ struct Enclosure {
   const float near = apart(s.time);
   const float fastest = greatest_speed(s.mean_x, s.mean_y, ex, ey, v + near);
   const float slowest = greatest_speed(s.mean_x, s.mean_y, ex, ey, v - near);
-  // But that it ends at all has to hold for such, too.
+  // It must end for such a current, too.
   const float window = smaller(1.5F * s.time, smaller(vehicle.longest_s, c.known_s));
   const float slowest_late = greatest_speed(s.mean_x, s.mean_y, ex, ey, v - apart(window));
   const float gets_on = static_cast<float>(slowest_late > least_share * v);

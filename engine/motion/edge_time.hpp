@@ -18,7 +18,7 @@ namespace floeplan::motion {
 /// How exactly to integrate.
 struct EdgeAccuracy {
   double relative_tolerance{1e-4};  // of the travel time
-  // Of a current that is known point by point only: the scales on which it changes.
+  // The scales on which a current changes that is known point by point only.
   core::Metres longest_step{INFINITY};  // on the ground
   core::Seconds longest_duration{INFINITY};
 };

@@ -25,12 +25,12 @@ struct Environment {
   /// `currents` carry icebergs.
   std::shared_ptr<const CurrentGrid> drift_currents{};
   std::vector<std::shared_ptr<const CurrentGrid>> drift_members{};  // one for each of `members`, or empty
-  /// Of the air 10 m above the sea, towards which it blows, on a grid without depths; null: not known. Its
+  /// Velocity of the air 10 m above the sea, towards which it blows, on a grid without depths; null: not known. Its
   /// dataset stands among the others, as kind "wind".
   std::shared_ptr<const CurrentGrid> wind{};
   std::shared_ptr<const Bathymetry> bathymetry{};
   std::shared_ptr<const IceField> ice{};  // null: nothing is known of sea ice, open water is assumed
-  /// Of other products, the preferred one first: asked where and when `ice` has no data of the time or tells nothing.
+  /// Ice of other products, the preferred one first. It counts where and when `ice` has no value.
   std::vector<std::shared_ptr<const IceField>> further_ice{};
   std::vector<geo::Polygon> land{};
   std::vector<Iceberg> icebergs{};  // the latest sighting of each berg, none after the moment asked for

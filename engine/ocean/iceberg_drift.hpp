@@ -26,7 +26,7 @@ namespace floeplan::ocean {
 [[nodiscard]] std::vector<IcebergFix> forecast_drift(const Iceberg& iceberg, const Environment& environment,
                                                      core::UtcTime until, const std::stop_token& stop = {});
 
-/// From when on the currents and the wind are asked for in its forecast: the earlier sighting that tells of its drift,
+/// The time from which a forecast needs currents and wind: that of the earlier sighting that shows the iceberg's drift,
 /// or else the last one.
 [[nodiscard]] core::UtcTime forecast_needs_from(const Iceberg& iceberg);
 
@@ -36,15 +36,15 @@ namespace floeplan::ocean {
                                     core::UtcTime from, core::UtcTime until,
                                     const std::stop_token& stop = {});
 
-/// On what an iceberg's forecast rests.
+/// The data on which an iceberg's forecast rests.
 struct DriftBasis {
   core::Seconds unknown{0.0};  // without a known current, and not aground
   std::vector<IcebergFix>
       known;  // the longest part of the forecast with a known current all along, or aground
 };
 
-/// From the sighting to `until` or a little later, hour by hour. A current that is known when an hour begins counts as
-/// known in that hour.
+/// The data of the forecast from the sighting to `until` or a little later, hour by hour. A current that is known
+/// when an hour begins counts as known in that hour.
 [[nodiscard]] DriftBasis drift_basis(const Iceberg& iceberg, const Environment& environment,
                                      core::UtcTime until, const std::stop_token& stop = {});
 

@@ -17,7 +17,7 @@ constexpr double title_height = 34.0;
 constexpr double legend_line = 24.0;
 constexpr double legend_width = 270.0;
 
-/// As printf has it; for numbers and short texts.
+/// A text by a pattern of printf; for numbers and short texts.
 [[gnu::format(printf, 1, 2)]] std::string format(const char* pattern, ...) {
   std::array<char, 400> text{};
   std::va_list values;

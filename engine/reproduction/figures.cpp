@@ -13,7 +13,7 @@ namespace {
 constexpr double tolerance = 1e-4;
 constexpr const char* optimum_name = "optimal control";
 
-// Told apart by people with any colour vision: Okabe and Ito 2008, Color Universal Design.
+// Colours that people with any colour vision can tell apart: Okabe and Ito 2008, Color Universal Design.
 constexpr const char* black = "#000000";
 constexpr const char* orange = "#e69f00";
 constexpr const char* green = "#009e73";

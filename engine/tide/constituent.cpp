@@ -196,7 +196,7 @@ constexpr std::array<std::pair<const char*, const char*>, 33> aliases{{
     {"KQ1", "UPS1"},
     {"E2", "EPS2"},
     {"PHI", "PHI1"},
-    // As XTide writes what NOAA does without brackets.
+    // XTide's names for constituents whose names NOAA writes without brackets.
     {"2MNLS6", "2MLNS6"},
     {"2(MS)8", "2MS8"},
     {"2(MN)8", "2MN8"},

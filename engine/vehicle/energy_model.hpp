@@ -43,7 +43,7 @@ struct EnergyModel {
 [[nodiscard]] core::Watts pump_power(const EnergyModel& model, core::CubicMetres buoyancy,
                                      const DiveBand& band, core::MetresPerSecond vertical);
 
-/// Of hotel load and, where they are counted, surfacings.
+/// Power of the hotel load and, if they are counted, of the surfacings.
 [[nodiscard]] core::Watts steady_power(const EnergyModel& model);
 
 }  // namespace floeplan::vehicle

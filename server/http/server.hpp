@@ -32,9 +32,9 @@ class Server {
   void run();
   /// May be called from any thread.
   void stop();
-  /// As SIGHUP does: takes new settings and reads the certificate again, for the requests and connections that come after
-  /// it; those that are open go on. When anything is wrong with them, all stays as it was and the log says so. May be
-  /// called from any thread.
+  /// Does what SIGHUP does: takes new settings and reads the certificate again, for requests and connections that
+  /// come after it; those that are open go on. When anything is wrong with them, all stays as it was and the log says
+  /// so. May be called from any thread.
   void reload();
 
  private:

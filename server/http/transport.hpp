@@ -63,7 +63,8 @@ class Transport {
   }
 
  private:
-  /// As many as one call of the system takes; of what is left the caller is told, as of every part that was not taken.
+  /// As many buffers as one system call takes. The caller learns how many bytes were transferred, and asks again for
+  /// the rest.
   template <class Buffer>
   using Buffers = boost::container::static_vector<Buffer, 64>;
 

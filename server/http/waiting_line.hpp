@@ -18,7 +18,7 @@ class WaitingLine {
   /// Takes the last place.
   Ticket enter(Session& session, const std::string& peer);
   void leave(Ticket ticket, const std::string& peer);
-  /// Of all, and of those of one address; null: nobody waits.
+  /// The first session of the line, and the first of one address; null if none waits.
   [[nodiscard]] Session* first() const;
   [[nodiscard]] Session* first_of(const std::string& peer) const;
 

@@ -31,7 +31,7 @@ class JobBoard : public routes::JobGateway {
  public:
   /// More waiting jobs than this are refused.
   static constexpr std::int64_t max_waiting = 1000;
-  /// So are more waiting jobs of one owner, if it has a name: nobody fills the queue alone.
+  /// More waiting jobs of one named owner are refused, too: nobody fills the queue alone.
   static constexpr int max_waiting_of_owner = 200;
 
   [[nodiscard]] tl::expected<repository::JobRecord, routes::SubmissionRefused> submit(

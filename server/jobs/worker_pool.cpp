@@ -26,9 +26,10 @@ constexpr core::Seconds lease{1e9};
 constexpr core::Seconds renewal_interval{5.0};  // when there is no progress to write
 constexpr std::chrono::milliseconds progress_interval{250};
 
-/// Of currents between jobs: five days of hourly ones over 150 by 150 km with six levels are half of it.
+/// Bytes of currents that are kept between jobs: five days of hourly currents over 150 by 150 km on six levels take
+/// half.
 constexpr std::size_t most_kept_currents = std::size_t{256} << 20;
-/// Of seas laid out for a route: 32 MB at most for the currents of each, and mostly a few more for its safety map.
+/// Bytes of kept leg cost models: each takes at most 32 MB for its currents, and mostly a few more for its safety map.
 constexpr std::size_t most_kept_grounds = std::size_t{128} << 20;
 
 /// Before a job that the store could not serve is begun again.
@@ -89,10 +90,9 @@ WorkerPool::WorkerPool(const OpenStore& open_store, JobBoard& board, std::size_t
       workers_{workers},
       place_{std::move(place)},
       limits_{limits},
-      kept_{
-          .currents = repository::CurrentGridCache{most_kept_currents},
-          .grounds = repository::RecentlyUsed<service::GroundKey, planning::search::RouteGround>{
-              most_kept_grounds}} {
+      kept_{.currents = repository::CurrentGridCache{most_kept_currents},
+            .grounds = repository::RecentlyUsed<service::GroundKey, planning::search::RouteGround>{
+                most_kept_grounds}} {
   auto db = open_store();
   JobRepository{db}.release_all_leases(now());
   // All connections are opened here, so that a failure prevents the start of the pool and does not end a thread later.

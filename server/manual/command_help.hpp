@@ -17,7 +17,7 @@ struct CommandHelp {
 /// Every command that the help shows, as it orders them.
 [[nodiscard]] std::span<const CommandHelp> command_helps();
 
-/// Of a command by its name with those above it; null for one that the help does not show.
+/// The help of a command by its full name, as "datasets prune"; null for a command that the help does not show.
 [[nodiscard]] const CommandHelp* help_of_command(std::string_view command);
 
 }  // namespace floeplan::manual

@@ -23,7 +23,7 @@ std::vector<std::string> split(const std::string& text) {
   return {std::sregex_token_iterator{text.begin(), text.end(), comma, -1}, std::sregex_token_iterator{}};
 }
 
-/// As a person writes it: the parser has "0.050000".
+/// The number as a person writes it; the parser writes "0.050000".
 std::string plain_number(const std::string& text) {
   static const std::regex zeros{R"(\.?0+$)"};
   return text.find('.') == std::string::npos ? text : std::regex_replace(text, zeros, "");

@@ -25,7 +25,7 @@ using CfDimensions = std::vector<std::shared_ptr<GDALDimension>>;
                                                           const std::string& title,
                                                           const std::string& comment);
 
-/// Of a group or a variable.
+/// Adds a text attribute to a group or a variable.
 template <class Owner>
 void add_cf_text(Owner& owner, const std::string& name, const std::string& text);
 

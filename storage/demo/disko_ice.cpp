@@ -16,7 +16,7 @@ constexpr double edge_m = 2'500.0;     // over which the ice thins out
 constexpr double floe_scale_m = 6'000.0;
 constexpr double drift_m_s = 2'000.0 / 86'400.0;  // westwards
 
-/// From 0 outside to 1 inside, over the width of the edge.
+/// Share of ice near its edge: from 0 outside to 1 inside, over the width of the edge.
 double inside(double distance_to_edge_m) {
   const double share = std::clamp(0.5 + distance_to_edge_m / edge_m, 0.0, 1.0);
   return share * share * (3.0 - 2.0 * share);

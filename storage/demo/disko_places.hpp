@@ -18,7 +18,7 @@ constexpr FlatEarth earth{69.0};
 /// The moraine that closes the icefjord.
 constexpr geo::LonLat sill{-51.10, 69.163};
 
-/// From the sill across the bay and past Aasiaat to the shelf.
+/// The trough from the sill across the bay and past Aasiaat to the shelf.
 constexpr std::array<geo::LonLat, 7> trough{{{-51.18, 69.165},
                                              {-51.70, 69.13},
                                              {-52.40, 69.02},
@@ -28,7 +28,7 @@ constexpr std::array<geo::LonLat, 7> trough{{{-51.18, 69.165},
                                              {-54.60, 68.70}}};
 constexpr geo::LonLat egedesminde_deep{-53.85, 68.82};
 
-/// From the trough northwards into Vaigat.
+/// The trough from the one above northwards into Vaigat.
 constexpr std::array<geo::LonLat, 4> vaigat_trough{
     {{-51.75, 69.13}, {-51.75, 69.30}, {-51.70, 69.45}, {-51.66, 69.70}}};
 

@@ -115,7 +115,7 @@ bool fits(const Member& tables, const Member& velocity) {
          });
 }
 
-/// Of a chart, CELL.001 of CELL.000.
+/// Whether a file updates a chart, as CELL.001 updates CELL.000.
 bool is_update_of(const Member& update, const Member& base) {
   return update.chart && base.chart && base.path.extension() == ".000" && &update != &base &&
          update.path.parent_path() == base.path.parent_path() && update.path.stem() == base.path.stem();

@@ -175,7 +175,7 @@ Checked<NetcdfFiles> open_companions(const FileGroup& files, const IngestOptions
   return companions;
 }
 
-/// Of all the files that what was recognised consists of.
+/// Digest of all files that make up what was recognised.
 Checked<std::string> digest_of(const RecognisedFile& recognised, const FileGroup& files) {
   if (recognised.format->digest != nullptr) return recognised.format->digest(files);
   return sha256_of_files(files);

@@ -23,7 +23,7 @@ namespace floeplan::ingest {
                                                     const IngestOptions& options, core::UtcTime now,
                                                     const core::ProgressCallback& progress);
 
-/// As ingest_file, of files that make one dataset.
+/// Does what ingest_file does, for files that make one dataset.
 /// Errors   as ingest_file
 [[nodiscard]] std::vector<IngestReport> ingest_group(sql::Connection& db, const FileGroup& files,
                                                      const IngestOptions& options, core::UtcTime now,

@@ -89,7 +89,8 @@ bool is_part_of_another(const NetcdfFile& file, const NetcdfVariable& variable) 
   return bracket != std::string::npos && file.find(variable.name().substr(0, bracket)) != nullptr;
 }
 
-/// Of a variable called as currents are that is none by its own words; empty: there is none.
+/// The refusal of a variable that is named like a current but describes itself as something else; empty if there is
+/// none.
 std::optional<messages::Message> called_currents(const NetcdfFile& file) {
   for (const NetcdfVariable& variable : file.variables()) {
     const std::string standard_name = standard_name_of(variable);

@@ -10,9 +10,9 @@ namespace floeplan::sql {
 namespace {
 
 constexpr std::int64_t before_all_rows = std::numeric_limits<std::int64_t>::min();
-/// As far as a readable row is looked for behind a damaged one: more rows than any store has.
+/// How far behind a damaged row a readable one is looked for: more rows than any store has.
 constexpr std::int64_t farthest = std::int64_t{1} << 40;
-/// As many rows as are tried one by one, where a page is damaged: pages have a few hundred of the smallest.
+/// How many rows are tried one by one where a page is damaged: a page has a few hundred of the smallest rows.
 constexpr std::int64_t most_tried = 65'536;
 
 std::string qualified(const std::string& schema, std::string_view table) {

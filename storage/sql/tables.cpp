@@ -37,7 +37,7 @@ bool has_table(Connection& db, const std::string& name) {
   return query.step();
 }
 
-/// Not by PRAGMA table_list, which reads from R*Trees and fails where one is damaged.
+/// The tables of a schema. PRAGMA table_list is not used: it reads from R*Trees and fails where one is damaged.
 std::vector<std::string> tables_of(Connection& db, const std::string& schema, std::string_view with,
                                    const std::vector<std::string>& without) {
   std::string condition = own_tables;

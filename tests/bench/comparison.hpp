@@ -25,10 +25,10 @@ struct Standing {
   }
 };
 
-/// Those of the rows that have one, in their order.
+/// The standings of the rows that have one, in their order.
 [[nodiscard]] std::vector<Standing> standings(const std::vector<Row>& rows);
 
-/// Those of a file that `json_text` wrote.
+/// The standings in a file that `json_text` wrote.
 /// Errors   std::runtime_error when the text is no such file, or has no row to compare with
 [[nodiscard]] std::vector<Standing> kept_standings(std::string_view text);
 
@@ -42,7 +42,7 @@ struct Regression {
   std::optional<double> now;
 };
 
-/// Of the kept rows whose group was measured, those that fell back, in the order in which they were kept. What is new
+/// Kept rows of a measured group that are slower now, in the order in which they were kept. What is new
 /// has nothing to fall back from.
 [[nodiscard]] std::vector<Regression> regressions(const std::vector<Standing>& kept,
                                                   const std::vector<Standing>& now,

@@ -28,7 +28,7 @@ struct BenchRequest {
   int code{0};
 };
 
-/// From the open bay to the mouth of the icefjord, and what changes with each request.
+/// The words of a request from the open bay to the mouth of the icefjord, with what changes from request to request.
 std::vector<std::string> across_the_bay(const std::string& command, const std::vector<std::string>& more) {
   std::vector<std::string> words{command, "--from=-53.20,69.20", "--depart", "2026-11-22T06:00:00Z"};
   if (command == "plan") words.emplace_back("--to=-51.35,69.18");

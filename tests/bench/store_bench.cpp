@@ -167,7 +167,7 @@ ocean::Mesh million_points() {
   return mesh;
 }
 
-/// From the store to the grid that a plan uses, all of the mesh at one time and depth.
+/// Measures the reading of a whole mesh at one time and depth, from the store to the grid that a plan uses.
 Row mesh_row() {
   const support::TemporaryFolder folder;
   const repository::DatasetId id{"mesh"};

@@ -16,7 +16,7 @@ export default defineConfig({
   // Long journeys, tagged @long, run with `deploy/test.sh --full`.
   ...(process.env['FLOEPLAN_LONG'] ? {} : { grepInvert: /@long/ }),
   expect: { timeout: 60_000 },
-  // Of the guide; guide_pictures.spec.ts makes them.
+  // The pictures of the guide; guide_pictures.spec.ts makes them.
   snapshotPathTemplate: '{testDir}/../../../web/guide/pictures/{arg}{ext}',
   updateSnapshots: 'none',
   reporter: 'list',

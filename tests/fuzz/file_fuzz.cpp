@@ -72,7 +72,7 @@ void check_texts(std::string_view text) {
 
 }  // namespace
 
-/// As the process that reads files does before it looks at one.
+/// Prepares the libraries as the process that reads files does.
 extern "C" int LLVMFuzzerInitialize(int* /*argc*/, char*** /*argv*/) {
   register_drivers();
   return 0;

@@ -16,7 +16,7 @@ struct Credential {
   friend bool operator==(const Credential&, const Credential&) = default;
 };
 
-/// From the generator of the cryptographic library.
+/// A random credential from the generator of the cryptographic library.
 /// Errors   std::runtime_error when it has no randomness
 [[nodiscard]] Credential new_credential();
 

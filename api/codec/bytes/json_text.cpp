@@ -65,7 +65,7 @@ class Checker : public nlohmann::json_sax<json> {
     fault = "The JSON is nested deeper than " + std::to_string(max_json_depth) + " levels.";
     return false;
   }
-  /// Of the last value, as a JSON pointer.
+  /// The place of the last value, as a JSON pointer.
   [[nodiscard]] std::string place() const {
     std::string text;
     for (const Level& level : levels_)

@@ -16,7 +16,7 @@ class Sha256 {
   ~Sha256();
 
   void add(std::string_view bytes);
-  /// As 64 lower-case hexadecimal digits; nothing can be added afterwards.
+  /// The digest as 64 lower-case hexadecimal digits; nothing can be added afterwards.
   [[nodiscard]] std::string text();
 
  private:

@@ -6,7 +6,7 @@
 
 namespace floeplan::codec {
 
-/// As RFC 9457 has it. Its texts may hold what a client sent: long words are cut to their beginning, and credentials are
+/// The problem as RFC 9457 defines it. Its texts may hold what a client sent: long words are cut, and credentials are
 /// hidden.
 [[nodiscard]] nlohmann::json to_json(const problems::Problem& problem);
 

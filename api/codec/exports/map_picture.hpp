@@ -40,10 +40,10 @@ struct MapPicture {
 [[nodiscard]] MapPicture draw_map(const planning::Plan& plan, const std::vector<geo::Polygon>& land,
                                   const std::vector<ocean::Iceberg>& icebergs, double width, double height);
 
-/// Of the mark of a planned surfacing, in picture units.
+/// Radius of the mark of a planned surfacing, in picture units.
 inline constexpr double surfacing_radius = 4.0;
 
-/// Of the square of a waypoint where the vehicle may not surface, from side to side.
+/// Side of the square that marks a waypoint where the vehicle may not surface, in picture units.
 inline constexpr double closed_side = 7.0;
 
 /// The picture as an SVG element, to be put into a page. The same picture gives the same bytes.

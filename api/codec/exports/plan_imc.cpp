@@ -40,7 +40,7 @@ std::vector<Part> parts_of(const planning::Waypoint& from, const planning::Waypo
   return parts;
 }
 
-/// Of the dives on the leg to this waypoint, over its shoalest place.
+/// Depth of the dives on the leg to this waypoint: what its shoalest place allows, in metres.
 double depth_of(const planning::Plan& plan, std::size_t waypoint, const vehicle::GliderProfile& vehicle,
                 const std::vector<std::optional<mission::Shoal>>& shoals) {
   double depth_m = vehicle.dive_depth.value;

@@ -17,7 +17,7 @@ std::optional<core::Metres> metres_of(InputReader& reader, const std::string& ke
   return value ? std::optional{core::Metres{*value}} : std::nullopt;
 }
 
-/// Of the feature's geometry: a Point.
+/// The position of a feature, whose geometry must be a Point.
 std::optional<geo::LonLat> read_point(const nlohmann::json& feature, core::Violations& violations) {
   static const nlohmann::json none = nlohmann::json::object();
   const nlohmann::json* geometry = feature.contains("geometry") ? &feature.at("geometry") : &none;
@@ -70,8 +70,9 @@ tl::expected<ocean::Iceberg, core::Violations> parse_iceberg_feature(const nlohm
   if (const auto name = reader.text("size")) {
     const auto size = ocean::parse_size(*name);
     if (!size)
-      reader.refuse<"wrong-shape">("/properties/size",
-                    "growler, bergy_bit, small, medium, large, very_large, unknown or radar_target");
+      reader.refuse<"wrong-shape">(
+          "/properties/size",
+          "growler, bergy_bit, small, medium, large, very_large, unknown or radar_target");
     berg.size = size.value_or(ocean::IcebergSize::unknown);
   }
   berg.length = metres_of(reader, "length_m", longest_m);

@@ -20,7 +20,7 @@ struct PlanPart {
   geo::BoundingBox bounds;
 };
 
-/// From each waypoint to the next. The id is that of the plan, a dot and the leg's index.
+/// The legs from each waypoint to the next. The id of a leg is that of the plan, a dot and the leg's index.
 [[nodiscard]] std::vector<PlanPart> plan_legs(const repository::PlanRecord& plan);
 [[nodiscard]] std::vector<PlanPart> plan_waypoints(const repository::PlanRecord& plan);
 

@@ -165,8 +165,7 @@ void refuse_near_names(InputReader& members, const json& properties) {
   for (const auto& [name, value] : properties.items()) {
     if (members.is_full()) return;
     if (value.is_null() || value.is_boolean() || std::ranges::count(right_names, name) > 0) continue;
-    if (const auto meant = property_meant_by(name))
-      members.refuse_member<"near-name">(name, *meant);
+    if (const auto meant = property_meant_by(name)) members.refuse_member<"near-name">(name, *meant);
   }
 }
 
@@ -228,7 +227,7 @@ json geometry_json(std::span<const ocean::Zone> parts) {
   return {{"type", "MultiPolygon"}, {"coordinates", std::move(polygons)}};
 }
 
-/// Of zones that differ in nothing but their area.
+/// One feature for zones that differ in nothing but their area.
 json feature_json(std::span<const ocean::Zone> parts) {
   const ocean::Zone& zone = parts.front();
   return {{"type", "Feature"},

@@ -7,7 +7,7 @@
 /// Limits that the inputs of several processes share.
 namespace floeplan::codec {
 
-/// Of a number that its receiver judges: every finite one.
+/// Every finite number: for a number whose range the receiver checks.
 inline constexpr NumberRange any_number{std::numeric_limits<double>::lowest(),
                                         std::numeric_limits<double>::max()};
 

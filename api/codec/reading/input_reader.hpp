@@ -47,7 +47,7 @@ class InputReader {
 
   /// Notes that a member must be there, unless something is noted for it already.
   void require(const std::string& key, std::string_view what);
-  /// That it must be there since another member is.
+  /// Notes that member `key` must be there because member `other` is.
   void require_with(const std::string& other, const std::string& key, std::string_view what);
   template <messages::Code code, class... Given>
   void refuse_member(const std::string& key, const Given&... values) {
@@ -78,7 +78,7 @@ class InputReader {
 
   /// Whether the object is one, and has no such member.
   [[nodiscard]] bool lacks(const std::string& key);
-  /// Of a member, below the object's own.
+  /// JSON pointer to a member of this object.
   [[nodiscard]] std::string pointer_to(const std::string& key) const;
 
   const nlohmann::json& object_;  // borrowed

@@ -35,7 +35,7 @@ struct RouteFile {
   std::vector<std::string> warnings;  // with line and file, for the pilot
 };
 
-/// Of a route; a plan uses far fewer.
+/// The most places that a route of a file may have; a plan uses far fewer.
 inline constexpr std::size_t max_places = 10'000;
 
 /// The route that is meant: the only one, or the one that `wanted` names or counts from 1. Its parts are joined where

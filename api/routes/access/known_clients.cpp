@@ -9,7 +9,7 @@
 namespace floeplan::routes {
 namespace {
 
-/// Of what a header shows; nothing without one. A login that is only asked for shows its token in the body.
+/// Hash of the credential in the headers; empty without one. A login has no such header: its token is in the body.
 std::optional<std::size_t> hash_of_credential(const Request& request) {
   const bool logs_in = request.method == "POST" && request.path == "/session";
   const auto shown = logs_in ? std::nullopt : shown_credential(request);

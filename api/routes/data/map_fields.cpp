@@ -151,7 +151,8 @@ Response show_currents(const Context& context, const Request& request, const Pat
   return grid_reply(grid);
 }
 
-/// Of the thickness of level ice: as fine as the picture needs, and up to that of ice shelves.
+/// Step of the thickness of level ice: as fine as the picture needs; the steps still reach the thickness of ice
+/// shelves.
 constexpr double thickness_step_m = 0.04;
 
 Response show_sea_ice(const Context& context, const Request& request, const PathParameters&) {

@@ -85,7 +85,7 @@ Place place_of(const Upload& upload) {
 
 std::string text_of(const Place& place) { return std::to_string(place.created_us) + "-" + place.id; }
 
-/// As `text_of` wrote it.
+/// Reads a place that `text_of` wrote.
 std::optional<Place> parse_place(const std::string& text) {
   Place place;
   const char* end = text.data() + text.size();
@@ -95,7 +95,7 @@ std::optional<Place> parse_place(const std::string& text) {
   return place;
 }
 
-/// Those of the caller; of everybody for an admin.
+/// The uploads that the caller may see: the caller's own; for an admin all of them.
 Response list_uploads(const Context& context, const Request& request, const PathParameters&) {
   ParameterReader reader{request};
   const auto limit = static_cast<std::size_t>(std::min(reader.limit(), 1000));

@@ -16,7 +16,7 @@ namespace floeplan::routes {
 /// `why`  a sentence for the client; empty: no dataset meets the place and the time at all
 [[nodiscard]] Response no_data(const Request& request, const std::string& why = {});
 [[nodiscard]] bool has_value(const codec::CoverageGrid& coverage);
-/// As messages write it: seven digits at most.
+/// The number as messages write it, with seven digits at most.
 [[nodiscard]] std::string number_text(double value);
 /// The refusal of an answer of so many values; empty: it is not too large.
 [[nodiscard]] std::optional<Response> refuse_if_too_large(const Request& request, double values);

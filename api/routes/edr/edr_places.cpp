@@ -93,7 +93,7 @@ Side side_of_nodes(std::vector<double> nodes) {
   return {.nodes = std::move(nodes), .span = {}, .count = count};
 }
 
-/// As many places as nodes with the spacing of the data find room.
+/// A side with as many places as nodes with the spacing of the data fit on it.
 Side spaced_side(const Span& span, double length_m, core::Metres spacing) {
   const double count = spacing.value > 0.0 ? std::max(1.0, std::round(length_m / spacing.value)) : 1.0;
   return {.nodes = {}, .span = span, .count = static_cast<std::size_t>(count)};

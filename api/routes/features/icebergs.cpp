@@ -29,7 +29,8 @@ struct Latest {
   std::optional<std::string> berg_id;
 };
 
-/// As a plan would have it that leaves then and knows what was seen by `as_of`, by ascending row.
+/// The sightings that count for a plan that departs at that time and knows all sightings up to `as_of`; by ascending
+/// row.
 std::vector<StoredSighting> latest_of_each(sql::Connection& db, const Latest& latest,
                                            const geo::BoundingBox& area, core::UtcTime as_of) {
   core::Violations none;  // its datasets have been found, and all meet the whole world
@@ -87,14 +88,12 @@ tl::expected<std::optional<Latest>, problems::Problem> read_latest(const Feature
   if (wish != "true" && wish != "false")
     violations.push_back(parameter_fault<"wrong-shape">("latest", "true or false"));
   if (wish == "true" && !query.span.to)
-    violations.push_back(
-        parameter_fault<"required">("datetime", "with latest=true, the moment to look at"));
+    violations.push_back(parameter_fault<"required">("datetime", "with latest=true, the moment to look at"));
   if (wish != "true" && age)
-    violations.push_back(parameter_fault<"needs-latest">(
-        "max_sighting_age_days", "; without it, \"datetime\" says from when on"));
+    violations.push_back(parameter_fault<"needs-latest">("max_sighting_age_days",
+                                                         "; without it, \"datetime\" says from when on"));
   if (departure && !latest.departure)
-    violations.push_back(
-        parameter_fault<"wrong-shape">("departure", "a UTC time like 2026-11-20T06:00:00Z"));
+    violations.push_back(parameter_fault<"wrong-shape">("departure", "a UTC time like 2026-11-20T06:00:00Z"));
   if (wish != "true" && departure)
     violations.push_back(parameter_fault<"needs-latest">("departure", ": ages are counted then"));
   if (days < 0.0 || days > oldest_days)

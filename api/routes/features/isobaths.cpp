@@ -13,12 +13,13 @@ namespace {
 
 using nlohmann::json;
 
-// Chosen: close together where gliders of shallow water fly, every 1000 m in the deep.
+// Depths of the usual isobaths, a choice: close together where shallow-water gliders fly, every 1000 m in the deep sea.
 constexpr std::array<int, 21> usual_depths_m{5,   10,   20,   30,   50,   75,   100,  150,  200,  300,  400,
                                              500, 1000, 2000, 3000, 4000, 5000, 6000, 7000, 8000, 10000};
 constexpr int deepest_m = 12'000;
 
-/// Chosen: some 500 by 500, enough for a map of the area asked for; a smaller area is drawn finer.
+/// The most nodes of an isobath map, a choice: some 500 by 500 suffice for a map of the area; a smaller area is drawn
+/// finer.
 constexpr std::size_t most_nodes = 250'000;
 
 json geometry_of(const std::vector<ocean::Isobath>& lines) {

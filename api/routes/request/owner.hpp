@@ -6,7 +6,7 @@
 
 namespace floeplan::routes {
 
-/// Whose jobs and keys those of the request are; empty: a server that knows nobody by name.
+/// The owner to whom the jobs and keys of the request belong; empty on a server without tokens.
 [[nodiscard]] inline std::string owner_of(const Request& request) {
   const bool is_known = request.caller && request.caller->name != local_caller.name;
   return is_known ? request.caller->name : std::string{};

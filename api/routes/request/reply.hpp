@@ -14,7 +14,7 @@ namespace floeplan::routes {
 
 [[nodiscard]] Response geojson_reply(const nlohmann::json& document);
 
-/// As problem+json, unless the request accepts nothing but plain JSON.
+/// The problem as application/problem+json, or as application/json if the request accepts only that.
 [[nodiscard]] Response problem_reply(const Request& request, const problems::Problem& problem);
 /// With the problem of this code and these values.
 template <messages::Code code, class... Given>

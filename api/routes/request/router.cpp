@@ -39,7 +39,7 @@ bool matches(const std::vector<std::string>& pattern, const std::vector<std::str
   return pattern.size() == given.size();
 }
 
-/// Of a path that matches.
+/// The parameters in a path that matches the pattern.
 PathParameters parameters_of(const std::vector<std::string>& pattern,
                              const std::vector<std::string_view>& given, std::string_view path) {
   PathParameters parameters;
@@ -59,7 +59,7 @@ std::string without_last_slash(std::string path) {
   return path;
 }
 
-/// As in "f"; upper and lower case are alike.
+/// Whether the parameter "f" names one of the formats; upper and lower case are alike.
 bool is_one_of(std::string_view format, std::span<const std::string_view> known) {
   const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
   return std::ranges::any_of(known, [&](std::string_view candidate) {

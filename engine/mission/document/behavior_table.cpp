@@ -163,7 +163,7 @@ constexpr ArgumentRule yo[] = {
     {"c_thruster_value", "X", 0},
 };
 
-// Of dive_to and climb_to alike: those of a yo without their prefix.
+// The arguments of dive_to and climb_to: those of a yo without their prefix.
 constexpr ArgumentRule dive_to[] = {
     {"target_depth", "m"},
     {"target_altitude", "m"},

@@ -17,7 +17,7 @@ struct ListOrders {
   int initial{-2};  // row to begin with, from 0; -1 the one after the last achieved, -2 the closest
 };
 
-/// Of one list: weeks of waypoints an hour apart, and a bound for time and memory.
+/// The most legs of one list: weeks of waypoints an hour apart, and a bound on time and memory.
 inline constexpr int most_legs = 1000;
 
 /// The orders of a list of `rows` rows, one at least. `legs`, `initial`: the values of the two arguments; empty where

@@ -11,7 +11,7 @@
 
 namespace floeplan::mission {
 
-/// From the arrival at a place to the departure from it, as planned.
+/// Times of a hold: from the planned arrival at a place to the planned departure from it.
 struct HoldTimes {
   core::UtcTime from{};
   core::UtcTime until{};

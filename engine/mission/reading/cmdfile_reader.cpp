@@ -20,7 +20,7 @@ struct ParameterRule {
   bool advice{false};  // values outside are taken, against advice
 };
 
-/// Those that pilots set to fly a route. Source: basestation3 parmdata.py.
+/// The parameters that pilots set to fly a route. Source: basestation3 parmdata.py.
 constexpr std::array parameters{
     ParameterRule{"D_ABORT", 0, 1100},
     ParameterRule{"D_CALL", 0, 5},

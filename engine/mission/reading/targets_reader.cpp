@@ -103,7 +103,7 @@ Targets::const_iterator next_of(const Targets& targets, Targets::const_iterator 
   return targets.find(at->second.fields.find("goto")->second);
 }
 
-/// From target to target until one comes again.
+/// Follows the targets from one to the next until one comes again.
 void follow(const Targets& targets, std::string_view first, Document& document) {
   std::set<std::string_view> visited;
   std::string_view last;

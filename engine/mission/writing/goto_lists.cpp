@@ -108,7 +108,7 @@ core::Violations violations_of_options(const planning::Plan& plan, const GotoLis
   return found;
 }
 
-/// Of the numbers that the lists take.
+/// What is wrong with the numbers of the lists.
 core::Violations violations_of_numbers(const std::vector<List>& lists, const GotoListOptions& options) {
   core::Violations found;
   const auto count = static_cast<int>(lists.size());
@@ -156,7 +156,7 @@ std::optional<messages::Message> message_of_end(const planning::Plan& plan, cons
   return message;
 }
 
-/// Of a list that is flown for longer than planned, where there may be ice by then; empty: it is not.
+/// The message of a list that takes longer than planned, so that its end may be under ice; empty if it does not.
 std::optional<messages::Message> message_of_delay(const planning::Plan& plan, const List& list) {
   const core::Seconds late = late_by(plan, list.part);
   if (!plan.surfacing || late <= far_later) return std::nullopt;
@@ -164,7 +164,7 @@ std::optional<messages::Message> message_of_delay(const planning::Plan& plan, co
       .at(plan.waypoints[list.part.last].place);
 }
 
-/// Of legs that are planned on the thruster, where no file turns it on; empty: there are none.
+/// The message of legs that are planned on the thruster although no file turns it on; empty if there are none.
 std::optional<messages::Message> message_of_thruster(const planning::Plan& plan,
                                                      const GotoListOptions& options) {
   if (options.thruster_in_yo) return std::nullopt;
@@ -175,7 +175,7 @@ std::optional<messages::Message> message_of_thruster(const planning::Plan& plan,
   return messages::export_message<"thruster-not-in-files">(on_thruster);
 }
 
-/// Of plans stored before they told the currents of their legs, where that matters; empty: it does not.
+/// The message of a plan that was stored without the currents of its legs, if the lists need them; empty otherwise.
 std::optional<messages::Message> message_of_unknown_currents(const planning::Plan& plan) {
   const auto is_water = [](const ocean::DatasetRef& dataset) {
     return dataset.kind == "currents" || dataset.kind == "tides";

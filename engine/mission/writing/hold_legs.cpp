@@ -9,8 +9,8 @@
 namespace floeplan::mission {
 namespace {
 
-/// From coming up to leaving: a minute to the first fix, and keystroke_wait_time of the surfacings that flight_files
-/// writes, which are those of the vendor's stock missions.
+/// Time at the surface, from surfacing to the next dive: a minute to the first fix, and keystroke_wait_time of the
+/// surfacings that flight_files writes, which are those of the vendor's stock missions.
 constexpr double at_surface_s = 360.0;
 constexpr double step_s = 5.0;
 /// Without way at every turn of the saw-tooth: 13 s for the piston of a shallow vehicle to move twice 230 cm3 at 36 cm3/s,

@@ -20,7 +20,7 @@ namespace floeplan::mission {
 /// Precondition  `options.under_ice` is given
 [[nodiscard]] std::string ice_settings(const planning::Plan& plan, const MissionSetOptions& options);
 
-/// Of the settings as a mission of their own.
+/// File name of the mission that holds the settings alone.
 [[nodiscard]] std::string ice_settings_name(const MissionSetOptions& options);
 
 /// The list of safe places that the stock recovery mission (recov.mi) flies, and the settings as a mission of

@@ -25,7 +25,8 @@ core::Metres length_of(const planning::Plan& plan, const ListPart& part) {
   return length;
 }
 
-/// From the last iceberg that the list's way passes under to its end, along it; empty: it passes under none.
+/// Distance along the list's route from the last iceberg that it passes under to its end; empty if it passes under
+/// none.
 std::optional<core::Metres> beyond_iceberg(const planning::Plan& plan, const ListPart& part) {
   std::optional<core::Metres> least;
   const core::UtcTime begins = plan.waypoints[part.first - 1].eta;
@@ -75,7 +76,7 @@ geo::VelocityEn mean_current(const planning::Plan& plan, std::size_t from, std::
   return {{east_m / all_s}, {north_m / all_s}};
 }
 
-/// That the vehicle reckons with on the list.
+/// The current that the vehicle uses for its dead reckoning on the list: that of its last dives.
 geo::VelocityEn reckoned_with(const planning::Plan& plan, const ListPart& part) {
   return part.before > 0 ? mean_current(plan, part.before - 1, part.first - 1) : geo::VelocityEn{};
 }
@@ -103,7 +104,7 @@ bool has_room(const planning::Plan& plan, const ListPart& part, core::Metres (Li
   return !end || ((*end).*room)() > radius;
 }
 
-/// Of the list that begins with this waypoint.
+/// The last waypoint of the list that begins with waypoint `first`.
 std::size_t last_of_list(const planning::Plan& plan, std::size_t first, std::size_t before,
                          const ListRules& rules) {
   const std::size_t longest = std::min(first + rules.max_waypoints, plan.waypoints.size()) - 1;

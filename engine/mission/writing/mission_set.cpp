@@ -141,7 +141,7 @@ core::Violations violations_of_yo(const planning::Plan& plan, const MissionSetOp
   return found;
 }
 
-/// Of each leg somewhere at least.
+/// Whether the depth of the sea bed is known somewhere on each leg.
 bool knows_bed(const planning::Plan& plan, const MissionSetOptions& options) {
   return options.shoals.size() == plan.waypoints.size() &&
          std::all_of(options.shoals.begin() + 1, options.shoals.end(),

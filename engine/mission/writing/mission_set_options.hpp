@@ -36,7 +36,7 @@ struct MissionSetOptions {
   vehicle::GliderProfile vehicle{};  // with the depth to dive to
   Firmware firmware{};
   std::optional<UnderIce> under_ice{};
-  /// That the plan was asked to surface at; in open water the mission comes up as often.
+  /// The interval at which the plan was asked to surface; in open water the mission surfaces as often.
   std::optional<core::Seconds> surfacing_interval{};
   std::vector<std::optional<Shoal>> shoals{};  // of each leg, as shoals_along gives them; empty: not known
 };

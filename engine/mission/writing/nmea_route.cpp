@@ -33,7 +33,7 @@ std::string angle(double degrees, int degree_digits, char positive, char negativ
   return text.data();
 }
 
-/// As on the map and in every other format: S, then 1, 2, ...
+/// Name of a waypoint, as on the map and in every other format: S for the start, then 1, 2, ...
 std::string name_of(std::size_t index) { return index == 0 ? "S" : std::to_string(index); }
 
 /// Letters and digits alone: anything else could end a field.

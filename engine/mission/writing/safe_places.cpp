@@ -26,7 +26,7 @@ struct IceThere {
   bool known{false};  // all the time
 };
 
-/// As the steps around the time, or the one that is held for it, have it.
+/// The concentration at a time: between the steps around it, or that of the step which is held at that time.
 std::optional<double> concentration_then(const ocean::IceField& product, geo::LonLat place, double time_s) {
   const ocean::Axis& steps_s = product.samples().times_s;
   const ocean::IceMoment when = ocean::ice_moment(steps_s.nodes(), time_s);

@@ -29,7 +29,7 @@ class Bathymetry {
   [[nodiscard]] const HorizontalGrid& grid() const { return grid_; }
   [[nodiscard]] const std::vector<float>& depth_m() const { return depth_m_; }
   [[nodiscard]] bool knows_shoaler_cells() const { return !shoalest_m_.empty(); }
-  /// Of each node's cell; the depths themselves where nothing shoaler is known.
+  /// The least depth in the cell of each node; the node's own depth where nothing shoaler is known.
   [[nodiscard]] const std::vector<float>& shoalest_m() const {
     return shoalest_m_.empty() ? depth_m_ : shoalest_m_;
   }

@@ -13,7 +13,7 @@ namespace floeplan::ocean {
 /// Threads  const members may be called from several threads at once
 class CurrentColumn {
  public:
-  /// From its highest level with water. `levels`: how many are to come, this one included.
+  /// A column that begins with its highest level with water. `levels`: how many are to come, this one included.
   CurrentColumn(core::Metres depth, const geo::VelocityEn& velocity, std::size_t levels);
   /// The next level with water below those before.
   void add(core::Metres depth, const geo::VelocityEn& velocity);

@@ -7,7 +7,7 @@ namespace {
 
 constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 
-/// From the first sample of the rows at the uppermost level to the last one at the lowest.
+/// The samples of some rows, from the first at the uppermost level to the last at the lowest level.
 std::span<const float> part(const std::vector<float>& samples, std::size_t begin, std::size_t slice,
                             std::size_t levels, std::size_t row_samples) {
   return std::span{samples}.subspan(begin, (levels - 1) * slice + row_samples);

@@ -41,7 +41,7 @@ class TideGrid {
   explicit TideGrid(Samples samples);
 
   [[nodiscard]] bool has(TideQuantity quantity) const;
-  /// Of every line that has the quantity, in the order of the lines.
+  /// The constants of every constituent that has the quantity, in the order of the constituents.
   [[nodiscard]] std::optional<std::vector<tide::HarmonicConstant>> constants(TideQuantity quantity,
                                                                              geo::LonLat place) const;
   [[nodiscard]] const Samples& samples() const { return samples_; }

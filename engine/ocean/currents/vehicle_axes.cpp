@@ -50,7 +50,7 @@ std::string tenths(double value) {
   return text;
 }
 
-/// As far from where a mission began a vehicle may be: it makes 25 km a day (0.3 m/s), and about a week passes until
+/// How far from its start a mission may lead: a vehicle makes 25 km a day (0.3 m/s), and about a week passes until
 /// its pilots start another mission.
 constexpr double reach_of_mission_m = 200'000.0;
 constexpr double metres_per_degree = 111'195.0;  // of the equator, on a sphere of 6371 km

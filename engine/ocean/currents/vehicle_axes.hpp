@@ -12,7 +12,7 @@
 
 namespace floeplan::ocean {
 
-/// Whose word the magnetic variation is by which a vehicle's axes are turned from its grid.
+/// Source of the magnetic variation by which a vehicle's axes are turned from its grid.
 enum class VariationSource {
   log_axes,        // the log's: x_utm_to_lmc_00 and _01, the turn itself
   log_variation,   // the log's: m_gps_mag_var

@@ -26,7 +26,8 @@ class CurrentsShelf {
   /// `environment` is borrowed and must outlive the cache.
   explicit CurrentsShelf(const ocean::Environment& environment) : environment_{environment} {}
 
-  /// As `lay_out_currents` in the environment of the cache.
+  /// The currents that `lay_out_currents` makes in the environment of the cache, kept from an earlier call if there
+  /// was one.
   [[nodiscard]] std::shared_ptr<const currents::PlaneCurrents> take(
       const PlanRequest& request, const currents::FlownDepths& depths, const ice::UnderIce* ice,
       const geo::LocalProjection& projection, const plane::PlaneBox& area, const std::stop_token& stop);

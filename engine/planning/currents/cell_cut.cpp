@@ -7,7 +7,7 @@
 namespace floeplan::planning::currents {
 namespace {
 
-/// Of a side at most, where nothing speaks for more: memory and time grow with them.
+/// Into how many parts a side of a cell is cut: usually, and at most. Memory and time grow with them.
 constexpr int usual_parts = 4;
 constexpr int most_parts = 16;
 constexpr std::size_t most_nodes = 1 << 22;        // over all times: 32 MB

@@ -11,7 +11,7 @@ using Box = CurrentEnvelope::Box;
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
 constexpr Box nothing{infinity, -infinity, infinity, -infinity};
-/// Of a cell: how far lines of currents may stray from the data's coordinates, with room to spare.
+/// How far lines of currents may lie off the data's coordinates, as a share of a cell, with room to spare.
 constexpr double beside_cell = 1e-3;
 
 void include(Box& box, const Box& more) {

@@ -14,7 +14,8 @@ class FlownDepths {
   /// No bathymetry: everywhere as deep as asked.
   FlownDepths(const vehicle::DiveLimits& limits, std::shared_ptr<const ocean::Bathymetry> bathymetry);
 
-  /// As deep as asked where the sea bed is not known.
+  /// The depths between which the vehicle dives at a place. Where the sea bed is not known it dives as deep as
+  /// requested.
   [[nodiscard]] vehicle::DiveBand at(geo::LonLat place) const;
   [[nodiscard]] const vehicle::DiveLimits& limits() const { return limits_; }
   [[nodiscard]] const std::shared_ptr<const ocean::Bathymetry>& bathymetry() const { return bathymetry_; }

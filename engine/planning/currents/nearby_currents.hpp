@@ -63,7 +63,7 @@ class NearbyCurrents {
     std::size_t from;
     std::size_t to;
   };
-  /// Of edges that go up the axis and of those that go down.
+  /// One span for the edges that go up the axis and one for those that go down.
   struct Spans {
     Span up;
     Span down;
@@ -76,10 +76,10 @@ class NearbyCurrents {
                                    double off_line, double narrowest);
   /// Slices that an edge can meet at most, from the first one on.
   [[nodiscard]] std::size_t slices_met() const;
-  /// Of a cell, in all slices that an edge can meet from the first one on; kept.
+  /// Box of the currents of a cell in all slices that an edge can meet from the first one on; it is kept.
   [[nodiscard]] const Box& box_from(Cell cell, std::size_t first_slice);
   [[nodiscard]] std::vector<Box> boxes_of_tile(Cell first, std::size_t first_slice) const;
-  /// Of one cell in one slice.
+  /// Box of the currents of one cell in one slice.
   [[nodiscard]] Box box_of(Cell cell, std::size_t slice) const;
   /// What edges into each quarter can meet from a slice on.
   [[nodiscard]] Quarters boxes_about(const Place& place, std::size_t first_slice);

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double most_beside_chord =
     2.5e-4;  // of a cell: so small a share of what the current changes over the cell goes unseen
-/// Of the data: so few that what a time needs of them stays in the processor's nearer memory.
+/// Rows of the data that are read together: so few that their values of one time fit into the processor's cache.
 constexpr std::size_t rows_together = 16;
 
 std::vector<NodeTurn> turns_of(const ocean::HorizontalGrid& grid, const plane::NodeWindow& window,

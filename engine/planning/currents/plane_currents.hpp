@@ -49,7 +49,7 @@ class PlaneCurrents {
   [[nodiscard]] std::optional<motion::CurrentXy> operator()(geo::PlanePoint point, core::Seconds time) const;
   /// The current along an edge, cell by cell. Callers include current_line.hpp, too. Precondition: `has_lines()`.
   [[nodiscard]] CurrentLine line(const motion::PlaneEdge& edge) const;
-  /// Not where the data's longitudes jump inside the area.
+  /// False where the data's longitudes jump inside the area.
   [[nodiscard]] bool has_lines() const { return !lookup_.has_jump(); }
   /// Whether the current at this point rests on a node beyond the data's own coast.
   [[nodiscard]] bool is_extended(geo::PlanePoint point) const;

@@ -30,7 +30,7 @@ class WayTrials {
             std::int64_t most_work = standard_work)
       : environment_{environment}, stop_{stop}, left_{most_work}, shelf_{environment} {}
 
-  /// Also `not_known` once `stop` is requested.
+  /// The answer is `not_known`, too, once `stop` is requested.
   [[nodiscard]] TrialOutcome operator()(const PlanRequest& request);
 
   /// Work that is left; below zero by no more than the smallest search takes.

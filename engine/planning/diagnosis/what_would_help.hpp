@@ -13,6 +13,7 @@ namespace floeplan::planning::diagnosis {
 /// trial leaves at the request's departure and must arrive in time.
 /// Where no value of any input helps, the sea is tried without its icebergs, without its zones, without its ice and
 /// without its currents. The first of these without which there is a route becomes the binding constraint.
+/// A refusal for want of data names the data that end, too.
 /// There are no changes where one plan at the request's departure, in the given order of via points, is possible.
 /// `why`    why the request has no plan; changes that it has already are kept. Its explanation is told as the stage of
 ///          the work before anything is tried

@@ -32,7 +32,7 @@ class IceCovers {
     if (open_until_ && time < *open_until_) return {.known = true, .may_surface = true, .draft_m = 0.0};
     return covers_.size() == 1 ? covers_.front().above(point, time) : first_known(point, time);
   }
-  /// As the members of `IceCover` with the same names; bounds are less sharp for several covers together.
+  /// These members mean the same as those of `IceCover`; bounds are less sharp for several covers together.
   [[nodiscard]] bool has_dense_ice() const { return std::ranges::any_of(covers_, &IceCover::has_dense_ice); }
   [[nodiscard]] core::Metres least_way_to_opening(geo::PlanePoint point) const;
   [[nodiscard]] std::vector<core::Metres> least_ways_to_opening(const std::vector<geo::PlanePoint>& points,

@@ -18,7 +18,7 @@ class CellDistances {
   /// `marked`: of each cell, `nx` in a row. `least_cell`: no way across a cell, from side to side, is shorter.
   CellDistances(const std::vector<bool>& marked, std::size_t nx, core::Metres least_cell);
 
-  /// From wherever in the cell; infinite where none is marked.
+  /// A lower bound of the distance from anywhere in the cell to a marked cell; infinite if none is marked.
   [[nodiscard]] core::Metres from(std::size_t cell) const;
 
   [[nodiscard]] std::size_t bytes() const { return cells_.size() * sizeof(std::uint32_t); }

@@ -36,7 +36,7 @@ class DriftingDisc {
   [[nodiscard]] const plane::PlaneBox& swept() const { return swept_; }
   /// All that it covers from a knot to the next; from the last one on for ever.
   [[nodiscard]] plane::PlaneBox swept_from(std::size_t knot) const;
-  /// Of the hull alone, and metres of the plane for each metre on the ground, where it is at a time.
+  /// The hull without allowances at a time: its radius, and metres of the plane per metre on the ground at its place.
   struct Hull {
     double radius_m;
     double scale;
@@ -50,7 +50,7 @@ class DriftingDisc {
 
   /// First moment at which the move is in the disc, grown by `slack_m`; empty: never.
   [[nodiscard]] std::optional<double> first_touch(const motion::EvenMove& move, double slack_m = 0.0) const;
-  /// From the point to the rim, negative inside; empty before the forecast.
+  /// Distance from the point to the rim of the disc, negative inside; empty before the forecast.
   [[nodiscard]] std::optional<double> gap_m(geo::PlanePoint point, double t_s) const;
   /// When the disc, grown by `slack_m`, covers the point: ascending, apart from each other; the last one may never end.
   [[nodiscard]] std::vector<TimeSpan> covers(geo::PlanePoint point, double slack_m = 0.0) const;

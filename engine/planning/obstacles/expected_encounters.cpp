@@ -8,7 +8,7 @@
 namespace floeplan::planning::obstacles {
 namespace {
 
-/// Of a normal distribution in two dimensions.
+/// Mean distance from the centre over the standard deviation, of a normal distribution in two dimensions.
 const double mean_per_deviation = std::sqrt(0.5 * std::numbers::pi);
 
 struct Interval {

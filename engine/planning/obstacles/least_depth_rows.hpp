@@ -26,7 +26,7 @@ class LeastDepthRows {
   LeastDepthRows(const plane::PlaneRaster& raster, const ocean::Bathymetry& bathymetry, core::Metres enough,
                  const geo::LocalProjection& projection, const std::stop_token& stop);
 
-  /// Of the cells of the next row, in metres: zero or less where land was found, NaN where some of a cell is not known.
+  /// Least depths of the cells of the next row, in metres: zero or less on land, NaN where part of a cell is not known.
   [[nodiscard]] const std::vector<float>& next();
 
  private:
@@ -40,8 +40,8 @@ class LeastDepthRows {
 
   void fill(std::int64_t iy, std::vector<Corner>& corners) const;
   [[nodiscard]] float least_of(const Corner& a, const Corner& b, const Corner& c, const Corner& d) const;
-  /// Of the nodes of the data's cells that hold the corners and those between; empty where the corners are not all
-  /// within cells, or a node is not known.
+  /// The least depth at the nodes of the data's cells under and between the corners; empty where the corners are not
+  /// all within cells, or a node is not known.
   [[nodiscard]] std::optional<float> least_node(const Corner& a, const Corner& b, const Corner& c,
                                                 const Corner& d) const;
   [[nodiscard]] float least_in_box(double west, double south, double east, double north) const;

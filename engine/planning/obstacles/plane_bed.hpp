@@ -27,7 +27,7 @@ class PlaneBed {
   /// Where the straight line from a to b comes into another cell, and places no further apart than `look`: shares of
   /// its length, strictly ascending, from the first after 0 to 1.
   [[nodiscard]] std::vector<double> bends(geo::PlanePoint a, geo::PlanePoint b, core::Metres look) const;
-  /// Of all nodes on and around the area; infinite where none is known.
+  /// The least depth of all nodes on and around the area; infinite if none is known.
   [[nodiscard]] core::Metres least_depth() const;
 
  private:

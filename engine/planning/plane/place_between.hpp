@@ -4,7 +4,8 @@
 
 namespace floeplan::planning::plane {
 
-/// On the straight line from a to b, at a share of its length; beyond its ends below 0 and above 1.
+/// The point on the straight line from a to b at this share of its length; shares below 0 and above 1 lie beyond its
+/// ends.
 [[nodiscard]] inline geo::PlanePoint place_between(geo::PlanePoint a, geo::PlanePoint b, double share) {
   return {a.x_m + share * (b.x_m - a.x_m), a.y_m + share * (b.y_m - a.y_m)};
 }

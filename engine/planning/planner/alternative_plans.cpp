@@ -144,7 +144,7 @@ class AlternativeSearch {
     PlanRequest request;
   };
 
-  /// Those round which a route is likely to be short, first.
+  /// Puts those first round which a route is likely to be short.
   [[nodiscard]] std::vector<Attempt> attempts_to_make() const {
     std::vector<const LargeObstacle*> order;
     for (const LargeObstacle& obstacle : obstacles_) order.push_back(&obstacle);

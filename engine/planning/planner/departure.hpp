@@ -25,7 +25,7 @@ namespace floeplan::planning::planner {
     const ocean::Environment& environment, const PlanRequest& request, const std::stop_token& stop,
     const core::ProgressCallback& progress, const core::Executor& executor = core::in_order());
 
-/// As `plan_window`, on the request's own grids. Does not say what would help where there is no plan.
+/// Does what `plan_window` does, on the request's own grids alone, and does not look for changes that would help.
 [[nodiscard]] WindowPlan try_to_plan_window(const ocean::Environment& environment, const PlanRequest& request,
                                             const std::stop_token& stop,
                                             const core::ProgressCallback& progress,

@@ -28,7 +28,7 @@ struct Strategy {
 /// Precondition  the request is valid
 [[nodiscard]] Result<Plan> plan_by(std::span<const Strategy> strategies, const Task& task);
 
-/// As `plan_route`, without a diagnosis and on one kind of grid; for callers that plan many variants.
+/// Does what `plan_route` does, without a diagnosis and on one kind of grid; for callers that plan many variants.
 /// Errors and Stops  as `plan_route`
 [[nodiscard]] Result<Plan> try_to_plan(const ocean::Environment& environment, const PlanRequest& request,
                                        const std::stop_token& stop, const core::ProgressCallback& progress,

@@ -54,7 +54,7 @@ core::Metres usual_room(const PlanRequest& request) {
   return std::max(cost::second_reach.across * longest_stretch(request), cost::second_reach.at_least);
 }
 
-/// Of a box in degrees, for comparison with another one at about the same latitude.
+/// Size of a box in square degrees, for comparison with another box at about the same latitude.
 double size(const geo::BoundingBox& box) { return geo::width_deg(box) * (box.north_deg - box.south_deg); }
 
 double samples_of(const ocean::Environment& environment) {

@@ -12,7 +12,7 @@ namespace {
 
 constexpr core::Seconds at_once{0.0};
 
-/// Of travel times: what closes and opens on the way is worth another look at all orders where it costs more.
+/// Share of the travel time. Where closures cost more than this, all orders are looked at once more.
 constexpr double worth_another_look = 0.02;
 
 /// Travel times by what the legs are asked for.

@@ -12,8 +12,8 @@ struct HoldRules {
   /// At one place, until something that is closed for a while opens: icebergs that drift, zones with times, currents
   /// that are too strong. Zero: the vehicle never holds.
   core::Seconds longest{longest_hold_allowed};
-  /// Of the circle that it keeps to meanwhile. A judgement: a glider that is sent back to one place dive after dive
-  /// comes up some hundreds of metres from it.
+  /// Radius of the circle within which the vehicle holds. A judgement: a glider that is sent back to one place dive
+  /// after dive comes up some hundreds of metres from it.
   core::Metres radius{500.0};
 };
 

@@ -79,7 +79,8 @@ struct Infeasible {
   Constraint binding{};
   bool at_a_stop{false};          // the start, a via or the goal itself cannot be used
   std::vector<Change> changes{};  // found to make it possible, any one of them; the smallest first
-  /// Of a stop that cannot be used, to where the vehicle may be: not tried yet, what is likelier to help first.
+  /// Moves of a stop that cannot be used to places where the vehicle may be: not tried yet, the likeliest to help
+  /// first.
   std::vector<Change> moves{};
   /// The search came to its bound on memory: there may be a way all the same.
   bool search_cut_short{false};

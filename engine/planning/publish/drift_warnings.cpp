@@ -43,7 +43,7 @@ core::Metres farthest_in(const std::vector<ocean::IcebergFix>& known, core::Seco
   return farthest;
 }
 
-/// Of the icebergs whose currents are known for most of the time, along the straight line; empty: there is none.
+/// Mean speed along a straight line of the icebergs whose currents are known most of the time; empty if there is none.
 std::optional<core::MetresPerSecond> mean_speed(const std::vector<BasedBerg>& bergs) {
   core::Metres drifted{0.0};
   core::Seconds time{0.0};

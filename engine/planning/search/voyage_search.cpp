@@ -90,7 +90,7 @@ class Parts {
         report_fraction_{report_fraction},
         others_{others} {}
 
-  /// From the first stop to the last one, or why there is no route.
+  /// Searches from the first stop to the last one. Returns why there is no route; empty if there is one.
   std::optional<Infeasible> search_all(core::Seconds depart) {
     end_ = {depart, core::Seconds{0.0}};
     for (std::size_t i = 0; i < grids_.size(); ++i) {
@@ -135,9 +135,9 @@ class Parts {
     return sea_.overhead().bounds_surfacing() && !parts_.empty() && end_.since_surfacing.count() > 0.0;
   }
 
-  /// As if the vehicle had just surfaced at the stop: the arrival there must leave what this route needs until the
-  /// next surfacing, and more if the ice has changed until then. Replaces the part before if the voyage can then
-  /// continue.
+  /// Searches on as if the vehicle had just surfaced at the stop. The arrival there must leave what this route needs
+  /// until the next surfacing, and more if the ice has changed until then. Replaces the part before if the voyage can
+  /// then continue.
   /// `failed`: returned if it cannot
   RouteSearch search_with_more_left(RouteSearch failed, std::size_t i) {
     const core::Seconds longest = *sea_.overhead().longest_without_surfacing();

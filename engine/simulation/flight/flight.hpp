@@ -92,7 +92,7 @@ class Flight {
   [[nodiscard]] FlightView view();
   /// One second on, with what sensors and system answered.
   void step(const OnBoardAnswer& answer);
-  /// On request, before it ends by itself.
+  /// Ends the flight before it ends by itself.
   void stop();
   /// Once, at the end.
   [[nodiscard]] FlightRecord take_record();

@@ -53,7 +53,7 @@ class MissionPilot {
 
   [[nodiscard]] ActuatorTargets targets(const Known& known, const avoidance::Guidance& guidance) const;
   [[nodiscard]] Phase phase() const { return phase_; }
-  /// Of the list under way; as many as there are stops when all are behind.
+  /// Index of the next stop of the list under way; the number of stops once all are passed.
   [[nodiscard]] std::size_t waypoint() const { return stop_; }
   [[nodiscard]] bool has_finished() const { return stop_ >= path_.stops.size(); }
   /// Whether the mission ended where it was to end: its lists are flown, and the vehicle came up there.

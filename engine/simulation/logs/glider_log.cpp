@@ -24,7 +24,7 @@ constexpr double flattest_glide_rad = 0.15;
 constexpr double cm3 = 1e-6;
 /// No Slocum stays down longer; the times of such a log jump.
 constexpr core::Seconds longest_dive{10.0 * 86400.0};
-/// Of the way between two turns: where the hull glides steadily.
+/// The part of the time between two turns in which the hull glides steadily, as shares of it.
 constexpr double middle_from = 0.3;
 constexpr double middle_to = 0.7;
 

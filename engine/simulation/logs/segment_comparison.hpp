@@ -19,7 +19,7 @@ struct Compared {
   double logged{};
   double simulated{};
 
-  /// Of the logged one.
+  /// Deviation as a share of the logged value.
   [[nodiscard]] double deviation_share() const;
 };
 
@@ -35,7 +35,8 @@ struct SegmentComparison {
   std::string ended{};       // why the simulated flight ended
 };
 
-/// Whose parasite drag a logged dive is flown with: of the log, where its rates of depth tell one, or of the profile.
+/// The source of the parasite drag in the simulation of a logged dive: the log, where its rates of depth show one, or
+/// the profile.
 /// Source   fitting drag to the rates of depth: Merckelbach, Smeed and Griffiths 2010, doi:10.1175/2009JTECHO710.1.
 ///          Between two vehicles of one kind it differs by a third, by growth, sensors and trim
 enum class DragOf { log, profile };

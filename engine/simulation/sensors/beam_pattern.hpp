@@ -21,7 +21,7 @@ struct BeamPattern {
 ///            3.10: shading, which trades its side lobes for a few tenths of width
 [[nodiscard]] double beam_power(const BeamPattern& pattern, double across, double up);
 
-/// From the axis to the first zero, where the main lobe ends.
+/// Angle from the axis to the first zero, where the main lobe ends.
 [[nodiscard]] double main_lobe_half_width_rad(double width_rad);
 
 /// Solid angle of an ideal beam with the same volume reverberation, steradian: the two-way pattern's integral.

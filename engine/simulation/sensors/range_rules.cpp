@@ -8,7 +8,7 @@
 namespace floeplan::simulation {
 namespace {
 
-/// As a person writes it: "0.5", "-26", "1e-05".
+/// The number as a person writes it: "0.5", "-26", "1e-05".
 std::string written(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.6g", value);

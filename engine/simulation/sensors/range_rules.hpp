@@ -12,7 +12,7 @@ class RangeRules {
  public:
   /// Both ends included.
   void require(const std::string& field, double value, double from, double to);
-  /// As `require`, of an angle in radians whose bounds are told in degrees.
+  /// Does what `require` does, for an angle in radians; the message states the bounds in degrees.
   void require_degrees(const std::string& field, double angle_rad, double from_deg, double to_deg);
   void refuse(const std::string& field, std::string rule) { found_.push_back({field, std::move(rule)}); }
   [[nodiscard]] const core::Violations& found() const { return found_; }

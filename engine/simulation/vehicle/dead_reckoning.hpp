@@ -46,13 +46,13 @@ class DeadReckoning {
   void fix(Vector true_place, core::UtcTime time);
 
   [[nodiscard]] Vector place() const { return place_; }
-  /// As the vehicle states it, of east and of north.
+  /// Position error that the vehicle states, the same for east and for north: one standard deviation, in metres.
   [[nodiscard]] double sigma_m(core::UtcTime time) const;
   /// Mean speed through the water of this dive, as the vehicle takes it to be; empty in its first minute.
   [[nodiscard]] std::optional<double> mean_speed_m_s() const;
   /// Used to reckon and to steer; still when the mission does not correct for it.
   [[nodiscard]] Vector assumed_current() const { return corrects_ ? current_ : Vector{}; }
-  /// Of the last dive, as far as fixes tell.
+  /// The depth-averaged current of the last dive, as computed from its fixes.
   [[nodiscard]] Vector depth_averaged_current() const { return current_; }
   [[nodiscard]] double measured_heading_rad(double heading_rad) const { return heading_rad + compass_rad_; }
 

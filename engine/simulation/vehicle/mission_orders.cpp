@@ -64,7 +64,7 @@ class Arguments {
     const auto found = find(name);
     return found && mission::is_mission_parameter(*found) ? std::nullopt : found;
   }
-  /// Of the file, or what the mission gives inline.
+  /// The name of the file, or the place in the mission that holds the orders inline.
   [[nodiscard]] const std::string& where() const { return where_; }
 
  private:

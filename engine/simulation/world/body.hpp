@@ -52,7 +52,7 @@ class Body {
   Body(std::string name, Shape shape, Motion motion);
 
   [[nodiscard]] BodyPose pose_at(core::UtcTime time) const;
-  /// Of drift, over ground; m/s east and north.
+  /// Velocity of the drift over ground; m/s east and north.
   [[nodiscard]] Vector velocity_at(core::UtcTime time) const;
 
   [[nodiscard]] bool contains(const BodyPose& pose, Vector point) const;

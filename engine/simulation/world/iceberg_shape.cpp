@@ -23,7 +23,7 @@ constexpr int sides = 12;
 /// between a point, which no keel is, and an upright side.
 constexpr double pinnacle_keel_share = 0.15;
 constexpr double wedge_rise_share = 0.7;
-/// Of a drydock: width of each column over that of the berg, top and bottom of the slab over the draft.
+/// Shape of a drydock: width of each column over that of the berg, top and bottom of the slab over the draft.
 constexpr double column_share = 0.3;
 constexpr double slab_top_share = 0.35;
 constexpr double slab_bottom_share = 0.6;
@@ -127,8 +127,8 @@ std::vector<ConvexPart> drydock_parts(const Axes& axes, double height_m, std::mt
   return parts;
 }
 
-/// Of a cylinder about the axis: every side at a right angle stays where the length and the width put it, or inside, so
-/// that all lies in the box of both.
+/// Radius of a cylinder about the axis. Every side at a right angle lies where the length and the width put it, or
+/// inside, so that all lies in the box of both.
 double outline_radius(const Axes& axes) { return std::hypot(axes.along_m, axes.across_m); }
 
 }  // namespace

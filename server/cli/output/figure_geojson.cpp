@@ -8,7 +8,7 @@ namespace {
 using nlohmann::json;
 using reproduction::Figure;
 
-/// Of the WGS84 equator.
+/// Length of a degree of the WGS84 equator.
 constexpr double metres_per_degree = 111'319.490'793;
 
 json plane_position(geo::PlanePoint point) { return {point.x_m, point.y_m}; }

@@ -32,7 +32,7 @@ namespace {
 
 constexpr std::size_t handler_threads = 4;
 constexpr std::uint64_t megabyte = 1'000'000;
-/// Of currents about places: ten days of hourly ones of a model, 64 by 64 nodes at one depth, are a sixteenth of it.
+/// Bytes of kept currents around places. Ten days of hourly currents on 64 by 64 nodes at one depth take a sixteenth.
 constexpr std::size_t most_kept_blocks = std::size_t{128} << 20;
 
 /// The built client: where it was said to be, beside the program, or in the source tree the program was built
@@ -76,7 +76,8 @@ std::optional<http::TlsFiles> tls_of(const ServeOptions& options) {
   return http::TlsFiles{*options.tls_cert, *options.tls_key};
 }
 
-/// As many connections as there are descriptors for, with some left for files, and memory.
+/// The limits of a server: as many connections as file descriptors and memory allow, with some descriptors left for
+/// files.
 http::Limits limits_of(const ServeOptions& options) {
   raise_descriptor_limit();
   http::Limits limits;
@@ -93,7 +94,7 @@ http::Limits limits_of(const ServeOptions& options) {
   return limits;
 }
 
-/// Of a command line that is read again: what takes effect at once. A server that is told of no change goes on.
+/// The settings that take effect at once when the options are read again; all others stay as they are.
 http::Settings settings_of(const ServeOptions& options) {
   return {.limits = limits_of(options),
           .most_upload_bytes = options.max_upload_mb * megabyte,

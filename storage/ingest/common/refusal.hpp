@@ -25,7 +25,8 @@ using Checked = tl::expected<T, Messages>;
   return refuse(std::move(faults));
 }
 
-/// Told of a part of the file, "line 12" or "feature 3": the text begins with the part, which is a value of its own.
+/// The message for a part of the file, "line 12" or "feature 3": its text begins with the part, which is one of its
+/// values.
 [[nodiscard]] messages::Message about(const std::string& part, messages::Message told);
 
 /// The faults as text, for another message or for the output of a failed test.

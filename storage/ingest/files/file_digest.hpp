@@ -13,7 +13,7 @@ namespace floeplan::ingest {
 /// The same of a text.
 [[nodiscard]] Checked<std::string> sha256_of_text(const std::string& text);
 
-/// Of one file its SHA-256; of several that are read together that of their digests in order.
+/// SHA-256 of one file; for several files that are read together, that of their digests in order.
 [[nodiscard]] Checked<std::string> sha256_of_files(const std::vector<std::filesystem::path>& files);
 
 }  // namespace floeplan::ingest

@@ -13,8 +13,8 @@
 namespace floeplan::ingest {
 namespace {
 
-/// Of a square grid the diagonal is 1.41 sides long and twice the side 1.41 diagonals: halfway between no tolerance and a
-/// side that crosses one missing node.
+/// In a square grid the diagonal is 1.41 sides long and twice the side 1.41 diagonals: halfway between no tolerance
+/// and a side that crosses one missing node.
 constexpr double longest_over_median = 1.35;
 
 double longest_side_of(const ocean::Mesh& mesh, const ocean::Mesh::Cell& cell) {

@@ -48,7 +48,8 @@ template <class Value>
   return whole;
 }
 
-/// Told by the positions alone, not by a model's name: the arrangement in which both half-ways meet.
+/// Finds the arrangement by the positions alone, not by a model's name: the one in which the half-way points of both
+/// components meet.
 /// Errors   points that fit no arrangement
 [[nodiscard]] Checked<Staggering> staggering_of(const Positions& first, const Positions& second);
 

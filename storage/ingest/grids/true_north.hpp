@@ -12,9 +12,9 @@ struct GridDirections {
   std::vector<float> cosine;
   std::vector<float> sine;
 
-  /// Of a grid whose first axis points east at all of so many points.
+  /// Directions of a grid whose first axis points east at each of its points.
   [[nodiscard]] static GridDirections along_east(std::size_t points);
-  /// Of the next point, in radians; empty: not known, and taken for east.
+  /// Adds the angle of the next point, in radians; empty: it is not known, and counts as east.
   void add(std::optional<double> angle);
   void set(std::size_t point, double angle);
   /// The largest angle between the grid's first axis and east, degrees.

@@ -32,7 +32,7 @@ bool is_all_digits(std::string_view text) {
   return std::ranges::all_of(text, [](char c) { return c >= '0' && c <= '9'; });
 }
 
-/// Of "2026" or "2026-05".
+/// The period of a year or a month, "2026" or "2026-05"; empty for any other text.
 std::optional<StatedPeriod> year_or_month(std::string_view text) {
   const std::string_view digits = text.substr(0, digits_of_year);
   if (text.size() < digits_of_year || !is_all_digits(digits)) return std::nullopt;

@@ -20,7 +20,7 @@ namespace floeplan::ingest {
 [[nodiscard]] std::vector<std::string> words_between_blanks(const std::string& text);
 /// A number as people write it: at most `digits` significant digits, no trailing zeros.
 [[nodiscard]] std::string number(double value, int digits = 6);
-/// Of ASCII, whatever the locale.
+/// Whether the character is an ASCII digit, whatever the locale.
 [[nodiscard]] constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
 /// The whole text as a finite number, independent of the locale.
 [[nodiscard]] std::optional<double> parse_number(std::string_view text);

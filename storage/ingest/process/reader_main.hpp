@@ -5,10 +5,10 @@
 
 namespace floeplan::ingest {
 
-/// Of the file in a staging folder that holds a ReaderRequest.
+/// Name of the file in a staging folder that holds a ReaderRequest.
 inline constexpr const char* reader_request_file = "request.json";
 
-/// Of the folder in it where an archive is unpacked.
+/// Name of the folder in the staging folder where an archive is unpacked.
 inline constexpr const char* unpacked_folder = "unpacked";
 
 /// The whole of a process that reads foreign files: bounds and confines itself before it opens the first of them, does

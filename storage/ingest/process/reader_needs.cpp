@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Of EPSG's reference systems and the like. The library goes through its folders in this order, too.
+/// The folder of PROJ's data, such as EPSG's reference systems. PROJ looks through its folders in the same order.
 fs::path folder_of_proj() {
   const CPLStringList folders{OSRGetPROJSearchPaths()};
   std::error_code ignored;
@@ -30,13 +30,13 @@ fs::path folder_of_proj() {
   return {};
 }
 
-/// Of the classes and attributes of nautical charts and the like.
+/// The folder of GDAL's data, such as the classes and attributes of nautical charts.
 fs::path folder_of_gdal() {
   const char* const found = CPLFindFile("gdal", "s57objectclasses.csv");
   return found == nullptr ? fs::path{} : fs::path{found}.parent_path();
 }
 
-/// Of the C library's tables of character sets, one library for each, which texts of shapefiles need.
+/// The folder of the C library's character sets, one library for each, which texts of shapefiles need.
 fs::path folder_of_character_sets() {
   Dl_info library{};
   if (dladdr(reinterpret_cast<const void*>(&std::snprintf), &library) == 0) return {};

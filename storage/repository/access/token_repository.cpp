@@ -13,7 +13,7 @@ namespace {
 constexpr std::array<std::pair<Role, const char*>, 3> role_names{
     {{Role::viewer, "viewer"}, {Role::pilot, "pilot"}, {Role::admin, "admin"}}};
 
-/// From the columns name, role, key, digest, created_s.
+/// The record of a row with the columns name, role, key, digest, created_s.
 TokenRecord read_token(const sql::Row& row) {
   const auto role = role_of(row.text(1));
   if (!role) throw std::runtime_error{"the store holds a token with the unknown role " + row.text(1)};

@@ -47,7 +47,7 @@ class TokenRepository {
   /// By name.
   [[nodiscard]] std::vector<TokenRecord> list() const;
   [[nodiscard]] bool any() const;
-  /// Also when the last one has been revoked since.
+  /// Whether there was ever a token, even if the last one has been revoked since.
   [[nodiscard]] bool ever_any() const;
   [[nodiscard]] std::optional<TokenRecord> find(const std::string& key) const;
 

@@ -31,7 +31,7 @@ class BlobCodec {
   [[nodiscard]] std::span<const std::byte> pack(std::span<const double> values);
   [[nodiscard]] std::span<const std::byte> pack(std::span<const std::uint32_t> values);
 
-  /// As steps where every sample is a whole number of them.
+  /// Packs the samples as whole numbers of steps, if every sample is one.
   [[nodiscard]] std::span<const std::byte> pack(std::span<const float> values, const SampleSteps& steps);
 
   /// A view of scratch memory, valid until the next call: fields are read by the thousand of such blobs.

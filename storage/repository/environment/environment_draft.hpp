@@ -60,7 +60,7 @@ struct CurrentsBox {
   std::optional<core::Metres> deepest;  // empty: all levels
 };
 
-/// From when on currents and wind are needed: for the forecast of the icebergs' drift.
+/// The time from which the forecast of the icebergs' drift needs currents and wind.
 [[nodiscard]] core::UtcTime drift_start(const EnvironmentDraft& draft);
 /// The runs of the product of `found[which]`, joined around the departure; that dataset alone where it was named.
 [[nodiscard]] std::vector<JoinedPart> joined_parts(const EnvironmentDraft& draft,
@@ -69,7 +69,7 @@ struct CurrentsBox {
 /// The period of the parts; of the dataset where nothing was joined.
 [[nodiscard]] std::optional<Period> joined_period(const Dataset& dataset,
                                                   const std::vector<JoinedPart>& parts);
-/// As load_joined, and as kept as the reading may keep it; null: nothing there.
+/// Does what load_joined does, through the cache of the reading if it has one; null: there are no data.
 [[nodiscard]] std::shared_ptr<const ocean::CurrentGrid> read_joined(const EnvironmentDraft& draft,
                                                                     const std::vector<JoinedPart>& parts,
                                                                     const CurrentsBox& box,

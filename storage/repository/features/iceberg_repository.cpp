@@ -153,7 +153,7 @@ std::vector<ocean::IcebergFix> IcebergRepository::earlier(const StoredSighting& 
                                                           core::Seconds max_age) const {
   std::vector<ocean::IcebergFix> fixes;
   if (sighting.iceberg.id.empty()) return fixes;
-  // Of several sightings at one moment the one stored last, as for the newest of all.
+  // If a berg has several sightings at one moment, the one stored last counts, as it does for the newest of all.
   sql::Statement query{db_,
                        "SELECT lon_deg, lat_deg, observed_s, max(row) FROM sighting WHERE dataset_row = "
                        "(SELECT row FROM dataset WHERE id = ?1) AND berg_id = ?2 AND observed_s < ?3 AND "

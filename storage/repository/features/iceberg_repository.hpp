@@ -50,7 +50,7 @@ class IcebergRepository {
   /// for each moment, none for a berg without a name.
   [[nodiscard]] std::vector<ocean::IcebergFix> earlier(const StoredSighting& sighting,
                                                        core::Seconds max_age) const;
-  /// Of each berg of the dataset the newest sighting that is not after `as_of` and not older than `max_age`
+  /// For each berg of the dataset, its newest sighting that is not after `as_of` and not older than `max_age`
   /// before it; in the area; by ascending row.
   [[nodiscard]] std::vector<StoredSighting> latest(const DatasetId& dataset, const geo::BoundingBox& area,
                                                    core::UtcTime as_of, core::Seconds max_age) const;

@@ -19,7 +19,8 @@ constexpr geo::BoundingBox whole_world{-180.0, -90.0, 180.0, 90.0};
 
 /// Bergs drift at 0.2 m/s as a rule and at 1 m/s in the strongest currents; half as much again is no drift.
 constexpr double fastest_drift_m_s = 1.5;
-/// Of both positions: weekly lists round to minutes of arc and give the middle of bergs of tens of kilometres.
+/// How far apart two positions of one berg may be: weekly lists round to minutes of arc, and bergs have tens of
+/// kilometres.
 constexpr double position_error_m = 20'000.0;
 
 /// Same for datasets that name their bergs alike.

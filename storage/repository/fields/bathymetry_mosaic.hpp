@@ -15,7 +15,7 @@ namespace floeplan::repository {
 /// Threads  one thread at a time
 class BathymetryMosaic {
  public:
-  /// As fine as `spacing`, or as the number of nodes allows.
+  /// An empty mosaic of the area, as fine as `spacing` or as the number of nodes allows.
   /// Errors  std::invalid_argument for a spacing that is not positive
   BathymetryMosaic(const geo::BoundingBox& area, core::Metres spacing, std::size_t most_nodes);
 

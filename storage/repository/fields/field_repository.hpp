@@ -85,7 +85,7 @@ class FieldRepository {
       std::optional<core::Metres> deepest, std::optional<core::Metres> shallowest, CurrentBlocks& kept) const;
   [[nodiscard]] std::optional<ocean::Bathymetry> load_bathymetry(const DatasetId& id,
                                                                  const geo::BoundingBox& area) const;
-  /// As load_currents, without depths. Thickness is there when a slice of it was ever written.
+  /// Does what load_currents does, without depths. It has thickness if a slice of thickness was ever written.
   [[nodiscard]] std::optional<ocean::IceField> load_ice(const DatasetId& id, const geo::BoundingBox& area,
                                                         std::optional<Period> period) const;
 

@@ -82,7 +82,8 @@ struct Extent {
 std::optional<GridWindow> window_of_projected(const ocean::HorizontalGrid& grid,
                                               const geo::BoundingBox& area) {
   constexpr int steps = 48;
-  // Of the distance of two samples: an arc rises above its chord by a fifth of it, or less, up to a right angle.
+  // As a share of the distance of two samples: an arc of up to a right angle rises above its chord by a fifth of it
+  // at most.
   constexpr double bulge = 0.25;
   const double width = geo::width_deg(area);
   Extent x;

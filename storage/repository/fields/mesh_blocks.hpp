@@ -31,7 +31,7 @@ struct MeshPart {
 /// Threads  as the connection: one thread at a time
 class MeshBlocks {
  public:
-  /// As many as a chunk of samples on a grid has.
+  /// Points of one block: as many as a chunk of samples on a grid has.
   static constexpr std::size_t points_together = 4096;
 
   explicit MeshBlocks(sql::Connection& db) : db_{db} {}

@@ -11,7 +11,7 @@ namespace floeplan::repository {
 /// without a word here.
 [[nodiscard]] std::vector<std::string> tables_of_data(sql::Connection& db);
 
-/// Of the R*Tree with the boxes of a table's rows; there need be none.
+/// Name of the R*Tree with the boxes of a table's rows, whether or not the table has one.
 [[nodiscard]] std::string boxes_of(const std::string& table);
 
 }  // namespace floeplan::repository

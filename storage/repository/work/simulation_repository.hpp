@@ -43,7 +43,7 @@ class SimulationRepository {
   /// as it is (the id is a digest of inputs and data). Returns its row.
   std::int64_t insert(const SimulationRecord& simulation, const std::vector<SimulatedFlight>& flights);
   [[nodiscard]] std::optional<SimulationRecord> find(const SimulationId& id) const;
-  /// Those of one plan, or all.
+  /// Simulations of one plan, or of all plans.
   [[nodiscard]] std::vector<SimulationRecord> list(const std::optional<std::string>& plan_id,
                                                    std::int64_t after, int limit) const;
   /// The same, past simulations that are damaged.

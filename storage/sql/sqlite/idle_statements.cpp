@@ -11,7 +11,7 @@
 namespace floeplan::sql::sqlite {
 namespace {
 
-// Chosen: looking through them stays cheap beside parsing one, and their number is bounded.
+// How many idle statements are kept, a choice: looking through them costs little beside parsing a statement.
 constexpr std::size_t most_idle = 64;
 
 }  // namespace

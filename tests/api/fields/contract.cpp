@@ -241,7 +241,7 @@ std::string client_source() {
   ordered_json all = ordered_json::object();
   for (const Field& field : fields_of(Process::plan_route))
     all[name_in_client(field)] = told_to_client(field);
-  // Of a vehicle's build only what forms ask for; what is chosen beside it is there already.
+  // A vehicle's build has many fields: only those that forms ask for are added here.
   for (const Field& field : fields_of_vehicle())
     if (field.object == "vehicle" && !field.form.label.empty() && !all.contains(std::string{field.name}))
       all[name_in_client(field)] = told_to_client(field);

@@ -38,7 +38,7 @@ namespace {
 
 using messages::Kind;
 
-/// As Markdown that reads so.
+/// Markdown whose rendered text is this text.
 std::string plain(std::string_view text) {
   std::string escaped;
   for (const char c : text) {

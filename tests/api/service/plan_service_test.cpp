@@ -29,7 +29,7 @@ TEST(PlanService, AnswersWithThePlanThatIsStored) {
   const json first = plan_route_document(db, inputs, 2, {}, {}, some_time).value();
   ASSERT_EQ(first.at("status"), "ok");
 
-  // As if an attempt that was killed after it had stored its plan had taken longer.
+  // The plan now looks as if an attempt had stored it that took longer and was killed afterwards.
   sql::execute(db, "UPDATE plan SET document_json = json_set(document_json, '$.search.seconds', 7)");
   const json second = plan_route_document(db, inputs, 2, {}, {}, some_time).value();
   EXPECT_EQ(second.at("plan_id"), first.at("plan_id"));
@@ -42,7 +42,7 @@ codec::EvaluateInputs route_past(double middle_lat_deg) {
       .value();
 }
 
-/// Of an evaluation, without what it took.
+/// The figures of an evaluation without those of its own running time.
 json figures(const json& evaluation) {
   json result = evaluation;
   if (result.contains("search")) result["search"].erase("seconds");
@@ -76,7 +76,7 @@ TEST(PlanService, AnotherPlanForTheSameInputsAndDataHasAnIdOfItsOwn) {
   const json before = plan_route_document(db, inputs, 2, {}, {}, some_time).value();
   ASSERT_EQ(before.at("status"), "ok");
 
-  // As if another program read more from the same data.
+  // The store now looks as if another program had read more from the same data.
   sql::execute(db, "UPDATE sighting SET lat_deg = 69.02");
   const json after = plan_route_document(db, inputs, 2, {}, {}, some_time).value();
 

@@ -44,10 +44,10 @@ test('while the clock plays, a frame is painted in one pass and no layer that st
   }
 });
 
-/** Of the scripts in a frame while the clock plays, with sea ice, icebergs and a plan on the map. */
+/** The longest time of the scripts in a frame while the clock plays, with sea ice, icebergs and a plan on the map. */
 const frame_ms = 4;
 
-/** From the address to a map that shows all its data and answers. */
+/** The longest time from opening the address to a map that shows all its data and answers. */
 const usable_ms = 2500;
 
 const quantileOf = (values: number[], part: number): number => [...values].sort((a, b) => a - b)[Math.floor(part * values.length)] ?? NaN;

@@ -10,7 +10,7 @@ const hours = 241;
 const step_deg = 1 / 12;
 const bergs = 300;
 const plans = 20;
-/** Of the route that is dragged, as in a mission of some days. */
+/** Waypoints of the route that is dragged, as in a mission of some days. */
 const waypoints = 17;
 
 const test = base.extend<object, { loadedServer: Server }>({
@@ -30,7 +30,7 @@ const median = (values: number[]): number => quantile(values, 0.5);
 
 const evaluations = '**/processes/evaluate-route/execution';
 
-/** On a sphere, which lies within 1 % of the distance on the ellipsoid. */
+/** Distance on a sphere, within 1 % of that on the ellipsoid. */
 function metres([lon1, lat1]: LonLat, [lon2, lat2]: LonLat): number {
   const rad = Math.PI / 180;
   const s = Math.sin(((lat2 - lat1) * rad) / 2) ** 2 + Math.cos(lat1 * rad) * Math.cos(lat2 * rad) * Math.sin(((lon2 - lon1) * rad) / 2) ** 2;

@@ -24,7 +24,7 @@ export interface Places {
 
 let found: Promise<Places> | undefined;
 
-/** As below; every server starts from the same data, so a search serves all tests of a worker. */
+/** The places that `searchPlaces` finds. Every server starts from the same data, so one search serves all tests of a worker. */
 export const findPlaces = (request: APIRequestContext): Promise<Places> => (found ??= searchPlaces(request));
 
 /**

@@ -3,7 +3,7 @@ import { cpSync, mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 
-/** From run.sh: the program, the built page, and a store with the demonstration data that every server starts from a copy of. */
+/** A path that run.sh gives: the program, the built page, or the store with the demonstration data that every server copies. */
 const given = (name: string): string => {
   const value = process.env[name];
   if (!value) throw new Error(`${name} is not set: run tests/browser/run.sh.`);

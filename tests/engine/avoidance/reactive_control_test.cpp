@@ -69,7 +69,7 @@ TEST(ReactiveControl, HoldsTheSideItTookUp) {
   EXPECT_EQ(control.side(), 1);
 }
 
-/// From everywhere around them, round every stated shape: there is no place where it stays.
+/// The vehicle starts at places all around every stated shape; it never stays at one place.
 TEST(ReactiveControl, HasNoLocalMinimumAroundTheStatedShapes) {
   Shape wall;
   add_line(wall, {0.0, -90.0}, {0.0, 90.0});

@@ -69,7 +69,7 @@ double any_finite(std::mt19937_64& rng) {
   }
 }
 
-/// Of either sign, its size between 2^low and 2^high, as likely between any two powers.
+/// A number of either sign whose size lies between 2^low and 2^high, each power of two equally likely.
 double of_any_size(std::mt19937_64& rng, double low, double high) {
   const double size = std::exp2(uniform(rng, low, high));
   return rng() % 2 == 0 ? size : -size;

@@ -16,7 +16,7 @@ using Two = double (*)(double, double);
 
 constexpr int arguments = 100000;
 
-/// Of any sign, the size between 2^-30 and 2^10, mostly about one.
+/// An argument of either sign whose size lies between 2^-30 and 2^10, mostly about one.
 double argument(std::mt19937_64& rng) {
   const auto uniform = [&rng] { return static_cast<double>(rng() >> 11) * 0x1p-53; };
   if (rng() % 2 == 0) return 4.0 * uniform() - 2.0;

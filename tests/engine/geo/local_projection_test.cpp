@@ -21,7 +21,7 @@ LonLat random_neighbour(std::mt19937_64& rng, LonLat origin) {
                               core::Metres{support::uniform(rng, 0.0, 150'000.0)});
 }
 
-/// From a to b in the plane, for each metre on the ground.
+/// Step in the plane for a metre on the ground.
 PlaneVelocity step(const LocalProjection& projection, LonLat place, double course_deg) {
   constexpr core::Metres length{20.0};
   const PlanePoint a =

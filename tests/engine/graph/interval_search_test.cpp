@@ -71,7 +71,7 @@ class ChangingWorld {
     return last;
   }
 
-  /// Of a departure; empty where the edge is closed then, or its head at the arrival.
+  /// Arrival of a departure; empty if the edge is closed at the departure or its head at the arrival.
   [[nodiscard]] std::optional<double> arrival_s(const Edge& edge, double depart_s) const {
     const EdgeTimes& times = edges_[edge.tail * graph_.offsets().size() + edge.step];
     const auto is_in = [](double time_s) {

@@ -74,7 +74,8 @@ TEST(ZoneWords, TellDepths) {
 
 TEST(ZoneWords, TellTheNameOfTheZone) { expect_meaning(zone_name, {"name", "Title", "LABEL"}); }
 
-/// Of ArcGIS, QGIS, Google Earth, S-57, the World Database on Protected Areas, INSPIRE and national services.
+/// Attributes as ArcGIS, QGIS, Google Earth, S-57, the World Database on Protected Areas, INSPIRE and national
+/// services write them.
 TEST(ZoneWords, LeaveTheRecordAndOrdinaryAttributesAlone) {
   expect_meaning(record,
                  {"created_date", "last_edited_date", "last_edite", "edit_date", "EditDate", "date_added",

@@ -35,7 +35,7 @@ simulation::SeaBed graded_bed(const Depth& depth_m,
                             projection, area.grown(-spacing_m)};
 }
 
-/// From one depth to another, evenly between two places.
+/// A depth that changes evenly from one place to another.
 inline double ramp(double at_m, double from_m, double to_m, double first_depth_m, double last_depth_m) {
   const double share = (at_m - from_m) / (to_m - from_m);
   if (share <= 0.0) return first_depth_m;

@@ -84,7 +84,7 @@ TEST(TrapInTheLoop, ClosingGapIsNotEntered) {
   expect_saved(world, eastward());
 }
 
-/// From behind and beside, across the way: a sonar that looks abeam hears it draw level.
+/// The berg comes from behind and beside and crosses the route: a sonar that looks abeam hears it draw level.
 TEST(TrapInTheLoop, OvertakingBergIsLetPass) {
   GuidedFlight flight = eastward();
   flight.sonar.beams = 46;

@@ -261,7 +261,7 @@ TEST(Options, MayComeFromAFile) {
   EXPECT_THAT(outcome.err, Not(HasSubstr("--depart")));
 }
 
-/// From a mistyped path a plan would be one through an empty sea.
+/// With a mistyped path a plan would lead through an empty sea.
 TEST(BadInput, AFolderThatIsNotThereIsNoStore) {
   const Program program;
   std::filesystem::remove(program.store());

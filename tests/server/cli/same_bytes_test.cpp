@@ -180,7 +180,8 @@ std::vector<std::string> answers(const Requests& requests, const fs::path& store
   return result;
 }
 
-/// As it is, without fused multiply-add in the C library, and with each set of instructions of the searches.
+/// How the program is run: as it is, without fused multiply-add in the C library, and with each instruction set of
+/// the searches.
 std::vector<Manner> manners() {
   std::vector<Manner> all{
       {"", ""}, {without_fma, ""}, {"", "--instructions reference"}, {"", "--instructions baseline"}};

@@ -68,7 +68,7 @@ class SameOverHttp : public testing::Test {
     EXPECT_EQ(answer.status, 200) << answer.body;
     return lasting(answer.json());
   }
-  /// Of a plan round the zone, made on both sides.
+  /// What the command line prints for a plan round the zone.
   [[nodiscard]] std::string planned(const std::string& goal) const {
     return printed({"plan", "--from=-53.2,69", "--to=" + goal, "--depart", "2026-11-22T06:00:00Z",
                     "--spacing", "1000", "--no-refine"})

@@ -28,7 +28,7 @@ class UnderIceCli : public testing::Test {
     ASSERT_EQ(program_.run(ingest).exit_code, 0);
   }
 
-  /// From the west to the east through the ice, in still water.
+  /// Plans from west to east through the ice, in still water.
   [[nodiscard]] Outcome plan(const std::vector<std::string>& more) const {
     std::vector<std::string> words{"plan",
                                    "--from=-53.15,68.95",

@@ -154,7 +154,7 @@ class Asking {
     boost::asio::write(socket_, boost::asio::buffer(get(target, "X-Client: " + client + "\r\n")));
   }
   std::string answer() { return RunningServer::exchange(socket_, ""); }
-  /// As soon as the first line of the answer has come.
+  /// The first line of the answer, as soon as it has come.
   std::string first_line() {
     boost::asio::read_until(socket_, boost::asio::dynamic_buffer(begin_), "\r\n");
     return begin_.substr(0, begin_.find('\r'));

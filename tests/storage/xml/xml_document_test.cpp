@@ -19,7 +19,8 @@ std::string summary(const Element& element) {
   return text + "}";
 }
 
-/// As UTF-16, with a byte order mark or without one. Written apart from the program: from code points.
+/// The text as UTF-16, with a byte order mark or without one. It is written from code points, independently of the
+/// program.
 std::string utf16(const std::u32string& text, bool is_little_endian, bool is_marked) {
   std::string bytes;
   const auto unit = [&](unsigned value) {

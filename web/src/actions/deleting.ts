@@ -4,7 +4,7 @@ import { tell } from '../model/screen';
 import { forgetChanges, remember } from '../model/undo';
 import * as api from './client';
 
-/** So long a deleted plan stays in the store, for undo to bring it back. */
+/** Time for which a deleted plan stays in the store, so that undo can bring it back. */
 const grace_ms = 60_000;
 
 /** Deleted plans that are still in the store. */

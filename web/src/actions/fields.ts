@@ -127,7 +127,7 @@ function followIceChart(): void {
       loaded = undefined;
       return;
     }
-    // Of a part of the chart as fine as of all of the view.
+    // A part of the chart is loaded as finely as the whole view.
     const columns = Math.min(8192, Math.max(64, Math.round((seen.width_px * width_deg(box)) / width_deg(seen.box))));
     const fine = loaded && width_deg(box) / columns > 0.6 * (width_deg(loaded.box) / loaded.columns);
     const needed = intersection(seen.box, chart.bbox);

@@ -9,7 +9,7 @@ import * as api from './client';
 import { learnRequest } from './plan_inputs';
 import type { Conditions, Plan } from '../contract/types';
 
-/** Of a plan under way also what was sighted since it left, beside all that counted then: the age is counted at its departure. */
+/** For a plan under way: the sightings since its departure, beside those that counted at the departure. Ages count at the departure. */
 function sightingsSince(plan: Plan): Conditions {
   const [, newest_ms] = sightingsFor(plan);
   return newest_ms > Date.parse(plan.departure) ? { icebergs_as_of: isoOf(newest_ms) } : {};

@@ -12,7 +12,7 @@ export interface Frame {
   toCoordinate(pixel: readonly [number, number]): [number, number];
 }
 
-/** From units along two axes to pixels, by where their origin and the ends of one unit of each lie in the projection. */
+/** The matrix from units along two axes to pixels, by the places of their origin and of the end of one unit of each. */
 export function screenMatrix(frame: Frame, origin: Place, first: Place, second: Place): DOMMatrix {
   const [[x, y], [x1, y1], [x2, y2]] = [frame.toPixel(origin), frame.toPixel(first), frame.toPixel(second)];
   return new DOMMatrix([x1 - x, y1 - y, x2 - x, y2 - y, x, y]);

@@ -4,7 +4,7 @@ export interface Label {
   text: string;
 }
 
-/** Of a name in bold figures of 11 px: its height with the halo, and the width of a figure. */
+/** Size of a name in bold figures of 11 px: its height with the halo, and the width of a figure. */
 const height_px = 18;
 const figure_px = 7;
 const gap_px = 4;

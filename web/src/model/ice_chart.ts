@@ -11,7 +11,7 @@ import { age, shortTime } from './time';
 const isChart = ({ variables, time_start }: Dataset): boolean => variables.includes('CT') && time_start !== null;
 const momentOf = ({ time_start }: Dataset): number => Date.parse(time_start ?? '');
 
-/** Of the charts that plans may take the newest that was drawn by the clock's time. */
+/** The ice chart that is shown: of those that plans may use, the newest that was drawn by the clock's time. */
 export const chosenChart = computed<Dataset | undefined>(() => {
   const candidates = draft.value.ice === 'newest' ? ofKind('ice') : chosenAll('ice');
   return candidates

@@ -111,7 +111,7 @@ export const planDash = (style: number): number[] => [...(planDashes[(style + Ma
 
 export const planColour = ({ plans }: Palette, style: number): string => plans[hueOf(style)] ?? plans[0];
 
-/** Of the legs below ice, whatever their plan; and of the edges beside them. */
+/** Dashes of the legs below ice of any plan, and of the edges beside them. */
 export const belowIceDash = [5, 5] as const;
 export const tunnelDash = [10, 5] as const;
 
@@ -136,8 +136,8 @@ export const seaIceHatches: readonly [Hatch, Hatch, Hatch, Hatch] = [
 /** Where the data have no value: the dash that stands for it in tables, too. */
 export const unknownHatch: Hatch = { tile_px: 18, marks: 'M2 5 h5 M11 14 h5', width: 1 };
 
-/** Of the outlines of an ice chart. */
+/** Dashes of the outlines of an ice chart. */
 export const chartDash = [9, 3, 2, 3] as const;
 
-/** Of the line beyond which the vehicle may not surface. */
+/** Dashes of the line beyond which the vehicle may not surface. */
 export const surfacingDash = [7, 4] as const;

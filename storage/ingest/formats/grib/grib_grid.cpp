@@ -141,7 +141,7 @@ class GridReader {
     return nodes_between(first, last, count);
   }
 
-  /// From the western edge on, which lies within -180 and 180.
+  /// Longitudes of the columns, from the western edge on, which lies within -180 and 180.
   [[nodiscard]] std::vector<double> longitudes() const {
     const double first = static_cast<double>(section_.signed_at(51, 4)) * angle_unit();
     const auto step = increment(64, 0x20);

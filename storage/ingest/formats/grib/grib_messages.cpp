@@ -47,14 +47,15 @@ bool is_along_grid(const GribSection& grid, int grid_template) {
   return (flags & 8U) != 0;
 }
 
-/// From the octet of its scale factor on; empty where it is missing.
+/// Value of a surface, whose scale factor stands at octet `first`; empty if the value is missing.
 std::optional<double> surface_value(const GribSection& product, std::size_t first) {
   if (product.is_missing(first, 1) && product.is_missing(first + 1, 4)) return std::nullopt;
   return static_cast<double>(product.signed_at(first + 1, 4)) *
          std::pow(10.0, -static_cast<double>(product.signed_at(first, 1)));
 }
 
-/// Not where the second surface is none (255, or the reserved 0), or the first one again.
+/// Describes the second surface of a layer. A field has none if its type is 255, the reserved 0, or that of the first
+/// surface.
 void describe_end_of_layer(GribField& field, const GribSection& product) {
   const auto type = static_cast<int>(product.at(29, 1));
   const auto value = surface_value(product, 30);

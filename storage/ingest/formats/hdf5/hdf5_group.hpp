@@ -16,7 +16,7 @@ namespace floeplan::ingest {
 /// Threads  one thread at a time
 class Hdf5Table {
  public:
-  /// Of each dimension.
+  /// Length of each dimension.
   [[nodiscard]] const std::vector<std::size_t>& shape() const { return shape_; }
   [[nodiscard]] bool has(const std::string& part) const;
   /// One part of so many rows from one on, of a table of two dimensions.

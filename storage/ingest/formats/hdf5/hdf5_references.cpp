@@ -12,7 +12,7 @@
 namespace floeplan::ingest {
 namespace {
 
-/// Those that every library of HDF5 has. Any other one is a plugin.
+/// The filters that every HDF5 library has. Any other filter is a plugin.
 bool is_built_in(H5Z_filter_t filter) {
   return filter >= H5Z_FILTER_DEFLATE && filter <= H5Z_FILTER_SCALEOFFSET;
 }

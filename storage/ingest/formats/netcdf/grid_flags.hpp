@@ -16,7 +16,7 @@ struct FlagCount {
   std::int64_t doubtful{};
 };
 
-/// Of two components at the same points, the more of each.
+/// The counts for two components at the same points: of each kind the greater.
 [[nodiscard]] inline FlagCount of_both(FlagCount a, FlagCount b) {
   return {std::max(a.bad, b.bad), std::max(a.doubtful, b.doubtful)};
 }

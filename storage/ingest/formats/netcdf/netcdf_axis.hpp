@@ -22,7 +22,7 @@ enum class AxisRole {
   unknown
 };
 
-/// Told by standard name, unit, axis attribute and, last, by name.
+/// The role of a coordinate by its standard name, its unit, its axis attribute and, at last, its name.
 [[nodiscard]] AxisRole role_of(const NetcdfVariable& coordinate);
 
 /// Coordinates in ascending order and, for each, its index in the file.

@@ -102,7 +102,7 @@ messages::Message unknown_dimension(const NetcdfFile& file, const std::string& d
   return messages::ingest_netcdf_message<"dimension-without-coordinates">(dimension, variable);
 }
 
-/// Of a dimension without a coordinate variable. The levels of terrain-following models often have tables alone.
+/// Role of a dimension without a coordinate variable. The levels of terrain-following models often have tables alone.
 AxisRole role_of_dimension(const NetcdfFile& file, const NetcdfDimension& dimension) {
   const std::string name = lower(dimension.name);
   if (heights_along(file, dimension) != nullptr) return AxisRole::model_level;

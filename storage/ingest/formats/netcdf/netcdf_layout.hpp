@@ -49,7 +49,7 @@ struct NetcdfLayout {
                                                       const NetcdfLayout& layout, std::size_t time_index,
                                                       std::size_t depth_index);
 
-/// So many rows of that slice from one on, counted along the layout's y.
+/// Reads some rows of a slice from `first` on, counted along the layout's y.
 [[nodiscard]] Checked<std::vector<double>> read_rows(const NetcdfVariable& variable,
                                                      const NetcdfLayout& layout, std::size_t time_index,
                                                      std::size_t depth_index, std::size_t first_row,

@@ -134,7 +134,7 @@ Checked<std::vector<double>> NetcdfVariable::read_all() const {
 std::vector<std::string> NetcdfVariable::texts() const {
   constexpr std::uint64_t most = 1000;
   if (array_->GetDataType().GetClass() != GEDTC_STRING) return {};
-  // Of a text without dimensions GDAL 3.6 gives the bytes of its address.
+  // For a text without dimensions GDAL 3.6 returns the bytes of its address.
   if (dimensions_.empty()) return {};
   std::uint64_t size = 1;
   std::vector<GUInt64> start;

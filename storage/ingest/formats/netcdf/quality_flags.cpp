@@ -23,7 +23,7 @@ bool says(std::string_view meaning, std::initializer_list<std::string_view> word
   });
 }
 
-/// Of one word of flag_meanings, as "probably_bad_data". What nobody has judged yet is as good as without a flag.
+/// Worth of a value whose flag has this meaning, as "probably_bad_data". A value that nobody has judged counts as good.
 Worth worth_of(std::string_view meaning) {
   if (says(meaning, {"bad", "fail", "missing", "reject", "invalid", "incorrect", "erroneous", "unusable",
                      "unacceptable", "masked"}) ||

@@ -36,7 +36,7 @@ struct QualityFlags {
 [[nodiscard]] std::vector<QualityFlags> flags_named_by(const NetcdfFile& file,
                                                        const NetcdfVariable& variable);
 
-/// Those of them along the variable's own dimensions.
+/// The flags that lie along the variable's own dimensions.
 [[nodiscard]] std::vector<QualityFlags> quality_flags_of(const NetcdfFile& file,
                                                          const NetcdfVariable& variable);
 

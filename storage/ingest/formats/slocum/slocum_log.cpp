@@ -40,8 +40,8 @@ bool is_number(std::string_view text, std::size_t least_digits, std::size_t most
          std::ranges::all_of(text, [](char c) { return c >= '0' && c <= '9'; });
 }
 
-/// Of "unit-7-2026-330-1-12": glider, year, day, mission of the day, segment; a glider's name may hold hyphens. Empty of
-/// any other text.
+/// The parts of "unit-7-2026-330-1-12": glider, year, day, mission of the day, segment; a glider's name may hold
+/// hyphens. Empty for any other text.
 SlocumName name_in(const std::string& full, const std::string& kind) {
   std::string_view glider = full;
   const std::string_view segment = cut_last_part(glider);

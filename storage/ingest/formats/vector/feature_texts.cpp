@@ -12,7 +12,7 @@
 namespace floeplan::ingest {
 namespace {
 
-/// Of a field of dates or times.
+/// ISO 8601 text of a field of dates or times.
 std::string iso_of_field(const OGRFeature& feature, int index) {
   int year = 0;
   int month = 0;

@@ -24,7 +24,7 @@ namespace floeplan::ingest {
 ///          pole is cut open along the antimeridian
 class PolygonShapes {
  public:
-  /// From coordinates that are already longitude and latitude on WGS84.
+  /// Shapes whose coordinates are already longitude and latitude on WGS84.
   PolygonShapes();
   /// Errors   a reference system that cannot be brought to WGS84
   [[nodiscard]] static Checked<PolygonShapes> in(const OGRSpatialReference& crs);

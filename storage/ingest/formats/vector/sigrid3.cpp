@@ -91,7 +91,7 @@ Checked<double> most_thickness(const OGRFeature& feature) {
   return named ? most_m : unbounded;
 }
 
-/// Of the exchange format; some charts write the first three of them alone.
+/// Names of the egg code's numbers in the exchange format; some charts write the first three alone.
 constexpr auto egg_names = std::to_array<std::string_view>(
     {"CT", "CA", "SA", "FA", "CB", "SB", "FB", "CC", "SC", "FC", "SO", "SD", "CN", "CD", "CF"});
 constexpr std::size_t longest_code = 4;  // CF names two forms

@@ -19,7 +19,7 @@ struct RawBathymetry {
   ocean::HorizontalGrid grid;
   VerticalDescription description;
   Messages warnings;
-  /// So many rows of the grid from one on. Asked for each row twice where there are several bands.
+  /// Reads some rows of the grid, from a first row on. With several bands each row is read twice.
   std::function<Checked<RawRows>(std::size_t first_row, std::size_t rows)> read;
 };
 

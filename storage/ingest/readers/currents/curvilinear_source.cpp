@@ -164,7 +164,7 @@ struct Arrangement {
   std::vector<geo::LonLat> centres;
 };
 
-/// Of points without positions, round centres that have them.
+/// Arrangement of points without positions around centres that have positions.
 Checked<Arrangement> arrangement_round_centres(const NetcdfFiles& files, const VelocityPair& pair,
                                                const ComponentPlane& first, const ComponentPlane& second) {
   const auto centres = centre_positions(files);

@@ -49,7 +49,7 @@ std::unique_ptr<OGRCoordinateTransformation> way_to_places(const OGRSpatialRefer
   return std::unique_ptr<OGRCoordinateTransformation>{OGRCreateCoordinateTransformation(&from, &to)};
 }
 
-/// Of the nodes of one row, moved along x by `shift`; not finite where the projection does not reach.
+/// Positions of the nodes of one row, moved along x by `shift`; not finite outside the range of the projection.
 std::vector<geo::LonLat> places_along(OGRCoordinateTransformation& way, const std::vector<double>& x,
                                       double shift, double y) {
   constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();

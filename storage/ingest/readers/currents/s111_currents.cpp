@@ -35,7 +35,7 @@ std::optional<core::UtcTime> s111_time(std::string text) {
   return core::parse_iso8601(text);
 }
 
-/// Of the records, in ascending order, and which record each is.
+/// Times of the records in ascending order, and which record each belongs to.
 Checked<AxisNodes> record_times(const std::vector<Hdf5Group>& records) {
   std::vector<double> times_s;
   for (const Hdf5Group& record : records) {
@@ -149,7 +149,7 @@ class S111Source : public VelocitySource {
     if (depth_m) shape_.depths_m = {*depth_m};
   }
 
-  /// Of all points, in a record of the file.
+  /// Values of one component at all points, in one record of the file.
   [[nodiscard]] virtual Checked<std::vector<float>> values(std::size_t record, const char* name) const = 0;
 
  private:

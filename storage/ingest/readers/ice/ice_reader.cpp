@@ -17,7 +17,7 @@
 namespace floeplan::ingest {
 namespace {
 
-/// Of models, whose fields of the surface are often placed at their uppermost level.
+/// Deepest level that counts as the surface: models often place their surface fields at their uppermost level.
 constexpr double deepest_top_level_m = 20.0;
 
 /// Thickness of floating level ice over its draft: 1025 kg/m3 of sea water over 915 kg/m3 of ice, without snow.

@@ -82,7 +82,8 @@ bool is(const NetcdfVariable& variable, const IceQuantity& quantity) {
          (by_name || contains_any(lower(variable.attribute("long_name")), quantity.words));
 }
 
-/// Those of the standard name; without any, those that are called so.
+/// The variables with the standard name of the quantity; if none has it, those with a name or long name of the
+/// quantity.
 std::vector<const NetcdfVariable*> all_of(const NetcdfFile& file, const IceQuantity& quantity) {
   std::vector<const NetcdfVariable*> found;
   for (const NetcdfVariable& variable : file.variables())

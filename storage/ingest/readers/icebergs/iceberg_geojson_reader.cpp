@@ -34,7 +34,7 @@ std::string property(const OGRFeature& feature, std::initializer_list<const char
   return {};
 }
 
-/// Of a list of detections; no value where the file has no such attribute.
+/// Confidence of a detection; empty if the file has no such attribute.
 std::optional<std::string> confidence_of(const OGRFeature& feature) {
   for (const std::string_view name : confidence_names)
     if (const int index = feature.GetFieldIndex(std::string{name}.c_str()); index >= 0)

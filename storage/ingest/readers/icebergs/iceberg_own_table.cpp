@@ -96,7 +96,7 @@ bool are_sightings_alone(const DelimitedText& table, const BergColumns& columns)
   return columns.id && table.columns()[*columns.id] == "id" && known == table.columns().size();
 }
 
-/// Of columns that tell a size or an error of the position in a way that is not read.
+/// Warnings of columns that state a size or a position error in a way that this program does not read.
 Messages warnings_of(const DelimitedText& table, const BergColumns& columns) {
   Messages warnings = columns.position_errors.warnings();
   if (columns.confidence) warnings.push_back(messages::ingest_iceberg_message<"detections-all-count">());

@@ -13,13 +13,13 @@ namespace {
 
 constexpr std::string_view error_words[]{"error", "errors", "err",       "uncertainty", "uncertain", "uncert",
                                          "unc",   "acc",    "precision", "accuracy",    "inaccuracy"};
-/// Of a position only where one is named.
+/// Words of a spread. They mean a position error only beside a word of a position.
 constexpr std::string_view spread_words[]{"sigma", "std",  "stddev", "stdev", "sd",
                                           "rms",   "rmse", "cep",    "radius"};
 constexpr std::string_view position_words[]{"position",    "positions",  "positional", "pos",   "posn",
                                             "location",    "loc",        "horizontal", "horiz", "geolocation",
                                             "coordinates", "coordinate", "place",      "fix",   "gps"};
-/// That change nothing in what is meant.
+/// Words that do not change the meaning of a column's name.
 constexpr std::string_view other_words[]{"iceberg",   "berg",   "of",     "in",   "estimate",
                                          "estimated", "est",    "max",    "mean", "expected",
                                          "maximum",   "circle", "nominal"};

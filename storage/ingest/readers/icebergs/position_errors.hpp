@@ -25,7 +25,8 @@ class PositionErrors {
 
   using Text = std::function<std::string(std::size_t column)>;
   using Number = std::function<std::optional<double>(const std::string& text)>;
-  /// Of one row: the largest that its columns state, empty where none does; or why one of them is no length.
+  /// Position error of one row: the largest that its columns state, empty if none does; or why one of them is no
+  /// length.
   [[nodiscard]] Checked<std::optional<core::Metres>> of(const Text& text, const Number& number) const;
 
   [[nodiscard]] bool is_read(std::size_t column) const;

@@ -73,7 +73,7 @@ std::string text_in(const json& object, const char* key) {
   return found != object.end() && found->is_string() ? found->get<std::string>() : std::string{};
 }
 
-/// From which time phases count.
+/// The time from which phases count.
 enum class PhaseTime { unstated, greenwich, local };
 
 /// What a text in lower case says of it.
@@ -125,7 +125,7 @@ std::optional<TableColumns> table_columns(const std::string& line) {
           columns.unit = trimmed(field.substr(mark + 1, field.find(')') - mark - 1));
       }
       const bool of_phase = field.starts_with("phase") || field.starts_with("g_deg");
-      // Of phases in two times those that count from Greenwich are used.
+      // If a table has phases in two times, those that count from Greenwich are used.
       if (of_phase && (!phase || phase_time_of(columns.phase_name) != PhaseTime::greenwich)) {
         phase = i;
         columns.phase_name = field;

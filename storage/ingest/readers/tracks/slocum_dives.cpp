@@ -12,7 +12,8 @@ namespace floeplan::ingest {
 namespace {
 
 constexpr double state_under_water = 1.0;
-/// Of logs without the state: deeper is a dive, and shallower the surface, whose waves reach between the two.
+/// For logs without the state: deeper than dive_m is a dive, shallower than surface_m the surface; waves reach in
+/// between.
 constexpr double dive_m = 3.0;
 constexpr double surface_m = 1.5;
 /// No glider is faster, and its receiver no further off.

@@ -224,7 +224,7 @@ void describe_current(VelocityMeaning& meaning, const NetcdfVariable& variable,
   meaning.depth_m = depth_in_words(variable);
 }
 
-/// Of one constituent of the tide: half of a wave, which the phase has to complete.
+/// Whether the variable is the amplitude of one tidal constituent, which means nothing without its phase.
 bool is_amplitude(const NetcdfVariable& variable) {
   return contains_any(lower(variable.attribute("long_name")), {"amplitude"}) ||
          std::ranges::any_of(parts_of_name(variable.name()), [](const std::string& part) {

@@ -202,7 +202,7 @@ std::optional<KnownName> composed_name(const std::string& plain) {
   return known;
 }
 
-/// Of a name that is spelt as a standard name.
+/// Meaning of a variable's name that is spelt as a standard name; empty for any other.
 std::optional<KnownName> standard_as_name(const std::string& plain, Moving what) {
   const auto velocity = standard_velocity(plain);
   if (!velocity || velocity->what != what) return std::nullopt;

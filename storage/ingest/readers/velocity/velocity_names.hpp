@@ -19,8 +19,8 @@ struct KnownName {
   std::size_t rank{};  // in the order in which pairs are taken
 };
 
-/// Of a whole name in whatever case: one that producers are known to use, one spelt as a standard name, or, of a current,
-/// one put together of a component and words of currents ("curr_east", "ucurr").
+/// Meaning of a whole name in any case: one that producers are known to use, one spelt as a standard name, or, for a
+/// current, one put together of a component and words of currents ("curr_east", "ucurr").
 [[nodiscard]] std::optional<KnownName> known_name(std::string_view name, Moving what);
 /// Behind the last rank.
 [[nodiscard]] std::size_t unknown_rank(Moving what);
@@ -40,8 +40,8 @@ struct StandardVelocity {
   WaterPart part{WaterPart::unstated};
 };
 
-/// Of a standard name without modifier, lower case. Known are those of CF for currents and wind with what may stand before
-/// and behind them, and some that producers use beside them (x_sea_water_velocity, eastward_water_velocity).
+/// Meaning of a standard name without modifier, in lower case: those of CF for currents and wind with what may stand
+/// before and behind them, and some that producers use beside them (x_sea_water_velocity, eastward_water_velocity).
 /// Source  CF standard name table, version 85
 [[nodiscard]] std::optional<StandardVelocity> standard_velocity(std::string_view standard_name);
 

@@ -45,7 +45,7 @@ std::string said(const Attribute& attribute) {
          (is_whole ? "\"" : "...\"");
 }
 
-/// From a first to a last moment, either of which may be open.
+/// A period from a first to a last moment, either of which may be open.
 struct Period {
   std::optional<core::UtcTime> first;
   std::optional<core::UtcTime> last;
@@ -166,7 +166,7 @@ class AttributeReader {
     return name == time_stamp ? &time_stamp_ : nullptr;
   }
 
-  /// Of names and descriptions whose words are of the other rule than that of --zone-kind.
+  /// Warns of names and descriptions whose words state another rule than --zone-kind.
   void tell_of_the_other_rule(ocean::ZoneKind rule) {
     const ocean::ZoneKind other =
         rule == ocean::ZoneKind::no_go ? ocean::ZoneKind::stay_in : ocean::ZoneKind::no_go;

@@ -92,7 +92,7 @@ TEST(RouteFiles, OfAMissionGiveItsWaypointsBack) {
   });
 }
 
-/// As /collections/plan-legs and plan-waypoints give them, in any order.
+/// The parts of a plan come from /collections/plan-legs and plan-waypoints, here in any order.
 TEST(RouteFiles, OfThePartsOfAPlanGiveItsWaypointsBack) {
   support::for_each_seed(200, [](std::mt19937_64& rng) {
     const std::vector<geo::LonLat> way = random_way(rng, 12);

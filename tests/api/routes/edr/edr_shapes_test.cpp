@@ -142,7 +142,7 @@ TEST_F(EdrShapesTest, ACubeHasTheNodesOfTheModelAlongBothAxes) {
   EXPECT_EQ(axis(cube, "x"), json::array({-8.0, -7.5, -7.0}));
   EXPECT_EQ(axis(cube, "y"), json::array({52.0, 52.5, 53.0}));
   EXPECT_EQ(count_of_values(values(cube)), 9);
-  // As the standard has it, places that are asked for begin and end on the edges of a cube.
+  // By the standard the first and the last of the requested places lie on the edges of the cube.
   const json asked = get(currents + "cube?bbox=-8,52,-7,53&resolution-x=2&resolution-y=3" + at_noon);
   EXPECT_EQ(axis(asked, "x"), json::array({-8.0, -7.0}));
   EXPECT_EQ(axis(asked, "y"), json::array({52.0, 52.5, 53.0}));

@@ -84,7 +84,7 @@ class KnownIcebergsTest : public support::ApiTest {
     return seen;
   }
 
-  /// Of a plan over the whole sea of these tests.
+  /// The query of a plan over the whole sea of these tests.
   static repository::EnvironmentQuery everywhere() {
     repository::EnvironmentQuery query;
     query.area = {-60.0, 60.0, -40.0, 75.0};

@@ -106,7 +106,7 @@ TEST_F(ExecutionTest, SurvivesTwoMegabytesOfNestedJson) {
   EXPECT_EQ(ask("POST", plan_path, objects).status, 400);
 }
 
-/// Of a megabyte each.
+/// Request bodies of a megabyte each.
 std::vector<std::string> bodies_with_a_fault_in_every_word() {
   const auto repeated = [](const std::string& word, int count) {
     std::string text;
@@ -214,7 +214,7 @@ TEST_F(ExecutionTest, TakesWhatTheResultFollowsFromIntoOneDigest) {
   EXPECT_NE(digest_of(valid_body), digest) << "other data, other results";
 }
 
-/// As OGC API - Processes has it, 7.11.2.3: with its media type or schema, or without.
+/// A value as OGC API - Processes 7.11.2.3 allows it: with its media type or schema, or without.
 nlohmann::json qualified(std::mt19937_64& rng, const nlohmann::json& value) {
   nlohmann::json input{{"value", value}};
   if (support::uniform_int(rng, 0, 1) == 0) input["mediaType"] = "application/json";

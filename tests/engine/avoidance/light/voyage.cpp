@@ -99,7 +99,7 @@ class LightFlight {
     return flight_.sea.bed_m && place_.depth_m > *flight_.sea.bed_m - hull_m;
   }
 
-  /// As the vehicle believes: it cannot know better before its next fix.
+  /// Whether the vehicle believes that it has arrived: it cannot know better before its next fix.
   bool arrived() {
     while (next_ < flight_.waypoints.size() &&
            geo::distance_m(believed_, flight_.waypoints[next_]) < arrived_m) {

@@ -80,7 +80,7 @@ struct FlightResult {
   double shallowest_m{1e9};  // once below the first ten metres
 };
 
-/// Told after each step: seconds, true place, what the system answered, and the system.
+/// Called after each step with the seconds, the true position, the answer of the system, and the system.
 using Watcher = std::function<void(double, const SeaPoint&, const avoidance::Guidance&,
                                    const avoidance::AvoidanceSystem&)>;
 

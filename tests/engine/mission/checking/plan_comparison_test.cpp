@@ -29,7 +29,7 @@ std::vector<Document> written(const planning::Plan& plan) {
   return documents;
 }
 
-/// Of warnings and of the note that all is as planned.
+/// Codes of the warnings and of the note that all is as planned.
 std::vector<std::string> codes(const std::vector<Document>& documents) {
   std::vector<std::string> found;
   for (const Document& document : documents)

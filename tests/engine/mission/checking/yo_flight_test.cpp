@@ -29,7 +29,7 @@ planning::Plan planned(const ocean::Environment& sea, const planning::PlanReques
   return planning::plan_route(sea, request, {}, {}).value();
 }
 
-/// As if ice let dives on the first leg turn no higher than this.
+/// The plan as if dives on its first leg may turn no higher than this because of ice.
 planning::Plan below_ice(planning::Plan plan, double upper_turn_m) {
   plan.surfacing.emplace();
   plan.surfacing->waypoints.resize(plan.waypoints.size());

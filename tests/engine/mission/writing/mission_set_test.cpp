@@ -380,7 +380,7 @@ TEST(MissionSet, IsRefusedWhereItsDivesHaveNoRoomBelowTheIce) {
   EXPECT_THAT(set.error(), ElementsAre(Field(&core::Violation::field, "/dive_depth_m")));
 }
 
-/// As deep as 300 m but for one place of the leg to `waypoint`.
+/// Water of 300 m but for one shallower place of the leg to `waypoint`.
 std::vector<std::optional<Shoal>> shoal_on_leg(const planning::Plan& plan, std::size_t waypoint,
                                                double bed_m) {
   std::vector<std::optional<Shoal>> shoals(plan.waypoints.size());

@@ -14,7 +14,7 @@ using support::plan_of;
 
 constexpr double step_deg = 0.02;
 
-/// From 54 W to 52 W and from 68.8 N to 69.4 N, 300 m deep but for what `bed_m` says of a place.
+/// A bathymetry from 54 W to 52 W and from 68.8 N to 69.4 N, 300 m deep except where `bed_m` gives another depth.
 template <class Bed>
 ocean::Bathymetry bed(const Bed& bed_m) {
   std::vector<double> x;

@@ -101,7 +101,7 @@ TEST(Isobath, LiesWhereTheSeaBedIsThatDeepAndPartsAllThatIsDeeper) {
         EXPECT_NEAR(depth->value, level_m, 0.01);
       }
     }
-    // As many as the cells that are crossed, by counting the changes round each.
+    // The number of crossed cells, by counting the changes of side round each cell.
     std::size_t expected = 0;
     const auto& depths = bed.depth_m();
     for (std::size_t row = 0; row + 1 < 10; ++row) {

@@ -13,7 +13,7 @@ namespace {
 
 using testing::SizeIs;
 
-/// Of any list, whatever it says of its rows.
+/// A list with random orders about its rows.
 GotoOrders random_list(std::mt19937_64& rng, const World& world) {
   const int rows = support::uniform_int(rng, 1, 6);
   GotoOrders list;

@@ -182,7 +182,7 @@ void EvenSea::write(const std::filesystem::path& file) const {
   in_time.insert(in_time.begin(), "time");
   writer.variable(variable("level_of_water", in_time, table([&](const Point&) { return surface_m; }),
                            {{"standard_name", "sea_surface_height_above_mean_sea_level"}, {"units", "m"}}));
-  // Of a mesh the levels are the last dimension, on axes the second.
+  // On a mesh the levels are the last dimension, on axes the second.
   std::vector<std::string> dimensions{"time"};
   const bool on_axes = layout == Layout::formula_on_axes;
   if (on_axes) dimensions.emplace_back("layer");
@@ -282,7 +282,7 @@ std::filesystem::path case_file(const std::string& name) {
   return std::filesystem::path{support::source_folder()} / "../shared/data/cases" / name;
 }
 
-/// Of a public report on other programs.
+/// Files as in a public report on other programs.
 TEST_F(BedLevels, OfOtherModelsAreReadWhereTheirFilesSayThatTheyLie) {
   struct Sample {
     const char* file;

@@ -32,7 +32,7 @@ void add_virtual_values(hid_t place, const std::string& file) {
   H5Sclose(space);
 }
 
-/// Of so many nodes that no value of it is stored.
+/// Adds an array of side * side nodes, so large that no value of it is stored.
 void add_endless_values(hid_t place, hsize_t side) {
   const std::array<hsize_t, 2> size{side, side};
   const std::array<hsize_t, 2> chunk{64, 64};

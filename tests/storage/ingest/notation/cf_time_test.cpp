@@ -133,7 +133,7 @@ TEST(CfTime, OfTheStandardCalendarIsADayCountFromWhicheverDate) {
     std::array<char, 40> units{};
     std::snprintf(units.data(), units.size(), "days since %s%04d-%02d-%02d 06:00:00", year < 0 ? "-" : "",
                   std::abs(year), month, day);
-    // Of a day of the years 1800 to 2200: 1970-01-01 is the Julian Day 2440587.5.
+    // A day of the years 1800 to 2200; 1970-01-01 is the Julian Day 2440587.5.
     const int target = support::uniform_int(rng, 2378497, 2524593);
     const double expected_s = (target - 2440588) * 86400.0;
 

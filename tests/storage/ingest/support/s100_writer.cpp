@@ -19,7 +19,7 @@ void put_number(hid_t object, const std::string& name, double value) {
   H5Sclose(space);
 }
 
-/// As an enumeration of one byte, as S-100 has its codes.
+/// Writes a code as an enumeration of one byte, as S-100 does.
 void put_code(hid_t object, const std::string& name, double value) {
   const hid_t type = H5Tenum_create(H5T_NATIVE_UCHAR);
   for (unsigned char member = 0; member < 20; ++member)

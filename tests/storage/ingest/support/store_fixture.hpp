@@ -27,7 +27,7 @@ class StoreFixture : public testing::Test {
                                                      const IngestOptions& options = {});
   /// The report of a file that holds one kind of data.
   [[nodiscard]] IngestReport ingest(const std::filesystem::path& file, const IngestOptions& options = {});
-  /// Of files that are given in one command.
+  /// The reports of files that are given in one command.
   [[nodiscard]] std::vector<IngestReport> ingest_all_together(const std::vector<std::filesystem::path>& files,
                                                               const IngestOptions& options = {});
   /// The report of files that make one dataset.

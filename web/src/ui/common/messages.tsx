@@ -36,7 +36,7 @@ function Box({ messages, rank }: { messages: Message[]; rank: 'danger' | 'cautio
   );
 }
 
-/** On the map; a dialog would hide it. */
+/** Shows the place of a message on the map, and closes the dialog, which would hide it. */
 function show(message: Message): void {
   dialog.value = undefined;
   showMessage(message);

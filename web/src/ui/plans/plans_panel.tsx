@@ -11,7 +11,7 @@ import { distance } from '../../model/units';
 import { Icon } from '../common/icon';
 import { PlanKey } from '../common/plan_key';
 
-/** From so many plans on, a list is searched rather than read. */
+/** With this many plans or more the list has a search field. */
 const many = 10;
 const wanted = signal('');
 

@@ -28,14 +28,14 @@ struct Spot {
   double turned{};
 };
 
-/// Of Lambert's azimuthal projection with equal areas round the north pole of a sphere; y runs along 180 degrees.
+/// Lambert's azimuthal equal-area projection round the north pole of a sphere; y runs along 180 degrees.
 Spot on_azimuthal_plane(double x_m, double y_m) {
   const double from_pole = 2.0 * std::asin(std::hypot(x_m, y_m) / (2.0 * sphere_m));
   const double lon = std::atan2(x_m, -y_m);
   return {{lon / radians, 90.0 - from_pole / radians}, -lon};
 }
 
-/// Of longitudes and latitudes round a pole at 140 E, 25 N, counted from 40 W, 65 N.
+/// Longitude and latitude round a pole at 140 E, 25 N, counted from 40 W, 65 N.
 Spot on_turned_sphere(double lon_deg, double lat_deg) {
   const auto place = [](double lon, double lat) {
     const double tilt = 65.0 * radians;
@@ -168,7 +168,7 @@ class ProjectedPlanes : public StoreFixture {
   }
 };
 
-/// As far as linear interpolation between points 50 to 100 km apart allows.
+/// Expects the turning sea as exactly as linear interpolation between points 50 to 100 km apart allows.
 void expect_turning_sea(const ocean::CurrentGrid& currents, double tolerance) {
   const auto& samples = currents.samples();
   std::size_t wet = 0;
@@ -223,7 +223,7 @@ TEST_F(ProjectedPlanes, WindRoundATurnedPoleIsPlacedByItAndTurned) {
   expect_turning_sea(stored_velocity(DatasetKind::wind), 2e-3);
 }
 
-/// As the Arctic models of Copernicus write them.
+/// The file has currents and ice as the Arctic models of Copernicus write them.
 TEST_F(ProjectedPlanes, IceBesideCurrentsIsStoredWhenItIsAskedFor) {
   write(path("plane.nc"), azimuthal_plane(1000.0),
         {{called("u", "sea_water_x_velocity", "m s-1"), along_first},

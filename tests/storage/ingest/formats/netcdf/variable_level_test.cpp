@@ -216,7 +216,7 @@ TEST_F(LevelChoice, TellsWhatIsTakenForTheWaterAboveADeepFirstLevel) {
   }
 }
 
-/// As SCHISM writes vectors: east and north along a last dimension "two".
+/// SCHISM writes vectors so: east and north along a last dimension "two".
 TEST_F(LevelChoice, OfAVectorInOneVariableIsThatOfItsName) {
   const auto write_vector = [&](const char* name, double value) {
     NetcdfWriter writer{path("vector.nc")};

@@ -27,7 +27,7 @@ const std::string dive =
     "1566399600,5419.0,724.4,69696969,69696969,0.2,2,,,,,,\n"
     "1566399700,5419.5,722,5419.5,722,0.1,3,-0.1,0.2,-0.1,0.2,,\n";
 
-/// As dbd2asc turns a binary log into text.
+/// A log as the text that dbd2asc makes of a binary log.
 std::string as_dba(const std::string& comma_separated, int segment) {
   std::string rows = comma_separated.substr(comma_separated.find("\n15") + 1);
   std::string names = header.substr(0, header.find('\n'));
@@ -191,7 +191,7 @@ TEST_F(SlocumLogs, WhoseNotationNothingTellsAreRefused) {
       "write the unit ddmm or deg");
 }
 
-/// As dbd2netcdf turns binary logs into NetCDF.
+/// The NetCDF file is one that dbd2netcdf makes of binary logs.
 TEST_F(SlocumLogs, AsNetcdfAreTheSameTrackAsTheirText) {
   const std::string text = disko_dive("lat", "lon", false);
   const auto own = track_of(text);

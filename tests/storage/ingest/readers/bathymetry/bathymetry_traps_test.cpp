@@ -250,7 +250,7 @@ TEST_F(BathymetryTraps, DepthsInAnyUnitOfLengthBecomeMetres) {
   });
 }
 
-/// Of a public report on other programs.
+/// Files as in a public report on other programs.
 TEST_F(BathymetryTraps, DepthsOfACaseInOtherUnitsAreThoseThatItStates) {
   const auto cases =
       std::filesystem::path{support::source_folder()} / "../shared/data/cases/17-small-refusals";

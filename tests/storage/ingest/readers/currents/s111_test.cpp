@@ -168,7 +168,7 @@ TEST_F(S111, OfRecordsOutOfOrderIsStoredByTime) {
 /// Knots.
 double speed_at(double lat_deg) { return 1.0 + 0.3 * (lat_deg - 83.5); }
 
-/// As an ice-ocean model in the Arctic lies: a square grid of a polar stereographic plane, each node with a longitude and
+/// Nodes of an Arctic ice-ocean model: a square grid of a polar stereographic plane, each node with a longitude and
 /// a latitude of its own (data coding format 3), in an order that says nothing.
 S100Sample scattered(std::size_t side, const std::function<bool(std::size_t, std::size_t)>& is_sea) {
   S100Sample sample = s111_sample(turning);

@@ -136,7 +136,7 @@ TEST_F(IceTest, PercentWhoseGreatestValidValueIsOneAreShares) {
   expect_refused_ice(file, "Open water and closed ice");
 }
 
-/// As GMT writes the maps of Bremen: a z of no meaning.
+/// GMT writes the ice maps of Bremen as a variable z that does not say what it is.
 TEST_F(IceTest, AVariableThatTheUserNamesIsIceWhereIceIsAskedFor) {
   IceFile file;
   file.name = "z";

@@ -49,7 +49,7 @@ void place_nodes(NetcdfWriter& writer, const std::string& suffix, const std::vec
   writer.variable(field("lat_" + suffix, {"ny"}, lats, "degree_north"));
 }
 
-/// As the atlas of TPXO: dimensions nx, ny; longitudes from 0 to 360; the west first.
+/// Writes elevations as the atlas of TPXO has them: dimensions nx, ny; longitudes from 0 to 360; the west first.
 void write_tpxo_elevation(const std::filesystem::path& file, const std::string& unit = "millimeter") {
   NetcdfWriter writer{file};
   writer.dimension("nx", 3);
@@ -223,7 +223,7 @@ TEST_F(TideFile, OfTransportsIsRefusedBesideTheGridFileOfAnotherModel) {
   EXPECT_THAT(words(report), HasSubstr("no depths to make it a speed"));
 }
 
-/// As FES: amplitude and phase, latitude and longitude, one constituent a file.
+/// Writes a tide as FES does: amplitude and phase, latitude and longitude, one constituent a file.
 void write_fes(const std::filesystem::path& file, const std::vector<std::string>& names) {
   NetcdfWriter writer{file};
   writer.attribute("title", file.stem().string());  // without it files of two constituents would be the same

@@ -20,7 +20,7 @@ class Seaexplorer : public StoreFixture {
       all.push_back(repository::GliderTrackRepository{db_}.find(found.row)->track);
     return all;
   }
-  /// Of a sample that is packed with gzip.
+  /// The report of a sample that is packed with gzip.
   IngestReport report_of_packed(const std::string& name) {
     return guarded_ingest(
                db_, {.program = support::program_folder() + "/ingest_reader", .staging = path("incoming")},

@@ -334,7 +334,7 @@ TEST_F(Choice, IsRefusedWithWhatIsStoredUnderTheNamesOfACurrent) {
   EXPECT_THAT(words(amplitude), HasSubstr("\"u_amp\" and \"v_amp\" hold the amplitude of a tide"));
 }
 
-/// As cfgrib writes forecasts: along their lengths, with the times beside these.
+/// cfgrib writes forecasts so: along the lengths of the forecasts, with the valid times beside them.
 TEST_F(Choice, OfAForecastStandsAtTheTimesBesideItsLengths) {
   NetcdfWriter writer{path("forecast.nc")};
   writer.axis("step", {6.0, 12.0}, {{"units", "hours"}, {"standard_name", "forecast_period"}});
