@@ -1,7 +1,9 @@
 #include "engine/geo/bounding_box.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -14,6 +16,12 @@ constexpr double metres_per_degree = 110'574.0;  // shortest degree of latitude 
 double eastward(double from_deg, double to_deg) {
   const double difference = longitude_difference(from_deg, to_deg);
   return difference < 0.0 ? difference + 360.0 : difference;
+}
+
+std::string degrees_text(double degrees, char positive, char negative) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.4g %c", std::abs(degrees), degrees < 0.0 ? negative : positive);
+  return text.data();
 }
 
 }  // namespace
@@ -95,6 +103,19 @@ BoundingBox united(const BoundingBox& a, const BoundingBox& b) {
   result.south_deg = std::min(a.south_deg, b.south_deg);
   result.north_deg = std::max(a.north_deg, b.north_deg);
   return result;
+}
+
+LonLat nearest_place(const BoundingBox& box, LonLat place) {
+  const double lat_deg = std::clamp(place.lat_deg, box.south_deg, box.north_deg);
+  const double beyond_west = eastward(box.west_deg, wrap_longitude(place.lon_deg));
+  if (beyond_west <= width_deg(box)) return {place.lon_deg, lat_deg};
+  const bool west_is_nearer = 360.0 - beyond_west < beyond_west - width_deg(box);
+  return {west_is_nearer ? box.west_deg : box.east_deg, lat_deg};
+}
+
+std::string bounds_text(const BoundingBox& box) {
+  return degrees_text(box.west_deg, 'E', 'W') + " to " + degrees_text(box.east_deg, 'E', 'W') + ", " +
+         degrees_text(box.south_deg, 'N', 'S') + " to " + degrees_text(box.north_deg, 'N', 'S');
 }
 
 BoundingBox on_lattice(const BoundingBox& box, double step_deg) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 
 #include "engine/core/units.hpp"
 #include "engine/geo/lon_lat.hpp"
@@ -34,6 +35,12 @@ struct BoundingBox {
 
 /// The smallest box that holds both.
 [[nodiscard]] BoundingBox united(const BoundingBox& a, const BoundingBox& b);
+
+/// The place of the box whose longitude and latitude are nearest to those of `place`, which it is where the box holds it.
+[[nodiscard]] LonLat nearest_place(const BoundingBox& box, LonLat place);
+
+/// The box in words, rounded to four digits: "54 W to 50 W, 68 N to 70 N".
+[[nodiscard]] std::string bounds_text(const BoundingBox& box);
 
 /// The least box round this one whose edges are whole multiples of `step_deg`, which divides 90 evenly.
 [[nodiscard]] BoundingBox on_lattice(const BoundingBox& box, double step_deg);

@@ -204,7 +204,7 @@ Result<Isochrones> find_isochrones(const ocean::Environment& environment, const 
   if (stop.stop_requested()) return tl::unexpected(search::explain_cancelled(voyage));
   if (const auto closed = closed_place(sea, place, request)) {
     const search::Stop kind = request.direction == Direction::from ? search::Stop::start : search::Stop::goal;
-    return tl::unexpected(search::explain_place(*closed, kind, request.place, sea, voyage));
+    return tl::unexpected(search::explain_place(*closed, kind, request.place, sea, environment, voyage));
   }
   sea.safety().open_around(place);
 

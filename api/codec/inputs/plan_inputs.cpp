@@ -61,8 +61,7 @@ void read_goals(InputReader& reader, planning::PlanRequest& request, std::vector
   if (reader.member("to") != nullptr || reader.member("via") != nullptr)
     reader.refuse<"goals-given-twice">("/goals_file");
   GivenRoute goals = read_file_route(reader, "goals_file");
-  if (goals.places.size() > max_vias + 2)
-    return reader.refuse<"too-many-goals">("/goals_file", max_vias);
+  if (goals.places.size() > max_vias + 2) return reader.refuse<"too-many-goals">("/goals_file", max_vias);
   if (goals.places.size() < 2) return;
   request.from = goals.places.front();
   request.to = goals.places.back();
@@ -91,11 +90,18 @@ geo::BoundingBox area_of_a_plan(planning::PlanRequest request) {
                                     : planning::cost::planning_area(request);
 }
 
+geo::BoundingBox around_stops(const planning::PlanRequest& request) {
+  std::vector<geo::LonLat> stops{request.from, request.to};
+  stops.insert(stops.end(), request.via.begin(), request.via.end());
+  return geo::bounding_box(stops);
+}
+
 /// Areas of data lie on this lattice, so that requests that differ little read, and may keep, the same.
 constexpr double lattice_deg = 0.25;
 
 void fill_data(const planning::PlanRequest& request, repository::EnvironmentQuery& data) {
   data.area = area_of_data(request);
+  data.around_stops = around_stops(request);
   fill_period(request, data);
   data.dive_depth = request.vehicle.dive_depth;
 }

@@ -11,6 +11,7 @@
 #include "engine/planning/planner/strategies.hpp"
 #include "engine/planning/planner/strong_currents.hpp"
 #include "engine/planning/search/explanation.hpp"
+#include "engine/planning/search/missing_data.hpp"
 
 namespace floeplan::planning::diagnosis {
 namespace {
@@ -117,6 +118,7 @@ Infeasible with_what_would_help(const ocean::Environment& environment, const Pla
                                 Infeasible why, const std::stop_token& stop,
                                 const core::ProgressCallback& progress) {
   if (why.reason == Reason::cancelled || !why.changes.empty()) return why;
+  why = search::with_missing_data(std::move(why), environment, request);
   if (progress) progress("not possible as asked: " + why.explanation(), 0.95);
   // Only the nearest places that a stop could be moved to are tried.
   const bool has_moves = !why.moves.empty();

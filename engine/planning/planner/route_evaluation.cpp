@@ -19,7 +19,8 @@ Result<Plan> evaluate_on_ground(const search::RouteGround& ground, const std::ve
     throw std::invalid_argument{"the ground is not that of the route"};
 
   cost::Layout layout = cost::lay_out(on_route, search::reach_beside(on_route), ground.projection());
-  const Result<search::Chart> chart = search::chart_on(ground.sea(), std::move(layout), on_route);
+  const Result<search::Chart> chart =
+      search::chart_on(ground.sea(), ground.environment(), std::move(layout), on_route);
   if (!chart) return tl::unexpected(chart.error());
   if (chart->sea.drives().size() > 1) {
     Result<Plan> plan = publish_straight_way(*chart, ground.environment(), on_route, stop);

@@ -64,11 +64,13 @@ std::vector<Change> moves_of(const cost::Sea& sea, const cost::Layout& layout, s
 }
 
 /// Why a stop cannot be used. Opens the map around each stop that can be used.
-std::optional<Infeasible> check_stops(cost::Sea& sea, const cost::Layout& layout, const PlanRequest& request,
+std::optional<Infeasible> check_stops(cost::Sea& sea, const ocean::Environment& environment,
+                                      const cost::Layout& layout, const PlanRequest& request,
                                       const std::stop_token& token, Moves moves) {
   for (std::size_t stop = 0; stop < layout.stops.size(); ++stop) {
     if (const auto closed = closed_stop(sea, layout, stop)) {
-      Infeasible infeasible = explain_place(*closed, kind_of(stop, layout), layout.stops[stop], sea, request);
+      Infeasible infeasible =
+          explain_place(*closed, kind_of(stop, layout), layout.stops[stop], sea, environment, request);
       if (moves == Moves::looked_for) infeasible.moves = moves_of(sea, layout, stop, token);
       return infeasible;
     }
@@ -85,10 +87,10 @@ std::optional<Infeasible> too_much_to_lay_out(const ocean::Environment& environm
   return explain_too_many_icebergs(environment.icebergs.size(), request);
 }
 
-Result<Chart> chart_on(cost::Sea sea, cost::Layout layout, const PlanRequest& request,
-                       const std::stop_token& stop, Moves moves) {
+Result<Chart> chart_on(cost::Sea sea, const ocean::Environment& environment, cost::Layout layout,
+                       const PlanRequest& request, const std::stop_token& stop, Moves moves) {
   if (request.method == Method::direct) sea.safety().open_along({layout.points}, layout.projection);
-  if (auto unusable = check_stops(sea, layout, request, stop, moves))
+  if (auto unusable = check_stops(sea, environment, layout, request, stop, moves))
     return tl::unexpected(std::move(*unusable));
   Chart chart{.layout = std::move(layout), .sea = std::move(sea)};
   const bool leaves_at_once = !request.departures.until && !request.departures.arrive_by;
@@ -117,7 +119,7 @@ Result<Chart> draw_chart(const ocean::Environment& environment, const PlanReques
   }
   cost::Sea sea{environment, request, layout.projection, layout.area(), layout.map_cell(), stop, shelf};
   if (stop.stop_requested()) return tl::unexpected(explain_cancelled(request));
-  return chart_on(std::move(sea), std::move(layout), request, stop, moves);
+  return chart_on(std::move(sea), environment, std::move(layout), request, stop, moves);
 }
 
 }  // namespace floeplan::planning::search

@@ -37,8 +37,10 @@ enum class Moves : std::uint8_t { looked_for, left_out };
 
 /// The search area of a request with a leg cost model made for it or for a similar request. The map is opened around
 /// the stops and, for a direct route, along it.
+/// `environment`  of the leg cost model; a refusal names its data
 /// Errors   why a stop cannot be used
-[[nodiscard]] Result<Chart> chart_on(cost::Sea sea, cost::Layout layout, const PlanRequest& request,
+[[nodiscard]] Result<Chart> chart_on(cost::Sea sea, const ocean::Environment& environment,
+                                     cost::Layout layout, const PlanRequest& request,
                                      const std::stop_token& stop = {}, Moves moves = Moves::left_out);
 
 /// Why the search area cannot be made; empty: it can.

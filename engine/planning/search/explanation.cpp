@@ -7,6 +7,7 @@
 
 #include "engine/geo/geodesic.hpp"
 #include "engine/messages/refusal_messages.hpp"
+#include "engine/planning/search/missing_data.hpp"
 
 namespace floeplan::planning::search {
 namespace {
@@ -160,7 +161,7 @@ Infeasible unusable_place(motion::EdgeClosed closed, Stop stop, geo::LonLat plac
     case motion::EdgeClosed::too_late:
     case motion::EdgeClosed::current_too_strong: break;
   }
-  return infeasible(Reason::outside_data, request.depart, messages::refusal<"place-outside-data">(subject));
+  throw std::logic_error{"a place that is not closed in this way"};
 }
 
 /// The same, and how much later it reopens.
@@ -196,8 +197,15 @@ messages::Message no_way(motion::EdgeClosed binding, bool cut_short, const messa
 }  // namespace
 
 Infeasible explain_place(motion::EdgeClosed closed, Stop stop, geo::LonLat place, const cost::Sea& sea,
-                         const PlanRequest& request) {
-  return unusable_place(closed, stop, place, core::Seconds{0.0}, sea, request);
+                         const ocean::Environment& environment, const PlanRequest& request) {
+  if (closed != motion::EdgeClosed::outside_data)
+    return unusable_place(closed, stop, place, core::Seconds{0.0}, sea, request);
+  return {.reason = Reason::outside_data,
+          .at = place,
+          .when = request.depart,
+          .why = explain_missing_depth(environment, place, subject_of(stop)).at(place),
+          .binding = Constraint::data_area,
+          .at_a_stop = true};
 }
 
 Infeasible explain_start(motion::EdgeClosed closed, geo::LonLat place, core::Seconds after,

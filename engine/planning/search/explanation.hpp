@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/ocean/environment.hpp"
 #include "engine/planning/cost/route_cost.hpp"
 #include "engine/planning/cost/sea.hpp"
 #include "engine/planning/problem/infeasible.hpp"
@@ -11,9 +12,10 @@ namespace floeplan::planning::search {
 /// The role of a place in a route.
 enum class Stop { start, via, goal };
 
-/// Says why a start, goal or via point cannot be used.
+/// Says why a start, goal or via point cannot be used. outside_data: the bathymetry has no depth there.
 [[nodiscard]] Infeasible explain_place(motion::EdgeClosed closed, Stop stop, geo::LonLat place,
-                                       const cost::Sea& sea, const PlanRequest& request);
+                                       const cost::Sea& sea, const ocean::Environment& environment,
+                                       const PlanRequest& request);
 
 /// Says what closes the start at the departure for so long, and when it reopens.
 [[nodiscard]] Infeasible explain_start(motion::EdgeClosed closed, geo::LonLat place, core::Seconds after,

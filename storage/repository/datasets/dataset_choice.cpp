@@ -1,9 +1,6 @@
 #include "storage/repository/datasets/dataset_choice.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdio>
 #include <optional>
 #include <utility>
 
@@ -11,12 +8,6 @@
 
 namespace floeplan::repository {
 namespace {
-
-std::string degrees_text(double degrees, char positive, char negative) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.4g %c", std::abs(degrees), degrees < 0.0 ? negative : positive);
-  return text.data();
-}
 
 /// Why a named dataset cannot be used; empty: it can.
 std::optional<core::Violation> objection(const Dataset& dataset, DatasetKind kind,
@@ -26,8 +17,8 @@ std::optional<core::Violation> objection(const Dataset& dataset, DatasetKind kin
     return messages::fault<"dataset-holds-another-kind">(field, title(dataset), kind_name(dataset.kind),
                                                          kind_name(kind));
   if (!geo::intersects(dataset.bounds, area))
-    return messages::fault<"dataset-of-another-area">(field, title(dataset), bounds_text(dataset.bounds),
-                                                      bounds_text(area));
+    return messages::fault<"dataset-of-another-area">(field, title(dataset), geo::bounds_text(dataset.bounds),
+                                                      geo::bounds_text(area));
   return std::nullopt;
 }
 
@@ -64,10 +55,5 @@ std::vector<Dataset> candidates(const std::vector<Dataset>& stored, DatasetKind 
 }
 
 std::string title(const Dataset& dataset) { return dataset.name + " (" + dataset.id.value + ")"; }
-
-std::string bounds_text(const geo::BoundingBox& box) {
-  return degrees_text(box.west_deg, 'E', 'W') + " to " + degrees_text(box.east_deg, 'E', 'W') + ", " +
-         degrees_text(box.south_deg, 'N', 'S') + " to " + degrees_text(box.north_deg, 'N', 'S');
-}
 
 }  // namespace floeplan::repository

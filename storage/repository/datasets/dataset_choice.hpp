@@ -26,7 +26,4 @@ struct DatasetChoice {
 /// "Disko Bay model (currents-0123abcd)": how messages name a dataset.
 [[nodiscard]] std::string title(const Dataset& dataset);
 
-/// The bounds in words: "54 W to 50 W, 68 N to 70 N".
-[[nodiscard]] std::string bounds_text(const geo::BoundingBox& box);
-
 }  // namespace floeplan::repository

@@ -89,11 +89,10 @@ void add_bathymetry(EnvironmentDraft& draft) {
   if (alone) return adopt_bathymetry(draft, used.size() > 1 ? mosaic->bathymetry() : std::move(*alone), used);
 
   const bool named = query.bathymetry.how == DatasetChoice::How::named;
-  if (named && !found.empty())
-    draft.refuse<"no-node-near">(DatasetKind::bathymetry, title(found.front()));
+  if (named && !found.empty()) draft.refuse<"no-node-near">(DatasetKind::bathymetry, title(found.front()));
   if (!named)
     tell_of_gap(draft, query.bathymetry, messages::data_message<"bathymetry-left-out">(),
-                messages::data_message<"bathymetry-missing">(bounds_text(query.area)));
+                messages::data_message<"bathymetry-missing">(geo::bounds_text(named_area(query))));
 }
 
 }  // namespace floeplan::repository

@@ -281,7 +281,7 @@ void add_ice(EnvironmentDraft& draft) {
     draft.tell(messages::data_message<"ice-not-at-departure">(periods_missed));
   } else if (!named) {
     tell_of_gap(draft, query.ice, messages::data_message<"ice-left-out">(),
-                messages::data_message<"ice-missing">(bounds_text(query.area)));
+                messages::data_message<"ice-missing">(geo::bounds_text(named_area(query))));
   }
 }
 

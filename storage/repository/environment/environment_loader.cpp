@@ -115,7 +115,7 @@ void add_icebergs(EnvironmentDraft& draft) {
   if (draft.environment.datasets.empty() && known.later.empty() &&
       query.icebergs.how != DatasetChoice::How::named) {
     tell_of_gap(draft, query.icebergs, messages::data_message<"icebergs-left-out">(),
-                messages::data_message<"icebergs-missing">(bounds_text(query.area)));
+                messages::data_message<"icebergs-missing">(geo::bounds_text(named_area(query))));
   }
 }
 
@@ -132,7 +132,7 @@ void add_coastline(EnvironmentDraft& draft) {
   }
   if (chosen.empty() && query.coastline.how != DatasetChoice::How::named) {
     tell_of_gap(draft, query.coastline, messages::data_message<"coastline-left-out">(),
-                messages::data_message<"coastline-missing">(bounds_text(query.area)));
+                messages::data_message<"coastline-missing">(geo::bounds_text(named_area(query))));
   }
 }
 
@@ -223,6 +223,8 @@ void add_zones(EnvironmentDraft& draft) {
 }
 
 }  // namespace
+
+geo::BoundingBox named_area(const EnvironmentQuery& query) { return query.around_stops.value_or(query.area); }
 
 core::UtcTime sightings_as_of(const EnvironmentQuery& query) {
   const core::UtcTime last_moment = query.may_begin_later && query.until ? query.until->time : query.depart;

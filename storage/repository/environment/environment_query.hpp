@@ -22,6 +22,9 @@ struct CoveredUntil {
 /// What a job wants to know of the sea.
 struct EnvironmentQuery {
   geo::BoundingBox area;
+  /// Around the start, the via points and the goal: the part of the area that messages name where data are missing in
+  /// all of it. Empty: they name the area.
+  std::optional<geo::BoundingBox> around_stops{};
   core::UtcTime depart;
   std::optional<CoveredUntil> until;  // covered too; empty: however long it takes
   bool may_begin_later{false};        // `depart` is the earliest possible one: data may begin after it
@@ -42,6 +45,9 @@ struct EnvironmentQuery {
   DatasetChoice coastline;
   DatasetChoice zones;  // obeyed are all that meet the area, unless some are named
 };
+
+/// The part of the area that messages about missing data name.
+[[nodiscard]] geo::BoundingBox named_area(const EnvironmentQuery& query);
 
 /// After this no sighting counts: `icebergs_as_of`, else the departure, or the last moment where data may begin later.
 [[nodiscard]] core::UtcTime sightings_as_of(const EnvironmentQuery& query);

@@ -15,7 +15,7 @@ namespace {
 
 std::string in_metres(double length_m) { return std::to_string(std::lround(length_m)) + " m"; }
 
-/// As they count for every time, where they are held steady.
+/// The currents as the plan uses them: where they are held steady, one field for every time.
 std::shared_ptr<const ocean::CurrentGrid> as_they_count(const ocean::Environment& environment,
                                                         std::shared_ptr<const ocean::CurrentGrid> currents) {
   const bool varies = currents && currents->samples().times_s.size() > 1;
@@ -77,8 +77,8 @@ void refuse_period(EnvironmentDraft& draft, const std::string& periods, bool beg
   const bool at_end = draft.query.until && (begins || draft.query.may_begin_later);
   const std::string input = at_end ? draft.query.until->input : "depart";
   const core::UtcTime time = at_end ? draft.query.until->time : draft.query.depart;
-  draft.violations.push_back(messages::fault<"outside-the-currents">("/" + input, time, periods,
-                                                                     at_end ? "Stay" : "Depart"));
+  draft.violations.push_back(
+      messages::fault<"outside-the-currents">("/" + input, time, periods, at_end ? "Stay" : "Depart"));
 }
 
 /// Several currents are the members of an ensemble: every one must serve, the first is the one planned in.
@@ -123,10 +123,10 @@ void refuse_other_waters(EnvironmentDraft& draft) {
   std::vector<std::string> elsewhere;
   for (const Dataset& dataset : draft.stored) {
     if (dataset.kind == DatasetKind::currents)
-      elsewhere.push_back(title(dataset) + " covers " + bounds_text(dataset.bounds));
+      elsewhere.push_back(title(dataset) + " covers " + geo::bounds_text(dataset.bounds));
   }
   if (elsewhere.empty()) return;
-  draft.refuse<"no-currents-reach">(DatasetKind::currents, bounds_text(draft.query.area),
+  draft.refuse<"no-currents-reach">(DatasetKind::currents, geo::bounds_text(named_area(draft.query)),
                                     core::shortened_list(elsewhere));
 }
 
@@ -160,12 +160,11 @@ void add_currents(EnvironmentDraft& draft) {
   }
 
   if (!periods_missed.empty()) return refuse_period(draft, periods_missed, begins);
-  if (named && !found.empty())
-    draft.refuse<"no-node-near">(DatasetKind::currents, title(found.front()));
+  if (named && !found.empty()) draft.refuse<"no-node-near">(DatasetKind::currents, title(found.front()));
   if (!named) refuse_other_waters(draft);
   if (!named)
     tell_of_gap(draft, query.currents, messages::data_message<"currents-left-out">(),
-                messages::data_message<"currents-missing">(bounds_text(query.area)));
+                messages::data_message<"currents-missing">(geo::bounds_text(named_area(query))));
 }
 
 /// Tides go on as long as an iceberg's drift is followed, or as long as the request wants the currents to be covered.

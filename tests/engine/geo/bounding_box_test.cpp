@@ -32,6 +32,18 @@ TEST(BoundingBox, RunsAcrossTheAntimeridianWhenItsWestExceedsItsEast) {
   EXPECT_FALSE(contains(box, {0.0, 0.0}));
 }
 
+TEST(BoundingBox, HasANearestPlaceAlsoAcrossTheAntimeridian) {
+  const BoundingBox box{170.0, 60.0, -170.0, 70.0};
+
+  EXPECT_EQ(nearest_place(box, {180.0, 65.0}), (LonLat{180.0, 65.0}));
+  EXPECT_EQ(nearest_place(box, {-160.0, 75.0}), (LonLat{-170.0, 70.0}));
+  EXPECT_EQ(nearest_place(box, {150.0, 50.0}), (LonLat{170.0, 60.0}));
+}
+
+TEST(BoundingBox, IsWrittenWithItsHemispheres) {
+  EXPECT_EQ(bounds_text({-54.5, -1.0, 3.25, 69.6}), "54.5 W to 3.25 E, 1 S to 69.6 N");
+}
+
 TEST(BoundingBox, OfTheWholeCircleHoldsEveryLongitude) {
   const BoundingBox box{-180.0, 60.0, 180.0, 90.0};
 

@@ -374,6 +374,60 @@ TEST(PlanRoute, SaysThatTheDataEndBeforeTheRoute) {
   EXPECT_NE(found.error().explanation().find("end at"), std::string::npos) << found.error().explanation();
 }
 
+/// The data of these tests end at 50 W; a degree of longitude has 40 km there.
+PlanRequest request_beyond_the_data() {
+  PlanRequest request = eastward_request();
+  request.from = {-50.5, 69.0};
+  request.to = {-49.7, 69.0};
+  request.refine = false;
+  return request;
+}
+
+TEST(PlanRoute, NamesTheDepthsThatAGoalLiesOutside) {
+  const auto depths = bathymetry_from([](geo::LonLat) { return 500.0; });
+
+  const auto found = plan({.bathymetry = depths}, request_beyond_the_data());
+
+  ASSERT_FALSE(found.has_value());
+  EXPECT_EQ(
+      found.error().explanation(),
+      "the goal lies 12 km east of the stored bathymetry (in this area: 56 W to 50 W, 67.5 N to 70.5 N)");
+  EXPECT_NE(found.error().suggestion().find("--bathymetry none"), std::string::npos);
+}
+
+TEST(PlanRoute, DoesNotAdviseToLeaveOutDepthsWhereTheCurrentsEndToo) {
+  const auto depths = bathymetry_from([](geo::LonLat) { return 500.0; });
+
+  const auto found =
+      plan({.currents = currents_from(tide, 24), .bathymetry = depths}, request_beyond_the_data());
+
+  ASSERT_FALSE(found.has_value());
+  EXPECT_NE(found.error().explanation().find("and 12 km east of the stored currents"), std::string::npos)
+      << found.error().explanation();
+  EXPECT_EQ(found.error().suggestion(), "move it, or ingest bathymetry and currents that cover it");
+}
+
+TEST(PlanRoute, NamesTheCurrentsThatAGoalLiesOutside) {
+  const auto found = plan({.currents = currents_from(tide, 24)}, request_beyond_the_data());
+
+  ASSERT_FALSE(found.has_value());
+  EXPECT_NE(found.error().explanation().find("The goal lies 12 km east of the stored currents"),
+            std::string::npos)
+      << found.error().explanation();
+  EXPECT_EQ(found.error().suggestion(), "move it, or ingest currents that cover it");
+}
+
+TEST(PlanRoute, SaysThatTheDepthsEndOnTheWay) {
+  const auto gap = [](geo::LonLat p) { return p.lon_deg > -53.1 && p.lon_deg < -52.9 ? NAN : 500.0; };
+
+  const auto found = plan({.bathymetry = bathymetry_from(gap)}, eastward_request());
+
+  ASSERT_FALSE(found.has_value());
+  EXPECT_NE(found.error().explanation().find("Beyond this place the stored depths have no values"),
+            std::string::npos)
+      << found.error().explanation();
+}
+
 TEST(PlanRoute, StopsWhenAsked) {
   std::stop_source source;
   source.request_stop();

@@ -1,0 +1,96 @@
+#include "engine/planning/search/missing_data.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <stdexcept>
+#include <utility>
+
+#include "engine/geo/bounding_box.hpp"
+#include "engine/geo/geodesic.hpp"
+#include "engine/messages/refusal_messages.hpp"
+
+namespace floeplan::planning::search {
+namespace {
+
+/// Distances from the place that a search reached at which the ends of the data are looked for: from a step of a fine
+/// grid to some cells of a coarse model. Judgements.
+constexpr std::array distances_beyond{2'500.0, 5'000.0, 10'000.0, 20'000.0};
+constexpr int directions = 8;
+
+std::string compass_point(geo::Bearing bearing) {
+  constexpr std::array names{"north", "north-east", "east", "south-east",
+                             "south", "south-west", "west", "north-west"};
+  const auto sector = std::lround(bearing.degrees() / 45.0);
+  return names.at(static_cast<std::size_t>((sector + directions) % directions));
+}
+
+/// Where a place without a value lies from the data on the grid.
+std::string where_from(const ocean::HorizontalGrid& grid, geo::LonLat place, const std::string& data) {
+  const geo::BoundingBox bounds = grid.bounds();
+  if (grid.locate(place) || geo::contains(bounds, place))
+    return messages::phrase<"in-gap-of-data">(data, geo::bounds_text(bounds));
+  const geo::GeodesicLine line = geo::geodesic_between(geo::nearest_place(bounds, place), place);
+  return messages::phrase<"outside-of-data">(line.length.value / 1000.0, compass_point(line.course_at_start),
+                                             data, geo::bounds_text(bounds));
+}
+
+bool currents_reach(const ocean::Environment& environment, geo::LonLat place) {
+  return !environment.currents || environment.currents->samples().grid.locate(place);
+}
+
+bool depth_is_known(const ocean::Environment& environment, geo::LonLat place) {
+  return !environment.bathymetry || environment.bathymetry->depth(place);
+}
+
+/// Whether the data have no value somewhere around the place.
+template <class IsKnown>
+bool end_around(geo::LonLat place, const IsKnown& is_known) {
+  for (int i = 0; i < directions; ++i) {
+    const auto course = geo::Bearing::degrees(360.0 * i / directions);
+    for (const double distance_m : distances_beyond)
+      if (!is_known(geo::geodesic_destination(place, course, core::Metres{distance_m}))) return true;
+  }
+  return false;
+}
+
+void add_stop(Infeasible& why, const ocean::Environment& environment, geo::LonLat place,
+              const std::string& name) {
+  if (currents_reach(environment, place)) return;
+  why.besides.push_back(messages::refusal<"stop-outside-currents">(
+                            name, where_from(environment.currents->samples().grid, place, "currents"))
+                            .at(place));
+}
+
+void add_end(Infeasible& why, const ocean::HorizontalGrid& grid, const std::string& data) {
+  why.besides.push_back(messages::refusal<"data-end-on-the-way">(data, geo::bounds_text(grid.bounds())));
+}
+
+}  // namespace
+
+messages::Message explain_missing_depth(const ocean::Environment& environment, geo::LonLat where,
+                                        const std::string& place) {
+  if (!environment.bathymetry) throw std::invalid_argument{"no bathymetry that could miss a depth"};
+  const std::string from_depths = where_from(environment.bathymetry->grid(), where, "bathymetry");
+  if (currents_reach(environment, where)) return messages::refusal<"place-outside-data">(place, from_depths);
+  return messages::refusal<"place-outside-depths-and-currents">(
+      place, from_depths, where_from(environment.currents->samples().grid, where, "currents"));
+}
+
+Infeasible with_missing_data(Infeasible why, const ocean::Environment& environment,
+                             const PlanRequest& request) {
+  if (why.binding != Constraint::data_area || why.at_a_stop) return why;
+  const std::size_t before = why.besides.size();
+  add_stop(why, environment, request.from, "the start");
+  for (const geo::LonLat via : request.via) add_stop(why, environment, via, "a via point");
+  add_stop(why, environment, request.to, "the goal");
+  if (why.besides.size() > before) return why;
+
+  if (end_around(why.at, [&](geo::LonLat place) { return depth_is_known(environment, place); }))
+    add_end(why, environment.bathymetry->grid(), "depths");
+  if (end_around(why.at, [&](geo::LonLat place) { return currents_reach(environment, place); }))
+    add_end(why, environment.currents->samples().grid, "currents");
+  return why;
+}
+
+}  // namespace floeplan::planning::search
