@@ -184,8 +184,9 @@ inline constexpr auto data_kinds = std::to_array<Kind>({
      .slots = {{{"dataset", "bay model (currents-1)"}, {"level", "1 m"}}}},
     {.code = "currents-above-dives",
      .rank = Rank::caution,
-     .text = "currents {dataset} end at {deepest}, but dives go to {dives}: the water below is assumed to "
-             "move with the mean of the water above",
+     .text =
+         "the currents of {dataset} end at a depth of {deepest}, but dives go to {dives}: the water below is "
+         "assumed to move with the mean of the water above",
      .slots = {{{"dataset", "bay model (currents-1)"}, {"deepest", "50 m"}, {"dives", "200 m"}}}},
     {.code = "currents-without-time",
      .rank = Rank::caution,

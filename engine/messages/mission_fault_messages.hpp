@@ -116,23 +116,23 @@ inline constexpr auto mission_fault_kinds = std::to_array<Kind>({
      .text = "leaves a yo that turns at {dive_m:.0f} m no room, for it must turn no higher than {turn}",
      .slots = {{{"dive_m", 80.0}, {"turn", "75 m, below ice or icebergs"}}}},
     {.code = "water-too-shallow-for-yo",
-     .text =
-         "lead over water of {bed_m:.0f} m at {place}, before waypoint {waypoint}, but the one yo of the "
-         "mission must turn no higher than {turn}, and needs {needed_m:.0f} m: plan again with via points "
-         "that lead round it, or with a minimum working depth (minimum_working_depth_m) of "
-         "{needed_m:.0f} for the vehicle, which below ice counts from the turn under it",
+     .text = "lead over water of {bed_m:.0f} m at {place}, before waypoint {waypoint}. The mission has "
+             "one yo for all legs, which must turn no higher than {turn}, so it needs {needed_m:.0f} m of "
+             "water. Plan again with via points round this water, or with a minimum working depth "
+             "(minimum_working_depth_m) of {needed_m:.0f} for the vehicle; below ice that depth counts from "
+             "the upper turn",
      .slots = {{{"bed_m", 60.0},
                 {"place", "69.2000 N 53.2000 W"},
                 {"waypoint", 3},
                 {"turn", "40 m"},
                 {"needed_m", 75.0}}}},
     {.code = "water-too-shallow-for-yo-below-ice",
-     .text =
-         "lead over water of {bed_m:.0f} m at {place}, before waypoint {waypoint}, but the one yo of the "
-         "mission must turn no higher than {turn}, and needs {needed_m:.0f} m: plan again with via points "
-         "that lead round it, or with a minimum working depth (minimum_working_depth_m) of "
-         "{needed_m:.0f} for the vehicle, which below ice counts from the turn under it, or fly two "
-         "plans, one over this water and one below the ice, each with a yo of its own",
+     .text = "lead over water of {bed_m:.0f} m at {place}, before waypoint {waypoint}. The mission has "
+             "one yo for all legs, which must turn no higher than {turn}, so it needs {needed_m:.0f} m of "
+             "water. Plan again with via points round this water, or with a minimum working depth "
+             "(minimum_working_depth_m) of {needed_m:.0f} for the vehicle; below ice that depth counts from "
+             "the upper turn. Or fly two plans, one over this water and one below the ice, each with a yo of "
+             "its own",
      .slots = {{{"bed_m", 60.0},
                 {"place", "69.2000 N 53.2000 W"},
                 {"waypoint", 3},

@@ -230,7 +230,9 @@ inline constexpr auto plan_kinds = std::to_array<Kind>({
      .slots = {{{"closed", 2}, {"members", 12}, {"share_pct", 90.0}}}},
     {.code = "named-members-not-used",
      .rank = Rank::caution,
-     .text = "members were drawn around the first currents only; the other named currents were not used"},
+     .text = "the plan uses random members around the first of the named currents; the other named currents "
+             "were not used",
+     .hint = "To plan over the named currents, leave out the number of members (--members)"},
     {.code = "uncertainty-without-members",
      .rank = Rank::caution,
      .text = "the uncertainty of the request has no effect: it has one set of currents and no model of their "

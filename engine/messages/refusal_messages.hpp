@@ -134,7 +134,8 @@ inline constexpr auto refusal_kinds = std::to_array<Kind>({
      .slots = {{{"depart", "2027-01-12T06:00:00Z"}, {"arrival", "2027-01-13T18:10:00Z"}}}},
     {.code = "earliest-departure-in-too-few-members",
      .rank = Rank::caution,
-     .text = "the earliest departure, {depart}, arrives in time in too few members of the currents",
+     .text =
+         "the earliest departure, {depart}, arrives in time in too few members of the ensemble of currents",
      .hint = "allow a later arrival (--arrive-by) or an earlier departure (--depart), or raise the speed",
      .slots = {{{"depart", "2027-01-12T06:00:00Z"}}}},
     {.code = "grid-too-large",

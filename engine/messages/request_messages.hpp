@@ -127,7 +127,8 @@ inline constexpr auto request_kinds = std::to_array<Kind>({
     {.code = "step-without-window", .text = "needs depart_until: the last departure of the window"},
     {.code = "order-in-window",
      .text =
-         "must be \"given\" in a departure window: plan the best order afterwards, for the best departure"},
+         "must be \"given\" in a departure window: find the best departure first, then plan with the best "
+         "order for that departure alone"},
     {.code = "unknown-number-of-alternatives", .text = "must be 0, 1, 2 or 3"},
     {.code = "alternatives-of-several",
      .text = "need a single departure and a search: plan without a window, a wanted arrival and the method "
