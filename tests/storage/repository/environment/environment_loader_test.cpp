@@ -312,7 +312,7 @@ TEST_F(EnvironmentLoaderTest, WarnsOfCurrentsThatSayLittleOfDepth) {
 
   add_currents("currents-shallow", sample_time, 2, ocean::Axis{{0.0, 50.0}});
   EXPECT_THAT(messages::sentences(load().messages),
-              Contains(AllOf(HasSubstr("end at 50 m"), HasSubstr("dives go to 200 m"))));
+              Contains(AllOf(HasSubstr("end at a depth of 50 m"), HasSubstr("dives go to 200 m"))));
 }
 
 TEST_F(EnvironmentLoaderTest, TellsOfIcebergsOnLand) {
