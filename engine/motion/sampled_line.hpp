@@ -11,7 +11,7 @@
 
 namespace floeplan::motion {
 
-/// A stretch of an edge on which any current is asked point by point.
+/// A stretch of an edge on which the current is evaluated point by point, whatever kind of current it is.
 template <PlaneCurrent Current>
 struct SampledStretch {
   static constexpr bool is_bounded = false;

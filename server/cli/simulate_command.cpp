@@ -72,7 +72,7 @@ void set(json& inputs, const char* key, const std::optional<Value>& value) {
   if (value) inputs[key] = *value;
 }
 
-/// The flags over the members of the request file.
+/// The inputs of the request file, with the members that flags replace.
 json inputs_of(const SimulateFlags& flags) {
   json inputs = flags.request_file ? read_object(*flags.request_file, "request file") : json::object();
   inputs["plan_id"] = flags.plan_id;

@@ -19,7 +19,7 @@
 
 namespace floeplan::http {
 
-/// One connection's way for bytes, in the clear or by TLS: an AsyncReadStream and AsyncWriteStream as Beast wants them,
+/// The byte stream of one connection, plain or TLS: an AsyncReadStream and AsyncWriteStream for Beast,
 /// with a time limit over whatever is under way.
 /// Threads  the I/O thread alone
 class Transport {

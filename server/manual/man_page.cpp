@@ -48,7 +48,7 @@ std::string called(const Command& command) {
   return command.path.empty() ? "floeplan" : "floeplan " + command.path;
 }
 
-/// The pages of the commands below it, and of a command that of the program.
+/// Names of related pages: those of the command's subcommands and, for a command, that of the program.
 std::string see_also(const Command& command, std::span<const Command> all) {
   std::string text;
   for (const Command& other : all) {

@@ -41,7 +41,7 @@ void read_common(InputReader& reader, planning::PlanRequest& request, repository
   name = reader.text("name").value_or("");
 }
 
-/// Sentences for the answer's warnings, added to those that reading the places has given.
+/// Reads sentences of the request that the answer repeats as warnings, and adds them to the warnings about its places.
 void read_remarks(InputReader& reader, std::vector<std::string>& warnings) {
   const json* remarks = reader.member("remarks");
   if (remarks == nullptr) return;

@@ -69,7 +69,7 @@ std::optional<RouteFile> read_file_member(InputReader& reader, const std::string
   return std::nullopt;
 }
 
-/// A file that we wrote begins at the start, a vehicle's own list does not: the start is there once.
+/// Makes the route begin at the start. Files of this program begin with it already; a vehicle's own list does not.
 void begin_at(geo::LonLat start, std::vector<geo::LonLat>& places) {
   const bool is_there =
       !places.empty() && geo::geodesic_between(start, places.front()).length.value < same_place_m;

@@ -44,7 +44,7 @@ class EdrRequest {
   /// The box of a cube; one of six numbers states the depths, too.
   [[nodiscard]] std::optional<geo::BoundingBox> box();
   [[nodiscard]] Wanted wanted();
-  /// The depth that came with the place, before z.
+  /// Takes the depth that is part of the place (POINT Z); it counts instead of the parameter z.
   void take_depth(double depth_m) { levels_ = EdrLevels{.values = {depth_m}, .between = {}}; }
   /// Refuses several depths, of which the answer would hold one.
   void want_one_depth();

@@ -14,8 +14,8 @@ namespace floeplan::mission {
 /// ask for anywhere on its legs. Zero where nothing is above.
 [[nodiscard]] core::Metres least_upper_turn(const planning::Plan& plan);
 
-/// How deep the ice and the icebergs reach that the plan passes below: never less, and exact but where it may pass
-/// below ice and an iceberg on one leg, of which the plan keeps the deeper turn alone. Zero where nothing is above.
+/// Deepest draft of the ice and the icebergs that the plan passes below. It is never too small. It may be too large where
+/// one leg passes below ice and an iceberg, because the plan keeps only the deeper turn of both. Zero in open water.
 /// `margin_below_ice`  that the plan's turns keep below the keels of ice
 [[nodiscard]] core::Metres deepest_keel(const planning::Plan& plan, core::Metres margin_below_ice);
 

@@ -33,8 +33,8 @@ struct CentresBeside {
 [[nodiscard]] CentresBeside beside_first(const Staggering& staggering, std::size_t row, std::size_t column);
 [[nodiscard]] CentresBeside beside_second(const Staggering& staggering, std::size_t row, std::size_t column);
 
-/// The values of the centres that have all their points, out of those of all the model's centres. Of no
-/// values none.
+/// The values at the centres that have all their points, taken from the values at all centres of the model. Empty if
+/// there are no values.
 template <class Value>
 [[nodiscard]] std::vector<Value> of_whole_centres(const Staggering& staggering,
                                                   const std::vector<Value>& all) {

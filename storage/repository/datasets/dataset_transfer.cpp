@@ -90,7 +90,7 @@ constexpr const char* fresh_datasets =
     "SELECT row, id FROM arrived.dataset AS there WHERE NOT EXISTS (SELECT 1 FROM main.dataset AS here WHERE "
     "here.id = there.id AND here.outdated <= there.outdated) ORDER BY row";
 
-/// Hidden rows for what is new, under an id that nothing else can have.
+/// Inserts a hidden row for each new dataset, under an id that no other dataset can have.
 std::vector<Arrival> announce(sql::Connection& db) {
   sql::Transaction transaction{db};
   const Table datasets = table_of(db, "dataset");

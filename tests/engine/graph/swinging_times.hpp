@@ -35,7 +35,7 @@ class SwingingTimes {
     return core::Seconds{wave.mean_s * factor * cells(graph_.offsets()[edge.step])};
   }
 
-  /// No edge is ever faster for each cell of its length.
+  /// The least time of an edge, at any departure, per cell of its length.
   static constexpr double least_pace_s = 30.0;
   static double cells(Offset o) { return std::hypot(o.dx, o.dy); }
 

@@ -55,7 +55,7 @@ class RandomWaves {
   std::array<Wave, 3> waves_;
 };
 
-/// 1 to 40 km in any direction.
+/// An edge of 1 to 40 km in a random direction.
 inline PlaneEdge random_edge(std::mt19937_64& rng) {
   const double length_m = support::uniform(rng, 1'000.0, 40'000.0);
   const double angle = support::uniform(rng, 0.0, 6.283185307179586);

@@ -361,7 +361,7 @@ TEST(PlanUnderIce, LeavesAsMuchOfTheBoundAtAPlaceToPassAsTheWayOnTakesInATide) {
   }
 }
 
-/// With a spacing of 400 m, the default there, the search reaches its limit long before it finds the best route.
+/// With the default spacing, 400 m for this route, the search reaches its limit long before it finds the best route.
 TEST(PlanUnderIce, SearchesACoarserGridWhereTheOneLeftOpenTakesTooMuchMemory) {
   const ocean::Environment environment = ice_with_holes(3, 14);
   PlanRequest request = support::eastward_request();

@@ -9,7 +9,7 @@ import { duration } from '../model/time';
 import * as api from './client';
 import type { Plan, PlanInputs } from '../contract/types';
 
-/** A single change is asked about at once; held keys and quick clicks are answered once, when they pause this long. */
+/** A single change is evaluated at once. While keys are held or clicks follow quickly, the evaluation waits for a pause this long. */
 const pause_ms = 80;
 const quick_ms = 300;
 

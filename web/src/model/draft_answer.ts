@@ -66,7 +66,7 @@ function areasEdit(input: string, form: Draft): Partial<Draft> | undefined {
   return index in form.areas ? { areas: form.areas.filter((_, i) => i !== index) } : undefined;
 }
 
-/** One spacing, or two: along × across. */
+/** The change of the draft for a grid spacing: one number, or two as "along × across". */
 function spacingEdit(to: unknown): Partial<Draft> | undefined {
   const spacings = Array.isArray(to) ? to : [to];
   return spacings.every((each) => typeof each === 'number') ? { spacing_m: spacings.join(' × ') } : undefined;

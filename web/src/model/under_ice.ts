@@ -12,7 +12,7 @@ export interface Run {
   isBelowIce: boolean;
 }
 
-/** Divides a route into such runs, as few as possible. Each begins where the one before ends. */
+/** Divides a route into runs of legs below ice and runs of other legs, as few as possible. Each begins where the one before ends. */
 export function runsOf({ waypoints }: Plan): Run[] {
   const runs: Run[] = [];
   waypoints.slice(1).forEach((to, i) => {

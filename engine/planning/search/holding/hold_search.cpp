@@ -16,8 +16,8 @@ namespace {
 constexpr double least_gain_by_holds = 1e-3;
 constexpr double most_left_s = 60.0;
 
-/// Latest arrival of the first search, as a share above the least time to the goal, and the factor by which that
-/// share grows after each search without a result. Judgements.
+/// By how much the latest arrival of the first search exceeds the least time to the goal, as a share of it, and the
+/// factor by which that share grows after each search without a result. Judgements.
 constexpr double looked_for_first = 0.02;
 constexpr double then_further = 4.0;
 

@@ -25,8 +25,8 @@ GotoOrders random_list(std::mt19937_64& rng, const World& world) {
   return list;
 }
 
-/// Law: the pilot on board and the system on board speak of the same waypoints by the same numbers, which are the rows
-/// that the lists fly, list by list up to one that goes round for ever.
+/// Law: the simulated pilot and the avoidance system give the same waypoints the same numbers. The numbers count the rows
+/// that the lists fly, list by list, up to a list that repeats without end.
 TEST(FlightPath, IsWhatTheSystemOnBoardIsGiven) {
   const World world = support::uniform_water(0.0, 0.0);
   support::for_each_seed(200, [&](std::mt19937_64& rng) {

@@ -17,7 +17,7 @@ import { UndoButtons } from '../common/undo_buttons';
 import { EditTable } from './edit_table';
 import { Figures } from './figures';
 
-/** A copy of a plan under change: its figures beside the plan's own, and the way to make it a plan. */
+/** A copy of a plan that is being edited: its figures beside the plan's own, and the button that makes it a plan. */
 export function EditPanel({ edit, shown }: { edit: RouteEdit; shown: ShownPlan }): VNode {
   const { verdict, figures, origin } = edit;
   const pending = verdict.state !== 'ok';
