@@ -142,8 +142,8 @@ inline constexpr auto ingest_iceberg_kinds = std::to_array<Kind>({
      .slots = {{{"confidence", "250"}}}},
     {.code = "detections-all-count",
      .rank = Rank::note,
-     .text = "every detection counts as an iceberg, however unsure; its confidence stands beside the method",
-     .hint = "Leave out those that you do not believe before you give the list"},
+     .text = "every detection counts as an iceberg, however unsure; its confidence is shown beside its method",
+     .hint = "If you do not trust a detection, delete it from the list before you ingest the list"},
 });
 
 /// The message of this code; it is told its values in the order of the catalogue.

@@ -60,7 +60,7 @@ inline constexpr auto request_kinds = std::to_array<Kind>({
      .text = "must be at least {least}",
      .slots = {{{"least", "2: the start and the goal"}}}},
     {.code = "negative", .text = "must not be negative"},
-    {.code = "not-a-time", .text = "must be a time"},
+    {.code = "not-a-time", .text = "must be a time, as 2026-11-20T06:00:00Z"},
     {.code = "ends-before-it-begins", .text = "must not be before \"from\""},
     {.code = "bottom-above-top", .text = "must not be above \"top_m\""},
 

@@ -29,8 +29,8 @@ class CfTime {
   [[nodiscard]] Checked<core::UtcTime> at(double value) const;
   /// True when the calendar is not the one the world uses, so dates drift against the sun and the moon.
   [[nodiscard]] bool is_model_calendar() const;
-  /// True when the file states the Julian calendar and counts from year 1 or later. Producers of today who do mean the
-  /// dates that it gives, not the days: OSCAR and models of GFDL would otherwise lie 13 days in the future.
+  /// True when the file states the Julian calendar and counts from year 1 or later. Today's producers mean
+  /// the dates of that calendar, not its days: by its days OSCAR and models of GFDL would lie 13 days in the future.
   [[nodiscard]] bool is_julian() const;
 
  private:

@@ -41,7 +41,7 @@ struct GliderTrackPage {
 /// Threads  as the connection: one thread at a time
 class GliderTrackRepository {
  public:
-  /// Points, and currents, that a list gives of one track: enough to draw it.
+  /// The most points, and the most currents, of each track in a list: enough to draw it.
   static constexpr std::size_t most_listed = 500;
   /// A page has no more points than this and those of its last track.
   static constexpr std::size_t most_on_a_page = 100'000;

@@ -408,7 +408,7 @@ TEST(PlanRoute, DoesNotAdviseToLeaveOutDepthsWhereTheCurrentsEndToo) {
 }
 
 TEST(PlanRoute, NamesTheCurrentsThatAGoalLiesOutside) {
-  const auto found = plan({.currents = currents_from(tide, 24)}, request_beyond_the_data());
+  const auto found = plan({.currents = currents_from(tide, 72)}, request_beyond_the_data());
 
   ASSERT_FALSE(found.has_value());
   EXPECT_NE(found.error().explanation().find("The goal lies 12 km east of the stored currents"),

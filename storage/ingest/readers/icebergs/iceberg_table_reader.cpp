@@ -80,7 +80,7 @@ Checked<geo::LonLat> berg_place(std::optional<double> lon, std::optional<double>
   return place;
 }
 
-/// A length out of nautical miles; empty where it is not stated.
+/// The longer of two lengths in nautical miles, as metres; empty if neither is stated.
 Checked<std::optional<core::Metres>> length_of(std::optional<double> a_nm, std::optional<double> b_nm) {
   const double longest = std::max(a_nm.value_or(0.0), b_nm.value_or(0.0));
   if (longest < 0.0 || longest > longest_nm)

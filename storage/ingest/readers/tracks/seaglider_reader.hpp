@@ -17,10 +17,10 @@ namespace floeplan::ingest {
 /// Whether a file is what the basestation computes of one dive of a Seaglider: p1800001.nc.
 [[nodiscard]] bool is_seaglider_dive(const NetcdfFile& file);
 
-/// The mission of such a file, the same of all its dives.
+/// The mission that the NetCDF file of a dive names: the same in all dives of a mission.
 [[nodiscard]] std::string seaglider_mission_of(const NetcdfFile& file);
 
-/// One track from such files.
+/// Reads one track from the NetCDF files of dives:
 ///  - fixes of log_gps_time, log_gps_lat and log_gps_lon
 ///  - ctd_time and ctd_depth, else time and depth, with the reckoned latitude and longitude of the former
 ///  - depth_avg_curr_east and _north in their units, towards true east and north, in the middle of the dive
