@@ -138,13 +138,18 @@ std::optional<HorizontalGrid> lattice_for(const Mesh& mesh) {
   return polar ? polar_grid(points, spacing_m) : geographic_grid(mesh, points, spacing_m);
 }
 
+std::size_t most_nodes_refined(const HorizontalGrid& lattice, std::size_t points) {
+  if (lattice.wraps()) return lattice.size();
+  const double fine = std::min(nodes_per_point * static_cast<double>(points), max_fine_nodes);
+  return std::max(lattice.size(), static_cast<std::size_t>(fine));
+}
+
 HorizontalGrid refined(const HorizontalGrid& lattice, const Mesh& part) {
   if (lattice.wraps()) return lattice;  // its seam is a step, too, which no axis has
   const double wanted_m = half * quantile_of_sides_m(part, share_of_fine_sides);
   const double spacing_m = lattice.spacing().value;
   if (!(wanted_m > 0.0) || !(spacing_m > wanted_m)) return lattice;
-  const double most_nodes =
-      std::min(nodes_per_point * static_cast<double>(part.points.size()), max_fine_nodes);
+  const auto most_nodes = static_cast<double>(most_nodes_refined(lattice, part.points.size()));
   const double affordable = std::sqrt(most_nodes / static_cast<double>(lattice.size()));
   const auto parts = static_cast<std::size_t>(std::min(std::ceil(spacing_m / wanted_m - 1e-9), affordable));
   if (parts < 2) return lattice;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 
 #include "engine/ocean/grids/horizontal_grid.hpp"
@@ -17,5 +18,7 @@ namespace floeplan::ocean {
 /// that lies there; with at most four nodes for each of the part's points and a million, or none more than `lattice` has.
 /// A lattice all round the globe stays as it is.
 [[nodiscard]] HorizontalGrid refined(const HorizontalGrid& lattice, const Mesh& part);
+/// Nodes that such a part has at most, of so many points.
+[[nodiscard]] std::size_t most_nodes_refined(const HorizontalGrid& lattice, std::size_t points);
 
 }  // namespace floeplan::ocean

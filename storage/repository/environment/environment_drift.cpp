@@ -10,7 +10,6 @@
 #include "engine/ocean/iceberg_drift.hpp"
 #include "storage/repository/environment/environment_draft.hpp"
 #include "storage/repository/fields/field_repository.hpp"
-#include "storage/repository/fields/grid_window.hpp"
 
 namespace floeplan::repository {
 namespace {
@@ -20,11 +19,6 @@ core::Metres deepest_keel(const EnvironmentDraft& draft) {
   for (const ocean::Iceberg& iceberg : draft.environment.icebergs)
     deepest = std::max(deepest, ocean::drift_draft(iceberg));
   return deepest;
-}
-
-std::size_t nodes_in(const FieldShape& shape, const geo::BoundingBox& area) {
-  const auto window = window_around(shape.grid, area);
-  return window ? window->x.nodes.size() * window->y.nodes.size() : 0;
 }
 
 /// Down to the first level at or below `deepest`.
@@ -41,13 +35,15 @@ std::optional<CurrentsBox> drift_box(const EnvironmentDraft& draft, const Datase
                                      std::size_t most_samples) {
   const EnvironmentQuery& query = draft.query;
   if (!query.iceberg_drift || draft.environment.icebergs.empty()) return std::nullopt;
-  const auto shape = FieldRepository{draft.db}.shape(dataset.id);
+  const FieldRepository fields{draft.db};
+  const auto shape = fields.shape(dataset.id);
   if (!shape) return std::nullopt;
   const core::Metres deepest = deepest_keel(draft);
   const std::size_t samples_a_node = levels_to(*shape, deepest) * steps;
   for (const double share : {1.0, 0.5, 0.25, 0.125}) {
     const geo::BoundingBox area = geo::grown(query.area, core::Metres{share * reach_of_drift.value});
-    if (nodes_in(*shape, area) * samples_a_node <= most_samples) return CurrentsBox{area, deepest};
+    if (fields.most_nodes(dataset.id, area) * samples_a_node <= most_samples)
+      return CurrentsBox{area, deepest};
   }
   return CurrentsBox{query.area, deepest};
 }
@@ -77,7 +73,8 @@ void tell_of_unknown_drift(EnvironmentDraft& draft) {
   if (observed_before > 0)
     draft.tell(messages::data_message<"earlier-sightings-before-currents">(observed_before, all, begin));
   if (!names.empty())
-    draft.tell(messages::data_message<"icebergs-beyond-currents">(names.size(), all, core::shortened_list(names)));
+    draft.tell(
+        messages::data_message<"icebergs-beyond-currents">(names.size(), all, core::shortened_list(names)));
 }
 
 }  // namespace floeplan::repository

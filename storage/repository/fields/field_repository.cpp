@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "engine/ocean/grids/mesh_lattice.hpp"
 #include "storage/repository/datasets/dataset_row.hpp"
 #include "storage/repository/encoding/blob_codec.hpp"
 #include "storage/repository/fields/field_chunks.hpp"
@@ -271,6 +272,17 @@ std::optional<FieldShape> FieldRepository::shape(const DatasetId& id) const {
     return query.is_null(nodes) ? std::nullopt : std::optional{axis(nodes, count)};
   };
   return FieldShape{{*frame, axis(1, 5), axis(2, 6)}, optional_axis(3, 7), optional_axis(4, 8)};
+}
+
+std::size_t FieldRepository::most_nodes(const DatasetId& id, const geo::BoundingBox& area) const {
+  const auto layout = find_layout(db_, id);
+  const auto stored = shape(id);
+  if (!layout || !stored) return 0;
+  const auto window = window_around(stored->grid, area);
+  if (!window) return 0;
+  if (!layout->native) return window->x.nodes.size() * window->y.nodes.size();
+  return ocean::most_nodes_refined({stored->grid.frame(), window->x.nodes, window->y.nodes},
+                                   MeshBlocks{db_}.points_around(layout->chunks.dataset_row, area));
 }
 
 std::optional<ocean::CurrentGrid> FieldRepository::load_currents(

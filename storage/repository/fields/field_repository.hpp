@@ -71,6 +71,10 @@ class FieldRepository {
 
   [[nodiscard]] std::optional<FieldShape> shape(const DatasetId& id) const;
 
+  /// About how many nodes load_currents has in an area, or more: of data at a model's own points it is not known before
+  /// they are read. 0 when the dataset is unknown or has no node there.
+  [[nodiscard]] std::size_t most_nodes(const DatasetId& id, const geo::BoundingBox& area) const;
+
   /// The nodes around `area` (one more on each side), the times around `period` and the levels down to the first at or
   /// below `deepest`, from the last level at or above `shallowest` on. nullopt when the dataset is unknown or shares no
   /// node with the area, or no time with the period. A dataset whose period ends before or begins after `period` yields

@@ -255,4 +255,10 @@ MeshPart MeshBlocks::around(std::int64_t dataset_row, const geo::BoundingBox& ar
   return part;
 }
 
+std::size_t MeshBlocks::points_around(std::int64_t dataset_row, const geo::BoundingBox& area) const {
+  const std::vector<BlockRow> rows = block_rows(db_, dataset_row);
+  const double longest_m = longest_side_of(that_meet(rows, area));
+  return together * that_meet(rows, geo::grown(area, core::Metres{longest_m})).size();
+}
+
 }  // namespace floeplan::repository

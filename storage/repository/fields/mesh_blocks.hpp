@@ -41,6 +41,8 @@ class MeshBlocks {
   /// The cells in an area, with all those round it on which they depend, and some more; empty where there are none.
   /// Errors  sql::Failure (damaged) for numbers that no point has
   [[nodiscard]] MeshPart around(std::int64_t dataset_row, const geo::BoundingBox& area) const;
+  /// About how many points they have, without reading them.
+  [[nodiscard]] std::size_t points_around(std::int64_t dataset_row, const geo::BoundingBox& area) const;
 
  private:
   sql::Connection& db_;  // borrowed

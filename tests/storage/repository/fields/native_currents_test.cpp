@@ -245,5 +245,23 @@ TEST_F(NativeCurrents, OfRunsWhoseLevelsLieAtOtherDepthsAreJoinedInTime) {
   EXPECT_NEAR(east(5.0, start_s + 1800.0), 1.0, 1e-6);   // the mean of both times
 }
 
+TEST_F(NativeCurrents, AreNeverOnMoreNodesThanWereForetold) {
+  std::mt19937_64 rng{3};
+  const ocean::Mesh mesh = in_blocks(mesh_of(rng, 120, 100, false)).mesh;
+  create(mesh, std::nullopt, 0);
+  for (const char* component : {"u_m_s", "v_m_s"})
+    fields_.write_slice(id_, component, 0, 0, std::vector<float>(mesh.points.size(), 0.1F));
+  for (int i = 0; i < 20; ++i) {
+    const double west = support::uniform(rng, 178.0, 180.0);
+    const double south = support::uniform(rng, 66.0, 67.5);
+    const geo::BoundingBox area{west, south, geo::wrap_longitude(west + support::uniform(rng, 0.1, 3.0)),
+                                south + support::uniform(rng, 0.05, 1.0)};
+    const auto found = fields_.load_currents(id_, area, std::nullopt, std::nullopt);
+    ASSERT_TRUE(found.has_value());
+    EXPECT_LE(found->samples().grid.size(), fields_.most_nodes(id_, area));
+  }
+  EXPECT_EQ(fields_.most_nodes(id_, {10.0, 10.0, 11.0, 11.0}), 0U);
+}
+
 }  // namespace
 }  // namespace floeplan::repository::native_currents_test
