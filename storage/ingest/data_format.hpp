@@ -67,6 +67,7 @@ enum class Writing : std::uint8_t { folder, binary, json, xml, text };
 enum class Together : std::uint8_t {
   none,
   model_output,
+  adcirc_run,
   chart_updates,
   glider_log,
   seaglider_dives,

@@ -24,6 +24,8 @@
 #include "storage/ingest/readers/bathymetry/s57_cell.hpp"
 #include "storage/ingest/readers/bathymetry/s57_reader.hpp"
 #include "storage/ingest/readers/coastline/coastline_reader.hpp"
+#include "storage/ingest/readers/currents/adcirc_currents.hpp"
+#include "storage/ingest/readers/currents/adcirc_file.hpp"
 #include "storage/ingest/readers/currents/grib_contents.hpp"
 #include "storage/ingest/readers/currents/grib_currents.hpp"
 #include "storage/ingest/readers/currents/s111_currents.hpp"
@@ -347,6 +349,16 @@ std::vector<DataFormat> all_formats() {
        .is_it = [](const FileStart& start) { return is_otps_extract(start.bytes); },
        .read = [](const Reading& r) { return read_otps_extract(r.file.path); },
        .has_lines = true},
+
+      {.name = "ADCIRC",
+       .reads =
+           "currents averaged over depth at the nodes of its mesh: fort.64 with fort.14, and fort.63 for "
+           "what is dry; tested against files of the tests' own in its manual's format",
+       .kinds = {currents},
+       .writing = Writing::text,
+       .is_it = [](const FileStart& start) { return adcirc_head(start.bytes).has_value(); },
+       .read = [](const Reading& r) { return read_adcirc_currents(r.files, r.options, r.progress); },
+       .together = Together::adcirc_run},
 
       {.name = "XYZ",
        .reads = "depths or elevations on a grid: longitude or easting, latitude or northing, value",

@@ -13,6 +13,7 @@
 #include "storage/ingest/formats/netcdf/position_tables.hpp"
 #include "storage/ingest/formats/slocum/slocum_header.hpp"
 #include "storage/ingest/formats/slocum/slocum_log.hpp"
+#include "storage/ingest/readers/currents/adcirc_file.hpp"
 #include "storage/ingest/readers/tides/tide_layout.hpp"
 #include "storage/ingest/readers/tides/tide_variables.hpp"
 #include "storage/ingest/readers/tracks/glider_netcdf.hpp"
@@ -40,6 +41,7 @@ struct Member {
   bool tide_depths{false};             // the grid file of such tides
   std::optional<ocean::TideQuantity> tide_component;  // of a tidal current, without the other
   std::optional<tide::Constituent> constituent;       // that the file is named after
+  std::optional<AdcircHead> adcirc;                   // of a file of a run of that model
   bool taken{false};
 };
 
@@ -79,6 +81,7 @@ Member member_of(const std::filesystem::path& path) {
     member.track = name.mission;
     member.segment = name.dive;
   }
+  if (together == Together::adcirc_run) member.adcirc = adcirc_head(first_bytes(path, 4096));
   member.sensor_cache = !format && holds_sensor_cache(path);
   if (together != Together::model_output) return member;
   auto file = NetcdfFile::open(path);
@@ -173,6 +176,27 @@ void add_sensor_caches(std::vector<Member>& members, FileGroup& group) {
   }
 }
 
+/// The mesh and the elevations of a run, of as many nodes as its currents have.
+void add_parts_of_run(const Member& currents, std::vector<Member>& members, FileGroup& group) {
+  if (!currents.adcirc || currents.adcirc->part != AdcircPart::currents) return;
+  for (const AdcircPart wanted : {AdcircPart::mesh, AdcircPart::elevations}) {
+    const auto part = std::ranges::find_if(members, [&](const Member& other) {
+      return !other.taken && other.adcirc && other.adcirc->part == wanted &&
+             other.adcirc->nodes == currents.adcirc->nodes;
+    });
+    if (part == members.end()) continue;
+    part->taken = true;
+    group.push_back(part->path);
+  }
+}
+
+bool waits_for_currents(const Member& member, const std::vector<Member>& members) {
+  return member.adcirc && member.adcirc->part != AdcircPart::currents &&
+         std::ranges::any_of(members, [&](const Member& other) {
+           return other.adcirc && other.adcirc->part == AdcircPart::currents;
+         });
+}
+
 /// FES has the components of the tidal current of each constituent in two files, in folders of their own.
 void add_other_tide_component(const Member& member, std::vector<Member>& members, FileGroup& group) {
   const auto other = std::ranges::find_if(members, [&](const Member& candidate) {
@@ -209,7 +233,8 @@ std::vector<FileGroup> group_files(const std::vector<std::filesystem::path>& fil
 
   for (Member& member : members) {
     if (member.taken || member.tables_alone || member.sensor_cache || member.tide_depths ||
-        is_update_of_another(member, members) || is_sidecar_of_another(member, members))
+        waits_for_currents(member, members) || is_update_of_another(member, members) ||
+        is_sidecar_of_another(member, members))
       continue;
     FileGroup group{member.path};
     if (member.parts == VelocityParts::first_alone || member.parts == VelocityParts::second_alone) {
@@ -228,6 +253,7 @@ std::vector<FileGroup> group_files(const std::vector<std::filesystem::path>& fil
     if (member.chart) take_updates(member, members, group);
     take_rest_of_track(member, members, group);
     add_sensor_caches(members, group);
+    add_parts_of_run(member, members, group);
     if (member.tide_component) add_other_tide_component(member, members, group);
     if (member.transports) add_tide_depths(members, group);
     if (member.parts != VelocityParts::none)

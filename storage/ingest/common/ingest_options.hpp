@@ -22,8 +22,9 @@ struct IngestOptions {
   std::optional<std::string> zone_kind{};  // "no_go" or "stay_in", for zones that do not say
   std::optional<std::string> variable{};   // of several pairs of currents or concentrations the one to use
   std::optional<double> missing{};         // what marks missing values in NetCDF that does not declare it
-  std::optional<core::UtcTime> time{};     // for which sea ice holds that does not say it
-  std::optional<std::string> archive{};    // name of the one that the files were unpacked from
+  /// For which sea ice holds, or when a run of ADCIRC began, where the file does not say it.
+  std::optional<core::UtcTime> time{};
+  std::optional<std::string> archive{};  // name of the one that the files were unpacked from
 };
 
 }  // namespace floeplan::ingest

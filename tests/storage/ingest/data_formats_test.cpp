@@ -40,6 +40,7 @@ const std::map<std::string, std::string>& beginnings() {
       {"table of your own", "id,lat,lon,time\n"},
       {"Seaglider", "version: 66.11\nrevision: 1138\nglider: 561\nmission: 6\ndive: 5\n"},
       {"SeaExplorer", "Timestamp;NavState;Depth;Lat;Lon;\n"},
+      {"ADCIRC", "run 1\n2 4 3600.0 3600 2\n3600.0 3600\n1 0.1 0.2\n"},
       {"XYZ", "-52.0 69.0 -120\n-51.9 69.0 -130\n"},
       {"grid of depths", "lon,lat,depth\n"}};
   return all;

@@ -21,6 +21,7 @@
 #include "storage/repository/features/glider_track_repository.hpp"
 #include "storage/repository/features/iceberg_repository.hpp"
 #include "storage/repository/fields/field_repository.hpp"
+#include "tests/storage/ingest/support/adcirc_writer.hpp"
 #include "tests/storage/ingest/support/archive_writer.hpp"
 #include "tests/storage/ingest/support/foreign_files.hpp"
 #include "tests/storage/ingest/support/grib_writer.hpp"
@@ -78,6 +79,11 @@ class HostileFiles : public StoreFixture {
     }
     if (name == "currents.nc") CurrentFile{}.write(path(name));
     if (name == "mesh.nc") write_fvcom({.origin = {15.0, 70.0}}, path(name));
+    if (name == "roms.nc") write_roms({.columns = 12, .rows = 10}, path(name), {});
+    if (name == "fort.64") {
+      write_file("fort.14", AdcircBay::mesh());
+      write_file(name, AdcircBay::currents(false));
+    }
     if (name == "bed.tif") write_geotiff(path(name));
     if (name == "bergs.gpkg") write_points("GPKG", path(name));
     if (name == "bergs.shp") write_points("ESRI Shapefile", path(name));
@@ -91,9 +97,8 @@ class HostileFiles : public StoreFixture {
         return std::pair{0.5F + 0.1F * static_cast<float>(column), 60.0F * static_cast<float>(row)};
       }).write(path(name));
     if (name == "places.h5") {
-      S100Sample sample = s111_sample([](std::size_t, std::size_t, std::size_t) {
-        return std::pair{0.5F, 60.0F};
-      });
+      S100Sample sample =
+          s111_sample([](std::size_t, std::size_t, std::size_t) { return std::pair{0.5F, 60.0F}; });
       sample.feature_numbers["dataCodingFormat"] = 3.0;
       for (int node = 0; node < 64; ++node)
         sample.places.emplace_back(-50.0 + 0.1 * (node % 8), 60.0 + 0.05 * (node / 8));
@@ -199,8 +204,13 @@ class HostileFiles : public StoreFixture {
   /// all, and is possible.
   std::vector<IngestReport> guarded(const std::filesystem::path& file) {
     const auto began = std::chrono::steady_clock::now();
-    auto reports =
-        guarded_ingest(db_, guard_, {file}, {.positive = "up"}, core::from_unix_seconds(1.8e9), {}, {}, {});
+    IngestOptions options{.positive = "up"};
+    std::vector<std::filesystem::path> files{file};
+    if (file.extension() == ".64") {  // says neither where its nodes lie nor when it began
+      files.push_back(path("fort.14"));
+      options.time = core::from_unix_seconds(1.79e9);
+    }
+    auto reports = guarded_ingest(db_, guard_, files, options, core::from_unix_seconds(1.8e9), {}, {}, {});
     const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - began;
     tally_.longest_s = std::max(tally_.longest_s, taken.count());
     EXPECT_FALSE(reports.empty());
@@ -314,9 +324,9 @@ TEST_P(HostileFormat, WithBytesChangedLeavesNothingHalfInTheStore) {
 INSTANTIATE_TEST_SUITE_P(
     Of, HostileFormat,
     testing::Values("US4MD81M.000", "gutils_profile.nc", "gnome_gridded_current.nc", "sample-2.0.1.bag",
-                    "comet-2019-222-02-154.dbd", "currents.nc", "mesh.nc", "bed.tif", "bergs.gpkg",
-                    "bergs.shp", "bergs.zip", "currents.grb", "currents.h5", "places.h5", "bed.h5",
-                    "tides.tcd", "detections.csv", "log.csv", "p5610005.log", "sea035.6.gli.sub.1",
+                    "comet-2019-222-02-154.dbd", "currents.nc", "mesh.nc", "roms.nc", "fort.64", "bed.tif",
+                    "bergs.gpkg", "bergs.shp", "bergs.zip", "currents.grb", "currents.h5", "places.h5",
+                    "bed.h5", "tides.tcd", "detections.csv", "log.csv", "p5610005.log", "sea035.6.gli.sub.1",
                     "seaglider_p1800001.nc", "bed.asc", "bergs.kml", "chart_20261120.gml", "bergs.geojson",
                     "nw_atlantic_etopo1_4min.xyz", "cis_beacon_1997_12995.csv", "byu_latest_20260818.json",
                     "noaa_anchorage-knik-arm.json", "otps_tpxo9v2a_extract_HC_sample_out.txt"),
