@@ -11,7 +11,7 @@ import { followPointer } from './actions/probing';
 import { followDataArea, followSpans, followStore } from './actions/session';
 import { followTracks } from './actions/tracks';
 import { followAddress } from './model/shared_view';
-import { keepDraft } from './model/stored_draft';
+import { keepDraft } from './model/setup/stored_draft';
 import { followTheme } from './theme/theme';
 import { App } from './ui/app';
 import { readOutCross } from './ui/placing_keys';

@@ -1,5 +1,5 @@
 import { effect, untracked } from '@preact/signals';
-import { bergHistory, openBerg, openBergId } from '../model/berg_card';
+import { bergHistory, openBerg, openBergId } from '../model/ice/berg_card';
 import * as api from './client';
 import { Latest } from './latest';
 

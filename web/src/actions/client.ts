@@ -2,9 +2,9 @@ import type { Box, CoastFeature, FeaturePage, GliderTrackFeature, IceChart, Iceb
 import type { EvaluateInputs, EvaluationResults, JobStatus, MissionPreview, PlanFeature, PlanInputs, PlanResults, Probe, Reach, ReachInputs } from '../contract/types';
 import type { Flight, SimulateInputs, Simulation, SimulationSummary } from '../contract/simulation_types';
 import { decodeGrid, type Grid } from '../geo/grid';
-import type { IcebergChoice } from '../model/iceberg_choice';
+import type { IcebergChoice } from '../model/setup/iceberg_choice';
 import type { Caller } from '../model/login';
-import type { ExportQuery } from '../model/export_options';
+import type { ExportQuery } from '../model/plan/export_options';
 import { address, ApiError, dangersIn, faultsOf, json, noteRefusal, request, silence, wordsOf } from './http';
 
 export { ApiError, dangersIn, faultsOf, wordsOf };

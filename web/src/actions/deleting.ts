@@ -1,5 +1,5 @@
 import type { Plan } from '../contract/types';
-import { bringBack, forget, plans, selectedId, shown, titleOf } from '../model/plans';
+import { bringBack, forget, plans, selectedId, shown, titleOf } from '../model/plan/plans';
 import { tell } from '../model/screen';
 import { forgetChanges, remember } from '../model/undo';
 import * as api from './client';

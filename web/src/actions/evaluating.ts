@@ -1,9 +1,9 @@
 import { effect, untracked } from '@preact/signals';
 import { reasonTitle } from '../model/job';
 import { warnedOf } from '../model/messages';
-import { add, titleOf } from '../model/plans';
-import { rememberRequest } from '../model/requests';
-import { closeSavedEdit, deliver, routeEdit, whyNotSaved, type RouteEdit, type Verdict } from '../model/route_edit';
+import { add, titleOf } from '../model/plan/plans';
+import { rememberRequest } from '../model/setup/requests';
+import { closeSavedEdit, deliver, routeEdit, whyNotSaved, type RouteEdit, type Verdict } from '../model/plan/route_edit';
 import { announce } from '../model/screen';
 import { duration } from '../model/time';
 import * as api from './client';

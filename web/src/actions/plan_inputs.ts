@@ -1,9 +1,9 @@
 import { effect, untracked } from '@preact/signals';
 import { areaOf } from '../model/area';
-import { planAreas } from '../model/plan_areas';
-import { routeOf, selectedId } from '../model/plans';
-import { rememberRequest, requestOf } from '../model/requests';
-import { startEdit } from '../model/route_edit';
+import { planAreas } from '../model/plan/plan_areas';
+import { routeOf, selectedId } from '../model/plan/plans';
+import { rememberRequest, requestOf } from '../model/setup/requests';
+import { startEdit } from '../model/plan/route_edit';
 import { ask } from '../model/view';
 import * as api from './client';
 import type { Plan } from '../contract/types';

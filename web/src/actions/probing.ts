@@ -1,6 +1,6 @@
 import { computed, effect, untracked } from '@preact/signals';
 import { time_ms } from '../model/clock';
-import { icebergChoice } from '../model/iceberg_choice';
+import { icebergChoice } from '../model/setup/iceberg_choice';
 import { probed, probedDatasets, readOut } from '../model/probe';
 import { isoOf } from '../model/time';
 import { pointer } from '../model/view';

@@ -1,6 +1,6 @@
 import { datasets } from '../model/datasets';
-import { countedAt_ms } from '../model/iceberg_choice';
-import { momentsOf, type ProfilePoint } from '../model/profile';
+import { countedAt_ms } from '../model/setup/iceberg_choice';
+import { momentsOf, type ProfilePoint } from '../model/plan/profile';
 import { isoOf } from '../model/time';
 import * as api from './client';
 import type { Plan } from '../contract/types';

@@ -1,7 +1,7 @@
-import { draft, emptyDraft, refuse } from '../model/draft';
-import { inputsOf } from '../model/draft_request';
+import { draft, emptyDraft, refuse } from '../model/setup/draft';
+import { inputsOf } from '../model/setup/draft_request';
 import { conditionsOfReach, hoursIn, reach, reachHours } from '../model/reach';
-import { conditionsIn } from '../model/requests';
+import { conditionsIn } from '../model/setup/requests';
 import { announce } from '../model/screen';
 import { ask } from '../model/view';
 import * as api from './client';

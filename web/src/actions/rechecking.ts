@@ -1,5 +1,5 @@
-import { conditionsOf } from '../model/requests';
-import { routeOf } from '../model/plans';
+import { conditionsOf } from '../model/setup/requests';
+import { routeOf } from '../model/plan/plans';
 import { announce } from '../model/screen';
 import { rechecks, sightingsFor, staleness, type Recheck } from '../model/stale';
 import { duration, isoOf } from '../model/time';

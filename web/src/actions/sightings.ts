@@ -1,7 +1,7 @@
 import { effect, signal, untracked } from '@preact/signals';
 import { time_ms } from '../model/clock';
 import { icebergs, icebergsAsOf_ms } from '../model/field';
-import { icebergChoice, knownAt_ms, shownIcebergs } from '../model/iceberg_choice';
+import { icebergChoice, knownAt_ms, shownIcebergs } from '../model/setup/iceberg_choice';
 import { hour_ms, isoOf } from '../model/time';
 import * as api from './client';
 import { Latest } from './latest';

@@ -1,6 +1,6 @@
-import { numberIn } from '../model/draft';
-import { endedSo, endTitles } from '../model/flight';
-import { closeSimulation, flightForm, flying, flyingFault, opened, playedFlight, stored } from '../model/simulations';
+import { numberIn } from '../model/setup/draft';
+import { endedSo, endTitles } from '../model/plan/flight';
+import { closeSimulation, flightForm, flying, flyingFault, opened, playedFlight, stored } from '../model/plan/simulations';
 import { announce } from '../model/screen';
 import * as api from './client';
 import { follow } from './following';

@@ -6,7 +6,7 @@ import { PlaceLattice } from '../geo/place_lattice';
 import type { ProjectionCode } from '../geo/projections';
 import { bathymetry, coast } from '../model/field';
 import { vehicles } from '../model/datasets';
-import { draft } from '../model/draft';
+import { draft } from '../model/setup/draft';
 import { visible } from '../model/layers';
 import { depthLimits_m, palette, type Palette } from '../theme/palette';
 import { projection } from '../model/settings';

@@ -11,10 +11,10 @@ import type { Position } from '../contract/data_types';
 import { circle } from '../geo/geodesic';
 import { project, type ProjectionCode } from '../geo/projections';
 import { time_ms } from '../model/clock';
-import { isEcho, momentOf, sonarAt, sonarShown_s, stretchesOf } from '../model/flight';
+import { isEcho, momentOf, sonarAt, sonarShown_s, stretchesOf } from '../model/plan/flight';
 import { visible } from '../model/layers';
 import { projection } from '../model/settings';
-import { shownFlight } from '../model/simulations';
+import { shownFlight } from '../model/plan/simulations';
 import { palette, type Palette } from '../theme/palette';
 import { toMap } from './projections';
 

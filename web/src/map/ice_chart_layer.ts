@@ -4,7 +4,7 @@ import Polygon from 'ol/geom/Polygon.js';
 import type VectorLayer from 'ol/layer/Vector.js';
 import VectorSource from 'ol/source/Vector.js';
 import { Fill, Stroke, Style, Text } from 'ol/style.js';
-import { drawnChart, iceChart, shortTotal } from '../model/ice_chart';
+import { drawnChart, iceChart, shortTotal } from '../model/ice/ice_chart';
 import { visible } from '../model/layers';
 import { projection } from '../model/settings';
 import { chartDash, palette } from '../theme/palette';

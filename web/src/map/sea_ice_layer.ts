@@ -7,7 +7,7 @@ import { playing } from '../model/clock';
 import { chosenSeaIce } from '../model/datasets';
 import { seaIce } from '../model/field';
 import { visible } from '../model/layers';
-import { iceEdge, seaIceLevels, surfacingLimit } from '../model/sea_ice';
+import { iceEdge, seaIceLevels, surfacingLimit } from '../model/ice/sea_ice';
 import { projection } from '../model/settings';
 import { palette, seaIceHatches, surfacingDash, unknownHatch, type Hatch } from '../theme/palette';
 import { CanvasLayer, screenMatrix, type Frame } from './canvas_layer';

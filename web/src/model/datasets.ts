@@ -2,8 +2,8 @@ import { computed, signal } from '@preact/signals';
 import type { Box, DamagedThing, Dataset, DatasetKind, PlanningKind, StoredDatasets, Vehicle } from '../contract/data_types';
 import { intersection } from '../geo/boxes';
 import { time_ms } from './clock';
-import { severalIn, withoutMissing } from './data_choice';
-import { draft, emptyDraft, fill } from './draft';
+import { severalIn, withoutMissing } from './setup/data_choice';
+import { draft, emptyDraft, fill } from './setup/draft';
 import { icebergs } from './field';
 import { hour_ms } from './time';
 

@@ -1,7 +1,7 @@
 import type { Position } from '../contract/data_types';
 import { editablePosition } from '../geo/coordinates';
-import { draft, edit } from './draft';
-import { addSafePlace } from './export_options';
+import { draft, edit } from './setup/draft';
+import { addSafePlace } from './plan/export_options';
 import { changeBerg } from './hand_made';
 import { announce, dialog } from './screen';
 import { tool } from './view';

@@ -3,9 +3,9 @@ import type { PlanningKind, Position } from '../contract/data_types';
 import type { Probe } from '../contract/types';
 import { directionTowards_deg } from '../geo/vectors';
 import { namedDatasets } from './datasets';
-import { draft } from './draft';
-import { icebergChoice } from './iceberg_choice';
-import { seaIceInWords } from './sea_ice';
+import { draft } from './setup/draft';
+import { icebergChoice } from './setup/iceberg_choice';
+import { seaIceInWords } from './ice/sea_ice';
 import { course, depth, none, speed } from './units';
 
 /** The answer to the last click of the probe tool. */

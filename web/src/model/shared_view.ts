@@ -2,7 +2,7 @@ import { effect } from '@preact/signals';
 import { playing, time_ms } from './clock';
 import { layerNames, visible } from './layers';
 import { readLink, written, type Link } from './link';
-import { selectedId, shown } from './plans';
+import { selectedId, shown } from './plan/plans';
 import { change, projection } from './settings';
 import { view } from './view';
 

@@ -4,8 +4,8 @@ import type { Infeasible, Plan } from '../contract/types';
 import { boxAround, intersection } from '../geo/boxes';
 import { wrapLongitude } from '../geo/geodesic';
 import { datasets } from './datasets';
-import { routeOf } from './plans';
-import { oldestThatCounts_ms, sighting_days } from './sighting_age';
+import { routeOf } from './plan/plans';
+import { oldestThatCounts_ms, sighting_days } from './setup/sighting_age';
 
 /** Kinds of data that change from day to day. Depths and coastlines do not become stale. */
 const changing: DatasetKind[] = ['icebergs', 'currents', 'ice', 'zones'];

@@ -1,7 +1,7 @@
 import type { VNode } from 'preact';
 import { announcement, dialog, drawer, leftTab, notice, rightTab } from '../model/screen';
 import { guidePages } from '../model/guide_pages';
-import { plans } from '../model/plans';
+import { plans } from '../model/plan/plans';
 import { ClockBar } from './clock/clock_bar';
 import { GuideLink } from './common/guide_link';
 import { dialogLater, later } from './common/later';

@@ -1,6 +1,6 @@
 import { destination } from '../geo/geodesic';
-import { selectedWaypoint, waypointLabel } from '../model/plans';
-import { insertAfter, moveWaypoint, openEdit, removeWaypoint } from '../model/route_edit';
+import { selectedWaypoint, waypointLabel } from '../model/plan/plans';
+import { insertAfter, moveWaypoint, openEdit, removeWaypoint } from '../model/plan/route_edit';
 import { announce } from '../model/screen';
 import { tool, view } from '../model/view';
 

@@ -1,10 +1,10 @@
 import { beforeEach, describe, expect, it } from 'vitest';
 import type { Alternative, Plan } from '../../src/contract/types';
-import { alternativesTo, bestOf, laterThan, showBesideAlternatives, whyNoAlternatives } from '../../src/model/alternatives';
+import { alternativesTo, bestOf, laterThan, showBesideAlternatives, whyNoAlternatives } from '../../src/model/plan/alternatives';
 import { areaOf, areasInputs, isSameArea, newArea } from '../../src/model/area';
-import { emptyDraft } from '../../src/model/draft';
-import { inputsOf } from '../../src/model/draft_request';
-import { add, baselineId, forget, inOrder, plans, select, selectedId, shown } from '../../src/model/plans';
+import { emptyDraft } from '../../src/model/setup/draft';
+import { inputsOf } from '../../src/model/setup/draft_request';
+import { add, baselineId, forget, inOrder, plans, select, selectedId, shown } from '../../src/model/plan/plans';
 import { makePlan } from './make_plan';
 
 const other = makePlan('other', [[-53, 69], [-52.5, 69.2], [-52, 69]]);

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { choiceInputs, severalIn, severalOf, ticked, withoutMissing } from '../../src/model/data_choice';
+import { choiceInputs, severalIn, severalOf, ticked, withoutMissing } from '../../src/model/setup/data_choice';
 
 describe('a choice of data', () => {
   it('is a word, one dataset, or several in the order they were ticked', () => {

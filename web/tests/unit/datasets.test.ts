@@ -1,7 +1,7 @@
 import { expect, it } from 'vitest';
 import type { Box, Dataset } from '../../src/contract/data_types';
 import { chosen, chosenAll, damagedDatasets, datasets, forgetMissing, isEmptyStore, isInUse, takeStored } from '../../src/model/datasets';
-import { draft, fill } from '../../src/model/draft';
+import { draft, fill } from '../../src/model/setup/draft';
 
 const depths = (id: string, bbox: Box, rows_accepted: number): Dataset => ({
   id, kind: 'bathymetry', name: id, variables: [], bbox, time_start: null, time_end: null, rows_accepted, rows_refused: 0, warnings: [],

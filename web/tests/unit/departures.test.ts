@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { afterCurve } from '../../src/model/departures';
+import { afterCurve } from '../../src/model/plan/departures';
 
 const refinement = { before_s: 36_000, after_s: 35_000, evaluations: 1, stopped_by: 'converged' } as const;
 

@@ -1,9 +1,9 @@
 import { describe, expect, it } from 'vitest';
 import { newArea } from '../../src/model/area';
-import { draft, edit, emptyDraft } from '../../src/model/draft';
+import { draft, edit, emptyDraft } from '../../src/model/setup/draft';
 import { redo, undo } from '../../src/model/undo';
-import { editFor, sortViolations } from '../../src/model/draft_answer';
-import { inputsOf } from '../../src/model/draft_request';
+import { editFor, sortViolations } from '../../src/model/setup/draft_answer';
+import { inputsOf } from '../../src/model/setup/draft_request';
 
 const good = { ...emptyDraft, from: '69 08 N 51 42 W', to: '68.55, -54.6', depart: '2026-11-21 01:00', vehicle: 'slocum-g3-200' };
 

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import type { IcebergDrift } from '../../src/contract/data_types';
-import { driftLineOf, expectedAt, plainLineOf, ticksOf } from '../../src/model/drift';
+import { driftLineOf, expectedAt, plainLineOf, ticksOf } from '../../src/model/ice/drift';
 
 const start_ms = Date.parse('2026-11-20T06:00:00Z');
 const hour_ms = 3_600_000;

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { addSafePlace, exportLabelOf, exportOptions, exportOptionsOf, exportWish, usualExport } from '../../src/model/export_options';
+import { addSafePlace, exportLabelOf, exportOptions, exportOptionsOf, exportWish, usualExport } from '../../src/model/plan/export_options';
 
 describe('the options of an export', () => {
   it('ask for the lists alone at first', () => {

@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import type { Flight } from '../../src/contract/simulation_types';
 import type { Position } from '../../src/contract/data_types';
 import { destination } from '../../src/geo/geodesic';
-import { crossTrackOf, momentOf, returnsOf, sonarAt, stretchesOf } from '../../src/model/flight';
+import { crossTrackOf, momentOf, returnsOf, sonarAt, stretchesOf } from '../../src/model/plan/flight';
 
 const start: Position = [-52, 69];
 const north_m = (metres: number): Position => destination(start, 0, metres);

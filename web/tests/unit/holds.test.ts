@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { allHolds_s, holdsOf } from '../../src/model/holds';
+import { allHolds_s, holdsOf } from '../../src/model/plan/holds';
 import { makePlan } from './make_plan';
 
 const plan = makePlan('one', [[-52, 69], [-51.5, 69], [-51, 69.1], [-50.5, 69.1]]);

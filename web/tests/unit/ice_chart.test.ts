@@ -2,7 +2,7 @@ import { beforeEach, describe, expect, it } from 'vitest';
 import type { Dataset, IceChart, IceEgg, Position } from '../../src/contract/data_types';
 import { setSpan, setTime } from '../../src/model/clock';
 import { datasets } from '../../src/model/datasets';
-import { chosenChart, drawnChart, eggAt, iceChart, partInWords, shortTotal } from '../../src/model/ice_chart';
+import { chosenChart, drawnChart, eggAt, iceChart, partInWords, shortTotal } from '../../src/model/ice/ice_chart';
 
 const hour_ms = 3_600_000;
 const drawn_ms = Date.parse('2026-11-20T18:00:00Z');

@@ -1,9 +1,9 @@
 import { afterEach, describe, expect, it } from 'vitest';
 import { setSpan, setTime } from '../../src/model/clock';
-import { emptyDraft, fill } from '../../src/model/draft';
-import { choiceInWords, icebergChoice } from '../../src/model/iceberg_choice';
-import { add, forget } from '../../src/model/plans';
-import { oldestThatCounts_ms } from '../../src/model/sighting_age';
+import { emptyDraft, fill } from '../../src/model/setup/draft';
+import { choiceInWords, icebergChoice } from '../../src/model/setup/iceberg_choice';
+import { add, forget } from '../../src/model/plan/plans';
+import { oldestThatCounts_ms } from '../../src/model/setup/sighting_age';
 import { makePlan } from './make_plan';
 
 afterEach(() => {

@@ -1,7 +1,7 @@
 import { beforeEach, describe, expect, it } from 'vitest';
 import type { IcebergProperties } from '../../src/contract/data_types';
-import { edit } from '../../src/model/draft';
-import { keepOut_m, lookOf, strengthOf } from '../../src/model/icebergs';
+import { edit } from '../../src/model/setup/draft';
+import { keepOut_m, lookOf, strengthOf } from '../../src/model/ice/icebergs';
 
 describe('the distance kept from a berg', () => {
   beforeEach(() => edit({ margin_m: '500', max_inflation_m: '' }));

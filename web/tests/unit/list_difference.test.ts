@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { differenceOf } from '../../src/model/list_difference';
+import { differenceOf } from '../../src/model/plan/list_difference';
 
 const list = (rows: string[], comment: string): string => `# ${comment}\nbehavior_name=goto_list\n<start:waypoints>\n${rows.join('\n')}\n<end:waypoints>\n`;
 

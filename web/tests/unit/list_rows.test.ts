@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { listRows } from '../../src/model/list_rows';
+import { listRows } from '../../src/model/plan/list_rows';
 
 const file = (name: string, first: number, last: number): { name: string; text: string } => ({
   name, text: `behavior_name=goto_list\n# ${name}, list 1 of 2: waypoints ${first} to ${last} of 5\n# plan x\n`,

@@ -1,6 +1,6 @@
 import { readFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
-import { emptyDraft } from '../../src/model/draft';
+import { emptyDraft } from '../../src/model/setup/draft';
 
 interface Schema {
   $ref?: string;

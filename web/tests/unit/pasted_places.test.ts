@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { placesOfText } from '../../src/model/pasted_places';
+import { placesOfText } from '../../src/model/setup/pasted_places';
 
 describe('a list of positions that is pasted', () => {
   it('gives start, via points and goal, without what lists write before them', () => {

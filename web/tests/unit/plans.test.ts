@@ -2,7 +2,7 @@ import { beforeEach, describe, expect, it } from 'vitest';
 import type { Plan } from '../../src/contract/types';
 import { inverse } from '../../src/geo/geodesic';
 import { hueOf, planDash } from '../../src/theme/palette';
-import { add, nextName, plans, select, selectedPlan, show, shown, shownPlans, vehicleAt } from '../../src/model/plans';
+import { add, nextName, plans, select, selectedPlan, show, shown, shownPlans, vehicleAt } from '../../src/model/plan/plans';
 
 function plan(id: string, name = ''): Plan {
   const waypoint = (index: number, lon: number, lat: number, eta: string): Plan['waypoints'][number] => ({

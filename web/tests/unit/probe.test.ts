@@ -1,7 +1,7 @@
 import { afterEach, expect, it } from 'vitest';
 import type { Dataset, DatasetKind } from '../../src/contract/data_types';
 import { datasets } from '../../src/model/datasets';
-import { emptyDraft, fill } from '../../src/model/draft';
+import { emptyDraft, fill } from '../../src/model/setup/draft';
 import { isLeftOut, probedDatasets } from '../../src/model/probe';
 
 const dataset = (id: string, kind: DatasetKind): Dataset => ({

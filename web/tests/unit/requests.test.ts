@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import type { DatasetRef } from '../../src/contract/types';
 import { datasets } from '../../src/model/datasets';
-import { dataOf } from '../../src/model/requests';
+import { dataOf } from '../../src/model/setup/requests';
 import { makePlan } from './make_plan';
 
 const used = (kind: DatasetRef['kind'], id: string, part: Partial<DatasetRef> = {}): DatasetRef => ({ id, kind, name: id, sha256: '', ...part });

@@ -1,8 +1,8 @@
 import { beforeEach, describe, expect, it } from 'vitest';
-import { conditionsIn } from '../../src/model/requests';
+import { conditionsIn } from '../../src/model/setup/requests';
 import {
   closeSavedEdit, deliver, discardEdit, insertAfter, moveWaypoint, removeWaypoint, routeEdit, startEdit, whyNotSaved,
-} from '../../src/model/route_edit';
+} from '../../src/model/plan/route_edit';
 import { lastDone, redo, undo } from '../../src/model/undo';
 import { makePlan } from './make_plan';
 

@@ -2,8 +2,8 @@ import { beforeEach, describe, expect, it } from 'vitest';
 import type { Dataset } from '../../src/contract/data_types';
 import { range, spans, time_ms } from '../../src/model/clock';
 import { chosenSeaIce, datasets } from '../../src/model/datasets';
-import { draft, edit } from '../../src/model/draft';
-import { goToSeaIce, nearestSeaIceStep_ms, seaIceInWords, surfacingLimit } from '../../src/model/sea_ice';
+import { draft, edit } from '../../src/model/setup/draft';
+import { goToSeaIce, nearestSeaIceStep_ms, seaIceInWords, surfacingLimit } from '../../src/model/ice/sea_ice';
 import { hour_ms, isoOf } from '../../src/model/time';
 
 const start_ms = Date.UTC(2026, 10, 20);

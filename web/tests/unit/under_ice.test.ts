@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import type { Plan, Surfacing } from '../../src/contract/types';
-import { belowIce_m, closedWaypoints, deepestTurn_m, isLegBelowIce, maySurface, runsOf, turnFigure } from '../../src/model/under_ice';
+import { belowIce_m, closedWaypoints, deepestTurn_m, isLegBelowIce, maySurface, runsOf, turnFigure } from '../../src/model/ice/under_ice';
 import { makePlan } from './make_plan';
 
 const surfacing: Surfacing = { longest_without_surfacing_s: 3600, unknown_ice_m: 0, planned: [], escapes: [] };

@@ -2,7 +2,7 @@ import type { VNode } from 'preact';
 import { useMemo, useState } from 'preact/hooks';
 import { planAt } from '../../actions/planning';
 import type { Departure, Plan } from '../../contract/types';
-import { afterCurve } from '../../model/departures';
+import { afterCurve } from '../../model/plan/departures';
 import { running } from '../../model/job';
 import { may } from '../../model/login';
 import { duration, shortTime } from '../../model/time';

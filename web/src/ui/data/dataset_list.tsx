@@ -5,7 +5,7 @@ import type { Dataset } from '../../contract/data_types';
 import { covered, toggleCoverage } from '../../model/coverage';
 import { byHand, connectionFault, damagedDatasets, datasets, isEmptyStore, isInUse } from '../../model/datasets';
 import { may } from '../../model/login';
-import { plans } from '../../model/plans';
+import { plans } from '../../model/plan/plans';
 import { shortTime } from '../../model/time';
 import { fileSize } from '../../model/units';
 import { ask } from '../../model/view';

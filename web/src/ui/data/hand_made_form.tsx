@@ -2,7 +2,7 @@ import type { VNode } from 'preact';
 import { closeForm, openExisting, saveForm, saveOverTheirs } from '../../actions/hand_made';
 import type { Area } from '../../model/area';
 import { changeBerg, changeForm, nameOf, type BergForm, type OpenForm } from '../../model/hand_made';
-import { sizeTitle } from '../../model/icebergs';
+import { sizeTitle } from '../../model/ice/icebergs';
 import { drawer } from '../../model/screen';
 import { tool } from '../../model/view';
 import { Icon, IconButton } from '../common/icon';

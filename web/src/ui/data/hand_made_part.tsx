@@ -3,7 +3,7 @@ import { openExisting, retire } from '../../actions/hand_made';
 import type { ZoneFeature } from '../../contract/data_types';
 import { formatPosition } from '../../geo/coordinates';
 import { bergsByHand, handFault, isBerg, nameOf, newBerg, newZone, openForm, zonesByHand, type HandMade, type HandMadeKind, type OpenForm } from '../../model/hand_made';
-import { sizeTitle } from '../../model/icebergs';
+import { sizeTitle } from '../../model/ice/icebergs';
 import { may } from '../../model/login';
 import { drawer } from '../../model/screen';
 import { settings } from '../../model/settings';

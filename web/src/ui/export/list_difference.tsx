@@ -2,10 +2,10 @@ import type { VNode } from 'preact';
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { mission, wordsOf } from '../../actions/client';
 import type { MissionPreview, Plan } from '../../contract/types';
-import type { ExportQuery } from '../../model/export_options';
+import type { ExportQuery } from '../../model/plan/export_options';
 import { textOf } from '../../model/file_text';
-import { differenceOf } from '../../model/list_difference';
-import { plans, titleOf } from '../../model/plans';
+import { differenceOf } from '../../model/plan/list_difference';
+import { plans, titleOf } from '../../model/plan/plans';
 import { Icon } from '../common/icon';
 
 type MissionFile = MissionPreview['files'][number];

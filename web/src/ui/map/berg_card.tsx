@@ -1,7 +1,7 @@
 import type { VNode } from 'preact';
 import { formatPosition } from '../../geo/coordinates';
-import { bergHistory, bergSource, expectedNow, forecastEnd_ms, openBerg, openBergId } from '../../model/berg_card';
-import { sizeTitle } from '../../model/icebergs';
+import { bergHistory, bergSource, expectedNow, forecastEnd_ms, openBerg, openBergId } from '../../model/ice/berg_card';
+import { sizeTitle } from '../../model/ice/icebergs';
 import { settings } from '../../model/settings';
 import { shortTime } from '../../model/time';
 import { depth, distance, none } from '../../model/units';

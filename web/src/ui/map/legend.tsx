@@ -2,19 +2,19 @@ import { signal } from '@preact/signals';
 import type { VNode } from 'preact';
 import { time_ms } from '../../model/clock';
 import { chosenBathymetry, chosenCurrents, chosenSeaIce, ofKind, vehicles } from '../../model/datasets';
-import { draft } from '../../model/draft';
-import { drifts, driftsLeftOut } from '../../model/drift';
+import { draft } from '../../model/setup/draft';
+import { drifts, driftsLeftOut } from '../../model/ice/drift';
 import { icebergs, seaIce, seaIceFault } from '../../model/field';
-import { chartInWords, drawnChart } from '../../model/ice_chart';
-import { choiceInWords } from '../../model/iceberg_choice';
-import { crowd, validity_h } from '../../model/icebergs';
+import { chartInWords, drawnChart } from '../../model/ice/ice_chart';
+import { choiceInWords } from '../../model/setup/iceberg_choice';
+import { crowd, validity_h } from '../../model/ice/icebergs';
 import { visible } from '../../model/layers';
-import { selectedShown, type ShownPlan } from '../../model/plans';
-import { goToSeaIce, heldSeaIceStep_ms, iceEdge, nearestSeaIceStep_ms, seaIceLevels, surfacingLimit } from '../../model/sea_ice';
+import { selectedShown, type ShownPlan } from '../../model/plan/plans';
+import { goToSeaIce, heldSeaIceStep_ms, iceEdge, nearestSeaIceStep_ms, seaIceLevels, surfacingLimit } from '../../model/ice/sea_ice';
 import { shortTime } from '../../model/time';
 import { gliderTracks } from '../../model/tracks';
 import { speedFigure, speedUnit } from '../../model/units';
-import { closedWaypoints, isLegBelowIce } from '../../model/under_ice';
+import { closedWaypoints, isLegBelowIce } from '../../model/ice/under_ice';
 import { belowIceDash, currentLimits_m_s, depthLimits_m, palette, planColour, seaIceHatches } from '../../theme/palette';
 
 /** Folded where the map is small, until a person unfolds it. */

@@ -5,7 +5,7 @@ import { createMap } from '../../map/map_view';
 import { isSynthetic } from '../../model/datasets';
 import { drawnCorners, fewestCorners } from '../../model/drawing';
 import { currentsFault, isLoading } from '../../model/field';
-import { routeOf, selectedPlan } from '../../model/plans';
+import { routeOf, selectedPlan } from '../../model/plan/plans';
 import { ask, tool, view } from '../../model/view';
 import { IconButton } from '../common/icon';
 import { UndoButtons } from '../common/undo_buttons';

@@ -1,7 +1,7 @@
 import type { VNode } from 'preact';
 import { formatPosition } from '../../geo/coordinates';
 import { chosenSeaIce } from '../../model/datasets';
-import { sizeTitle } from '../../model/icebergs';
+import { sizeTitle } from '../../model/ice/icebergs';
 import { bedInWords, currentInWords, iceInWords, isLeftOut, readOut } from '../../model/probe';
 import { settings } from '../../model/settings';
 import { shortTime } from '../../model/time';

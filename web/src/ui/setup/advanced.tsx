@@ -1,5 +1,5 @@
 import type { VNode } from 'preact';
-import { draft, hasGoalsFile } from '../../model/draft';
+import { draft, hasGoalsFile } from '../../model/setup/draft';
 import { AreasField } from './areas_field';
 import { DataPart } from './data_part';
 import { CheckField, SelectField, TextField, type Choice } from './field';

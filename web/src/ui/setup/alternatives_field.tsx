@@ -1,6 +1,6 @@
 import type { VNode } from 'preact';
-import { whyNoAlternatives } from '../../model/alternatives';
-import { draft } from '../../model/draft';
+import { whyNoAlternatives } from '../../model/plan/alternatives';
+import { draft } from '../../model/setup/draft';
 import { guidePages } from '../../model/guide_pages';
 import { GuideLink } from '../common/guide_link';
 import { SelectField, type Choice } from './field';

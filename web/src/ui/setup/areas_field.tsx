@@ -1,7 +1,7 @@
 import type { VNode } from 'preact';
 import { useState } from 'preact/hooks';
 import { cornersIn, cornersText, newArea, type Area } from '../../model/area';
-import { draft, edit, faults } from '../../model/draft';
+import { draft, edit, faults } from '../../model/setup/draft';
 import { drawer } from '../../model/screen';
 import { tool, view } from '../../model/view';
 import { Icon, IconButton } from '../common/icon';

@@ -1,8 +1,8 @@
 import type { VNode } from 'preact';
 import type { PlanningKind } from '../../contract/data_types';
-import { severalIn, severalOf, ticked } from '../../model/data_choice';
+import { severalIn, severalOf, ticked } from '../../model/setup/data_choice';
 import { chosenAll, ofKind } from '../../model/datasets';
-import { draft, edit } from '../../model/draft';
+import { draft, edit } from '../../model/setup/draft';
 import { formOf } from '../../model/fields';
 import { SelectField, type Choice } from './field';
 import { Part } from './part';

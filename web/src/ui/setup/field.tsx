@@ -1,5 +1,5 @@
 import type { ComponentChildren, VNode } from 'preact';
-import { draft, edit, faults, type Draft, type Field } from '../../model/draft';
+import { draft, edit, faults, type Draft, type Field } from '../../model/setup/draft';
 import { formOf, type FormTexts } from '../../model/fields';
 
 type TextField = { [K in Field]: Draft[K] extends string ? K : never }[Field];

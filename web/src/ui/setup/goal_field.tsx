@@ -1,6 +1,6 @@
 import type { VNode } from 'preact';
 import { useRef } from 'preact/hooks';
-import { draft, edit, emptyDraft, faults, hasGoalsFile, refuse } from '../../model/draft';
+import { draft, edit, emptyDraft, faults, hasGoalsFile, refuse } from '../../model/setup/draft';
 import { textOf } from '../../model/file_text';
 import { announce } from '../../model/screen';
 import { IconButton } from '../common/icon';

@@ -1,5 +1,5 @@
 import type { VNode } from 'preact';
-import { draft } from '../../model/draft';
+import { draft } from '../../model/setup/draft';
 import { CheckField, TextField } from './field';
 import { Part } from './part';
 

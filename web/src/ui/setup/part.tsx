@@ -1,5 +1,5 @@
 import type { ComponentChildren, VNode } from 'preact';
-import { draft, emptyDraft, faults, type Field } from '../../model/draft';
+import { draft, emptyDraft, faults, type Field } from '../../model/setup/draft';
 import { namesInGroup } from '../../model/fields';
 import { guidePagesOfParts } from '../../model/guide_pages';
 import { GuideLink } from '../common/guide_link';

@@ -1,5 +1,5 @@
 import type { VNode } from 'preact';
-import { draft, edit, faults } from '../../model/draft';
+import { draft, edit, faults } from '../../model/setup/draft';
 import { Icon, IconButton } from '../common/icon';
 import { PickButton } from './pick_button';
 

@@ -1,6 +1,6 @@
 import type { VNode } from 'preact';
-import { severalIn } from '../../model/data_choice';
-import { draft, isEnsemble } from '../../model/draft';
+import { severalIn } from '../../model/setup/data_choice';
+import { draft, isEnsemble } from '../../model/setup/draft';
 import { SelectField, TextField } from './field';
 import { Part } from './part';
 

@@ -1,7 +1,7 @@
 import type { VNode } from 'preact';
 import type { Vehicle } from '../../contract/data_types';
 import { vehicles } from '../../model/datasets';
-import { draft } from '../../model/draft';
+import { draft } from '../../model/setup/draft';
 import { factorOf, formOf, type NumberField } from '../../model/fields';
 import { CheckField, SelectField, TextField } from './field';
 import { Part } from './part';

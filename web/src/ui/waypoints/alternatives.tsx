@@ -1,11 +1,11 @@
 import type { VNode } from 'preact';
 import type { Alternative, Plan } from '../../contract/types';
 import { formatPosition } from '../../geo/coordinates';
-import { alternativesTo, bestOf, laterThan, showBesideAlternatives, type StoredAlternative } from '../../model/alternatives';
+import { alternativesTo, bestOf, laterThan, showBesideAlternatives, type StoredAlternative } from '../../model/plan/alternatives';
 import { guidePages } from '../../model/guide_pages';
 import { placeOf, showMessage } from '../../model/messages';
 import { asSentence } from '../../model/page_words';
-import { select, shownPlans, titleOf } from '../../model/plans';
+import { select, shownPlans, titleOf } from '../../model/plan/plans';
 import { announce, dialog } from '../../model/screen';
 import { settings } from '../../model/settings';
 import { shortTime } from '../../model/time';

@@ -1,8 +1,8 @@
 import type { VNode } from 'preact';
 import type { Plan } from '../../contract/types';
-import { allHolds_s, holdsOf } from '../../model/holds';
+import { allHolds_s, holdsOf } from '../../model/plan/holds';
 import { duration, shortTime } from '../../model/time';
-import { belowIce_m } from '../../model/under_ice';
+import { belowIce_m } from '../../model/ice/under_ice';
 import { distance, energy, none } from '../../model/units';
 
 interface Figure {

@@ -1,9 +1,9 @@
 import { computed, signal } from '@preact/signals';
-import type { IcebergFeature } from '../contract/data_types';
-import { time_ms } from './clock';
-import { datasets } from './datasets';
+import type { IcebergFeature } from '../../contract/data_types';
+import { time_ms } from '../clock';
+import { datasets } from '../datasets';
 import { drifts, expectedAt, type Expected } from './drift';
-import { icebergs } from './field';
+import { icebergs } from '../field';
 
 /** The name of the iceberg whose card is open. The card shows the newest sighting of that name. */
 export const openBergId = signal<string | undefined>(undefined);

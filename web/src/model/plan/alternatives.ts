@@ -1,7 +1,7 @@
-import type { Alternative, Plan } from '../contract/types';
-import type { Draft } from './draft';
+import type { Alternative, Plan } from '../../contract/types';
+import type { Draft } from '../setup/draft';
 import { baselineId, plans, select, shown } from './plans';
-import { duration } from './time';
+import { duration } from '../time';
 
 /** An alternative whose plan is still stored. */
 export interface StoredAlternative {

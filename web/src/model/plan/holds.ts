@@ -1,6 +1,6 @@
-import type { Plan, Waypoint } from '../contract/types';
+import type { Plan, Waypoint } from '../../contract/types';
 import { waypointLabel } from './plans';
-import { duration } from './time';
+import { duration } from '../time';
 
 /** How long the vehicle holds at a waypoint before its next leg; 0: it goes on at once. */
 export const hold_s = ({ wait_s }: Waypoint): number => wait_s ?? 0;

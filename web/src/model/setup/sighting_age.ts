@@ -1,4 +1,4 @@
-import { day_ms } from './time';
+import { day_ms } from '../time';
 
 /** Sightings older than this at departure do not count, by whole days, unless the request says otherwise. */
 export const sighting_days = 3;

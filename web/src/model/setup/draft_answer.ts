@@ -1,8 +1,8 @@
-import type { Position } from '../contract/data_types';
-import type { Change, Violation } from '../contract/types';
+import type { Position } from '../../contract/data_types';
+import type { Change, Violation } from '../../contract/types';
 import { emptyDraft, hasGoalsFile, type Draft, type Faults, type Field } from './draft';
-import { factorOf, numberFields, timeFields, type NumberField } from './fields';
-import { fieldOf, isoOf } from './time';
+import { factorOf, numberFields, timeFields, type NumberField } from '../fields';
+import { fieldOf, isoOf } from '../time';
 
 const fieldNames = Object.keys(emptyDraft) as Field[];
 const aliases: Record<string, Field> = { departure: 'depart', start: 'from', goal: 'to', iceberg_margin: 'margin_m', uncertainty: 'uncertainty.members' };

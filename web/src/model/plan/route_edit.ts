@@ -1,10 +1,10 @@
 import { computed, signal } from '@preact/signals';
-import type { Position } from '../contract/data_types';
-import type { Conditions, Infeasible, Plan } from '../contract/types';
-import { destination, inverse } from '../geo/geodesic';
+import type { Position } from '../../contract/data_types';
+import type { Conditions, Infeasible, Plan } from '../../contract/types';
+import { destination, inverse } from '../../geo/geodesic';
 import { routeOf, select, selectedId, selectedWaypoint, titleOf, waypointLabel } from './plans';
-import { conditionsOf } from './requests';
-import { forgetChanges, remember } from './undo';
+import { conditionsOf } from '../setup/requests';
+import { forgetChanges, remember } from '../undo';
 
 /** What the server says of the present route. */
 export type Verdict =

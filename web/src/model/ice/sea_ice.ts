@@ -1,11 +1,11 @@
 import { computed } from '@preact/signals';
-import { requestFields } from '../contract/request_fields';
-import { heldStep, setSpan, setTime, time_ms } from './clock';
-import { seaIceTimes_ms } from './datasets';
-import { draft, numberIn } from './draft';
-import { factorOf } from './fields';
-import { day_ms } from './time';
-import { none } from './units';
+import { requestFields } from '../../contract/request_fields';
+import { heldStep, setSpan, setTime, time_ms } from '../clock';
+import { seaIceTimes_ms } from '../datasets';
+import { draft, numberIn } from '../setup/draft';
+import { factorOf } from '../fields';
+import { day_ms } from '../time';
+import { none } from '../units';
 
 /** The longest gap between two steps that the server fills (ocean::longest_ice_gap). Ice charts come once a week. */
 export const longestSeaIceGap_ms = 8 * day_ms;

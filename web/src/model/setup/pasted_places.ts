@@ -1,4 +1,4 @@
-import { readPosition } from './position';
+import { readPosition } from '../position';
 
 /** "Start: ", "WP 3 = ", "2) ": what lists write before a position. */
 const label = /^\s*(?:[A-Za-z][\w .-]*[:=]|\d{1,3}[.):])\s+/;

@@ -1,6 +1,6 @@
 import { signal } from '@preact/signals';
-import type { IcebergDrift, Position } from '../contract/data_types';
-import { destination, inverse } from '../geo/geodesic';
+import type { IcebergDrift, Position } from '../../contract/data_types';
+import { destination, inverse } from '../../geo/geodesic';
 
 /** Forecasts of the icebergs in view, from their last sightings on. */
 export const drifts = signal<IcebergDrift[]>([]);

@@ -1,13 +1,13 @@
 import { computed } from '@preact/signals';
-import type { Dataset } from '../contract/data_types';
-import type { Plan } from '../contract/types';
-import { time_ms } from './clock';
+import type { Dataset } from '../../contract/data_types';
+import type { Plan } from '../../contract/types';
+import { time_ms } from '../clock';
 import { severalIn } from './data_choice';
-import { ofKind } from './datasets';
+import { ofKind } from '../datasets';
 import { draft, numberIn } from './draft';
-import { shownPlans } from './plans';
+import { shownPlans } from '../plan/plans';
 import { oldestThatCounts_ms, sighting_days } from './sighting_age';
-import { isoOf, parseTime } from './time';
+import { isoOf, parseTime } from '../time';
 
 /** Which icebergs the map shows: of all datasets unless some are named, and of sightings so many days old. */
 export interface IcebergChoice {

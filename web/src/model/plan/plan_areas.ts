@@ -1,6 +1,6 @@
 import { computed, signal } from '@preact/signals';
-import { isSameArea, type Area } from './area';
-import { draft } from './draft';
+import { isSameArea, type Area } from '../area';
+import { draft } from '../setup/draft';
 
 /** The areas that the selected plan obeys by its own request; none while they are not known. */
 export const planAreas = signal<Area[]>([]);

@@ -1,12 +1,12 @@
-import type { Position } from '../contract/data_types';
-import type { PlanInputs } from '../contract/types';
-import { readPosition } from './position';
-import { whyNoAlternatives } from './alternatives';
-import { areasInputs, faultOfAreas } from './area';
+import type { Position } from '../../contract/data_types';
+import type { PlanInputs } from '../../contract/types';
+import { readPosition } from '../position';
+import { whyNoAlternatives } from '../plan/alternatives';
+import { areasInputs, faultOfAreas } from '../area';
 import { choiceInputs, severalIn } from './data_choice';
 import { emptyDraft, hasGoalsFile, isEnsemble, numberIn, placesIn, type Draft, type Faults, type Field } from './draft';
-import { checkFields, factorOf, numberFields, timeFields } from './fields';
-import { isoOf, parseTime } from './time';
+import { checkFields, factorOf, numberFields, timeFields } from '../fields';
+import { isoOf, parseTime } from '../time';
 
 /** Fields that are sent only where they differ from what the server takes anyway. */
 const sentWhenChanged: Field[] = ['via_order', 'objective', 'thruster', 'wind', ...checkFields.filter((name) => name !== 'refine' && name !== 'steady')];

@@ -1,7 +1,7 @@
-import type { Flight, FlightEnd, FlightMode, SimulationSummary } from '../contract/simulation_types';
-import type { Position } from '../contract/data_types';
-import type { Plan } from '../contract/types';
-import { destination, inverse } from '../geo/geodesic';
+import type { Flight, FlightEnd, FlightMode, SimulationSummary } from '../../contract/simulation_types';
+import type { Position } from '../../contract/data_types';
+import type { Plan } from '../../contract/types';
+import { destination, inverse } from '../../geo/geodesic';
 import { routeOf } from './plans';
 
 /** Where a simulated vehicle is, and where its dead reckoning puts it. */

@@ -1,4 +1,4 @@
-import type { MissionPreview } from '../contract/types';
+import type { MissionPreview } from '../../contract/types';
 import { waypointLabel } from './plans';
 
 /** Where a waypoint stands: what it is called, its index in JSON documents, and its row in a waypoint list. */

@@ -1,7 +1,7 @@
-import type { Conditions, Plan, PlanInputs } from '../contract/types';
-import { isCondition } from './fields';
+import type { Conditions, Plan, PlanInputs } from '../../contract/types';
+import { isCondition } from '../fields';
 import { draft, numberIn } from './draft';
-import { staleness } from './stale';
+import { staleness } from '../stale';
 
 /** The requests of plans, by plan id: of plans made in this browser, and of plans whose request was asked of the server. */
 const key = 'floeplan.requests';

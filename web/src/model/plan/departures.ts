@@ -1,5 +1,5 @@
-import type { Departure, Plan } from '../contract/types';
-import { duration } from './time';
+import type { Departure, Plan } from '../../contract/types';
+import { duration } from '../time';
 
 /**
  * How the plan's travel time differs from that of its departure on the curve; empty where both show the same. The curve shows routes

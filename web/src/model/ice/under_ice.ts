@@ -1,6 +1,6 @@
-import type { Position } from '../contract/data_types';
-import type { Plan, Waypoint } from '../contract/types';
-import { none } from './units';
+import type { Position } from '../../contract/data_types';
+import type { Plan, Waypoint } from '../../contract/types';
+import { none } from '../units';
 
 /** Whether dives on the leg to a waypoint must turn below ice or icebergs; unknown for plans without ice data. */
 export const isLegBelowIce = ({ leg_upper_turn_m }: Waypoint): boolean | undefined =>

@@ -1,4 +1,4 @@
-import type { PlanInputs } from '../contract/types';
+import type { PlanInputs } from '../../contract/types';
 
 /** The job that this tab waits for. It is kept in the session storage: a reload keeps it, and other tabs do not see it. */
 export interface Unfinished {

@@ -1,6 +1,6 @@
 import { computed, signal } from '@preact/signals';
-import type { Flight, Simulation, SimulationSummary } from '../contract/simulation_types';
-import type { JobStatus } from '../contract/types';
+import type { Flight, Simulation, SimulationSummary } from '../../contract/simulation_types';
+import type { JobStatus } from '../../contract/types';
 import { selectedId } from './plans';
 
 /** Stored simulations by plan id, newest first; absent until the server has answered. */

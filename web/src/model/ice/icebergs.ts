@@ -1,8 +1,8 @@
 import { computed } from '@preact/signals';
-import type { IcebergProperties } from '../contract/data_types';
-import { requestFields } from '../contract/request_fields';
-import { draft, numberIn } from './draft';
-import { day_ms, hour_ms } from './time';
+import type { IcebergProperties } from '../../contract/data_types';
+import { requestFields } from '../../contract/request_fields';
+import { draft, numberIn } from '../setup/draft';
+import { day_ms, hour_ms } from '../time';
 
 /** After this a sighting no longer says where the berg is. */
 export const validity_h = 24;

@@ -1,11 +1,11 @@
 import { computed, signal } from '@preact/signals';
-import type { Dataset, IceChart, IceEgg, Position } from '../contract/data_types';
-import { wrapLongitude } from '../geo/geodesic';
-import { time_ms } from './clock';
-import { chosenAll, ofKind } from './datasets';
-import { draft } from './draft';
+import type { Dataset, IceChart, IceEgg, Position } from '../../contract/data_types';
+import { wrapLongitude } from '../../geo/geodesic';
+import { time_ms } from '../clock';
+import { chosenAll, ofKind } from '../datasets';
+import { draft } from '../setup/draft';
 import { longestSeaIceHold_ms } from './sea_ice';
-import { age, shortTime } from './time';
+import { age, shortTime } from '../time';
 
 /** Charts with codes name them as variables (SIGRID-3); one tells of a single moment. */
 const isChart = ({ variables, time_start }: Dataset): boolean => variables.includes('CT') && time_start !== null;

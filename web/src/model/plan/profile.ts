@@ -1,6 +1,6 @@
-import type { Position } from '../contract/data_types';
-import type { Plan, Probe } from '../contract/types';
-import { destination, inverse } from '../geo/geodesic';
+import type { Position } from '../../contract/data_types';
+import type { Plan, Probe } from '../../contract/types';
+import { destination, inverse } from '../../geo/geodesic';
 
 /** What the vehicle meets along a plan, at moments spread over it. */
 export interface ProfilePoint {

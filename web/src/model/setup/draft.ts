@@ -1,11 +1,11 @@
 import { computed, signal } from '@preact/signals';
-import type { Position } from '../contract/data_types';
-import type { Method, RouteFile } from '../contract/types';
-import { readPosition } from './position';
-import type { Area } from './area';
+import type { Position } from '../../contract/data_types';
+import type { Method, RouteFile } from '../../contract/types';
+import { readPosition } from '../position';
+import type { Area } from '../area';
 import { severalIn } from './data_choice';
-import { checkFields, formOf, isUsual, numberFields, timeFields, type CheckField, type NumberField, type TimeField } from './fields';
-import { remember } from './undo';
+import { checkFields, formOf, isUsual, numberFields, timeFields, type CheckField, type NumberField, type TimeField } from '../fields';
+import { remember } from '../undo';
 
 /**
  * The set-up as a person types it: texts in the units of the form, until they are sent. An empty number takes the server's default. A

@@ -1,8 +1,8 @@
 import { computed, signal } from '@preact/signals';
-import type { Position } from '../contract/data_types';
-import { placesIn } from './draft';
+import type { Position } from '../../contract/data_types';
+import { placesIn } from '../setup/draft';
 import { selectedId, waypointLabel } from './plans';
-import { remember } from './undo';
+import { remember } from '../undo';
 
 /** Which mission files of a plan are wanted. */
 export type FileSet = 'lists' | 'full' | 'seaglider';

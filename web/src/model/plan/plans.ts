@@ -1,8 +1,8 @@
 import { computed, signal } from '@preact/signals';
-import type { Position } from '../contract/data_types';
-import type { Plan } from '../contract/types';
-import { inverse, destination } from '../geo/geodesic';
-import { time_ms } from './clock';
+import type { Position } from '../../contract/data_types';
+import type { Plan } from '../../contract/types';
+import { inverse, destination } from '../../geo/geodesic';
+import { time_ms } from '../clock';
 
 /** All stored plans, newest first. */
 export const plans = signal<Plan[]>([]);
