@@ -30,7 +30,7 @@
 #include "storage/ingest/readers/currents/grib_currents.hpp"
 #include "storage/ingest/readers/currents/s111_currents.hpp"
 #include "storage/ingest/readers/ice/ice_chart_reader.hpp"
-#include "storage/ingest/readers/icebergs/iceberg_csv_reader.hpp"
+#include "storage/ingest/readers/icebergs/ice_patrol_reader.hpp"
 #include "storage/ingest/readers/icebergs/iceberg_geojson_reader.hpp"
 #include "storage/ingest/readers/icebergs/iceberg_own_table.hpp"
 #include "storage/ingest/readers/icebergs/iceberg_table_reader.hpp"

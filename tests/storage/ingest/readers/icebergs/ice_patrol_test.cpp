@@ -10,7 +10,7 @@
 #include "tests/storage/ingest/support/store_fixture.hpp"
 #include "tests/support/property.hpp"
 
-namespace floeplan::ingest::iceberg_csv_test {
+namespace floeplan::ingest::ice_patrol_test {
 namespace {
 
 using testing::ElementsAre;
@@ -286,4 +286,4 @@ TEST(CsvFields, KeepQuotedCommas) {
 }
 
 }  // namespace
-}  // namespace floeplan::ingest::iceberg_csv_test
+}  // namespace floeplan::ingest::ice_patrol_test

@@ -1,4 +1,4 @@
-#include "storage/ingest/readers/icebergs/iceberg_csv_reader.hpp"
+#include "storage/ingest/readers/icebergs/ice_patrol_reader.hpp"
 
 #include <algorithm>
 #include <array>
