@@ -158,7 +158,7 @@ class AlternativeSearch {
       PlanRequest request = task_.request;
       request.alternatives = 0;
       bool leaves_stops_open = true;
-      for (ocean::Zone& zone : barrier.zones(projection_, "alternative: not this way")) {
+      for (ocean::Zone& zone : barrier.zones(projection_, "not this way")) {
         for (const geo::PlanePoint& stop : stops_)
           leaves_stops_open = leaves_stops_open && !geo::contains(zone.area, projection_.to_lon_lat(stop));
         request.zones.push_back(std::move(zone));
