@@ -406,8 +406,8 @@ TEST(MissionSet, IsRefusedOverAShoalThatItsYoIsTooDeepFor) {
       over_a_bank.error(),
       ElementsAre(AllOf(Field(&core::Violation::field, "/waypoints"),
                         Field(&core::Violation::rule,
-                              HasSubstr("water of 30 m at -52.8000, 69.0000, before waypoint 1, but the one "
-                                        "yo of the mission must turn no higher than 19 m")))));
+                              HasSubstr("water of 30 m at -52.8000, 69.0000, before waypoint 1. The mission "
+                                        "has one yo for all legs, which must turn no higher than 19 m")))));
   ASSERT_TRUE(over_enough.has_value());
   EXPECT_THAT(messages::sentences(over_enough->messages), Not(Contains(HasSubstr("sea bed is unknown"))));
   ASSERT_FALSE(by_the_plan.has_value());
