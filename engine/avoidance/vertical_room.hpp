@@ -18,8 +18,8 @@ namespace floeplan::avoidance {
 
 /// The depths left to the saw-tooth between ice above and the sea bed below, and which echoes the vehicle need not go
 /// round because it passes above or below what they come from.
-/// Sonar    an echo comes from anywhere within the height of its beam. What it can come from, it counts as: a bed or an
-///          underside known near by; and a bed limits the depth as far as it must, which near by is where it is
+/// Sonar    an echo comes from anywhere within the height of its beam. Where the sea bed or the underside of ice is known near by
+///          and lies within that height, the echo counts as an echo of it
 /// Shoals   where the altimeter finds the bed rising towards less than the least water, the edge of the shoal is a
 ///          thing to go round; nothing else hears a bed that lies close below
 /// Frame    water

@@ -196,11 +196,11 @@ inline constexpr auto command_kinds = std::to_array<Kind>({
      .hint = "use up to 64 letters, digits and . _ @ -, and not \"local\"",
      .slots = {{{"name", "local"}}}},
     {.code = "token-exists",
-     .text = "there is a token {name} already",
+     .text = "there is a token \"{name}\" already",
      .hint = "choose another name, or revoke it first with floeplan token revoke",
      .slots = {{{"name", "shore"}}}},
     {.code = "no-such-token",
-     .text = "there is no token {name}",
+     .text = "there is no token \"{name}\"",
      .hint = "floeplan token list shows them",
      .slots = {{{"name", "shore"}}}},
 

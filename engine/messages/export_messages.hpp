@@ -49,11 +49,11 @@ inline constexpr auto export_kinds = std::to_array<Kind>({
     // Lists of waypoints.
     {.code = "several-lists",
      .rank = Rank::caution,
-     .text = "The plan is longer than one list of {most} {most:waypoint|waypoints}: {lists} files, {first} "
-             "to {last}. The "
-             "vehicle flies only the list that its mission names:",
+     .text = "The plan takes {lists} lists, {first} to {last}: a list has at most {most} "
+             "{most:waypoint|waypoints}, and ends earlier at a hold or at ice. The vehicle flies only the "
+             "list that its mission names:",
      .hint = "send the next one when a list ends.",
-     .slots = {{{"most", 8}, {"lists", 3}, {"first", "goto_l10.ma"}, {"last", "goto_l12.ma"}}}},
+     .slots = {{{"lists", 3}, {"first", "goto_l10.ma"}, {"last", "goto_l12.ma"}, {"most", 8}}}},
     {.code = "lists-with-holds",
      .rank = Rank::caution,
      .text = "The plan takes {lists} lists, {first} to {last}, {holds} of them to hold station. The vehicle "

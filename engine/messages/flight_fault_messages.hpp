@@ -44,8 +44,11 @@ inline constexpr auto flight_fault_kinds = std::to_array<Kind>({
 
     // The start and the data.
     {.code = "wrong-start", .text = "must be a longitude and a latitude"},
-    {.code = "start-outside-data", .text = "lies outside the data of sea bed and currents at the departure"},
-    {.code = "row-outside-data", .text = "lies outside the data of sea bed and currents"},
+    {.code = "start-outside-data",
+     .text = "lies outside the data of sea bed and currents at the departure; move it, or ingest data that "
+             "cover it"},
+    {.code = "row-outside-data",
+     .text = "lies outside the data of sea bed and currents; move it, or ingest data that cover it"},
     {.code = "start-on-land", .text = "lies on land"},
     {.code = "launch-under-ice",
      .text = "lies under ice at the departure, but the simulator launches a vehicle at the surface: plan "
@@ -80,8 +83,9 @@ inline constexpr auto flight_fault_kinds = std::to_array<Kind>({
      .text = "is a column that the log must have, or x_utm_to_lmc_00 and _01: its currents are in the "
              "vehicle's own axes, and the World Magnetic Model tells these from 2010 to 2030 alone"},
     {.code = "no-dive-in-log",
-     .text =
-         "shows no dive with a position before and after it, a waypoint, a current and two turns at depth"},
+     .text = "shows no dive that can be compared: each needs a position before and after it, a waypoint, a "
+             "current and "
+             "two turns at depth; give the log of a flight that has them"},
     {.code = "did-not-come-up",
      .text = "did not come up when it was simulated: {why}",
      .slots = {{{"why", "the battery is empty"}}}},

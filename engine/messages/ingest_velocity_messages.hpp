@@ -46,7 +46,9 @@ inline constexpr auto ingest_velocity_kinds = std::to_array<Kind>({
      .slots = {{{"variables", "\"uo\" and \"vo\""}}}},
     {.code = "taken-as-currents-by-name",
      .rank = Rank::caution,
-     .text = "the variables {variables} do not describe themselves; they count as currents by their names",
+     .text = "the variables {variables} have no standard name and no long name; they were taken as currents "
+             "because of "
+             "their names",
      .slots = {{{"variables", "\"uo\" and \"vo\""}}}},
     {.code = "taken-by-standard-name",
      .rank = Rank::caution,

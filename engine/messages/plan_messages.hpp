@@ -256,7 +256,7 @@ inline constexpr auto plan_kinds = std::to_array<Kind>({
     {.code = "departures-not-all-planned",
      .rank = Rank::note,
      .text = "{planned} of {departures} departures were planned in full, and this plan is the best of them. "
-             "One of the others may be better over all members",
+             "One of the others may be better over all members of the ensemble of currents",
      .hint = "A shorter window plans all of its departures",
      .slots = {{{"departures", 48}, {"planned", 6}}}},
     {.code = "area-opens-just-before",

@@ -126,9 +126,9 @@ inline constexpr auto request_kinds = std::to_array<Kind>({
      .slots = {{{"most", 1000}}}},
     {.code = "step-without-window", .text = "needs depart_until: the last departure of the window"},
     {.code = "order-in-window",
-     .text =
-         "must be \"given\" in a departure window: find the best departure first, then plan with the best "
-         "order for that departure alone"},
+     .text = "must be \"given\" in a departure window: find the best departure first, then plan for that "
+             "departure "
+             "alone with \"best\""},
     {.code = "unknown-number-of-alternatives", .text = "must be 0, 1, 2 or 3"},
     {.code = "alternatives-of-several",
      .text = "need a single departure and a search: plan without a window, a wanted arrival and the method "
@@ -276,8 +276,9 @@ inline constexpr auto request_kinds = std::to_array<Kind>({
     {.code = "members-of-two-sorts",
      .text = "some members have times and some have none; hold them all steady (--steady)"},
     {.code = "no-currents-reach",
-     .text = "no stored dataset reaches {area}: {elsewhere}. Ingest some for this water, or plan without "
-             "(--currents none)",
+     .text = "no stored dataset reaches {area}: {elsewhere}. Check that longitude comes first and latitude "
+             "second, "
+             "or ingest currents for this water; --currents none plans in still water",
      .slots = {{{"area", "20 W to 18 W, 74 N to 75 N"},
                 {"elsewhere", "Disko (currents-1) covers 55 W to 51 W, 68 N to 70 N"}}}},
     {.code = "too-many-zone-corners",

@@ -26,8 +26,8 @@ namespace {
 using repository::Dataset;
 using repository::DatasetKind;
 
-/// Data that are kept otherwise have another part of the digest: an older program may have stored the same file in its
-/// own way, and plans cite what they were made from.
+/// Each way of keeping takes other digits of the file's digest, so that a file that is stored in two ways has two ids: an older
+/// program may have stored it in its own way, and plans name the id of what they were made from.
 repository::DatasetId id_of(DatasetKind kind, const std::string& sha256, Keeping keeping) {
   constexpr std::size_t digits = 8;
   return {repository::kind_name(kind) + "-" +

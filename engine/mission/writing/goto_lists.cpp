@@ -234,8 +234,8 @@ std::vector<messages::Message> messages_for(const planning::Plan& plan, const Go
     tell(messages::export_message<"lists-with-holds">(lists.size(), holds, lists.front().file_name,
                                                       lists.back().file_name));
   } else if (lists.size() > 1) {
-    tell(messages::export_message<"several-lists">(options.max_waypoints, lists.size(),
-                                                   lists.front().file_name, lists.back().file_name));
+    tell(messages::export_message<"several-lists">(lists.size(), lists.front().file_name,
+                                                   lists.back().file_name, options.max_waypoints));
   }
   tell(message_of_thruster(plan, options));
   tell(message_of_unknown_currents(plan));

@@ -8,9 +8,9 @@
 
 namespace floeplan::planning::search {
 
-/// Lower bounds of the arrival at the goal, by the place of the vehicle and the time. For each of several arrivals, the rungs,
-/// a sweep of the foresight gives the latest useful time at each vertex: a vehicle that is there later arrives after that
-/// rung. So the bound depends on the time. A bound of the rest of the route alone would have to hold for all later currents.
+/// Lower bounds of the arrival at the goal, by the place of the vehicle and the time. A rung is a trial arrival. For each rung
+/// a search backwards from the goal (`Foresight::sweep_back`) gives the latest useful time at each vertex: a vehicle that is
+/// there later arrives after that rung. So the bound depends on the time. A bound of the rest of the route alone would have to hold for all later currents.
 /// Law      never later than the arrival of any route of open legs; a later time at a place never gives an earlier bound
 /// Threads  one at a time
 class ArrivalLadder {

@@ -15,8 +15,8 @@ namespace {
 
 using graph::Edge;
 
-/// If the vehicle may hold, each label takes some hundred microseconds. This limit lets the plan without holds, which
-/// is also searched, come soon.
+/// Limit on labels if the vehicle may hold: each takes some hundred microseconds. It ends this search early, so that the search
+/// without holds, which is made, too, comes soon.
 constexpr std::size_t most_waiting_labels = 20'000;
 
 /// Resolution of last surfacings, as a share of the limit on the time without surfacing, when any route is sought.
