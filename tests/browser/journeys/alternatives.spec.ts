@@ -23,7 +23,7 @@ test('alternatives are asked for, looked at, compared, deleted and brought back'
   await expect(map).toHaveAttribute('data-plans', String(before + 3), { timeout: 240_000 });
   await settled(page);
   const { features } = (await (await request.get('/collections/plans/items')).json()) as {
-    features: { properties: { name: string; alternatives?: { name: string; message: { text: string } }[] } }[];
+    features: { properties: { name: string; alternatives?: { name: string; message: { text: string } }[]; messages: { rank: string }[] } }[];
   };
   const best = features.at(-1)?.properties;
   const [first, second] = best?.alternatives ?? [];
@@ -34,6 +34,13 @@ test('alternatives are asked for, looked at, compared, deleted and brought back'
   await expect(list.getByRole('listitem').first()).toContainText(/\d+ h \d\d min later/);
   await expect(list.getByRole('listitem').first()).toContainText('icebergs');
   await expect(list.getByRole('link', { name: /Guide/ })).toHaveAttribute('href', '/guide/planning#alternatives');
+  for (const [index, { name }] of [first, second].entries()) { // also of plans that are not selected
+    const messages = features.find(({ properties }) => properties.name === name)?.properties.messages ?? [];
+    for (const rank of ['danger', 'caution']) {
+      const count = messages.filter((message) => message.rank === rank).length;
+      await expect(list.getByRole('listitem').nth(index).getByText(new RegExp(`${count} ${rank}`))).toHaveCount(count > 0 ? 1 : 0);
+    }
+  }
   await expect(map).toHaveAttribute('data-plan-areas', '0');
   await expectAccessible(page);
 

@@ -1,7 +1,6 @@
 import { signal } from '@preact/signals';
 import type { VNode } from 'preact';
 import type { Plan } from '../../contract/types';
-import { countOf, ofRank, type Rank } from '../../model/messages';
 import { plans, select, selectedId, show, shown, shownPlans, titleOf } from '../../model/plan/plans';
 import { routeEdit } from '../../model/plan/route_edit';
 import { dialog } from '../../model/screen';
@@ -10,6 +9,7 @@ import { duration, shortTime } from '../../model/time';
 import { distance } from '../../model/units';
 import { Icon } from '../common/icon';
 import { PlanKey } from '../common/plan_key';
+import { ToldBadge } from '../common/told_badge';
 
 /** With this many plans or more the list has a search field. */
 const many = 10;
@@ -60,24 +60,13 @@ function PlanRow({ plan }: { plan: Plan }): VNode {
           {key && <PlanKey letter={key.letter} style={key.style} />} <span class="clamped" title={titleOf(plan)}>{titleOf(plan)}</span>
           {staleness(plan).length > 0 && <span class="badge"><Icon name="clock" size={12} /> stale data</span>}
           {routeEdit.value?.origin.plan_id === id && <span class="badge"><Icon name="edit" size={12} /> under change</span>}
-          <Told plan={plan} rank="danger" />
-          <Told plan={plan} rank="caution" />
+          <ToldBadge plan={plan} rank="danger" />
+          <ToldBadge plan={plan} rank="caution" />
         </span>
         <span class="plan-figures">
           {duration(plan.travel_time_s)} · {distance(plan.distance_m)} · from {shortTime(Date.parse(plan.departure))}
         </span>
       </button>
     </li>
-  );
-}
-
-/** How many messages of a rank a plan has; the messages where it is pointed at. */
-function Told({ plan, rank }: { plan: Plan; rank: Rank }): VNode | null {
-  const told = ofRank(plan, rank);
-  if (told.length === 0) return null;
-  return (
-    <span class={rank === 'danger' ? 'badge bad' : 'badge'} title={told.map(({ text }) => text).join('\n')}>
-      <Icon name="warning" size={12} /> {countOf(told.length, rank)}
-    </span>
   );
 }

@@ -13,6 +13,7 @@ import { distance } from '../../model/units';
 import { GuideLink } from '../common/guide_link';
 import { Icon } from '../common/icon';
 import { PlanKey } from '../common/plan_key';
+import { ToldBadge } from '../common/told_badge';
 
 /** The alternatives to a plan; of an alternative, the plan that it belongs to. */
 export function Alternatives({ plan }: { plan: Plan }): VNode | null {
@@ -38,7 +39,10 @@ function Row({ best, other: { alternative, plan } }: { best: Plan; other: Stored
         <Key plan={plan} /> <b>{laterThan(best, alternative)}</b>
         <ShowButton plan={plan} />
       </p>
-      <p class="plan-figures">{distance(alternative.distance_m)} · arrives {shortTime(Date.parse(alternative.arrival))}</p>
+      <p class="plan-figures">
+        {distance(alternative.distance_m)} · arrives {shortTime(Date.parse(alternative.arrival))}
+        {' '}<ToldBadge plan={plan} rank="danger" /> <ToldBadge plan={plan} rank="caution" />
+      </p>
       <Reason alternative={alternative} />
     </li>
   );
