@@ -33,10 +33,7 @@ NearestGoal find_nearest_goal(const GridGraph& graph, Vertex source, core::Secon
   tree.start(source, depart.count());
   queue.insert(source, depart.count());
   while (!queue.empty()) {
-    if (tree.counters.expansions % expansions_between_looks == 0 && stop.stop_requested()) {
-      tree.stopped = true;
-      break;
-    }
+    if (is_to_stop(tree, stop, {})) break;
     const Vertex u = queue.extract_min();
     ++tree.counters.expansions;
     const core::Seconds arrival_u{tree.arrival_s(u)};

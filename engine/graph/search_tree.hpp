@@ -4,6 +4,7 @@
 #include <functional>
 #include <limits>
 #include <optional>
+#include <stop_token>
 #include <vector>
 
 #include "engine/core/units.hpp"
@@ -61,5 +62,21 @@ class SearchTree {
 
 /// Called with the number of expansions after every 1024 of them.
 using ExpansionCallback = std::function<void(std::int64_t expansions)>;
+
+/// How often a search looks at its stop token and reports: often enough for 100 ms, seldom enough to cost
+/// nothing.
+inline constexpr std::int64_t expansions_between_looks = 64;
+inline constexpr std::int64_t expansions_between_reports = 1024;
+
+/// To be asked before each expansion: looks at `stop` now and then, and reports.
+/// Returns  whether the search has to end; the tree then says that it was stopped
+[[nodiscard]] inline bool is_to_stop(SearchTree& tree, const std::stop_token& stop,
+                                     const ExpansionCallback& report) {
+  const std::int64_t expansions = tree.counters.expansions;
+  if (expansions % expansions_between_looks != 0) return false;
+  tree.stopped = stop.stop_requested();
+  if (!tree.stopped && report && expansions % expansions_between_reports == 0) report(expansions);
+  return tree.stopped;
+}
 
 }  // namespace floeplan::graph

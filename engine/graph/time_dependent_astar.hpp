@@ -51,15 +51,7 @@ SearchTree find_earliest_arrivals(const GridGraph& graph, const Query& query, co
   tree.start(query.source, query.depart.count());
   queue.insert(query.source, query.depart.count() + remaining_s(query.source));
   while (!queue.empty() && queue.smallest_key() <= query.latest.count()) {
-    if (tree.counters.expansions % expansions_between_looks == 0) {
-      if (stop.stop_requested()) {
-        tree.stopped = true;
-        break;
-      }
-      if (report && tree.counters.expansions % expansions_between_reports == 0) {
-        report(tree.counters.expansions);
-      }
-    }
+    if (is_to_stop(tree, stop, report)) break;
     const Vertex u = queue.extract_min();
     settled[u] = true;
     ++tree.counters.expansions;

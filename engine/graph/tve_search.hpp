@@ -8,11 +8,6 @@
 
 namespace floeplan::graph {
 
-/// How often a search looks at its stop token and reports: often enough for 100 ms, seldom enough to cost
-/// nothing.
-inline constexpr std::int64_t expansions_between_looks = 64;
-inline constexpr std::int64_t expansions_between_reports = 1024;
-
 /// Earliest arrivals in a time-varying environment; label-correcting, exact under FIFO. Runs until the queue
 /// is empty, as printed: a goal or a latest arrival in the query do not end it early.
 /// Returns  arrival and predecessor of every vertex that can be reached, counters of the search
@@ -32,15 +27,7 @@ SearchTree find_earliest_arrivals_tve(const GridGraph& graph, const Query& query
   tree.start(query.source, query.depart.count());
   queue.insert(query.source, query.depart.count());
   while (!queue.empty()) {
-    if (tree.counters.expansions % expansions_between_looks == 0) {
-      if (stop.stop_requested()) {
-        tree.stopped = true;
-        break;
-      }
-      if (report && tree.counters.expansions % expansions_between_reports == 0) {
-        report(tree.counters.expansions);
-      }
-    }
+    if (is_to_stop(tree, stop, report)) break;
     const Vertex u = queue.extract_min();
     expanded[u] = true;
     ++tree.counters.expansions;

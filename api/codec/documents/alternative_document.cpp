@@ -22,9 +22,9 @@ std::vector<std::string> alternative_lines(const nlohmann::json& plan_document) 
     std::snprintf(figures.data(), figures.size(),
                   ", %.1f h, %.1f km: ", entry.at("travel_time_s").get<double>() / 3600.0,
                   entry.at("distance_m").get<double>() / 1000.0);
-    lines.push_back(entry.at("name").get<std::string>() + ", arrival " +
-                    entry.at("arrival").get<std::string>() + figures.data() +
-                    entry.at("message").at("text").get<std::string>() + ".");
+    lines.push_back(entry.at("name").get<std::string>() + " (" + entry.at("plan_id").get<std::string>() +
+                    "), arrival " + entry.at("arrival").get<std::string>() + figures.data() +
+                    entry.at("message").at("text").get<std::string>());
   }
   return lines;
 }

@@ -13,7 +13,7 @@ namespace floeplan::codec {
 [[nodiscard]] nlohmann::json alternative_json(const planning::Alternative& alternative,
                                               const nlohmann::json& document);
 
-/// What the document of a plan says of its alternatives, as a line for each: name, arrival, travel time, distance, and
+/// What the document of a plan says of its alternatives, as a line for each: name, id, arrival, travel time, distance, and
 /// round what it leads. Empty where none were asked for.
 [[nodiscard]] std::vector<std::string> alternative_lines(const nlohmann::json& plan_document);
 

@@ -1,11 +1,11 @@
 #include "engine/planning/planner/large_obstacles.hpp"
 
 #include <algorithm>
-#include <array>
 #include <boost/geometry.hpp>
 #include <boost/geometry/geometries/geometries.hpp>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include "engine/planning/problem/time_span.hpp"
 
@@ -71,7 +71,7 @@ ObstacleScan::ObstacleScan(const obstacles::Closures& closures, const plane::Pla
     : closures_{closures},
       route_{route},
       raster_{area, cell},
-      cells_(raster_.size(), Cell::open),
+      cells_(raster_.size()),
       on_route_(raster_.size(), false) {
   for (std::size_t i = 0; i < cells_.size(); ++i) cells_[i] = look_at(middle_of(i));
   for (std::size_t i = 0; i + 1 < route.points.size(); ++i) {
@@ -88,21 +88,22 @@ geo::PlanePoint ObstacleScan::middle_of(std::size_t cell) const {
           raster_.area().low.y_m + (static_cast<double>(cell / nx) + 0.5) * raster_.cell_m()};
 }
 
-ObstacleScan::Cell ObstacleScan::look_at(geo::PlanePoint point) const {
+std::optional<ObstacleKind> ObstacleScan::look_at(geo::PlanePoint point) const {
   using motion::EdgeClosed;
   if (const auto closed = closures_.closed_between(point, point)) {
     switch (*closed) {
-      case EdgeClosed::on_land: return Cell::land;
-      case EdgeClosed::obstacle: return Cell::icebergs;
-      case EdgeClosed::in_zone: return Cell::closed_area;
-      case EdgeClosed::outside_data: return Cell::no_data;
-      default: return Cell::shallow_water;
+      case EdgeClosed::on_land: return ObstacleKind::land;
+      case EdgeClosed::obstacle: return ObstacleKind::icebergs;
+      case EdgeClosed::in_zone: return ObstacleKind::closed_area;
+      case EdgeClosed::outside_data: return ObstacleKind::no_data;
+      default: return ObstacleKind::shallow_water;
     }
   }
-  if (!closures_.any_timed()) return Cell::open;
+  if (!closures_.any_timed()) return std::nullopt;
   const core::Seconds then = nearest_on(route_, point).time;
-  if (any_holds(closures_.closed_times_by_icebergs(point), then)) return Cell::icebergs;
-  return any_holds(closures_.closed_times_by_zones(point), then) ? Cell::closed_area : Cell::open;
+  if (any_holds(closures_.closed_times_by_icebergs(point), then)) return ObstacleKind::icebergs;
+  if (any_holds(closures_.closed_times_by_zones(point), then)) return ObstacleKind::closed_area;
+  return std::nullopt;
 }
 
 bool ObstacleScan::parted_by_route(std::size_t a, std::size_t b) const {
@@ -125,7 +126,7 @@ std::vector<std::size_t> ObstacleScan::joined_to(std::size_t first, std::int64_t
       for (std::int64_t ix = x - reach; ix <= x + reach; ++ix) {
         if (!raster_.holds(ix, iy)) continue;
         const std::size_t cell = raster_.index(ix, iy);
-        if (seen[cell] || !is_closed(cell) || parted_by_route(cells[next], cell)) continue;
+        if (seen[cell] || !cells_[cell] || parted_by_route(cells[next], cell)) continue;
         seen[cell] = true;
         cells.push_back(cell);
       }
@@ -138,7 +139,7 @@ LargeObstacle ObstacleScan::obstacle_of(const std::vector<std::size_t>& cells) c
   LargeObstacle result;
   std::vector<geo::PlanePoint> corners;
   corners.reserve(4 * cells.size());
-  std::array<std::size_t, 6> count{};  // of cells of each kind
+  std::map<ObstacleKind, std::size_t> count;  // of cells
   const double half_m = 0.5 * raster_.cell_m();
   plane::PlaneBox box{middle_of(cells.front()), middle_of(cells.front())};
   double nearest_m = std::numeric_limits<double>::infinity();
@@ -147,7 +148,7 @@ LargeObstacle ObstacleScan::obstacle_of(const std::vector<std::size_t>& cells) c
     const geo::PlanePoint middle = middle_of(cell);
     for (const double x_m : {middle.x_m - half_m, middle.x_m + half_m})
       for (const double y_m : {middle.y_m - half_m, middle.y_m + half_m}) corners.push_back({x_m, y_m});
-    ++count[static_cast<std::size_t>(cells_[cell])];
+    ++count[*cells_[cell]];
     box.include(middle);
     const double away_m = nearest_on(route_, middle).distance_m;
     if (away_m < nearest_m) {
@@ -159,10 +160,7 @@ LargeObstacle ObstacleScan::obstacle_of(const std::vector<std::size_t>& cells) c
       result.farthest = middle;
     }
   }
-  constexpr std::array kinds{ObstacleKind::land, ObstacleKind::shallow_water, ObstacleKind::icebergs,
-                             ObstacleKind::closed_area, ObstacleKind::no_data};
-  const auto most = std::max_element(count.begin() + 1, count.end());
-  result.kind = kinds[static_cast<std::size_t>(most - count.begin()) - 1];
+  result.kind = std::ranges::max_element(count, {}, [](const auto& each) { return each.second; })->first;
   result.outline = convex_hull(corners);
   const plane::PlaneBox whole = box.grown(half_m);
   result.middle = {0.5 * (whole.low.x_m + whole.high.x_m), 0.5 * (whole.low.y_m + whole.high.y_m)};
@@ -170,7 +168,7 @@ LargeObstacle ObstacleScan::obstacle_of(const std::vector<std::size_t>& cells) c
   result.from_route = core::Metres{nearest_m};
   std::vector<bool> in_first_part(cells_.size(), false);
   const bool is_in_one_part = joined_to(cells.front(), 1, in_first_part).size() == cells.size();
-  result.is_loose = !is_in_one_part || count[static_cast<std::size_t>(Cell::icebergs)] > 0;
+  result.is_loose = !is_in_one_part || count.contains(ObstacleKind::icebergs);
   return result;
 }
 
@@ -183,7 +181,7 @@ std::vector<LargeObstacle> ObstacleScan::of_at_least(core::Metres extent) const 
     return x == 0 || y == 0 || x == raster_.nx() - 1 || y == raster_.ny() - 1;
   };
   for (std::size_t cell = 0; cell < cells_.size(); ++cell) {
-    if (seen[cell] || !is_closed(cell)) continue;
+    if (seen[cell] || !cells_[cell]) continue;
     const std::vector<std::size_t> cells = joined_to(cell, longest_step, seen);
     if (std::ranges::any_of(cells, is_at_rim)) continue;
     LargeObstacle obstacle = obstacle_of(cells);

@@ -53,10 +53,8 @@ class ObstacleScan {
   [[nodiscard]] geo::PlanePoint beyond_route(const LargeObstacle& obstacle) const;
 
  private:
-  enum class Cell : std::uint8_t { open, land, shallow_water, icebergs, closed_area, no_data };
-
-  [[nodiscard]] Cell look_at(geo::PlanePoint point) const;
-  [[nodiscard]] bool is_closed(std::size_t cell) const { return cells_[cell] != Cell::open; }
+  /// What closes the point; empty: it is open.
+  [[nodiscard]] std::optional<ObstacleKind> look_at(geo::PlanePoint point) const;
   [[nodiscard]] geo::PlanePoint middle_of(std::size_t cell) const;
   [[nodiscard]] bool parted_by_route(std::size_t a, std::size_t b) const;
   /// The closed cells that can be reached from `first` by steps of at most `reach` cells along each axis. Marks them in
@@ -68,7 +66,7 @@ class ObstacleScan {
   obstacles::Closures closures_;
   TimedRoute route_;
   plane::PlaneRaster raster_;
-  std::vector<Cell> cells_;
+  std::vector<std::optional<ObstacleKind>> cells_;
   std::vector<bool> on_route_;  // whether the route enters the cell
 };
 

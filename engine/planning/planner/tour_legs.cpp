@@ -82,7 +82,7 @@ std::optional<TourLegs::Way> TourLegs::followed(const Way& way, std::size_t to, 
     }
     return now;
   };
-  if (way.is_past_closures && sea_.ice()) {
+  if (way.is_past_closures) {
     const auto end = end_by(
         [&](geo::PlanePoint a, geo::PlanePoint b, core::Seconds now) { return sea_.leg_time(a, b, now); });
     if (end) return Way{*end - depart, way.path, true};
@@ -91,9 +91,9 @@ std::optional<TourLegs::Way> TourLegs::followed(const Way& way, std::size_t to, 
     return sea_.leg_time_without_timed_closures(a, b, now, core::Seconds{INFINITY});
   });
   if (!end) return std::nullopt;
-  // Where the end of the way is closed on arrival, the vehicle waits; anything else that closes asks for another way.
+  // If the place itself is closed on arrival, the vehicle waits for it. If something else closes the way, another way is needed.
   const bool waits_at_end = open_from(closed_[to], *end) > *end;
-  if (way.is_past_closures && sea_.ice() && !waits_at_end) return std::nullopt;
+  if (way.is_past_closures && !waits_at_end) return std::nullopt;
   return Way{*end - depart, way.path, false};
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "api/codec/bytes/document_values.hpp"
+#include "api/codec/documents/alternative_document.hpp"
 #include "server/cli/program/command.hpp"
 #include "storage/json/json.hpp"
 
@@ -114,18 +115,6 @@ std::vector<std::string> departure_lines(const json& document) {
       std::ranges::count_if(all, [](const json& entry) { return entry.at("status") == "ok"; });
   return {"best of " + std::to_string(all.size()) + " departures, " + std::to_string(with_plan) +
           " with a route"};
-}
-
-/// The alternatives: an id, what it takes, and round what it leads.
-std::vector<std::string> alternative_lines(const json& document) {
-  std::vector<std::string> lines;
-  for (const json& entry : document.value("alternatives", json::array())) {
-    lines.push_back("alternative " + entry.at("plan_id").get<std::string>() + ", " +
-                    cell(entry.at("travel_time_s"), "%.2f h", 1.0 / 3600.0) + ", " +
-                    cell(entry.at("distance_m"), "%.1f km", 1e-3) + ": " +
-                    entry.at("message").at("text").get<std::string>());
-  }
-  return lines;
 }
 
 std::vector<std::string> energy_lines(const json& plan) {
@@ -287,7 +276,7 @@ void print_summary(const json& plan) {
   std::vector<std::string> below = figure_lines(plan);
   const std::vector<std::string> departures = departure_lines(plan);
   below.insert(below.end(), departures.begin(), departures.end());
-  const std::vector<std::string> alternatives = alternative_lines(plan);
+  const std::vector<std::string> alternatives = codec::alternative_lines(plan);
   below.insert(below.end(), alternatives.begin(), alternatives.end());
   below.emplace_back("--verbose adds notes, refinement, surfacings and data");
   const std::vector<std::string> waits = wait_lines(plan);
@@ -305,7 +294,7 @@ void print_everything(const json& plan) {
   print_table(plan);
   print_each(wait_lines(plan));
   print_each(figure_lines(plan));
-  print_each(alternative_lines(plan));
+  print_each(codec::alternative_lines(plan));
   print_refinement(plan);
   std::printf("%s\n", optimality_line(plan).c_str());
   print_passages(plan);

@@ -50,7 +50,7 @@ TEST(Alternatives, AreNamedInTheSummary) {
   const Outcome outcome = plan(program, {"--alternatives", "3"});
 
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_THAT(outcome.out, HasSubstr("\nalternative p"));
+  EXPECT_THAT(outcome.out, HasSubstr("\nalternative 1 (p"));
   EXPECT_THAT(
       plan(program, {"--alternatives", "3", "--verbose"}).out,
       HasSubstr("note: fewer alternatives than asked for: 1 route round other sides of obstacles was tried"));

@@ -71,16 +71,23 @@ ComponentSource ComponentSource::of_level(std::size_t level) const {
   return one;
 }
 
+Checked<std::pair<ComponentSlice, ComponentSlice>> GridComponents::read(std::size_t time,
+                                                                        std::size_t level) const {
+  const std::size_t file_level = levels ? levels->file_level(level) : level;
+  auto u = first.read(time, file_level);
+  if (!u) return refuse(u.error());
+  auto v = second.read(time, file_level);
+  if (!v) return refuse(v.error());
+  first_mask.apply(u->values);
+  second_mask.apply(v->values);
+  return std::pair{std::move(*u), std::move(*v)};
+}
+
 Checked<PointComponents> ComponentSource::read(std::size_t time, std::size_t level,
                                                const ZeroLand* land) const {
-  const std::size_t own_level = first_level_ + level;
-  const std::size_t file_level = parts_->levels ? parts_->levels->file_level(own_level) : own_level;
-  auto first = parts_->first.read(time, file_level);
-  if (!first) return refuse(first.error());
-  auto second = parts_->second.read(time, file_level);
-  if (!second) return refuse(second.error());
-  parts_->first_mask.apply(first->values);
-  parts_->second_mask.apply(second->values);
+  const auto both = parts_->read(time, first_level_ + level);
+  if (!both) return refuse(both.error());
+  const auto& [first, second] = *both;
 
   Cells cells{parts_->staggering};
   const auto look_at = [&](const ComponentSlice& slice) {
@@ -88,7 +95,7 @@ Checked<PointComponents> ComponentSource::read(std::size_t time, std::size_t lev
       cells.add_face(centres, slice.values[sample], land);
     };
   };
-  for_each_point(look_at(*first), look_at(*second));
+  for_each_point(look_at(first), look_at(second));
   if (land != nullptr) cells.add_land(parts_->staggering, *land, level);
   cells.add_land(parts_->centre_mask);
 
@@ -99,7 +106,7 @@ Checked<PointComponents> ComponentSource::read(std::size_t time, std::size_t lev
       if (!slice.is_bad(sample)) result.values[point] = cells.face(centres, slice.values[sample]);
     };
   };
-  for_each_point(take_from(*first), take_from(*second));
+  for_each_point(take_from(first), take_from(second));
   const repository::SampleSteps of_first = parts_->first.steps();
   const repository::SampleSteps of_second = parts_->second.steps();
   if (of_first.step == of_second.step && of_first.offset == of_second.offset) result.steps = of_first;

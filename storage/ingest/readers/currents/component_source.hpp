@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "engine/ocean/grids/staggered_sampling.hpp"
@@ -24,6 +25,11 @@ struct GridComponents {
   WaterMask second_mask;
   WaterMask centre_mask;                    // of all the model's centres
   std::shared_ptr<const BedLevels> levels;  // at all centres; null: the levels are depths, or there are none
+
+  /// One level of both components at one time, m/s along the axis of each; without a value where a mask says land.
+  /// Errors  the file can no longer be read
+  [[nodiscard]] Checked<std::pair<ComponentSlice, ComponentSlice>> read(std::size_t time,
+                                                                        std::size_t level) const;
 };
 
 /// The components of one level at one time, m/s along the axis of each.

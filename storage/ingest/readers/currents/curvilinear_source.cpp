@@ -49,24 +49,20 @@ class CurvilinearSource : public VelocitySource {
   [[nodiscard]] geo::LonLat place(std::size_t point) const override { return centres_[point]; }
 
   [[nodiscard]] Checked<VelocitySlice> read(std::size_t time, std::size_t level) const override {
-    const std::size_t file_level = parts_->levels ? parts_->levels->file_level(level) : level;
-    auto first = parts_->first.read(time, file_level);
-    if (!first) return refuse(first.error());
-    auto second = parts_->second.read(time, file_level);
-    if (!second) return refuse(second.error());
-    parts_->first_mask.apply(first->values);
-    parts_->second_mask.apply(second->values);
+    const auto components = parts_->read(time, level);
+    if (!components) return refuse(components.error());
+    const auto& [first, second] = *components;
 
     VelocitySlice slice{std::vector<float>(shape_.points(), missing),
                         std::vector<float>(shape_.points(), missing),
-                        std::max(first->undeclared_fill, second->undeclared_fill)};
-    slice.flagged = of_both(first->flagged, second->flagged);
+                        std::max(first.undeclared_fill, second.undeclared_fill)};
+    slice.flagged = of_both(first.flagged, second.flagged);
     for (std::size_t row = 0; row < shape_.rows; ++row) {
       for (std::size_t column = 0; column < shape_.columns; ++column) {
         const std::size_t point = row * shape_.columns + column;
         if (!centre_mask_.is_water(point)) continue;
-        const auto both = parts_->staggering.collocated ? as_read(*first, *second, point)
-                                                        : at_centre(*first, *second, row, column);
+        const auto both = parts_->staggering.collocated ? as_read(first, second, point)
+                                                        : at_centre(first, second, row, column);
         if (!both) continue;
         const EastNorth current = to_true_north(both->u, both->v, directions_, point);
         slice.east[point] = current.east;

@@ -452,8 +452,8 @@ TEST(PlanBrief, NamesTheAlternativesOfThePlan) {
           "travel_time_s":193452.3,"distance_m":59657.0,"energy_j":null,
           "message":{"text":"this route passes north of the icebergs"}}]})");
   const std::string line =
-      "survey, alternative 1, arrival 2026-11-24T11:44:12Z, 53.7 h, 59.7 km: this route passes north of the "
-      "icebergs.";
+      "survey, alternative 1 (p-02), arrival 2026-11-24T11:44:12Z, 53.7 h, 59.7 km: this route passes north "
+      "of the icebergs";
 
   EXPECT_THAT(alternative_lines(document), testing::ElementsAre(line));
   EXPECT_THAT(alternative_lines(json::object()), testing::IsEmpty());
