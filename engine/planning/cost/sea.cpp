@@ -105,8 +105,8 @@ tl::expected<core::Seconds, motion::EdgeClosed> Sea::leg_time(geo::PlanePoint a,
                                                               core::Seconds depart, core::Seconds latest,
                                                               vehicle::Drive drive) const {
   if (const auto closed = closures().closed_between(a, b)) return tl::unexpected(*closed);
-  const bool below_ice = ice() && ice()->may_be_dense_along(a, b);
-  if (!closures().any_timed() && !below_ice) {
+  const bool ice_may_close = ice() && ice()->may_close(a, b);
+  if (!closures().any_timed() && !ice_may_close) {
     return drive_time({a, b, lengths_.between(a, b)}, depart, latest, speed(drive), motion::VisitNoPiece{});
   }
   const motion::PlaneEdge edge{a, b, lengths_.between(a, b)};
@@ -114,7 +114,7 @@ tl::expected<core::Seconds, motion::EdgeClosed> Sea::leg_time(geo::PlanePoint a,
   return drive_time(edge, depart, latest, speed(drive),
                     [&](const motion::EdgePiece& piece) -> std::optional<motion::EdgeClosed> {
                       if (const auto closed = closures().closed_during(edge, piece, error_m)) return closed;
-                      if (below_ice && !ice()->may_transit_along(edge, piece))
+                      if (ice_may_close && !ice()->may_transit_along(edge, piece))
                         return motion::EdgeClosed::under_ice;
                       return std::nullopt;
                     });
@@ -156,8 +156,8 @@ tl::expected<core::Seconds, motion::EdgeClosed> Sea::leg_time_back(geo::PlanePoi
                                                                    core::Seconds earliest) const {
   if (const auto closed = closures().closed_between(a, b)) return tl::unexpected(*closed);
   const auto time = drive_time_back({a, b, lengths_.between(a, b)}, arrive, earliest);
-  const bool below_ice = ice() && ice()->may_be_dense_along(a, b);
-  if (!time || !(closures().any_timed() || below_ice)) return time;
+  const bool ice_may_close = ice() && ice()->may_close(a, b);
+  if (!time || !(closures().any_timed() || ice_may_close)) return time;
   // Timed closures and the room below the ice are tested along the drive itself.
   const auto forwards = leg_time(a, b, arrive - *time);
   if (!forwards) return tl::unexpected(forwards.error());
@@ -207,7 +207,7 @@ tl::expected<Sea::MeteredLeg, motion::EdgeClosed> Sea::metered_leg(geo::PlanePoi
   if (const auto closed = closures().closed_between(a, b)) return tl::unexpected(*closed);
   const motion::PlaneEdge edge{a, b, lengths_.between(a, b)};
   const double error_m = edge_tolerance_ * geo::distance_m(a, b);
-  const bool below_ice = ice() && ice()->may_be_dense_along(a, b);
+  const bool ice_may_close = ice() && ice()->may_close(a, b);
   std::optional<SurfacingWatch> watch;
   if (overhead_.bounds_surfacing()) watch.emplace(overhead_, edge, since_surfacing);
   EnergyMeter meter{energy_, overhead_, edge, depart, drive, dives};
@@ -217,7 +217,7 @@ tl::expected<Sea::MeteredLeg, motion::EdgeClosed> Sea::metered_leg(geo::PlanePoi
                                    return closed;
                                  if (watch) {
                                    if (const auto closed = (*watch)(piece)) return closed;
-                                 } else if (below_ice && !ice()->may_transit_along(edge, piece)) {
+                                 } else if (ice_may_close && !ice()->may_transit_along(edge, piece)) {
                                    return motion::EdgeClosed::under_ice;
                                  }
                                  meter.add(piece);

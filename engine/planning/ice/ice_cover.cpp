@@ -49,6 +49,8 @@ IceCover::IceCover(const ocean::IceField& ice, const UnderIceRules& rules,
   if (stop.stop_requested()) return;
   keep_last_keels();
   extend_to_coast();
+  for (const Node& node : nodes_)
+    deepest_draft_ = std::max(deepest_draft_, core::Metres{static_cast<double>(node.draft_m)});
   measure_distances();
 }
 

@@ -51,6 +51,8 @@ class IceCover {
   [[nodiscard]] core::Seconds first_step() const { return core::Seconds{times_s_.front()}; }
   /// Whether there is ice anywhere, at any time, through which the vehicle may not surface.
   [[nodiscard]] bool has_dense_ice() const { return has_dense_ice_; }
+  /// The deepest draft of all keels, at any place and time.
+  [[nodiscard]] core::Metres deepest_draft() const { return deepest_draft_; }
   /// A lower bound of the distance in the plane to any place where the vehicle may surface at any time. Zero beyond the
   /// nodes; infinite where there is no such place.
   [[nodiscard]] core::Metres least_way_to_opening(geo::PlanePoint point) const;
@@ -88,6 +90,7 @@ class IceCover {
   std::vector<bool> extended_;   // [time][y][x], whether the node took the ice of its neighbours
   double limit_;
   bool has_dense_ice_{false};
+  core::Metres deepest_draft_;
   core::Metres spacing_;
   obstacles::CellDistances to_openings_;
   obstacles::CellDistances to_dense_ice_;

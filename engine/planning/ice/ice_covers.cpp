@@ -60,6 +60,10 @@ IceAbove IceCovers::first_known(geo::PlanePoint point, core::Seconds time) const
   return ice;
 }
 
+core::Metres IceCovers::deepest_draft() const {
+  return std::ranges::max(covers_, {}, &IceCover::deepest_draft).deepest_draft();
+}
+
 core::Metres IceCovers::least_way_to_opening(geo::PlanePoint point) const {
   if (open_until_) return core::Metres{0.0};
   core::Metres least = covers_.front().least_way_to_opening(point);

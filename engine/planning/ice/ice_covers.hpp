@@ -34,6 +34,7 @@ class IceCovers {
   }
   /// These members mean the same as those of `IceCover`; bounds are less sharp for several covers together.
   [[nodiscard]] bool has_dense_ice() const { return std::ranges::any_of(covers_, &IceCover::has_dense_ice); }
+  [[nodiscard]] core::Metres deepest_draft() const;
   [[nodiscard]] core::Metres least_way_to_opening(geo::PlanePoint point) const;
   [[nodiscard]] std::vector<core::Metres> least_ways_to_opening(const std::vector<geo::PlanePoint>& points,
                                                                 core::Seconds from,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "engine/motion/drive_looks.hpp"
@@ -26,6 +27,22 @@ UnderIce::UnderIce(const ocean::Environment& environment, const PlanRequest& req
       step_m_{std::min(cell.value, 0.25 * cover_.spacing().value)} {
   if (!bed_ && environment.bathymetry && cover_.has_dense_ice())
     bed_ = obstacles::lay_out_bed(environment.bathymetry, request.vehicle, projection, area, cell, stop);
+  if (!stop.stop_requested()) tight_ = tight_cells();
+}
+
+std::optional<obstacles::MarkedCells> UnderIce::tight_cells() const {
+  const core::Metres deepest_turn = cover_.deepest_draft() + rules_.margin_below_ice;
+  if (!bed_ || !cover_.has_dense_ice() || deepest_turn.value + dive_room_m_ > dive_depth_m_)
+    return std::nullopt;
+  const core::Metres needed = deepest_turn + core::Metres{needed_below_m_};
+  const plane::PlaneRaster& raster = bed_->raster();
+  const double to_corner_m = std::numbers::sqrt2 * 0.5 * raster.cell_m();
+  std::vector<bool> tight(raster.size(), false);
+  for (std::size_t cell = 0; cell < tight.size(); ++cell) {
+    tight[cell] = !(bed_->least_depth(cell) >= needed) &&
+                  cover_.least_way_to_dense_ice(raster.centre(cell)).value <= to_corner_m;
+  }
+  return obstacles::MarkedCells{raster, tight};
 }
 
 core::Metres UnderIce::turn_below(const IceAbove& ice) const {
@@ -47,7 +64,6 @@ bool UnderIce::may_transit(geo::PlanePoint point, core::Seconds time) const {
 }
 
 bool UnderIce::may_transit_along(const motion::PlaneEdge& edge, const motion::EdgePiece& piece) const {
-  if (!may_be_dense_along(edge.from, edge.to)) return true;
   IceWatch watch{*this, motion::place_along(edge, piece.way0_m), core::Seconds{piece.t0_s}};
   bool open = true;
   motion::look_along(edge, piece, step(), [&](geo::PlanePoint point, core::Seconds time) {

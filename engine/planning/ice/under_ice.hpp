@@ -10,6 +10,7 @@
 #include "engine/ocean/environment.hpp"
 #include "engine/planning/ice/ice_covers.hpp"
 #include "engine/planning/obstacles/bed_cells.hpp"
+#include "engine/planning/obstacles/marked_cells.hpp"
 #include "engine/planning/problem/plan_request.hpp"
 
 namespace floeplan::planning::ice {
@@ -74,6 +75,11 @@ class UnderIce {
   [[nodiscard]] bool may_be_dense_along(geo::PlanePoint a, geo::PlanePoint b) const {
     return cover_.has_dense_ice() && cover_.least_way_to_dense_ice(a).value <= geo::distance_m(a, b);
   }
+  /// Whether the ice may leave the vehicle no room below it somewhere on the straight line from a to b. Where
+  /// not, no drive along it needs `may_transit_along`.
+  [[nodiscard]] bool may_close(geo::PlanePoint a, geo::PlanePoint b) const {
+    return tight_ ? tight_->may_meet(a, b) : may_be_dense_along(a, b);
+  }
   /// Whether there is room below the ice all along a piece of a drive.
   [[nodiscard]] bool may_transit_along(const motion::PlaneEdge& edge, const motion::EdgePiece& piece) const;
   [[nodiscard]] core::Metres step() const { return core::Metres{step_m_}; }
@@ -83,6 +89,9 @@ class UnderIce {
  private:
   friend class IceWatch;
 
+  /// The cells of the bed in which there may be ice that leaves no room: dense ice is near, and the deepest keel of all
+  /// would leave too little water. Empty where the depth of the dives or a bed that is not laid out decides.
+  [[nodiscard]] std::optional<obstacles::MarkedCells> tight_cells() const;
   [[nodiscard]] core::Metres turn_below(const IceAbove& ice) const;
   /// Whether a dive has room below an upper turn at this depth; a turn of zero means that no ice is above.
   [[nodiscard]] bool has_room_below(core::Metres turn, geo::PlanePoint a, geo::PlanePoint b) const;
@@ -90,6 +99,7 @@ class UnderIce {
   UnderIceRules rules_;
   IceCovers cover_;
   std::shared_ptr<const obstacles::BedCells> bed_;  // null: no depth is checked
+  std::optional<obstacles::MarkedCells> tight_;     // of the bed's cells
   double needed_below_m_;                           // from the upper turn to the sea bed
   double dive_room_m_;                              // from the upper turn to the deepest point of the dives
   double dive_depth_m_;

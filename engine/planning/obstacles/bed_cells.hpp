@@ -28,6 +28,11 @@ class BedCells {
   [[nodiscard]] bool is_deep_at(geo::PlanePoint point, core::Metres depth) const;
   /// The same all along the straight line from a to b.
   [[nodiscard]] bool is_deep_along(geo::PlanePoint a, geo::PlanePoint b, core::Metres depth) const;
+  [[nodiscard]] const plane::PlaneRaster& raster() const { return raster_; }
+  /// The least depth known in a cell of the raster.
+  [[nodiscard]] core::Metres least_depth(std::size_t cell) const {
+    return core::Metres{static_cast<double>(least_m_[cell])};
+  }
   [[nodiscard]] std::size_t bytes() const { return least_m_.size() * sizeof(float); }
 
  private:

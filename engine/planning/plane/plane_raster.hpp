@@ -36,6 +36,11 @@ class PlaneRaster {
   [[nodiscard]] std::size_t index(std::int64_t ix, std::int64_t iy) const {
     return static_cast<std::size_t>(iy * nx_ + ix);
   }
+  [[nodiscard]] geo::PlanePoint centre(std::size_t cell) const {
+    const auto i = static_cast<std::int64_t>(cell);
+    return {area_.low.x_m + (static_cast<double>(i % nx_) + 0.5) * cell_m_,
+            area_.low.y_m + (static_cast<double>(i / nx_) + 0.5) * cell_m_};
+  }
   /// The cell of a point; empty beyond the raster.
   [[nodiscard]] std::optional<std::size_t> index(geo::PlanePoint point) const {
     const auto ix = static_cast<std::int64_t>(std::floor((point.x_m - area_.low.x_m) / cell_m_));

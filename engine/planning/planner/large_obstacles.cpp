@@ -73,19 +73,13 @@ ObstacleScan::ObstacleScan(const obstacles::Closures& closures, const plane::Pla
       raster_{area, cell},
       cells_(raster_.size()),
       on_route_(raster_.size(), false) {
-  for (std::size_t i = 0; i < cells_.size(); ++i) cells_[i] = look_at(middle_of(i));
+  for (std::size_t i = 0; i < cells_.size(); ++i) cells_[i] = look_at(raster_.centre(i));
   for (std::size_t i = 0; i + 1 < route.points.size(); ++i) {
     raster_.for_each_cell(route.points[i], route.points[i + 1], [&](std::int64_t ix, std::int64_t iy) {
       if (raster_.holds(ix, iy)) on_route_[raster_.index(ix, iy)] = true;
       return true;
     });
   }
-}
-
-geo::PlanePoint ObstacleScan::middle_of(std::size_t cell) const {
-  const auto nx = static_cast<std::size_t>(raster_.nx());
-  return {raster_.area().low.x_m + (static_cast<double>(cell % nx) + 0.5) * raster_.cell_m(),
-          raster_.area().low.y_m + (static_cast<double>(cell / nx) + 0.5) * raster_.cell_m()};
 }
 
 std::optional<ObstacleKind> ObstacleScan::look_at(geo::PlanePoint point) const {
@@ -108,7 +102,7 @@ std::optional<ObstacleKind> ObstacleScan::look_at(geo::PlanePoint point) const {
 
 bool ObstacleScan::parted_by_route(std::size_t a, std::size_t b) const {
   bool parted = false;
-  raster_.for_each_cell(middle_of(a), middle_of(b), [&](std::int64_t ix, std::int64_t iy) {
+  raster_.for_each_cell(raster_.centre(a), raster_.centre(b), [&](std::int64_t ix, std::int64_t iy) {
     parted = on_route_[raster_.index(ix, iy)];
     return !parted;
   });
@@ -141,11 +135,11 @@ LargeObstacle ObstacleScan::obstacle_of(const std::vector<std::size_t>& cells) c
   corners.reserve(4 * cells.size());
   std::map<ObstacleKind, std::size_t> count;  // of cells
   const double half_m = 0.5 * raster_.cell_m();
-  plane::PlaneBox box{middle_of(cells.front()), middle_of(cells.front())};
+  plane::PlaneBox box{raster_.centre(cells.front()), raster_.centre(cells.front())};
   double nearest_m = std::numeric_limits<double>::infinity();
   double farthest_m = -1.0;
   for (const std::size_t cell : cells) {
-    const geo::PlanePoint middle = middle_of(cell);
+    const geo::PlanePoint middle = raster_.centre(cell);
     for (const double x_m : {middle.x_m - half_m, middle.x_m + half_m})
       for (const double y_m : {middle.y_m - half_m, middle.y_m + half_m}) corners.push_back({x_m, y_m});
     ++count[*cells_[cell]];

@@ -55,7 +55,6 @@ class ObstacleScan {
  private:
   /// What closes the point; empty: it is open.
   [[nodiscard]] std::optional<ObstacleKind> look_at(geo::PlanePoint point) const;
-  [[nodiscard]] geo::PlanePoint middle_of(std::size_t cell) const;
   [[nodiscard]] bool parted_by_route(std::size_t a, std::size_t b) const;
   /// The closed cells that can be reached from `first` by steps of at most `reach` cells along each axis. Marks them in
   /// `seen`.
