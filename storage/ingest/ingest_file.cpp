@@ -9,6 +9,7 @@
 #include "engine/messages/ingest_file_messages.hpp"
 #include "engine/messages/sentence.hpp"
 #include "storage/ingest/common/gdal_guard.hpp"
+#include "storage/ingest/dataset_identity.hpp"
 #include "storage/ingest/file_groups.hpp"
 #include "storage/ingest/files/file_digest.hpp"
 #include "storage/ingest/files/sidecar.hpp"
@@ -25,14 +26,6 @@ namespace {
 
 using repository::Dataset;
 using repository::DatasetKind;
-
-/// Each way of keeping takes other digits of the file's digest, so that a file that is stored in two ways has two ids: an older
-/// program may have stored it in its own way, and plans name the id of what they were made from.
-repository::DatasetId id_of(DatasetKind kind, const std::string& sha256, Keeping keeping) {
-  constexpr std::size_t digits = 8;
-  return {repository::kind_name(kind) + "-" +
-          sha256.substr(static_cast<std::size_t>(keeping) * digits, digits)};
-}
 
 /// "u.nc + v.nc", "charts.zip: ice.shp"; of the many files of a track the first ones.
 std::string names_of(const FileGroup& files, const IngestOptions& options) {
@@ -56,7 +49,7 @@ std::int64_t size_of(const FileGroup& files) {
 
 Dataset dataset_of(const PreparedDataset& data, const FileGroup& files, const IngestOptions& options,
                    const std::string& sha256, core::UtcTime now) {
-  return {.id = id_of(data.kind, sha256, data.keeping),
+  return {.id = id_of(data.kind, identity_of(sha256, data.kind, options), data.keeping),
           .kind = data.kind,
           .name = options.name.value_or(files.front().stem().string()),
           .variables = data.variables,
@@ -110,13 +103,26 @@ void warn_of_open_end(const RecognisedFile& file, Messages& warnings) {
     warnings.push_back(messages::ingest_file_message<"last-line-without-end">());
 }
 
+/// Names a dataset of the same file that was read with other options: both stay, and only the user knows which is right.
+void warn_of_other_reading(sql::Connection& db, DatasetKind kind, const std::string& sha256,
+                           Messages& warnings) {
+  const auto stored = repository::DatasetRepository{db}.list();
+  const auto other = std::ranges::find_if(stored, [&](const Dataset& dataset) {
+    return dataset.kind == kind && dataset.provenance.sha256 == sha256 && !dataset.outdated &&
+           !repository::was_resampled(dataset.warnings);
+  });
+  if (other != stored.end())
+    warnings.push_back(messages::ingest_file_message<"file-read-otherwise-before">(other->id.value));
+}
+
 /// Reads and checks one kind of data. Nothing is written yet: the store stays open for others meanwhile.
 Candidate check_kind(sql::Connection& db, const RecognisedFile& file, const FileGroup& files,
                      DatasetKind kind, const std::string& sha256, const IngestOptions& options,
                      const core::ProgressCallback& progress) {
+  const std::string identity = identity_of(sha256, kind, options);
   for (const Keeping keeping :
        {Keeping::at_points_of_components, Keeping::at_own_points, Keeping::on_a_grid}) {
-    auto stored = repository::DatasetRepository{db}.find(id_of(kind, sha256, keeping));
+    auto stored = repository::DatasetRepository{db}.find(id_of(kind, identity, keeping));
     if (!stored) continue;
     if (stored->provenance.sha256 != sha256)
       return {refused(files, options, {messages::ingest_file_message<"dataset-id-taken">(stored->id.value)}),
@@ -136,6 +142,7 @@ Candidate check_kind(sql::Connection& db, const RecognisedFile& file, const File
     warn_of_what_is_left(file, data->warnings);
   data->warnings.insert(data->warnings.begin(), file.warnings.begin(), file.warnings.end());
   warn_of_open_end(file, data->warnings);
+  warn_of_other_reading(db, kind, sha256, data->warnings);
   return {{}, std::move(*data)};
 }
 

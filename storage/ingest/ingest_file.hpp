@@ -17,7 +17,7 @@ namespace floeplan::ingest {
 /// Reads a file into the store: recognises it by content, checks it, normalises it (WGS84, UTC, SI, depth positive
 /// down, currents towards true east and north) and stores it in one transaction, or stores nothing and says why.
 /// A file whose content is already stored under the same kind is "unchanged", unless an earlier program misread it: then
-/// it is read again and replaces what was stored.
+/// it is read again and replaces what was stored. Read with other options (`identity_of`) it makes another dataset.
 /// Errors   std::runtime_error only when the store itself fails
 [[nodiscard]] std::vector<IngestReport> ingest_file(sql::Connection& db, const std::filesystem::path& file,
                                                     const IngestOptions& options, core::UtcTime now,

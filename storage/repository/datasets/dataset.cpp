@@ -47,8 +47,8 @@ void sort_newest_run_first(std::vector<Dataset>& datasets) {
                       dataset.time_end};
   };
   std::ranges::stable_sort(datasets, [&](const Dataset& a, const Dataset& b) {
-    return std::tuple{newness(b), was_resampled(a.warnings), a.id} <
-           std::tuple{newness(a), was_resampled(b.warnings), b.id};
+    return std::tuple{newness(b), was_resampled(a.warnings), b.provenance.ingested, a.id} <
+           std::tuple{newness(a), was_resampled(b.warnings), a.provenance.ingested, b.id};
   });
 }
 

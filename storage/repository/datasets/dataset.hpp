@@ -19,7 +19,7 @@ enum class DatasetKind { bathymetry, currents, wind, ice, icebergs, coastline, t
 /// Whether data of the kind are fields at steps of time.
 [[nodiscard]] bool has_steps(DatasetKind kind);
 
-/// Names one dataset: "<kind>-<first eight hexadecimal digits of its file's SHA-256>".
+/// Names one dataset: "<kind>-<eight hexadecimal digits of the SHA-256 of its file, and of the options that it was read with>".
 struct DatasetId {
   std::string value;
 
@@ -56,7 +56,8 @@ struct Dataset {
 
 /// The order in which datasets win: the model run that began last first. A file that does not state its run counts as
 /// run when it was ingested. Of several files of one command, which are ingested at the same time, that whose data begin
-/// last, then that whose data end last; then that which no older version resampled (`was_resampled`); ties by id.
+/// last, then that whose data end last; then that which no older version resampled (`was_resampled`), then that which was
+/// ingested last, as the same file read with other options; ties by id.
 void sort_newest_run_first(std::vector<Dataset>& datasets);
 
 /// The dataset of what people made of a kind over the service; there is one at most.

@@ -135,5 +135,18 @@ TEST(NewestRunFirst, TakesOfOneRunTheDataThatNoOlderVersionResampled) {
   EXPECT_EQ(datasets[2].id, older.id);
 }
 
+TEST(NewestRunFirst, TakesOfOneRunAndPeriodWhatWasIngestedLast) {
+  Dataset first = sample_dataset("b", DatasetKind::currents);
+  first.run = sample_time;
+  Dataset second = first;
+  second.id = {"a"};
+  second.provenance.ingested = first.provenance.ingested + day;
+
+  std::vector<Dataset> datasets{first, second};
+  sort_newest_run_first(datasets);
+
+  EXPECT_EQ(datasets[0].id, second.id);
+}
+
 }  // namespace
 }  // namespace floeplan::repository::dataset_repository_test
