@@ -253,11 +253,10 @@ inline constexpr auto ingest_file_kinds = std::to_array<Kind>({
              "interpolate them to longitude, latitude and depth first"},
     {.code = "water-levels-not-read",
      .rank = Rank::caution,
-     .text = "this is a dataset of water levels (S-104). Plans take the sea as it lies at its charts' datum "
-             "or mean "
-             "level, so there is no place for them in the store",
-     .hint =
-         "For tides give harmonic constants, which the probe predicts the level from; for currents S-111"},
+     .text = "this is a dataset of water levels (S-104), which is not stored. Plans take depths from their "
+             "datum as they are: they never count on the water that a tide adds",
+     .hint = "To see the tide at a place give harmonic constants, which the probe predicts the level from; "
+             "for currents give S-111"},
     {.code = "hydrographic-product-not-read",
      .rank = Rank::caution,
      .text = "this is a dataset of the product {product} in HDF5; of the S-100 family this program reads "

@@ -68,9 +68,32 @@ inline constexpr auto ingest_hdf5_kinds = std::to_array<Kind>({
     {.code = "s-hundred-layout-not-read",
      .rank = Rank::caution,
      .text = "the values of {feature} in the S-100 file belong to {layout}; this program reads regular "
-             "grids, and currents at separate places (data coding format 3)",
+             "grids, and currents at separate places and on triangulated meshes (data coding formats 2, 3 "
+             "and 7)",
      .hint = "Ask its producer for such a file",
-     .slots = {{{"feature", "SurfaceCurrent"}, {"layout", "fixed stations"}}}},
+     .slots = {{{"feature", "SurfaceCurrent"}, {"layout", "cells of several sizes"}}}},
+    {.code = "s-hundred-of-stations",
+     .rank = Rank::caution,
+     .text = "the values of {feature} in the S-100 file belong to fixed stations (data coding format "
+             "{format}). A station tells nothing of the water between it and the next, which a plan crosses",
+     .hint = "Ask its producer for the same on a grid or a mesh (data coding format 2, 3 or 7), or give the "
+             "output of the model",
+     .slots = {{{"feature", "SurfaceCurrent"}, {"format", "8"}}}},
+    {.code = "s-hundred-of-a-platform",
+     .rank = Rank::caution,
+     .text =
+         "the values of {feature} in the S-100 file were taken along the track of a moving platform (data "
+         "coding format {format}), each at one place and one moment. A plan needs them over an area and a "
+         "period",
+     .hint = "Ask its producer for a grid or a mesh (data coding format 2, 3 or 7), or give the output of a "
+             "model",
+     .slots = {{{"feature", "SurfaceCurrent"}, {"format", "4"}}}},
+    {.code = "s-hundred-triangle-impossible",
+     .rank = Rank::caution,
+     .text = "a triangle of the S-100 file has a corner at place {place}, but the places are numbered from 0 "
+             "to one less than {places}: the file is damaged",
+     .hint = "Copy or download it again",
+     .slots = {{{"place", 12}, {"places", 12}}}},
     {.code = "s-hundred-places-projected",
      .rank = Rank::caution,
      .text = "the values of the S-100 file lie at places of their own that are not longitudes and latitudes",

@@ -151,8 +151,8 @@ std::vector<DataFormat> all_formats() {
        .check = check_hdf5_references},
 
       {.name = "S-111",
-       .reads = "surface currents of a hydrographic office, on a regular grid or at separate places "
-                "(data coding formats 2 and 3)",
+       .reads = "surface currents of a hydrographic office, on a regular grid, at separate places or on a "
+                "triangulated mesh (data coding formats 2, 3 and 7)",
        .kinds = {currents},
        .writing = Writing::binary,
        .is_it = [](const FileStart& start) { return is_s100(start.bytes, "S-111"); },

@@ -231,6 +231,25 @@ std::string Hdf5Group::characters(const std::string& dataset) const {
   return bounded_text(text.data(), text.size());
 }
 
+Checked<std::vector<std::int64_t>> Hdf5Group::integers(const std::string& dataset,
+                                                       std::size_t columns) const {
+  const QuietHdf5 quiet;
+  const Hdf5Handle<H5Dclose> opened{H5Dopen2(open_->object.get(), dataset.c_str(), H5P_DEFAULT)};
+  if (!opened) return unreadable_part(dataset);
+  const Type type{H5Dget_type(opened.get())};
+  const Space space{H5Dget_space(opened.get())};
+  std::array<hsize_t, 2> sizes{};
+  if (!type || H5Tget_class(type.get()) != H5T_INTEGER || !space ||
+      H5Sget_simple_extent_ndims(space.get()) != 2 ||
+      H5Sget_simple_extent_dims(space.get(), sizes.data(), nullptr) < 0 || sizes[1] != columns ||
+      sizes[0] > static_cast<hsize_t>(most_numbers))
+    return unreadable_part(dataset);
+  std::vector<std::int64_t> values(static_cast<std::size_t>(sizes[0]) * columns);
+  if (H5Dread(opened.get(), H5T_NATIVE_INT64, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0)
+    return unreadable_part(dataset);
+  return values;
+}
+
 std::vector<std::string> Hdf5Group::members() const {
   const QuietHdf5 quiet;
   std::vector<std::string> names;

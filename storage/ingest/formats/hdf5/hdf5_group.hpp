@@ -53,6 +53,10 @@ class Hdf5Group {
   /// What a dataset of single characters spells, as NetCDF writes its texts; empty where there is none, or a longer one
   /// than a thousand.
   [[nodiscard]] std::string characters(const std::string& dataset) const;
+  /// The rows of a dataset of whole numbers with so many columns, one after the other.
+  /// Errors  there is none of this name and shape; more than ten million rows; damage
+  [[nodiscard]] Checked<std::vector<std::int64_t>> integers(const std::string& dataset,
+                                                            std::size_t columns) const;
   /// Names of what it holds, sorted.
   [[nodiscard]] std::vector<std::string> members() const;
   /// Errors  there is none of this name; damage

@@ -17,8 +17,14 @@
 namespace floeplan::ingest {
 namespace {
 
-constexpr double regular_grid = 2.0;  // dataCodingFormat
+// dataCodingFormat
+constexpr double stations = 1.0;
+constexpr double regular_grid = 2.0;
 constexpr double ungeorectified_grid = 3.0;
+constexpr double moving_platform = 4.0;
+constexpr double triangulated_mesh = 7.0;
+constexpr double stations_one_by_one = 8.0;
+
 constexpr double most_side = 1'000'000.0;  // nodes along one side
 constexpr std::size_t most_records = 100'000;
 
@@ -26,13 +32,19 @@ tl::unexpected<Messages> s100_lacks(const std::string& what) {
   return refuse(messages::ingest_hdf5_message<"s-hundred-incomplete">(what));
 }
 
-/// How the values of a feature lie that are on no regular grid.
-std::string layout_in_words(double data_coding_format) {
+/// Why values that lie so are not read.
+messages::Message refusal_of_layout(const std::string& feature, double data_coding_format) {
+  if (data_coding_format == stations || data_coding_format == stations_one_by_one)
+    return messages::ingest_hdf5_message<"s-hundred-of-stations">(feature, number(data_coding_format));
+  if (data_coding_format == moving_platform)
+    return messages::ingest_hdf5_message<"s-hundred-of-a-platform">(feature, number(data_coding_format));
   constexpr std::array words{"fixed stations",      "a regular grid",    "a grid of places of their own",
-                             "a moving vessel",     "an irregular grid", "cells of several sizes",
+                             "a moving platform",   "an irregular grid", "cells of several sizes",
                              "a triangulated mesh", "fixed stations",    "a regular grid of features"};
   const auto index = static_cast<std::size_t>(data_coding_format) - 1;
-  return data_coding_format >= 1.0 && index < words.size() ? words.at(index) : "a layout that is not known";
+  return messages::ingest_hdf5_message<"s-hundred-layout-not-read">(
+      feature,
+      data_coding_format >= 1.0 && index < words.size() ? words.at(index) : "a layout that is not known");
 }
 
 /// Where in its cell a value lies, as a share of the cell from its south-western corner along x and y. A file that says
@@ -129,6 +141,29 @@ Checked<std::vector<Hdf5Group>> records_in(const Hdf5Group& area) {
   return records;
 }
 
+/// The triangles of a mesh, where there are some. A triangle with a corner twice has no area and is left out.
+Checked<std::vector<std::array<std::uint32_t, 3>>> triangles_in(const Hdf5Group& positioning,
+                                                                std::size_t places) {
+  constexpr const char* name = "triangles";
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  const auto members = positioning.members();
+  if (std::ranges::find(members, name) == members.end()) return triangles;
+  const auto corners = positioning.integers(name, 3);
+  if (!corners) return refuse(corners.error());
+  for (std::size_t i = 0; i < corners->size(); i += 3) {
+    std::array<std::uint32_t, 3> triangle{};
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      const std::int64_t place = (*corners)[i + corner];
+      if (place < 0 || place >= static_cast<std::int64_t>(places))
+        return refuse(messages::ingest_hdf5_message<"s-hundred-triangle-impossible">(place, places));
+      triangle.at(corner) = static_cast<std::uint32_t>(place);
+    }
+    if (triangle[0] != triangle[1] && triangle[1] != triangle[2] && triangle[2] != triangle[0])
+      triangles.push_back(triangle);
+  }
+  return triangles;
+}
+
 }  // namespace
 
 bool is_s100(std::string_view bytes, std::string_view product) {
@@ -186,7 +221,8 @@ Checked<S100Layout> s100_layout(const std::filesystem::path& path, const std::st
   if (!feature) return refuse(feature.error());
   const double layout = feature->number("dataCodingFormat").value_or(0.0);
   if (layout == regular_grid) return S100Layout::regular_grid;
-  return layout == ungeorectified_grid ? S100Layout::points : S100Layout::other;
+  return layout == ungeorectified_grid || layout == triangulated_mesh ? S100Layout::points
+                                                                      : S100Layout::other;
 }
 
 Checked<S100Points> s100_points(const std::filesystem::path& path, const std::string& feature_name) {
@@ -216,11 +252,14 @@ Checked<S100Points> s100_points(const std::filesystem::path& path, const std::st
                                                                                 number((*lats)[i])));
     places.push_back(*place);
   }
+  auto triangles = triangles_in(*positioning, places.size());
+  if (!triangles) return refuse(triangles.error());
   auto values = described_values(*file, feature_name);
   if (!values) return refuse(values.error());
   auto records = records_in(*area);
   if (!records) return refuse(records.error());
-  return S100Points{std::move(*file), std::move(places), std::move(*values), std::move(*records)};
+  return S100Points{std::move(*file), std::move(places), std::move(*triangles), std::move(*values),
+                    std::move(*records)};
 }
 
 Checked<S100Coverage> s100_coverage(const std::filesystem::path& path, const std::string& feature_name) {
@@ -229,9 +268,7 @@ Checked<S100Coverage> s100_coverage(const std::filesystem::path& path, const std
   const auto feature = file->group(feature_name);
   if (!feature) return refuse(feature.error());
   const double layout = feature->number("dataCodingFormat").value_or(0.0);
-  if (layout != regular_grid)
-    return refuse(
-        messages::ingest_hdf5_message<"s-hundred-layout-not-read">(feature_name, layout_in_words(layout)));
+  if (layout != regular_grid) return refuse(refusal_of_layout(feature_name, layout));
   const auto area = only_area(*feature, feature_name);
   if (!area) return refuse(area.error());
   const auto share = place_in_cell(*feature);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -41,22 +42,24 @@ struct S100Coverage {
 
 /// Values of an S-100 product at places of their own, its records sorted by name.
 struct S100Points {
-  Hdf5Group file;                           // with what is said of the whole dataset
-  std::vector<geo::LonLat> places;          // in the order of the tables
-  std::map<std::string, S100Value> values;  // by the name of the value
+  Hdf5Group file;                                       // with what is said of the whole dataset
+  std::vector<geo::LonLat> places;                      // in the order of the tables
+  std::vector<std::array<std::uint32_t, 3>> triangles;  // of places, where the file joins them; else empty
+  std::map<std::string, S100Value> values;              // by the name of the value
   std::vector<Hdf5Group> records;
 
   /// One value of a record at all places, NaN where there is none.
   [[nodiscard]] Checked<std::vector<float>> read(std::size_t record, const std::string& value) const;
 };
 
-/// How the values of a feature lie, as its dataCodingFormat says it.
+/// How the values of a feature lie, as its dataCodingFormat says it. What is neither is refused by s100_coverage.
 enum class S100Layout : std::uint8_t { regular_grid, points, other };
 [[nodiscard]] Checked<S100Layout> s100_layout(const std::filesystem::path& path, const std::string& feature);
 
 /// Opens the one area of a feature whose values are those of an ungeorectified grid (dataCodingFormat 3), which has a
-/// list of places and nothing that says which of them are neighbours.
-/// Errors   several areas; places that are no longitudes and latitudes; damage
+/// list of places and nothing that says which of them are neighbours, or of a triangulated mesh (7), which may have its
+/// triangles beside them.
+/// Errors   several areas; places that are no longitudes and latitudes; triangles of places that do not exist; damage
 /// Source   IHO S-100 edition 5.2.0, part 10c: tables 10c-6, 10c-12 and 10c-16
 [[nodiscard]] Checked<S100Points> s100_points(const std::filesystem::path& path, const std::string& feature);
 

@@ -216,16 +216,28 @@ Checked<S111Head> head_of(const Values& currents) {
   return S111Head{*unit_m_s, std::move(*times), *level};
 }
 
+ocean::Mesh mesh_of_triangles(const S100Points& currents) {
+  ocean::Mesh mesh{currents.places, {}};
+  for (const auto& [first, second, third] : currents.triangles)
+    mesh.cells.push_back({first, second, third, third});
+  return mesh;
+}
+
 Checked<CurrentInput> points_in(const std::filesystem::path& file) {
   auto currents = s100_points(file, feature_name);
   if (!currents) return refuse(currents.error());
   auto head = head_of(*currents);
   if (!head) return refuse(head.error());
-  auto mesh = mesh_of_places(currents->places);
-  if (!mesh) return refuse(messages::ingest_hdf5_message<"s-places-without-area">());
   CurrentInput input;
-  input.mesh = std::move(*mesh);
-  input.layout = "places of their own";
+  if (currents->triangles.empty()) {
+    auto mesh = mesh_of_places(currents->places);
+    if (!mesh) return refuse(messages::ingest_hdf5_message<"s-places-without-area">());
+    input.mesh = std::move(*mesh);
+    input.layout = "places of their own";
+  } else {
+    input.mesh = mesh_of_triangles(*currents);
+    input.layout = "a triangulated mesh";
+  }
   if (head->level.warning) input.warnings.push_back(*head->level.warning);
   input.source = std::make_shared<const S111PointSource>(std::move(*currents), std::move(head->times),
                                                          head->level.depth_m, head->unit_m_s);

@@ -100,7 +100,18 @@ void put_values(hid_t group, const S100Sample& sample, const S100Sample::Record&
   H5Tclose(cell);
 }
 
-void put_places(hid_t area, const std::vector<std::pair<double, double>>& places) {
+void put_triangles(hid_t positioning, const std::vector<std::array<int, 3>>& triangles) {
+  const std::array<hsize_t, 2> size{triangles.size(), 3};
+  const hid_t space = H5Screate_simple(2, size.data(), nullptr);
+  const hid_t table =
+      H5Dcreate2(positioning, "triangles", H5T_STD_I32LE, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+  H5Dwrite(table, H5T_NATIVE_INT, H5S_ALL, H5S_ALL, H5P_DEFAULT, triangles.data());
+  H5Dclose(table);
+  H5Sclose(space);
+}
+
+void put_places(hid_t area, const S100Sample& sample) {
+  const auto& places = sample.places;
   const hid_t group = put_group(area, "Positioning");
   const hid_t place = H5Tcreate(H5T_COMPOUND, 2 * sizeof(double));
   H5Tinsert(place, "longitude", 0, H5T_IEEE_F64LE);
@@ -115,6 +126,7 @@ void put_places(hid_t area, const std::vector<std::pair<double, double>>& places
   H5Dclose(table);
   H5Sclose(space);
   H5Tclose(place);
+  if (!sample.triangles.empty()) put_triangles(group, sample.triangles);
   H5Gclose(group);
 }
 
@@ -137,7 +149,7 @@ void put_area(hid_t feature, const S100Sample& sample, int number) {
                                                      : sample.announced_records}})
     put_number(area, name, value);
   put_text(area, "startSequence", "(0,0)");
-  if (!sample.places.empty()) put_places(area, sample.places);
+  if (!sample.places.empty()) put_places(area, sample);
   int count = 0;
   for (const S100Sample::Record& record : sample.records) {
     const hid_t group = put_group(area, numbered("Group_", "%03d", ++count));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -38,6 +39,7 @@ struct S100Sample {
   std::map<std::string, std::string> file_texts{};
   std::vector<std::pair<double, double>>
       places{};  // longitude and latitude of values that lie on no grid; one row
+  std::vector<std::array<int, 3>> triangles{};  // of places; none: the file has none
 
   std::filesystem::path write(const std::filesystem::path& path) const;
 };

@@ -10,6 +10,7 @@
 #include <random>
 
 #include "engine/core/utc_text.hpp"
+#include "storage/repository/fields/field_repository.hpp"
 #include "tests/storage/ingest/support/s100_writer.hpp"
 #include "tests/storage/ingest/support/store_fixture.hpp"
 
@@ -127,12 +128,16 @@ TEST_F(S111, InTransverseMercatorKeepsItsNodes) {
   EXPECT_NEAR(samples.v[0], knot_m_s * 0.5, 1e-6) << "towards true north, not along the grid";
 }
 
-TEST_F(S111, OfAnotherLayoutIsRefusedWithTheNameOfIt) {
-  for (const auto& [code, name] :
-       {std::pair{1.0, "fixed stations"}, {7.0, "a triangulated mesh"}, {8.0, "fixed stations"}}) {
+TEST_F(S111, OfAnotherLayoutIsRefusedWithTheReason) {
+  for (const auto& [code, reason] : {std::pair{1.0, "nothing of the water between"},
+                                     {8.0, "nothing of the water between"},
+                                     {4.0, "along the track of a moving platform"},
+                                     {5.0, "an irregular grid"},
+                                     {6.0, "cells of several sizes"},
+                                     {12.0, "a layout that is not known"}}) {
     S100Sample sample = s111_sample(turning);
     sample.feature_numbers["dataCodingFormat"] = code;
-    expect_refused(sample.write(path("layout.h5")), name);
+    expect_refused(sample.write(path("layout.h5")), reason);
   }
 }
 
@@ -227,6 +232,54 @@ TEST_F(S111, AtPlacesOfTheirOwnHaveNoCurrentWhereThereAreNoPlaces) {
   EXPECT_FALSE(
       currents.at({lon, lat}, core::Metres{4.0}, core::from_unix_seconds(currents.samples().times_s[0])))
       << "the middle of an island 20 km wide";
+}
+
+/// Six nodes, of which four make a mesh of two triangles whose sides differ by a factor of ten; the file leaves the water
+/// between the others out.
+S100Sample triangulated() {
+  S100Sample sample = s111_sample(turning);
+  sample.feature_numbers["dataCodingFormat"] = 7.0;
+  sample.places = {{-50.0, 47.0}, {-49.0, 47.0}, {-49.0, 48.0}, {-48.9, 47.9}, {-48.0, 48.0}, {-48.0, 47.0}};
+  sample.triangles = {{0, 1, 2}, {1, 3, 2}};
+  sample.rows = 1;
+  sample.columns = sample.places.size();
+  for (S100Sample::Record& record : sample.records)  // towards the east
+    record.values = {{1.0F, 2.0F, 3.0F, 4.0F, 5.0F, 6.0F}, std::vector<float>(6, 90.0F)};
+  return sample;
+}
+
+TEST_F(S111, OnATriangulatedMeshIsInterpolatedInItsTrianglesAlone) {
+  const auto report = ingest(triangulated().write(path("7.h5")));
+  ASSERT_EQ(report.status, IngestStatus::stored) << words(report);
+  EXPECT_THAT(words(report), HasSubstr("4 points (a triangulated mesh)"));
+  const auto east_at = [&](geo::LonLat place) -> std::optional<double> {
+    const auto here = repository::FieldRepository{db_}.load_currents(
+        report.dataset->id, {place.lon_deg, place.lat_deg, place.lon_deg, place.lat_deg}, std::nullopt,
+        std::nullopt);
+    if (!here) return std::nullopt;
+    const auto current =
+        here->at(place, core::Metres{4.0}, core::from_unix_seconds(here->samples().times_s.front()));
+    if (!current) return std::nullopt;
+    return current->east.value;
+  };
+  EXPECT_NEAR(east_at({-50.0, 47.0}).value(), 1.0 * knot_m_s, 1e-6) << "at a node its own";
+  EXPECT_NEAR(east_at({-48.9, 47.9}).value(), 4.0 * knot_m_s, 1e-6);
+  EXPECT_NEAR(east_at({-49.0, 47.5}).value(), 2.5 * knot_m_s, 2e-3) << "in the middle of a side";
+  EXPECT_FALSE(east_at({-48.3, 47.6})) << "between nodes that no triangle joins";
+}
+
+TEST_F(S111, WithTrianglesOfPlacesThatDoNotExistIsRefused) {
+  for (const int place : {6, -1}) {
+    S100Sample sample = triangulated();
+    sample.triangles[1][1] = place;
+    expect_refused(sample.write(path("7.h5")), "has a corner at place " + std::to_string(place));
+  }
+}
+
+TEST_F(S111, OnAMeshThatLeavesOutItsTrianglesIsReadAsPlacesOfTheirOwn) {
+  S100Sample sample = scattered(12, [](std::size_t, std::size_t) { return true; });
+  sample.feature_numbers["dataCodingFormat"] = 7.0;
+  EXPECT_EQ(ingest(sample.write(path("7.h5"))).status, IngestStatus::stored);
 }
 
 TEST_F(S111, AtPlacesThatAreNoneIsRefused) {
