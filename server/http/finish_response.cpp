@@ -1,14 +1,56 @@
 #include "server/http/finish_response.hpp"
 
-#include <algorithm>
-#include <optional>
-#include <string_view>
+#include <openssl/evp.h>
+#include <zlib.h>
 
-#include "server/http/entity_tag.hpp"
-#include "server/http/gzip.hpp"
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
 
 namespace floeplan::http {
 namespace {
+
+/// The bytes in gzip format (RFC 1952), without a time stamp: the same input gives the same output.
+std::string gzip(std::string_view bytes) {
+  constexpr int window_bits_for_gzip = 15 + 16;
+  constexpr int memory_level = 8;
+  constexpr int fast = 3;  // answers are made for one request: time counts more than the last percent
+  z_stream stream{};
+  if (deflateInit2(&stream, fast, Z_DEFLATED, window_bits_for_gzip, memory_level, Z_DEFAULT_STRATEGY) !=
+      Z_OK) {
+    throw std::runtime_error{"gzip could not begin"};
+  }
+  std::string result(deflateBound(&stream, static_cast<uLong>(bytes.size())), '\0');
+  std::string input{bytes};  // zlib's interface is not const
+  stream.next_in = reinterpret_cast<Bytef*>(input.data());
+  stream.avail_in = static_cast<uInt>(input.size());
+  stream.next_out = reinterpret_cast<Bytef*>(result.data());
+  stream.avail_out = static_cast<uInt>(result.size());
+  const int status = deflate(&stream, Z_FINISH);
+  result.resize(stream.total_out);
+  deflateEnd(&stream);
+  if (status != Z_STREAM_END) throw std::runtime_error{"gzip could not end"};
+  return result;
+}
+
+/// A digest of the bytes as hexadecimal digits: equal for equal bytes, and in practice for no others.
+std::string entity_tag(std::string_view bytes) {
+  constexpr std::size_t length = 16;  // bytes kept of SHA-256
+  std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
+  if (EVP_Digest(bytes.data(), bytes.size(), digest.data(), nullptr, EVP_sha256(), nullptr) != 1) {
+    throw std::runtime_error{"the cryptographic library has no SHA-256"};
+  }
+  constexpr std::string_view digits = "0123456789abcdef";
+  std::string text;
+  for (std::size_t i = 0; i < length; ++i) {
+    text += digits[digest[i] >> 4U];
+    text += digits[digest[i] & 15U];
+  }
+  return text;
+}
 
 using routes::Request;
 using routes::Response;

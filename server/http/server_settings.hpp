@@ -3,15 +3,21 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
 
 #include "api/routes/request/message.hpp"
 #include "server/http/body_sink.hpp"
-#include "server/http/tls_files.hpp"
 
 namespace floeplan::http {
+
+/// Files in PEM format: the server's certificate with those between it and the authority's, and its key.
+struct TlsFiles {
+  std::filesystem::path certificate;
+  std::filesystem::path key;
+};
 
 /// Limits that keep one client from taking what all need.
 struct Limits {

@@ -3,7 +3,7 @@
 #include <boost/asio/ssl/context.hpp>
 #include <memory>
 
-#include "server/http/tls_files.hpp"
+#include "server/http/server_settings.hpp"
 
 namespace floeplan::http {
 
