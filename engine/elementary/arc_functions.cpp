@@ -3,10 +3,10 @@
 #include <limits>
 
 #include "engine/elementary/constants.hpp"
+#include "engine/elementary/double_double.hpp"
 #include "engine/elementary/elementary.hpp"
 #include "engine/elementary/exceptions.hpp"
 #include "engine/elementary/horner.hpp"
-#include "engine/elementary/square_root.hpp"
 
 namespace floeplan::elementary {
 namespace {

@@ -1,9 +1,18 @@
 #pragma once
 
 #include <bit>
+#include <cmath>
 #include <cstdint>
 
 namespace floeplan::elementary {
+
+/// The root of a number that is not negative: one step of Newton's method from that of its leading part.
+inline DoubleDouble square_root(DoubleDouble x) {
+  if (x.high == 0.0) return {};
+  const double root = std::sqrt(x.high);
+  const DoubleDouble square = two_product(root, root);
+  return fast_two_sum(root, ((x.high - square.high) - square.low + x.low) / (2.0 * root));
+}
 
 /// A number as the unevaluated sum of two doubles, the second below half a unit in the last place of the first.
 /// Error    of a product, a quotient and a sum of equal signs: below 2^-100 of the result; of a sum that cancels:

@@ -2,12 +2,12 @@
 #include <limits>
 
 #include "engine/elementary/constants.hpp"
+#include "engine/elementary/double_double.hpp"
 #include "engine/elementary/elementary.hpp"
 #include "engine/elementary/exceptions.hpp"
 #include "engine/elementary/exponential.hpp"
 #include "engine/elementary/horner.hpp"
 #include "engine/elementary/logarithm.hpp"
-#include "engine/elementary/square_root.hpp"
 
 namespace floeplan::elementary {
 namespace {
