@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -8,9 +9,15 @@
 #include <string>
 #include <vector>
 
-#include "storage/sql/driver/version.hpp"
-
 namespace floeplan::sql {
+
+/// What a connection sees: while it has the same version, it reads the same. Versions of two connections say nothing of
+/// each other. What the numbers mean is the driver's own.
+struct Version {
+  std::array<std::uint32_t, 12> numbers{};
+
+  friend bool operator==(const Version&, const Version&) = default;
+};
 
 /// A statement that an engine has parsed. `Statement` is what callers use.
 /// Edges    parameters count from 1, columns from 0; values are copied when bound; a blob is valid until the next step

@@ -5,21 +5,81 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
 #include <string>
 #include <thread>
 #include <utility>
+#include <vector>
 
+#include "storage/sql/driver/driver.hpp"
 #include "storage/sql/sqlite/backup.hpp"
-#include "storage/sql/sqlite/damaged_pages.hpp"
 #include "storage/sql/sqlite/database_files.hpp"
 #include "storage/sql/sqlite/idle_statements.hpp"
 #include "storage/sql/sqlite/library_failure.hpp"
-#include "storage/sql/sqlite/log_version.hpp"
 #include "storage/sql/sqlite/page_checksums.hpp"
 #include "storage/sql/sqlite/sqlite_statement.hpp"
 
 namespace floeplan::sql::sqlite {
 namespace {
+
+/// The header of the write-ahead log's index, which every commit changes. It takes no lock, for it looks at memory that all
+/// share. Nothing where the index is not there yet. A header that is being written as it is read is like none that is whole:
+/// the number of the change in it has no second.
+/// Edges    changes of tables themselves, and what is undone again, may count or not
+/// Source   sqlite.org/walformat.html, 2.1
+std::optional<Version> log_version(sqlite3* database) {
+  sqlite3_file* file = nullptr;
+  sqlite3_file_control(database, "main", SQLITE_FCNTL_FILE_POINTER, static_cast<void*>(&file));
+  constexpr int index_page_bytes = 32'768;  // sqlite.org/walformat.html, 2.2
+  volatile void* index = nullptr;
+  const int status = file->pMethods->xShmMap(file, 0, index_page_bytes, 0, &index);
+  if (status != SQLITE_OK || index == nullptr) return std::nullopt;
+  Version version;
+  std::copy_n(static_cast<const volatile std::uint32_t*>(index), version.numbers.size(),
+              version.numbers.begin());
+  return version;
+}
+
+/// Whether a page stays unlike its checksum: who writes it at this moment has done so a little later.
+bool stays_damaged(sqlite3* database, std::uint64_t offset, std::size_t page_bytes) {
+  constexpr int looks = 5;
+  constexpr std::chrono::milliseconds between{20};
+  for (int look = 0; look < looks; ++look) {
+    if (look > 0) std::this_thread::sleep_for(between);
+    const auto page = bytes_in_file(database, offset, page_bytes);
+    if (page.size() < page_bytes || is_whole_page(page)) return false;  // cut off meanwhile, or whole
+  }
+  return true;
+}
+
+/// Whether the pages of an open database end with checksums.
+bool has_page_checksums(sqlite3* database) {
+  return layout_of_pages(bytes_in_file(database, 0, header_bytes)).has_checksums;
+}
+
+/// Numbers of the pages, from 1, whose bytes in the file are not those that were written. Others may read and write the
+/// database meanwhile. Of a file whose header reserves no bytes for checksums the first: nothing is known of the rest.
+/// Errors   Failure when the file cannot be read
+std::vector<std::uint32_t> damaged_pages(sqlite3* database) {
+  const auto header = bytes_in_file(database, 0, header_bytes);
+  if (header.empty()) return {};  // a database that nothing was moved to yet
+  const PageLayout layout = layout_of_pages(header);
+  if (layout.page_bytes == 0 || !layout.has_checksums) return {1};
+  constexpr std::size_t pages_at_once = 256;
+  const std::size_t size = layout.page_bytes;
+  std::vector<std::uint32_t> damaged;
+  for (std::uint64_t first = 0;; first += pages_at_once) {
+    const auto block = bytes_in_file(database, first * size, pages_at_once * size);
+    const std::span pages{block};
+    for (std::size_t i = 0; (i + 1) * size <= pages.size(); ++i)
+      if (!is_whole_page(pages.subspan(i * size, size)) && stays_damaged(database, (first + i) * size, size))
+        damaged.push_back(static_cast<std::uint32_t>(first + i + 1));
+    if (block.size() < pages_at_once * size) return damaged;
+  }
+}
 
 constexpr int busy_timeout_ms = 10'000;
 // A connection serves one thread at a time, so it need not lock itself.
