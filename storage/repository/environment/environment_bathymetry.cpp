@@ -1,5 +1,3 @@
-#include "storage/repository/environment/environment_bathymetry.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -9,6 +7,7 @@
 
 #include "engine/messages/data_messages.hpp"
 #include "storage/repository/environment/environment_draft.hpp"
+#include "storage/repository/environment/environment_parts.hpp"
 #include "storage/repository/fields/bathymetry_mosaic.hpp"
 #include "storage/repository/fields/field_repository.hpp"
 

@@ -1,5 +1,3 @@
-#include "storage/repository/environment/environment_drift.hpp"
-
 #include <algorithm>
 #include <string>
 #include <vector>
@@ -9,6 +7,7 @@
 #include "engine/ocean/ice/iceberg_draft.hpp"
 #include "engine/ocean/iceberg_drift.hpp"
 #include "storage/repository/environment/environment_draft.hpp"
+#include "storage/repository/environment/environment_parts.hpp"
 #include "storage/repository/fields/field_repository.hpp"
 
 namespace floeplan::repository {

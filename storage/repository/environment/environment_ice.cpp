@@ -1,5 +1,3 @@
-#include "storage/repository/environment/environment_ice.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -9,6 +7,7 @@
 
 #include "engine/messages/data_messages.hpp"
 #include "storage/repository/environment/environment_draft.hpp"
+#include "storage/repository/environment/environment_parts.hpp"
 
 namespace floeplan::repository {
 namespace {

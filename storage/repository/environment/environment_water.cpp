@@ -1,5 +1,3 @@
-#include "storage/repository/environment/environment_water.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -8,7 +6,7 @@
 #include "engine/core/shown_text.hpp"
 #include "engine/messages/data_messages.hpp"
 #include "storage/repository/environment/environment_draft.hpp"
-#include "storage/repository/environment/environment_drift.hpp"
+#include "storage/repository/environment/environment_parts.hpp"
 
 namespace floeplan::repository {
 namespace {

@@ -3,7 +3,6 @@
 #include <stdexcept>
 #include <string>
 
-#include "storage/repository/store/schema_scripts.hpp"
 #include "storage/sql/references.hpp"
 #include "storage/sql/schema_number.hpp"
 #include "storage/sql/statement.hpp"

@@ -1,6 +1,6 @@
-#include "storage/repository/store/schema_scripts.hpp"
-
 #include <array>
+
+#include "storage/repository/store/schema.hpp"
 
 namespace floeplan::repository {
 namespace {

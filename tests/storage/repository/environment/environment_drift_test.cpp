@@ -1,10 +1,9 @@
-#include "storage/repository/environment/environment_drift.hpp"
-
 #include <gtest/gtest.h>
 
 #include <limits>
 
 #include "storage/repository/datasets/dataset_repository.hpp"
+#include "storage/repository/environment/environment_parts.hpp"
 #include "storage/repository/store/migrations.hpp"
 #include "tests/storage/repository/datasets/sample_data.hpp"
 #include "tests/support/property.hpp"

@@ -1,12 +1,16 @@
 #pragma once
 
+#include "storage/repository/environment/environment_draft.hpp"
 #include <cstddef>
 #include <optional>
-
 #include "engine/core/units.hpp"
-#include "storage/repository/environment/environment_draft.hpp"
 
 namespace floeplan::repository {
+
+/// Adds the depths: of the finest dataset where it covers the area, else of several put together, the finest first (the
+/// newest of those alike), or of those that are named, in that order.
+/// Errors   are among the draft's violations
+void add_bathymetry(EnvironmentDraft& draft);
 
 /// How far a berg drifts at 0.4 m/s in three days: from that far outside it may come into the area.
 inline constexpr core::Metres reach_of_drift{100'000.0};
@@ -21,5 +25,17 @@ inline constexpr core::Metres reach_of_drift{100'000.0};
 /// Counts the icebergs that were seen before their currents begin, and names those whose currents are not known all the
 /// way from then, or from the sighting, to the departure.
 void tell_of_unknown_drift(EnvironmentDraft& draft);
+
+/// Adds the currents, one dataset or an ensemble, with tides if they are asked for.
+/// Precondition  the icebergs have been added: currents are needed from their oldest sighting on
+/// Errors   are among the draft's violations
+void add_water(EnvironmentDraft& draft);
+
+/// Adds the sea ice of the mission, which may begin at the latest departure that the query knows of and last for 30
+/// days: of the newest run, and of others where or when it tells nothing, the newer first; or of the one that is named.
+/// Data of a time itself go before newer ones that are only held for it. What ended before the departure, by 30 days at
+/// most, tells what keels were known last.
+/// Errors   are among the draft's violations
+void add_ice(EnvironmentDraft& draft);
 
 }  // namespace floeplan::repository
