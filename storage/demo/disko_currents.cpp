@@ -1,11 +1,10 @@
-#include "storage/demo/disko_currents.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <random>
 
 #include "storage/demo/bell.hpp"
+#include "storage/demo/disko.hpp"
 #include "storage/demo/disko_places.hpp"
 #include "storage/demo/land_mask.hpp"
 #include "storage/demo/tidal_flow.hpp"

@@ -1,8 +1,7 @@
-#include "storage/demo/disko_ice.hpp"
-
 #include <algorithm>
 #include <cmath>
 
+#include "storage/demo/disko.hpp"
 #include "storage/demo/disko_places.hpp"
 #include "storage/demo/smooth_noise.hpp"
 

@@ -1,5 +1,3 @@
-#include "storage/demo/disko_icebergs.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -7,6 +5,7 @@
 #include <numbers>
 #include <random>
 
+#include "storage/demo/disko.hpp"
 #include "storage/demo/disko_places.hpp"
 #include "storage/demo/land_mask.hpp"
 

@@ -1,5 +1,3 @@
-#include "storage/demo/pack_ice.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,6 +7,7 @@
 #include "storage/demo/current_file.hpp"
 #include "storage/demo/flat_earth.hpp"
 #include "storage/demo/ice_file.hpp"
+#include "storage/demo/scenarios.hpp"
 #include "storage/demo/smooth_noise.hpp"
 
 namespace floeplan::demo {

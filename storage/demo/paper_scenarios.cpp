@@ -1,5 +1,3 @@
-#include "storage/demo/paper_scenarios.hpp"
-
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -8,6 +6,7 @@
 #include "storage/demo/bathymetry_file.hpp"
 #include "storage/demo/current_file.hpp"
 #include "storage/demo/flat_earth.hpp"
+#include "storage/demo/scenarios.hpp"
 
 namespace floeplan::demo {
 namespace {

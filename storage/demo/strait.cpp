@@ -1,5 +1,3 @@
-#include "storage/demo/strait.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,6 +10,7 @@
 #include "storage/demo/flat_earth.hpp"
 #include "storage/demo/geojson_files.hpp"
 #include "storage/demo/land_mask.hpp"
+#include "storage/demo/scenarios.hpp"
 #include "storage/demo/smooth_noise.hpp"
 #include "storage/demo/tidal_flow.hpp"
 

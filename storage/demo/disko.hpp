@@ -2,10 +2,11 @@
 
 #include <cstdint>
 #include <vector>
-
 #include "engine/core/units.hpp"
 #include "storage/demo/disko_bathymetry.hpp"
 #include "storage/demo/stream_function.hpp"
+#include "storage/demo/ice_file.hpp"
+#include "engine/ocean/ice/iceberg.hpp"
 
 namespace floeplan::demo {
 
@@ -38,5 +39,19 @@ class DiskoCurrents {
   double outflow_phase_rad_{};
   core::UtcTime start_;
 };
+
+/// Invented drift ice in the south of Disko Bay: a closed field of first-year ice with a patch of open water in its
+/// middle, drifting slowly westwards, and open water around it. A vehicle that crosses it can surface in that patch
+/// only.
+[[nodiscard]] IceLayer make_disko_ice(const Relief& relief, const RasterFrame& frame, std::uint64_t seed,
+                                      core::Seconds since_start);
+
+/// Sixty invented icebergs: most in the icefjord, on its sill and in the outflow, the others scattered over
+/// the bay. Lengths are log-normal between 20 and 600 m; drafts follow from the length and end at the sea
+/// bed. Seen up to 20 h before `start`. Apart from one small berg, the corridor between 53.20W and 51.60W on
+/// 69.20N is clear by 7 km on both sides.
+/// Source   draft: Barker et al. 2004 up to 160 m length, Hotzel and Miller 1983 above
+[[nodiscard]] std::vector<ocean::Iceberg> make_disko_icebergs(const Relief& relief, std::uint64_t seed,
+                                                              core::UtcTime start);
 
 }  // namespace floeplan::demo

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+#include "engine/core/units.hpp"
+
+namespace floeplan::demo {
+
+/// Writes an invented strait between two invented shores, in the open water of Davis Strait: depths, coastline and
+/// hourly currents for six days. In the narrows, 5 km wide, the tide runs at up to one and a half times the speed of
+/// a glider; outside it is weak, so that a vehicle can wait there. The tide is counted from `start`: the same hours
+/// after it find the same tide.
+/// Returns  the files written, in the order in which they are best ingested
+[[nodiscard]] std::vector<std::filesystem::path> write_strait(const std::filesystem::path& dir,
+                                                              std::uint64_t seed, core::UtcTime start);
+
+/// Writes invented pack ice in the middle of Baffin Bay, with the depths and the hourly currents below it, for six
+/// days: a belt of closed ice 80 km wide between open water in the east and in the west, with three leads in it that
+/// lie beside the straight line across. The ice drifts slowly southwards and takes its leads along.
+/// Returns  the files written, in the order in which they are best ingested
+[[nodiscard]] std::vector<std::filesystem::path> write_pack_ice(const std::filesystem::path& dir,
+                                                                std::uint64_t seed, core::UtcTime start);
+
+/// Writes the river of the reference paper, equation (1), enlarged to a strait 30 km wide, and a flat sea
+/// bed.
+/// Returns  the files written
+/// Source   Eichhorn 2009, section IV
+[[nodiscard]] std::vector<std::filesystem::path> write_river(const std::filesystem::path& dir,
+                                                             core::UtcTime start);
+
+/// Writes the meandering jet of the reference paper, equations (2) to (4), enlarged to 110 km, and a flat sea
+/// bed.
+[[nodiscard]] std::vector<std::filesystem::path> write_jet(const std::filesystem::path& dir,
+                                                           core::UtcTime start);
+
+}  // namespace floeplan::demo
