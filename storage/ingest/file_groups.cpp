@@ -16,10 +16,8 @@
 #include "storage/ingest/readers/currents/adcirc_file.hpp"
 #include "storage/ingest/readers/tides/tide_layout.hpp"
 #include "storage/ingest/readers/tides/tide_variables.hpp"
-#include "storage/ingest/readers/tracks/glider_netcdf.hpp"
-#include "storage/ingest/readers/tracks/seaexplorer_reader.hpp"
 #include "storage/ingest/readers/tracks/seaglider_log.hpp"
-#include "storage/ingest/readers/tracks/seaglider_reader.hpp"
+#include "storage/ingest/readers/tracks/track_readers.hpp"
 #include "storage/ingest/readers/velocity/velocity_pair.hpp"
 
 namespace floeplan::ingest {

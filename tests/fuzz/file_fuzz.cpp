@@ -14,11 +14,9 @@
 #include "storage/ingest/notation/stated_depth.hpp"
 #include "storage/ingest/notation/stated_period.hpp"
 #include "storage/ingest/readers/bathymetry/depth_table.hpp"
-#include "storage/ingest/readers/icebergs/ice_patrol_reader.hpp"
-#include "storage/ingest/readers/icebergs/iceberg_own_table.hpp"
-#include "storage/ingest/readers/icebergs/iceberg_table_reader.hpp"
-#include "storage/ingest/readers/tides/tide_table.hpp"
-#include "storage/ingest/readers/tracks/slocum_reader.hpp"
+#include "storage/ingest/readers/icebergs/iceberg_readers.hpp"
+#include "storage/ingest/readers/tides/tide_readers.hpp"
+#include "storage/ingest/readers/tracks/track_readers.hpp"
 
 namespace {
 

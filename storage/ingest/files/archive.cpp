@@ -2,9 +2,12 @@
 
 #include <archive.h>
 #include <archive_entry.h>
+#include <zlib.h>
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
+#include <filesystem>
 #include <fstream>
 #include <memory>
 #include <optional>
@@ -12,12 +15,56 @@
 
 #include "engine/messages/ingest_file_messages.hpp"
 #include "storage/ingest/files/first_bytes.hpp"
-#include "storage/ingest/files/gzip_stream.hpp"
 #include "storage/ingest/files/sidecar.hpp"
 #include "storage/ingest/notation/text.hpp"
 
 namespace floeplan::ingest {
 namespace {
+
+/// A file that gzip compressed, unpacked for an archive reader with its checksums compared, which libarchive leaves
+/// out.
+class GzipStream {
+ public:
+  explicit GzipStream(const std::filesystem::path& file);
+  GzipStream(const GzipStream&) = delete;
+  GzipStream& operator=(const GzipStream&) = delete;
+  ~GzipStream();
+
+  [[nodiscard]] bool is_gzip() const;
+  /// Opens the reader on the unpacked bytes; this object outlives it.
+  /// Returns  as libarchive's functions do
+  int feed(archive* reader);
+
+ private:
+  static long read(archive* reader, void* self, const void** block);
+
+  gzFile_s* file_;
+  std::array<char, 65536> block_{};
+};
+
+GzipStream::GzipStream(const std::filesystem::path& file) : file_{gzopen(file.c_str(), "rb")} {}
+
+GzipStream::~GzipStream() { gzclose(file_); }
+
+bool GzipStream::is_gzip() const { return file_ != nullptr && gzdirect(file_) == 0; }
+
+int GzipStream::feed(archive* reader) {
+  return archive_read_open(
+      reader, this, nullptr,
+      [](archive* opened, void* self, const void** block) -> la_ssize_t { return read(opened, self, block); },
+      nullptr);
+}
+
+long GzipStream::read(archive* reader, void* self, const void** block) {
+  auto& stream = *static_cast<GzipStream*>(self);
+  *block = stream.block_.data();
+  const int got = gzread(stream.file_, stream.block_.data(), static_cast<unsigned>(stream.block_.size()));
+  int fault = Z_OK;
+  const char* const reason = gzerror(stream.file_, &fault);
+  if (got >= 0 && fault == Z_OK) return got;
+  archive_set_error(reader, EILSEQ, "%s", reason);
+  return ARCHIVE_FATAL;
+}
 
 namespace fs = std::filesystem;
 using namespace std::string_view_literals;

@@ -1,5 +1,3 @@
-#include "storage/ingest/readers/bathymetry/ascii_grid_length.hpp"
-
 #include <algorithm>
 #include <fstream>
 #include <string>
@@ -7,6 +5,7 @@
 #include "engine/messages/ingest_depth_messages.hpp"
 #include "engine/messages/ingest_file_messages.hpp"
 #include "storage/ingest/notation/text.hpp"
+#include "storage/ingest/readers/bathymetry/bathymetry_readers.hpp"
 
 namespace floeplan::ingest {
 namespace {

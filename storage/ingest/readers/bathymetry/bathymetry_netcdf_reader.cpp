@@ -1,5 +1,3 @@
-#include "storage/ingest/readers/bathymetry/bathymetry_netcdf_reader.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,6 +11,7 @@
 #include "storage/ingest/notation/cf_units.hpp"
 #include "storage/ingest/notation/text.hpp"
 #include "storage/ingest/readers/bathymetry/bathymetry_grid.hpp"
+#include "storage/ingest/readers/bathymetry/bathymetry_readers.hpp"
 
 namespace floeplan::ingest {
 namespace {

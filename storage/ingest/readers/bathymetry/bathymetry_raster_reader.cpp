@@ -1,5 +1,3 @@
-#include "storage/ingest/readers/bathymetry/bathymetry_raster_reader.hpp"
-
 #include <gdal_priv.h>
 #include <gdal_utils.h>
 #include <ogr_spatialref.h>
@@ -21,6 +19,7 @@
 #include "storage/ingest/notation/grid_frame_of_crs.hpp"
 #include "storage/ingest/notation/text.hpp"
 #include "storage/ingest/readers/bathymetry/bathymetry_grid.hpp"
+#include "storage/ingest/readers/bathymetry/bathymetry_readers.hpp"
 #include "storage/ingest/readers/bathymetry/depth_table.hpp"
 #include "storage/ingest/readers/bathymetry/raster_crs.hpp"
 

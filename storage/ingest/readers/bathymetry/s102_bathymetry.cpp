@@ -1,5 +1,3 @@
-#include "storage/ingest/readers/bathymetry/s102_bathymetry.hpp"
-
 #include <memory>
 #include <string>
 #include <utility>
@@ -8,6 +6,7 @@
 #include "storage/ingest/formats/s100/s100_coverage.hpp"
 #include "storage/ingest/notation/cf_units.hpp"
 #include "storage/ingest/readers/bathymetry/bathymetry_grid.hpp"
+#include "storage/ingest/readers/bathymetry/bathymetry_readers.hpp"
 
 namespace floeplan::ingest {
 namespace {

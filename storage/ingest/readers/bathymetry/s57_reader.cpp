@@ -1,5 +1,3 @@
-#include "storage/ingest/readers/bathymetry/s57_reader.hpp"
-
 #include <gdal_alg.h>
 #include <gdal_priv.h>
 #include <ogr_geometry.h>
@@ -16,6 +14,7 @@
 #include "storage/ingest/common/missing_value.hpp"
 #include "storage/ingest/notation/text.hpp"
 #include "storage/ingest/readers/bathymetry/bathymetry_grid.hpp"
+#include "storage/ingest/readers/bathymetry/bathymetry_readers.hpp"
 #include "storage/ingest/readers/bathymetry/s57_cell.hpp"
 
 namespace floeplan::ingest {

@@ -1,5 +1,3 @@
-#include "storage/ingest/readers/coastline/coastline_reader.hpp"
-
 #include <gdal_priv.h>
 #include <ogrsf_frmts.h>
 
@@ -11,6 +9,7 @@
 #include "engine/geo/ring_turns.hpp"
 #include "engine/messages/ingest_area_messages.hpp"
 #include "storage/ingest/formats/vector/polygon_shapes.hpp"
+#include "storage/ingest/readers/coastline/coastline_readers.hpp"
 #include "storage/ingest/readers/zones/feature_kind.hpp"
 #include "storage/repository/features/coastline_repository.hpp"
 

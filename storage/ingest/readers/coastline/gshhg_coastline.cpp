@@ -1,8 +1,7 @@
-#include "storage/ingest/readers/coastline/gshhg_coastline.hpp"
-
 #include <functional>
 
 #include "engine/messages/ingest_area_messages.hpp"
+#include "storage/ingest/readers/coastline/coastline_readers.hpp"
 #include "storage/ingest/readers/coastline/gshhg_reader.hpp"
 #include "storage/repository/features/coastline_repository.hpp"
 

@@ -1,5 +1,3 @@
-#include "storage/ingest/readers/currents/adcirc_currents.hpp"
-
 #include <cmath>
 #include <filesystem>
 #include <optional>
@@ -10,6 +8,7 @@
 #include "storage/ingest/files/first_bytes.hpp"
 #include "storage/ingest/readers/currents/adcirc_file.hpp"
 #include "storage/ingest/readers/currents/current_dataset.hpp"
+#include "storage/ingest/readers/currents/current_readers.hpp"
 
 namespace floeplan::ingest {
 namespace {

@@ -1,5 +1,8 @@
 #include "storage/ingest/readers/currents/current_dataset.hpp"
 
+#include <cstddef>
+#include <memory>
+#include <optional>
 #include <utility>
 
 #include "engine/messages/ingest_current_messages.hpp"
@@ -10,14 +13,45 @@
 #include "engine/ocean/grids/staggered_sampling.hpp"
 #include "storage/ingest/common/grid_limits.hpp"
 #include "storage/ingest/common/missing_value.hpp"
+#include "storage/ingest/grids/velocity_source.hpp"
 #include "storage/ingest/notation/text.hpp"
 #include "storage/ingest/readers/currents/current_survey.hpp"
-#include "storage/ingest/readers/velocity/velocity_level.hpp"
 #include "storage/repository/fields/field_repository.hpp"
 #include "storage/repository/fields/mesh_blocks.hpp"
 
 namespace floeplan::ingest {
 namespace {
+
+class OneLevel : public VelocitySource {
+ public:
+  OneLevel(std::shared_ptr<const VelocitySource> source, std::size_t level, std::optional<double> depth_m)
+      : source_{std::move(source)}, level_{level}, shape_{source_->shape()} {
+    shape_.levels = 1;
+    shape_.depths_m.reset();
+    if (depth_m) shape_.depths_m = {*depth_m};
+  }
+
+  [[nodiscard]] const SourceShape& shape() const override { return shape_; }
+  [[nodiscard]] geo::LonLat place(std::size_t point) const override { return source_->place(point); }
+  [[nodiscard]] Checked<VelocitySlice> read(std::size_t time, std::size_t /*level*/) const override {
+    return source_->read(time, level_);
+  }
+  [[nodiscard]] Checked<std::vector<float>> level_depths(std::size_t time, std::size_t level) const override {
+    return source_->level_depths(time, level);
+  }
+
+ private:
+  std::shared_ptr<const VelocitySource> source_;
+  std::size_t level_;
+  SourceShape shape_;
+};
+
+/// One level of a source, as if it were all there is.
+/// `depth_m`  where it lies; nullopt: without a depth
+std::shared_ptr<const VelocitySource> one_level(std::shared_ptr<const VelocitySource> source,
+                                                std::size_t level, std::optional<double> depth_m) {
+  return std::make_shared<const OneLevel>(std::move(source), level, depth_m);
+}
 
 /// A source, the land found in it, and where its points are kept.
 struct StoredCurrents {

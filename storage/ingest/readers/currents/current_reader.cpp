@@ -1,5 +1,4 @@
-#include "storage/ingest/readers/currents/current_reader.hpp"
-
+#include "storage/ingest/readers/currents/current_readers.hpp"
 #include "storage/ingest/readers/currents/velocity_input.hpp"
 
 namespace floeplan::ingest {

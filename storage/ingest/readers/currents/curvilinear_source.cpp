@@ -1,5 +1,3 @@
-#include "storage/ingest/readers/currents/curvilinear_source.hpp"
-
 #include <algorithm>
 #include <cmath>
 
@@ -17,8 +15,8 @@
 #include "storage/ingest/grids/staggering.hpp"
 #include "storage/ingest/grids/water_mask.hpp"
 #include "storage/ingest/notation/text.hpp"
-#include "storage/ingest/readers/velocity/component_times.hpp"
-#include "storage/ingest/readers/velocity/nominal_axes.hpp"
+#include "storage/ingest/readers/currents/velocity_sources.hpp"
+#include "storage/ingest/readers/velocity/component_checks.hpp"
 #include "storage/ingest/readers/velocity/velocity_component.hpp"
 
 namespace floeplan::ingest {

@@ -1,5 +1,3 @@
-#include "storage/ingest/readers/currents/grib_currents.hpp"
-
 #include <cpl_conv.h>
 #include <gdal_priv.h>
 #include <ogr_spatialref.h>
@@ -21,6 +19,7 @@
 #include "storage/ingest/grids/true_north.hpp"
 #include "storage/ingest/notation/text.hpp"
 #include "storage/ingest/readers/currents/current_dataset.hpp"
+#include "storage/ingest/readers/currents/current_readers.hpp"
 #include "storage/ingest/readers/currents/grib_contents.hpp"
 #include "storage/ingest/readers/velocity/velocity_component.hpp"
 

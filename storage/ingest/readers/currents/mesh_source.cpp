@@ -1,5 +1,3 @@
-#include "storage/ingest/readers/currents/mesh_source.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <span>
@@ -11,7 +9,8 @@
 #include "storage/ingest/grids/mesh_levels.hpp"
 #include "storage/ingest/grids/mesh_topology.hpp"
 #include "storage/ingest/grids/netcdf_shape.hpp"
-#include "storage/ingest/readers/velocity/component_times.hpp"
+#include "storage/ingest/readers/currents/velocity_sources.hpp"
+#include "storage/ingest/readers/velocity/component_checks.hpp"
 #include "storage/ingest/readers/velocity/velocity_component.hpp"
 
 namespace floeplan::ingest {

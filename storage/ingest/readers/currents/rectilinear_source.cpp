@@ -1,5 +1,3 @@
-#include "storage/ingest/readers/currents/rectilinear_source.hpp"
-
 #include <algorithm>
 #include <limits>
 
@@ -10,8 +8,8 @@
 #include "storage/ingest/grids/netcdf_shape.hpp"
 #include "storage/ingest/grids/true_north.hpp"
 #include "storage/ingest/notation/text.hpp"
-#include "storage/ingest/readers/velocity/component_times.hpp"
-#include "storage/ingest/readers/velocity/nominal_axes.hpp"
+#include "storage/ingest/readers/currents/velocity_sources.hpp"
+#include "storage/ingest/readers/velocity/component_checks.hpp"
 #include "storage/ingest/readers/velocity/velocity_component.hpp"
 
 namespace floeplan::ingest {

@@ -1,5 +1,3 @@
-#include "storage/ingest/readers/currents/s111_currents.hpp"
-
 #include <cmath>
 #include <cstdint>
 #include <numbers>
@@ -17,6 +15,7 @@
 #include "storage/ingest/notation/cf_units.hpp"
 #include "storage/ingest/notation/text.hpp"
 #include "storage/ingest/readers/currents/current_dataset.hpp"
+#include "storage/ingest/readers/currents/current_readers.hpp"
 
 namespace floeplan::ingest {
 namespace {

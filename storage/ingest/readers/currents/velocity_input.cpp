@@ -9,9 +9,7 @@
 #include "storage/ingest/formats/netcdf/position_tables.hpp"
 #include "storage/ingest/grids/mesh_topology.hpp"
 #include "storage/ingest/notation/text.hpp"
-#include "storage/ingest/readers/currents/curvilinear_source.hpp"
-#include "storage/ingest/readers/currents/mesh_source.hpp"
-#include "storage/ingest/readers/currents/rectilinear_source.hpp"
+#include "storage/ingest/readers/currents/velocity_sources.hpp"
 
 namespace floeplan::ingest {
 namespace {

@@ -1,5 +1,3 @@
-#include "storage/ingest/readers/currents/wind_reader.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -8,6 +6,7 @@
 #include "storage/ingest/formats/netcdf/netcdf_coordinates.hpp"
 #include "storage/ingest/formats/netcdf/variable_level.hpp"
 #include "storage/ingest/notation/text.hpp"
+#include "storage/ingest/readers/currents/current_readers.hpp"
 #include "storage/ingest/readers/currents/velocity_input.hpp"
 
 namespace floeplan::ingest {

@@ -1,5 +1,3 @@
-#include "storage/ingest/readers/ice/ice_chart_reader.hpp"
-
 #include <gdal_priv.h>
 #include <ogrsf_frmts.h>
 
@@ -14,6 +12,7 @@
 #include "storage/ingest/notation/text.hpp"
 #include "storage/ingest/readers/ice/chart_time.hpp"
 #include "storage/ingest/readers/ice/ice_raster.hpp"
+#include "storage/ingest/readers/ice/ice_readers.hpp"
 #include "storage/ingest/readers/zones/feature_kind.hpp"
 #include "storage/repository/fields/field_repository.hpp"
 

@@ -1,5 +1,3 @@
-#include "storage/ingest/readers/ice/ice_reader.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -10,6 +8,7 @@
 #include "storage/ingest/formats/netcdf/netcdf_layout.hpp"
 #include "storage/ingest/grids/bent_plane.hpp"
 #include "storage/ingest/notation/text.hpp"
+#include "storage/ingest/readers/ice/ice_readers.hpp"
 #include "storage/ingest/readers/ice/ice_units.hpp"
 #include "storage/ingest/readers/ice/ice_variables.hpp"
 #include "storage/repository/fields/field_repository.hpp"

@@ -1,5 +1,3 @@
-#include "storage/ingest/readers/icebergs/ice_patrol_reader.hpp"
-
 #include <algorithm>
 #include <array>
 #include <fstream>
@@ -11,6 +9,7 @@
 #include "storage/ingest/notation/stated_place.hpp"
 #include "storage/ingest/notation/table_dates.hpp"
 #include "storage/ingest/notation/text.hpp"
+#include "storage/ingest/readers/icebergs/iceberg_readers.hpp"
 #include "storage/ingest/readers/icebergs/iceberg_rows.hpp"
 #include "storage/ingest/readers/icebergs/position_errors.hpp"
 

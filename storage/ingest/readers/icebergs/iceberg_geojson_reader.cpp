@@ -1,5 +1,3 @@
-#include "storage/ingest/readers/icebergs/iceberg_geojson_reader.hpp"
-
 #include <gdal_priv.h>
 #include <ogrsf_frmts.h>
 
@@ -19,6 +17,7 @@
 #include "storage/ingest/notation/stated_place.hpp"
 #include "storage/ingest/notation/text.hpp"
 #include "storage/ingest/readers/icebergs/detection.hpp"
+#include "storage/ingest/readers/icebergs/iceberg_readers.hpp"
 #include "storage/ingest/readers/icebergs/iceberg_rows.hpp"
 #include "storage/ingest/readers/icebergs/position_errors.hpp"
 

@@ -1,5 +1,3 @@
-#include "storage/ingest/readers/icebergs/iceberg_own_table.hpp"
-
 #include <fstream>
 #include <optional>
 #include <string>
@@ -12,6 +10,7 @@
 #include "storage/ingest/notation/stated_place.hpp"
 #include "storage/ingest/notation/text.hpp"
 #include "storage/ingest/readers/icebergs/detection.hpp"
+#include "storage/ingest/readers/icebergs/iceberg_readers.hpp"
 #include "storage/ingest/readers/icebergs/iceberg_rows.hpp"
 #include "storage/ingest/readers/icebergs/position_errors.hpp"
 

@@ -1,5 +1,3 @@
-#include "storage/ingest/readers/tides/tcd_stations.hpp"
-
 #include <cmath>
 #include <cstdint>
 #include <set>
@@ -11,6 +9,7 @@
 #include "storage/ingest/notation/stated_place.hpp"
 #include "storage/ingest/notation/text.hpp"
 #include "storage/ingest/readers/tides/station_rows.hpp"
+#include "storage/ingest/readers/tides/tide_readers.hpp"
 
 namespace floeplan::ingest {
 namespace {

@@ -1,5 +1,3 @@
-#include "storage/ingest/readers/tides/tide_reader.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -7,6 +5,7 @@
 #include "engine/messages/ingest_tide_messages.hpp"
 #include "storage/ingest/notation/text.hpp"
 #include "storage/ingest/readers/tides/tide_layout.hpp"
+#include "storage/ingest/readers/tides/tide_readers.hpp"
 #include "storage/ingest/readers/tides/tide_variables.hpp"
 #include "storage/repository/fields/tide_repository.hpp"
 

@@ -1,5 +1,3 @@
-#include "storage/ingest/readers/tides/tide_table.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,6 +9,7 @@
 #include "storage/ingest/notation/stated_place.hpp"
 #include "storage/ingest/notation/text.hpp"
 #include "storage/ingest/readers/tides/station_rows.hpp"
+#include "storage/ingest/readers/tides/tide_readers.hpp"
 #include "storage/json/json.hpp"
 #include "storage/repository/fields/tide_repository.hpp"
 

@@ -1,5 +1,3 @@
-#include "storage/ingest/readers/tracks/glider_netcdf.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -11,6 +9,7 @@
 #include "storage/ingest/notation/text.hpp"
 #include "storage/ingest/readers/tracks/glider_currents.hpp"
 #include "storage/ingest/readers/tracks/track_builder.hpp"
+#include "storage/ingest/readers/tracks/track_readers.hpp"
 
 namespace floeplan::ingest {
 namespace {

@@ -1,5 +1,3 @@
-#include "storage/ingest/readers/tracks/seaexplorer_reader.hpp"
-
 #include <algorithm>
 #include <optional>
 #include <utility>
@@ -11,6 +9,7 @@
 #include "storage/ingest/files/first_bytes.hpp"
 #include "storage/ingest/notation/text.hpp"
 #include "storage/ingest/readers/tracks/track_builder.hpp"
+#include "storage/ingest/readers/tracks/track_readers.hpp"
 
 namespace floeplan::ingest {
 namespace {

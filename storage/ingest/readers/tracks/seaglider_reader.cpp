@@ -1,5 +1,3 @@
-#include "storage/ingest/readers/tracks/seaglider_reader.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -15,6 +13,7 @@
 #include "storage/ingest/notation/text.hpp"
 #include "storage/ingest/readers/tracks/seaglider_log.hpp"
 #include "storage/ingest/readers/tracks/track_builder.hpp"
+#include "storage/ingest/readers/tracks/track_readers.hpp"
 
 namespace floeplan::ingest {
 namespace {

@@ -1,5 +1,3 @@
-#include "storage/ingest/readers/tracks/slocum_reader.hpp"
-
 #include <algorithm>
 
 #include "engine/messages/ingest_track_messages.hpp"
@@ -9,6 +7,7 @@
 #include "storage/ingest/formats/slocum/slocum_netcdf.hpp"
 #include "storage/ingest/readers/tracks/slocum_dives.hpp"
 #include "storage/ingest/readers/tracks/track_builder.hpp"
+#include "storage/ingest/readers/tracks/track_readers.hpp"
 
 namespace floeplan::ingest {
 namespace {

@@ -1,10 +1,9 @@
-#include "storage/ingest/readers/tracks/glider_netcdf.hpp"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "storage/ingest/readers/tracks/track_readers.hpp"
 #include "storage/repository/features/glider_track_repository.hpp"
 #include "tests/storage/ingest/support/netcdf_writer.hpp"
 #include "tests/storage/ingest/support/store_fixture.hpp"

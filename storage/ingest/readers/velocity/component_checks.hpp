@@ -4,6 +4,7 @@
 #include <string>
 
 #include "engine/messages/message.hpp"
+#include "storage/ingest/formats/netcdf/netcdf_layout.hpp"
 #include "storage/ingest/readers/velocity/velocity_pair.hpp"
 
 namespace floeplan::ingest {
@@ -15,5 +16,9 @@ namespace floeplan::ingest {
 ///         they begin at 65 degrees in MOM, OM2 and CM2
 [[nodiscard]] std::optional<messages::Message> doubt_in_nominal_axes(const VelocityPair& pair,
                                                                      double northernmost_deg);
+
+/// Why two components cannot be read together: no time, other times or other depths; nullopt when they can.
+[[nodiscard]] std::optional<messages::Message> times_or_depths_differ(const NetcdfLayout& first,
+                                                                      const NetcdfLayout& second);
 
 }  // namespace floeplan::ingest

@@ -1,12 +1,15 @@
-#include "storage/ingest/readers/velocity/component_times.hpp"
+#include "storage/ingest/readers/velocity/component_checks.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "engine/messages/ingest_current_messages.hpp"
+#include "storage/ingest/notation/text.hpp"
 
 namespace floeplan::ingest {
 namespace {
+
+constexpr double bent_above_lat_deg = 60.0;  // with a margin of some degrees
 
 /// Equal but for the rounding of float32 coordinates.
 bool are_alike(const std::optional<AxisNodes>& a, const std::optional<AxisNodes>& b, double tolerance) {
@@ -17,6 +20,13 @@ bool are_alike(const std::optional<AxisNodes>& a, const std::optional<AxisNodes>
 }
 
 }  // namespace
+
+std::optional<messages::Message> doubt_in_nominal_axes(const VelocityPair& pair, double northernmost_deg) {
+  if (pair.axes != VelocityAxes::grid || northernmost_deg <= bent_above_lat_deg) return std::nullopt;
+  return messages::ingest_current_message<"along-bent-axes">(pair.first->name(), pair.second->name(),
+                                                             number(northernmost_deg),
+                                                             number(bent_above_lat_deg) + " degrees");
+}
 
 std::optional<messages::Message> times_or_depths_differ(const NetcdfLayout& first,
                                                         const NetcdfLayout& second) {
