@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "api/codec/exports/picture_parts.hpp"
+#include "api/codec/exports/svg_parts.hpp"
 #include "engine/core/units.hpp"
 #include "engine/planning/problem/plan.hpp"
 

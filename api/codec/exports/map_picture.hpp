@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "api/codec/exports/picture_parts.hpp"
+#include "api/codec/exports/svg_parts.hpp"
 #include "engine/geo/polygon.hpp"
 #include "engine/ocean/ice/iceberg.hpp"
 #include "engine/planning/problem/plan.hpp"

@@ -30,6 +30,12 @@ struct BriefPictures {
 [[nodiscard]] std::string plan_brief_html(const planning::Plan& plan, const BriefPictures& pictures,
                                           const BriefNotes& notes);
 
+/// The same page as PDF in A4. A long table continues on further pages. Needs a font on the machine: DejaVu Sans, or any
+/// other that fontconfig finds.
+/// Errors   std::runtime_error when the drawing library fails
+[[nodiscard]] std::string plan_brief_pdf(const planning::Plan& plan, const BriefPictures& pictures,
+                                         const BriefNotes& notes);
+
 /// The rows of the brief's table, as text: number, latitude, longitude, ETA, leg, course, speed, depth.
 [[nodiscard]] std::vector<std::vector<std::string>> brief_rows(const planning::Plan& plan);
 /// Which plan the page is of, and when it was made.

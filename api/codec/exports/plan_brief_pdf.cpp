@@ -1,5 +1,3 @@
-#include "api/codec/exports/plan_brief_pdf.hpp"
-
 #include <cairo-pdf.h>
 
 #include <array>
@@ -7,6 +5,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "api/codec/exports/plan_brief.hpp"
 #include "engine/core/utc_text.hpp"
 
 namespace floeplan::codec {

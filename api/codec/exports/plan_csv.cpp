@@ -1,10 +1,9 @@
-#include "api/codec/exports/plan_csv.hpp"
-
 #include <array>
 #include <cstdio>
 #include <optional>
 
 #include "api/codec/bytes/bare_value.hpp"
+#include "api/codec/exports/plan_files.hpp"
 #include "engine/core/utc_text.hpp"
 
 namespace floeplan::codec {

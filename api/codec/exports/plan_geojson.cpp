@@ -1,5 +1,4 @@
-#include "api/codec/exports/plan_geojson.hpp"
-
+#include "api/codec/exports/plan_files.hpp"
 #include "api/codec/features/plan_feature.hpp"
 #include "storage/json/json.hpp"
 

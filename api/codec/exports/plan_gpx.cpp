@@ -1,10 +1,9 @@
-#include "api/codec/exports/plan_gpx.hpp"
-
 #include <array>
 #include <cstdio>
 
 #include "api/codec/bytes/document_values.hpp"
 #include "api/codec/bytes/xml_text.hpp"
+#include "api/codec/exports/plan_files.hpp"
 #include "engine/core/utc_text.hpp"
 
 namespace floeplan::codec {

@@ -1,8 +1,7 @@
-#include "api/codec/exports/plan_imc.hpp"
-
 #include <algorithm>
 #include <cmath>
 
+#include "api/codec/exports/plan_files.hpp"
 #include "engine/geo/geodesic.hpp"
 #include "engine/mission/document/comment_text.hpp"
 #include "engine/mission/writing/hold_lists.hpp"

@@ -3,10 +3,19 @@
 #include <string>
 #include <vector>
 
-#include "api/codec/exports/picture_parts.hpp"
-
 /// Elements of SVG, one line each. Places have one decimal: the same picture gives the same bytes.
 namespace floeplan::codec {
+
+/// A point of a picture, in picture units, y downwards.
+struct PicturePoint {
+  double x{};
+  double y{};
+};
+
+struct PictureLabel {
+  PicturePoint at;
+  std::string text;
+};
 
 /// Begins a picture, with a ground of this style.
 [[nodiscard]] std::string svg_head(const char* ground, double width, double height);

@@ -1,5 +1,4 @@
-#include "api/codec/inputs/departure_inputs.hpp"
-
+#include "api/codec/inputs/plan_input_parts.hpp"
 #include "engine/core/utc_text.hpp"
 #include "storage/json/json.hpp"
 

@@ -1,5 +1,4 @@
-#include "api/codec/inputs/energy_inputs.hpp"
-
+#include "api/codec/inputs/plan_input_parts.hpp"
 #include "api/codec/reading/input_fields.hpp"
 #include "api/fields/request_fields.hpp"
 #include "storage/json/json.hpp"
@@ -27,8 +26,7 @@ void read_objective(InputReader& reader, planning::Objective& objective) {
     reader.refuse_all("/objective", members.violations());
   } else {
     reader.refuse<"wrong-shape-found">(
-        "/objective",
-        "\"time\", \"energy\" or {\"time\": weight of a second, \"energy\": weight of a joule}",
+        "/objective", "\"time\", \"energy\" or {\"time\": weight of a second, \"energy\": weight of a joule}",
         shown(*value));
   }
 }

@@ -3,11 +3,9 @@
 #include <algorithm>
 
 #include "api/codec/inputs/data_inputs.hpp"
-#include "api/codec/inputs/departure_inputs.hpp"
-#include "api/codec/inputs/energy_inputs.hpp"
 #include "api/codec/inputs/ice_inputs.hpp"
+#include "api/codec/inputs/plan_input_parts.hpp"
 #include "api/codec/inputs/route_inputs.hpp"
-#include "api/codec/inputs/search_inputs.hpp"
 #include "api/codec/inputs/uncertainty_inputs.hpp"
 #include "api/codec/inputs/vehicle_inputs.hpp"
 #include "api/codec/inputs/zone_inputs.hpp"

@@ -1,5 +1,4 @@
-#include "api/codec/inputs/search_inputs.hpp"
-
+#include "api/codec/inputs/plan_input_parts.hpp"
 #include "api/codec/reading/input_fields.hpp"
 #include "api/fields/request_fields.hpp"
 #include "storage/json/json.hpp"

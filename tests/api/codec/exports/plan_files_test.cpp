@@ -1,3 +1,5 @@
+#include "api/codec/exports/plan_files.hpp"
+
 #include <gmock/gmock.h>
 
 #include <nlohmann/json.hpp>
@@ -5,12 +7,6 @@
 #include "api/codec/documents/alternative_document.hpp"
 #include "api/codec/documents/plan_document.hpp"
 #include "api/codec/exports/plan_brief.hpp"
-#include "api/codec/exports/plan_brief_pdf.hpp"
-#include "api/codec/exports/plan_csv.hpp"
-#include "api/codec/exports/plan_geojson.hpp"
-#include "api/codec/exports/plan_gpx.hpp"
-#include "api/codec/exports/plan_imc.hpp"
-#include "api/codec/exports/plan_kml.hpp"
 #include "api/codec/route_files/route_file.hpp"
 #include "engine/core/utc_text.hpp"
 #include "engine/messages/data_messages.hpp"

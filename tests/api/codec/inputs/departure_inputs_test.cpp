@@ -1,10 +1,9 @@
-#include "api/codec/inputs/departure_inputs.hpp"
-
 #include <gmock/gmock.h>
 
 #include <nlohmann/json.hpp>
 
 #include "api/codec/documents/departure_document.hpp"
+#include "api/codec/inputs/plan_input_parts.hpp"
 #include "api/codec/inputs/plan_inputs.hpp"
 #include "engine/core/utc_text.hpp"
 #include "engine/messages/refusal_messages.hpp"

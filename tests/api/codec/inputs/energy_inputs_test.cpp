@@ -1,6 +1,6 @@
-#include "api/codec/inputs/energy_inputs.hpp"
-
 #include <gmock/gmock.h>
+
+#include "api/codec/inputs/plan_input_parts.hpp"
 
 namespace floeplan::codec::energy_inputs_test {
 namespace {

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "api/codec/documents/plan_document.hpp"
-#include "api/codec/inputs/search_inputs.hpp"
+#include "api/codec/inputs/plan_input_parts.hpp"
 #include "engine/core/utc_text.hpp"
 
 namespace floeplan::codec::refinement_test {

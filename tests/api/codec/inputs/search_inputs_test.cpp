@@ -1,8 +1,8 @@
-#include "api/codec/inputs/search_inputs.hpp"
-
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
+
+#include "api/codec/inputs/plan_input_parts.hpp"
 
 namespace floeplan::codec::search_inputs_test {
 namespace {

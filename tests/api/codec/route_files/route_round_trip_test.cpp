@@ -4,11 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "api/codec/documents/plan_document.hpp"
-#include "api/codec/exports/plan_csv.hpp"
-#include "api/codec/exports/plan_geojson.hpp"
-#include "api/codec/exports/plan_gpx.hpp"
-#include "api/codec/exports/plan_imc.hpp"
-#include "api/codec/exports/plan_kml.hpp"
+#include "api/codec/exports/plan_files.hpp"
 #include "api/codec/features/plan_feature.hpp"
 #include "api/codec/inputs/plan_inputs.hpp"
 #include "api/codec/route_files/route_file.hpp"

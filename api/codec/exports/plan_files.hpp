@@ -1,0 +1,55 @@
+#pragma once
+
+#include <string>
+#include "engine/planning/problem/plan.hpp"
+#include <nlohmann/json_fwd.hpp>
+#include "storage/repository/work/plan_repository.hpp"
+#include <optional>
+#include <vector>
+#include "engine/core/units.hpp"
+#include "engine/mission/writing/shoals.hpp"
+#include "engine/vehicle/glider_profile.hpp"
+
+namespace floeplan::codec {
+
+/// The plan's waypoints as a table for spreadsheets (RFC 4180 without quoting, LF): a header whose names
+/// carry the units, then one row a waypoint, the start first. What is not known is an empty cell.
+[[nodiscard]] std::string plan_csv(const planning::Plan& plan);
+
+/// A stored plan for map programs: a GeoJSON FeatureCollection of the route (as plan_feature gives it) and,
+/// in their order, its waypoints as Points with their row of the plan document as properties.
+/// Errors   std::runtime_error or nlohmann::json::exception when the stored document is not one
+[[nodiscard]] nlohmann::json plan_geojson(const repository::PlanRecord& plan);
+
+/// The plan as a GPX 1.1 route for chart plotters: every waypoint, the start included, with its time of
+/// arrival. UTF-8; control characters of the name are dropped, since XML has no way to write them.
+/// Frame    WGS84 degrees, seven decimals (1 cm), longitudes in [-180, 180)
+/// Source   Topografix, GPX 1.1 schema
+[[nodiscard]] std::string plan_gpx(const planning::Plan& plan, const std::string& plan_id,
+                                   const std::string& name);
+
+/// The plan as KML 2.2: the route as a line on the sea's surface and a placemark for each waypoint with its time of
+/// arrival. UTF-8.
+/// Frame    WGS84 degrees, seven decimals, longitude first; longitudes run on past 180 where the route does
+/// Source   Open Geospatial Consortium 12-007r2, KML 2.3, of which this is the part that 2.2 has too
+[[nodiscard]] std::string plan_kml(const planning::Plan& plan, const std::string& plan_id,
+                                   const std::string& name);
+
+/// The plan as an IMC message PlanSpecification in JSON, which Neptus and its relatives read: a Goto for every place
+/// but the start, each followed by the next when it is done, and a StationKeeping where the plan holds and the vehicle
+/// may surface: that manoeuvre brings it up.
+/// Units    latitude and longitude in radians (WGS84), z as depth in metres, speed in m/s, timeouts in seconds
+/// Depth    to which the vehicle dives; above the sea bed by the vehicle's altimeter margin, at the shoalest place of
+///          the leg, where that is known
+/// `shoals` of each leg, as mission::shoals_along gives them; empty: not known, but for what the plan keeps at
+/// waypoints
+/// Timeout  twice as long as the plan takes; legs of more than 8 h are divided, as IMC's timeouts end at 65535 s
+/// `hold_radius` of the circle that the vehicle keeps to
+/// Source   LSTS, IMC message definitions (Goto, StationKeeping, PlanManeuver, PlanTransition, PlanSpecification; enumerations ZUnits
+///          and SpeedUnits), and the plan of two Gotos in LSTS's description of how vehicles and Neptus talk
+[[nodiscard]] std::string plan_imc(const planning::Plan& plan, const vehicle::GliderProfile& vehicle,
+                                   const std::vector<std::optional<mission::Shoal>>& shoals,
+                                   core::Metres hold_radius, const std::string& plan_id,
+                                   const std::string& name, core::UtcTime generated);
+
+}  // namespace floeplan::codec
