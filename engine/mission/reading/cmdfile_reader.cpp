@@ -1,5 +1,3 @@
-#include "engine/mission/reading/cmdfile_reader.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -7,6 +5,7 @@
 #include "engine/messages/seaglider_file_messages.hpp"
 #include "engine/mission/document/line_words.hpp"
 #include "engine/mission/reading/seaglider_lines.hpp"
+#include "engine/mission/reading/seaglider_readers.hpp"
 
 namespace floeplan::mission {
 namespace {

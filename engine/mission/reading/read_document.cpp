@@ -9,9 +9,7 @@
 #include "engine/mission/document/hold_order.hpp"
 #include "engine/mission/document/line_words.hpp"
 #include "engine/mission/document/setting_line.hpp"
-#include "engine/mission/reading/cmdfile_reader.hpp"
-#include "engine/mission/reading/science_reader.hpp"
-#include "engine/mission/reading/targets_reader.hpp"
+#include "engine/mission/reading/seaglider_readers.hpp"
 
 namespace floeplan::mission {
 namespace {

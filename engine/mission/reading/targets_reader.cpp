@@ -1,5 +1,3 @@
-#include "engine/mission/reading/targets_reader.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,6 +11,7 @@
 #include "engine/mission/document/list_rules.hpp"
 #include "engine/mission/document/packed_degrees.hpp"
 #include "engine/mission/reading/seaglider_lines.hpp"
+#include "engine/mission/reading/seaglider_readers.hpp"
 
 namespace floeplan::mission {
 namespace {
