@@ -57,4 +57,16 @@ struct Figure {
   std::vector<FigurePanel> panels;
 };
 
+inline constexpr int first_figure = 5;
+inline constexpr int last_figure = 10;
+
+/// Figures 5 to 10 of the paper from our own searches. Those of the jet show the stand-in of `jet_cases`, the
+/// last one the obstacles of `jet_obstacles`.
+/// Source   Eichhorn 2009, Figures 5 to 10
+[[nodiscard]] std::vector<Figure> reproduce_figures();
+
+/// The figure as an SVG 1.1 document: axes with ticks and labels, arrows of the current with their scale,
+/// obstacles, paths, start and goal, and a legend with the travel times.
+[[nodiscard]] std::string figure_svg(const Figure& figure);
+
 }  // namespace floeplan::reproduction

@@ -1,9 +1,9 @@
-#include "engine/reproduction/figure_svg.hpp"
-
 #include <array>
 #include <cmath>
 #include <cstdarg>
 #include <cstdio>
+
+#include "engine/reproduction/figure.hpp"
 
 namespace floeplan::reproduction {
 namespace {

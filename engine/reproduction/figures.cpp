@@ -1,10 +1,9 @@
-#include "engine/reproduction/figures.hpp"
-
 #include <cstdio>
 
 #include "engine/planning/currents/analytic_currents.hpp"
 #include "engine/planning/optimal_control/optimal_control.hpp"
 #include "engine/reproduction/case_search.hpp"
+#include "engine/reproduction/figure.hpp"
 #include "engine/reproduction/paper_cases.hpp"
 
 namespace floeplan::reproduction {

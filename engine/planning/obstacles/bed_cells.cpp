@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "engine/planning/obstacles/least_depth_rows.hpp"
-#include "engine/planning/plane/place_between.hpp"
+#include "engine/planning/plane/plane_lines.hpp"
 
 namespace floeplan::planning::obstacles {
 namespace {

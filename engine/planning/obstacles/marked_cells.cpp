@@ -1,6 +1,6 @@
 #include "engine/planning/obstacles/marked_cells.hpp"
 
-#include "engine/planning/plane/place_between.hpp"
+#include "engine/planning/plane/plane_lines.hpp"
 
 namespace floeplan::planning::obstacles {
 

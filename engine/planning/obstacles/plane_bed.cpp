@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "engine/planning/plane/place_between.hpp"
+#include "engine/planning/plane/plane_lines.hpp"
 
 namespace floeplan::planning::obstacles {
 

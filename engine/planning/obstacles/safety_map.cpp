@@ -2,17 +2,56 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <optional>
 #include <stdexcept>
+#include <stop_token>
 #include <utility>
+#include <vector>
 
 #include "engine/geo/coarse_outline.hpp"
-#include "engine/planning/obstacles/depth_cells.hpp"
+#include "engine/motion/edge_closed.hpp"
+#include "engine/ocean/bed/bathymetry.hpp"
+#include "engine/planning/obstacles/least_depth_rows.hpp"
 #include "engine/planning/obstacles/stay_in_cells.hpp"
 #include "engine/planning/plane/lon_lat_box.hpp"
+#include "engine/planning/plane/plane_raster.hpp"
 #include "engine/planning/plane/polygon_cells.hpp"
 
 namespace floeplan::planning::obstacles {
 namespace {
+
+CellState state_of(std::optional<motion::EdgeClosed> verdict) {
+  if (!verdict) return CellState::open;
+  if (*verdict == motion::EdgeClosed::on_land) return CellState::on_land;
+  return *verdict == motion::EdgeClosed::too_shallow ? CellState::too_shallow : CellState::outside_data;
+}
+
+/// What a depth means to a vehicle that needs `least_depth`; empty: it may be there. Unknown depths are closed.
+std::optional<motion::EdgeClosed> judge_depth(std::optional<core::Metres> depth, core::Metres least_depth) {
+  if (!depth) return motion::EdgeClosed::outside_data;
+  if (depth->value <= 0.0) return motion::EdgeClosed::on_land;
+  if (*depth < least_depth) return motion::EdgeClosed::too_shallow;
+  return std::nullopt;
+}
+
+/// Judges each cell by the least depth in it (`LeastDepthRows`).
+/// Stops    early once `stop` is requested; the states are then incomplete
+std::vector<CellState> judge_depths(const plane::PlaneRaster& raster, const ocean::Bathymetry& bathymetry,
+                                    core::Metres least_depth, const geo::LocalProjection& projection,
+                                    const std::stop_token& stop) {
+  std::vector<CellState> cells;
+  cells.reserve(raster.size());
+  LeastDepthRows rows{raster, bathymetry, least_depth, projection, stop};
+  for (std::int64_t row = 0; row < raster.ny() && !stop.stop_requested(); ++row) {
+    std::ranges::transform(rows.next(), std::back_inserter(cells), [&](float least_m) {
+      const auto known = std::isnan(least_m) ? std::nullopt : std::optional{core::Metres{least_m}};
+      return state_of(judge_depth(known, least_depth));
+    });
+  }
+  cells.resize(raster.size(), CellState::open);
+  return cells;
+}
 
 constexpr double look_up_step_m = 25.0;  // a tenth of the finest bathymetry in use
 

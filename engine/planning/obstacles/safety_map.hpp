@@ -10,10 +10,12 @@
 #include "engine/geo/local_projection.hpp"
 #include "engine/motion/edge_closed.hpp"
 #include "engine/ocean/environment.hpp"
-#include "engine/planning/obstacles/cell_state.hpp"
 #include "engine/planning/plane/plane_raster.hpp"
 
 namespace floeplan::planning::obstacles {
+
+/// Whether a vehicle may be in a cell of the safety map, and if not, why.
+enum class CellState : std::uint8_t { open, too_shallow, on_land, outside_data, in_zone };
 
 /// Areas with a rule that is always in force.
 struct StandingZones {

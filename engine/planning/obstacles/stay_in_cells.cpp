@@ -7,8 +7,7 @@
 #include <utility>
 
 #include "engine/planning/plane/coast_lines.hpp"
-#include "engine/planning/plane/line_crossing.hpp"
-#include "engine/planning/plane/place_between.hpp"
+#include "engine/planning/plane/plane_lines.hpp"
 #include "engine/planning/plane/plane_polygon.hpp"
 #include "engine/planning/plane/polygon_cells.hpp"
 

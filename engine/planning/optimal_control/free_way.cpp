@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "engine/planning/optimal_control/way_descent.hpp"
-#include "engine/planning/plane/plane_distance.hpp"
+#include "engine/planning/plane/plane_lines.hpp"
 
 namespace floeplan::planning::optimal_control {
 namespace {

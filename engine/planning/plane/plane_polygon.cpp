@@ -4,8 +4,7 @@
 #include <limits>
 
 #include "engine/planning/plane/coast_lines.hpp"
-#include "engine/planning/plane/line_crossing.hpp"
-#include "engine/planning/plane/place_between.hpp"
+#include "engine/planning/plane/plane_lines.hpp"
 
 namespace floeplan::planning::plane {
 namespace {

@@ -1,5 +1,3 @@
-#include "engine/planning/planner/fastest_plan.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -9,6 +7,7 @@
 #include "engine/messages/plan_messages.hpp"
 #include "engine/planning/cost/route.hpp"
 #include "engine/planning/cost/route_cost.hpp"
+#include "engine/planning/planner/strategy_plans.hpp"
 #include "engine/planning/publish/improvement.hpp"
 #include "engine/planning/publish/published_plan.hpp"
 #include "engine/planning/search/chart.hpp"

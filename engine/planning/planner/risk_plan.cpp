@@ -1,8 +1,7 @@
-#include "engine/planning/planner/risk_plan.hpp"
-
 #include <utility>
 
 #include "engine/planning/planner/cost_plan.hpp"
+#include "engine/planning/planner/strategy_plans.hpp"
 #include "engine/planning/search/explanation.hpp"
 
 namespace floeplan::planning::planner {

@@ -5,11 +5,9 @@
 
 #include "engine/messages/plan_messages.hpp"
 #include "engine/planning/planner/cost_plan.hpp"
-#include "engine/planning/planner/fastest_plan.hpp"
-#include "engine/planning/planner/risk_plan.hpp"
 #include "engine/planning/planner/robust_plan.hpp"
+#include "engine/planning/planner/strategy_plans.hpp"
 #include "engine/planning/planner/strong_currents.hpp"
-#include "engine/planning/planner/survey_plan.hpp"
 
 namespace floeplan::planning::planner {
 namespace {

@@ -1,17 +1,92 @@
-#include "engine/planning/planner/survey_plan.hpp"
-
+#include <algorithm>
 #include <cstddef>
 #include <numeric>
 #include <optional>
+#include <stop_token>
 #include <utility>
 #include <vector>
 
 #include "engine/messages/refusal_messages.hpp"
-#include "engine/planning/planner/survey_order.hpp"
+#include "engine/ocean/environment.hpp"
+#include "engine/planning/planner/strategy_plans.hpp"
+#include "engine/planning/planner/tour_legs.hpp"
+#include "engine/planning/planner/visiting_order.hpp"
+#include "engine/planning/problem/plan.hpp"
+#include "engine/planning/problem/plan_request.hpp"
+#include "engine/planning/search/chart.hpp"
 #include "engine/planning/search/explanation.hpp"
 
 namespace floeplan::planning::planner {
 namespace {
+
+/// An order of the vias, and how long its way takes as far as travel times on coarse grids tell.
+struct EstimatedOrder {
+  ViaOrder order;
+  core::Seconds travel_time{};
+};
+
+constexpr core::Seconds at_once{0.0};
+
+/// Share of the travel time. Where closures cost more than this, all orders are looked at once more.
+constexpr double worth_another_look = 0.02;
+
+/// Travel times by what the legs are asked for.
+TourLegTime leg_times(TourLegs& legs, auto time) {
+  return [&legs, time](std::size_t from, std::size_t to, core::Seconds depart) {
+    return (legs.*time)(from, to, depart);
+  };
+}
+
+LegEstimates estimates_of(TourLegs& legs) {
+  return {.least = [&legs](std::size_t from, std::size_t to) { return legs.least_time(from, to); },
+          .usual = [&legs](std::size_t from, std::size_t to) { return legs.usual_time(from, to); }};
+}
+
+EstimatedOrder estimated(const VisitingOrder& order) {
+  EstimatedOrder result{{{}, order.exact}, order.arrival};
+  for (const std::size_t place : order.places) result.order.vias.push_back(place - 1);
+  return result;
+}
+
+/// The order of the vias that reaches the goal earliest; empty when no order leads there or `stop` is requested.
+std::optional<EstimatedOrder> best_via_order(const ocean::Environment& environment,
+                                             const PlanRequest& request, const std::stop_token& stop) {
+  const Result<search::Chart> chart =
+      search::draw_chart(environment, request, cost::reaches(request).back(), stop);
+  if (!chart) return std::nullopt;
+  TourLegs legs{chart->sea, chart->layout, request, stop};
+  const TourLegTime past_closures = leg_times(legs, &TourLegs::time_past_closures);
+  auto order = best_visiting_order(request.via.size(), at_once, leg_times(legs, &TourLegs::time), stop,
+                                   estimates_of(legs));
+  if (!order) return std::nullopt;
+  const auto flown = end_of_tour(order->places, at_once, past_closures);
+  const bool is_as_early = flown && *flown <= (1.0 + worth_another_look) * order->arrival;
+  if (flown) order->arrival = *flown;
+  if (is_as_early) return estimated(*order);
+  const auto orders = best_visiting_orders_without_fifo(request.via.size(), at_once, past_closures, 1, stop,
+                                                        estimates_of(legs));
+  const bool is_better = !orders.empty() && (!flown || orders.front().arrival < *flown);
+  return estimated(is_better ? orders.front() : *order);
+}
+
+/// The orders that are likely to reach the goal early, for who found no way along the best one, which is among them or
+/// not; of more than five vias one at most.
+/// `most`   orders, at least one
+/// Returns  the earliest first; fewer once `stop` is requested
+std::vector<EstimatedOrder> promising_via_orders(const ocean::Environment& environment,
+                                                 const PlanRequest& request, std::size_t most,
+                                                 const std::stop_token& stop) {
+  const Result<search::Chart> chart =
+      search::draw_chart(environment, request, cost::reaches(request).back(), stop);
+  if (!chart) return {};
+  TourLegs legs{chart->sea, chart->layout, request, stop};
+  const TourLegTime past_closures = leg_times(legs, &TourLegs::time_past_closures);
+  std::vector<EstimatedOrder> result;
+  for (const VisitingOrder& order : best_visiting_orders_without_fifo(
+           request.via.size(), at_once, past_closures, most, stop, estimates_of(legs)))
+    result.push_back(estimated(order));
+  return result;
+}
 
 /// Relative error of travel times on coarse grids. A plan that exceeds it met something that they do not show.
 constexpr double accuracy = 0.03;

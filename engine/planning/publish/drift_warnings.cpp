@@ -1,5 +1,3 @@
-#include "engine/planning/publish/drift_warnings.hpp"
-
 #include <algorithm>
 #include <iterator>
 #include <optional>
@@ -12,6 +10,7 @@
 #include "engine/planning/obstacles/drifting_disc.hpp"
 #include "engine/planning/obstacles/iceberg_track.hpp"
 #include "engine/planning/publish/route_moves.hpp"
+#include "engine/planning/publish/warnings.hpp"
 
 namespace floeplan::planning::publish {
 namespace {

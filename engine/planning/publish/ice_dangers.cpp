@@ -1,11 +1,10 @@
-#include "engine/planning/publish/ice_dangers.hpp"
-
 #include <algorithm>
 #include <optional>
 #include <string>
 
 #include "engine/geo/geodesic.hpp"
 #include "engine/messages/plan_messages.hpp"
+#include "engine/planning/publish/warnings.hpp"
 
 namespace floeplan::planning::publish {
 namespace {

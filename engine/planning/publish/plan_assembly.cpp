@@ -14,12 +14,9 @@
 #include "engine/planning/cost/met_currents.hpp"
 #include "engine/planning/cost/surfacing.hpp"
 #include "engine/planning/plane/coast_lines.hpp"
-#include "engine/planning/plane/plane_distance.hpp"
-#include "engine/planning/publish/drift_warnings.hpp"
-#include "engine/planning/publish/ice_dangers.hpp"
+#include "engine/planning/plane/plane_lines.hpp"
 #include "engine/planning/publish/route_moves.hpp"
-#include "engine/planning/publish/water_warnings.hpp"
-#include "engine/planning/publish/zone_warnings.hpp"
+#include "engine/planning/publish/warnings.hpp"
 #include "engine/vehicle/dive_band.hpp"
 
 namespace floeplan::planning::publish {

@@ -1,11 +1,10 @@
-#include "engine/planning/publish/water_warnings.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
 #include "engine/messages/plan_messages.hpp"
 #include "engine/planning/currents/flown_depths.hpp"
+#include "engine/planning/publish/warnings.hpp"
 
 namespace floeplan::planning::publish {
 namespace {

@@ -1,9 +1,8 @@
-#include "engine/planning/publish/zone_warnings.hpp"
-
 #include <cmath>
 #include <utility>
 
 #include "engine/messages/plan_messages.hpp"
+#include "engine/planning/publish/warnings.hpp"
 
 namespace floeplan::planning::publish {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "engine/planning/plane/place_between.hpp"
+#include "engine/planning/plane/plane_lines.hpp"
 
 namespace floeplan::planning::refinement {
 namespace {

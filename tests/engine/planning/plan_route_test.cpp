@@ -10,7 +10,7 @@
 #include "engine/planning/cost/layout.hpp"
 #include "engine/planning/evaluate_route.hpp"
 #include "engine/planning/plane/coast_lines.hpp"
-#include "engine/planning/plane/plane_distance.hpp"
+#include "engine/planning/plane/plane_lines.hpp"
 #include "engine/planning/planner/strategies.hpp"
 #include "tests/support/property.hpp"
 #include "tests/support/small_sea.hpp"

@@ -1,10 +1,9 @@
-#include "engine/reproduction/figure_svg.hpp"
 
 #include <gtest/gtest.h>
 
 #include <regex>
 
-#include "engine/reproduction/figures.hpp"
+#include "engine/reproduction/figure.hpp"
 
 namespace floeplan::reproduction::figure_svg_test {
 namespace {

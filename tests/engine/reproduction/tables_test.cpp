@@ -7,8 +7,8 @@
 #include <sstream>
 #include <string>
 
-#include "engine/planning/optimal_control/river_extremal.hpp"
 #include "tests/support/places.hpp"
+#include "tests/support/river_crossing.hpp"
 
 namespace floeplan::reproduction::tables_test {
 namespace {
@@ -78,9 +78,8 @@ TEST(Tables, GiveTheStandInOfTableThreeAndNoDirectWay) {
 TEST(Tables, GiveTheExtremalOfTheRiverAsTheClosedSolutionHasIt) {
   const auto table = reproduce_table_2();
 
-  const double closed_s = planning::optimal_control::river_crossing_by_optimal_control(
-                              planning::currents::RiverCurrent{}, river_speed)
-                              .count();
+  const double closed_s =
+      support::river_crossing_by_optimal_control(planning::currents::RiverCurrent{}, river_speed).count();
   EXPECT_NEAR(find_row(table, "optimal control")->ours_s.value(), closed_s, 1e-6);
 }
 

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "engine/planning/optimal_control/river_extremal.hpp"
 #include "tests/engine/planning/paper_waters.hpp"
+#include "tests/support/river_crossing.hpp"
 
 namespace floeplan::planning::optimal_control::free_way_test {
 namespace {
@@ -66,7 +66,8 @@ TEST(FreeWay, TakesTheTimeOfTheExtremalOverTheRiver) {
   const auto way = find_free_way(start.value(), timer);
 
   ASSERT_TRUE(way.has_value());
-  const double exact_s = river_crossing_by_optimal_control(river, over_the_river.through_water).count();
+  const double exact_s =
+      support::river_crossing_by_optimal_control(river, over_the_river.through_water).count();
   EXPECT_NEAR(way->duration.count(), exact_s, 1e-5 * exact_s);
   EXPECT_LT(way->accuracy, 1e-5);
 }

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "engine/planning/optimal_control/river_extremal.hpp"
 #include "tests/engine/planning/paper_waters.hpp"
+#include "tests/support/river_crossing.hpp"
 
 namespace floeplan::planning::optimal_control::optimal_control_test {
 namespace {
@@ -14,7 +14,8 @@ TEST(OptimalControl, CrossesTheRiverInTheTimeOfTheClosedSolution) {
   const auto extremal = find_extremal(over_the_river, river, {{over_the_river.from, over_the_river.to}});
 
   ASSERT_TRUE(extremal.has_value());
-  const double closed_s = river_crossing_by_optimal_control(river, over_the_river.through_water).count();
+  const double closed_s =
+      support::river_crossing_by_optimal_control(river, over_the_river.through_water).count();
   EXPECT_NEAR(extremal->duration.count(), closed_s, 1e-6);
 }
 

@@ -4,8 +4,8 @@
 
 #include "engine/geo/geodesic.hpp"
 #include "engine/planning/evaluate_route.hpp"
-#include "engine/planning/optimal_control/river_extremal.hpp"
 #include "engine/planning/plan_route.hpp"
+#include "tests/support/river_crossing.hpp"
 #include "tests/support/small_sea.hpp"
 
 namespace floeplan::planning::optimal_control::optimality_test {
@@ -57,7 +57,7 @@ struct EquatorialRiver {
   }
 
   [[nodiscard]] double gap_of(core::Seconds travel_time, core::MetresPerSecond speed) const {
-    return travel_time / river_crossing_by_optimal_control(river, speed) - 1.0;
+    return travel_time / support::river_crossing_by_optimal_control(river, speed) - 1.0;
   }
 };
 

@@ -4,9 +4,9 @@
 
 #include <cmath>
 
-#include "engine/planning/optimal_control/river_extremal.hpp"
 #include "tests/engine/planning/paper_waters.hpp"
 #include "tests/support/property.hpp"
+#include "tests/support/river_crossing.hpp"
 
 namespace floeplan::planning::optimal_control::zermelo_test {
 namespace {
@@ -77,7 +77,8 @@ TEST(Zermelo, CrossesTheRiverInTheTimeOfTheClosedSolution) {
   const auto extremal = solve_near(over_the_river, river, straight_over_the_river);
 
   ASSERT_TRUE(extremal.has_value());
-  const double closed_s = river_crossing_by_optimal_control(river, over_the_river.through_water).count();
+  const double closed_s =
+      support::river_crossing_by_optimal_control(river, over_the_river.through_water).count();
   EXPECT_NEAR(closed_s, 161.792, 0.0005);
   EXPECT_NEAR(extremal->duration.count(), closed_s, 1e-6);
 }

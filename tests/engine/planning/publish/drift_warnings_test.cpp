@@ -1,5 +1,3 @@
-#include "engine/planning/publish/drift_warnings.hpp"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -12,6 +10,7 @@
 #include "engine/messages/data_messages.hpp"
 #include "engine/messages/sentence.hpp"
 #include "engine/planning/plan_route.hpp"
+#include "engine/planning/publish/warnings.hpp"
 #include "tests/support/property.hpp"
 #include "tests/support/small_sea.hpp"
 

@@ -1,5 +1,3 @@
-#include "engine/planning/publish/water_warnings.hpp"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -7,6 +5,7 @@
 
 #include "engine/messages/sentence.hpp"
 #include "engine/planning/plan_route.hpp"
+#include "engine/planning/publish/warnings.hpp"
 #include "tests/support/small_sea.hpp"
 
 namespace floeplan::planning::publish::water_warnings_test {

@@ -1,10 +1,17 @@
 #pragma once
 
-#include <optional>
-
 #include "engine/geo/local_projection.hpp"
+#include <optional>
+#include <algorithm>
+#include <cmath>
 
 namespace floeplan::planning::plane {
+
+/// The point on the straight line from a to b at this share of its length; shares below 0 and above 1 lie beyond its
+/// ends.
+[[nodiscard]] inline geo::PlanePoint place_between(geo::PlanePoint a, geo::PlanePoint b, double share) {
+  return {a.x_m + share * (b.x_m - a.x_m), a.y_m + share * (b.y_m - a.y_m)};
+}
 
 /// Where the way from a to b crosses the line from c to d, as a share of the way; empty where it does not. A corner's
 /// side of the way is the same for both lines that meet in it, so that a way past it crosses both or neither.
@@ -20,6 +27,16 @@ namespace floeplan::planning::plane {
   const double share = ((c.x_m - a.x_m) * ey - (c.y_m - a.y_m) * ex) / (dx * ey - dy * ex);
   if (share < 0.0 || share > 1.0) return std::nullopt;
   return share;
+}
+
+/// Least distance in the plane from a point to the straight line between a and b, metres of the plane.
+[[nodiscard]] inline double distance_to_line(geo::PlanePoint p, geo::PlanePoint a, geo::PlanePoint b) {
+  const double dx = b.x_m - a.x_m;
+  const double dy = b.y_m - a.y_m;
+  const double length2 = dx * dx + dy * dy;
+  const double along =
+      length2 > 0.0 ? std::clamp(((p.x_m - a.x_m) * dx + (p.y_m - a.y_m) * dy) / length2, 0.0, 1.0) : 0.0;
+  return std::hypot(p.x_m - (a.x_m + along * dx), p.y_m - (a.y_m + along * dy));
 }
 
 }  // namespace floeplan::planning::plane
