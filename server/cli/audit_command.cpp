@@ -2,7 +2,7 @@
 #include <memory>
 
 #include "engine/core/utc_text.hpp"
-#include "server/cli/operator_commands.hpp"
+#include "server/cli/program/command.hpp"
 #include "storage/json/json.hpp"
 #include "storage/repository/access/audit_repository.hpp"
 

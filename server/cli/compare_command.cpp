@@ -5,7 +5,7 @@
 #include <string>
 
 #include "api/codec/documents/plan_comparison.hpp"
-#include "server/cli/plan_commands.hpp"
+#include "server/cli/program/command.hpp"
 #include "storage/json/json.hpp"
 #include "storage/repository/work/plan_repository.hpp"
 

@@ -1,7 +1,7 @@
 #include <iostream>
 #include <memory>
 
-#include "server/cli/operator_commands.hpp"
+#include "server/cli/program/command.hpp"
 #include "storage/json/json.hpp"
 #include "storage/repository/store/damage.hpp"
 #include "storage/repository/store/replacement.hpp"

@@ -3,7 +3,7 @@
 
 #include "api/service/plan_check.hpp"
 #include "engine/messages/sentence.hpp"
-#include "server/cli/plan_commands.hpp"
+#include "server/cli/program/command.hpp"
 #include "storage/json/json.hpp"
 
 namespace floeplan::cli {

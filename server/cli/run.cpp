@@ -3,12 +3,12 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <exception>
+#include <map>
+#include <string>
 
-#include "server/cli/operator_commands.hpp"
-#include "server/cli/plan_commands.hpp"
+#include "engine/motion/edge_fan.hpp"
 #include "server/cli/program/command.hpp"
 #include "server/cli/program/flag_values.hpp"
-#include "server/cli/program/instructions_flag.hpp"
 #include "server/cli/serving/serve.hpp"
 #include "server/manual/help_format.hpp"
 #include "server/manual/manual_commands.hpp"
@@ -16,6 +16,30 @@
 
 namespace floeplan::cli {
 namespace {
+
+/// By name, those that this processor can take.
+std::map<std::string, motion::FanPath> instruction_sets() {
+  std::map<std::string, motion::FanPath> sets;
+  for (const motion::FanPath path : motion::fan_paths()) {
+    switch (path) {
+      case motion::FanPath::reference: sets["reference"] = path; break;
+      case motion::FanPath::baseline: sets["baseline"] = path; break;
+      case motion::FanPath::avx2: sets["avx2"] = path; break;
+      case motion::FanPath::avx512: sets["avx512"] = path; break;
+    }
+  }
+  return sets;
+}
+
+/// Adds the flag --instructions, which no help shows: the instructions that searches use of those that the processor has.
+/// Plans do not depend on it; the flag is there to show that.
+void add_instructions(CLI::App& app) {
+  const std::map<std::string, motion::FanPath> sets = instruction_sets();
+  app.add_option_function<std::string>(
+         "--instructions", [sets](const std::string& name) { motion::limit_fan_paths(sets.at(name)); })
+      ->check(CLI::IsMember(sets))
+      ->group("");
+}
 
 void add_commands(CLI::App& app, Program& program) {
   add_serve(app, program);

@@ -5,7 +5,7 @@
 #include "api/codec/bytes/credential.hpp"
 #include "api/routes/request/message.hpp"
 #include "engine/core/utc_text.hpp"
-#include "server/cli/operator_commands.hpp"
+#include "server/cli/program/command.hpp"
 #include "storage/json/json.hpp"
 #include "storage/repository/access/token_repository.hpp"
 #include "storage/repository/store/migrations.hpp"

@@ -54,7 +54,7 @@ int complain(ExitCode code, const core::Violations& violations) {
 
 int complain_of_no_plan(const std::string& id) { return complain<"no-stored-plan">(could_not, id); }
 
-core::ProgressCallback terminal_progress(const core::SteadyClock& clock) {
+core::ProgressCallback terminal_progress(const SteadyClock& clock) {
   if (isatty(STDERR_FILENO) == 0) return [](std::string_view, double) {};
   struct Line {
     core::Seconds begin;

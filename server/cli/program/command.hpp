@@ -6,7 +6,6 @@
 #include <stdexcept>
 #include <string>
 
-#include "engine/core/clock.hpp"
 #include "engine/core/progress.hpp"
 #include "engine/core/units.hpp"
 #include "engine/core/violation.hpp"
@@ -14,6 +13,9 @@
 #include "storage/sql/connection.hpp"
 
 namespace floeplan::cli {
+
+/// Seconds since any fixed instant. Empty: no time passes.
+using SteadyClock = std::function<core::Seconds()>;
 
 /// How the program ends; scripts depend on the numbers.
 enum ExitCode : int { done = 0, could_not = 1, wrong_usage = 2, bad_data = 3 };
@@ -67,7 +69,7 @@ int complain_of_no_plan(const std::string& id);
 /// work goes on, and is wiped at the end. Where stderr is no terminal nothing is written. The percent never falls, and 100
 /// is never shown.
 /// `clock`  tells the time since any moment
-[[nodiscard]] core::ProgressCallback terminal_progress(const core::SteadyClock& clock = steady_now);
+[[nodiscard]] core::ProgressCallback terminal_progress(const SteadyClock& clock = steady_now);
 
 void add_ingest(CLI::App& app, Program& program);
 void add_read_files(CLI::App& app, Program& program);
@@ -84,5 +86,17 @@ void add_reproduce(CLI::App& app, Program& program);
 void add_demo(CLI::App& app, Program& program);
 void add_simulate(CLI::App& app, Program& program);
 void add_serve(CLI::App& app, Program& program);
+
+// Of stored plans.
+void add_recheck(CLI::App& app, Program& program);
+void add_compare(CLI::App& app, Program& program);
+
+// For the operator of a server.
+void add_token(CLI::App& app, Program& program);
+void add_audit(CLI::App& app, Program& program);
+void add_backup(CLI::App& app, Program& program);
+void add_restore(CLI::App& app, Program& program);
+void add_verify(CLI::App& app, Program& program);
+void add_repair(CLI::App& app, Program& program);
 
 }  // namespace floeplan::cli
