@@ -72,7 +72,7 @@ AvoidanceSystem::AvoidanceSystem(std::vector<geo::PlanePoint> waypoints, Carried
       current_{forecast_, settings.deepest, settings.forecast_sigma},
       objects_{settings_},
       room_{settings_},
-      reactive_{settings_} {}
+      gradient_lines_{settings_} {}
 
 Guidance AvoidanceSystem::step(const Sensed& sensed, const std::stop_token& stop) {
   const Guidance guided = react(sensed);
@@ -120,7 +120,7 @@ Guidance AvoidanceSystem::guide() {
   if (choice.mode == Mode::mission) {
     path_ = {};
     planned_s_.reset();
-    reactive_.release();
+    gradient_lines_.release();
   }
   mode_ = choice.mode;
   want_path(route_clear, path_clear);
@@ -277,8 +277,8 @@ Guidance AvoidanceSystem::guidance(const Choice& choice, const TimedWay& path) {
     to_goal = crab(direction_rad(own_.place, goal), going_.current, going_.through_water_m_s);
     goal_s = distance_m(own_.place, goal) / std::max(to_goal.speed_m_s, slowest_m_s);
   }
-  const ReactiveCourse course =
-      reactive_.steer(water_.own(), going_.through_water_m_s, to_goal.heading_rad, goal_s, obstacles_.all());
+  const GradientCourse course = gradient_lines_.steer(water_.own(), going_.through_water_m_s,
+                                                      to_goal.heading_rad, goal_s, obstacles_.all());
   guided.heading = core::Radians{course.heading_rad};
   guided.thruster = course.boxed_in || choice.reason == Reason::too_close;
   if (course.boxed_in) guided.reason = Reason::boxed_in;

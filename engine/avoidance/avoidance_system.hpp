@@ -10,11 +10,11 @@
 #include "engine/avoidance/carried_forecast.hpp"
 #include "engine/avoidance/current_estimate.hpp"
 #include "engine/avoidance/echo.hpp"
+#include "engine/avoidance/gradient_lines.hpp"
 #include "engine/avoidance/guidance.hpp"
 #include "engine/avoidance/mission_route.hpp"
 #include "engine/avoidance/object_map.hpp"
 #include "engine/avoidance/obstacles.hpp"
-#include "engine/avoidance/reactive_control.hpp"
 #include "engine/avoidance/sensed.hpp"
 #include "engine/avoidance/settings.hpp"
 #include "engine/avoidance/timed_way.hpp"
@@ -108,7 +108,7 @@ class AvoidanceSystem {
   ObjectMap objects_;
   VerticalRoom room_;
   Obstacles obstacles_;
-  ReactiveControl reactive_;
+  GradientLines gradient_lines_;
   std::array<Echo, SonarPing::most_returns> echoes_{};
   std::array<VerticalRoom::Pass, SonarPing::most_returns> passes_{};
 

@@ -10,7 +10,7 @@
 namespace floeplan::avoidance {
 
 /// A heading to steer and how it was come by.
-struct ReactiveCourse {
+struct GradientCourse {
   double heading_rad{};
   bool boxed_in{};  // every heading ends in contact: this is the one with the latest
 };
@@ -28,12 +28,12 @@ struct ReactiveCourse {
 /// Source   after the gradient lines of Eichhorn 2005, A reactive obstacle avoidance system for an autonomous
 ///          underwater vehicle, IFAC World Congress; the side held as in Kamon, Rivlin and Rimon 1996, A new
 ///          range-sensor based globally convergent navigation algorithm for mobile robots, ICRA (TangentBug)
-class ReactiveControl {
+class GradientLines {
  public:
-  explicit ReactiveControl(const AvoidanceSettings& settings) : settings_{settings} {}
+  explicit GradientLines(const AvoidanceSettings& settings) : settings_{settings} {}
 
   /// `goal_heading_rad` leads to the goal in still and empty water; `goal_s` is how long that takes.
-  [[nodiscard]] ReactiveCourse steer(geo::PlanePoint own_in_water, double through_water_m_s,
+  [[nodiscard]] GradientCourse steer(geo::PlanePoint own_in_water, double through_water_m_s,
                                      double goal_heading_rad, double goal_s,
                                      std::span<const Obstacle> obstacles);
   /// Forgets the side: what was gone round is passed.

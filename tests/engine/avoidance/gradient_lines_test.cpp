@@ -1,4 +1,4 @@
-#include "engine/avoidance/reactive_control.hpp"
+#include "engine/avoidance/gradient_lines.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 
 #include "engine/avoidance/steering.hpp"
 
-namespace floeplan::avoidance::reactive_control_test {
+namespace floeplan::avoidance::gradient_lines_test {
 namespace {
 
 using Shape = std::vector<Obstacle>;
@@ -32,7 +32,7 @@ Shape arc(double radius_m, double from_deg, double to_deg) {
 /// A vehicle that turns at once swims from a place to the goal by the courses commanded alone.
 /// Returns  the way it took, m; infinite when it is not there after ten times the straight way
 double way_m(const Shape& shape, geo::PlanePoint from, geo::PlanePoint goal, double clearance_m) {
-  ReactiveControl control{AvoidanceSettings{}};
+  GradientLines lines{AvoidanceSettings{}};
   constexpr double speed = 0.35;
   constexpr double step_s = 4.0;
   geo::PlanePoint own = from;
@@ -40,7 +40,7 @@ double way_m(const Shape& shape, geo::PlanePoint from, geo::PlanePoint goal, dou
   for (double way = 0.0; way < most_m; way += speed * step_s) {
     const double left_m = distance_m(own, goal);
     if (left_m < 5.0) return way;
-    const ReactiveCourse course = control.steer(own, speed, direction_rad(own, goal), left_m / speed, shape);
+    const GradientCourse course = lines.steer(own, speed, direction_rad(own, goal), left_m / speed, shape);
     own = moved(own, course.heading_rad, speed * step_s);
     for (const Obstacle& patch : shape) {
       EXPECT_GT(distance_m(own, patch.centre), patch.radius_m + clearance_m) << own.x_m << " " << own.y_m;
@@ -50,27 +50,27 @@ double way_m(const Shape& shape, geo::PlanePoint from, geo::PlanePoint goal, dou
   return std::numeric_limits<double>::infinity();
 }
 
-TEST(ReactiveControl, SteersForTheGoalWhereThatIsFree) {
-  ReactiveControl control{AvoidanceSettings{}};
-  const ReactiveCourse course = control.steer({0.0, 0.0}, 0.35, 1.0, 1000.0, {});
+TEST(GradientLines, SteersForTheGoalWhereThatIsFree) {
+  GradientLines lines{AvoidanceSettings{}};
+  const GradientCourse course = lines.steer({0.0, 0.0}, 0.35, 1.0, 1000.0, {});
   EXPECT_EQ(course.heading_rad, 1.0);
   EXPECT_FALSE(course.boxed_in);
-  EXPECT_EQ(control.side(), 0);
+  EXPECT_EQ(lines.side(), 0);
 }
 
-TEST(ReactiveControl, HoldsTheSideItTookUp) {
-  ReactiveControl control{AvoidanceSettings{}};
+TEST(GradientLines, HoldsTheSideItTookUp) {
+  GradientLines lines{AvoidanceSettings{}};
   Shape wall;
   add_line(wall, {100.0, -80.0}, {100.0, 100.0});
   const double east = std::numbers::pi / 2.0;
-  (void)control.steer({0.0, 0.0}, 0.35, east, 1000.0, wall);
-  EXPECT_EQ(control.side(), 1);  // the south end is nearer
-  (void)control.steer({0.0, 25.0}, 0.35, east, 1000.0, wall);
-  EXPECT_EQ(control.side(), 1);
+  (void)lines.steer({0.0, 0.0}, 0.35, east, 1000.0, wall);
+  EXPECT_EQ(lines.side(), 1);  // the south end is nearer
+  (void)lines.steer({0.0, 25.0}, 0.35, east, 1000.0, wall);
+  EXPECT_EQ(lines.side(), 1);
 }
 
 /// The vehicle starts at places all around every stated shape; it never stays at one place.
-TEST(ReactiveControl, HasNoLocalMinimumAroundTheStatedShapes) {
+TEST(GradientLines, HasNoLocalMinimumAroundTheStatedShapes) {
   Shape wall;
   add_line(wall, {0.0, -90.0}, {0.0, 90.0});
   Shape corner;
@@ -94,15 +94,15 @@ TEST(ReactiveControl, HasNoLocalMinimumAroundTheStatedShapes) {
   }
 }
 
-TEST(ReactiveControl, SaysWhenEveryHeadingEndsInContact) {
-  ReactiveControl control{AvoidanceSettings{}};
+TEST(GradientLines, SaysWhenEveryHeadingEndsInContact) {
+  GradientLines lines{AvoidanceSettings{}};
   Shape ring = arc(50.0, 0.0, 355.0);
   for (Obstacle& patch : ring) {  // that closes in
     patch.drift = {-0.005 * patch.centre.x_m, -0.005 * patch.centre.y_m};
   }
-  const ReactiveCourse course = control.steer({0.0, 0.0}, 0.35, 0.0, 1000.0, ring);
+  const GradientCourse course = lines.steer({0.0, 0.0}, 0.35, 0.0, 1000.0, ring);
   EXPECT_TRUE(course.boxed_in);
 }
 
 }  // namespace
-}  // namespace floeplan::avoidance::reactive_control_test
+}  // namespace floeplan::avoidance::gradient_lines_test

@@ -1,4 +1,4 @@
-#include "engine/avoidance/reactive_control.hpp"
+#include "engine/avoidance/gradient_lines.hpp"
 
 #include <algorithm>
 #include <array>
@@ -69,9 +69,9 @@ class Headings {
 
 }  // namespace
 
-ReactiveCourse ReactiveControl::steer(geo::PlanePoint own_in_water, double through_water_m_s,
-                                      double goal_heading_rad, double goal_s,
-                                      std::span<const Obstacle> obstacles) {
+GradientCourse GradientLines::steer(geo::PlanePoint own_in_water, double through_water_m_s,
+                                    double goal_heading_rad, double goal_s,
+                                    std::span<const Obstacle> obstacles) {
   const auto headings_of = [&](const Look& look) {
     return Headings{own_in_water, through_water_m_s, goal_heading_rad, obstacles, look};
   };
