@@ -39,9 +39,9 @@ std::vector<Field> fields_of(Process process) {
   switch (process) {
     case Process::plan_route:
       return joined(way_fields(), order_fields(), voyage(), window_fields(), alternative_fields(),
-                    route_rules(), grid_fields(), search_fields(), encounter_fields(), error_model_fields(),
-                    robustness_fields());
-    case Process::evaluate_route: return joined(route_fields(), conditions_of_route());
+                    route_rules(), grid_fields(), leg_fields(), search_fields(), encounter_fields(),
+                    error_model_fields(), robustness_fields());
+    case Process::evaluate_route: return joined(given_route_fields(), conditions_of_route());
     case Process::reach: return joined(isochrone_fields(), isochrone_grid_fields(), voyage());
   }
   return {};

@@ -23,6 +23,7 @@ namespace floeplan::fields {
 // Fields of plan-route.
 [[nodiscard]] const std::vector<Field>& way_fields();  // from where to where, by what
 [[nodiscard]] const Table<planning::PlanRequest>& order_fields();
+[[nodiscard]] const Table<planning::PlanRequest>& leg_fields();  // how many legs, how long
 [[nodiscard]] const std::vector<Field>& departure_fields();
 [[nodiscard]] const std::vector<Field>& window_fields();
 [[nodiscard]] const Table<planning::PlanRequest>& alternative_fields();
@@ -33,7 +34,7 @@ namespace floeplan::fields {
 [[nodiscard]] const Table<planning::IcebergRules>& encounter_fields();
 
 // Fields of evaluate-route and of reach.
-[[nodiscard]] const std::vector<Field>& route_fields();
+[[nodiscard]] const std::vector<Field>& given_route_fields();  // which route to evaluate
 [[nodiscard]] const std::vector<Field>& isochrone_fields();
 [[nodiscard]] const Table<planning::IsochroneRequest>& isochrone_grid_fields();
 

@@ -1,14 +1,11 @@
 #include "api/fields/request_fields.hpp"
 
-/// Rows of where and when a vehicle is to go.
+/// Rows of the route: where and when it leads, by what, in which legs, and which other routes are looked for.
 namespace floeplan::fields {
 namespace {
 
-using planning::IsochroneRequest;
 using planning::PlanRequest;
 
-constexpr double least_step_m = 10.0;
-constexpr double most_step_m = 100'000.0;
 constexpr std::string_view seen_from_route =
     "Route to use of GeoJSON or a file with several: its name, or its number from 1";
 
@@ -66,7 +63,59 @@ const Table<PlanRequest>& order_fields() {
   return table;
 }
 
-const std::vector<Field>& route_fields() {
+const Table<PlanRequest>& leg_fields() {
+  static const Table<PlanRequest> table = in_group<PlanRequest>(
+      group::search,
+      {
+          bound<PlanRequest>({.name = "leg_tolerance",
+                              .unit = "share",
+                              .least = 0.0,
+                              .most = 0.1,
+                              .flag = "leg-tolerance",
+                              .help = "How much more than the best refined route the plan may take for fewer "
+                                      "and longer legs, as a share of its time or energy",
+                              .details = "Legs shorter than 3 km, or a fifth of the distance where that is "
+                                         "less, are left only where no other route within this share is open",
+                              .form = {"Fewer legs for at most", "%"}},
+                             [](auto& request) -> auto& { return request.leg_tolerance; }),
+          bound<PlanRequest>({.name = "max_waypoints",
+                              .least = 2.0,
+                              .most = 10'000.0,
+                              .flag = "max-waypoints",
+                              .help = "Largest number of waypoints, start and goal included",
+                              .form = {"Max. waypoints", {}, "no limit"}},
+                             [](auto& request) -> auto& { return request.max_waypoints; }),
+          bound<PlanRequest>({.name = "max_leg_m",
+                              .unit = "m",
+                              .least = 100.0,
+                              .most = 5e6,
+                              .flag = "max-leg",
+                              .help = "Longest leg; longer legs are divided",
+                              .form = {"Max. leg length", "km", "no limit"}},
+                             [](auto& request) -> auto& { return request.max_leg; }),
+      });
+  return table;
+}
+
+const Table<PlanRequest>& alternative_fields() {
+  static const Table<PlanRequest> table{
+      bound<PlanRequest>(
+          {.name = "alternatives",
+           .least = 0.0,
+           .most = 3.0,
+           .flag = "alternatives",
+           .help = "Number of other routes to look for: round the other side of an island, a "
+                   "bank, a group of icebergs or a closed area",
+           .details = "Each is stored as a plan of its own. Obstacles count that are at least a "
+                      "twentieth of the distance across, and routes that take at most twice the "
+                      "time",
+           .form = {"Alternatives", {}, "0"}},
+          [](auto& request) -> auto& { return request.alternatives; }),
+  };
+  return table;
+}
+
+const std::vector<Field>& given_route_fields() {
   static const std::vector<Field> list{
       {.name = "route",
        .help = "The route: GeoJSON (a line, also one cut at the antimeridian, a Feature, a "
@@ -81,48 +130,6 @@ const std::vector<Field>& route_fields() {
        .help = "Start of a route from a file, [longitude, latitude] in degrees"},
   };
   return list;
-}
-
-const std::vector<Field>& isochrone_fields() {
-  static const std::vector<Field> list{
-      {.name = "from",
-       .kind = Kind::place,
-       .flag = "from",
-       .help = "Start of the vehicle at depart, [longitude, latitude] in degrees; or give to"},
-      {.name = "to",
-       .kind = Kind::place,
-       .flag = "to",
-       .help = "Goal to reach by arrive_by, [longitude, latitude] in degrees"},
-      {.name = "arrive_by", .kind = Kind::time, .flag = "arrive-by", .help = "Latest arrival, with to"},
-      {.name = "hours",
-       .flag = "hours",
-       .help =
-           "Hours after the departure, or before the arrival; one number or several, for example 6,12,24"},
-  };
-  return list;
-}
-
-const Table<IsochroneRequest>& isochrone_grid_fields() {
-  static const Table<IsochroneRequest> table = in_group<IsochroneRequest>(
-      group::search,
-      {
-          bound<IsochroneRequest>({.name = "spacing_m",
-                                   .unit = "m",
-                                   .least = least_step_m,
-                                   .most = most_step_m,
-                                   .flag = "spacing",
-                                   .help = "Spacing of the grid (default: a hundredth of the distance flown "
-                                           "in still water, 100 m to 5 km)"},
-                                  [](auto& request) -> auto& { return request.spacing; }),
-          bound<IsochroneRequest>({.name = "sectors",
-                                   .least = 1.0,
-                                   .most = 5.0,
-                                   .flag = "sectors",
-                                   .help = "Neighbourhood of the grid, in sectors (default: 3, or 5 where "
-                                           "currents are as fast as the vehicle)"},
-                                  [](auto& request) -> auto& { return request.sectors; }),
-      });
-  return table;
 }
 
 const std::vector<Field>& departure_fields() {

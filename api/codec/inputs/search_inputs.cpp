@@ -38,6 +38,7 @@ json spacing_json(const planning::PlanRequest& request) {
 void read_search(InputReader& reader, planning::PlanRequest& request) {
   read_spacing(reader, request);
   read_fields(reader, fields::alternative_fields(), request);
+  read_fields(reader, fields::leg_fields(), request);
   read_fields(reader, fields::search_fields(), request);
   read_fields(reader, fields::encounter_fields(), request.icebergs);
 }
@@ -45,6 +46,7 @@ void read_search(InputReader& reader, planning::PlanRequest& request) {
 void write_search(const planning::PlanRequest& request, json& inputs) {
   inputs["spacing_m"] = spacing_json(request);
   write_fields(fields::alternative_fields(), request, inputs);
+  write_fields(fields::leg_fields(), request, inputs);
   write_fields(fields::search_fields(), request, inputs);
   write_fields(fields::encounter_fields(), request.icebergs, inputs);
 }

@@ -137,6 +137,7 @@ TEST(RequestFields, KeepWhatIsSet) {
   keeps_what_is_set(surfacing_fields());
   keeps_what_is_set(order_fields());
   keeps_what_is_set(alternative_fields());
+  keeps_what_is_set(leg_fields());
   keeps_what_is_set(search_fields());
   keeps_what_is_set(hold_fields());
   keeps_what_is_set(energy_fields());
@@ -182,6 +183,7 @@ TEST(RequestFields, HaveTheRangesOfTheEngine) {
   engine_agrees(encounter_fields());
   engine_agrees(passing_under_ice_fields());
   engine_agrees(surfacing_fields());
+  engine_agrees(leg_fields());
   engine_agrees(search_fields());
   engine_agrees(hold_fields());
 }

@@ -62,6 +62,7 @@ TEST(InputFields, AreWrittenAsTheyAreRead) {
   are_written_as_they_are_read(fields::passing_under_ice_fields());
   are_written_as_they_are_read(fields::surfacing_fields());
   are_written_as_they_are_read(fields::alternative_fields());
+  are_written_as_they_are_read(fields::leg_fields());
   are_written_as_they_are_read(fields::search_fields());
   are_written_as_they_are_read(fields::energy_fields());
   are_written_as_they_are_read(fields::data_fields());

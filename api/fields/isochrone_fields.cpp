@@ -1,0 +1,56 @@
+#include "api/fields/request_fields.hpp"
+
+/// Rows of what can be reached from a place, or of where to leave for it.
+namespace floeplan::fields {
+namespace {
+
+using planning::IsochroneRequest;
+
+constexpr double least_step_m = 10.0;
+constexpr double most_step_m = 100'000.0;
+
+}  // namespace
+
+const std::vector<Field>& isochrone_fields() {
+  static const std::vector<Field> list{
+      {.name = "from",
+       .kind = Kind::place,
+       .flag = "from",
+       .help = "Start of the vehicle at depart, [longitude, latitude] in degrees; or give to"},
+      {.name = "to",
+       .kind = Kind::place,
+       .flag = "to",
+       .help = "Goal to reach by arrive_by, [longitude, latitude] in degrees"},
+      {.name = "arrive_by", .kind = Kind::time, .flag = "arrive-by", .help = "Latest arrival, with to"},
+      {.name = "hours",
+       .flag = "hours",
+       .help =
+           "Hours after the departure, or before the arrival; one number or several, for example 6,12,24"},
+  };
+  return list;
+}
+
+const Table<IsochroneRequest>& isochrone_grid_fields() {
+  static const Table<IsochroneRequest> table = in_group<IsochroneRequest>(
+      group::search,
+      {
+          bound<IsochroneRequest>({.name = "spacing_m",
+                                   .unit = "m",
+                                   .least = least_step_m,
+                                   .most = most_step_m,
+                                   .flag = "spacing",
+                                   .help = "Spacing of the grid (default: a hundredth of the distance flown "
+                                           "in still water, 100 m to 5 km)"},
+                                  [](auto& request) -> auto& { return request.spacing; }),
+          bound<IsochroneRequest>({.name = "sectors",
+                                   .least = 1.0,
+                                   .most = 5.0,
+                                   .flag = "sectors",
+                                   .help = "Neighbourhood of the grid, in sectors (default: 3, or 5 where "
+                                           "currents are as fast as the vehicle)"},
+                                  [](auto& request) -> auto& { return request.sectors; }),
+      });
+  return table;
+}
+
+}  // namespace floeplan::fields
