@@ -4,6 +4,7 @@
 #include "engine/messages/data_messages.hpp"
 #include "engine/messages/export_messages.hpp"
 #include "engine/messages/flight_fault_messages.hpp"
+#include "engine/messages/flight_messages.hpp"
 #include "engine/messages/ingest_area_messages.hpp"
 #include "engine/messages/ingest_current_messages.hpp"
 #include "engine/messages/ingest_depth_messages.hpp"
@@ -27,6 +28,7 @@
 #include "engine/messages/refusal_messages.hpp"
 #include "engine/messages/request_messages.hpp"
 #include "engine/messages/seaglider_file_messages.hpp"
+#include "engine/messages/store_messages.hpp"
 
 namespace floeplan::messages {
 
@@ -43,7 +45,7 @@ std::vector<Kind> catalogue() {
         Kinds{ingest_hdf5_kinds},   Kinds{ingest_time_kinds},    Kinds{ingest_grid_kinds},
         Kinds{ingest_grib_kinds},   Kinds{ingest_feature_kinds}, Kinds{ingest_velocity_kinds},
         Kinds{ingest_ice_kinds},    Kinds{ingest_iceberg_kinds}, Kinds{ingest_tide_kinds},
-        Kinds{ingest_track_kinds}})
+        Kinds{ingest_track_kinds},  Kinds{store_kinds},          Kinds{flight_kinds}})
     all.insert(all.end(), kinds.begin(), kinds.end());
   return all;
 }

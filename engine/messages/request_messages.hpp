@@ -324,6 +324,14 @@ inline constexpr auto request_kinds = std::to_array<Kind>({
      .text = "is not an output of the process {process}",
      .slots = {{{"process", "plan-route"}}}},
     {.code = "link-not-followed", .text = "must be given as a value; links (href) are not followed"},
+
+    // The query of an address.
+    {.code = "not-a-format-of-coverages",
+     .text = "must be CoverageJSON or json; both mean CoverageJSON here"},
+    {.code = "not-a-format", .text = "must be json, geojson, html or CoverageJSON"},
+    {.code = "unknown-query-parameter",
+     .text = "the query parameter \"{name}\" is not known here",
+     .slots = {{{"name", "limt"}}}},
 });
 
 }  // namespace floeplan::messages

@@ -70,7 +70,7 @@ const std::map<std::string, Folder>& folders() {
       {"engine/simulation/logs", {{"engine/simulation/flight"}}},
       {"engine/simulation", {{"engine/simulation/logs"}}},
       {"storage/sql/driver", {{}}},
-      {"storage/sql/sqlite", {{"storage/sql/driver"}}},
+      {"storage/sql/sqlite", {{"storage/sql/driver", "engine/messages"}}},
       {"storage/sql", {{"storage/sql/sqlite", "engine/core"}}},
       {"storage/json", {{}}},
       {"storage/repository/encoding", {{"storage/sql", "engine/geo"}}},

@@ -11,6 +11,7 @@
 #include "engine/core/violation_list.hpp"
 #include "engine/messages/plan_messages.hpp"
 #include "engine/messages/sentence.hpp"
+#include "engine/messages/store_messages.hpp"
 #include "storage/json/json.hpp"
 
 namespace floeplan::codec {
@@ -73,7 +74,9 @@ json optional_time(const std::optional<core::UtcTime>& time) {
 
 core::UtcTime stored_time(const json& object, const char* key) {
   const auto time = core::parse_iso8601(object.at(key).get<std::string>());
-  if (!time) throw std::runtime_error{std::string{"a stored plan has no valid time "} + key};
+  if (!time)
+    throw std::runtime_error{
+        messages::store_text<"stored-plan-unreadable">("it has no valid time " + std::string{key})};
   return *time;
 }
 

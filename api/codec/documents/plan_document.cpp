@@ -11,6 +11,7 @@
 #include "api/codec/documents/surfacing_document.hpp"
 #include "api/codec/inputs/uncertainty_inputs.hpp"
 #include "engine/core/utc_text.hpp"
+#include "engine/messages/store_messages.hpp"
 #include "storage/json/json.hpp"
 
 namespace floeplan::codec {
@@ -86,7 +87,9 @@ std::optional<vehicle::Drive> stored_drive(const json& object) {
   const auto name = object.find("propulsion");
   if (name == object.end() || name->is_null()) return std::nullopt;
   const auto drive = planning::parse_drive(name->get<std::string>());
-  if (!drive) throw std::runtime_error{"a stored plan has a leg with an unknown propulsion"};
+  if (!drive)
+    throw std::runtime_error{
+        messages::store_text<"stored-plan-unreadable">("a leg has an unknown propulsion")};
   return drive;
 }
 
@@ -328,7 +331,7 @@ planning::Plan parse_plan_document(const json& document) {
   try {
     return parse_members(document);
   } catch (const json::exception& error) {
-    throw std::runtime_error{std::string{"a stored plan cannot be read back: "} + error.what()};
+    throw std::runtime_error{messages::store_text<"stored-plan-unreadable">(error.what())};
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include "api/codec/bytes/document_values.hpp"
 #include "engine/core/utc_text.hpp"
+#include "engine/messages/store_messages.hpp"
 #include "engine/planning/problem/objective.hpp"
 #include "storage/json/json.hpp"
 
@@ -37,7 +38,9 @@ planning::EscapeWay parse_escape(const json& object) {
     escape.way.push_back({place.at(0).get<double>(), place.at(1).get<double>()});
   for (const json& name : object.value("propulsion", json::array())) {
     const auto drive = planning::parse_drive(name.get<std::string>());
-    if (!drive) throw std::runtime_error{"a stored escape has a leg with an unknown propulsion"};
+    if (!drive)
+      throw std::runtime_error{messages::store_text<"stored-plan-unreadable">(
+          "an escape route has a leg with an unknown propulsion")};
     escape.drives.push_back(*drive);
   }
   if (!object.at("course_deg").is_null()) escape.course_deg = object.at("course_deg").get<double>();

@@ -5,6 +5,7 @@
 #include "api/codec/documents/plan_document.hpp"
 #include "api/codec/features/line_geometry.hpp"
 #include "engine/core/utc_text.hpp"
+#include "engine/messages/store_messages.hpp"
 #include "storage/json/json.hpp"
 
 namespace floeplan::codec {
@@ -19,7 +20,8 @@ geo::LonLat waypoint_place(const json& waypoint) {
 
 core::UtcTime time_of(const json& waypoint) {
   const auto time = core::parse_iso8601(waypoint.at("eta").get<std::string>());
-  if (!time) throw std::runtime_error{"a stored plan has a waypoint without a valid time"};
+  if (!time)
+    throw std::runtime_error{messages::store_text<"stored-plan-unreadable">("a waypoint has no valid time")};
   return *time;
 }
 

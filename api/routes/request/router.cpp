@@ -10,6 +10,7 @@
 
 #include "api/routes/request/idempotency.hpp"
 #include "api/routes/request/reply.hpp"
+#include "engine/messages/fault.hpp"
 
 namespace floeplan::routes {
 namespace {
@@ -67,25 +68,25 @@ bool is_one_of(std::string_view format, std::span<const std::string_view> known)
   });
 }
 
-/// Why the operation does not answer in the format; empty: it does.
-std::string format_fault(const Route& route, std::string_view format) {
+/// Whether the operation answers in the format.
+bool answers_in(const Route& route, std::string_view format) {
   constexpr std::array<std::string_view, 5> of_coverages{
       "CoverageJSON", "covjson", "json", "application/vnd.cov+json", "application/prs.coverage+json"};
   constexpr std::array<std::string_view, 6> of_others{
       "json", "html", "geojson", "text/html", "application/json", "application/geo+json"};
-  if (is_one_of(format, of_coverages) || (route.gives_coverages && format == "application/json")) return "";
-  if (route.gives_coverages) return "must be CoverageJSON or json; both mean CoverageJSON here";
-  return is_one_of(format, of_others) ? "" : "must be json, geojson, html or CoverageJSON";
+  if (is_one_of(format, of_coverages) || (route.gives_coverages && format == "application/json")) return true;
+  return !route.gives_coverages && is_one_of(format, of_others);
 }
 
 /// The first thing wrong with the query that concerns every operation.
 std::optional<core::Violation> query_fault(const Route& route, const Request& request) {
   for (const auto& [name, value] : request.query) {
     if (name == "f") {
-      if (const std::string fault = format_fault(route, value); !fault.empty())
-        return core::Violation{"?f", fault};
+      if (!answers_in(route, value))
+        return route.gives_coverages ? messages::fault<"not-a-format-of-coverages">("?f")
+                                     : messages::fault<"not-a-format">("?f");
     } else if (std::find(route.parameters.begin(), route.parameters.end(), name) == route.parameters.end()) {
-      return core::Violation{"?" + name, "the query parameter \"" + name + "\" is not known here"};
+      return messages::fault<"unknown-query-parameter">("?" + name, name);
     }
   }
   return std::nullopt;

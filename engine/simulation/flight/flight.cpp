@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "engine/messages/flight_messages.hpp"
 #include "engine/simulation/flight/contact_watch.hpp"
 #include "engine/simulation/flight/mission_pilot.hpp"
 #include "engine/simulation/vehicle/energy_meter.hpp"
@@ -63,9 +64,9 @@ class Flight::State {
     if (ended_) return;
     observe();
     if (truth_.time - last_kept_ >= settings_.record_every) keep_point(answer.guidance.mode);
-    if (energy_.is_empty()) end(FlightEnd::battery, "The battery is down to its reserve.");
+    if (energy_.is_empty()) end(FlightEnd::battery, messages::flight_text<"flight-battery-empty">());
     if (truth_.time - record_.departure >= settings_.longest)
-      end(FlightEnd::time_up, "The flight took longer than the settings allow.");
+      end(FlightEnd::time_up, messages::flight_text<"flight-too-long">());
   }
 
   void end(FlightEnd kind, std::string reason) {
@@ -154,7 +155,7 @@ class Flight::State {
     const Vector through_water = motion_.through_water();
     const Vector halfway = truth_.position + 0.5 * step_s * through_water;
     const auto water = world_.current(halfway, truth_.time + 0.5 * step_length);
-    if (!water) return end(FlightEnd::left_data, "The currents are not known where and when the vehicle is.");
+    if (!water) return end(FlightEnd::left_data, messages::flight_text<"flight-left-currents">());
 
     const Vector before = truth_.position;
     truth_.position = truth_.position + step_s * (through_water + *water);
@@ -242,7 +243,7 @@ Flight::~Flight() = default;
 bool Flight::is_under_way() const { return state_->is_under_way(); }
 FlightView Flight::view() { return state_->view(); }
 void Flight::step(const OnBoardAnswer& answer) { state_->step(answer); }
-void Flight::stop() { state_->end(FlightEnd::stopped, "The flight was stopped on request."); }
+void Flight::stop() { state_->end(FlightEnd::stopped, messages::flight_text<"flight-stopped">()); }
 FlightRecord Flight::take_record() { return state_->take_record(); }
 
 }  // namespace floeplan::simulation

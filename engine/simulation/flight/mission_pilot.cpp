@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/messages/flight_messages.hpp"
 #include "engine/motion/waypoint_heading.hpp"
 #include "engine/vehicle/dive_band.hpp"
 
@@ -65,17 +66,14 @@ MissionPilot::Turned MissionPilot::step(const Known& known, const avoidance::Gui
   pass_waypoints(known, guidance, turned);
   turn(known, guidance, turned);
   if (orders_.overdepth && known.place.down > orders_.overdepth->value) {
-    abort("The mission was aborted below the depth that abend allows.");
+    abort(messages::flight_text<"aborted-too-deep">());
   } else if (guidance.mode == avoidance::Mode::given_up) {
-    abort("The mission was aborted: the onboard avoidance gave up: " +
-          std::string{avoidance::text(guidance.reason)} + ".");
+    abort(messages::flight_text<"aborted-by-avoidance">(avoidance::text(guidance.reason)));
   } else if (is_held_at_one_depth(known)) {
-    abort(
-        "The mission was aborted: samedepth_for of abend is over; sea bed, ice or the onboard avoidance "
-        "leave no room for dives.");
+    abort(messages::flight_text<"aborted-at-one-depth">());
   } else if (!has_no_heading() && orders_.max_waypoint &&
              level_distance(path_.stops[stop_].place, known.place) > orders_.max_waypoint->value) {
-    abort("The mission was aborted: the next waypoint lies beyond max_wpt_distance of abend.");
+    abort(messages::flight_text<"aborted-far-waypoint">());
   } else {
     seek_surface(known, turned.waypoint.has_value());
   }
@@ -192,12 +190,12 @@ void MissionPilot::seek_surface(const Known& known, bool hit_waypoint) {
       return come_up(orders_.surfaces[i], i, known.time);
   }
   if (has_no_heading()) {
-    abort("The list is flown, and nothing else gives a heading.");
+    abort(messages::flight_text<"aborted-without-heading">());
     ends_ = has_finished();
     return;
   }
   if (orders_.yo.half_cycles >= 0 && halves_ >= orders_.yo.half_cycles)
-    abort("The yo has ended, and nothing else gives a pitch.");
+    abort(messages::flight_text<"aborted-without-pitch">());
 }
 
 void MissionPilot::come_up(const SurfaceOrders& orders, std::size_t index, core::UtcTime time) {
@@ -210,9 +208,9 @@ void MissionPilot::come_up(const SurfaceOrders& orders, std::size_t index, core:
   ends_ = has_finished() || (orders.ends_mission && !awaits_list_);
   if (orders_.yo.half_cycles >= 0 && halves_ >= orders_.yo.half_cycles) halves_ = 0;
   if (has_finished()) {
-    reason_ = "The last waypoint was reached.";
+    reason_ = messages::flight_text<"flight-arrived">();
   } else if (ends_) {
-    reason_ = "A surfacing ended the mission before its last waypoint.";
+    reason_ = messages::flight_text<"flight-ended-by-surfacing">();
   }
 }
 
@@ -243,7 +241,7 @@ void MissionPilot::keep_below_ice(const Known& known, const avoidance::Guidance&
     below_ice_since_ = known.time;
   } else if (known.time - *below_ice_since_ >= looks_for_a_lead && !turns_back_) {
     turns_back_ = true;
-    reason_ += " Ice lay above; the vehicle went back to where it had last been at the surface.";
+    reason_ += " " + messages::flight_text<"turned-back-below-ice">();
   }
   if (known.place.down <= guidance.shallowest->value) {
     held_down_ = true;

@@ -10,6 +10,7 @@
 #include "engine/geo/geodesic.hpp"
 #include "engine/geo/lon_lat.hpp"
 #include "engine/messages/flight_fault_messages.hpp"
+#include "engine/messages/flight_messages.hpp"
 #include "engine/mission/document/packed_degrees.hpp"
 
 namespace floeplan::simulation {
@@ -346,9 +347,7 @@ class Settling {
 
   [[nodiscard]] std::optional<std::string> told() const {
     if (taken_.empty()) return std::nullopt;
-    return "the positions (" + taken_ +
-           ") were read as decimal degrees, not as a Slocum's degrees and minutes: " + reason_ +
-           "; see where the track lies, and write the unit deg above them";
+    return messages::flight_text<"positions-taken-for-decimal">(taken_, reason_);
   }
 
   void pack(const Pair& pair) {

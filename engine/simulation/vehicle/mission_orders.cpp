@@ -9,6 +9,7 @@
 #include "engine/core/letter_case.hpp"
 #include "engine/core/violation_list.hpp"
 #include "engine/messages/flight_fault_messages.hpp"
+#include "engine/messages/flight_messages.hpp"
 #include "engine/mission/document/argument_rules.hpp"
 #include "engine/mission/document/behavior_table.hpp"
 #include "engine/mission/writing/goto_lists.hpp"
@@ -186,10 +187,10 @@ class Reader {
       const double farthest_m = arguments.value("max_wpt_distance", -1.0);
       if (farthest_m >= 0.0) orders_.max_waypoint = core::Metres{farthest_m};
     } else if (behavior.name == "sample") {
-      note("When sensors sample is not simulated; their energy is that of the vehicle profile.");
+      note(messages::flight_text<"sampling-not-simulated">());
     } else if (behavior.name != "prepare_to_dive" && behavior.name != "sensors_in") {
-      orders_.notes.push_back("Behavior " + behavior.name + " of " + arguments.where() +
-                              " is not simulated.");
+      orders_.notes.push_back(
+          messages::flight_text<"behavior-not-simulated">(behavior.name, arguments.where()));
     }
   }
 
@@ -206,8 +207,7 @@ class Reader {
     }
     list.rows = *flown;
     list.hold = mission::hold_order(rows);
-    if (list.hold && list.hold->planned)
-      note("While the vehicle holds, the next list is sent at the surfacing nearest to the end of the hold.");
+    if (list.hold && list.hold->planned) note(messages::flight_text<"list-sent-near-end-of-hold">());
     orders_.lists.push_back(std::move(list));
   }
 
@@ -231,8 +231,8 @@ class Reader {
     half.pitch_rad = sign * std::abs(arguments.value(prefix + "pitch_value", vehicle_.pitch.value));
     if (pitch_code != 2 && pitch_code != 3) {
       half.pitch_rad = sign * vehicle_.pitch.value;
-      note("Pitch by battery position needs the vehicle's calibration; " +
-           text(core::radians_to_degrees(vehicle_.pitch.value)) + " degrees stand in.");
+      note(messages::flight_text<"pitch-without-calibration">(
+          text(core::radians_to_degrees(vehicle_.pitch.value))));
     } else if (!(std::abs(half.pitch_rad) <= 0.5 * std::numbers::pi)) {
       refuse<"wrong-pitch">(field + "pitch_value");
     }
@@ -248,7 +248,7 @@ class Reader {
   }
 
   void read_yo(const Arguments& arguments) {
-    if (has_yo_) return note("A second yo is not simulated.");
+    if (has_yo_) return note(messages::flight_text<"second-yo-not-simulated">());
     has_yo_ = true;
     orders_.yo.dive = half(arguments, "d_", -1.0, false);
     orders_.yo.climb = half(arguments, "c_", 1.0, false);
@@ -276,9 +276,7 @@ class Reader {
       case 16: surface.cause = Cause::inflections; break;
       case 5:
       case 11: return;  // never, or when science asks, which nothing does here
-      default:
-        return note("A surfacing with start_when " + std::to_string(when) + " in " + arguments.where() +
-                    " is not simulated.");
+      default: return note(messages::flight_text<"surfacing-not-simulated">(when, arguments.where()));
     }
     const bool timed = surface.cause == Cause::after_end || surface.cause == Cause::every ||
                        surface.cause == Cause::no_contact;
@@ -305,7 +303,7 @@ class Reader {
                   .climb = {.depth = vehicle_.climb_to,
                             .pitch_rad = vehicle_.pitch.value,
                             .buoyancy_m3 = vehicle_.buoyancy.value}};
-    note("No yo is given: the vehicle's own depths, pitch and pump stand in.");
+    note(messages::flight_text<"yo-of-the-vehicle">());
   }
 
   void take_surfacing_at_the_end() {
@@ -313,7 +311,7 @@ class Reader {
         {.cause = SurfaceOrders::Cause::any_idle,
          .ends_mission = true,
          .climb = {.pitch_rad = vehicle_.pitch.value, .buoyancy_m3 = vehicle_.buoyancy.value}});
-    note("No surfacing is given: it comes up when the list is flown.");
+    note(messages::flight_text<"surfacing-at-the-end">());
   }
 
   void note(std::string sentence) {

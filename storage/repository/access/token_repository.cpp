@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "engine/messages/store_messages.hpp"
 #include "storage/sql/statement.hpp"
 #include "storage/sql/transaction.hpp"
 
@@ -16,7 +17,8 @@ constexpr std::array<std::pair<Role, const char*>, 3> role_names{
 /// The record of a row with the columns name, role, key, digest, created_s.
 TokenRecord read_token(const sql::Row& row) {
   const auto role = role_of(row.text(1));
-  if (!role) throw std::runtime_error{"the store holds a token with the unknown role " + row.text(1)};
+  if (!role)
+    throw std::runtime_error{messages::store_text<"stored-word-unknown">("a token's role", row.text(1))};
   return {
       .name = row.text(0), .role = *role, .key = row.text(2), .digest = row.text(3), .created = row.time(4)};
 }

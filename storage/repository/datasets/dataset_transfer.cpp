@@ -8,6 +8,7 @@
 #include <string>
 #include <thread>
 
+#include "engine/messages/store_messages.hpp"
 #include "storage/repository/datasets/dataset_row.hpp"
 #include "storage/repository/store/dataset_tables.hpp"
 #include "storage/sql/attachment.hpp"
@@ -187,8 +188,7 @@ std::vector<DatasetId> show(sql::Connection& db, const std::vector<Arrival>& arr
     copy_the_rest(db, arrival);
     sql::Statement reveal{db, "UPDATE main.dataset SET id = ?2, arriving_s = NULL WHERE row = ?1"};
     reveal.bind_all(arrival.here, arrival.id.value);
-    if (reveal.run() != 1)
-      throw std::runtime_error{"the data were removed while they arrived; ingest the files again"};
+    if (reveal.run() != 1) throw std::runtime_error{messages::store_text<"data-removed-meanwhile">()};
     ids.push_back(arrival.id);
   }
   transaction.commit();
@@ -198,7 +198,7 @@ std::vector<DatasetId> show(sql::Connection& db, const std::vector<Arrival>& arr
 /// The other file was written next to foreign data: a view or a trigger that does not belong there must not run.
 void refuse_another_schema(sql::Connection& db) {
   if (!sql::has_only_tables_of_main(db, "arrived"))
-    throw std::runtime_error{"the data that arrived have tables of another form; ingest the files again"};
+    throw std::runtime_error{messages::store_text<"data-of-another-form">()};
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "engine/messages/store_messages.hpp"
 #include "storage/sql/driver/failure.hpp"
 
 namespace floeplan::repository {
@@ -20,10 +21,7 @@ constexpr int compression_level = 3;
 constexpr std::size_t largest_blob_bytes = std::size_t{1} << 30;
 
 [[noreturn]] void refuse(const std::string& why) {
-  throw sql::Failure{
-      "stored data are damaged (" + why +
-          "); remove the dataset and ingest its file again, or restore the store from a backup",
-      sql::Trouble::damaged};
+  throw sql::Failure{messages::store_text<"stored-data-damaged">(why), sql::Trouble::damaged};
 }
 
 /// Puts the bytes of each number together again.

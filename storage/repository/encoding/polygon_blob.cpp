@@ -3,6 +3,8 @@
 #include <stdexcept>
 #include <vector>
 
+#include "engine/messages/store_messages.hpp"
+
 namespace floeplan::repository {
 namespace {
 
@@ -25,7 +27,7 @@ std::vector<double> flattened(const geo::Polygon& polygon) {
 std::size_t count_at(const std::vector<double>& numbers, std::size_t index) {
   const double count = numbers.at(index);
   if (!(count >= 0.0 && count <= static_cast<double>(numbers.size())))
-    throw std::runtime_error{"a stored polygon is damaged"};
+    throw std::runtime_error{messages::store_text<"stored-polygon-damaged">()};
   return static_cast<std::size_t>(count);
 }
 
@@ -34,7 +36,7 @@ geo::Polygon from_flattened(const std::vector<double>& numbers) {
   std::size_t places = 0;
   for (std::size_t ring = 0; ring < rings; ++ring) places += count_at(numbers, 1 + ring);
   if (rings < 1 || numbers.size() != 1 + rings + 2 * places)
-    throw std::runtime_error{"a stored polygon is damaged"};
+    throw std::runtime_error{messages::store_text<"stored-polygon-damaged">()};
 
   geo::Polygon polygon;
   polygon.holes.resize(rings - 1);

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "engine/messages/store_messages.hpp"
 #include "storage/repository/datasets/dataset_row.hpp"
 #include "storage/repository/encoding/box_index.hpp"
 #include "storage/repository/encoding/polygon_blob.hpp"
@@ -18,7 +19,8 @@ const std::string select_of_dataset =
 
 ocean::Zone read_zone(const sql::Row& row, BlobCodec& codec) {
   const auto kind = ocean::parse_zone_kind(row.text(1));
-  if (!kind) throw std::runtime_error{"a stored zone has a rule that is not known"};
+  if (!kind)
+    throw std::runtime_error{messages::store_text<"stored-word-unknown">("a zone's rule", row.text(1))};
   ocean::Zone zone;
   zone.name = row.text(0);
   zone.kind = *kind;

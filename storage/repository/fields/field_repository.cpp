@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "engine/messages/store_messages.hpp"
 #include "engine/ocean/grids/mesh_lattice.hpp"
 #include "storage/repository/datasets/dataset_row.hpp"
 #include "storage/repository/encoding/blob_codec.hpp"
@@ -262,7 +263,8 @@ std::optional<FieldShape> FieldRepository::shape(const DatasetId& id) const {
   if (!query.step()) return std::nullopt;
 
   const auto frame = geo::parse_frame(query.text(0));
-  if (!frame) throw std::runtime_error{"the store holds a grid of unknown frame: " + query.text(0)};
+  if (!frame)
+    throw std::runtime_error{messages::store_text<"stored-word-unknown">("a grid's frame", query.text(0))};
   BlobCodec codec;
   const auto axis = [&](int nodes, int count) {
     return ocean::Axis{

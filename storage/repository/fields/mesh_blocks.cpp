@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "engine/geo/tangent_plane.hpp"
+#include "engine/messages/store_messages.hpp"
 #include "storage/repository/encoding/blob_codec.hpp"
 #include "storage/sql/driver/failure.hpp"
 #include "storage/sql/statement.hpp"
@@ -83,9 +84,7 @@ std::vector<Block> blocks_of(const Mesh& mesh) {
 
 [[noreturn]] void refuse_numbers() {
   throw sql::Failure{
-      "stored data are damaged (a cell of a mesh has a corner that is no point); remove the dataset and "
-      "ingest its file "
-      "again, or restore the store from a backup",
+      messages::store_text<"stored-data-damaged">("a cell of a mesh has a corner that is no point"),
       sql::Trouble::damaged};
 }
 

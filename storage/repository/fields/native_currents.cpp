@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "engine/messages/store_messages.hpp"
 #include "engine/ocean/currents/level_columns.hpp"
 #include "engine/ocean/grids/mesh_lattice.hpp"
 #include "engine/ocean/grids/mesh_sampling.hpp"
@@ -108,8 +109,7 @@ class NodeSampling {
     }
     throw sql::Failure{
         // never stored so
-        "stored data are damaged (the cells of a mesh lie over one another); remove the dataset and ingest "
-        "its file again, or restore the store from a backup",
+        messages::store_text<"stored-data-damaged">("the cells of a mesh lie over one another"),
         sql::Trouble::damaged};
   }
 

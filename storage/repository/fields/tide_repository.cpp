@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "engine/messages/store_messages.hpp"
 #include "storage/repository/datasets/dataset_row.hpp"
 #include "storage/repository/fields/field_repository.hpp"
 #include "storage/sql/statement.hpp"
@@ -46,7 +47,8 @@ ocean::TideGrid::Field joined(std::span<const float> real, std::span<const float
 
 tide::Constituent constituent_of(const std::string& name) {
   const auto constituent = tide::find_constituent(name);
-  if (!constituent) throw std::runtime_error{"the store holds a tide of unknown name: " + name};
+  if (!constituent)
+    throw std::runtime_error{messages::store_text<"stored-word-unknown">("a tide's constituent", name)};
   return *constituent;
 }
 
@@ -136,7 +138,8 @@ std::vector<TideStation> TideRepository::stations(const DatasetId& id) const {
   while (query.step()) {
     const auto quantity = parse_quantity(query.text(4));
     if (!quantity)
-      throw std::runtime_error{"the store holds a tide of an unknown quantity: " + query.text(4)};
+      throw std::runtime_error{
+          messages::store_text<"stored-word-unknown">("a tide's quantity", query.text(4))};
     result.push_back({query.text(1), {query.real(2), query.real(3)}, *quantity, {}});
   }
   sql::Statement constants{

@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "engine/messages/store_messages.hpp"
 #include "storage/repository/store/replacement.hpp"
 #include "storage/repository/store/schema.hpp"
 #include "storage/repository/store/store_mark.hpp"
@@ -21,9 +22,7 @@ void refuse_folder_without_its_database(const fs::path& store) {
   std::error_code none;
   if (fs::exists(sql::database_in(store), none) || !is_marked_as_store(store)) return;
   throw sql::Failure{
-      "the folder " + store.string() + " held a store, but its " +
-      sql::database_in(store).filename().string() +
-      " is gone; put it back, for example with floeplan restore FILE, or choose an empty folder"};
+      messages::store_text<"database-gone">(store.string(), sql::database_in(store).filename().string())};
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "engine/messages/store_messages.hpp"
 #include "storage/repository/store/rebuilding.hpp"
 #include "storage/repository/store/schema.hpp"
 #include "storage/repository/store/store_mark.hpp"
@@ -26,9 +27,7 @@ std::string in_words(const StoredThing& thing) {
 void refuse_changed_header(const fs::path& database) {
   const auto header = sql::header_of(database);
   if (header.schema < first_schema_with_checksums || header.has_checksums) return;
-  throw sql::Failure{
-      "the header of " + database.string() + " is damaged; put back a backup with floeplan restore FILE",
-      sql::Trouble::damaged};
+  throw sql::Failure{messages::store_text<"header-damaged">(database.string()), sql::Trouble::damaged};
 }
 
 /// Builds the new database beside the old one, of which `from` may be the file, and puts it in its place as the last step:
@@ -40,8 +39,7 @@ Replacement replace(const fs::path& store, const fs::path& from, const std::stri
   replacement.lost = rebuild(from, beside, progress);
   if (losses == Losses::refused && !replacement.lost.empty()) {
     fs::remove_all(beside);
-    throw sql::Failure{in_words(replacement.lost.front()) + " of " + from.string() +
-                           " is damaged; nothing was changed; floeplan repair saves the undamaged part",
+    throw sql::Failure{messages::store_text<"entry-lost">(in_words(replacement.lost.front()), from.string()),
                        sql::Trouble::damaged};
   }
   {
@@ -85,7 +83,7 @@ Replacement restore_store(const fs::path& store, const fs::path& backup,
                           const core::ProgressCallback& progress) {
   const auto header = sql::header_of(backup);
   const auto refuse = [&](const std::string& why) {
-    return std::runtime_error{backup.string() + " cannot be restored; " + why + "; take another backup"};
+    return std::runtime_error{messages::store_text<"backup-refused">(backup.string(), why)};
   };
   if (!header.is_store) throw refuse("it is no store of Floeplan");
   refuse_newer_schema(header.schema);

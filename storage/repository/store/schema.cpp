@@ -3,6 +3,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "engine/messages/store_messages.hpp"
 #include "storage/sql/references.hpp"
 #include "storage/sql/schema_number.hpp"
 #include "storage/sql/statement.hpp"
@@ -12,8 +13,7 @@ namespace floeplan::repository {
 namespace {
 
 void refuse_broken_references(sql::Connection& db) {
-  if (sql::has_broken_references(db))
-    throw std::runtime_error{"the store refers to a dataset that it does not hold; it is damaged"};
+  if (sql::has_broken_references(db)) throw std::runtime_error{messages::store_text<"references-broken">()};
 }
 
 }  // namespace
@@ -22,9 +22,7 @@ std::int64_t newest_schema() { return static_cast<std::int64_t>(schema_scripts()
 
 void refuse_newer_schema(std::int64_t schema) {
   if (schema <= newest_schema()) return;
-  throw std::runtime_error{"the store was written by a newer Floeplan (schema " + std::to_string(schema) +
-                           ", this program knows " + std::to_string(newest_schema()) +
-                           "); update the program, or choose another folder"};
+  throw std::runtime_error{messages::store_text<"store-newer">(schema, newest_schema())};
 }
 
 void bring_to_newest_schema(sql::Connection& db) {

@@ -10,6 +10,8 @@
 #include <string>
 #include <system_error>
 
+#include "engine/messages/store_messages.hpp"
+
 namespace floeplan::repository {
 namespace {
 
@@ -29,8 +31,7 @@ StoreLock::StoreLock(const std::filesystem::path& store) {
     throw std::system_error{errno, std::generic_category(), file.string() + " cannot be opened"};
   if (flock(descriptor_, LOCK_EX | LOCK_NB) != 0) {
     close(descriptor_);
-    throw std::runtime_error{"the store " + store.string() + " is in use by " + holder_of(file) +
-                             "; stop that server first, or choose another folder with --data"};
+    throw std::runtime_error{messages::store_text<"store-served">(store.string(), holder_of(file))};
   }
   // For people alone: the lock holds without it.
   std::ofstream{file, std::ios::trunc} << getpid() << '\n';

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "engine/messages/store_messages.hpp"
 #include "storage/sql/statement.hpp"
 #include "storage/sql/transaction.hpp"
 
@@ -232,7 +233,7 @@ JobStatus parse_status(const std::string& name) {
   for (const auto& [status, candidate] : status_names) {
     if (name == candidate) return status;
   }
-  throw std::runtime_error{"no job has the status " + name};
+  throw std::runtime_error{messages::store_text<"stored-word-unknown">("a job's status", name)};
 }
 
 std::string class_name(JobClass job_class) {
@@ -246,7 +247,7 @@ JobClass parse_class(const std::string& name) {
   for (const auto& [job_class, candidate] : class_names) {
     if (name == candidate) return job_class;
   }
-  throw std::runtime_error{"no job is of the class " + name};
+  throw std::runtime_error{messages::store_text<"stored-word-unknown">("a job's class", name)};
 }
 
 void JobRepository::submit(const JobRecord& job) {

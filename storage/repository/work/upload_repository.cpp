@@ -9,6 +9,7 @@
 #include <random>
 #include <stdexcept>
 
+#include "engine/messages/store_messages.hpp"
 #include "storage/json/json.hpp"
 
 namespace floeplan::repository {
@@ -40,7 +41,7 @@ void flush_to_disk(const fs::path& path) {
   const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC);
   const bool flushed = descriptor >= 0 && fsync(descriptor) == 0;
   if (descriptor >= 0) close(descriptor);
-  if (!flushed) throw std::runtime_error{"the upload cannot be written to the disk"};
+  if (!flushed) throw std::runtime_error{messages::store_text<"upload-not-written">()};
 }
 
 core::UtcTime time_of_change(const fs::path& path) {

@@ -6,6 +6,7 @@
 
 #include <system_error>
 
+#include "engine/messages/store_messages.hpp"
 #include "storage/sql/sqlite/database_files.hpp"
 #include "storage/sql/sqlite/library_failure.hpp"
 #include "storage/sql/sqlite/page_checksums.hpp"
@@ -31,14 +32,13 @@ void copy_into(SQLite::Database& from, const fs::path& file) {
   }
   to.exec("PRAGMA journal_mode = DELETE");  // one file that can be carried away
   const std::string damage = damage_in(to);
-  if (!damage.empty())
-    throw Failure{"the copy is not sound (" + damage + "); the store is damaged, or the disk"};
+  if (!damage.empty()) throw Failure{messages::store_text<"backup-not-sound">(damage)};
 }
 
 }  // namespace
 
 void back_up(SQLite::Database& database, const fs::path& file) {
-  if (fs::exists(file)) throw Failure{file.string() + " exists already; name a new file"};
+  if (fs::exists(file)) throw Failure{messages::store_text<"backup-exists">(file.string())};
   const fs::path unfinished = file.string() + ".unfinished";
   std::error_code ignored;
   fs::remove(unfinished, ignored);

@@ -10,6 +10,7 @@
 #include <span>
 #include <system_error>
 
+#include "engine/messages/store_messages.hpp"
 #include "storage/sql/sqlite/library_failure.hpp"
 #include "storage/sql/sqlite/page_checksums.hpp"
 
@@ -60,9 +61,7 @@ void flush(const fs::path& path) {
   const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC);
   const bool flushed = descriptor >= 0 && fsync(descriptor) == 0;
   if (descriptor >= 0) close(descriptor);
-  if (!flushed)
-    throw Failure{path.string() + " cannot be written to the disk; look at its free space",
-                  Trouble::not_writable};
+  if (!flushed) throw Failure{messages::store_text<"file-not-flushed">(path.string()), Trouble::not_writable};
 }
 
 void settle(const fs::path& database) {
@@ -70,8 +69,7 @@ void settle(const fs::path& database) {
   try {
     SQLite::Database db{database.string(), SQLite::OPEN_READWRITE, busy_timeout_ms, checked_files()};
     if (db.execAndGet("PRAGMA journal_mode = DELETE").getString() != "delete")
-      throw Failure{database.string() + " is in use by another program; stop it first",
-                    Trouble::held_by_another};
+      throw Failure{messages::store_text<"database-in-use">(database.string()), Trouble::held_by_another};
   } catch (const SQLite::Exception& cause) {
     throw failure_of(cause, database.string());
   }
@@ -91,8 +89,7 @@ fs::path set_aside(const fs::path& database, const std::string& why) {
     flush(database.parent_path());
     return kept;
   } catch (const fs::filesystem_error& error) {
-    throw Failure{std::string{"the damaged database cannot be set aside ("} + error.what() + ")",
-                  Trouble::not_writable};
+    throw Failure{messages::store_text<"not-set-aside">(std::string{error.what()}), Trouble::not_writable};
   }
 }
 
@@ -111,9 +108,7 @@ fs::path put_in_place(const fs::path& finished, const fs::path& place, const std
     flush(place.parent_path());
     return kept;
   } catch (const fs::filesystem_error& error) {
-    throw Failure{
-        std::string{"the database cannot be put in its place ("} + error.what() + "); the store is as it was",
-        Trouble::not_writable};
+    throw Failure{messages::store_text<"not-put-in-place">(std::string{error.what()}), Trouble::not_writable};
   }
 }
 

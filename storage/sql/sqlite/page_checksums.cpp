@@ -10,6 +10,7 @@
 #include <fstream>
 #include <new>
 
+#include "engine/messages/store_messages.hpp"
 #include "storage/sql/driver/failure.hpp"
 
 namespace floeplan::sql::sqlite {
@@ -165,7 +166,7 @@ CheckedFile& file_of(sqlite3* database) {
   const int result =
       sqlite3_file_control(database, "main", SQLITE_FCNTL_FILE_POINTER, static_cast<void*>(&file));
   if (result != SQLITE_OK || file == nullptr || file->pMethods != &methods)
-    throw Failure{"the database is in no file with checksums"};
+    throw Failure{messages::store_text<"database-without-checksums">()};
   return checked(file);
 }
 
@@ -202,7 +203,7 @@ std::vector<std::byte> bytes_in_file(sqlite3* database, std::uint64_t offset, st
                                            static_cast<sqlite3_int64>(offset));
   if (result == SQLITE_IOERR_SHORT_READ) data.clear();  // cut off at this moment
   if (result != SQLITE_OK && result != SQLITE_IOERR_SHORT_READ)
-    throw Failure{"the database cannot be read; look at the disk", Trouble::not_writable};
+    throw Failure{messages::store_text<"database-not-read">(), Trouble::not_writable};
   return data;
 }
 

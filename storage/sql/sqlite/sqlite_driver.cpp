@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/messages/store_messages.hpp"
 #include "storage/sql/driver/driver.hpp"
 #include "storage/sql/sqlite/backup.hpp"
 #include "storage/sql/sqlite/database_files.hpp"
@@ -91,15 +92,14 @@ void refuse_foreign_file(SQLite::Database& database) {
   const bool is_empty = database.execAndGet("SELECT count(*) FROM sqlite_schema").getInt() == 0;
   const int mark = database.execAndGet("PRAGMA application_id").getInt();
   if (mark == application_id || (mark == 0 && is_empty)) return;
-  throw Failure{database.getFilename() +
-                " belongs to another program, not to Floeplan; choose another folder"};
+  throw Failure{messages::store_text<"database-of-another-program">(database.getFilename())};
 }
 
 /// In a database that does not exist yet; one that does keeps its form.
 void reserve_checksums(SQLite::Database& database) {
   int bytes = checksum_bytes;
   if (sqlite3_file_control(database.getHandle(), "main", SQLITE_FCNTL_RESERVE_BYTES, &bytes) != SQLITE_OK)
-    throw Failure{database.getFilename() + " cannot be given checksums"};
+    throw Failure{messages::store_text<"no-checksums">(database.getFilename())};
 }
 
 /// The busy timeout does not hold while the journal mode changes: two programs that create the store at once would
@@ -109,9 +109,7 @@ void use_write_ahead_log(SQLite::Database& database) {
   while (true) {
     try {
       if (database.execAndGet("PRAGMA journal_mode = WAL").getString() == "wal") return;
-      throw Failure{database.getFilename() +
-                    " lies on a file system that cannot share memory between programs; "
-                    "choose a folder on a local disk"};
+      throw Failure{messages::store_text<"folder-without-shared-memory">(database.getFilename())};
     } catch (const SQLite::Exception& error) {
       if (error.getErrorCode() != SQLITE_BUSY || std::chrono::steady_clock::now() > deadline) throw;
       std::this_thread::sleep_for(std::chrono::milliseconds{5});
@@ -144,7 +142,7 @@ SqliteDriver::~SqliteDriver() = default;
 std::unique_ptr<Driver> SqliteDriver::open(const std::filesystem::path& store) {
   std::error_code error;
   const bool is_new_folder = std::filesystem::create_directories(store, error);
-  if (error) throw Failure{"the folder " + store.string() + " cannot be created: " + error.message()};
+  if (error) throw Failure{messages::store_text<"store-folder-not-made">(store.string(), error.message())};
 
   using std::filesystem::perms;
   if (is_new_folder) std::filesystem::permissions(store, perms::owner_all, error);  // it holds tokens
@@ -202,7 +200,7 @@ Version SqliteDriver::version() {
   if (sharing_ == Sharing::shared)
     if (const auto of_log = log_version(database)) return *of_log;
   const auto query = prepare("PRAGMA data_version");
-  if (!query->step()) throw Failure{"the database does not tell its version"};
+  if (!query->step()) throw Failure{messages::store_text<"no-database-version">()};
   return version_from(query->integer(0), sqlite3_total_changes64(database));
 }
 

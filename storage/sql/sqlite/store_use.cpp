@@ -11,6 +11,7 @@
 #include <thread>
 #include <utility>
 
+#include "engine/messages/store_messages.hpp"
 #include "storage/sql/driver/failure.hpp"
 
 namespace floeplan::sql::sqlite {
@@ -26,7 +27,7 @@ std::string reason() { return std::generic_category().message(errno); }
 StoreUse::StoreUse(const std::filesystem::path& store, int kind_of_lock)
     : descriptor_{open((store / "floeplan.use").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600)} {
   if (descriptor_ < 0)
-    throw Failure{store.string() + " cannot be written (" + reason() + "); check its permissions",
+    throw Failure{messages::store_text<"store-folder-read-only">(store.string(), reason()),
                   Trouble::not_writable};
   const auto deadline = std::chrono::steady_clock::now() + patience;
   while (flock(descriptor_, kind_of_lock | LOCK_NB) != 0) {
@@ -38,13 +39,9 @@ StoreUse::StoreUse(const std::filesystem::path& store, int kind_of_lock)
     const std::string why = reason();
     close(std::exchange(descriptor_, -1));
     if (!is_held)
-      throw Failure{store.string() + " lies on a file system without locks (" + why +
-                        "); choose a folder on a local disk",
-                    Trouble::not_writable};
-    throw Failure{kind_of_lock == LOCK_EX
-                      ? "the store " + store.string() + " is in use; stop the programs that use it first"
-                      : "the store " + store.string() +
-                            " is being restored, repaired or brought up to date; try again when that is done",
+      throw Failure{messages::store_text<"folder-without-locks">(store.string(), why), Trouble::not_writable};
+    throw Failure{kind_of_lock == LOCK_EX ? messages::store_text<"store-in-use">(store.string())
+                                          : messages::store_text<"store-being-replaced">(store.string()),
                   Trouble::held_by_another};
   }
 }
