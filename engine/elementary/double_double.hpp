@@ -6,14 +6,6 @@
 
 namespace floeplan::elementary {
 
-/// The root of a number that is not negative: one step of Newton's method from that of its leading part.
-inline DoubleDouble square_root(DoubleDouble x) {
-  if (x.high == 0.0) return {};
-  const double root = std::sqrt(x.high);
-  const DoubleDouble square = two_product(root, root);
-  return fast_two_sum(root, ((x.high - square.high) - square.low + x.low) / (2.0 * root));
-}
-
 /// A number as the unevaluated sum of two doubles, the second below half a unit in the last place of the first.
 /// Error    of a product, a quotient and a sum of equal signs: below 2^-100 of the result; of a sum that cancels:
 ///          below 2^-100 of the larger operand
@@ -81,6 +73,14 @@ constexpr DoubleDouble operator/(DoubleDouble a, DoubleDouble b) {
   const DoubleDouble last = rest - b * DoubleDouble{second};
   const DoubleDouble sum = fast_two_sum(first, second);
   return fast_two_sum(sum.high, sum.low + last.high / b.high);
+}
+
+/// The root of a number that is not negative: one step of Newton's method from that of its leading part.
+inline DoubleDouble square_root(DoubleDouble x) {
+  if (x.high == 0.0) return {};
+  const double root = std::sqrt(x.high);
+  const DoubleDouble square = two_product(root, root);
+  return fast_two_sum(root, ((x.high - square.high) - square.low + x.low) / (2.0 * root));
 }
 
 /// The closest double.

@@ -25,9 +25,7 @@ json passed_under_json(const std::vector<planning::PassedUnder>& passed) {
 
 std::vector<planning::PassedUnder> parse_passed_under(const json& document) {
   std::vector<planning::PassedUnder> result;
-  const auto found = document.find("passed_under");
-  if (found == document.end()) return result;
-  for (const json& object : *found) {
+  for (const json& object : document.at("passed_under")) {
     result.push_back({.iceberg = object.at("iceberg").get<std::string>(),
                       .keel = {.draft = {object.at("draft_m").get<double>()},
                                .draft_is_stated = object.at("draft_from") == "sighting",
@@ -51,10 +49,10 @@ json encounter_trade_json(const planning::Plan& plan) {
 }
 
 std::optional<planning::EncounterTrade> parse_encounter_trade(const json& document) {
-  const auto found = document.find("encounter_trade");
-  if (found == document.end() || found->is_null()) return std::nullopt;
-  const json& before = found->at("before");
-  return planning::EncounterTrade{.weight = core::Seconds{found->at("weight_s").get<double>()},
+  const json& trade = document.at("encounter_trade");
+  if (trade.is_null()) return std::nullopt;
+  const json& before = trade.at("before");
+  return planning::EncounterTrade{.weight = core::Seconds{trade.at("weight_s").get<double>()},
                                   .time_before = core::Seconds{before.at("travel_time_s").get<double>()},
                                   .encounters_before = before.at("iceberg_encounters").get<double>()};
 }

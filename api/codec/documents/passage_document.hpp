@@ -6,7 +6,7 @@
 
 namespace floeplan::codec {
 
-/// The icebergs that a plan passes under, as an array, and back; plans stored by older versions have none.
+/// The icebergs that a plan passes under, as an array, and back.
 [[nodiscard]] nlohmann::json passed_under_json(const std::vector<planning::PassedUnder>& passed);
 [[nodiscard]] std::vector<planning::PassedUnder> parse_passed_under(const nlohmann::json& document);
 

@@ -7,6 +7,7 @@
 #include "api/codec/bytes/document_values.hpp"
 #include "api/codec/bytes/sha256.hpp"
 #include "api/codec/documents/dataset_document.hpp"
+#include "api/codec/documents/older_plans.hpp"
 #include "api/codec/documents/passage_document.hpp"
 #include "api/codec/documents/surfacing_document.hpp"
 #include "api/codec/inputs/uncertainty_inputs.hpp"
@@ -63,37 +64,32 @@ json energy_json(const std::optional<planning::PlanEnergy>& energy) {
           {"usable_j", energy->usable.value}};
 }
 
-/// Empty for plans stored before energy was counted.
-std::optional<planning::PlanEnergy> parse_energy(const json& document) {
-  const auto found = document.find("energy");
-  if (found == document.end() || found->is_null()) return std::nullopt;
-  return planning::PlanEnergy{.use = {.hotel = {found->at("hotel_j").get<double>()},
-                                      .pump = {found->at("pump_j").get<double>()},
-                                      .thruster = {found->at("thruster_j").get<double>()},
-                                      .inflections = found->at("inflections").get<double>()},
-                              .usable = {found->at("usable_j").get<double>()}};
+std::optional<planning::PlanEnergy> parse_energy(const json& energy) {
+  if (energy.is_null()) return std::nullopt;
+  return planning::PlanEnergy{.use = {.hotel = {energy.at("hotel_j").get<double>()},
+                                      .pump = {energy.at("pump_j").get<double>()},
+                                      .thruster = {energy.at("thruster_j").get<double>()},
+                                      .inflections = energy.at("inflections").get<double>()},
+                              .usable = {energy.at("usable_j").get<double>()}};
 }
 
-/// Empty where there is none, and in plans stored by versions that did not write it.
 template <class Quantity>
 std::optional<Quantity> stored_quantity(const json& object, const char* key) {
-  if (!object.contains(key)) return std::nullopt;
   const auto number = stored_number(object, key);
   return number ? std::optional{Quantity{*number}} : std::nullopt;
 }
 
 /// The drive that a plan document stores for the leg to a waypoint; empty for the start, to which no leg leads.
 std::optional<vehicle::Drive> stored_drive(const json& object) {
-  const auto name = object.find("propulsion");
-  if (name == object.end() || name->is_null()) return std::nullopt;
-  const auto drive = planning::parse_drive(name->get<std::string>());
+  const json& name = object.at("propulsion");
+  if (name.is_null()) return std::nullopt;
+  const auto drive = planning::parse_drive(name.get<std::string>());
   if (!drive)
     throw std::runtime_error{
         messages::store_text<"stored-plan-unreadable">("a leg has an unknown propulsion")};
   return drive;
 }
 
-/// Plans of older versions do not tell.
 std::optional<geo::VelocityEn> stored_current(const json& object) {
   const auto east = stored_quantity<core::MetresPerSecond>(object, "current_east_m_s");
   const auto north = stored_quantity<core::MetresPerSecond>(object, "current_north_m_s");
@@ -102,21 +98,15 @@ std::optional<geo::VelocityEn> stored_current(const json& object) {
 }
 
 planning::Waypoint parse_waypoint(const json& object) {
-  planning::Waypoint waypoint{.place = {object.at("lon").get<double>(), object.at("lat").get<double>()},
-                              .eta = stored_time(object, "eta"),
-                              .leg_length = metres_at(object, "leg_m"),
-                              .course_deg = stored_number(object, "course_deg"),
-                              .speed_over_ground = std::nullopt,
-                              .depth = metres_at(object, "depth_m"),
-                              .iceberg_encounters = std::nullopt};
-  if (const auto speed = stored_number(object, "speed_over_ground_m_s")) {
-    waypoint.speed_over_ground = core::MetresPerSecond{*speed};
-  }
-  waypoint.wait =
-      core::Seconds{object.value("wait_s", 0.0)};  // plans stored by older versions do not have it
-  if (object.contains("iceberg_encounters")) {
-    waypoint.iceberg_encounters = stored_number(object, "iceberg_encounters");
-  }
+  planning::Waypoint waypoint{
+      .place = {object.at("lon").get<double>(), object.at("lat").get<double>()},
+      .eta = stored_time(object, "eta"),
+      .leg_length = metres_at(object, "leg_m"),
+      .course_deg = stored_number(object, "course_deg"),
+      .speed_over_ground = stored_quantity<core::MetresPerSecond>(object, "speed_over_ground_m_s"),
+      .depth = metres_at(object, "depth_m"),
+      .iceberg_encounters = stored_number(object, "iceberg_encounters")};
+  waypoint.wait = core::Seconds{object.at("wait_s").get<double>()};
   waypoint.drive = stored_drive(object);
   waypoint.speed_through_water = stored_quantity<core::MetresPerSecond>(object, "speed_through_water_m_s");
   waypoint.current = stored_current(object);
@@ -124,10 +114,9 @@ planning::Waypoint parse_waypoint(const json& object) {
   return waypoint;
 }
 
-/// Plans of older versions do not tell.
 std::optional<core::Seconds> parse_possible_gain(const json& search) {
-  const json gain = search.value("possible_gain_s", json());
-  return gain.is_null() ? std::nullopt : std::optional{core::Seconds{gain.get<double>()}};
+  const auto gain_s = stored_number(search, "possible_gain_s");
+  return gain_s ? std::optional{core::Seconds{*gain_s}} : std::nullopt;
 }
 
 json refinement_json(const std::optional<planning::RefinementReport>& refinement) {
@@ -151,9 +140,8 @@ json leg_trade_json(const std::optional<planning::RefinementReport>& refinement)
   return result;
 }
 
-/// Plans stored before there was refinement have neither member.
 std::optional<planning::RefinementReport> parse_refinement(const json& document) {
-  const json refinement = document.value("refinement", json());
+  const json& refinement = document.at("refinement");
   if (refinement.is_null()) return std::nullopt;
   planning::RefinementReport report{
       .before = core::Seconds{refinement.at("before_s").get<double>()},
@@ -181,9 +169,9 @@ planning::Plan parse_members(const json& document) {
   plan.arrival = stored_time(document, "arrival");
   plan.distance = {document.at("distance_m").get<double>()};
   for (const auto& waypoint : document.at("waypoints")) plan.waypoints.push_back(parse_waypoint(waypoint));
-  if (const auto order = document.find("via_order"); order != document.end() && !order->is_null()) {
+  if (const json& order = document.at("via_order"); !order.is_null()) {
     plan.via_order =
-        planning::ViaOrder{order->at("vias").get<std::vector<std::size_t>>(), order->at("exact").get<bool>()};
+        planning::ViaOrder{order.at("vias").get<std::vector<std::size_t>>(), order.at("exact").get<bool>()};
   }
   const json& search = document.at("search");
   plan.search = {.vertices = search.at("vertices").get<std::int64_t>(),
@@ -191,7 +179,7 @@ planning::Plan parse_members(const json& document) {
                  .edge_evaluations = search.at("edge_evaluations").get<std::int64_t>(),
                  .expansions = search.at("expansions").get<std::int64_t>(),
                  .reinsertions = search.at("reinsertions").get<std::int64_t>(),
-                 .cut_short = search.value("cut_short", false),
+                 .cut_short = search.at("cut_short").get<bool>(),
                  .possible_gain = parse_possible_gain(search),
                  .duration = core::Seconds{search.at("seconds").get<double>()}};
   plan.refinement = parse_refinement(document);
@@ -199,13 +187,11 @@ planning::Plan parse_members(const json& document) {
   plan.clearances = {.iceberg = metres_at(clearances, "iceberg_m"),
                      .land = metres_at(clearances, "land_m"),
                      .bottom = metres_at(clearances, "bottom_m")};
-  if (document.contains("iceberg_encounters")) {
-    plan.iceberg_encounters = stored_number(document, "iceberg_encounters");
-  }
+  plan.iceberg_encounters = stored_number(document, "iceberg_encounters");
   plan.passed_under = parse_passed_under(document);
   plan.encounter_trade = parse_encounter_trade(document);
   plan.surfacing = parse_surfacing(document);
-  plan.energy = parse_energy(document);
+  plan.energy = parse_energy(document.at("energy"));
   plan.optimality_gap = stored_number(document, "optimality_gap");
   plan.optimality_gap_reason = document.at("optimality_gap_reason").get<std::string>();
   for (const auto& dataset : document.at("datasets")) plan.datasets.push_back(parse_dataset_ref(dataset));
@@ -329,7 +315,7 @@ json infeasible_document(const planning::Infeasible& infeasible, const ocean::En
 
 planning::Plan parse_plan_document(const json& document) {
   try {
-    return parse_members(document);
+    return parse_members(with_later_members(document));
   } catch (const json::exception& error) {
     throw std::runtime_error{messages::store_text<"stored-plan-unreadable">(error.what())};
   }

@@ -36,7 +36,7 @@ planning::EscapeWay parse_escape(const json& object) {
   planning::EscapeWay escape;
   for (const json& place : object.at("way"))
     escape.way.push_back({place.at(0).get<double>(), place.at(1).get<double>()});
-  for (const json& name : object.value("propulsion", json::array())) {
+  for (const json& name : object.at("propulsion")) {
     const auto drive = planning::parse_drive(name.get<std::string>());
     if (!drive)
       throw std::runtime_error{messages::store_text<"stored-plan-unreadable">(
@@ -46,13 +46,12 @@ planning::EscapeWay parse_escape(const json& object) {
   if (!object.at("course_deg").is_null()) escape.course_deg = object.at("course_deg").get<double>();
   escape.distance = {object.at("distance_m").get<double>()};
   escape.time = core::Seconds{object.at("time_s").get<double>()};
-  escape.energy = {object.value("energy_j", 0.0)};  // plans of before it was counted have none
+  escape.energy = {object.at("energy_j").get<double>()};
   return escape;
 }
 
-/// What plans stored by older versions do not have.
-std::optional<core::Metres> later_metres(const json& waypoint, const char* key) {
-  const json metres = waypoint.value(key, json());
+std::optional<core::Metres> stored_metres(const json& object, const char* key) {
+  const json& metres = object.at(key);
   return metres.is_null() ? std::nullopt : std::optional{core::Metres{metres.get<double>()}};
 }
 
@@ -60,7 +59,7 @@ planning::PlannedSurfacing parse_planned(const json& object) {
   return {.place = {object.at("lon").get<double>(), object.at("lat").get<double>()},
           .time = stored_time(object, "time"),
           .position_error = {object.at("position_error_m").get<double>()},
-          .nearest_ice = later_metres(object, "nearest_ice_m")};
+          .nearest_ice = stored_metres(object, "nearest_ice_m")};
 }
 
 json metres_or_null(const std::optional<core::Metres>& metres) {
@@ -72,10 +71,10 @@ planning::SurfacingState parse_state(const json& waypoint) {
           .since_surfacing = core::Seconds{waypoint.at("since_last_surfacing_s").get<double>()},
           .position_error = {waypoint.at("position_error_m").get<double>()},
           .least_upper_turn = {waypoint.at("least_upper_turn_m").get<double>()},
-          .leg_upper_turn = later_metres(waypoint, "leg_upper_turn_m"),
-          .ice_free_before = later_metres(waypoint, "ice_free_before_m"),
-          .error_without_fix = later_metres(waypoint, "error_without_fix_m"),
-          .nearest_ice = later_metres(waypoint, "nearest_ice_m")};
+          .leg_upper_turn = stored_metres(waypoint, "leg_upper_turn_m"),
+          .ice_free_before = stored_metres(waypoint, "ice_free_before_m"),
+          .error_without_fix = stored_metres(waypoint, "error_without_fix_m"),
+          .nearest_ice = stored_metres(waypoint, "nearest_ice_m")};
 }
 
 }  // namespace
@@ -116,14 +115,14 @@ json surfacing_json(const std::optional<planning::SurfacingPlan>& plan) {
 }
 
 std::optional<planning::SurfacingPlan> parse_surfacing(const json& document) {
-  const auto found = document.find("surfacing");
-  if (found == document.end() || found->is_null()) return std::nullopt;
+  const json& surfacing = document.at("surfacing");
+  if (surfacing.is_null()) return std::nullopt;
   planning::SurfacingPlan plan;
-  plan.longest_without = core::Seconds{found->at("longest_without_surfacing_s").get<double>()};
-  plan.unknown_ice = {found->at("unknown_ice_m").get<double>()};
+  plan.longest_without = core::Seconds{surfacing.at("longest_without_surfacing_s").get<double>()};
+  plan.unknown_ice = {surfacing.at("unknown_ice_m").get<double>()};
   for (const json& waypoint : document.at("waypoints")) plan.waypoints.push_back(parse_state(waypoint));
-  for (const json& surfacing : found->at("planned")) plan.surfacings.push_back(parse_planned(surfacing));
-  for (const json& escape : found->at("escapes")) plan.escapes.push_back(parse_escape(escape));
+  for (const json& planned : surfacing.at("planned")) plan.surfacings.push_back(parse_planned(planned));
+  for (const json& escape : surfacing.at("escapes")) plan.escapes.push_back(parse_escape(escape));
   return plan;
 }
 

@@ -18,7 +18,7 @@ void add_surfacing_state(const std::optional<planning::SurfacingPlan>& plan, std
 /// is known of ice.
 [[nodiscard]] bool is_leg_below_ice(const std::optional<planning::SurfacingPlan>& plan, std::size_t waypoint);
 
-/// The reverse of both, for the document of a stored plan. A plan stored before there was ice has none.
+/// The reverse of both, for the document of a stored plan.
 /// Errors   nlohmann::json::exception when a member is missing or of another type; std::runtime_error for a time that
 ///          is none
 [[nodiscard]] std::optional<planning::SurfacingPlan> parse_surfacing(const nlohmann::json& document);

@@ -56,15 +56,10 @@ bool stays_damaged(sqlite3* database, std::uint64_t offset, std::size_t page_byt
   return true;
 }
 
-/// Whether the pages of an open database end with checksums.
-bool has_page_checksums(sqlite3* database) {
-  return layout_of_pages(bytes_in_file(database, 0, header_bytes)).has_checksums;
-}
-
 /// Numbers of the pages, from 1, whose bytes in the file are not those that were written. Others may read and write the
 /// database meanwhile. Of a file whose header reserves no bytes for checksums the first: nothing is known of the rest.
 /// Errors   Failure when the file cannot be read
-std::vector<std::uint32_t> damaged_pages(sqlite3* database) {
+std::vector<std::uint32_t> damaged_pages_of(sqlite3* database) {
   const auto header = bytes_in_file(database, 0, header_bytes);
   if (header.empty()) return {};  // a database that nothing was moved to yet
   const PageLayout layout = layout_of_pages(header);
@@ -206,10 +201,10 @@ Version SqliteDriver::version() {
 
 void SqliteDriver::back_up(const std::filesystem::path& file) { sqlite::back_up(*database_, file); }
 
-bool SqliteDriver::has_page_checksums() { return sqlite::has_page_checksums(database_->getHandle()); }
-
-std::vector<std::uint32_t> SqliteDriver::damaged_pages() {
-  return sqlite::damaged_pages(database_->getHandle());
+bool SqliteDriver::has_page_checksums() {
+  return layout_of_pages(bytes_in_file(database_->getHandle(), 0, header_bytes)).has_checksums;
 }
+
+std::vector<std::uint32_t> SqliteDriver::damaged_pages() { return damaged_pages_of(database_->getHandle()); }
 
 }  // namespace floeplan::sql::sqlite
