@@ -51,7 +51,7 @@ cost::RouteGrid grid_around(geo::PlanePoint centre, core::Metres radius, core::M
 /// No further than the strongest current can carry the vehicle, and some steps.
 core::Metres grid_radius(const cost::Sea& sea, const IsochroneRequest& request) {
   const core::MetresPerSecond current =
-      sea.currents() ? sea.currents()->strongest() : core::MetresPerSecond{0.0};
+      sea.domain().currents() ? sea.domain().currents()->strongest() : core::MetresPerSecond{0.0};
   const double fastest_m_s = request.through_water().value + current.value;
   const double farthest_m = 1.01 * fastest_m_s * request.reach().count() + 2.0 * request.step().value;
   return std::min(request.data_radius(), core::Metres{farthest_m});
@@ -79,7 +79,7 @@ class ReachedAreas {
 
  private:
   bool closed_between(Vertex in, Vertex out) const {
-    return sea_.closures().closed_between(open_.grid.point(in), open_.grid.point(out)).has_value();
+    return sea_.domain().closures().closed_between(open_.grid.point(in), open_.grid.point(out)).has_value();
   }
 
   /// How far the vehicle comes on the straight line towards a vertex that it does not reach that way.
@@ -136,10 +136,10 @@ Isochrone to_area(const std::vector<graph::GridPolygon>& polygons, const cost::R
   const double cell_m2 = grid.along.x_m * grid.across.y_m;
   Isochrone area;
   for (const graph::GridPolygon& polygon : polygons) {
-    geo::Polygon on_globe{.outer = to_ring(polygon.outer, grid, sea.projection()), .holes = {}};
+    geo::Polygon on_globe{.outer = to_ring(polygon.outer, grid, sea.domain().projection()), .holes = {}};
     area.area_m2 += area_m2(polygon.outer, cell_m2);
     for (const graph::GridRing& hole : polygon.holes) {
-      on_globe.holes.push_back(to_ring(hole, grid, sea.projection()));
+      on_globe.holes.push_back(to_ring(hole, grid, sea.domain().projection()));
       area.area_m2 += area_m2(hole, cell_m2);
     }
     std::ranges::move(geo::split_at_antimeridian(on_globe), std::back_inserter(area.polygons));
@@ -150,9 +150,9 @@ Isochrone to_area(const std::vector<graph::GridPolygon>& polygons, const cost::R
 /// Why the vehicle cannot be at the place when it leaves or is to arrive.
 std::optional<motion::EdgeClosed> closed_place(const cost::Sea& sea, geo::PlanePoint place,
                                                const IsochroneRequest& request) {
-  if (const auto closed = sea.safety().closed_at(request.place)) return closed;
+  if (const auto closed = sea.domain().safety().closed_at(request.place)) return closed;
   const core::Seconds then = request.time - request.begin();
-  for (const TimeSpan& span : sea.closures().closed_times(place)) {
+  for (const TimeSpan& span : sea.domain().closures().closed_times(place)) {
     if (span.from <= then && then <= span.until) return motion::EdgeClosed::obstacle;
   }
   return std::nullopt;
@@ -170,7 +170,7 @@ bool touches_rim(const search::Reached& reached, const cost::RouteGrid& grid, co
 }
 
 bool has_strong_currents(const cost::Sea& sea) {
-  return sea.currents() && sea.currents()->strongest() >= sea.through_water();
+  return sea.domain().currents() && sea.domain().currents()->strongest() >= sea.through_water();
 }
 
 /// Says so when the battery does not last as long as the longest span.
@@ -206,12 +206,12 @@ Result<Isochrones> find_isochrones(const ocean::Environment& environment, const 
     const search::Stop kind = request.direction == Direction::from ? search::Stop::start : search::Stop::goal;
     return tl::unexpected(search::explain_place(*closed, kind, request.place, sea, environment, voyage));
   }
-  sea.safety().open_around(place);
+  sea.domain().safety().open_around(place);
 
   const bool is_strong = has_strong_currents(sea);
   const int sectors = request.sectors.value_or(is_strong ? sectors_in_strong_currents : usual_sectors);
-  const search::OpenGrid open =
-      search::open_grid(sea, grid_around(place, grid_radius(sea, request), request.step()), sectors, stop);
+  const search::OpenGrid open = search::open_grid(
+      sea.domain(), grid_around(place, grid_radius(sea, request), request.step()), sectors, stop);
   const core::Seconds begin = request.direction == Direction::from ? core::Seconds{0.0} : -request.reach();
   const core::Seconds beyond = steps_beyond * (request.step() / sea.through_water());
   const search::Reached reached = search::find_reached(

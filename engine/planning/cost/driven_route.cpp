@@ -162,11 +162,11 @@ DrivenRoute choose_drives(const Sea& sea, const DrivenRoute& route, const Object
   return best;
 }
 
-DrivenRoute part_long_legs(const Sea& sea, const DrivenRoute& route, core::Metres longest) {
+DrivenRoute part_long_legs(const PlanningDomain& domain, const DrivenRoute& route, core::Metres longest) {
   DrivenRoute result{.points = {route.points.front()}, .fixed = {route.fixed.front()}, .drives = {}};
   for (std::size_t i = 1; i < route.points.size(); ++i) {
     const Route leg{{route.points[i - 1], route.points[i]}, {route.fixed[i - 1], route.fixed[i]}};
-    const Route parted = part_long_legs(sea, leg, longest);
+    const Route parted = part_long_legs(domain, leg, longest);
     for (std::size_t part = 1; part < parted.points.size(); ++part) {
       result.points.push_back(parted.points[part]);
       result.fixed.push_back(parted.fixed[part]);

@@ -65,6 +65,7 @@ struct DrivenTimes {
                                         core::Seconds depart, const std::stop_token& stop);
 
 /// Divides every leg longer than `longest` into equal legs. The line of the route does not change.
-[[nodiscard]] DrivenRoute part_long_legs(const Sea& sea, const DrivenRoute& route, core::Metres longest);
+[[nodiscard]] DrivenRoute part_long_legs(const PlanningDomain& domain, const DrivenRoute& route,
+                                         core::Metres longest);
 
 }  // namespace floeplan::planning::cost

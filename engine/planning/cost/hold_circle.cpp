@@ -8,7 +8,7 @@ namespace floeplan::planning::cost {
 namespace {
 
 bool may_be_below_ice(const Sea& sea, geo::PlanePoint place) {
-  return sea.ice() && sea.ice()->may_be_dense_along(place, place);
+  return sea.domain().ice() && sea.domain().ice()->may_be_dense_along(place, place);
 }
 
 geo::PlanePoint beside(geo::PlanePoint centre, double x_m, double y_m) {
@@ -17,7 +17,7 @@ geo::PlanePoint beside(geo::PlanePoint centre, double x_m, double y_m) {
 
 /// Whether all straight lines from the centre to the rim are free of permanent closures.
 bool is_open_to_rim(const Sea& sea, geo::PlanePoint centre, core::Metres radius) {
-  if (sea.closures().open_about(centre, radius)) return true;
+  if (sea.domain().closures().open_about(centre, radius)) return true;
   const double r_m = radius.value;
   const double d_m = r_m * std::sqrt(0.5);
   const std::array<geo::PlanePoint, 8> rim{beside(centre, r_m, 0.0),  beside(centre, d_m, d_m),
@@ -25,7 +25,7 @@ bool is_open_to_rim(const Sea& sea, geo::PlanePoint centre, core::Metres radius)
                                            beside(centre, -r_m, 0.0), beside(centre, -d_m, -d_m),
                                            beside(centre, 0.0, -r_m), beside(centre, d_m, -d_m)};
   return std::ranges::none_of(
-      rim, [&](geo::PlanePoint p) { return sea.closures().closed_between(centre, p).has_value(); });
+      rim, [&](geo::PlanePoint p) { return sea.domain().closures().closed_between(centre, p).has_value(); });
 }
 
 }  // namespace
@@ -41,18 +41,18 @@ HoldCircle::HoldCircle(const Sea& sea, geo::PlanePoint centre)
       is_open_{(!is_below_ice_ || sea.holding().radius_below_ice) && is_open_to_rim(sea, centre, radius_)} {}
 
 bool HoldCircle::is_kept(core::Seconds time) const {
-  if (is_below_ice_ && !sea_.ice()->may_transit(centre_, time)) return false;
-  if (sea_.currents() == nullptr) return true;
+  if (is_below_ice_ && !sea_.domain().ice()->may_transit(centre_, time)) return false;
+  if (sea_.domain().currents() == nullptr) return true;
   const double most_m_s = hold_share * sea_.through_water().value;
   return std::ranges::all_of(looks_, [&](geo::PlanePoint look) {
-    const auto current = (*sea_.currents())(look, time);
+    const auto current = (*sea_.domain().currents())(look, time);
     return current && std::hypot(current->x_m_s, current->y_m_s) <= most_m_s;
   });
 }
 
 bool HoldCircle::is_always_kept() const {
   if (is_below_ice_) return false;
-  if (sea_.currents() == nullptr) return true;
+  if (sea_.domain().currents() == nullptr) return true;
   const auto calm = sea_.holding().calm;
   if (!calm) return false;
   const currents::CurrentEnvelope::Box box = calm->about(centre_);
@@ -62,9 +62,9 @@ bool HoldCircle::is_always_kept() const {
 }
 
 std::vector<TimeSpan> HoldCircle::closed_times() const {
-  std::vector<TimeSpan> closed = sea_.closures().closed_times_by_icebergs(centre_, radius_);
+  std::vector<TimeSpan> closed = sea_.domain().closures().closed_times_by_icebergs(centre_, radius_);
   for (const geo::PlanePoint look : looks_)
-    std::ranges::copy(sea_.closures().closed_times_by_zones(look), std::back_inserter(closed));
+    std::ranges::copy(sea_.domain().closures().closed_times_by_zones(look), std::back_inserter(closed));
   return joined(std::move(closed));
 }
 

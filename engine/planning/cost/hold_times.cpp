@@ -23,13 +23,13 @@ bool opens_again(motion::EdgeClosed closed) {
 
 /// The end of the currents, at most `until`.
 core::Seconds known_until(const Sea& sea, core::Seconds until) {
-  return sea.currents() ? std::min(until, sea.currents()->end().value_or(until)) : until;
+  return sea.domain().currents() ? std::min(until, sea.domain().currents()->end().value_or(until)) : until;
 }
 
 /// The next time to check. Between two steps of the data a current changes linearly, so it is strongest at one of
 /// them.
 core::Seconds next_look(const Sea& sea, core::Seconds now, core::Seconds until) {
-  return sea.currents() ? std::min(until, sea.currents()->next_step(now)) : until;
+  return sea.domain().currents() ? std::min(until, sea.domain().currents()->next_step(now)) : until;
 }
 
 /// Last checked time until which the vehicle stays within the circle. Before `from`: the vehicle cannot hold at all.
@@ -120,15 +120,16 @@ std::optional<core::Seconds> departure_after(const Sea& sea, geo::PlanePoint a, 
     }
   }
   if (opens_again(closed)) {
-    const auto clear = sea.closures().first_clear_departure(a, b, unhindered, depart, until);
+    const auto clear = sea.domain().closures().first_clear_departure(a, b, unhindered, depart, until);
     if (!clear) return std::nullopt;
     is_first = *clear > depart;
     return is_first ? *clear : depart + fineness_of_waits(unhindered);
   }
   if (closed == motion::EdgeClosed::under_ice) return depart + between_looks;
-  if (closed != motion::EdgeClosed::current_too_strong || !sea.currents() || !sea.currents()->time_step())
+  if (closed != motion::EdgeClosed::current_too_strong || !sea.domain().currents() ||
+      !sea.domain().currents()->time_step())
     return std::nullopt;
-  return depart + std::max(between_looks, *sea.currents()->time_step() / tries_per_time_step);
+  return depart + std::max(between_looks, *sea.domain().currents()->time_step() / tries_per_time_step);
 }
 
 /// The leg with the shortest wait, to within `punctual`, that is open after a refused departure.
@@ -153,7 +154,7 @@ tl::expected<WaitedLeg, motion::EdgeClosed> leg_when_slack(const Sea& sea, geo::
                                                            geo::PlanePoint b, core::Seconds arrive,
                                                            core::Seconds latest, core::Seconds not_before) {
   const auto closed = tl::unexpected(motion::EdgeClosed::current_too_strong);
-  if (!sea.currents() || !sea.currents()->time_step()) return closed;
+  if (!sea.domain().currents() || !sea.domain().currents()->time_step()) return closed;
   const core::Seconds stays = can_stay_until(sea, a, arrive, arrive + sea.holding().longest);
   const core::Seconds between = between_tries(sea, stays - arrive);
   core::Seconds refused = arrive;
@@ -169,8 +170,8 @@ tl::expected<WaitedLeg, motion::EdgeClosed> leg_when_slack(const Sea& sea, geo::
 }  // namespace
 
 bool holds_may_help(const Sea& sea) {
-  const bool currents_change = sea.currents() && sea.currents()->time_step();
-  return sea.holding().longest.count() > 0.0 && (sea.closures().any_timed() || currents_change);
+  const bool currents_change = sea.domain().currents() && sea.domain().currents()->time_step();
+  return sea.holding().longest.count() > 0.0 && (sea.domain().closures().any_timed() || currents_change);
 }
 
 core::Seconds can_stay_until(const Sea& sea, geo::PlanePoint place, core::Seconds from, core::Seconds until) {
@@ -188,7 +189,7 @@ bool current_lets_stay(const Sea& sea, geo::PlanePoint place, core::Seconds from
 }
 
 core::Seconds between_tries(const Sea& sea, core::Seconds stays) {
-  return std::max(*sea.currents()->time_step() / tries_per_time_step, stays / tries_in_currents);
+  return std::max(*sea.domain().currents()->time_step() / tries_per_time_step, stays / tries_in_currents);
 }
 
 core::Seconds fineness_of_waits(core::Seconds leg_time) {
@@ -203,11 +204,11 @@ tl::expected<WaitedLeg, motion::EdgeClosed> leg_when_open(const Sea& sea, geo::P
   if (at_once && earliest == arrive) return WaitedLeg{core::Seconds{0.0}, *at_once};
   if (!at_once && at_once.error() == motion::EdgeClosed::current_too_strong && holds_may_help(sea))
     return leg_when_slack(sea, a, b, arrive, latest, earliest);
-  const bool may_wait = sea.holding().longest.count() > 0.0 && sea.closures().any_timed();
+  const bool may_wait = sea.holding().longest.count() > 0.0 && sea.domain().closures().any_timed();
   if (!may_wait || (!at_once && !opens_again(at_once.error())))
     return at_once.map([](core::Seconds time) { return WaitedLeg{core::Seconds{0.0}, time}; });
   const auto closed = tl::unexpected(at_once ? motion::EdgeClosed::too_late : at_once.error());
-  if (sea.closures().closed_between(a, b)) return closed;
+  if (sea.domain().closures().closed_between(a, b)) return closed;
 
   const core::Seconds stays = can_stay_until(sea, a, arrive, arrive + sea.holding().longest);
   core::Seconds depart = earliest;
@@ -215,7 +216,7 @@ tl::expected<WaitedLeg, motion::EdgeClosed> leg_when_open(const Sea& sea, geo::P
   for (int i = 0; i < most_tries && depart <= stays; ++i) {
     const auto unhindered = sea.leg_time_without_timed_closures(a, b, depart, latest);
     if (!unhindered) return closed;
-    const auto clear = sea.closures().first_clear_departure(a, b, *unhindered, depart, stays);
+    const auto clear = sea.domain().closures().first_clear_departure(a, b, *unhindered, depart, stays);
     if (!clear) return closed;
     depart = *clear;
     const auto time = sea.leg_time(a, b, depart, latest);
@@ -235,7 +236,7 @@ tl::expected<core::Seconds, motion::EdgeClosed> time_with_wait(const Sea& sea, g
 OpenLegLook next_open_leg(const Sea& sea, geo::PlanePoint a, geo::PlanePoint b, TimeSpan departures,
                           core::Seconds not_before) {
   const OpenLegLook none{std::nullopt, core::Seconds{INFINITY}};
-  if (sea.closures().closed_between(a, b)) return none;
+  if (sea.domain().closures().closed_between(a, b)) return none;
   const auto open_at = [&](core::Seconds depart) -> std::optional<OpenLeg> {
     const auto time = sea.leg_time(a, b, depart);
     if (!time || depart + *time < not_before) return std::nullopt;
@@ -292,10 +293,11 @@ OpenLeg open_leg_until(const Sea& sea, geo::PlanePoint a, geo::PlanePoint b, con
   constexpr core::Seconds least_step{300.0};
   constexpr int most_steps = 12;
   // A disc may pass in minutes; currents open and close at the pace of their data.
-  const bool by_currents_alone = !sea.closures().any_timed() && sea.currents() && sea.currents()->time_step();
-  const core::Seconds step = by_currents_alone
-                                 ? std::max(between_looks, *sea.currents()->time_step() / tries_per_time_step)
-                                 : std::max(least_step, fineness_of_waits(leg.time));
+  const bool by_currents_alone =
+      !sea.domain().closures().any_timed() && sea.domain().currents() && sea.domain().currents()->time_step();
+  const core::Seconds step =
+      by_currents_alone ? std::max(between_looks, *sea.domain().currents()->time_step() / tries_per_time_step)
+                        : std::max(least_step, fineness_of_waits(leg.time));
   const auto open_at = [&](core::Seconds depart) -> std::optional<OpenLeg> {
     const auto time = sea.leg_time(a, b, depart);
     if (!time || depart + *time > latest_arrival) return std::nullopt;
@@ -338,7 +340,7 @@ std::vector<graph::SafeInterval> safe_intervals(const Sea& sea, geo::PlanePoint 
     add(from, until, false);
   };
   core::Seconds from = within.from;
-  for (const TimeSpan& closed : sea.closures().closed_times(place)) {
+  for (const TimeSpan& closed : sea.domain().closures().closed_times(place)) {
     if (closed.until <= from) continue;
     if (closed.from >= within.until) break;
     add_clear(from, closed.from);
@@ -353,8 +355,8 @@ core::Seconds end_of_looks(const Sea& sea, core::Seconds depart, core::Metres wa
   constexpr double slowest_share =
       0.25;  // share of the speed through water: slowest average speed of a route
   const core::Seconds end = depart + longest_look + way / (slowest_share * sea.through_water());
-  if (!sea.currents()) return end;
-  return std::min(end, sea.currents()->end().value_or(end));
+  if (!sea.domain().currents()) return end;
+  return std::min(end, sea.domain().currents()->end().value_or(end));
 }
 
 std::size_t interval_of(const std::vector<TimeSpan>& closed, core::Seconds time) {

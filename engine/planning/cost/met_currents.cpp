@@ -23,9 +23,9 @@ geo::VelocityEn to_east_north(motion::CurrentXy current, core::Radians convergen
 }  // namespace
 
 CarriedWay carried_between(const Sea& sea, const Sea::Passage& from, const Sea::Passage& to) {
-  if (sea.currents() == nullptr) return {};
+  if (sea.domain().currents() == nullptr) return {};
   const core::Seconds took = to.time - from.time;
-  const auto current = (*sea.currents())(half_way(from.point, to.point), from.time + 0.5 * took);
+  const auto current = (*sea.domain().currents())(half_way(from.point, to.point), from.time + 0.5 * took);
   return current.value_or(motion::CurrentXy{}) * took;
 }
 
@@ -34,7 +34,7 @@ std::vector<std::optional<geo::VelocityEn>> leg_currents(const Sea& sea,
                                                          const Schedule& schedule,
                                                          const std::vector<vehicle::Drive>& drives) {
   std::vector<std::optional<geo::VelocityEn>> currents(route.size());
-  if (sea.currents() == nullptr) return currents;
+  if (sea.domain().currents() == nullptr) return currents;
   for (std::size_t i = 1; i < route.size(); ++i) {
     const core::Seconds leaves = schedule.leaves(i - 1);
     CarriedWay carried;
@@ -42,9 +42,9 @@ std::vector<std::optional<geo::VelocityEn>> leg_currents(const Sea& sea,
       carried = carried + carried_between(sea, {move.from, core::Seconds{move.t0_s}},
                                           {move.to, core::Seconds{move.t1_s}});
     }
-    const geo::LonLat middle = sea.projection().to_lon_lat(half_way(route[i - 1], route[i]));
-    currents[i] =
-        to_east_north(carried.over(schedule.arrivals[i] - leaves), sea.projection().at(middle).convergence);
+    const geo::LonLat middle = sea.domain().projection().to_lon_lat(half_way(route[i - 1], route[i]));
+    currents[i] = to_east_north(carried.over(schedule.arrivals[i] - leaves),
+                                sea.domain().projection().at(middle).convergence);
   }
   return currents;
 }

@@ -6,7 +6,7 @@
 
 #include "engine/planning/cost/held_schedule.hpp"
 #include "engine/planning/cost/hold_times.hpp"
-#include "engine/planning/cost/surfacing_wait.hpp"
+#include "engine/planning/cost/surfacing_watch.hpp"
 
 namespace floeplan::planning::cost {
 namespace {
@@ -24,8 +24,8 @@ RouteClosed locate(const Sea& sea, geo::PlanePoint from, geo::PlanePoint to, cor
     const auto leg = sea.leg(here, next, now, since_surfacing);
     if (!leg) {
       const bool out_of_time = leg.error() == motion::EdgeClosed::outside_data &&
-                               !sea.safety().closed_between(here, next) &&
-                               sea.currents_known_to_end(next, now);
+                               !sea.domain().safety().closed_between(here, next) &&
+                               sea.domain().currents_known_to_end(next, now);
       return {leg.error(), here, now, out_of_time};
     }
     here = next;
@@ -64,8 +64,8 @@ bool replaces(const Sea& sea, geo::PlanePoint point, const std::vector<TimeSpan>
   if (first.arrival > other.arrival || other.arrival - first.arrival > sea.holding().longest) return false;
   if (interval_of(closed, first.arrival) != interval_of(closed, other.arrival)) return false;
   if (!current_lets_stay(sea, point, first.arrival, other.arrival)) return false;
-  const auto since_surfacing =
-      since_surfacing_after_wait(sea, point, first.arrival, other.arrival, first.since_surfacing);
+  const auto since_surfacing = since_surfacing_after_wait(sea.domain().overhead(), point, first.arrival,
+                                                          other.arrival, first.since_surfacing);
   return since_surfacing && *since_surfacing <= other.since_surfacing;
 }
 
@@ -74,9 +74,10 @@ bool replaces(const Sea& sea, geo::PlanePoint point, const std::vector<TimeSpan>
 std::optional<Stage> stage_after(const Sea& sea, geo::PlanePoint from, geo::PlanePoint to, const Stage& stage,
                                  const WaitedLeg& leg) {
   Stage next{.arrival = stage.arrival + leg.total(), .since_surfacing = {}, .waited = leg.wait};
-  if (!sea.overhead().bounds_surfacing()) return next;
+  if (!sea.domain().overhead().bounds_surfacing()) return next;
   const core::Seconds leaves = stage.arrival + leg.wait;
-  const auto waited = since_surfacing_after_wait(sea, from, stage.arrival, leaves, stage.since_surfacing);
+  const auto waited =
+      since_surfacing_after_wait(sea.domain().overhead(), from, stage.arrival, leaves, stage.since_surfacing);
   if (!waited) return std::nullopt;
   const auto drive = sea.leg(from, to, leaves, *waited);
   if (!drive) return std::nullopt;
@@ -91,7 +92,7 @@ std::optional<Schedule> with_waits(const Sea& sea, const std::vector<geo::PlaneP
   constexpr std::size_t most_stages = 16;
   std::vector<std::vector<Stage>> stages{{{.arrival = depart, .since_surfacing = since_surfacing}}};
   for (std::size_t i = 1; i < route.size(); ++i) {
-    const std::vector<TimeSpan> closed = sea.closures().closed_times(route[i]);
+    const std::vector<TimeSpan> closed = sea.domain().closures().closed_times(route[i]);
     std::vector<Stage> here;
     const auto add = [&](const Stage& stage) {
       const auto is_replaced = [&](const Stage& other) {
@@ -130,8 +131,8 @@ tl::expected<Schedule, RouteClosed> schedule_along(const Sea& sea, const std::ve
                                                    core::Seconds depart, core::Seconds since_surfacing) {
   auto at_once = without_waits(sea, route, depart, since_surfacing);
   if (at_once || !holds_may_help(sea)) return at_once;
-  auto waited = sea.overhead().bounds_surfacing() ? with_waits(sea, route, depart, since_surfacing)
-                                                  : held_schedule(sea, route, depart);
+  auto waited = sea.domain().overhead().bounds_surfacing() ? with_waits(sea, route, depart, since_surfacing)
+                                                           : held_schedule(sea, route, depart);
   if (!waited) return at_once;
   return *std::move(waited);
 }
@@ -139,8 +140,8 @@ tl::expected<Schedule, RouteClosed> schedule_along(const Sea& sea, const std::ve
 core::Seconds earliest_arrival(const Sea& sea, const std::vector<geo::PlanePoint>& stops) {
   core::Seconds earliest = at_departure;
   for (std::size_t i = 1; i < stops.size(); ++i)
-    earliest =
-        open_from(sea.closures().closed_times(stops[i]), earliest + sea.least_time(stops[i - 1], stops[i]));
+    earliest = open_from(sea.domain().closures().closed_times(stops[i]),
+                         earliest + sea.least_time(stops[i - 1], stops[i]));
   return earliest;
 }
 
@@ -152,8 +153,8 @@ std::optional<core::Seconds> since_surfacing_at_end(const Sea& sea, const std::v
   if (!schedule || schedule->arrivals.back() > latest + rounding) return std::nullopt;
   std::optional<core::Seconds> since = since_surfacing;
   for (std::size_t i = 1; i < route.size() && since; ++i) {
-    since = since_surfacing_after_wait(sea, route[i - 1], schedule->arrivals[i - 1], schedule->leaves(i - 1),
-                                       *since);
+    since = since_surfacing_after_wait(sea.domain().overhead(), route[i - 1], schedule->arrivals[i - 1],
+                                       schedule->leaves(i - 1), *since);
     if (!since) return std::nullopt;
     const auto leg = sea.leg(route[i - 1], route[i], schedule->leaves(i - 1), *since);
     since = leg ? std::optional{leg->since_surfacing} : std::nullopt;

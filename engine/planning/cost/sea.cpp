@@ -34,50 +34,28 @@ Sea::Holding holding_of(const PlanRequest& request, core::MetresPerSecond fastes
 Sea::Sea(const ocean::Environment& environment, const PlanRequest& request,
          const geo::LocalProjection& projection, const plane::PlaneBox& area, core::Metres cell,
          const std::stop_token& stop, CurrentsShelf* shelf)
-    : Sea{environment, request, lay_out_zones(environment, request), projection, area, cell, stop, shelf} {}
-
-Sea::Sea(const ocean::Environment& environment, const PlanRequest& request, obstacles::ZoneRules zones,
-         const geo::LocalProjection& projection, const plane::PlaneBox& area, core::Metres cell,
-         const std::stop_token& stop, CurrentsShelf* shelf)
-    : projection_{projection},
+    : domain_{environment, request, projection, area, cell, stop, shelf},
       drives_{planning::drives(request.energy, request.vehicle)},
       buoyancy_speed_{request.vehicle.speed_through_water},
       thruster_speed_{request.vehicle.thruster ? request.vehicle.thruster->speed : buoyancy_speed_},
       edge_tolerance_{request.edge_tolerance},
-      lengths_{projection, area},
-      safety_{environment, request.vehicle.least_water(), std::move(zones.standing), projection, area, cell,
-              stop},
-      timed_zones_{lay_out_timed_zones(zones.timed, request, projection, area)},
-      bed_{lay_out_bed_below(environment, request, projection, area, cell, stop)},
-      overhead_{lay_out_ice(environment, request, projection, area, cell, bed_, stop),
-                lay_out_icebergs(environment, request, projection, area, bed_, stop),
-                request.under_ice.max_time_without_surfacing},
-      encounters_{lay_out_encounters(icebergs(), environment, request, area, stop)},
-      depths_{request.vehicle.dive_limits(), environment.bathymetry},
-      currents_{shelf != nullptr
-                    ? shelf->take(request, depths_, ice() ? &*ice() : nullptr, projection, area, stop)
-                    : lay_out_currents(environment, request, depths_, ice() ? &*ice() : nullptr, projection,
-                                       area, stop)},
-      energy_{request.vehicle, depths_, projection, area, stop} {
-  accuracy_ = currents::drive_accuracy(currents_.get(), request.edge_tolerance);
+      accuracy_{currents::drive_accuracy(domain_.currents(), request.edge_tolerance)},
+      encounters_{lay_out_encounters(domain_.icebergs(), environment, request, area, stop)},
+      energy_{request.vehicle, domain_.depths(), projection, area, stop} {
   fastest_through_water_ = std::max(speed(drives_.front()), speed(drives_.back()));
-  const core::MetresPerSecond astern{currents_ ? currents_->strongest().value : 0.0};
+  const core::MetresPerSecond astern{domain_.currents() ? domain_.currents()->strongest().value : 0.0};
   // Slightly below the bound, because integrated times have an error of the tolerance.
   least_slowness_s_m_ = (1.0 - request.edge_tolerance) / (fastest_through_water_ + astern).value;
-  holding_ = holding_of(request, fastest_through_water_, lengths_.largest_scale(), currents_.get());
+  holding_ =
+      holding_of(request, fastest_through_water_, domain_.lengths().largest_scale(), domain_.currents());
 }
 
-std::size_t Sea::bytes() const {
-  // The memory of the shared bed is counted with the ice.
-  const std::size_t of_bed = bed_ && !ice() ? bed_->bytes() : 0;
-  return safety_.bytes() + icebergs().bytes() + energy_.bytes() + of_bed + (ice() ? ice()->bytes() : 0) +
-         (currents_ ? currents_->bytes() : 0);
-}
+std::size_t Sea::bytes() const { return domain_.bytes() + energy_.bytes(); }
 
 EnergyUse Sea::energy_along(geo::PlanePoint a, geo::PlanePoint b, core::Seconds depart, core::Seconds time,
                             vehicle::Drive drive) const {
-  const motion::PlaneEdge edge{a, b, lengths_.between(a, b)};
-  EnergyMeter meter{energy_, overhead_, edge, depart, drive, Dives::over_bed};
+  const motion::PlaneEdge edge{a, b, domain_.lengths().between(a, b)};
+  EnergyMeter meter{energy_, domain_.overhead(), edge, depart, drive, Dives::over_bed};
   (void)drive_time(edge, depart, core::Seconds{INFINITY}, speed(drive),
                    [&](const motion::EdgePiece& piece) -> std::optional<motion::EdgeClosed> {
                      meter.add(piece);
@@ -91,7 +69,7 @@ tl::expected<core::Seconds, motion::EdgeClosed> Sea::drive_time(const motion::Pl
                                                                 core::Seconds depart, core::Seconds latest,
                                                                 core::MetresPerSecond through_water,
                                                                 const VisitPiece& visit) const {
-  return planning::currents::drive_time(currents_.get(), edge, depart, through_water, accuracy_, latest,
+  return planning::currents::drive_time(domain_.currents(), edge, depart, through_water, accuracy_, latest,
                                         visit);
 }
 
@@ -104,17 +82,19 @@ tl::expected<core::Seconds, motion::EdgeClosed> Sea::leg_time(geo::PlanePoint a,
 tl::expected<core::Seconds, motion::EdgeClosed> Sea::leg_time(geo::PlanePoint a, geo::PlanePoint b,
                                                               core::Seconds depart, core::Seconds latest,
                                                               vehicle::Drive drive) const {
-  if (const auto closed = closures().closed_between(a, b)) return tl::unexpected(*closed);
-  const bool ice_may_close = ice() && ice()->may_close(a, b);
-  if (!closures().any_timed() && !ice_may_close) {
-    return drive_time({a, b, lengths_.between(a, b)}, depart, latest, speed(drive), motion::VisitNoPiece{});
+  if (const auto closed = domain_.closures().closed_between(a, b)) return tl::unexpected(*closed);
+  const bool ice_may_close = domain_.ice() && domain_.ice()->may_close(a, b);
+  if (!domain_.closures().any_timed() && !ice_may_close) {
+    return drive_time({a, b, domain_.lengths().between(a, b)}, depart, latest, speed(drive),
+                      motion::VisitNoPiece{});
   }
-  const motion::PlaneEdge edge{a, b, lengths_.between(a, b)};
+  const motion::PlaneEdge edge{a, b, domain_.lengths().between(a, b)};
   const double error_m = edge_tolerance_ * geo::distance_m(a, b);
   return drive_time(edge, depart, latest, speed(drive),
                     [&](const motion::EdgePiece& piece) -> std::optional<motion::EdgeClosed> {
-                      if (const auto closed = closures().closed_during(edge, piece, error_m)) return closed;
-                      if (ice_may_close && !ice()->may_transit_along(edge, piece))
+                      if (const auto closed = domain_.closures().closed_during(edge, piece, error_m))
+                        return closed;
+                      if (ice_may_close && !domain_.ice()->may_transit_along(edge, piece))
                         return motion::EdgeClosed::under_ice;
                       return std::nullopt;
                     });
@@ -122,15 +102,15 @@ tl::expected<core::Seconds, motion::EdgeClosed> Sea::leg_time(geo::PlanePoint a,
 
 tl::expected<core::Seconds, motion::EdgeClosed> Sea::leg_time_without_timed_closures(
     geo::PlanePoint a, geo::PlanePoint b, core::Seconds depart, core::Seconds latest) const {
-  if (const auto closed = closures().closed_between(a, b)) return tl::unexpected(*closed);
-  return drive_time({a, b, lengths_.between(a, b)}, depart, latest, speed(drives_.front()),
+  if (const auto closed = domain_.closures().closed_between(a, b)) return tl::unexpected(*closed);
+  return drive_time({a, b, domain_.lengths().between(a, b)}, depart, latest, speed(drives_.front()),
                     motion::VisitNoPiece{});
 }
 
 std::vector<motion::EvenMove> Sea::drive(geo::PlanePoint a, geo::PlanePoint b, core::Seconds depart,
                                          vehicle::Drive drive) const {
   std::vector<motion::EvenMove> moves;
-  const motion::PlaneEdge edge{a, b, lengths_.between(a, b)};
+  const motion::PlaneEdge edge{a, b, domain_.lengths().between(a, b)};
   const auto follow = [&](const motion::EdgePiece& piece) -> std::optional<motion::EdgeClosed> {
     constexpr double most_deviation_m = 1.0;
     return motion::follow_piece(
@@ -147,17 +127,17 @@ std::vector<motion::EvenMove> Sea::drive(geo::PlanePoint a, geo::PlanePoint b, c
 tl::expected<core::Seconds, motion::EdgeClosed> Sea::drive_time_back(const motion::PlaneEdge& edge,
                                                                      core::Seconds arrive,
                                                                      core::Seconds earliest) const {
-  if (!currents_) return edge.ground_length / through_water();
-  return motion::edge_time_back(edge, arrive, through_water(), *currents_, accuracy_, earliest);
+  if (!domain_.currents()) return edge.ground_length / through_water();
+  return motion::edge_time_back(edge, arrive, through_water(), *domain_.currents(), accuracy_, earliest);
 }
 
 tl::expected<core::Seconds, motion::EdgeClosed> Sea::leg_time_back(geo::PlanePoint a, geo::PlanePoint b,
                                                                    core::Seconds arrive,
                                                                    core::Seconds earliest) const {
-  if (const auto closed = closures().closed_between(a, b)) return tl::unexpected(*closed);
-  const auto time = drive_time_back({a, b, lengths_.between(a, b)}, arrive, earliest);
-  const bool ice_may_close = ice() && ice()->may_close(a, b);
-  if (!time || !(closures().any_timed() || ice_may_close)) return time;
+  if (const auto closed = domain_.closures().closed_between(a, b)) return tl::unexpected(*closed);
+  const auto time = drive_time_back({a, b, domain_.lengths().between(a, b)}, arrive, earliest);
+  const bool ice_may_close = domain_.ice() && domain_.ice()->may_close(a, b);
+  if (!time || !(domain_.closures().any_timed() || ice_may_close)) return time;
   // Timed closures and the room below the ice are tested along the drive itself.
   const auto forwards = leg_time(a, b, arrive - *time);
   if (!forwards) return tl::unexpected(forwards.error());
@@ -166,8 +146,8 @@ tl::expected<core::Seconds, motion::EdgeClosed> Sea::leg_time_back(geo::PlanePoi
 
 tl::expected<core::Seconds, motion::EdgeClosed> Sea::leg_time_back_without_timed_closures(
     geo::PlanePoint a, geo::PlanePoint b, core::Seconds arrive, core::Seconds earliest) const {
-  if (const auto closed = closures().closed_between(a, b)) return tl::unexpected(*closed);
-  return drive_time_back({a, b, lengths_.between(a, b)}, arrive, earliest);
+  if (const auto closed = domain_.closures().closed_between(a, b)) return tl::unexpected(*closed);
+  return drive_time_back({a, b, domain_.lengths().between(a, b)}, arrive, earliest);
 }
 
 tl::expected<Sea::Leg, motion::EdgeClosed> Sea::leg(geo::PlanePoint a, geo::PlanePoint b,
@@ -180,21 +160,22 @@ tl::expected<Sea::Leg, motion::EdgeClosed> Sea::leg(geo::PlanePoint a, geo::Plan
                                                     core::Seconds depart, core::Seconds since_surfacing,
                                                     vehicle::Drive drive) const {
   constexpr core::Seconds never{INFINITY};
-  if (!ice() && !overhead_.bounds_surfacing()) {
+  if (!domain_.ice() && !domain_.overhead().bounds_surfacing()) {
     return leg_time(a, b, depart, never, drive).map([](core::Seconds time) {
       return Leg{time, core::Seconds{0.0}};
     });
   }
-  if (const auto closed = closures().closed_between(a, b)) return tl::unexpected(*closed);
-  const motion::PlaneEdge edge{a, b, lengths_.between(a, b)};
-  SurfacingWatch watch{overhead_, edge, since_surfacing};
+  if (const auto closed = domain_.closures().closed_between(a, b)) return tl::unexpected(*closed);
+  const motion::PlaneEdge edge{a, b, domain_.lengths().between(a, b)};
+  SurfacingWatch watch{domain_.overhead(), edge, since_surfacing};
   const double error_m = edge_tolerance_ * geo::distance_m(a, b);
-  const auto time = drive_time(edge, depart, never, speed(drive),
-                               [&](const motion::EdgePiece& piece) -> std::optional<motion::EdgeClosed> {
-                                 if (const auto closed = closures().closed_during(edge, piece, error_m))
-                                   return closed;
-                                 return watch(piece);
-                               });
+  const auto time =
+      drive_time(edge, depart, never, speed(drive),
+                 [&](const motion::EdgePiece& piece) -> std::optional<motion::EdgeClosed> {
+                   if (const auto closed = domain_.closures().closed_during(edge, piece, error_m))
+                     return closed;
+                   return watch(piece);
+                 });
   if (!time) return tl::unexpected(time.error());
   return Leg{*time, watch.since_surfacing()};
 }
@@ -204,25 +185,26 @@ tl::expected<Sea::MeteredLeg, motion::EdgeClosed> Sea::metered_leg(geo::PlanePoi
                                                                    core::Seconds since_surfacing,
                                                                    core::Seconds latest, vehicle::Drive drive,
                                                                    Dives dives) const {
-  if (const auto closed = closures().closed_between(a, b)) return tl::unexpected(*closed);
-  const motion::PlaneEdge edge{a, b, lengths_.between(a, b)};
+  if (const auto closed = domain_.closures().closed_between(a, b)) return tl::unexpected(*closed);
+  const motion::PlaneEdge edge{a, b, domain_.lengths().between(a, b)};
   const double error_m = edge_tolerance_ * geo::distance_m(a, b);
-  const bool ice_may_close = ice() && ice()->may_close(a, b);
+  const bool ice_may_close = domain_.ice() && domain_.ice()->may_close(a, b);
   std::optional<SurfacingWatch> watch;
-  if (overhead_.bounds_surfacing()) watch.emplace(overhead_, edge, since_surfacing);
-  EnergyMeter meter{energy_, overhead_, edge, depart, drive, dives};
-  const auto time = drive_time(edge, depart, latest, speed(drive),
-                               [&](const motion::EdgePiece& piece) -> std::optional<motion::EdgeClosed> {
-                                 if (const auto closed = closures().closed_during(edge, piece, error_m))
-                                   return closed;
-                                 if (watch) {
-                                   if (const auto closed = (*watch)(piece)) return closed;
-                                 } else if (ice_may_close && !ice()->may_transit_along(edge, piece)) {
-                                   return motion::EdgeClosed::under_ice;
-                                 }
-                                 meter.add(piece);
-                                 return std::nullopt;
-                               });
+  if (domain_.overhead().bounds_surfacing()) watch.emplace(domain_.overhead(), edge, since_surfacing);
+  EnergyMeter meter{energy_, domain_.overhead(), edge, depart, drive, dives};
+  const auto time =
+      drive_time(edge, depart, latest, speed(drive),
+                 [&](const motion::EdgePiece& piece) -> std::optional<motion::EdgeClosed> {
+                   if (const auto closed = domain_.closures().closed_during(edge, piece, error_m))
+                     return closed;
+                   if (watch) {
+                     if (const auto closed = (*watch)(piece)) return closed;
+                   } else if (ice_may_close && !domain_.ice()->may_transit_along(edge, piece)) {
+                     return motion::EdgeClosed::under_ice;
+                   }
+                   meter.add(piece);
+                   return std::nullopt;
+                 });
   if (!time) return tl::unexpected(time.error());
   const core::Seconds since = watch ? watch->since_surfacing() : core::Seconds{0.0};
   return MeteredLeg{{*time, since}, meter.until(depart + *time)};
@@ -232,19 +214,20 @@ tl::expected<Sea::LegBack, motion::EdgeClosed> Sea::leg_back(geo::PlanePoint a, 
                                                              core::Seconds arrive,
                                                              core::Seconds until_surfacing,
                                                              core::Seconds earliest) const {
-  if (const auto closed = closures().closed_between(a, b)) return tl::unexpected(*closed);
-  const motion::PlaneEdge edge{a, b, lengths_.between(a, b)};
+  if (const auto closed = domain_.closures().closed_between(a, b)) return tl::unexpected(*closed);
+  const motion::PlaneEdge edge{a, b, domain_.lengths().between(a, b)};
   const auto time = drive_time_back(edge, arrive, earliest);
   if (!time) return tl::unexpected(time.error());
   const core::Seconds depart = arrive - *time;
-  SurfacingOutlook outlook{overhead_, edge, depart};
+  SurfacingOutlook outlook{domain_.overhead(), edge, depart};
   const double error_m = edge_tolerance_ * geo::distance_m(a, b);
-  const auto forwards = drive_time(edge, depart, core::Seconds{INFINITY}, through_water(),
-                                   [&](const motion::EdgePiece& piece) -> std::optional<motion::EdgeClosed> {
-                                     if (const auto closed = closures().closed_during(edge, piece, error_m))
-                                       return closed;
-                                     return outlook(piece);
-                                   });
+  const auto forwards =
+      drive_time(edge, depart, core::Seconds{INFINITY}, through_water(),
+                 [&](const motion::EdgePiece& piece) -> std::optional<motion::EdgeClosed> {
+                   if (const auto closed = domain_.closures().closed_during(edge, piece, error_m))
+                     return closed;
+                   return outlook(piece);
+                 });
   if (!forwards) return tl::unexpected(forwards.error());
   return outlook.until_surfacing(until_surfacing).map([&](core::Seconds until) {
     return LegBack{*time, until};
@@ -252,24 +235,24 @@ tl::expected<Sea::LegBack, motion::EdgeClosed> Sea::leg_back(geo::PlanePoint a, 
 }
 
 core::Seconds Sea::least_time_to_opening(geo::PlanePoint point) const {
-  const core::Metres way = ice() ? ice()->least_way_to_opening(point) : core::Metres{0.0};
-  return core::Seconds{least_slowness_s_m_ * way.value / lengths_.largest_scale()};
+  const core::Metres way = domain_.ice() ? domain_.ice()->least_way_to_opening(point) : core::Metres{0.0};
+  return core::Seconds{least_slowness_s_m_ * way.value / domain_.lengths().largest_scale()};
 }
 
 std::vector<double> Sea::least_times_to_opening_s(const std::vector<geo::PlanePoint>& points,
                                                   core::Seconds from, core::Seconds until) const {
   std::vector<double> times_s(points.size(), 0.0);
-  if (!ice()) return times_s;
-  const std::vector<core::Metres> ways = ice()->least_ways_to_opening(points, from, until);
+  if (!domain_.ice()) return times_s;
+  const std::vector<core::Metres> ways = domain_.ice()->least_ways_to_opening(points, from, until);
   for (std::size_t i = 0; i < ways.size(); ++i)
-    times_s[i] = least_slowness_s_m_ * ways[i].value / lengths_.largest_scale();
+    times_s[i] = least_slowness_s_m_ * ways[i].value / domain_.lengths().largest_scale();
   return times_s;
 }
 
 std::vector<Sea::Passage> Sea::passages(geo::PlanePoint a, geo::PlanePoint b, core::Seconds depart,
                                         core::Metres step, vehicle::Drive drive) const {
   std::vector<Passage> result;
-  const motion::PlaneEdge edge{a, b, lengths_.between(a, b)};
+  const motion::PlaneEdge edge{a, b, domain_.lengths().between(a, b)};
   const auto note = [&](const motion::EdgePiece& piece) -> std::optional<motion::EdgeClosed> {
     motion::look_along(edge, piece, step, [&](geo::PlanePoint point, core::Seconds time) {
       result.push_back({point, time});
@@ -281,45 +264,29 @@ std::vector<Sea::Passage> Sea::passages(geo::PlanePoint a, geo::PlanePoint b, co
   return result;
 }
 
-bool Sea::currents_known_to_end(geo::PlanePoint point, core::Seconds from) const {
-  constexpr int looks = 64;
-  if (!currents_) return true;
-  const core::Seconds end = currents_->end().value_or(from);
-  for (int i = 0; i <= looks; ++i) {
-    const double share = static_cast<double>(i) / looks;
-    if (!(*currents_)(point, from + share * std::max(core::Seconds{0.0}, end - from))) return false;
-  }
-  return true;
-}
-
 Sea Sea::with(const Variant& variant) const {
   Sea other = *this;
   if (variant.drive) other.drives_ = {*variant.drive};
   if (!variant.holds) other.holding_.longest = core::Seconds{0.0};
-  if (!variant.bounds_surfacing) other.overhead_.lift_bound_on_surfacing();
+  if (!variant.bounds_surfacing) other.domain_.lift_bound_on_surfacing();
   return other;
 }
 
 core::Seconds Sea::least_time(geo::PlanePoint a, geo::PlanePoint b, vehicle::Drive drive) const {
-  const core::MetresPerSecond astern{currents_ ? currents_->strongest().value : 0.0};
-  const core::Metres least_length{geo::distance_m(a, b) / lengths_.largest_scale()};
+  const core::MetresPerSecond astern{domain_.currents() ? domain_.currents()->strongest().value : 0.0};
+  const core::Metres least_length{geo::distance_m(a, b) / domain_.lengths().largest_scale()};
   return (1.0 - edge_tolerance_) * (least_length / (speed(drive) + astern));
 }
 
 core::Seconds Sea::least_time(core::Metres length, core::MetresPerSecond astern) const {
-  const core::MetresPerSecond fastest = fastest_through_water_ + std::min(astern, currents_->strongest());
+  const core::MetresPerSecond fastest =
+      fastest_through_water_ + std::min(astern, domain_.currents()->strongest());
   if (fastest.value <= 0.0) return core::Seconds{INFINITY};
-  return (1.0 - edge_tolerance_) * ((1.0 / lengths_.largest_scale()) * length / fastest);
-}
-
-bool Sea::is_steady() const {
-  // Ice changes with time; even a single ice map is valid for some days only.
-  const bool ice_matters = ice() && (ice()->has_dense_ice() || overhead_.bounds_surfacing());
-  return !closures().any_timed() && (!currents_ || !currents_->end()) && !ice_matters;
+  return (1.0 - edge_tolerance_) * ((1.0 / domain_.lengths().largest_scale()) * length / fastest);
 }
 
 core::Seconds Sea::least_time(geo::PlanePoint a, geo::PlanePoint b) const {
-  return core::Seconds{least_slowness_s_m_ * geo::distance_m(a, b) / lengths_.largest_scale()};
+  return core::Seconds{least_slowness_s_m_ * geo::distance_m(a, b) / domain_.lengths().largest_scale()};
 }
 
 }  // namespace floeplan::planning::cost

@@ -10,28 +10,19 @@
 
 #include "engine/motion/edge_time.hpp"
 #include "engine/ocean/environment.hpp"
-#include "engine/planning/cost/currents_shelf.hpp"
 #include "engine/planning/cost/energy_meter.hpp"
-#include "engine/planning/cost/overhead.hpp"
+#include "engine/planning/cost/planning_domain.hpp"
 #include "engine/planning/currents/current_envelope.hpp"
-#include "engine/planning/currents/flown_depths.hpp"
-#include "engine/planning/currents/plane_currents.hpp"
 #include "engine/planning/energy/energy_map.hpp"
-#include "engine/planning/ice/under_ice.hpp"
-#include "engine/planning/obstacles/closures.hpp"
 #include "engine/planning/obstacles/encounter_map.hpp"
-#include "engine/planning/obstacles/iceberg_discs.hpp"
-#include "engine/planning/obstacles/safety_map.hpp"
-#include "engine/planning/obstacles/timed_zones.hpp"
-#include "engine/planning/obstacles/zone_rules.hpp"
-#include "engine/planning/plane/ground_lengths.hpp"
 #include "engine/planning/problem/plan_request.hpp"
 #include "engine/vehicle/drive.hpp"
 
 namespace floeplan::planning::cost {
 
-/// The leg cost model of one request: what it takes to travel a straight leg in the local plane. Searches, refinement
-/// and published plans share it, so all of them use the same cost. Times count from the departure of the request.
+/// The leg cost model of one request: what it takes to travel a straight leg of its planning domain, in time, energy
+/// and encounters with icebergs. Searches, refinement and published plans share it, so all of them use the same cost.
+/// Times count from the departure of the request.
 /// Threads  const members may be called from several threads at once
 class Sea {
  public:
@@ -66,7 +57,8 @@ class Sea {
                                        core::Seconds time, vehicle::Drive drive) const;
   /// Whether the power is the same everywhere and at every time, so that energy is power times time.
   [[nodiscard]] bool energy_is_even() const {
-    return energy_.is_even() && !(ice() && ice()->has_dense_ice()) && !icebergs().may_pass_under();
+    return energy_.is_even() && !(domain_.ice() && domain_.ice()->has_dense_ice()) &&
+           !domain_.icebergs().may_pass_under();
   }
   /// The same without closures that last for a while. Never more than `leg_time`, because the drive is the same.
   [[nodiscard]] tl::expected<core::Seconds, motion::EdgeClosed> leg_time_without_timed_closures(
@@ -163,36 +155,16 @@ class Sea {
   /// Lower bound of the time of a straight leg of this length in the plane, where no current along it exceeds
   /// `astern`.
   [[nodiscard]] core::Seconds least_time(core::Metres length, core::MetresPerSecond astern) const;
-  /// Whether nothing here changes with time, so that the hour of travel does not matter.
-  [[nodiscard]] bool is_steady() const;
-
-  /// Whether the currents at the point are known from `from` to the end of the data, sampled at equal intervals of
-  /// time. True in still water.
-  [[nodiscard]] bool currents_known_to_end(geo::PlanePoint point, core::Seconds from) const;
-
   [[nodiscard]] core::MetresPerSecond through_water() const { return speed(drives_.front()); }
-  [[nodiscard]] const geo::LocalProjection& projection() const { return projection_; }
-  /// What is closed, and when; shows this model, and ends with it.
-  [[nodiscard]] obstacles::Closures closures() const { return {safety_, timed_zones_, icebergs()}; }
-  /// Lengths on the ground of lines of the plane.
-  [[nodiscard]] const plane::GroundLengths& lengths() const { return lengths_; }
-  [[nodiscard]] const obstacles::SafetyMap& safety() const { return safety_; }
-  [[nodiscard]] obstacles::SafetyMap& safety() { return safety_; }
-  /// Ice and icebergs above the vehicle.
-  [[nodiscard]] const Overhead& overhead() const { return overhead_; }
-  [[nodiscard]] const obstacles::IcebergDiscs& icebergs() const { return overhead_.icebergs(); }
-  [[nodiscard]] const std::optional<ice::UnderIce>& ice() const { return overhead_.ice(); }
-  /// Null in still water.
-  [[nodiscard]] const currents::PlaneCurrents* currents() const { return currents_.get(); }
+  /// Where and when the vehicle may be, and in what currents.
+  [[nodiscard]] const PlanningDomain& domain() const { return domain_; }
+  [[nodiscard]] PlanningDomain& domain() { return domain_; }
   [[nodiscard]] double edge_tolerance() const { return edge_tolerance_; }
 
   /// Memory of the precomputed grids, without their sources.
   [[nodiscard]] std::size_t bytes() const;
 
  private:
-  Sea(const ocean::Environment& environment, const PlanRequest& request, obstacles::ZoneRules zones,
-      const geo::LocalProjection& projection, const plane::PlaneBox& area, core::Metres cell,
-      const std::stop_token& stop, CurrentsShelf* shelf);
   /// Travel time of an edge that nothing closes, for a vehicle that must arrive at `arrive`.
   [[nodiscard]] tl::expected<core::Seconds, motion::EdgeClosed> drive_time_back(const motion::PlaneEdge& edge,
                                                                                 core::Seconds arrive,
@@ -202,22 +174,13 @@ class Sea {
       const motion::PlaneEdge& edge, core::Seconds depart, core::Seconds latest,
       core::MetresPerSecond through_water, const VisitPiece& visit) const;
 
-  geo::LocalProjection projection_;
+  PlanningDomain domain_;
   std::vector<vehicle::Drive> drives_;
   core::MetresPerSecond buoyancy_speed_;
   core::MetresPerSecond thruster_speed_;  // equal to the buoyancy speed if there is no thruster
   double edge_tolerance_;
-  plane::GroundLengths lengths_;
   motion::EdgeAccuracy accuracy_;
-  obstacles::SafetyMap safety_;
-  obstacles::TimedZones timed_zones_;
-  std::shared_ptr<const obstacles::BedCells>
-      bed_;  // for icebergs and ice; null where no iceberg may be passed under
-  Overhead overhead_;
   std::optional<obstacles::EncounterMap> encounters_;  // empty: the objective does not weigh encounters
-  currents::FlownDepths depths_;
-  std::shared_ptr<const currents::PlaneCurrents>
-      currents_;  // null: still water; models with the same grids share it
   energy::EnergyMap energy_;
   Holding holding_;
   core::MetresPerSecond fastest_through_water_;

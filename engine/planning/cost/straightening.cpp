@@ -86,19 +86,21 @@ Route drop_needless_points(const Sea& sea, const Route& route, core::Seconds dep
   return result;
 }
 
-Route part_long_legs(const Sea& sea, const Route& route, core::Metres longest) {
+Route part_long_legs(const PlanningDomain& domain, const Route& route, core::Metres longest) {
   Route result{{route.points.front()}, {route.fixed.front()}};
   for (std::size_t i = 1; i < route.points.size(); ++i) {
     const geo::PlanePoint from = route.points[i - 1];
     const geo::PlanePoint to = route.points[i];
     // The scale of the plane varies along a leg, so equal parts in the plane differ slightly on the ground.
     int parts =
-        std::max(1, static_cast<int>(std::ceil(sea.lengths().between(from, to).value / longest.value)));
+        std::max(1, static_cast<int>(std::ceil(domain.lengths().between(from, to).value / longest.value)));
     const auto at = [&](int part) {
       const double share = static_cast<double>(part) / parts;
       return geo::PlanePoint{from.x_m + share * (to.x_m - from.x_m), from.y_m + share * (to.y_m - from.y_m)};
     };
-    const auto too_long = [&](int part) { return sea.lengths().between(at(part - 1), at(part)) > longest; };
+    const auto too_long = [&](int part) {
+      return domain.lengths().between(at(part - 1), at(part)) > longest;
+    };
     while (parts > 1 && (too_long(1) || too_long(parts))) ++parts;
     for (int part = 1; part < parts; ++part) {
       result.points.push_back(at(part));

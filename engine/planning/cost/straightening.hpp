@@ -18,6 +18,6 @@ namespace floeplan::planning::cost {
                                          const std::stop_token& stop = {});
 
 /// Divides every leg longer than `longest` into equal legs. The line of the route does not change.
-[[nodiscard]] Route part_long_legs(const Sea& sea, const Route& route, core::Metres longest);
+[[nodiscard]] Route part_long_legs(const PlanningDomain& domain, const Route& route, core::Metres longest);
 
 }  // namespace floeplan::planning::cost

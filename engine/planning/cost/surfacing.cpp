@@ -27,7 +27,7 @@ class Log {
     const Look last = here_;
     here_ = {now, last.error + grown_error(request_.under_ice, sea_.speed(drive), now.time - last.at.time),
              last.carried + carried_between(sea_, last.at, now)};
-    const bool open = sea_.overhead().may_surface(now.point, now.time);
+    const bool open = sea_.domain().overhead().may_surface(now.point, now.time);
     if (request_.under_ice.surfacing_interval) surface_when_due(open);
     if (!(open && was_open_))
       plan.longest_without = std::max(plan.longest_without, now.time - last_open_.at.time);
@@ -41,13 +41,14 @@ class Log {
       plan.longest_without_sure = std::max(plan.longest_without_sure, now.time - last_sure_.look.at.time);
     if (sure) last_sure_ = next_fix(last_sure_, here_);
     was_sure_ = sure;
-    const core::Metres turn = sea_.overhead().least_upper_turn(now.point, now.time);
-    const core::Metres step = sea_.lengths().between(last.at.point, now.point);
+    const core::Metres turn = sea_.domain().overhead().least_upper_turn(now.point, now.time);
+    const core::Metres step = sea_.domain().lengths().between(last.at.point, now.point);
     leg_upper_turn_ = std::max(leg_upper_turn_, turn);
-    const bool below_ice = sea_.ice() && sea_.ice()->least_upper_turn(now.point, now.time).value > 0.0;
+    const bool below_ice =
+        sea_.domain().ice() && sea_.domain().ice()->least_upper_turn(now.point, now.time).value > 0.0;
     ice_free_before_ = below_ice || was_below_ice_ ? core::Metres{0.0} : ice_free_before_ + step;
     was_below_ice_ = below_ice;
-    if (sea_.ice() && !sea_.ice()->above(now.point, now.time).known)
+    if (sea_.domain().ice() && !sea_.domain().ice()->above(now.point, now.time).known)
       plan.unknown_ice = plan.unknown_ice + step;
     look_beside();
   }
@@ -88,10 +89,10 @@ class Log {
   /// State at the last check.
   [[nodiscard]] SurfacingState state() const {
     const auto [point, time] = here_.at;
-    SurfacingState state{.may_surface = sea_.overhead().may_surface(point, time),
+    SurfacingState state{.may_surface = sea_.domain().overhead().may_surface(point, time),
                          .since_surfacing = time - last_open_.at.time,
                          .position_error = error_at(here_),
-                         .least_upper_turn = sea_.overhead().least_upper_turn(point, time),
+                         .least_upper_turn = sea_.domain().overhead().least_upper_turn(point, time),
                          .ice_free_before = ice_free_before_,
                          .error_without_fix = here_.error};
     state.nearest_ice = ice_within(farthest_ice_told);
@@ -101,20 +102,20 @@ class Log {
 
   /// Distance to the nearest ice at the last check, on the ground.
   [[nodiscard]] std::optional<core::Metres> ice_within(core::Metres distance) const {
-    if (!sea_.ice()) return std::nullopt;
+    if (!sea_.domain().ice()) return std::nullopt;
     const auto& [point, time] = here_.at;
-    const auto ice = ice::nearest_ice_within(distance, *sea_.ice(), point, time);
+    const auto ice = ice::nearest_ice_within(distance, *sea_.domain().ice(), point, time);
     if (!ice) return std::nullopt;
-    return sea_.lengths().between(point, {point.x_m + ice->value, point.y_m});
+    return sea_.domain().lengths().between(point, {point.x_m + ice->value, point.y_m});
   }
 
   void look_beside() {
-    if (!sea_.ice()) return;
+    if (!sea_.domain().ice()) return;
     const core::Metres error = error_at(here_);
     const auto& [point, time] = here_.at;
-    const core::Metres turn = ice::deepest_turn_within(error, *sea_.ice(), point, time);
+    const core::Metres turn = ice::deepest_turn_within(error, *sea_.domain().ice(), point, time);
     if (turn > plan.ice_beside.upper_turn)
-      plan.ice_beside = {turn, error, sea_.projection().to_lon_lat(point)};
+      plan.ice_beside = {turn, error, sea_.domain().projection().to_lon_lat(point)};
   }
 
   /// Position error since a fix, and how far the currents carried the vehicle in addition to the assumed current.
@@ -160,8 +161,8 @@ class Log {
 
   void surface(const Opening& opening) {
     const Look look = opening.look;
-    plan.surfacings.push_back({sea_.projection().to_lon_lat(look.at.point), request_.depart + look.at.time,
-                               error_at(look), opening.nearest_ice});
+    plan.surfacings.push_back({sea_.domain().projection().to_lon_lat(look.at.point),
+                               request_.depart + look.at.time, error_at(look), opening.nearest_ice});
     fix_ = next_fix(fix_, look);
     best_opening_.reset();
   }
@@ -195,7 +196,7 @@ void look_while_waiting(Log& log, geo::PlanePoint place, core::Seconds from, cor
 SurfacingPlan plan_surfacings(const Sea& sea, const PlanRequest& request,
                               const std::vector<geo::PlanePoint>& route, const Schedule& schedule,
                               const std::vector<vehicle::Drive>& drives) {
-  const core::Metres step = sea.overhead().look();
+  const core::Metres step = sea.domain().overhead().look();
   Log log{sea, request, route.front()};
   log.look({route.front(), schedule.arrivals.front()}, sea.drives().front());
   log.reach_waypoint();

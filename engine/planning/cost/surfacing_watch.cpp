@@ -1,8 +1,29 @@
 #include "engine/planning/cost/surfacing_watch.hpp"
 
+#include <algorithm>
+
 #include "engine/motion/drive_looks.hpp"
 
 namespace floeplan::planning::cost {
+
+std::optional<core::Seconds> since_surfacing_after_wait(const Overhead& overhead, geo::PlanePoint place,
+                                                        core::Seconds from, core::Seconds until,
+                                                        core::Seconds since_surfacing) {
+  constexpr core::Seconds between_looks{900.0};
+  constexpr core::Seconds just_now{0.0};
+  if (!overhead.bounds_surfacing()) return just_now;
+  const core::Seconds longest = *overhead.longest_without_surfacing();
+  while (from < until) {
+    const core::Seconds now = std::min(from + between_looks, until);
+    const bool open = overhead.may_surface(place, now);
+    const bool open_all_along = open && since_surfacing == just_now;
+    if (!open_all_along) since_surfacing += now - from;
+    if (since_surfacing > longest) return std::nullopt;
+    if (open) since_surfacing = just_now;
+    from = now;
+  }
+  return since_surfacing;
+}
 
 std::optional<motion::EdgeClosed> SurfacingWatch::operator()(const motion::EdgePiece& piece) {
   std::optional<motion::EdgeClosed> closed;

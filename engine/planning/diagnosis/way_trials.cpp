@@ -63,7 +63,7 @@ class GridTrial {
 
   Reached operator()(core::Seconds depart, core::Seconds since_surfacing) {
     std::vector<geo::PlanePoint> path = unbounded_way(depart);
-    if (!sea_.overhead().bounds_surfacing() || path.empty()) return {std::move(path), {}};
+    if (!sea_.domain().overhead().bounds_surfacing() || path.empty()) return {std::move(path), {}};
     constexpr core::Seconds whenever_there{INFINITY};
     if (const auto since = cost::since_surfacing_at_end(sea_, path, depart, since_surfacing, whenever_there))
       return {std::move(path), *since};
@@ -79,7 +79,7 @@ class GridTrial {
     };
     const search::GridTravelTime timed{sea_, open_.grid};
     if (cost::holds_may_help(sea_)) return way_with_holds(depart, untimed);
-    if (!sea_.closures().any_timed()) return likely_or_earliest_way(depart, timed).path;
+    if (!sea_.domain().closures().any_timed()) return likely_or_earliest_way(depart, timed).path;
 
     Way way = likely_or_earliest_way(depart, untimed);
     if (way.path.empty() || cost::schedule_along(sea_, way.path, depart)) return std::move(way.path);
@@ -164,7 +164,7 @@ class GridTrial {
     const graph::Query query{open_.grid.start, open_.grid.goal, depart, latest};
     // Nothing is open beyond the end of the data, so places from which the goal cannot be reached by then are
     // skipped.
-    const auto end = sea_.currents() ? sea_.currents()->end() : std::nullopt;
+    const auto end = sea_.domain().currents() ? sea_.domain().currents()->end() : std::nullopt;
     const core::Seconds last = std::min(latest, end.value_or(latest));
     if (!std::isfinite(last.count()) || !foresight_.is_useful())
       return graph::find_earliest_arrivals(open_.graph, query, travel_time, stop_, straight);
@@ -206,7 +206,7 @@ std::optional<cost::Route> search_all(const cost::Sea& sea, const std::vector<co
   core::Seconds now{0.0};
   core::Seconds since_surfacing{0.0};
   for (const cost::RouteGrid& grid : grids) {
-    const search::OpenGrid open = search::open_grid(sea, grid, sectors, stop);
+    const search::OpenGrid open = search::open_grid(sea.domain(), grid, sectors, stop);
     if (route.points.empty()) {
       route.points.push_back(grid.point(grid.start));
       route.fixed.push_back(true);

@@ -50,7 +50,7 @@ std::string describe(NoFreeWay none) {
 class OpenWater {
  public:
   explicit OpenWater(const cost::Sea& sea)
-      : sea_{sea}, accuracy_{currents::drive_accuracy(sea.currents(), tolerance)} {}
+      : sea_{sea}, accuracy_{currents::drive_accuracy(sea.domain().currents(), tolerance)} {}
 
   [[nodiscard]] bool is_exhausted() const { return evaluations_ >= most_evaluations; }
 
@@ -59,8 +59,9 @@ class OpenWater {
                   core::Seconds depart) -> std::optional<core::Seconds> {
       if (is_exhausted()) return std::nullopt;
       ++evaluations_;
-      const motion::PlaneEdge edge{from, to, sea_.lengths().between(from, to)};
-      const auto time = currents::drive_time(sea_.currents(), edge, depart, sea_.through_water(), accuracy_);
+      const motion::PlaneEdge edge{from, to, sea_.domain().lengths().between(from, to)};
+      const auto time =
+          currents::drive_time(sea_.domain().currents(), edge, depart, sea_.through_water(), accuracy_);
       return time ? std::optional{*time} : std::nullopt;
     };
   }

@@ -121,8 +121,8 @@ class AlternativeSearch {
         projection_{chart.layout.projection},
         stops_{chart.layout.points},
         distance_m_{distance_m(stops_)},
-        scan_{chart.sea.closures(), chart.layout.area(), core::Metres{distance_m_ / cells_of_distance},
-              timed_route(plan, projection_)},
+        scan_{chart.sea.domain().closures(), chart.layout.area(),
+              core::Metres{distance_m_ / cells_of_distance}, timed_route(plan, projection_)},
         obstacles_{scan_.of_at_least(core::Metres{least_extent * distance_m_})} {}
 
   [[nodiscard]] Alternatives find(const Planning& plan_once) const {

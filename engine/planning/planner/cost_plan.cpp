@@ -85,7 +85,7 @@ ImprovedDrive improve(const cost::Sea& sea, const cost::DrivenRoute& way, const 
     improved.route = cost::drop_to(sea, improved.route, objective, cost::at_departure, most, stop);
   }
   improved.route = cost::choose_drives(sea, improved.route, objective, cost::at_departure, stop);
-  if (request.max_leg) improved.route = cost::part_long_legs(sea, improved.route, *request.max_leg);
+  if (request.max_leg) improved.route = cost::part_long_legs(sea.domain(), improved.route, *request.max_leg);
   return improved;
 }
 
@@ -230,7 +230,7 @@ PlanRequest fastest_request(const PlanRequest& request, vehicle::Drive drive) {
 Result<Plan> publish_straight_way(const search::Chart& chart, const ocean::Environment& environment,
                                   const PlanRequest& request, const std::stop_token& stop) {
   cost::DrivenRoute route = best_straight_way(chart.sea, chart.layout, request.objective(), stop);
-  if (request.max_leg) route = cost::part_long_legs(chart.sea, route, *request.max_leg);
+  if (request.max_leg) route = cost::part_long_legs(chart.sea.domain(), route, *request.max_leg);
   return publish(chart, environment, request, {std::move(route), std::nullopt}, {}, stop);
 }
 

@@ -50,7 +50,7 @@ class WayFinder {
   }
 
   [[nodiscard]] Result<RefinedWay> find() const {
-    if (!chart_.sea.overhead().bounds_surfacing()) return find_in(chart_.sea, task_.progress);
+    if (!chart_.sea.domain().overhead().bounds_surfacing()) return find_in(chart_.sea, task_.progress);
     // If the best route without the bound keeps the bound, it is also the best with it. Refinement often moves a route out of
     // ice that the grid could not avoid.
     constexpr double share_without_bound = 0.2;  // of the work: a judgement

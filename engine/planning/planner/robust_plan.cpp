@@ -63,7 +63,7 @@ std::vector<std::optional<cost::DrivenTimes>> drive_all(const ocean::Environment
       routes.push_back(route_of(plan, chart->layout.projection));
       points.push_back(routes.back().points);
     }
-    chart->sea.safety().open_along(points, chart->layout.projection);
+    chart->sea.domain().safety().open_along(points, chart->layout.projection);
     for (std::size_t i = 0; i < plans.size(); ++i) {
       if (result[i]) continue;
       if (auto times = cost::drive_in_time(chart->sea, routes[i], cost::at_departure))

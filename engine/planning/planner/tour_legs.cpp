@@ -33,7 +33,8 @@ TourLegs::TourLegs(const cost::Sea& sea, const cost::Layout& layout, const PlanR
       stop_{stop} {
   request_.method = Method::astar;
   if (has_many_places_) request_.sectors = std::min(request_.sectors, most_sectors_of_many);
-  for (const geo::PlanePoint point : layout.points) closed_.push_back(sea.closures().closed_times(point));
+  for (const geo::PlanePoint point : layout.points)
+    closed_.push_back(sea.domain().closures().closed_times(point));
 }
 
 TourLegs::Leg& TourLegs::leg(Pair pair) {
@@ -43,7 +44,7 @@ TourLegs::Leg& TourLegs::leg(Pair pair) {
   const geo::PlanePoint to = layout_.points[pair.second];
   const core::Metres step{geo::distance_m(from, to) / (has_many_places_ ? steps_of_many : steps_per_leg)};
   const cost::RouteGrid grid = cost::lay_grid(from, to, {step, step}, reach);
-  return legs_.emplace(pair, Leg{.open = search::open_grid(sea_, grid, request_.sectors, stop_)})
+  return legs_.emplace(pair, Leg{.open = search::open_grid(sea_.domain(), grid, request_.sectors, stop_)})
       .first->second;
 }
 
@@ -55,7 +56,7 @@ std::optional<TourLegs::Way> TourLegs::way_at(Pair pair, long departure) {
   std::optional<Way> way;
   const long since_search =
       (departure % departures_between_searches + departures_between_searches) % departures_between_searches;
-  if (has_many_places_ && since_search != 0 && !sea_.overhead().bounds_surfacing()) {
+  if (has_many_places_ && since_search != 0 && !sea_.domain().overhead().bounds_surfacing()) {
     const long before = departure - since_search;
     for (const long other : {before, before + departures_between_searches}) {
       const auto found = way_at(pair, other);
@@ -69,7 +70,7 @@ std::optional<TourLegs::Way> TourLegs::way_at(Pair pair, long departure) {
 }
 
 std::optional<TourLegs::Way> TourLegs::searched(Leg& leg, core::Seconds depart) const {
-  return sea_.overhead().bounds_surfacing() ? bounded(leg.open, depart) : unbounded(leg, depart);
+  return sea_.domain().overhead().bounds_surfacing() ? bounded(leg.open, depart) : unbounded(leg, depart);
 }
 
 std::optional<TourLegs::Way> TourLegs::followed(const Way& way, std::size_t to, core::Seconds depart) const {
@@ -120,7 +121,7 @@ core::Seconds TourLegs::usual_time(std::size_t from, std::size_t to) {
   const geo::PlanePoint b = layout_.points[to];
   if (stop_.stop_requested() || (a.x_m == b.x_m && a.y_m == b.y_m)) return core::Seconds{0.0};
   const auto way = way_at({from, to}, 0);
-  return way ? way->time : sea_.lengths().between(a, b) / sea_.through_water();
+  return way ? way->time : sea_.domain().lengths().between(a, b) / sea_.through_water();
 }
 
 core::Seconds TourLegs::least_time(std::size_t from, std::size_t to) {
@@ -143,9 +144,9 @@ std::optional<TourLegs::Way> TourLegs::unbounded(Leg& leg, core::Seconds depart)
   const search::OpenGrid& open = leg.open;
   // Only the search for the time avoids places where ice leaves no room. But then icebergs close places, too.
   std::optional<graph::SearchTree> tree;
-  if (sea_.ice()) tree = earliest_arrivals(leg, depart, search::GridTravelTime{sea_, open.grid});
+  if (sea_.domain().ice()) tree = earliest_arrivals(leg, depart, search::GridTravelTime{sea_, open.grid});
   const bool is_past_closures = tree && tree->is_reached(open.grid.goal);
-  if (!tree || (sea_.closures().any_timed() && !is_past_closures))
+  if (!tree || (sea_.domain().closures().any_timed() && !is_past_closures))
     tree = earliest_arrivals(leg, depart, search::UntimedTravelTime{sea_, open.grid});
   if (!tree->is_reached(open.grid.goal)) return std::nullopt;
   Way way{core::Seconds{tree->arrival_s(open.grid.goal)} - depart, {}, is_past_closures};
@@ -186,7 +187,8 @@ std::optional<core::Seconds> TourLegs::time_past_closures(std::size_t from, std:
   const bool may_hold = sea_.holding().longest.count() > 0.0;
   if (!may_hold && opens > arrival) return std::nullopt;
   // Ways with a bound on the time without surfacing are searched with everything that closes and reopens.
-  if (!sea_.closures().any_timed() || sea_.overhead().bounds_surfacing() || arrival == depart)
+  if (!sea_.domain().closures().any_timed() || sea_.domain().overhead().bounds_surfacing() ||
+      arrival == depart)
     return opens - depart;
   const auto arrives = arrival_past_closures({from, to}, depart, arrival, opens);
   return arrives ? std::optional{*arrives - depart} : std::nullopt;
@@ -216,7 +218,7 @@ std::optional<core::Seconds> TourLegs::arrival_past_closures(Pair pair, core::Se
     if (!tree.is_reached(v)) continue;
     const core::Seconds there{tree.arrival_s(v)};
     const bool stays_open = std::ranges::none_of(
-        sea_.closures().closed_times(open.grid.point(v)),
+        sea_.domain().closures().closed_times(open.grid.point(v)),
         [&](const TimeSpan& closed) { return closed.from <= opens && there <= closed.until; });
     if (stays_open) return opens;
   }

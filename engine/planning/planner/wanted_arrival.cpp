@@ -36,7 +36,7 @@ struct Beginning {
 
 core::Seconds last_open_moment(const cost::Sea& sea, geo::PlanePoint place, core::Seconds until) {
   constexpr core::Seconds clear{1.0};
-  for (const TimeSpan& closed : sea.closures().closed_times(place))
+  for (const TimeSpan& closed : sea.domain().closures().closed_times(place))
     if (closed.from <= until && until <= closed.until) return closed.from - clear;
   return until;
 }

@@ -80,8 +80,8 @@ std::vector<messages::Message> drift_warnings(const cost::Sea& sea, const ocean:
     if (!berg.is_mostly_known() && !mean_of_all) return true;
     const double unknown_m = berg.is_mostly_known() ? farthest_in(berg.basis.known, berg.basis.unknown).value
                                                     : mean_of_all->value * berg.basis.unknown.count();
-    const auto track = obstacles::track_of(*berg.iceberg, environment, request.icebergs, sea.projection(),
-                                           request.depart, arrival, stop);
+    const auto track = obstacles::track_of(*berg.iceberg, environment, request.icebergs,
+                                           sea.domain().projection(), request.depart, arrival, stop);
     const obstacles::DriftingDisc disc{track, core::Metres{0.5 * ocean::safe_length(*berg.iceberg).value},
                                        request.icebergs.margin};
     double scale = 1.0;

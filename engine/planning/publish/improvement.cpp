@@ -132,13 +132,14 @@ cost::Route held_at_the_ice(const cost::Sea& sea, const cost::Route& route) {
       held.fixed.push_back(fixed);
     }
   };
-  bool was_open = sea.overhead().may_surface(route.points.front(), schedule->leaves(0));
+  bool was_open = sea.domain().overhead().may_surface(route.points.front(), schedule->leaves(0));
   for (std::size_t i = 0; i < route.legs(); ++i) {
     const geo::PlanePoint end = route.points[i + 1];
     geo::PlanePoint before = route.points[i];
-    for (const cost::Sea::Passage& passage : sea.passages(route.points[i], end, schedule->leaves(i),
-                                                          sea.overhead().look(), sea.drives().front())) {
-      const bool is_open = sea.overhead().may_surface(passage.point, passage.time);
+    for (const cost::Sea::Passage& passage :
+         sea.passages(route.points[i], end, schedule->leaves(i), sea.domain().overhead().look(),
+                      sea.drives().front())) {
+      const bool is_open = sea.domain().overhead().may_surface(passage.point, passage.time);
       if (is_open != was_open) add(is_open ? passage.point : before, true);
       was_open = is_open;
       before = passage.point;
@@ -178,7 +179,7 @@ cost::Route finished(const cost::Sea& sea, cost::Route route, const PlanRequest&
   if (request.refine && cost::holds_may_help(sea)) route = with_fewer_points(sea, std::move(route), stop);
   // Refinement has already reduced the number of legs. Where it could not, this cannot do it either.
   if (const auto most = most_legs(request)) route = thinned(sea, route, *most, stop);
-  if (request.max_leg) route = cost::part_long_legs(sea, route, *request.max_leg);
+  if (request.max_leg) route = cost::part_long_legs(sea.domain(), route, *request.max_leg);
   return route;
 }
 
@@ -199,7 +200,7 @@ Improved improve(const cost::Sea& sea, const cost::Route& way, const PlanRequest
     return improved;
   }
   const cost::Route joined = joined_where_open(sea, way);
-  if (request.refine && request.method != Method::direct && sea.overhead().bounds_surfacing()) {
+  if (request.refine && request.method != Method::direct && sea.domain().overhead().bounds_surfacing()) {
     Improved held = refined(sea, held_at_the_ice(sea, joined), request, stop);
     held.route = finished(sea, released(std::move(held.route), joined), request, stop);
     if (stays_open(sea, held.route)) return held;
@@ -208,7 +209,7 @@ Improved improve(const cost::Sea& sea, const cost::Route& way, const PlanRequest
       request.refine ? cost::drop_needless_points(sea, joined, cost::at_departure, stop) : joined;
   if (request.max_leg) {
     for (const cost::Route& route : {straightened, way}) {
-      const cost::Route parted = cost::part_long_legs(sea, route, *request.max_leg);
+      const cost::Route parted = cost::part_long_legs(sea.domain(), route, *request.max_leg);
       if (stays_open(sea, parted)) return {parted, std::nullopt};
     }
   }

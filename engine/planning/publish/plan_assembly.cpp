@@ -45,9 +45,9 @@ std::optional<core::Metres> iceberg_clearance(const cost::Sea& sea, const std::v
                                               const cost::Schedule& schedule,
                                               const std::vector<vehicle::Drive>& drives) {
   std::optional<core::Metres> least;
-  if (sea.icebergs().empty()) return least;
+  if (sea.domain().icebergs().empty()) return least;
   for_each_move(sea, route, schedule, drives, [&](std::size_t, const motion::EvenMove& move) {
-    const auto nearest = sea.icebergs().distance_from_hulls(move);
+    const auto nearest = sea.domain().icebergs().distance_from_hulls(move);
     if (nearest && (!least || *nearest < *least)) least = nearest;
   });
   return least;
@@ -56,10 +56,10 @@ std::optional<core::Metres> iceberg_clearance(const cost::Sea& sea, const std::v
 /// Expected encounters with icebergs whose positions are not known well, leg by leg and in all.
 void add_iceberg_encounters(Plan& plan, const cost::Sea& sea, const std::vector<geo::PlanePoint>& route,
                             const cost::Schedule& schedule, const std::vector<vehicle::Drive>& drives) {
-  if (sea.icebergs().empty()) return;
+  if (sea.domain().icebergs().empty()) return;
   std::vector<double> of_leg(route.size(), 0.0);
   for_each_move(sea, route, schedule, drives, [&](std::size_t leg, const motion::EvenMove& move) {
-    of_leg[leg] += sea.icebergs().expected_encounters(move);
+    of_leg[leg] += sea.domain().icebergs().expected_encounters(move);
   });
   double all = 0.0;
   for (std::size_t i = 1; i < route.size(); ++i) {
@@ -76,7 +76,7 @@ void add_passages_under(Plan& plan, const cost::Sea& sea, const std::vector<geo:
   constexpr std::size_t longest_name = 60;  // in the message
   std::vector<obstacles::IcebergDiscs::Under> stays;
   for_each_move(sea, route, schedule, drives, [&](std::size_t, const motion::EvenMove& move) {
-    for (const obstacles::IcebergDiscs::Under& stay : sea.icebergs().passed_under(move)) {
+    for (const obstacles::IcebergDiscs::Under& stay : sea.domain().icebergs().passed_under(move)) {
       const auto goes_on = [&](const obstacles::IcebergDiscs::Under& other) {
         return other.berg == stay.berg && stay.span.from <= other.span.until + apart;
       };
@@ -89,8 +89,9 @@ void add_passages_under(Plan& plan, const cost::Sea& sea, const std::vector<geo:
     }
   });
   for (const obstacles::IcebergDiscs::Under& stay : stays) {
-    plan.passed_under.push_back({sea.icebergs().name(stay.berg), sea.icebergs().keel(stay.berg),
-                                 plan.departure + stay.span.from, plan.departure + stay.span.until});
+    plan.passed_under.push_back({sea.domain().icebergs().name(stay.berg),
+                                 sea.domain().icebergs().keel(stay.berg), plan.departure + stay.span.from,
+                                 plan.departure + stay.span.until});
     const PassedUnder& passed = plan.passed_under.back();
     plan.messages.push_back(messages::plan_message<"passes-under-iceberg">(
         core::cut_short(passed.iceberg, longest_name), passed.from, passed.until,
@@ -104,7 +105,7 @@ std::optional<core::Metres> bottom_clearance(const cost::Sea& sea, const ocean::
   if (!environment.bathymetry) return std::nullopt;
   std::optional<core::Metres> least;
   for_each_sample(route, [&](geo::PlanePoint point) {
-    const auto bed = environment.bathymetry->shoalest(sea.projection().to_lon_lat(point));
+    const auto bed = environment.bathymetry->shoalest(sea.domain().projection().to_lon_lat(point));
     if (!bed) return;
     const core::Metres deepest =
         std::min(request.vehicle.dive_depth, *bed - request.vehicle.altimeter_margin);
@@ -128,7 +129,7 @@ std::optional<core::Metres> land_clearance(const cost::Sea& sea, const ocean::En
   std::vector<geo::LonLat> places;
   for_each_sample(route, [&](geo::PlanePoint point) {
     samples.push_back(point);
-    places.push_back(sea.projection().to_lon_lat(point));
+    places.push_back(sea.domain().projection().to_lon_lat(point));
   });
   std::ranges::sort(samples, {}, &geo::PlanePoint::x_m);
   const geo::BoundingBox along = geo::bounding_box(places);
@@ -147,8 +148,8 @@ std::optional<core::Metres> land_clearance(const cost::Sea& sea, const ocean::En
     least = std::numeric_limits<double>::infinity();
     const geo::BoundingBox near = geo::grown(along, within);
     for (const geo::Polygon& polygon : environment.land)
-      plane::for_each_coast_line(geo::coarse_beyond(near, {polygon.outer, {}}).outer, sea.projection(),
-                                 approach);
+      plane::for_each_coast_line(geo::coarse_beyond(near, {polygon.outer, {}}).outer,
+                                 sea.domain().projection(), approach);
     if (least <= least_scale * within.value || within > round_the_globe) break;
   }
   if (!std::isfinite(least)) return std::nullopt;
@@ -239,7 +240,7 @@ void add_surfacings(Plan& plan, const cost::Sea& sea, const PlanRequest& request
                     const std::vector<vehicle::Drive>& drives) {
   const UnderIceRules& rules = request.under_ice;
   const bool asked = rules.max_time_without_surfacing || rules.surfacing_interval || rules.escape_plan;
-  if (!sea.ice() && !asked && plan.passed_under.empty()) return;
+  if (!sea.domain().ice() && !asked && plan.passed_under.empty()) return;
   plan.surfacing = cost::plan_surfacings(sea, request, route, schedule, drives);
   if (plan.surfacing->unknown_ice.value > 0.0) {
     plan.messages.push_back(
@@ -268,7 +269,7 @@ Plan assemble_plan(const cost::Sea& sea, const ocean::Environment& environment, 
   EnergyUse drawn;
   for (std::size_t i = 0; i < route.size(); ++i) {
     Waypoint waypoint;
-    waypoint.place = sea.projection().to_lon_lat(route[i]);
+    waypoint.place = sea.domain().projection().to_lon_lat(route[i]);
     waypoint.eta = request.depart + arrivals[i];
     waypoint.current = currents[i];
     if (environment.bathymetry) waypoint.depth = environment.bathymetry->depth(waypoint.place);
@@ -296,7 +297,7 @@ Plan assemble_plan(const cost::Sea& sea, const ocean::Environment& environment, 
   plan.clearances.bottom = bottom_clearance(sea, environment, request, route);
   plan.clearances.land = land_clearance(sea, environment, route);
   plan.optimality_gap_reason = "not asked for";
-  if (sea.currents()) plan.strongest_current = sea.currents()->strongest();
+  if (sea.domain().currents()) plan.strongest_current = sea.domain().currents()->strongest();
   plan.datasets = environment.datasets;
   plan.messages = messages_beside_drift(environment);
   warn_of_old_sightings(plan, environment, request);

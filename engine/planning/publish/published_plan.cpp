@@ -31,11 +31,11 @@ struct Flight {
 
 Flight flown(const EscapeWay& escape, const cost::Sea& sea, const UnderIceRules& rules,
              core::Seconds arrives) {
-  const core::Metres step = sea.overhead().look();
+  const core::Metres step = sea.domain().overhead().look();
   Flight flight{.carried = {}, .grown = {}, .ends = arrives};
-  geo::PlanePoint from = sea.projection().to_plane(escape.way.front());
+  geo::PlanePoint from = sea.domain().projection().to_plane(escape.way.front());
   for (std::size_t i = 1; i < escape.way.size(); ++i) {
-    const geo::PlanePoint to = sea.projection().to_plane(escape.way[i]);
+    const geo::PlanePoint to = sea.domain().projection().to_plane(escape.way[i]);
     const vehicle::Drive drive = escape.drives[i - 1];
     cost::Sea::Passage last{from, flight.ends};
     for (const cost::Sea::Passage& passage : sea.passages(from, to, flight.ends, step, drive)) {
@@ -53,7 +53,7 @@ Flight flown(const EscapeWay& escape, const cost::Sea& sea, const UnderIceRules&
 /// route the vehicle navigates with the same estimate of the current as at the waypoint.
 /// Precondition  the plan has its surfacings from this run, not from a store
 void warn_of_escapes_to_the_edge(Plan& plan, const cost::Sea& sea, const PlanRequest& request) {
-  if (!sea.ice()) return;
+  if (!sea.domain().ice()) return;
   struct Near {
     std::size_t waypoint;
     core::Metres ice;
@@ -70,8 +70,8 @@ void warn_of_escapes_to_the_edge(Plan& plan, const cost::Sea& sea, const PlanReq
     const core::Metres by_rules = plan.surfacing->waypoints[i].position_error - off.length() + flight.grown;
     const CarriedWay off_at_end = off + flight.carried - with_current * (flight.ends - arrives);
     const core::Metres error = by_rules + off_at_end.length();
-    const auto ice =
-        ice::nearest_ice_within(error, *sea.ice(), sea.projection().to_plane(escape.way.back()), flight.ends);
+    const auto ice = ice::nearest_ice_within(
+        error, *sea.domain().ice(), sea.domain().projection().to_plane(escape.way.back()), flight.ends);
     if (!ice || near++ > 0) continue;
     first = {i, *ice, error};
   }
@@ -120,7 +120,7 @@ Result<Plan> publish(const search::Chart& chart, const ocean::Environment& envir
   const std::vector<geo::PlanePoint>& points = improved.route.points;
   auto schedule = cost::schedule_along(sea, points, cost::at_departure);
   if (!schedule) return tl::unexpected(search::explain_route(schedule.error(), sea, request));
-  if (!sea.overhead().bounds_surfacing())
+  if (!sea.domain().overhead().bounds_surfacing())
     *schedule = cost::departing_later(sea, points, *std::move(schedule));
   const std::vector<vehicle::Drive> drives(improved.route.legs(), sea.drives().front());
   Plan plan = assemble_plan(sea, environment, request, points, *schedule, drives, stop);

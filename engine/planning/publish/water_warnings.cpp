@@ -36,7 +36,7 @@ std::optional<messages::Message> of_extended(const cost::Sea& sea,
   double all_m = 0.0;
   for_each_stretch_of(route, [&](geo::PlanePoint point, double length_m) {
     all_m += length_m;
-    if (sea.currents()->is_extended(point)) extended_m += length_m;
+    if (sea.domain().currents()->is_extended(point)) extended_m += length_m;
   });
   if (extended_m == 0.0) return std::nullopt;
   return messages::plan_message<"currents-of-nearest-water">(std::max(1.0, 100.0 * extended_m / all_m));
@@ -70,7 +70,7 @@ std::optional<messages::Message> of_unknown_depths(const cost::Sea& sea,
   core::Metres flown{0.0};
   geo::LonLat worst{};
   for_each_stretch_of(route, [&](geo::PlanePoint point, double length_m) {
-    const geo::LonLat place = sea.projection().to_lon_lat(point);
+    const geo::LonLat place = sea.domain().projection().to_lon_lat(point);
     const auto down_to = known_down_to(*environment.currents, place);
     if (!down_to) return;
     const vehicle::DiveBand band = depths.at(place);
@@ -114,7 +114,7 @@ std::optional<messages::Message> of_hardly_enough_speed(const cost::Sea& sea, co
     double most_on_leg = 0.0;
     for (const cost::Sea::Passage& passage :
          sea.passages(route[leg], route[leg + 1], schedule.leaves(leg), look, drives[leg])) {
-      const auto current = (*sea.currents())(passage.point, passage.time);
+      const auto current = (*sea.domain().currents())(passage.point, passage.time);
       if (!current) continue;
       const double share = needed_share(*current, route[leg], route[leg + 1], sea.speed(drives[leg]));
       most_on_leg = std::max(most_on_leg, share);
@@ -128,7 +128,7 @@ std::optional<messages::Message> of_hardly_enough_speed(const cost::Sea& sea, co
   if (legs == 0) return std::nullopt;
   return messages::plan_message<"hardly-enough-speed">(
              legs, 100.0 * hardly_enough, leg_there, request.depart + where.time, 100.0 * std::min(most, 1.0))
-      .at(sea.projection().to_lon_lat(where.point));
+      .at(sea.domain().projection().to_lon_lat(where.point));
 }
 
 }  // namespace
@@ -138,7 +138,7 @@ std::vector<messages::Message> water_warnings(const cost::Sea& sea, const ocean:
                                               const std::vector<geo::PlanePoint>& route,
                                               const cost::Schedule& schedule,
                                               const std::vector<vehicle::Drive>& drives) {
-  if (!sea.currents() || !environment.currents) return {};
+  if (!sea.domain().currents() || !environment.currents) return {};
   std::vector<messages::Message> told;
   for (auto& message : {of_extended(sea, route), of_unknown_depths(sea, environment, request, route),
                         of_hardly_enough_speed(sea, request, route, schedule, drives)})

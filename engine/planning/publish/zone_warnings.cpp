@@ -30,7 +30,7 @@ class Tightest {
 
   void look(const cost::Sea::Passage& at) {
     if (at.time.count() <= 0.0) return;
-    for (const TimeSpan& closed : sea_.closures().closed_times_by_zones(at.point)) {
+    for (const TimeSpan& closed : sea_.domain().closures().closed_times_by_zones(at.point)) {
       const Passing passing{at, closed.until <= at.time ? closed.until : closed.from};
       if (std::isfinite(passing.changes.count()) && (!found || passing.share() < found->share()))
         found = passing;
@@ -49,7 +49,7 @@ std::optional<messages::Message> zone_warning(const cost::Sea& sea, const PlanRe
                                               const std::vector<geo::PlanePoint>& route,
                                               const cost::Schedule& schedule,
                                               const std::vector<vehicle::Drive>& drives) {
-  if (sea.closures().timed_zones().empty()) return std::nullopt;
+  if (sea.domain().closures().timed_zones().empty()) return std::nullopt;
   Tightest tightest{sea};
   for (std::size_t i = 1; i < route.size(); ++i) {
     tightest.look({route[i - 1], schedule.leaves(i - 1)});
@@ -59,7 +59,7 @@ std::optional<messages::Message> zone_warning(const cost::Sea& sea, const PlanRe
   }
   if (!tightest.found || tightest.found->share() >= unknown_share_of_speed) return std::nullopt;
   const Passing& passing = *tightest.found;
-  const geo::LonLat place = sea.projection().to_lon_lat(passing.at.point);
+  const geo::LonLat place = sea.domain().projection().to_lon_lat(passing.at.point);
   const core::UtcTime changes = request.depart + passing.changes;
   const double spare_min = passing.spare().count() / 60.0;
   const double under_way_h = passing.at.time.count() / 3600.0;

@@ -24,14 +24,14 @@ Stop kind_of(std::size_t stop, const cost::Layout& layout) {
 
 /// Whether an iceberg covers the place from the departure on, without end.
 bool is_kept_for_ever(const cost::Sea& sea, geo::PlanePoint place) {
-  const std::vector<TimeSpan> closed = sea.icebergs().closed_times(place);
+  const std::vector<TimeSpan> closed = sea.domain().icebergs().closed_times(place);
   return !closed.empty() && closed.front().from <= core::Seconds{0.0} &&
          !std::isfinite(closed.front().until.count());
 }
 
 std::optional<motion::EdgeClosed> closed_stop(const cost::Sea& sea, const cost::Layout& layout,
                                               std::size_t stop) {
-  if (const auto closed = sea.safety().closed_at(layout.stops[stop])) return closed;
+  if (const auto closed = sea.domain().safety().closed_at(layout.stops[stop])) return closed;
   if (is_kept_for_ever(sea, layout.points[stop])) return motion::EdgeClosed::obstacle;
   return std::nullopt;
 }
@@ -40,8 +40,10 @@ std::optional<motion::EdgeClosed> closed_stop(const cost::Sea& sea, const cost::
 std::optional<motion::EdgeClosed> closed_then(const cost::Sea& sea, geo::PlanePoint place,
                                               core::Seconds when) {
   const auto covers = [&](const TimeSpan& span) { return span.from <= when && when <= span.until; };
-  if (std::ranges::any_of(sea.icebergs().closed_times(place), covers)) return motion::EdgeClosed::obstacle;
-  if (sea.closures().timed_zones().forbid(place, place, {when, when})) return motion::EdgeClosed::in_zone;
+  if (std::ranges::any_of(sea.domain().icebergs().closed_times(place), covers))
+    return motion::EdgeClosed::obstacle;
+  if (sea.domain().closures().timed_zones().forbid(place, place, {when, when}))
+    return motion::EdgeClosed::in_zone;
   return std::nullopt;
 }
 
@@ -55,8 +57,8 @@ std::vector<Change> moves_of(const cost::Sea& sea, const cost::Layout& layout, s
                             : kind == Stop::goal ? "to"
                                                  : "via/" + std::to_string(stop - 1);
   std::vector<Change> moves;
-  for (const auto& place : {nearest_usable_place_towards(sea, layout.points[stop], other, token),
-                            nearest_usable_place(sea, layout.points[stop])}) {
+  for (const auto& place : {nearest_usable_place_towards(sea.domain(), layout.points[stop], other, token),
+                            nearest_usable_place(sea.domain(), layout.points[stop])}) {
     if (!place || (!moves.empty() && std::get<geo::LonLat>(moves.front().to) == *place)) continue;
     moves.push_back(move_of(input, layout.stops[stop], *place));
   }
@@ -74,7 +76,7 @@ std::optional<Infeasible> check_stops(cost::Sea& sea, const ocean::Environment& 
       if (moves == Moves::looked_for) infeasible.moves = moves_of(sea, layout, stop, token);
       return infeasible;
     }
-    sea.safety().open_around(layout.points[stop]);
+    sea.domain().safety().open_around(layout.points[stop]);
   }
   return std::nullopt;
 }
@@ -89,7 +91,7 @@ std::optional<Infeasible> too_much_to_lay_out(const ocean::Environment& environm
 
 Result<Chart> chart_on(cost::Sea sea, const ocean::Environment& environment, cost::Layout layout,
                        const PlanRequest& request, const std::stop_token& stop, Moves moves) {
-  if (request.method == Method::direct) sea.safety().open_along({layout.points}, layout.projection);
+  if (request.method == Method::direct) sea.domain().safety().open_along({layout.points}, layout.projection);
   if (auto unusable = check_stops(sea, environment, layout, request, stop, moves))
     return tl::unexpected(std::move(*unusable));
   Chart chart{.layout = std::move(layout), .sea = std::move(sea)};

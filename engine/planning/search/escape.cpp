@@ -53,7 +53,7 @@ EscapeWay describe(const cost::Sea& sea, const TimedWay& timed) {
   std::size_t original = 0;
   for (const geo::PlanePoint point : cost::join_collinear(route).points) {
     while (points[original].x_m != point.x_m || points[original].y_m != point.y_m) ++original;
-    escape.way.push_back(sea.projection().to_lon_lat(point));
+    escape.way.push_back(sea.domain().projection().to_lon_lat(point));
     if (original < drives.size()) escape.drives.push_back(drives[original]);
     ++original;
   }
@@ -77,9 +77,9 @@ std::optional<TimedWay> way_onwards(const cost::Sea& sea, const std::vector<geo:
     const auto time = sea.leg_time(route[i], route[i + 1], arrivals[i], core::Seconds{INFINITY}, drives[i]);
     if (!time || arrivals[i] + *time + rounding < arrivals[i + 1]) return std::nullopt;
     for (const cost::Sea::Passage& passage :
-         sea.passages(route[i], route[i + 1], arrivals[i], sea.overhead().look(), drives[i])) {
+         sea.passages(route[i], route[i + 1], arrivals[i], sea.domain().overhead().look(), drives[i])) {
       if (passage.time > latest) return std::nullopt;
-      if (!sea.overhead().may_surface(passage.point, passage.time)) continue;
+      if (!sea.domain().overhead().may_surface(passage.point, passage.time)) continue;
       way.go_on(passage.point, passage.time, drives[i]);
       return way;
     }
@@ -113,7 +113,7 @@ Result<std::vector<EscapeWay>> plan_escapes(const cost::Sea& sea, const cost::La
       return sea.leg_time(grid.point(edge.tail), grid.point(edge.head), from, until);
     };
     const auto open = [&](graph::Vertex v, core::Seconds then) {
-      return sea.overhead().may_surface(grid.point(v), then);
+      return sea.domain().overhead().may_surface(grid.point(v), then);
     };
 
     const auto found = graph::find_nearest_goal(graph, grid.start, depart, latest, travel_time, open, stop);

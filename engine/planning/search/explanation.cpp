@@ -27,7 +27,7 @@ struct Closure {
 /// The iceberg nearest to the place, with its time and what is kept clear of it.
 std::string iceberg_text(const cost::Sea& sea, geo::PlanePoint place, core::Seconds when,
                          const PlanRequest& request) {
-  const auto berg = sea.icebergs().nearest(place, when);
+  const auto berg = sea.domain().icebergs().nearest(place, when);
   if (!berg) return messages::phrase<"an-iceberg">();
   const std::string name = berg->name.empty() ? "an iceberg without a name" : "iceberg " + berg->name;
   const core::Metres margin = request.icebergs.margin;
@@ -62,7 +62,7 @@ Closure closure_of(motion::EdgeClosed closed, const cost::Sea& sea, const PlanRe
               messages::refusal<"current-too-strong">(drive_speed(request.vehicle, fastest).value)};
     }
     case motion::EdgeClosed::outside_data: {
-      const auto end = sea.currents() ? sea.currents()->end() : std::nullopt;
+      const auto end = sea.domain().currents() ? sea.domain().currents()->end() : std::nullopt;
       if (end && out_of_time)
         return {Reason::outside_data,
                 messages::refusal<"currents-end-before-the-route">(clock(request, *end))};
@@ -125,7 +125,7 @@ std::string subject_of(Stop stop) {
 Infeasible unusable_place(motion::EdgeClosed closed, Stop stop, geo::LonLat place, core::Seconds when,
                           const cost::Sea& sea, const PlanRequest& request) {
   const std::string subject = subject_of(stop);
-  const geo::PlanePoint point = sea.projection().to_plane(place);
+  const geo::PlanePoint point = sea.domain().projection().to_plane(place);
   const auto infeasible = [&](Reason reason, core::UtcTime then, messages::Message why) {
     return Infeasible{.reason = reason,
                       .at = place,
@@ -147,14 +147,14 @@ Infeasible unusable_place(motion::EdgeClosed closed, Stop stop, geo::LonLat plac
       return infeasible(
           reason_at(stop, Reason::start_in_zone, Reason::in_zone, Reason::goal_in_zone), clock(request, when),
           messages::refusal<"place-in-zone">(
-              subject, opening_text(sea.closures().closed_times_by_zones(point), when, request)));
+              subject, opening_text(sea.domain().closures().closed_times_by_zones(point), when, request)));
     case motion::EdgeClosed::obstacle:
       return infeasible(
           reason_at(stop, Reason::start_near_iceberg, Reason::near_iceberg, Reason::goal_near_iceberg),
           clock(request, when),
           messages::refusal<"place-near-iceberg">(
               subject, iceberg_text(sea, point, when, request),
-              opening_text(sea.closures().closed_times(point), when, request)));
+              opening_text(sea.domain().closures().closed_times(point), when, request)));
     case motion::EdgeClosed::outside_data:
     case motion::EdgeClosed::under_ice:
     case motion::EdgeClosed::no_surfacing:
@@ -168,7 +168,8 @@ Infeasible unusable_place(motion::EdgeClosed closed, Stop stop, geo::LonLat plac
 Infeasible explain_closed_place(motion::EdgeClosed closed, Stop stop, geo::LonLat place, core::Seconds when,
                                 const cost::Sea& sea, const PlanRequest& request) {
   Infeasible infeasible = unusable_place(closed, stop, place, when, sea, request);
-  const auto closure = closure_at(sea.closures().closed_times(sea.projection().to_plane(place)), when);
+  const auto closure =
+      closure_at(sea.domain().closures().closed_times(sea.domain().projection().to_plane(place)), when);
   if (closure && std::isfinite(closure->until.count())) infeasible.postponed = closure->until - when;
   return infeasible;
 }
@@ -176,8 +177,8 @@ Infeasible explain_closed_place(motion::EdgeClosed closed, Stop stop, geo::LonLa
 /// The zone or iceberg over a place that stays there longest, if what stopped a search is a zone or an iceberg.
 std::optional<motion::EdgeClosed> closed_for_a_while(const cost::Sea& sea, geo::PlanePoint place,
                                                      core::Seconds when, motion::EdgeClosed stopped_by) {
-  const auto by_iceberg = closure_at(sea.closures().closed_times_by_icebergs(place), when);
-  const auto by_zone = closure_at(sea.closures().closed_times_by_zones(place), when);
+  const auto by_iceberg = closure_at(sea.domain().closures().closed_times_by_icebergs(place), when);
+  const auto by_zone = closure_at(sea.domain().closures().closed_times_by_zones(place), when);
   const bool is_among_them = (stopped_by == motion::EdgeClosed::obstacle && by_iceberg) ||
                              (stopped_by == motion::EdgeClosed::in_zone && by_zone);
   if (!is_among_them) return std::nullopt;
@@ -215,7 +216,7 @@ Infeasible explain_start(motion::EdgeClosed closed, geo::LonLat place, core::Sec
 
 Infeasible explain_route(const cost::RouteClosed& closed, const cost::Sea& sea, const PlanRequest& request) {
   Closure closure = closure_of(closed.reason, sea, request, closed.out_of_time, closed.at, closed.when);
-  const geo::LonLat at = sea.projection().to_lon_lat(closed.at);
+  const geo::LonLat at = sea.domain().projection().to_lon_lat(closed.at);
   return {.reason = closure.reason,
           .at = at,
           .when = clock(request, closed.when),
@@ -229,7 +230,7 @@ Infeasible explain_search(const RouteSearch& search, Stop kind, geo::PlanePoint 
   // first kind.
   using enum motion::EdgeClosed;
   // If each of them is open, the bound on the time without surfacing ended the search.
-  motion::EdgeClosed binding = sea.overhead().bounds_surfacing() ? no_surfacing : on_land;
+  motion::EdgeClosed binding = sea.domain().overhead().bounds_surfacing() ? no_surfacing : on_land;
   std::ptrdiff_t most = 0;
   for (const motion::EdgeClosed kind :
        {outside_data, current_too_strong, no_surfacing, under_ice, too_shallow, on_land, in_zone, obstacle}) {
@@ -242,7 +243,7 @@ Infeasible explain_search(const RouteSearch& search, Stop kind, geo::PlanePoint 
   const core::Seconds there = search.nearest_arrival + sea.least_time(search.nearest, stop);
   if (const auto closed = closed_for_a_while(sea, stop, there, binding)) {
     Infeasible why =
-        explain_closed_place(*closed, kind, sea.projection().to_lon_lat(stop), there, sea, request);
+        explain_closed_place(*closed, kind, sea.domain().projection().to_lon_lat(stop), there, sea, request);
     if (search.statistics.holds_may_help) why.besides.push_back(messages::refusal<"never-holds">());
     return why;
   }
@@ -250,7 +251,7 @@ Infeasible explain_search(const RouteSearch& search, Stop kind, geo::PlanePoint 
       closure_of(binding, sea, request, search.out_of_time, search.nearest, search.nearest_arrival);
   const bool by_data = binding == outside_data || binding == current_too_strong || binding == under_ice ||
                        binding == no_surfacing;
-  const geo::LonLat at = sea.projection().to_lon_lat(search.nearest);
+  const geo::LonLat at = sea.domain().projection().to_lon_lat(search.nearest);
   Infeasible infeasible{.reason = by_data ? closure.reason : Reason::goal_unreachable,
                         .at = at,
                         .when = clock(request, search.nearest_arrival),
@@ -282,7 +283,7 @@ Infeasible explain_no_escape(const cost::Sea& sea, const PlanRequest& request, g
                              core::Seconds when) {
   const auto bound = request.under_ice.max_time_without_surfacing;
   auto why = bound ? messages::refusal<"no-escape-in-time">(hours(*bound)) : messages::refusal<"no-escape">();
-  const geo::LonLat at = sea.projection().to_lon_lat(place);
+  const geo::LonLat at = sea.domain().projection().to_lon_lat(place);
   return {.reason = Reason::no_escape,
           .at = at,
           .when = clock(request, when),

@@ -31,7 +31,7 @@ class BoundedVoyage {
         bound_{sea, open.grid, open.graph, open.grid.start},
         direction_{direction},
         latest_{latest},
-        longest_s_{sea.overhead().longest_without_surfacing()->count()},
+        longest_s_{sea.domain().overhead().longest_without_surfacing()->count()},
         best_(open.graph.size()) {}
 
   void extend(const graph::Edge& edge, double arrival_s, const State& state, auto&& emit) {
@@ -143,7 +143,7 @@ tl::expected<Presence, motion::EdgeClosed> go_on(const cost::Sea& sea, Direction
                                                  geo::PlanePoint from, geo::PlanePoint to, Presence at,
                                                  core::Seconds latest) {
   const auto arrival = [&](core::Seconds time) { return Presence{at.when + time, core::Seconds{0.0}}; };
-  if (!sea.overhead().bounds_surfacing()) {
+  if (!sea.domain().overhead().bounds_surfacing()) {
     return direction == Direction::from ? sea.leg_time(from, to, at.when, latest).map(arrival)
                                         : sea.leg_time_back(to, from, -at.when, -latest).map(arrival);
   }
@@ -161,7 +161,7 @@ Reached find_reached(const cost::Sea& sea, const OpenGrid& open, Direction direc
                      core::Seconds latest, const std::stop_token& stop,
                      const graph::ExpansionCallback& report) {
   const std::size_t vertices = open.graph.size();
-  if (!sea.overhead().bounds_surfacing()) {
+  if (!sea.domain().overhead().bounds_surfacing()) {
     return reached_by(search_without_bound(sea, open, direction, begin, latest, stop, report), vertices);
   }
   BoundedVoyage voyage{sea, open, direction, latest};

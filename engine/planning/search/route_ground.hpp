@@ -53,7 +53,7 @@ class RouteGround {
   /// The environment without its currents and wind, which the model has taken over.
   [[nodiscard]] const ocean::Environment& environment() const { return environment_; }
   [[nodiscard]] const RouteSite& site() const { return site_; }
-  [[nodiscard]] const geo::LocalProjection& projection() const { return sea_.projection(); }
+  [[nodiscard]] const geo::LocalProjection& projection() const { return sea_.domain().projection(); }
   /// A copy that borrows this object.
   [[nodiscard]] const cost::Sea& sea() const { return sea_; }
   /// Memory of everything large: the grids and the data kept with them.

@@ -88,8 +88,8 @@ void describe_end(RouteSearch& result, const cost::Sea& sea, const cost::RouteGr
     if (time) continue;
     result.closed_at_nearest.push_back(time.error());
     if (time.error() == motion::EdgeClosed::outside_data &&
-        !sea.safety().closed_between(result.nearest, head) &&
-        sea.currents_known_to_end(head, result.nearest_arrival)) {
+        !sea.domain().safety().closed_between(result.nearest, head) &&
+        sea.domain().currents_known_to_end(head, result.nearest_arrival)) {
       result.out_of_time = true;
     }
   }
@@ -140,7 +140,7 @@ void take_earlier(RouteSearch& result, HeldWay held) {
 /// Returns  whether no earlier arrival is possible
 bool is_best_departing_later(RouteSearch& result, const cost::Sea& sea, const OpenGrid& open,
                              core::Seconds unhindered, core::Seconds depart, const std::stop_token& stop) {
-  const std::vector<TimeSpan> closed = sea.closures().closed_times(open.grid.point(open.grid.goal));
+  const std::vector<TimeSpan> closed = sea.domain().closures().closed_times(open.grid.point(open.grid.goal));
   const core::Seconds opens = open_from(closed, unhindered);
   if (!std::isfinite(opens.count()) || opens <= unhindered) return false;
   const auto is_best = [&] { return result.arrival <= opens + slack_of_holds(sea, open); };
@@ -228,7 +228,7 @@ RouteSearch search_unbounded(const cost::Sea& sea, const OpenGrid& open, const P
   };
 
   // If no timed closure touches the best route without them, it is also the best route with them.
-  const bool in_time = sea.closures().any_timed() && request.method != Method::frozen;
+  const bool in_time = sea.domain().closures().any_timed() && request.method != Method::frozen;
   graph::SearchTree tree = in_time ? search(UntimedTravelTime{sea, grid, &refused}, false)
                                    : search(GridTravelTime{sea, grid, &refused}, false);
   adopt(tree);
@@ -257,7 +257,8 @@ RouteSearch search_unbounded(const cost::Sea& sea, const OpenGrid& open, const P
     take_earlier(result,
                  search_held_way(sea, open, depart, std::min(latest, result.arrival), stop, report, limits));
   }
-  const bool anything_opens = sea.closures().any_timed() || (sea.currents() && sea.currents()->time_step());
+  const bool anything_opens = sea.domain().closures().any_timed() ||
+                              (sea.domain().currents() && sea.domain().currents()->time_step());
   result.statistics.holds_may_help =
       anything_opens && sea.holding().longest.count() == 0.0 && (is_hindered || opens_later);
   if (result.path.empty() && !result.cancelled) describe_end(result, sea, grid, graph, tree);
@@ -272,10 +273,10 @@ RouteSearch search_route(const cost::Sea& sea, const OpenGrid& open, const PlanR
                          core::Seconds since_surfacing, Foresight* kept_foresight) {
   RouteSearch found =
       search_unbounded(sea, open, request, depart, stop, report_fraction, latest, kept_foresight);
-  if (!sea.overhead().bounds_surfacing() || found.cancelled || found.path.empty()) return found;
+  if (!sea.domain().overhead().bounds_surfacing() || found.cancelled || found.path.empty()) return found;
   // If the best route of all keeps the bound, it is also the best of those that do.
   const auto since = cost::since_surfacing_at_end(sea, found.path, depart, since_surfacing, found.arrival);
-  if (since && *since + open.needed_after_goal() <= *sea.overhead().longest_without_surfacing()) {
+  if (since && *since + open.needed_after_goal() <= *sea.domain().overhead().longest_without_surfacing()) {
     found.since_surfacing = *since;
     return found;
   }

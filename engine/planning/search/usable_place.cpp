@@ -12,10 +12,10 @@ namespace {
 constexpr double farthest_m = 100'000.0;  // a place farther away is another mission
 constexpr int most_rings = 400;
 
-bool is_usable(const cost::Sea& sea, geo::PlanePoint point) {
-  return !sea.closures().closed_between(point, point) &&
-         !sea.closures().timed_zones().forbid(point, point, {}) &&
-         !sea.icebergs().touched({point, point, 0.0, 0.0});
+bool is_usable(const cost::PlanningDomain& domain, geo::PlanePoint point) {
+  return !domain.closures().closed_between(point, point) &&
+         !domain.closures().timed_zones().forbid(point, point, {}) &&
+         !domain.icebergs().touched({point, point, 0.0, 0.0});
 }
 
 /// Places on a lattice around one of them.
@@ -63,15 +63,15 @@ class Lattice {
 
 }  // namespace
 
-std::optional<geo::LonLat> nearest_usable_place(const cost::Sea& sea, geo::PlanePoint around) {
-  const double step_m = std::max(sea.safety().cell().value, farthest_m / most_rings);
+std::optional<geo::LonLat> nearest_usable_place(const cost::PlanningDomain& domain, geo::PlanePoint around) {
+  const double step_m = std::max(domain.safety().cell().value, farthest_m / most_rings);
   std::optional<geo::PlanePoint> nearest;
   double least_m = std::numeric_limits<double>::infinity();
   const auto consider = [&](int ix, int iy) {
     const double distance_m = step_m * std::hypot(ix, iy);
     if (distance_m >= least_m) return;
     const geo::PlanePoint point{around.x_m + step_m * ix, around.y_m + step_m * iy};
-    if (!is_usable(sea, point)) return;
+    if (!is_usable(domain, point)) return;
     nearest = point;
     least_m = distance_m;
   };
@@ -85,19 +85,20 @@ std::optional<geo::LonLat> nearest_usable_place(const cost::Sea& sea, geo::Plane
     }
   }
   if (!nearest) return std::nullopt;
-  return sea.projection().to_lon_lat(*nearest);
+  return domain.projection().to_lon_lat(*nearest);
 }
 
-std::optional<geo::LonLat> nearest_usable_place_towards(const cost::Sea& sea, geo::PlanePoint around,
-                                                        geo::PlanePoint other, const std::stop_token& stop) {
+std::optional<geo::LonLat> nearest_usable_place_towards(const cost::PlanningDomain& domain,
+                                                        geo::PlanePoint around, geo::PlanePoint other,
+                                                        const std::stop_token& stop) {
   constexpr std::size_t between_checks = 1024;  // between checks of the stop token
   const double reach_m = std::max(farthest_m, geo::distance_m(around, other));
-  const Lattice lattice{around, std::max(sea.safety().cell().value, reach_m / most_rings), most_rings};
+  const Lattice lattice{around, std::max(domain.safety().cell().value, reach_m / most_rings), most_rings};
   std::vector<bool> seen(lattice.size());
   std::vector<std::size_t> joined;  // connected by open water
   const auto join_from = [&](geo::PlanePoint from) {
     return [&, from](std::size_t node) {
-      if (seen[node] || sea.closures().closed_between(from, lattice.point(node))) return;
+      if (seen[node] || domain.closures().closed_between(from, lattice.point(node))) return;
       seen[node] = true;
       joined.push_back(node);
     };
@@ -110,10 +111,10 @@ std::optional<geo::LonLat> nearest_usable_place_towards(const cost::Sea& sea, ge
     lattice.for_each_beside(joined[next], join_from(here));
     const double distance_m = geo::distance_m(around, here);
     if (distance_m > farthest_m || (nearest && distance_m >= geo::distance_m(around, *nearest))) continue;
-    if (is_usable(sea, here)) nearest = here;
+    if (is_usable(domain, here)) nearest = here;
   }
   if (!nearest) return std::nullopt;
-  return sea.projection().to_lon_lat(*nearest);
+  return domain.projection().to_lon_lat(*nearest);
 }
 
 }  // namespace floeplan::planning::search

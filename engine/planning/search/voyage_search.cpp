@@ -119,7 +119,7 @@ class Parts {
                           beginning.since_surfacing,
                           others_.foresights != nullptr ? &(*others_.foresights)[i] : nullptr);
     };
-    const bool bounded = others_.way != nullptr && !sea_.closures().any_timed();
+    const bool bounded = others_.way != nullptr && !sea_.domain().closures().any_timed();
     const core::Seconds of_use = i + 1 == grids_.size() ? others_.of_use : core::Seconds{INFINITY};
     const core::Seconds latest =
         bounded ? arrival_by(sea_, *others_.way, i, beginning.depart) : core::Seconds{INFINITY};
@@ -132,7 +132,8 @@ class Parts {
 
   /// Whether the part before, which ends as early as possible, may have used too much of the limit.
   [[nodiscard]] bool is_for_want_of_surfacing() const {
-    return sea_.overhead().bounds_surfacing() && !parts_.empty() && end_.since_surfacing.count() > 0.0;
+    return sea_.domain().overhead().bounds_surfacing() && !parts_.empty() &&
+           end_.since_surfacing.count() > 0.0;
   }
 
   /// Searches on as if the vehicle had just surfaced at the stop. The arrival there must leave what this route needs
@@ -140,7 +141,7 @@ class Parts {
   /// then continue.
   /// `failed`: returned if it cannot
   RouteSearch search_with_more_left(RouteSearch failed, std::size_t i) {
-    const core::Seconds longest = *sea_.overhead().longest_without_surfacing();
+    const core::Seconds longest = *sea_.domain().overhead().longest_without_surfacing();
     const RouteSearch rested = search_from(grids_[i], i, {end_.depart, core::Seconds{0.0}});
     if (rested.path.empty()) {
       failed.cancelled = rested.cancelled;

@@ -205,7 +205,7 @@ TEST(ReachSearch, ComesWhereAnyWalkDoesThatKeepsABoundShorterByATwentieth) {
     const cost::Sea sea{environment, request, projection, area, core::Metres{1000.0}};
     const PlanRequest stricter = bounded_voyage(0.95 * bound);
     const cost::Sea strict_sea{environment, stricter, projection, area, core::Metres{1000.0}};
-    const search::OpenGrid open = search::open_grid(sea, grid, 2, {});
+    const search::OpenGrid open = search::open_grid(sea.domain(), grid, 2, {});
     const std::vector<double> possible = least_since(sea, open);
     const std::vector<double> strictly_possible = least_since(strict_sea, open);
 

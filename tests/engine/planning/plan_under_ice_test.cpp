@@ -557,7 +557,7 @@ TEST(PlanUnderIce, FindsSmallIceToAnySide) {
                         core::Metres{1000.0}};
 
     const auto nearest =
-        ice::nearest_ice_within(core::Metres{15'000.0}, *sea.ice(), {0.0, 0.0}, core::Seconds{0.0});
+        ice::nearest_ice_within(core::Metres{15'000.0}, *sea.domain().ice(), {0.0, 0.0}, core::Seconds{0.0});
 
     ASSERT_TRUE(nearest.has_value()) << bearing_deg;
     EXPECT_NEAR(nearest->value, 10'000.0, 700.0) << bearing_deg;

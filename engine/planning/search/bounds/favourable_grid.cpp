@@ -22,7 +22,7 @@ FavourableGrid::FavourableGrid(const cost::Sea& sea, const OpenGrid& open)
       open_{open},
       steps_{steps_of(sea, open)},
       longest_{*std::ranges::max_element(steps_, {}, [](const Step& step) { return step.length.value; })} {
-  if (sea.currents() != nullptr) envelope_.emplace(*sea.currents(), longest_.length);
+  if (sea.domain().currents() != nullptr) envelope_.emplace(*sea.domain().currents(), longest_.length);
 }
 
 }  // namespace floeplan::planning::search

@@ -71,7 +71,7 @@ Foresight::Foresight(const cost::Sea& sea, const OpenGrid& open, core::Seconds a
       through_water_{std::max(sea.speed(sea.drives().front()), sea.speed(sea.drives().back()))} {
   longest_edge_ = core::Metres{static_cast<double>(std::ranges::max(fan_.length_m))};
   longest_drive_ = longest_edge_ / (slowest_share * through_water_);
-  if (sea.currents()) nearby_.emplace(*sea.currents(), longest_edge_, longest_drive_);
+  if (sea.domain().currents()) nearby_.emplace(*sea.domain().currents(), longest_edge_, longest_drive_);
 }
 
 std::optional<motion::NearbyCurrent> Foresight::water_at(graph::Vertex v, core::Seconds time,
@@ -91,9 +91,10 @@ bool Foresight::look(graph::Vertex v, core::Seconds time, currents::NearbyCurren
   const motion::FanVehicle vehicle{
       .through_water_m_s = static_cast<float>(through_water_.value),
       .ground_per_plane =
-          static_cast<float>(sea_.lengths().least_per_plane(open_.grid.point(v), longest_edge_)),
+          static_cast<float>(sea_.domain().lengths().least_per_plane(open_.grid.point(v), longest_edge_)),
       .longest_s = static_cast<float>(longest_drive_.count()),
-      .never_stopped = !sea_.currents() || sea_.currents()->strongest() < most_share * through_water_};
+      .never_stopped =
+          !sea_.domain().currents() || sea_.domain().currents()->strongest() < most_share * through_water_};
   if (fidelity == Fidelity::estimate) {
     motion::estimate_fan(fan_, *near, vehicle, times_);
   } else {
@@ -110,7 +111,7 @@ const motion::FanTimes* Foresight::estimates(graph::Vertex v, core::Seconds depa
   const motion::FanVehicle vehicle{
       .through_water_m_s = static_cast<float>(speed.value),
       .ground_per_plane =
-          static_cast<float>(sea_.lengths().least_per_plane(open_.grid.point(v), longest_edge_)),
+          static_cast<float>(sea_.domain().lengths().least_per_plane(open_.grid.point(v), longest_edge_)),
       .longest_s = static_cast<float>((longest_edge_ / (least_share * speed)).count())};
   motion::estimate_fan(fan_, *near, vehicle, times_);
   return &times_;
@@ -127,8 +128,9 @@ std::vector<graph::Edge> Foresight::likely_way(core::Seconds depart, const std::
   const auto is_closed = [&](const graph::Edge& edge, core::Seconds now, core::Seconds time) {
     const geo::PlanePoint tail = grid.point(edge.tail);
     const geo::PlanePoint head = grid.point(edge.head);
-    return is_barred(edge) || sea_.closures().closed_between(tail, head) ||
-           (minding.timed_closures && !sea_.closures().first_clear_departure(tail, head, time, now, now));
+    return is_barred(edge) || sea_.domain().closures().closed_between(tail, head) ||
+           (minding.timed_closures &&
+            !sea_.domain().closures().first_clear_departure(tail, head, time, now, now));
   };
   bool is_known = false;
   const auto time_fan = [&](const graph::Edge& edge, core::Seconds now, core::Seconds latest,
@@ -188,7 +190,8 @@ graph::SearchTree Foresight::sweep_forth(core::Seconds depart, core::Seconds arr
     const core::Seconds there = now + proven(edge, is_known);
     if (there >= latest) return std::nullopt;
     const core::Seconds open = when_open(edge.head, there);
-    if (open >= latest || sea_.closures().closed_between(grid.point(edge.tail), grid.point(edge.head)))
+    if (open >= latest ||
+        sea_.domain().closures().closed_between(grid.point(edge.tail), grid.point(edge.head)))
       return std::nullopt;
     return open - now;
   };
@@ -231,7 +234,8 @@ graph::SearchTree Foresight::sweep_back(core::Seconds depart, core::Seconds arri
     if (film_time + time >= latest) return std::nullopt;
     time = when_open(edge.head, film_time + time) - film_time;
     if (film_time + time >= latest) return std::nullopt;
-    if (sea_.closures().closed_between(grid.point(edge.head), grid.point(edge.tail))) return std::nullopt;
+    if (sea_.domain().closures().closed_between(grid.point(edge.head), grid.point(edge.tail)))
+      return std::nullopt;
     return time;
   };
   const graph::Query query{

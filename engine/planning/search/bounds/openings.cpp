@@ -26,7 +26,7 @@ Openings::Openings(const cost::Sea& sea, const OpenGrid& grid, core::Seconds lat
                                                  : std::numeric_limits<double>::infinity()};
     if (of_use.count() == -std::numeric_limits<double>::infinity()) continue;
     const std::vector<TimeSpan> spans =
-        closures != nullptr ? closures->at(v) : sea.closures().closed_times(grid.grid.point(v));
+        closures != nullptr ? closures->at(v) : sea.domain().closures().closed_times(grid.grid.point(v));
     for (const TimeSpan& closed : spans) {
       if (closed.until > std::min(latest, of_use) || !std::isfinite(closed.until.count())) continue;
       any = true;

@@ -32,7 +32,7 @@ class Rates {
   void look(Vertex v, core::Seconds time) {
     constexpr core::Seconds second{1.0};
     const geo::PlanePoint point = grid_.point(v);
-    const core::Metres upper_turn = sea_.overhead().least_upper_turn(point, time);
+    const core::Metres upper_turn = sea_.domain().overhead().least_upper_turn(point, time);
     for (std::size_t d = 0; d < sea_.drives().size(); ++d) {
       const core::Joules drawn =
           sea_.energy().use(point, point, second, sea_.drives()[d], upper_turn).total();
@@ -68,10 +68,10 @@ class ClosedEdges {
       if (i % outlook_check_interval == 0 && stop.stop_requested()) return;
       const Vertex v = tails[i];
       const geo::PlanePoint tail = open.grid.point(v);
-      if (sea.closures().open_about(tail, reach)) continue;
+      if (sea.domain().closures().open_about(tail, reach)) continue;
       open.graph.for_each_edge(v, [&](const Edge& edge) {
         closed_[v * steps_ + edge.step] =
-            sea.closures().closed_between(tail, open.grid.point(edge.head)).has_value();
+            sea.domain().closures().closed_between(tail, open.grid.point(edge.head)).has_value();
       });
     }
   }
@@ -163,7 +163,7 @@ CostOutlook::CostOutlook(const cost::Sea& sea, const OpenGrid& open, const Objec
       return least;
     };
 
-    if (!is_last && (sea.ice() || sea.icebergs().may_pass_under())) {
+    if (!is_last && (sea.domain().ice() || sea.domain().icebergs().may_pass_under())) {
       for (const Vertex v : order) rates.look(v, now);
     }
     for (int pass = 0; pass < (is_last ? passes_of_last : 1); ++pass) {

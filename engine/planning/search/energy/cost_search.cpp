@@ -82,8 +82,8 @@ double cost_along(const cost::Sea& sea, const OpenGrid& open, const std::vector<
   const auto times =
       cost::drive_along(sea, route, beginning.depart, beginning.since_surfacing, cost::Dives::over_map);
   if (!times) return INFINITY;
-  if (sea.overhead().bounds_surfacing() &&
-      times->since_surfacing + open.needed_after_goal() > *sea.overhead().longest_without_surfacing())
+  if (sea.domain().overhead().bounds_surfacing() && times->since_surfacing + open.needed_after_goal() >
+                                                        *sea.domain().overhead().longest_without_surfacing())
     return INFINITY;
   return times->cost(objective);
 }
@@ -104,7 +104,7 @@ class KnownLimit {
   KnownLimit(const cost::Sea& sea, const OpenGrid& open, const PlanRequest& request,
              const Beginning& beginning, CostGuide& guide, const std::stop_token& stop) {
     constexpr double rounding = 1e-9;  // relative, of sums of costs
-    if (!guide.foresight().is_useful() && !sea.closures().any_timed()) return;
+    if (!guide.foresight().is_useful() && !sea.domain().closures().any_timed()) return;
     PlanRequest by_time = request;
     by_time.method = Method::astar;
     const core::Seconds depart = beginning.depart;
@@ -123,11 +123,11 @@ class KnownLimit {
       has_way = !faster.path.empty();
     }
     // Where the time without surfacing is bounded, a search may have reached its bound on labels.
-    is_hopeless_ = !has_way && !sea.overhead().bounds_surfacing();
+    is_hopeless_ = !has_way && !sea.domain().overhead().bounds_surfacing();
     if (is_hopeless_ || !guide.foresight().is_useful()) return;
     if (!std::isfinite(cost) || stop.stop_requested()) return;
     last_ = depart + core::Seconds{cost / CostVoyage::least_rate(sea, request.objective())};
-    const auto end = sea.currents() ? sea.currents()->end() : std::nullopt;
+    const auto end = sea.domain().currents() ? sea.domain().currents()->end() : std::nullopt;
     last_ = std::min(last_, end.value_or(last_));
     const std::size_t rungs = is_steered(open) ? 1 : ArrivalLadder::most_rungs;
     ladder_.emplace(guide.foresight(), guide.closures(), open, depart, last_, stop, rungs);

@@ -28,7 +28,11 @@ class CostGuide {
  public:
   /// `sea` and `open` are borrowed and outlive this. `ahead`: how much later than the first the last departure is.
   CostGuide(const cost::Sea& sea, const OpenGrid& open, core::Seconds ahead = core::Seconds{0.0})
-      : sea_{sea}, open_{open}, ahead_{ahead}, closures_{sea.closures(), open.grid}, foresight_{sea, open} {}
+      : sea_{sea},
+        open_{open},
+        ahead_{ahead},
+        closures_{sea.domain().closures(), open.grid},
+        foresight_{sea, open} {}
 
   [[nodiscard]] Foresight& foresight() { return foresight_; }
   [[nodiscard]] VertexClosures& closures() { return closures_; }

@@ -23,9 +23,10 @@ CostVoyage::CostVoyage(const cost::Sea& sea, const OpenGrid& open, const Objecti
       outlook_{outlook},
       least_rate_{least_rate(sea, objective)},
       goal_{open.grid.point(open.grid.goal)},
-      longest_without_surfacing_{
-          sea.overhead().bounds_surfacing() ? sea.overhead().longest_without_surfacing() : std::nullopt},
-      steady_{sea.is_steady()} {}
+      longest_without_surfacing_{sea.domain().overhead().bounds_surfacing()
+                                     ? sea.domain().overhead().longest_without_surfacing()
+                                     : std::nullopt},
+      steady_{sea.domain().is_steady()} {}
 
 double CostVoyage::least_rate(const cost::Sea& sea, const Objective& objective) {
   constexpr core::Seconds second{1.0};

@@ -13,27 +13,28 @@ using graph::Vertex;
 constexpr Vertex vertices_between_looks =
     256;  // between two looks at the stop token; takes some milliseconds among icebergs
 
-std::vector<std::uint8_t> open_vertices(const cost::Sea& sea, const cost::RouteGrid& grid,
+std::vector<std::uint8_t> open_vertices(const cost::PlanningDomain& domain, const cost::RouteGrid& grid,
                                         const std::stop_token& stop) {
   std::vector<std::uint8_t> open(static_cast<std::size_t>(grid.nx) * static_cast<std::size_t>(grid.ny));
   for (Vertex v = 0; v < open.size(); ++v) {
     if (v % vertices_between_looks == 0 && stop.stop_requested()) break;
     const geo::PlanePoint point = grid.point(v);
-    open[v] = sea.closures().closed_between(point, point) ? 0 : 1;
+    open[v] = domain.closures().closed_between(point, point) ? 0 : 1;
   }
   return open;
 }
 
-std::int64_t count_open_edges(const cost::Sea& sea, const cost::RouteGrid& grid,
+std::int64_t count_open_edges(const cost::PlanningDomain& domain, const cost::RouteGrid& grid,
                               const graph::GridGraph& graph, const std::stop_token& stop) {
   const core::Metres reach = reach_of(grid, graph);
   std::int64_t count = 0;
   for (Vertex v = 0; v < graph.size(); ++v) {
     if (v % vertices_between_looks == 0 && stop.stop_requested()) break;
     if (!graph.is_open(v)) continue;
-    const bool all_open = sea.closures().open_about(grid.point(v), reach);
+    const bool all_open = domain.closures().open_about(grid.point(v), reach);
     graph.for_each_edge(v, [&](const Edge& edge) {
-      if (all_open || !sea.closures().closed_between(grid.point(edge.tail), grid.point(edge.head))) ++count;
+      if (all_open || !domain.closures().closed_between(grid.point(edge.tail), grid.point(edge.head)))
+        ++count;
     });
   }
   return count;
@@ -51,11 +52,11 @@ core::Metres reach_of(const cost::RouteGrid& grid, const graph::GridGraph& graph
   return core::Metres{furthest};
 }
 
-OpenGrid open_grid(const cost::Sea& sea, const cost::RouteGrid& grid, int sectors,
+OpenGrid open_grid(const cost::PlanningDomain& domain, const cost::RouteGrid& grid, int sectors,
                    const std::stop_token& stop) {
-  graph::GridGraph graph{grid.nx, grid.ny, sectors, open_vertices(sea, grid, stop)};
+  graph::GridGraph graph{grid.nx, grid.ny, sectors, open_vertices(domain, grid, stop)};
   const std::int64_t vertices = graph.count_open_vertices();
-  const std::int64_t edges = count_open_edges(sea, grid, graph, stop);
+  const std::int64_t edges = count_open_edges(domain, grid, graph, stop);
   return {.grid = grid, .graph = std::move(graph), .vertices = vertices, .edges = edges};
 }
 

@@ -6,15 +6,15 @@
 #include <vector>
 
 #include "engine/graph/grid_graph.hpp"
+#include "engine/planning/cost/planning_domain.hpp"
 #include "engine/planning/cost/route_grid.hpp"
-#include "engine/planning/cost/sea.hpp"
 
 namespace floeplan::planning::search {
 
 /// Bound of the rounding error of sums of edge times.
 inline constexpr double rounding_of_times_s = 1e-3;
 
-/// A grid on a leg cost model, with those of its vertices that are ever open. It is made once and searched for any
+/// A grid in a planning domain, with those of its vertices that are ever open. It is made once and searched for any
 /// departure.
 struct OpenGrid {
   cost::RouteGrid grid;
@@ -36,7 +36,7 @@ struct OpenGrid {
 [[nodiscard]] core::Metres reach_of(const cost::RouteGrid& grid, const graph::GridGraph& graph);
 
 /// Stops    early once `stop` is requested; the grid must then not be used
-[[nodiscard]] OpenGrid open_grid(const cost::Sea& sea, const cost::RouteGrid& grid, int sectors,
+[[nodiscard]] OpenGrid open_grid(const cost::PlanningDomain& domain, const cost::RouteGrid& grid, int sectors,
                                  const std::stop_token& stop);
 
 }  // namespace floeplan::planning::search

@@ -51,7 +51,7 @@ class HeldWaySearch {
         report_{report},
         limits_{limits},
         foresight_{sea, open},
-        closures_{sea.closures(), open.grid} {}
+        closures_{sea.domain().closures(), open.grid} {}
 
   HeldWay run() {
     const graph::SearchTree earliest = foresight_.sweep_forth(within_.from, within_.until, stop_, closures_);

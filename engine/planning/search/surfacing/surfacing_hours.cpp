@@ -21,7 +21,7 @@ class Spans {
       : sea_{sea}, depart_{depart}, longest_s_{longest_s} {
     const graph::GridGraph& graph = grid.open().graph;
     for (Vertex v = 0; v < graph.size(); ++v) points_.push_back(grid.open().grid.point(v));
-    const double period_s = (sea.ice()->last_step() - depart).count();
+    const double period_s = (sea.domain().ice()->last_step() - depart).count();
     width_s_ = std::max({span_share * longest_s, period_s / static_cast<double>(most_spans), 1.0});
     count_ = 1 + static_cast<std::size_t>(std::max(0.0, std::ceil(period_s / width_s_)));
   }
@@ -93,9 +93,9 @@ std::size_t last_of_use(const Spans& spans, const FavourableGrid& grid, double l
 HourlyReach reach_hour_by_hour(const cost::Sea& sea, const FavourableGrid& grid, core::Seconds depart,
                                core::Seconds since_surfacing, const std::stop_token& stop) {
   const OpenGrid& open = grid.open();
-  const double longest_s = sea.overhead().longest_without_surfacing()->count() + rounding_of_times_s;
+  const double longest_s = sea.domain().overhead().longest_without_surfacing()->count() + rounding_of_times_s;
   HourlyReach result{.reached = std::vector<bool>(open.graph.size(), false)};
-  if (!sea.ice()) {
+  if (!sea.domain().ice()) {
     result.reaches_goal = true;
     return result;
   }

@@ -61,7 +61,7 @@ void spread_backwards(std::vector<double>& until_s, const FavourableGrid& grid, 
 
 /// The limit, with room for rounding.
 double longest(const cost::Sea& sea) {
-  return sea.overhead().longest_without_surfacing()->count() + rounding_of_times_s;
+  return sea.domain().overhead().longest_without_surfacing()->count() + rounding_of_times_s;
 }
 
 }  // namespace

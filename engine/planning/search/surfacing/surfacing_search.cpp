@@ -64,8 +64,9 @@ void describe_bounded_end(RouteSearch& result, const cost::Sea& sea, const OpenG
                              core::Seconds{nearest->arrival_s - nearest->state.surfaced_s});
     if (leg) return;
     result.closed_at_nearest.push_back(leg.error());
-    result.out_of_time = result.out_of_time || (leg.error() == motion::EdgeClosed::outside_data &&
-                                                sea.currents_known_to_end(head, result.nearest_arrival));
+    result.out_of_time =
+        result.out_of_time || (leg.error() == motion::EdgeClosed::outside_data &&
+                               sea.domain().currents_known_to_end(head, result.nearest_arrival));
   });
 }
 
@@ -79,11 +80,11 @@ class Searches {
         since_surfacing_{since_surfacing},
         stop_{stop},
         report_fraction_{report_fraction},
-        closures_{sea.closures(), open.grid},
+        closures_{sea.domain().closures(), open.grid},
         reach_{sea, open, depart, since_surfacing, stop},
         foresight_{sea, reach_.grid()},
         has_hope_{reach_.has_hope()} {
-    const auto end = sea.currents() ? sea.currents()->end() : std::nullopt;
+    const auto end = sea.domain().currents() ? sea.domain().currents()->end() : std::nullopt;
     if (end && has_hope_) look_ahead(*end);
   }
 
@@ -105,7 +106,7 @@ class Searches {
   }
   /// A route close to the best that reaches the goal before then.
   [[nodiscard]] Labels find_best(Pass pass, core::Seconds before, std::size_t most_labels) {
-    const Openings openings = sea_.closures().any_timed()
+    const Openings openings = sea_.domain().closures().any_timed()
                                   ? Openings{sea_, reach_.grid(), before, stop_, &closures_, ladder_.get()}
                                   : Openings{};
     return find({.pass = pass, .slack = sea_.edge_tolerance(), .before = before}, openings, most_labels);
@@ -120,7 +121,7 @@ class Searches {
   };
   [[nodiscard]] Labels find(const Wanted& wanted, const Openings& openings, std::size_t most_labels) {
     const core::Seconds resolution =
-        wanted.pass.share_of_bound * *sea_.overhead().longest_without_surfacing();
+        wanted.pass.share_of_bound * *sea_.domain().overhead().longest_without_surfacing();
     const OpenGrid& open = reach_.grid();
     SurfacingVoyage voyage{sea_,
                            open,

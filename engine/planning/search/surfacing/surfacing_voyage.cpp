@@ -33,13 +33,13 @@ SurfacingVoyage::SurfacingVoyage(const cost::Sea& sea, const OpenGrid& open, con
       reach_{known.reach},
       ladder_{known.ladder},
       step_s_{step_time(open.grid, sea.through_water()).count()},
-      longest_s_{sea.overhead().longest_without_surfacing()->count()},
+      longest_s_{sea.domain().overhead().longest_without_surfacing()->count()},
       left_at_goal_s_{open.left_at_goal.count()},
       resolution_s_{resolution.count()},
       before_s_{before.count()},
       aim_{aim},
       weight_{weight},
-      may_wait_{sea.holding().longest.count() > 0.0 && sea.closures().any_timed()},
+      may_wait_{sea.holding().longest.count() > 0.0 && sea.domain().closures().any_timed()},
       indifferent_s_{aim == Aim::any_way && !may_wait_ ? step_s_ : 0.0},
       fronts_{open.graph.size()} {}
 
@@ -80,7 +80,7 @@ bool SurfacingVoyage::may_wait_for(graph::Vertex v, const Label& first, const La
   const geo::PlanePoint place = grid_.point(v);
   if (until - from > sea_.holding().longest || !cost::current_lets_stay(sea_, place, from, until))
     return false;
-  const auto since = cost::since_surfacing_after_wait(sea_, place, from, until,
+  const auto since = cost::since_surfacing_after_wait(sea_.domain().overhead(), place, from, until,
                                                       from - core::Seconds{first.state.surfaced_s});
   return since && *since <= until - core::Seconds{other.state.surfaced_s};
 }

@@ -9,7 +9,7 @@
 #include "engine/graph/label_search.hpp"
 #include "engine/planning/cost/hold_times.hpp"
 #include "engine/planning/cost/sea.hpp"
-#include "engine/planning/cost/surfacing_wait.hpp"
+#include "engine/planning/cost/surfacing_watch.hpp"
 #include "engine/planning/search/bounds/arrival_ladder.hpp"
 #include "engine/planning/search/bounds/openings.hpp"
 #include "engine/planning/search/grid/open_grid.hpp"
@@ -163,7 +163,7 @@ void SurfacingVoyage::extend_with_waits(const graph::Edge& edge, double arrival_
   cost::for_each_opening(
       sea_, tail, head, closed, arrive, core::Seconds{before_s_}, [&](const cost::WaitedLeg& leg) {
         const core::Seconds leaves = arrive + leg.wait;
-        const auto since = cost::since_surfacing_after_wait(sea_, tail, arrive, leaves,
+        const auto since = cost::since_surfacing_after_wait(sea_.domain().overhead(), tail, arrive, leaves,
                                                             core::Seconds{arrival_s - state.surfaced_s});
         if (!since) return;
         const auto drive = sea_.leg(tail, head, leaves, *since);

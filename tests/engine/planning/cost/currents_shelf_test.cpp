@@ -115,8 +115,8 @@ TEST(CurrentsShelf, LaysThemOutOnceWhereTheRequestsDifferInOtherThings) {
   const Sea wider{environment, request, projection, box_about(20'000.0), cell, {}, &shelf};
   const Sea again{environment, patient, projection, box_about(10'000.0), cell, {}, &shelf};
 
-  EXPECT_NE(first.currents(), wider.currents());
-  EXPECT_EQ(first.currents(), again.currents());
+  EXPECT_NE(first.domain().currents(), wider.domain().currents());
+  EXPECT_EQ(first.domain().currents(), again.domain().currents());
 }
 
 TEST(CurrentsShelf, KeepsNothingThatWasNotFinished) {
@@ -140,7 +140,7 @@ TEST(CurrentsShelf, HasNoneInStillWater) {
       still, request_in_the_sea(), geo::LocalProjection{{-53.0, 69.0}}, box_about(10'000.0), cell, {},
       &shelf};
 
-  EXPECT_EQ(sea.currents(), nullptr);
+  EXPECT_EQ(sea.domain().currents(), nullptr);
 }
 
 }  // namespace

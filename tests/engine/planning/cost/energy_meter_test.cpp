@@ -71,7 +71,7 @@ core::Watts power_at(const PlanRequest& request, const currents::FlownDepths& de
 core::Joules stepped_energy(const Sea& sea, const PlanRequest& request, const currents::FlownDepths& depths,
                             const RandomLeg& leg, Drive drive) {
   const double way_m = geo::distance_m(leg.a, leg.b);
-  const double ground_m = sea.lengths().between(leg.a, leg.b).value;
+  const double ground_m = sea.domain().lengths().between(leg.a, leg.b).value;
   const double east = (leg.b.x_m - leg.a.x_m) / way_m;
   const double north = (leg.b.y_m - leg.a.y_m) / way_m;
   const double through_water_m_s = sea.speed(drive).value;
@@ -79,7 +79,7 @@ core::Joules stepped_energy(const Sea& sea, const PlanRequest& request, const cu
   double now_s = leg.depart.count();
   for (double way = 0.0; way < ground_m;) {
     const geo::PlanePoint here = between(leg, way / ground_m);
-    const auto current = (*sea.currents())(here, core::Seconds{now_s});
+    const auto current = (*sea.domain().currents())(here, core::Seconds{now_s});
     const double across = current->x_m_s * north - current->y_m_s * east;
     const double speed = current->x_m_s * east + current->y_m_s * north +
                          std::sqrt(through_water_m_s * through_water_m_s - across * across);

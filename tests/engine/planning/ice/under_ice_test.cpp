@@ -102,7 +102,7 @@ TEST(UnderIce, LeavesRoomForADiveOverEveryBedWhateverTheMargins) {
     double room_m = INFINITY;
     for (int i = 0; i <= 200; ++i) {
       const geo::PlanePoint point{a.x_m + i / 200.0 * (b.x_m - a.x_m), a.y_m + i / 200.0 * (b.y_m - a.y_m)};
-      const double turn_m = sea.overhead().least_upper_turn(point, at_once).value;
+      const double turn_m = sea.domain().overhead().least_upper_turn(point, at_once).value;
       const double bed_m = environment.bathymetry->shoalest(projection.to_lon_lat(point))->value;
       const double bottom_m = std::min(vehicle.dive_depth.value, bed_m - vehicle.altimeter_margin.value);
       room_m = std::min(room_m, bottom_m - turn_m);
@@ -165,7 +165,7 @@ TEST(UnderIce, PassesButDoesNotCountOnSurfacingWhereNothingIsKnown) {
   const cost::Sea sea{environment, request, projection, area, core::Metres{500.0}};
 
   EXPECT_TRUE(sea.leg_time({0.0, 0.0}, {5000.0, 0.0}, at_once));
-  EXPECT_FALSE(sea.overhead().may_surface({0.0, 0.0}, at_once));
+  EXPECT_FALSE(sea.domain().overhead().may_surface({0.0, 0.0}, at_once));
 }
 
 TEST(UnderIce, KeepsBelowTheKeelsThatWereKnownLast) {
@@ -234,8 +234,9 @@ TEST(SeaLeg, NeverCountsLessThanTheTrueTimeUnderIce) {
     double before_s = 0.0;
     for (const cost::Sea::Passage& fine :
          sea.passages(from, to, at_once, core::Metres{10.0}, sea.drives().front())) {
-      since_s =
-          sea.overhead().may_surface(fine.point, fine.time) ? 0.0 : since_s + fine.time.count() - before_s;
+      since_s = sea.domain().overhead().may_surface(fine.point, fine.time)
+                    ? 0.0
+                    : since_s + fine.time.count() - before_s;
       before_s = fine.time.count();
     }
     ASSERT_TRUE(leg);

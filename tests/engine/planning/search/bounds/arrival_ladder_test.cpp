@@ -27,7 +27,7 @@ TEST(ArrivalLadder, IsNeverLaterThanAnArrivalThatIsPossible) {
     const double best_s = all.arrival_s(waters.grid.goal);
     const core::Seconds last{best_s + 0.3 * (best_s - depart.count())};
     Foresight foresight{waters.sea, waters.open};
-    VertexClosures closures{waters.sea.closures(), waters.grid};
+    VertexClosures closures{waters.sea.domain().closures(), waters.grid};
     ArrivalLadder ladder{foresight, closures, waters.open, depart, last, {}};
     ASSERT_TRUE(ladder.has_hope());
 
@@ -70,7 +70,7 @@ TEST(ArrivalLadder, IsNeverLaterThanAWayAmongIcebergsThatDrift) {
     ++found;
     const double arrival_s = tree.arrival_s(waters.grid.goal);
     Foresight foresight{waters.sea, waters.open};
-    VertexClosures closures{waters.sea.closures(), waters.grid};
+    VertexClosures closures{waters.sea.domain().closures(), waters.grid};
     const ArrivalLadder ladder{foresight, closures, waters.open, depart, core::Seconds{1.2 * arrival_s}, {}};
 
     ASSERT_TRUE(ladder.has_hope());
@@ -86,7 +86,7 @@ TEST(ArrivalLadder, HasNoHopeOfAnArrivalThatNoVehicleMakes) {
   const Waters waters{{.currents = support::currents_from(
                            [](geo::LonLat, double) { return geo::VelocityEn{{-0.05}, {0.0}}; }, 120)}};
   Foresight foresight{waters.sea, waters.open};
-  VertexClosures closures{waters.sea.closures(), waters.grid};
+  VertexClosures closures{waters.sea.domain().closures(), waters.grid};
   const double straight_s = 40'000.0 / (waters.sea.through_water().value - 0.05);
 
   EXPECT_FALSE((

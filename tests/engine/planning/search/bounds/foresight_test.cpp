@@ -102,7 +102,7 @@ TEST(Foresight, SweepsByTheStraightBoundWhereItIsOfNoUse) {
                       24'000.0};
   Foresight foresight{coarse.sea, coarse.open};
   ASSERT_FALSE(foresight.is_useful());
-  VertexClosures closures{coarse.sea.closures(), coarse.open.grid};
+  VertexClosures closures{coarse.sea.domain().closures(), coarse.open.grid};
   const core::Seconds late{48.0 * 3600.0};
 
   const graph::SearchTree earliest = foresight.sweep_forth(core::Seconds{0.0}, late, {}, closures);

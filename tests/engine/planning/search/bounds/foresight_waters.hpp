@@ -46,7 +46,7 @@ struct Waters {
         grid{cost::lay_grid({-20'000.0, 0.0}, {20'000.0, 3000.0},
                             {core::Metres{step_m}, core::Metres{step_m}}, {0.5, 0.25})},
         sea{environment, request, projection, grid.bounds().grown(2000.0), core::Metres{500.0}},
-        open{open_grid(sea, grid, request.sectors, {})} {}
+        open{open_grid(sea.domain(), grid, request.sectors, {})} {}
 };
 
 inline graph::Vertex random_vertex(std::mt19937_64& rng, const OpenGrid& open) {

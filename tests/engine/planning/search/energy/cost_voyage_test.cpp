@@ -86,7 +86,7 @@ void expect_least_cost(const ocean::Environment& environment, const Objective& o
   const PlanRequest request = hybrid_request(objective);
   const geo::LocalProjection projection{{-53.0, 69.0}};
   const cost::Sea sea{environment, request, projection, area, core::Metres{1000.0}};
-  const OpenGrid open = open_grid(sea, small_grid, 1, {});
+  const OpenGrid open = open_grid(sea.domain(), small_grid, 1, {});
   CostVoyage voyage{sea, open, objective};
   BruteForce brute_force{.sea = sea, .open = open, .objective = objective};
 
@@ -131,7 +131,7 @@ TEST(CostVoyage, KeepsTheDearerDriveWhereTheCheaperOneIsBelowIceForTooLong) {
   PlanRequest request = hybrid_request(energy_objective);
   request.under_ice.max_time_without_surfacing = core::Seconds{25'000.0};
   const cost::Sea sea{environment, request, geo::LocalProjection{{-53.0, 69.0}}, area, core::Metres{1000.0}};
-  const OpenGrid open = open_grid(sea, small_grid, 1, {});
+  const OpenGrid open = open_grid(sea.domain(), small_grid, 1, {});
   CostVoyage voyage{sea, open, energy_objective};
   const auto at_half_way = [&](double arrival_s, double cost) {
     return graph::Label<CostVoyage::State>{
@@ -153,7 +153,7 @@ double share_of_plain_cost(const ocean::Environment& environment, const Objectiv
   const cost::Sea sea{environment, request, geo::LocalProjection{{-53.0, 69.0}}, grid.bounds().grown(2500.0),
                       core::Metres{800.0}};
   std::vector<OpenGrid> grids;
-  grids.push_back(open_grid(sea, grid, request.sectors, {}));
+  grids.push_back(open_grid(sea.domain(), grid, request.sectors, {}));
   CostVoyage voyage{sea, grids[0], objective};
   const auto plain = graph::find_best_labels(grids[0].graph, grid.start, grid.goal, 0.0, CostVoyage::State{},
                                              voyage, 1'000'000, {});
@@ -192,7 +192,7 @@ struct LargeGrid {
         grid{cost::lay_grid({-20'000.0, 0.0}, {20'000.0, 3000.0}, {spacing, spacing}, {0.5, 0.25})},
         sea{environment, request, geo::LocalProjection{{-53.0, 69.0}}, grid.bounds().grown(2500.0),
             core::Metres{800.0}} {
-    grids.push_back(open_grid(sea, grid, 2, {}));
+    grids.push_back(open_grid(sea.domain(), grid, 2, {}));
   }
   LargeGrid(const LargeGrid&) = delete;
   LargeGrid& operator=(const LargeGrid&) = delete;
@@ -264,7 +264,7 @@ struct LateScene {
   [[nodiscard]] Outcome search() const {
     const cost::Sea sea{environment, request, projection, grid.bounds().grown(2500.0), core::Metres{800.0}};
     std::vector<OpenGrid> grids;
-    grids.push_back(open_grid(sea, grid, request.sectors, {}));
+    grids.push_back(open_grid(sea.domain(), grid, request.sectors, {}));
     int reports = 0;
     auto way = search_least_cost(sea, grids, request, core::Seconds{0.0}, {}, [&](double) { ++reports; });
     return {std::move(way), reports};

@@ -18,10 +18,11 @@ TEST(VertexClosures, AreThoseOfTheSeaAtTheVertex) {
           drifting_berg(place, 200.0, support::uniform(rng, 0.0, 0.3), support::uniform(rng, 0.0, 360.0)));
     }
     const Waters waters{environment};
-    VertexClosures closures{waters.sea.closures(), waters.grid};
+    VertexClosures closures{waters.sea.domain().closures(), waters.grid};
     for (int i = 0; i < 50; ++i) {
       const graph::Vertex v = random_vertex(rng, waters.open);
-      const std::vector<TimeSpan> expected = waters.sea.closures().closed_times(waters.grid.point(v));
+      const std::vector<TimeSpan> expected =
+          waters.sea.domain().closures().closed_times(waters.grid.point(v));
       const std::vector<TimeSpan>& first = closures.at(v);
       ASSERT_EQ(first.size(), expected.size());
       for (std::size_t span = 0; span < expected.size(); ++span) {
@@ -39,7 +40,7 @@ TEST(VertexClosures, StayWhereTheyAreWhileOthersAreAsked) {
   ocean::Environment environment;
   environment.icebergs.push_back(drifting_berg({-53.0, 69.0}, 400.0, 0.1, 90.0));
   const Waters waters{environment};
-  VertexClosures closures{waters.sea.closures(), waters.grid};
+  VertexClosures closures{waters.sea.domain().closures(), waters.grid};
   const std::vector<TimeSpan>& at_goal = closures.at(waters.grid.goal);
   const std::size_t count = at_goal.size();
   for (graph::Vertex v = 0; v < waters.open.graph.size(); ++v) static_cast<void>(closures.at(v));
@@ -50,7 +51,7 @@ TEST(VertexClosures, StayWhereTheyAreWhileOthersAreAsked) {
 
 TEST(VertexClosures, AreNoneInASeaWhereNothingOpensAndCloses) {
   const Waters waters{{}};
-  VertexClosures closures{waters.sea.closures(), waters.grid};
+  VertexClosures closures{waters.sea.domain().closures(), waters.grid};
   EXPECT_TRUE(closures.at(waters.grid.start).empty());
   EXPECT_TRUE(closures.at(waters.grid.goal).empty());
 }

@@ -101,7 +101,7 @@ TEST(HoldSearch, IsNeverLaterThanAnyWayThatBruteForceFinds) {
   support::for_each_seed(12, [&](std::mt19937_64& rng) {
     const TidalScene scene{rng};
     const cost::Sea sea = scene.sea();
-    const OpenGrid open = open_grid(sea, scene.grid, 1, {});
+    const OpenGrid open = open_grid(sea.domain(), scene.grid, 1, {});
     const core::Seconds expected = by_brute_force(sea, open);
 
     const HeldWay held = search_held_way(sea, open, at_departure, whenever, {});
@@ -200,7 +200,8 @@ class HoldBeforeAGoal : public testing::Test {
   }
   [[nodiscard]] HeldWay search() const {
     const cost::Sea sea = this->sea();
-    return search_held_way(sea, open_grid(sea, grid_, request_.sectors, {}), at_departure, whenever, {});
+    return search_held_way(sea, open_grid(sea.domain(), grid_, request_.sectors, {}), at_departure, whenever,
+                           {});
   }
   [[nodiscard]] cost::Sea sea() const {
     return {environment_, request_, projection, grid_.bounds().grown(2000.0), core::Metres{500.0}};
@@ -213,7 +214,7 @@ class HoldBeforeAGoal : public testing::Test {
 };
 
 TEST_F(HoldBeforeAGoal, EndsWhenItOpens) {
-  const std::vector<TimeSpan> closed = sea().closures().closed_times(grid_.point(grid_.goal));
+  const std::vector<TimeSpan> closed = sea().domain().closures().closed_times(grid_.point(grid_.goal));
   ASSERT_EQ(closed.size(), 1U);
 
   const HeldWay held = search();
@@ -255,7 +256,7 @@ TEST_F(HoldBeforeAGoal, IsNotSpreadOverPlacesWhereItIsLongerThanAllowed) {
 
 TEST_F(HoldBeforeAGoal, IsFoundWithoutALookAtEveryPlace) {
   const cost::Sea sea = this->sea();
-  const OpenGrid open = open_grid(sea, grid_, request_.sectors, {});
+  const OpenGrid open = open_grid(sea.domain(), grid_, request_.sectors, {});
 
   const HeldWay held = search_held_way(sea, open, at_departure, whenever, {});
 

@@ -73,15 +73,15 @@ TEST(CurrentEnvelope, EnclosesTheCurrentsNearbyAtAllTimes) {
     const plane::PlaneBox area{{-60'000.0, -60'000.0}, {60'000.0, 60'000.0}};
     const cost::Sea sea{environment, request, projection, area, core::Metres{1000.0}};
     const double reach_m = support::uniform(rng, 500.0, 12'000.0);
-    const currents::CurrentEnvelope envelope{*sea.currents(), core::Metres{reach_m}};
+    const currents::CurrentEnvelope envelope{*sea.domain().currents(), core::Metres{reach_m}};
     for (int i = 0; i < 200; ++i) {
       const geo::PlanePoint point{support::uniform(rng, -25'000.0, 25'000.0),
                                   support::uniform(rng, -25'000.0, 25'000.0)};
       const double angle = support::uniform(rng, 0.0, 6.28);
       const double away_m = support::uniform(rng, 0.0, reach_m);
-      const auto current =
-          (*sea.currents())({point.x_m + away_m * std::cos(angle), point.y_m + away_m * std::sin(angle)},
-                            core::Seconds{support::uniform(rng, 0.0, 47.0 * 3600.0)});
+      const auto current = (*sea.domain().currents())(
+          {point.x_m + away_m * std::cos(angle), point.y_m + away_m * std::sin(angle)},
+          core::Seconds{support::uniform(rng, 0.0, 47.0 * 3600.0)});
       if (!current) continue;
       ++looks;
       const geo::PlanePoint direction{std::cos(2.0 * angle), std::sin(2.0 * angle)};
@@ -102,7 +102,7 @@ TEST(CurrentEnvelope, TellsAStrongStreamFromTheStillWaterBesideIt) {
                                            2)};
   const plane::PlaneBox area{{-60'000.0, -60'000.0}, {60'000.0, 60'000.0}};
   const cost::Sea sea{environment, support::eastward_request(), projection, area, core::Metres{1000.0}};
-  const currents::CurrentEnvelope envelope{*sea.currents(), core::Metres{2000.0}};
+  const currents::CurrentEnvelope envelope{*sea.domain().currents(), core::Metres{2000.0}};
   EXPECT_NEAR(envelope.about({0.0, 0.0}).most_along({1.0, 0.0}).value, 0.0, 0.01);
   EXPECT_NEAR(envelope.about({0.0, 50'000.0}).most_along({1.0, 0.0}).value, 0.5, 0.01);
   EXPECT_LT(envelope.about({0.0, 50'000.0}).most_along({-1.0, 0.0}).value, -0.45);
@@ -116,7 +116,7 @@ TEST(FavourableGrid, NeverTakesLongerThanAVehicleDoes) {
     const PlanRequest request = support::eastward_request();
     const cost::RouteGrid grid = wide_grid(9, 7);
     const cost::Sea sea{environment, request, projection, grid.bounds().grown(4000.0), core::Metres{1000.0}};
-    const OpenGrid open = open_grid(sea, grid, 2, {});
+    const OpenGrid open = open_grid(sea.domain(), grid, 2, {});
     const FavourableGrid favourable{sea, open};
     std::vector<std::vector<double>> least_s(open.graph.size(), std::vector<double>(open.graph.size(), 0.0));
     for (graph::Vertex v = 0; v < open.graph.size(); ++v) {
@@ -153,7 +153,7 @@ TEST(SurfacingReach, LeavesEveryPlaceWhereAVehicleThatKeepsTheBoundComes) {
     cost::RouteGrid grid = wide_grid(13, 9);
     grid.goal = grid.start + static_cast<graph::Vertex>(support::uniform(rng, 2.0, 8.0));
     const cost::Sea sea{environment, request, projection, grid.bounds().grown(4000.0), core::Metres{1000.0}};
-    const OpenGrid open = open_grid(sea, grid, 2, {});
+    const OpenGrid open = open_grid(sea.domain(), grid, 2, {});
     const core::Seconds depart{3600.0 * support::uniform(rng, 0.0, 20.0)};
     const SurfacingReach reach{sea, open, depart, at_once, {}};
     const FavourableGrid favourable{sea, open};
@@ -209,7 +209,7 @@ TEST(SurfacingReach, CountsOnNoOpeningThatHasClosedBeforeTheVehicleIsThere) {
     const PlanRequest request = bounded_request(26.0);
     const cost::RouteGrid grid = wide_grid(31, 9);
     const cost::Sea sea{environment, request, projection, grid.bounds().grown(4000.0), core::Metres{1000.0}};
-    const OpenGrid open = open_grid(sea, grid, 2, {});
+    const OpenGrid open = open_grid(sea.domain(), grid, 2, {});
     const SurfacingReach reach{sea, open, core::Seconds{3600.0}, at_once, {}};
     EXPECT_EQ(reach.has_hope(), closes_h > 100.0);
   }
@@ -220,7 +220,7 @@ TEST(SurfacingReach, HasHopeWhereNothingIsKnownOfIce) {
   const cost::RouteGrid grid = wide_grid(9, 7);
   const cost::Sea sea{environment, bounded_request(1.0), projection, grid.bounds().grown(4000.0),
                       core::Metres{1000.0}};
-  const OpenGrid open = open_grid(sea, grid, 2, {});
+  const OpenGrid open = open_grid(sea.domain(), grid, 2, {});
   const SurfacingReach reach{sea, open, at_once, at_once, {}};
   EXPECT_TRUE(reach.has_hope());
   EXPECT_EQ(reach.grid().vertices, open.vertices);

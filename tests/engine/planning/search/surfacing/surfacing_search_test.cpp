@@ -107,7 +107,7 @@ TEST(SurfacingSearch, FindsAnArrivalAsEarlyAsAnyWalkThatKeepsABoundShorterByAHun
     const PlanRequest request = bounded_request(support::uniform(rng, 6.0, 20.0));
     const cost::RouteGrid grid = small_grid(5, 4);
     const cost::Sea sea{environment, request, projection, grid.bounds().grown(2000.0), core::Metres{1000.0}};
-    const OpenGrid open = open_grid(sea, grid, request.sectors, {});
+    const OpenGrid open = open_grid(sea.domain(), grid, request.sectors, {});
 
     const RouteSearch search = search_route(sea, open, request, core::Seconds{0.0}, {}, [](double) {});
 
@@ -149,8 +149,8 @@ TEST(SurfacingSearch, GoesBackAndForthToOpenWaterWhenNothingElseKeepsTheBound) {
   const auto arrival_h = [&](double bound_h) {
     const PlanRequest request = bounded_request(bound_h);
     const cost::Sea sea{environment, request, projection, grid.bounds().grown(2000.0), core::Metres{500.0}};
-    const RouteSearch search =
-        search_route(sea, open_grid(sea, grid, 1, {}), request, core::Seconds{0.0}, {}, [](double) {});
+    const RouteSearch search = search_route(sea, open_grid(sea.domain(), grid, 1, {}), request,
+                                            core::Seconds{0.0}, {}, [](double) {});
     const auto arrivals = cost::arrivals_along(sea, search.path, core::Seconds{0.0});
     return search.path.empty() || !arrivals ? never : arrivals->back().count() / 3600.0;
   };
@@ -170,7 +170,7 @@ TEST(SurfacingSearch, SaysThatTheLastSurfacingLiesTooFarBack) {
   const cost::Sea sea{environment, request, projection, grid.bounds().grown(2000.0), core::Metres{1000.0}};
 
   const RouteSearch search =
-      search_route(sea, open_grid(sea, grid, 1, {}), request, core::Seconds{0.0}, {}, [](double) {});
+      search_route(sea, open_grid(sea.domain(), grid, 1, {}), request, core::Seconds{0.0}, {}, [](double) {});
 
   EXPECT_TRUE(search.path.empty());
   EXPECT_GT(std::ranges::count(search.closed_at_nearest, motion::EdgeClosed::no_surfacing), 0);
@@ -191,7 +191,8 @@ TEST(SurfacingSearch, TakesTheBestWayOfAllWhereThatKeepsTheBound) {
   const auto search_within = [&](double bound_h) {
     const PlanRequest request = bounded_request(bound_h);
     const cost::Sea sea{environment, request, projection, grid.bounds().grown(2000.0), core::Metres{1000.0}};
-    return search_route(sea, open_grid(sea, grid, 1, {}), request, core::Seconds{0.0}, {}, [](double) {});
+    return search_route(sea, open_grid(sea.domain(), grid, 1, {}), request, core::Seconds{0.0}, {},
+                        [](double) {});
   };
 
   const RouteSearch unhindered = search_within(1000.0);
@@ -213,7 +214,7 @@ TEST(SurfacingSearch, FindsTheWayPastABergThatLeavesTheGapLater) {
   environment.icebergs = {drifting_berg({-53.2, 69.0}, 100.0, 0.12, 90.0)};
   const auto chart = draw_chart(environment, request, cost::first_reach, {});
   ASSERT_TRUE(chart);
-  const OpenGrid open = open_grid(chart->sea, chart->layout.grids.front(), request.sectors, {});
+  const OpenGrid open = open_grid(chart->sea.domain(), chart->layout.grids.front(), request.sectors, {});
 
   const RouteSearch of_all = search_route(chart->sea, open, request, core::Seconds{0.0}, {}, [](double) {});
   const RouteSearch bounded =
@@ -238,7 +239,7 @@ TEST(SurfacingSearch, ReturnsTheBestWayItKnowsWhenItIsCutShort) {
   grid.along.x_m /= 4.0;
   grid.across.y_m /= 4.0;
   const cost::Sea sea{environment, request, projection, grid.bounds().grown(2000.0), core::Metres{1000.0}};
-  const OpenGrid open = open_grid(sea, grid, 2, {});
+  const OpenGrid open = open_grid(sea.domain(), grid, 2, {});
   const auto search_among = [&](std::size_t labels) {
     return search_with_surfacings(sea, open, core::Seconds{0.0}, core::Seconds{0.0}, {}, [](double) {},
                                   {labels, labels});
@@ -274,8 +275,8 @@ TEST(SurfacingSearch, FindsAnyWayBeforeItLooksForABetterOne) {
   grid.across.y_m /= 4.0;
   grid.origin = {-1000.0 * 40, -1000.0 * 30};
   const cost::Sea sea{environment, request, projection, grid.bounds().grown(5000.0), core::Metres{1000.0}};
-  const OpenGrid open = open_grid(sea, grid, 2, {});
-  ASSERT_TRUE(sea.closures().any_timed());
+  const OpenGrid open = open_grid(sea.domain(), grid, 2, {});
+  ASSERT_TRUE(sea.domain().closures().any_timed());
   const auto search_with = [&](SurfacingBudget budget) {
     return search_with_surfacings(
         sea, open, core::Seconds{0.0}, core::Seconds{0.0}, {}, [](double) {}, budget);
@@ -306,7 +307,7 @@ TEST(SurfacingSearch, ProvesThatNoWayKeepsTheBound) {
   for (const double bound_h : {3.0, 60.0}) {
     const PlanRequest request = bounded_request(bound_h);
     const cost::Sea sea{environment, request, projection, grid.bounds().grown(2000.0), core::Metres{1000.0}};
-    const OpenGrid open = open_grid(sea, grid, 2, {});
+    const OpenGrid open = open_grid(sea.domain(), grid, 2, {});
     const SurfacingReach reach{sea, open, core::Seconds{0.0}, core::Seconds{0.0}, {}};
     EXPECT_EQ(reach.has_hope(), bound_h > 20.0);
 
