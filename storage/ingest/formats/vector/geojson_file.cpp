@@ -1,10 +1,9 @@
-#include "storage/ingest/formats/vector/geojson_file.hpp"
-
 #include <gdal_priv.h>
 #include <ogrsf_frmts.h>
 
 #include "engine/messages/ingest_feature_messages.hpp"
 #include "storage/ingest/common/gdal_guard.hpp"
+#include "storage/ingest/formats/vector/vector_files.hpp"
 #include "storage/ingest/notation/grid_frame_of_crs.hpp"
 
 namespace floeplan::ingest {

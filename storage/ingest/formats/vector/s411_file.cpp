@@ -1,5 +1,3 @@
-#include "storage/ingest/formats/vector/s411_file.hpp"
-
 #include <gdal_priv.h>
 #include <ogrsf_frmts.h>
 
@@ -16,6 +14,7 @@
 
 #include "engine/messages/ingest_feature_messages.hpp"
 #include "storage/ingest/common/gdal_guard.hpp"
+#include "storage/ingest/formats/vector/vector_files.hpp"
 #include "storage/ingest/notation/crs_text.hpp"
 #include "storage/ingest/notation/text.hpp"
 #include "storage/xml/xml_document.hpp"

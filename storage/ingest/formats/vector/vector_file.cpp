@@ -1,5 +1,3 @@
-#include "storage/ingest/formats/vector/vector_file.hpp"
-
 #include <cpl_error.h>
 #include <gdal_priv.h>
 #include <ogrsf_frmts.h>
@@ -8,6 +6,7 @@
 
 #include "engine/messages/ingest_feature_messages.hpp"
 #include "storage/ingest/common/gdal_guard.hpp"
+#include "storage/ingest/formats/vector/vector_files.hpp"
 #include "storage/sql/driver/failure.hpp"
 #include "storage/sql/foreign_database.hpp"
 

@@ -10,7 +10,7 @@
 #include "engine/core/utc_text.hpp"
 #include "engine/messages/ingest_area_messages.hpp"
 #include "storage/ingest/formats/vector/feature_texts.hpp"
-#include "storage/ingest/formats/vector/kml_file.hpp"
+#include "storage/ingest/formats/vector/vector_files.hpp"
 #include "storage/ingest/notation/stated_depth.hpp"
 #include "storage/ingest/notation/stated_period.hpp"
 #include "storage/ingest/notation/stated_rule.hpp"
