@@ -94,7 +94,7 @@ TEST(CurrentsShelf, GivesWhatWouldBeLaidOut) {
       const Sea with{environment, request, projection, area, cell, {}, &shelf};
 
       const Sea without{environment, request, projection, area, cell};
-      expect_the_same(*with.currents(), *without.currents(), half_width_m, rng);
+      expect_the_same(*with.domain().currents(), *without.domain().currents(), half_width_m, rng);
       EXPECT_TRUE(shelf.holds(request, projection, area));
     }
   });
