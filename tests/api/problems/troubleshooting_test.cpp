@@ -7,6 +7,7 @@
 #include "engine/messages/data_messages.hpp"
 #include "engine/messages/export_messages.hpp"
 #include "engine/messages/flight_fault_messages.hpp"
+#include "engine/messages/flight_messages.hpp"
 #include "engine/messages/ingest_area_messages.hpp"
 #include "engine/messages/ingest_current_messages.hpp"
 #include "engine/messages/ingest_depth_messages.hpp"
@@ -31,6 +32,7 @@
 #include "engine/messages/request_messages.hpp"
 #include "engine/messages/seaglider_file_messages.hpp"
 #include "engine/messages/sentence.hpp"
+#include "engine/messages/store_messages.hpp"
 #include "tests/support/written_out.hpp"
 
 namespace floeplan::problems::troubleshooting_test {
@@ -94,12 +96,14 @@ TEST(Troubleshooting, HasEveryMessageAndProblemByItsCode) {
       "\n## Faults of simulated flights and logs\n\nEach follows the name of the field, file or column that "
       "it is about.\n" +
       entries(messages::flight_fault_kinds) +
+      "\n## Simulated flights\n" + entries(messages::flight_kinds) +
       "\n## Findings of check\n\nA danger is an error, a caution a warning. The code of a finding ends "
       "before the slash.\n" +
       entries(messages::mission_file_kinds) + entries(messages::seaglider_file_kinds) +
       entries(messages::mission_check_kinds) +
       "\n## The command line\n\nAn entry of a flag follows the flag's name.\n" +
       entries(messages::command_kinds) +
+      "\n## The store\n" + entries(messages::store_kinds) +
       "\n## Problems of the API\n\nThe type of a problem ends in its code, or "
       "in that of a group of problems.\n" +
       problem_entries();
