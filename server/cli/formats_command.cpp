@@ -21,7 +21,8 @@ int list_formats(bool json_out) {
     for (const ingest::DataFormat& format : ingest::data_formats())
       documents.push_back({{"name", std::string{format.name}},
                            {"kinds", kinds_of(format)},
-                           {"reads", std::string{format.reads}}});
+                           {"reads", std::string{format.reads}},
+                           {"tested_with", std::string{format.tested_with}}});
     std::cout << documents.dump(2) << '\n';
     return done;
   }
@@ -30,7 +31,8 @@ int list_formats(bool json_out) {
     std::string kinds;
     for (const std::string& kind : kinds_of(format)) kinds += (kinds.empty() ? "" : ", ") + kind;
     std::cout << std::left << std::setw(indent) << format.name << kinds << '\n'
-              << std::string(indent, ' ') << format.reads << '\n';
+              << std::string(indent, ' ') << format.reads << '\n'
+              << std::string(indent, ' ') << "tested with: " << format.tested_with << '\n';
   }
   return done;
 }

@@ -78,6 +78,7 @@ enum class Together : std::uint8_t {
 struct DataFormat {
   std::string_view name;                       // as people call it; README.md does
   std::string_view reads;                      // what of it is read, for people
+  std::string_view tested_with;                // files of which producers, for people
   std::vector<repository::DatasetKind> kinds;  // that a file of it may hold
   Writing writing{};
   bool (*is_it)(const FileStart&){};  // asked row by row, of files that are written so

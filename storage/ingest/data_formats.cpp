@@ -112,6 +112,7 @@ std::vector<DataFormat> all_formats() {
   return {
       {.name = "Zarr",
        .reads = "the same as from NetCDF; stores of version 2, and of version 3 without shards",
+       .tested_with = "sea ice of GLORYS (version 2); version 3: files made for the tests",
        .kinds = {currents, wind, bathymetry, ice, tides, glider_tracks},
        .writing = Writing::folder,
        .is_it = [](const FileStart& start) { return is_zarr(start.folder); },
@@ -122,6 +123,7 @@ std::vector<DataFormat> all_formats() {
 
       {.name = "BAG",
        .reads = "depths of a survey, also of variable resolution",
+       .tested_with = "two samples of the Open Navigation Surface, one of variable resolution",
        .kinds = {bathymetry},
        .writing = Writing::binary,
        .is_it = [](const FileStart& start) { return is_bag(start.bytes); },
@@ -130,6 +132,7 @@ std::vector<DataFormat> all_formats() {
 
       {.name = "S-102",
        .reads = "depths of a hydrographic office on a regular grid, with their uncertainty",
+       .tested_with = "a test file of the IHO (a survey off Florida)",
        .kinds = {bathymetry},
        .writing = Writing::binary,
        .is_it = [](const FileStart& start) { return is_s100(start.bytes, "S-102"); },
@@ -139,6 +142,8 @@ std::vector<DataFormat> all_formats() {
       {.name = "S-111",
        .reads = "surface currents of a hydrographic office, on a regular grid, at separate places or on a "
                 "triangulated mesh (data coding formats 2, 3 and 7)",
+       .tested_with =
+           "a test file of the IHO (format 2, off Florida); formats 3 and 7: files made for the tests",
        .kinds = {currents},
        .writing = Writing::binary,
        .is_it = [](const FileStart& start) { return is_s100(start.bytes, "S-111"); },
@@ -150,6 +155,9 @@ std::vector<DataFormat> all_formats() {
                 "and EMODnet; "
                 "TPXO, TMD, FES and HAMTIDE; GSHHG as GMT has it; tracks of the IOOS DAC and OG1, "
                 "dbd2netcdf, dives of a Seaglider",
+       .tested_with = "CMEMS, HYCOM, DUACS, NEMO (ORCA025), ROMS (two models), FVCOM, ACCESS-OM2, MET "
+                      "Norway's Arctic model, EMODnet, ETOPO, NERSC's sea ice, a Seaglider, the IOOS DAC; "
+                      "SCHISM, ADCIRC, MITgcm, Delft3D FM, tide models: files made for the tests",
        .kinds = {currents, wind, bathymetry, ice, tides, coastline, glider_tracks},
        .writing = Writing::binary,
        .is_it = [](const FileStart& start) { return is_classic_netcdf(start.bytes) || is_hdf5(start.bytes); },
@@ -160,6 +168,7 @@ std::vector<DataFormat> all_formats() {
 
       {.name = "GRIB2",
        .reads = "currents, and wind 10 m above the sea",
+       .tested_with = "currents of CMEMS that were encoded anew; wind: files made for the tests",
        .kinds = {currents, wind},
        .writing = Writing::binary,
        .is_it = [](const FileStart& start) { return start.bytes.starts_with("GRIB"); },
@@ -172,6 +181,7 @@ std::vector<DataFormat> all_formats() {
 
       {.name = "GeoTIFF",
        .reads = "depths or elevations",
+       .tested_with = "a survey of NOAA; ETOPO in a polar projection",
        .kinds = {bathymetry},
        .writing = Writing::binary,
        .is_it = [](const FileStart& start) { return is_tiff(start.bytes); },
@@ -180,6 +190,7 @@ std::vector<DataFormat> all_formats() {
 
       {.name = "GeoPackage",
        .reads = "points that are icebergs; polygons that are zones, land, ice shelves or sea ice (SIGRID-3)",
+       .tested_with = "files made for the tests",
        .kinds = {icebergs, zones, coastline, ice},
        .writing = Writing::binary,
        .is_it = [](const FileStart& start) { return is_geopackage(start.bytes); },
@@ -191,6 +202,7 @@ std::vector<DataFormat> all_formats() {
 
       {.name = "shapefile",
        .reads = "the same as from a GeoPackage; needs the other files of the shapefile beside it",
+       .tested_with = "files made for the tests",
        .kinds = {icebergs, zones, coastline, ice},
        .writing = Writing::binary,
        .is_it = [](const FileStart& start) { return start.bytes.starts_with("\x00\x00\x27\x0a"sv); },
@@ -203,6 +215,7 @@ std::vector<DataFormat> all_formats() {
 
       {.name = "S-57",
        .reads = "depths of a cell of an electronic chart, with the updates .001, ... beside it",
+       .tested_with = "a cell of NOAA (Chesapeake Bay) with three updates",
        .kinds = {bathymetry},
        .writing = Writing::binary,
        .is_it = [](const FileStart& start) { return is_s57(start.bytes); },
@@ -213,6 +226,7 @@ std::vector<DataFormat> all_formats() {
       {.name = "Slocum binary",
        .reads =
            "logs of a glider, .dbd, .sbd and the like, also compressed (.dcd, .scd), with their .cac or .ccc",
+       .tested_with = "a log of the glider Comet",
        .kinds = {glider_tracks},
        .writing = Writing::binary,
        .is_it = [](const FileStart& start) { return is_slocum_binary(start.bytes); },
@@ -222,6 +236,7 @@ std::vector<DataFormat> all_formats() {
 
       {.name = "TCD",
        .reads = "harmonic constants of stations, as XTide and TICON have them",
+       .tested_with = "XTide's harmonics of January 2021",
        .kinds = {tides},
        .writing = Writing::binary,
        .is_it = [](const FileStart& start) { return is_tcd(start.bytes); },
@@ -230,6 +245,7 @@ std::vector<DataFormat> all_formats() {
 
       {.name = "GeoJSON",
        .reads = "points that are icebergs; polygons that are zones, land, ice shelves or sea ice (SIGRID-3)",
+       .tested_with = "files made for the tests",
        .kinds = {icebergs, zones, coastline, ice},
        .writing = Writing::json,
        .is_it =
@@ -244,6 +260,7 @@ std::vector<DataFormat> all_formats() {
 
       {.name = "Brigham Young University",
        .reads = "its list of present iceberg positions, JSON",
+       .tested_with = "its list of 18 August 2026",
        .kinds = {icebergs},
        .writing = Writing::json,
        .is_it = [](const FileStart& start) { return is_iceberg_list_json(start.bytes); },
@@ -251,6 +268,7 @@ std::vector<DataFormat> all_formats() {
 
       {.name = "NOAA's JSON",
        .reads = "harmonic constants of stations",
+       .tested_with = "Honolulu, San Francisco and Anchorage",
        .kinds = {tides},
        .writing = Writing::json,
        .is_it = [](const FileStart& start) { return is_tide_json(start.bytes); },
@@ -258,6 +276,7 @@ std::vector<DataFormat> all_formats() {
 
       {.name = "KML",
        .reads = "the same as from GeoJSON; KMZ too",
+       .tested_with = "files made for the tests",
        .kinds = {icebergs, zones, coastline, ice},
        .writing = Writing::xml,
        .is_it = [](const FileStart& start) { return xml::root_name(start.bytes) == "kml"; },
@@ -270,6 +289,7 @@ std::vector<DataFormat> all_formats() {
       {.name = "S-411",
        .reads =
            "sea ice of an ice service: concentration and thickest stage of each area, GML of edition 1.1",
+       .tested_with = "files made for the tests",
        .kinds = {ice},
        .writing = Writing::xml,
        .is_it = [](const FileStart& start) { return is_s411(start.bytes); },
@@ -281,6 +301,7 @@ std::vector<DataFormat> all_formats() {
 
       {.name = "ESRI ASCII",
        .reads = "depths or elevations on a grid",
+       .tested_with = "a window of ETOPO that GDAL wrote",
        .kinds = {bathymetry},
        .writing = Writing::text,
        .is_it = [](const FileStart& start) { return is_ascii_grid(start.bytes); },
@@ -291,6 +312,7 @@ std::vector<DataFormat> all_formats() {
 
       {.name = "International Ice Patrol",
        .reads = "its sightings of icebergs (NSIDC G00807), CSV",
+       .tested_with = "the season of 2014",
        .kinds = {icebergs},
        .writing = Writing::text,
        .is_it = [](const FileStart& start) { return is_ice_patrol_header(std::string{start.first_line()}); },
@@ -300,6 +322,7 @@ std::vector<DataFormat> all_formats() {
       {.name = "US National Ice Center",
        .reads = "its list of icebergs, CSV; also tracks of Brigham Young University and of the Canadian Ice "
                 "Service's beacons",
+       .tested_with = "rows of its list in two layouts; tracks of eight icebergs; a beacon of 1997",
        .kinds = {icebergs},
        .writing = Writing::text,
        .is_it =
@@ -311,6 +334,7 @@ std::vector<DataFormat> all_formats() {
        .reads =
            "columns id, lat, lon and time, and others that are known; satellite detections with a confidence "
            "in place of the id",
+       .tested_with = "files made for the tests",
        .kinds = {icebergs},
        .writing = Writing::text,
        .is_it =
@@ -322,6 +346,7 @@ std::vector<DataFormat> all_formats() {
 
       {.name = "tide table",
        .reads = "harmonic constants of a station: columns of names, amplitudes and phases",
+       .tested_with = "constants of Honolulu by UTide; a table of NOAA",
        .kinds = {tides},
        .writing = Writing::text,
        .is_it = [](const FileStart& start) { return is_tide_table(start.bytes); },
@@ -330,6 +355,7 @@ std::vector<DataFormat> all_formats() {
 
       {.name = "OTPS",
        .reads = "harmonic constants that its extract_HC writes for places",
+       .tested_with = "its own sample for three places",
        .kinds = {tides},
        .writing = Writing::text,
        .is_it = [](const FileStart& start) { return is_otps_extract(start.bytes); },
@@ -339,7 +365,8 @@ std::vector<DataFormat> all_formats() {
       {.name = "ADCIRC",
        .reads =
            "currents averaged over depth at the nodes of its mesh: fort.64 with fort.14, and fort.63 for "
-           "what is dry; tested against files of the tests' own in its manual's format",
+           "what is dry",
+       .tested_with = "files made for the tests after its manual",
        .kinds = {currents},
        .writing = Writing::text,
        .is_it = [](const FileStart& start) { return adcirc_head(start.bytes).has_value(); },
@@ -348,6 +375,7 @@ std::vector<DataFormat> all_formats() {
 
       {.name = "XYZ",
        .reads = "depths or elevations on a grid: longitude or easting, latitude or northing, value",
+       .tested_with = "ETOPO1 of the north-western Atlantic",
        .kinds = {bathymetry},
        .writing = Writing::text,
        .is_it = [](const FileStart& start) { return is_number_table(start.bytes); },
@@ -357,6 +385,7 @@ std::vector<DataFormat> all_formats() {
 
       {.name = "Slocum text",
        .reads = "logs of a glider, comma-separated or as dbd2asc writes them",
+       .tested_with = "logs of the gliders Comet and Amadeus",
        .kinds = {glider_tracks},
        .writing = Writing::text,
        .is_it = [](const FileStart& start) { return is_slocum_text(start.bytes); },
@@ -365,6 +394,7 @@ std::vector<DataFormat> all_formats() {
 
       {.name = "Seaglider",
        .reads = "the log of each dive, .log, with its engineering record, .eng",
+       .tested_with = "logs of two dives (2016 and 2026), one with its engineering record",
        .kinds = {glider_tracks},
        .writing = Writing::text,
        .is_it =
@@ -376,6 +406,7 @@ std::vector<DataFormat> all_formats() {
 
       {.name = "SeaExplorer",
        .reads = "navigation and payload of each dive, gli and pld1, text with semicolons",
+       .tested_with = "a dive of glider SEA035",
        .kinds = {glider_tracks},
        .writing = Writing::text,
        .is_it = [](const FileStart& start) { return is_seaexplorer_text(start.bytes); },
@@ -384,6 +415,7 @@ std::vector<DataFormat> all_formats() {
 
       {.name = "grid of depths",
        .reads = "a table with the columns lon, lat and depth or elevation",
+       .tested_with = "files made for the tests",
        .kinds = {bathymetry},
        .writing = Writing::text,
        .is_it = [](const FileStart& start) { return is_depth_table_header(start.first_line()); },

@@ -24,11 +24,12 @@ TEST(Formats, AreTheRowsOfTheTableThatIngestReadsBy) {
     const json row = listed.json()[i];
     EXPECT_EQ(row["name"], std::string{formats[i].name});
     EXPECT_EQ(row["reads"], std::string{formats[i].reads});
+    EXPECT_EQ(row["tested_with"], std::string{formats[i].tested_with});
     EXPECT_EQ(row["kinds"].size(), formats[i].kinds.size());
   }
 }
 
-TEST(Formats, AreTwoLinesEachForAPerson) {
+TEST(Formats, AreThreeLinesEachForAPerson) {
   const Program program;
 
   const Outcome listed = program.run({"formats"});
@@ -36,7 +37,8 @@ TEST(Formats, AreTwoLinesEachForAPerson) {
   EXPECT_EQ(listed.exit_code, 0);
   EXPECT_EQ(listed.err, "");
   EXPECT_THAT(listed.out, HasSubstr("GRIB2                     currents, wind\n"
-                                    "                          currents, and wind 10 m above the sea\n"));
+                                    "                          currents, and wind 10 m above the sea\n"
+                                    "                          tested with: currents of CMEMS"));
   EXPECT_THAT(listed.out, HasSubstr("International Ice Patrol  icebergs\n"));
 }
 

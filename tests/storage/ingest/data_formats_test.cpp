@@ -53,6 +53,7 @@ TEST(DataFormats, HaveANameOfTheirOwnAReaderAndKinds) {
     EXPECT_NE(format.is_it, nullptr) << format.name;
     EXPECT_NE(format.read, nullptr) << format.name;
     EXPECT_FALSE(format.reads.empty()) << format.name;
+    EXPECT_FALSE(format.tested_with.empty()) << format.name;
     EXPECT_TRUE(format.kinds.size() == 1 || (format.look_into != nullptr && !format.kinds.empty()))
         << format.name << " has to say which of its kinds a file holds";
   }
@@ -68,12 +69,13 @@ TEST(DataFormats, HoldEveryKindOfDataBetweenThem) {
 }
 
 TEST(DataFormats, AreTheTableOfTheGuide) {
-  std::string table = "| format | kinds of data | what is read |\n|---|---|---|\n";
+  std::string table = "| format | kinds of data | what is read | tested with |\n|---|---|---|---|\n";
   for (const DataFormat& format : data_formats()) {
     std::string kinds;
     for (const DatasetKind kind : format.kinds)
       kinds += (kinds.empty() ? "" : ", ") + repository::kind_name(kind);
-    table += "| " + std::string{format.name} + " | " + kinds + " | " + std::string{format.reads} + " |\n";
+    table += "| " + std::string{format.name} + " | " + kinds + " | " + std::string{format.reads} + " | " +
+             std::string{format.tested_with} + " |\n";
   }
 
   support::expect_written_part("web/guide/data.md", "formats", table, "ingest_test");
