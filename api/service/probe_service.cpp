@@ -9,6 +9,7 @@
 #include "engine/geo/geodesic.hpp"
 #include "engine/geo/polygon.hpp"
 #include "storage/repository/datasets/dataset_repository.hpp"
+#include "storage/repository/datasets/resampled.hpp"
 #include "storage/repository/environment/environment_loader.hpp"
 #include "storage/repository/features/coastline_repository.hpp"
 #include "storage/repository/features/known_icebergs.hpp"
@@ -98,7 +99,10 @@ void read_depth(sql::Connection& db, const Sources& sources, codec::Probe& probe
       continue;
     if (const auto shape = fields.shape(dataset.id)) layers.emplace_back(shape->grid.spacing(), dataset);
   }
-  if (!by_name) std::ranges::stable_sort(layers, {}, [](const auto& layer) { return layer.first; });
+  if (!by_name)
+    std::ranges::stable_sort(layers, {}, [](const auto& layer) {
+      return std::pair{layer.first, repository::was_resampled(layer.second.warnings)};
+    });
   for (const auto& [spacing, dataset] : layers) {
     const auto bathymetry = fields.load_bathymetry(dataset.id, box_at(probe.place));
     if (!bathymetry || !bathymetry->depth(probe.place)) continue;

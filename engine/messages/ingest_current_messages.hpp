@@ -24,12 +24,6 @@ inline constexpr auto ingest_current_kinds = std::to_array<Kind>({
      .text = "the sea has no depth anywhere in the file, so its levels cannot be placed. The file is "
              "damaged or holds land only",
      .hint = "Ask the producer for another"},
-    {.code = "kept-at-own-points",
-     .rank = Rank::note,
-     .text = "every value is kept at the model's own {points} points ({layout}); between them values are "
-             "interpolated when "
-             "they are used",
-     .slots = {{{"points", 12000}, {"layout", "a bent grid"}}}},
     {.code = "currents-too-large",
      .rank = Rank::caution,
      .text = "the file holds {times} times and {depths} depths of {nodes} nodes, more than this program "

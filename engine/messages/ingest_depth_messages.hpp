@@ -40,10 +40,11 @@ inline constexpr auto ingest_depth_kinds = std::to_array<Kind>({
      .text = "\"{variable}\" holds {statistic} of each cell, not its mean. The bed between may be shoaler "
              "than it says",
      .slots = {{{"variable", "elevation"}, {"statistic", "a median"}}}},
-    {.code = "depth-resampled",
+    {.code = "depths-kept-at-own-points",
      .rank = Rank::note,
-     .text = "{how}; the shoalest of the points around each node is kept beside it",
-     .slots = {{{"how", "\"elevation\" was resampled from a bent grid"}}}},
+     .text = "every depth is kept at the model's own {points} points (a bent grid); between them depths are "
+             "interpolated when they are used, and the least depth is that of the shoalest point of a cell",
+     .slots = {{{"points", 12000}}}},
     {.code = "grid-not-convertible",
      .rank = Rank::caution,
      .text = "the grid cannot be converted to longitude and latitude ({reason})",

@@ -103,14 +103,11 @@ inline constexpr auto ingest_grid_kinds = std::to_array<Kind>({
              "not degrees or the file is damaged",
      .hint = "Ask the producer",
      .slots = {{{"longitude", "900000"}, {"latitude", "7000000"}}}},
-    {.code = "resampled-from-bent-grid",
+    {.code = "kept-at-own-points",
      .rank = Rank::note,
-     .text = "\"{variable}\" was resampled from a bent grid of {rows} x {columns} points to a regular grid "
-             "of {spacing}",
-     .slots = {{{"variable", "siconc"},
-                {"rows", 300},
-                {"columns", 400},
-                {"spacing", "0.05 x 0.05 degrees of longitude and latitude"}}}},
+     .text = "every value is kept at the model's own {points} points ({layout}); between them values are "
+             "interpolated when they are used",
+     .slots = {{{"points", 12000}, {"layout", "a bent grid"}}}},
     {.code = "cells-overlap",
      .rank = Rank::caution,
      .text = "the cells between the model's points lie over one another many times over: its positions are "

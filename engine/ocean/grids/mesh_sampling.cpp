@@ -55,6 +55,19 @@ std::vector<float> MeshSampling::apply(std::span<const float> values) const {
   return out;
 }
 
+std::vector<float> MeshSampling::least(std::span<const float> values) const {
+  std::vector<float> out(stencils_.size(), missing_sample);
+  for (std::size_t node = 0; node < stencils_.size(); ++node) {
+    const Stencil& stencil = stencils_[node];
+    for (std::size_t i = 0; i < stencil.point.size(); ++i) {
+      if (stencil.along[i] == 0.0F && stencil.across[i] == 0.0F) continue;
+      const float value = values[stencil.point[i]];
+      if (!(out[node] <= value) && !std::isnan(value)) out[node] = value;
+    }
+  }
+  return out;
+}
+
 PointVelocities MeshSampling::apply(const PointVelocities& values) const {
   PointVelocities out{std::vector<float>(stencils_.size(), missing_sample),
                       std::vector<float>(stencils_.size(), missing_sample)};

@@ -29,6 +29,8 @@ class MeshSampling {
   [[nodiscard]] PointVelocities apply(const PointVelocities& values) const;
   /// The same of numbers without a direction.
   [[nodiscard]] std::vector<float> apply(std::span<const float> values) const;
+  /// At each node the least of the known values that are interpolated there.
+  [[nodiscard]] std::vector<float> least(std::span<const float> values) const;
 
  private:
   /// One node: its points and, for each, its weight times the cosine and the sine of the turn to the node.

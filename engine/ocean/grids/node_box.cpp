@@ -46,7 +46,8 @@ Run columns_within(const Axis& lons, double from, double width) {
 double bulge_deg(double width_deg) { return width_deg * width_deg * std::numbers::pi / 180.0 / 8.0; }
 
 /// By longitudes and latitudes: of cells across the meridian from which positions count, and near a pole.
-NodeBox geographic_box(const HorizontalGrid& grid, const Mesh& mesh, const Mesh::Cell& cell) {
+NodeBox geographic_box(const HorizontalGrid& grid, const Mesh& mesh, const Mesh::Cell& cell,
+                       double beside_lon_deg, double beside_lat_deg) {
   Extremes lon;
   Extremes lat;
   double turned = 0.0;  // the way round the cell, by longitude
@@ -61,12 +62,13 @@ NodeBox geographic_box(const HorizontalGrid& grid, const Mesh& mesh, const Mesh:
   const bool round_a_pole = std::abs(turned) > 180.0 || lat.most > 89.999 || lat.least < -89.999;
   if (round_a_pole) {
     const bool north = lat.most > 0.0;
-    const Run y = north ? nodes_within(grid.y(), lat.least - 1e-9, 90.0)
-                        : nodes_within(grid.y(), -90.0, lat.most + 1e-9);
+    const Run y = north ? nodes_within(grid.y(), lat.least - beside_lat_deg - 1e-9, 90.0)
+                        : nodes_within(grid.y(), -90.0, lat.most + beside_lat_deg + 1e-9);
     return {0, grid.x().size(), y.first, y.count};
   }
-  const double bulge = bulge_deg(lon.width()) + 1e-6;
-  const Run x = columns_within(grid.x(), first.lon_deg + lon.least - 1e-6, lon.width() + 2e-6);
+  const double bulge = bulge_deg(lon.width()) + beside_lat_deg + 1e-6;
+  const double beside = beside_lon_deg + 1e-6;
+  const Run x = columns_within(grid.x(), first.lon_deg + lon.least - beside, lon.width() + 2.0 * beside);
   const Run y = nodes_within(grid.y(), lat.least - bulge, lat.most + bulge);
   return {x.first, x.count, y.first, y.count};
 }
@@ -106,7 +108,12 @@ NodeBoxes::Position NodeBoxes::position_of(geo::LonLat point) const {
   return {(lon_deg - grid_.x().front()) / step_x_, (point.lat_deg - grid_.y().front()) / step_y_};
 }
 
-NodeBox NodeBoxes::near(const Mesh::Cell& cell) const {
+NodeBox NodeBoxes::near_or_beside(const Mesh::Cell& cell) const {
+  const NodeBox box = near(cell);
+  return box.count_x > 0 && box.count_y > 0 ? box : within(cell, 1.0);
+}
+
+NodeBox NodeBoxes::within(const Mesh::Cell& cell, double steps) const {
   constexpr double hair = 1e-6;  // of a step
   constexpr double near_pole_deg = 89.9;
   Extremes x;
@@ -117,11 +124,12 @@ NodeBox NodeBoxes::near(const Mesh::Cell& cell) const {
     y.add(positions_[corner].y);
     farthest_deg = std::max(farthest_deg, std::abs(mesh_.points[corner].lat_deg));
   }
-  double beside_x = hair;
-  double beside_y = hair;
+  double beside_x = steps + hair;
+  double beside_y = steps + hair;
   if (is_geographic_) {
     const double width_deg = x.width() * step_x_;
-    if (width_deg > 180.0 || farthest_deg > near_pole_deg) return geographic_box(grid_, mesh_, cell);
+    if (width_deg > 180.0 || farthest_deg > near_pole_deg)
+      return geographic_box(grid_, mesh_, cell, steps * step_x_, steps * step_y_);
     beside_y += bulge_deg(width_deg) / step_y_;
   } else {  // straight sides are slightly bent on the plane
     const double bent = 0.1 * std::max(x.width() * step_x_, y.width() * step_y_);

@@ -24,7 +24,9 @@ class NodeBoxes {
 
   /// Holds every node of the grid that lies in the cell, and a few others; also for cells across the date line and
   /// round a pole.
-  [[nodiscard]] NodeBox near(const Mesh::Cell& cell) const;
+  [[nodiscard]] NodeBox near(const Mesh::Cell& cell) const { return within(cell, 0.0); }
+  /// The same of a cell that lies between nodes, or between rows or columns of them: those on both sides of it.
+  [[nodiscard]] NodeBox near_or_beside(const Mesh::Cell& cell) const;
 
  private:
   /// Where a point of the mesh lies among the nodes: 2.5 is half-way from the third to the fourth.
@@ -33,6 +35,8 @@ class NodeBoxes {
     double y{};
   };
   [[nodiscard]] Position position_of(geo::LonLat point) const;
+  /// Nodes in the cell or so many steps beside it.
+  [[nodiscard]] NodeBox within(const Mesh::Cell& cell, double steps) const;
 
   const HorizontalGrid& grid_;
   const Mesh& mesh_;

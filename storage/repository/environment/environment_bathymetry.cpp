@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "engine/messages/data_messages.hpp"
+#include "storage/repository/datasets/resampled.hpp"
 #include "storage/repository/environment/environment_draft.hpp"
 #include "storage/repository/environment/environment_parts.hpp"
 #include "storage/repository/fields/bathymetry_mosaic.hpp"
@@ -35,7 +36,9 @@ std::vector<Layer> layers_of(const EnvironmentDraft& draft, const std::vector<Da
     if (const auto shape = FieldRepository{draft.db}.shape(dataset.id))
       layers.push_back({dataset, shape->grid.spacing()});
   if (draft.query.bathymetry.how != DatasetChoice::How::named)
-    std::ranges::stable_sort(layers, {}, [](const Layer& layer) { return layer.spacing; });
+    std::ranges::stable_sort(layers, {}, [](const Layer& layer) {
+      return std::pair{layer.spacing, was_resampled(layer.dataset.warnings)};
+    });
   return layers;
 }
 

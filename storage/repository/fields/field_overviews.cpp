@@ -8,6 +8,7 @@
 #include "storage/repository/fields/field_chunks.hpp"
 #include "storage/repository/fields/field_repository.hpp"
 #include "storage/repository/fields/grid_window.hpp"
+#include "storage/repository/fields/point_reader.hpp"
 #include "storage/sql/statement.hpp"
 #include "storage/sql/transaction.hpp"
 
@@ -109,6 +110,7 @@ std::optional<ocean::Bathymetry> FieldOverviews::bathymetry(const DatasetId& id,
   const auto shape = FieldRepository{db_}.shape(id);
   if (!shape) return std::nullopt;
   const std::int64_t row = dataset_row(db_, id);
+  if (find_native_layout(db_, row)) return FieldRepository{db_}.load_bathymetry(id, area);
   std::vector<Level> levels = levels_of("depth_m", shape->grid);
   // Stores of earlier versions have no overviews.
   std::erase_if(levels, [&](const Level& level) { return !is_stored(db_, row, level.variable); });

@@ -13,6 +13,8 @@
 #include "storage/repository/fields/grid_window.hpp"
 #include "storage/repository/fields/mesh_blocks.hpp"
 #include "storage/repository/fields/native_currents.hpp"
+#include "storage/repository/fields/native_planes.hpp"
+#include "storage/repository/fields/point_reader.hpp"
 #include "storage/sql/snapshot.hpp"
 #include "storage/sql/statement.hpp"
 #include "storage/sql/transaction.hpp"
@@ -324,13 +326,14 @@ std::optional<ocean::Bathymetry> FieldRepository::load_bathymetry(const DatasetI
   const auto window = window_around(stored->grid, area);
   if (!window) return std::nullopt;
 
+  ocean::HorizontalGrid around{stored->grid.frame(), window->x.nodes, window->y.nodes};
+  if (layout->native) return read_native_depths(db_, *layout->native, area, around);
   ChunkReader reader{db_, layout->chunks};
   const auto read = [&](const std::string& variable) {
     return read_block(reader, variable, {0, 1}, {0, 1}, *window, stop_);
   };
   return ocean::Bathymetry{
-      {stored->grid.frame(), window->x.nodes, window->y.nodes},
-      read("depth_m"),
+      std::move(around), read("depth_m"),
       holds(db_, layout->chunks, "shoalest_m") ? read("shoalest_m") : std::vector<float>{}};
 }
 
@@ -344,16 +347,18 @@ std::optional<ocean::IceField> FieldRepository::load_ice(const DatasetId& id, co
   const auto times = steps_around(*stored->times_s, period);
   if (!window || !times) return std::nullopt;
 
+  ocean::HorizontalGrid around{stored->grid.frame(), window->x.nodes, window->y.nodes};
+  const bool has_thickness = holds(db_, layout->chunks, "thickness_m");
+  if (layout->native)
+    return read_native_ice(db_, *layout->native, area, around, *times, has_thickness, stop_);
   ChunkReader reader{db_, layout->chunks};
   const auto read = [&](const std::string& variable) {
     return read_block(reader, variable, times->runs.front(), {0, 1}, *window, stop_);
   };
-  return ocean::IceField{
-      {.grid = ocean::HorizontalGrid{stored->grid.frame(), window->x.nodes, window->y.nodes},
-       .times_s = times->nodes,
-       .concentration = read("concentration"),
-       .thickness_m =
-           holds(db_, layout->chunks, "thickness_m") ? read("thickness_m") : std::vector<float>{}}};
+  return ocean::IceField{{.grid = std::move(around),
+                          .times_s = times->nodes,
+                          .concentration = read("concentration"),
+                          .thickness_m = has_thickness ? read("thickness_m") : std::vector<float>{}}};
 }
 
 std::vector<std::string> FieldRepository::variables(const DatasetId& id) const {

@@ -42,7 +42,7 @@ struct Period {
 };
 
 /// Gridded data in compressed chunks, so that a job reads only its area and period.
-/// Currents of models on bent grids and meshes are kept at the model's own points, in blocks of them, and interpolated
+/// Data of models on bent grids and meshes are kept at the model's own points, in blocks of them, and interpolated
 /// once, when they are read: on a grid that is as fine as they are, or at the one place that is asked for.
 /// Variables are "depth_m" and (where cells are known to be shoaler) "shoalest_m" for bathymetry, "u_m_s" and "v_m_s"
 /// for currents, or of a C grid "component_m_s" with "first_axis_rad" and "second_axis_rad" (the angle of a point's
@@ -95,7 +95,8 @@ class FieldRepository {
 
   /// Names of the variables that were ever written, ascending.
   [[nodiscard]] std::vector<std::string> variables(const DatasetId& id) const;
-  /// Variables without depth and time on the nodes around `area`, [variable][y][x]; NaN where nothing was written.
+  /// Variables without depth and time on the nodes around `area`, [variable][y][x]; NaN where nothing was written. Of data
+  /// on a grid alone.
   struct Planes {
     ocean::HorizontalGrid grid;
     std::vector<std::vector<float>> values;

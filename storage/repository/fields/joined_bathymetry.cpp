@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "storage/repository/datasets/dataset_repository.hpp"
+#include "storage/repository/datasets/resampled.hpp"
 #include "storage/repository/fields/bathymetry_mosaic.hpp"
 #include "storage/repository/fields/field_overviews.hpp"
 #include "storage/repository/fields/field_repository.hpp"
@@ -14,6 +15,7 @@ namespace {
 struct DepthLayer {
   DatasetId id;
   core::Metres spacing;
+  bool resampled{};  // by an older version
 };
 
 std::vector<DepthLayer> depth_layers_in(sql::Connection& db, const geo::BoundingBox& area) {
@@ -21,9 +23,11 @@ std::vector<DepthLayer> depth_layers_in(sql::Connection& db, const geo::Bounding
   std::vector<DepthLayer> layers;
   for (const Dataset& dataset : DatasetRepository{db}.list()) {
     if (dataset.kind != DatasetKind::bathymetry || !geo::intersects(dataset.bounds, area)) continue;
-    if (const auto shape = fields.shape(dataset.id)) layers.push_back({dataset.id, shape->grid.spacing()});
+    if (const auto shape = fields.shape(dataset.id))
+      layers.push_back({dataset.id, shape->grid.spacing(), was_resampled(dataset.warnings)});
   }
-  std::ranges::stable_sort(layers, {}, &DepthLayer::spacing);
+  std::ranges::stable_sort(layers, {},
+                           [](const DepthLayer& layer) { return std::pair{layer.spacing, layer.resampled}; });
   return layers;
 }
 

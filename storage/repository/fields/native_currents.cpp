@@ -1,20 +1,15 @@
 #include "storage/repository/fields/native_currents.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <string>
 #include <utility>
 #include <variant>
 #include <vector>
 
-#include "engine/messages/store_messages.hpp"
 #include "engine/ocean/currents/level_columns.hpp"
-#include "engine/ocean/grids/mesh_lattice.hpp"
 #include "engine/ocean/grids/mesh_sampling.hpp"
 #include "engine/ocean/grids/staggered_sampling.hpp"
 #include "storage/repository/fields/mesh_blocks.hpp"
-#include "storage/sql/driver/failure.hpp"
 #include "storage/sql/statement.hpp"
 
 namespace floeplan::repository {
@@ -22,14 +17,6 @@ namespace {
 
 using ocean::PointVelocities;
 using Components = ocean::LevelColumns::Components;
-
-constexpr std::size_t points_in_row = 64;
-
-ocean::Axis counting(std::size_t count) {
-  std::vector<double> numbers(count);
-  for (std::size_t i = 0; i < count; ++i) numbers[i] = static_cast<double>(i);
-  return ocean::Axis{std::move(numbers)};
-}
 
 /// Whether each point has one component of the current, along an axis of its own.
 bool has_components_apart(sql::Connection& db, std::int64_t dataset_row) {
@@ -39,34 +26,14 @@ bool has_components_apart(sql::Connection& db, std::int64_t dataset_row) {
   return query.step();
 }
 
-/// Reads the samples of a part of a mesh.
-class PointReader {
+/// Reads the currents of a part of a mesh.
+class VelocityReader {
  public:
-  PointReader(sql::Connection& db, const NativeLayout& layout, const MeshPart& part)
-      : chunks_{db, layout.chunks},
+  VelocityReader(sql::Connection& db, const NativeLayout& layout, const MeshPart& part)
+      : points_{db, layout, part},
         mesh_{part.mesh},
         components_{has_components_apart(db, layout.chunks.dataset_row) ? Components::one
-                                                                        : Components::both} {
-    const ocean::Axis columns = counting(points_in_row);
-    for (const std::size_t block : part.blocks) {
-      const NodeRun rows{block * points_in_row,
-                         std::min(points_in_row, layout.chunks.y_count - block * points_in_row)};
-      blocks_.push_back({{{{0, points_in_row}}, columns}, {{rows}, counting(rows.count)}});
-    }
-  }
-
-  /// Shape  [point] of the part
-  [[nodiscard]] std::vector<float> read(const SliceKey& slice) {
-    std::vector<float> samples;
-    samples.reserve(mesh_.points.size() + points_in_row);
-    for (const GridWindow& block : blocks_) {
-      const std::size_t first = samples.size();
-      samples.resize(first + points_in_row * block.y.nodes.size());
-      chunks_.read(slice, block, std::span{samples}.subspan(first));
-    }
-    samples.resize(mesh_.points.size());  // the last block of the mesh may be followed by room
-    return samples;
-  }
+                                                                        : Components::both} {}
 
   [[nodiscard]] Components components() const { return components_; }
 
@@ -90,27 +57,23 @@ class PointReader {
   }
 
  private:
-  ChunkReader chunks_;
+  [[nodiscard]] std::vector<float> read(const SliceKey& slice) { return points_.read(slice); }
+
+  PointReader points_;
   const ocean::Mesh& mesh_;
   Components components_;
-  std::vector<GridWindow> blocks_;
 };
 
 /// Interpolates what a reader reads at the nodes of a lattice, as the model's points have it.
 class NodeSampling {
  public:
-  /// Errors  sql::Failure (damaged) for cells that lie over one another
-  static NodeSampling of(const ocean::Mesh& mesh, const ocean::HorizontalGrid& lattice, PointReader& reader) {
-    if (reader.components() == Components::one) {
-      if (auto found = ocean::StaggeredSampling::of(mesh, reader.axes(), lattice))
-        return NodeSampling{std::move(*found)};
-    } else if (auto found = ocean::MeshSampling::of(mesh, lattice)) {
-      return NodeSampling{std::move(*found)};
-    }
-    throw sql::Failure{
-        // never stored so
-        messages::store_text<"stored-data-damaged">("the cells of a mesh lie over one another"),
-        sql::Trouble::damaged};
+  /// Errors  as refuse_overlapping_cells
+  static NodeSampling of(const ocean::Mesh& mesh, const ocean::HorizontalGrid& nodes,
+                         VelocityReader& reader) {
+    if (reader.components() == Components::both) return NodeSampling{sampling_of(mesh, nodes)};
+    auto found = ocean::StaggeredSampling::of(mesh, reader.axes(), nodes);
+    if (!found) refuse_overlapping_cells();
+    return NodeSampling{std::move(*found)};
   }
 
   [[nodiscard]] PointVelocities velocities(const PointVelocities& slice) const {
@@ -136,19 +99,9 @@ class NodeSampling {
   Sampling sampling_;
 };
 
-bool is_one_place(const geo::BoundingBox& area) {
-  return area.west_deg == area.east_deg && area.south_deg == area.north_deg;
-}
-
-ocean::HorizontalGrid lattice_of(const NativeRequest& request, const ocean::Mesh& part) {
-  if (!is_one_place(request.area)) return ocean::refined(request.lattice, part);
-  return {geo::GeographicFrame{}, ocean::Axis{{request.area.west_deg}},
-          ocean::Axis{{request.area.south_deg}}};
-}
-
 /// The depths asked for, joined by those at which the levels lie between the first and the last of them.
 std::vector<double> with_levels(const std::vector<double>& depths_m, const NativeLayout& layout,
-                                const NodeRun& times, const NodeSampling& sampling, PointReader& reader) {
+                                const NodeRun& times, const NodeSampling& sampling, VelocityReader& reader) {
   std::vector<double> all_m = depths_m;
   for (std::size_t time = times.first; time < times.first + times.count; ++time) {
     for (std::size_t level = 0; level <= layout.bed_levels; ++level) {
@@ -164,7 +117,7 @@ std::vector<double> with_levels(const std::vector<double>& depths_m, const Nativ
 }
 
 std::vector<PointVelocities> at_depths(const std::vector<double>& depths_m, std::size_t levels,
-                                       std::size_t time, std::size_t points, PointReader& reader) {
+                                       std::size_t time, std::size_t points, VelocityReader& reader) {
   ocean::LevelColumns columns{depths_m, points, reader.components()};
   for (std::size_t level = 0; level < levels; ++level)
     columns.add(reader.velocities(time, level), reader.level_depths(time, level));
@@ -178,22 +131,11 @@ void add_slice(const PointVelocities& slice, ocean::CurrentGrid::Samples& sample
 
 }  // namespace
 
-std::optional<NativeLayout> find_native_layout(sql::Connection& db, std::int64_t dataset_row) {
-  sql::Statement query{db, "SELECT point_count, level_count FROM mesh WHERE dataset_row = ?1"};
-  query.bind(1, dataset_row);
-  if (!query.step()) return std::nullopt;
-  const auto points = static_cast<std::size_t>(query.integer(0));
-  return NativeLayout{
-      {dataset_row, points_in_row, (points + points_in_row - 1) / points_in_row, points_in_row},
-      points,
-      static_cast<std::size_t>(query.integer(1))};
-}
-
 ocean::CurrentGrid read_native_currents(sql::Connection& db, const NativeLayout& layout,
                                         const NativeRequest& request, const std::stop_token& stop) {
   const MeshPart part = MeshBlocks{db}.around(layout.chunks.dataset_row, request.area);
-  const ocean::HorizontalGrid lattice = lattice_of(request, part.mesh);
-  PointReader reader{db, layout, part};
+  const ocean::HorizontalGrid lattice = nodes_of_use(request.area, request.lattice, part.mesh);
+  VelocityReader reader{db, layout, part};
   const NodeSampling sampling = NodeSampling::of(part.mesh, lattice, reader);
   const NodeRun times = request.times.runs.front();
   ocean::CurrentGrid::Samples samples{

@@ -1,29 +1,16 @@
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
 #include <optional>
 #include <stop_token>
 
 #include "engine/geo/bounding_box.hpp"
 #include "engine/ocean/currents/current_grid.hpp"
 #include "engine/ocean/grids/horizontal_grid.hpp"
-#include "storage/repository/fields/field_chunks.hpp"
 #include "storage/repository/fields/grid_window.hpp"
+#include "storage/repository/fields/point_reader.hpp"
 #include "storage/sql/connection.hpp"
 
 namespace floeplan::repository {
-
-/// How samples at a model's own points are stored: a block of points is a chunk whose rows are 64 points each.
-struct NativeLayout {
-  ChunkLayout chunks;
-  std::size_t points{};
-  std::size_t
-      bed_levels{};  // that follow the sea bed, whose depths are stored, too; 0: the depths of the grid
-};
-
-/// nullopt: the dataset's samples are on its grid.
-[[nodiscard]] std::optional<NativeLayout> find_native_layout(sql::Connection& db, std::int64_t dataset_row);
 
 /// Which currents at a model's own points are asked for, and where.
 struct NativeRequest {

@@ -23,17 +23,28 @@ constexpr std::size_t band_nodes = 4'000'000;
 
 using Rows = std::function<Checked<RawRows>(std::size_t, std::size_t)>;
 
-std::size_t rows_of_band(const ocean::HorizontalGrid& grid) {
+/// Of what the rows of a file hold.
+struct Sides {
+  std::size_t columns{};
+  std::size_t rows{};
+};
+
+Sides sides_of(const RawBathymetry& raw) {
+  if (raw.own_points) return {1, raw.own_points->mesh.points.size()};
+  return {raw.grid.x().size(), raw.grid.y().size()};
+}
+
+std::size_t rows_of_band(Sides sides) {
   constexpr std::size_t together = repository::FieldRepository::rows_together;
-  return std::max<std::size_t>(band_nodes / grid.x().size() / together, 1) * together;
+  return std::max<std::size_t>(band_nodes / sides.columns / together, 1) * together;
 }
 
 /// Calls `visit` with the first row and the rows of each band; ends with the first refusal.
 template <class Visit>
-Checked<bool> for_each_band(const ocean::HorizontalGrid& grid, const Rows& read, const Visit& visit) {
-  const std::size_t step = rows_of_band(grid);
-  for (std::size_t first = 0; first < grid.y().size(); first += step) {
-    auto rows = read(first, std::min(step, grid.y().size() - first));
+Checked<bool> for_each_band(Sides sides, const Rows& read, const Visit& visit) {
+  const std::size_t step = rows_of_band(sides);
+  for (std::size_t first = 0; first < sides.rows; first += step) {
+    auto rows = read(first, std::min(step, sides.rows - first));
     if (!rows) return refuse(rows.error());
     visit(first, *rows);
   }
@@ -132,14 +143,18 @@ bool covers_the_globe(const ocean::HorizontalGrid& grid) {
          x.back() - x.front() + x.mean_step() > 359.0 && y.back() - y.front() + y.mean_step() > 170.0;
 }
 
+geo::LonLat place_of(const RawBathymetry& raw, std::size_t node) {
+  if (raw.own_points) return raw.own_points->mesh.points[node];
+  return raw.grid.place(node % raw.grid.x().size(), node / raw.grid.x().size());
+}
+
 std::optional<messages::Message> fault_of_depths(const RawBathymetry& raw, VerticalSense sense,
                                                  const std::pair<Extreme, Extreme>& range,
                                                  const std::optional<Extreme>& shoalest_cell) {
   for (const Extreme& extreme : {range.first, range.second, shoalest_cell.value_or(range.first)}) {
     const float depth_m = sense == VerticalSense::up ? 0.0F - extreme.value : extreme.value;
     if (depth_m <= deepest_sea_m && depth_m >= -highest_land_m) continue;
-    const std::size_t columns = raw.grid.x().size();
-    const geo::LonLat at = raw.grid.place(extreme.node % columns, extreme.node / columns);
+    const geo::LonLat at = place_of(raw, extreme.node);
     const std::string what = depth_m > 0.0F ? "a depth of " + number(static_cast<double>(depth_m)) + " m"
                                             : "land " + number(static_cast<double>(-depth_m)) + " m high";
     return messages::ingest_depth_message<"depth-impossible">(raw.description.name, what, number(at.lon_deg),
@@ -172,9 +187,24 @@ DepthRows depths_of(const RawRows& rows, VerticalSense sense, const Survey& surv
   return result;
 }
 
+/// Depths at a model's own points, all of one slice.
+Checked<void> write_at_own_points(const RawBathymetry& raw, const Survey& survey, VerticalSense sense,
+                                  sql::Connection& db, const repository::DatasetId& id) {
+  std::vector<float> depths_m;
+  const auto read = for_each_band(sides_of(raw), raw.read, [&](std::size_t, const RawRows& rows) {
+    const std::vector<float> band_m = depths_of(rows, sense, survey).depth_m;
+    depths_m.insert(depths_m.end(), band_m.begin(), band_m.end());
+  });
+  if (!read) return tl::unexpected(read.error());
+  repository::FieldRepository fields{db};
+  fields.create(id, {raw.grid, std::nullopt, std::nullopt}, {raw.own_points->mesh});
+  fields.write_slice(id, "depth_m", 0, 0, depths_m);
+  return {};
+}
+
 /// Where all rows are one band, they are kept rather than read again.
-Rows kept_if_alone(const ocean::HorizontalGrid& grid, Rows read) {
-  if (rows_of_band(grid) < grid.y().size()) return read;
+Rows kept_if_alone(Sides sides, Rows read) {
+  if (rows_of_band(sides) < sides.rows) return read;
   return [kept = std::make_shared<std::optional<RawRows>>(), read = std::move(read)](
              std::size_t first, std::size_t rows) -> Checked<RawRows> {
     if (*kept) return **kept;
@@ -209,11 +239,11 @@ void widen(RawRows& rows, const std::vector<float>& uncertainty_m) {
 }
 
 Checked<PreparedDataset> prepare_bathymetry(RawBathymetry raw, const std::optional<std::string>& positive) {
-  raw.read = kept_if_alone(raw.grid, std::move(raw.read));
-  Survey survey{raw.grid.x().size()};
-  const auto surveyed = for_each_band(raw.grid, raw.read, [&](std::size_t first_row, const RawRows& rows) {
-    survey.look_at(first_row, rows);
-  });
+  const Sides sides = sides_of(raw);
+  raw.read = kept_if_alone(sides, std::move(raw.read));
+  Survey survey{sides.columns};
+  const auto surveyed = for_each_band(
+      sides, raw.read, [&](std::size_t first_row, const RawRows& rows) { survey.look_at(first_row, rows); });
   if (!surveyed) return refuse(surveyed.error());
 
   PreparedDataset data;
@@ -235,16 +265,26 @@ Checked<PreparedDataset> prepare_bathymetry(RawBathymetry raw, const std::option
     return refuse(*fault);
 
   data.bounds = raw.grid.bounds();
-  data.rows_accepted = static_cast<std::int64_t>(raw.grid.size());
+  data.rows_accepted = static_cast<std::int64_t>(sides.columns * sides.rows);
+  if (raw.own_points) {
+    data.keeping = Keeping::at_own_points;
+    data.write = [raw = std::move(raw), survey, sense = finding->sense](
+                     sql::Connection& db, const repository::DatasetId& id) -> Checked<void> {
+      return write_at_own_points(raw, survey, sense, db, id);
+    };
+    return data;
+  }
   data.write = [grid = std::move(raw.grid), read = std::move(raw.read), survey, sense = finding->sense](
                    sql::Connection& db, const repository::DatasetId& id) -> Checked<void> {
     repository::FieldRepository fields{db};
     fields.create(id, {grid, std::nullopt, std::nullopt});
-    const auto written = for_each_band(grid, read, [&](std::size_t first_row, const RawRows& rows) {
-      const DepthRows depths = depths_of(rows, sense, survey);
-      fields.write_rows(id, "depth_m", first_row, depths.depth_m);
-      if (survey.has_shoaler_cells(sense)) fields.write_rows(id, "shoalest_m", first_row, depths.shoalest_m);
-    });
+    const auto written = for_each_band({grid.x().size(), grid.y().size()}, read,
+                                       [&](std::size_t first_row, const RawRows& rows) {
+                                         const DepthRows depths = depths_of(rows, sense, survey);
+                                         fields.write_rows(id, "depth_m", first_row, depths.depth_m);
+                                         if (survey.has_shoaler_cells(sense))
+                                           fields.write_rows(id, "shoalest_m", first_row, depths.shoalest_m);
+                                       });
     if (!written) return tl::unexpected(written.error());
     repository::FieldOverviews{db}.make(id, "depth_m");
     return {};

@@ -10,6 +10,7 @@
 #include "storage/ingest/common/prepared_dataset.hpp"
 #include "storage/ingest/grids/raw_rows.hpp"
 #include "storage/ingest/readers/bathymetry/vertical_sense.hpp"
+#include "storage/repository/fields/mesh_blocks.hpp"
 
 namespace floeplan::ingest {
 
@@ -17,9 +18,11 @@ namespace floeplan::ingest {
 /// charts of an ocean do not fit into the memory of a reading process.
 struct RawBathymetry {
   ocean::HorizontalGrid grid;
+  /// A model's own points, at which the depths are kept, one to a row; empty: they lie at the grid's nodes.
+  std::optional<repository::MeshInBlocks> own_points{};
   VerticalDescription description;
   Messages warnings;
-  /// Reads some rows of the grid, from a first row on. With several bands each row is read twice.
+  /// Reads some rows, from a first row on. With several bands each row is read twice.
   std::function<Checked<RawRows>(std::size_t first_row, std::size_t rows)> read;
 };
 

@@ -55,7 +55,8 @@ bool is_extreme(Statistic statistic) {
   return statistic == Statistic::minimum || statistic == Statistic::maximum;
 }
 
-/// Metres at all points, resampled. What cannot be on Earth is left out: it would be mixed with its neighbours.
+/// Metres at all points, in the order in which they are kept. What cannot be on Earth is left out: it would be mixed with
+/// its neighbours.
 Checked<RawRows> rows_of_bent(const NetcdfVariable& variable, const BentPlane& plane, double factor) {
   constexpr double deepest_m = 12'000.0;
   constexpr double customary_mark = 9999.0;
@@ -68,7 +69,7 @@ Checked<RawRows> rows_of_bent(const NetcdfVariable& variable, const BentPlane& p
     const bool possible = std::abs(value * factor) <= deepest_m && std::abs(value) != customary_mark;
     metres.push_back(possible ? static_cast<float>(value * factor) : std::numeric_limits<float>::quiet_NaN());
   }
-  return resampled_with_range(plane, metres);
+  return RawRows{plane.as_kept(metres)};
 }
 
 }  // namespace
@@ -99,7 +100,7 @@ Checked<PreparedDataset> read_netcdf_bathymetry(std::shared_ptr<const NetcdfFile
   if (variable == nullptr) return refuse(messages::ingest_depth_message<"depths-not-found">());
   auto place = place_of(file, *variable, options.crs);
   if (!place) return refuse(place.error());
-  const std::optional<BentPlane>& bent = place->bent;
+  std::optional<BentPlane>& bent = place->bent;
 
   const std::string unit = variable->attribute("units");
   const auto factor = unit.empty() ? std::optional{1.0} : length_factor(unit);
@@ -122,8 +123,10 @@ Checked<PreparedDataset> read_netcdf_bathymetry(std::shared_ptr<const NetcdfFile
   if (bent) {
     auto rows = rows_of_bent(*variable, *bent, *factor);
     if (!rows) return refuse(rows.error());
-    raw.warnings.push_back(messages::ingest_depth_message<"depth-resampled">(bent->account.text));
-    raw.read = rows_in_memory(std::move(*rows), raw.grid.x().size());
+    raw.warnings.push_back(
+        messages::ingest_depth_message<"depths-kept-at-own-points">(bent->own.mesh.points.size()));
+    raw.read = rows_in_memory(std::move(*rows), 1);
+    raw.own_points = std::move(bent->own);
     return prepare_bathymetry(std::move(raw), options.positive);
   }
   raw.read = [file = std::move(file), variable, layout = std::move(place->layout), factor = *factor](

@@ -240,7 +240,7 @@ Checked<PreparedDataset> prepare_currents(CurrentInput input, const core::Progre
   if (currents->own_points) {
     data.keeping = currents->components ? Keeping::at_points_of_components : Keeping::at_own_points;
     const std::size_t points = ocean::points_with_values(currents->own_points->mesh);
-    data.warnings.push_back(messages::ingest_current_message<"kept-at-own-points">(points, input.layout));
+    data.warnings.push_back(messages::ingest_grid_message<"kept-at-own-points">(points, input.layout));
     data.rows_accepted = static_cast<std::int64_t>(points);
   } else {
     data.rows_accepted = static_cast<std::int64_t>(currents->grid.size());

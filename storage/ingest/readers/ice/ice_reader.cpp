@@ -2,6 +2,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/messages/ingest_grid_messages.hpp"
 #include "engine/messages/ingest_ice_messages.hpp"
 #include "storage/ingest/common/grid_limits.hpp"
 #include "storage/ingest/common/missing_value.hpp"
@@ -121,10 +122,14 @@ Checked<std::vector<float>> read_greatest(const std::vector<Quantity>& quantitie
 Checked<void> write(const IceSource& source, const core::ProgressCallback& progress, sql::Connection& db,
                     const repository::DatasetId& id) {
   repository::FieldRepository fields{db};
-  fields.create(id, {source.grid, std::nullopt, ocean::Axis{source.layout.times_s->nodes}});
+  const repository::FieldShape shape{source.grid, std::nullopt, ocean::Axis{source.layout.times_s->nodes}};
+  if (source.bent)
+    fields.create(id, shape, {source.bent->own.mesh});
+  else
+    fields.create(id, shape);
   for (std::size_t time = 0; time < source.times(); ++time) {
     const auto stored = [&](const std::vector<float>& values) {
-      return source.bent ? source.bent->sampling.apply(values) : values;
+      return source.bent ? source.bent->as_kept(values) : values;
     };
     const auto concentration = read_greatest(source.concentrations, source.layout, time, 1.0);
     if (!concentration) return refuse(concentration.error());
@@ -169,7 +174,9 @@ Checked<IceSource> open_source(const std::shared_ptr<const NetcdfFile>& file, co
   const NetcdfVariable& first = *ice->concentrations.front();
   auto place = place_of(file, first, options.crs);
   if (!place) return refuse(place.error());
-  if (place->bent) warnings.push_back(place->bent->account);
+  if (place->bent)
+    warnings.push_back(messages::ingest_grid_message<"kept-at-own-points">(
+        place->bent->own.mesh.points.size(), std::string{"a bent grid"}));
   auto layout = layout_of_ice(std::move(place->layout), first, options.time);
   if (!layout) return refuse(layout.error());
 
@@ -201,7 +208,9 @@ Checked<PreparedDataset> read_ice(const std::shared_ptr<const NetcdfFile>& file,
   for (const Quantity& quantity : source->concentrations) data.variables.push_back(quantity.variable->name());
   for (const Quantity& quantity : source->thickness) data.variables.push_back(quantity.variable->name());
   data.bounds = source->grid.bounds();
-  data.rows_accepted = static_cast<std::int64_t>(source->grid.size());
+  data.rows_accepted =
+      static_cast<std::int64_t>(source->bent ? source->bent->own.mesh.points.size() : source->grid.size());
+  if (source->bent) data.keeping = Keeping::at_own_points;
   data.time_start = core::from_unix_seconds(source->layout.times_s->nodes.front());
   data.time_end = core::from_unix_seconds(source->layout.times_s->nodes.back());
   data.write = [source = std::move(*source), progress](sql::Connection& db, const repository::DatasetId& id) {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "engine/geo/tangent_plane.hpp"
+#include "engine/ocean/grids/cell_minima.hpp"
 #include "engine/ocean/grids/cell_weights.hpp"
 #include "engine/ocean/grids/mesh_lattice.hpp"
 #include "tests/support/property.hpp"
@@ -64,6 +65,66 @@ std::vector<float> noise(std::mt19937_64& rng, std::size_t count) {
 
 HorizontalGrid at_place(geo::LonLat place) {
   return {geo::GeographicFrame{}, Axis{{place.lon_deg}}, Axis{{place.lat_deg}}};
+}
+
+/// A mean of the corners with weights by chance.
+geo::LonLat place_in(std::mt19937_64& rng, const Mesh& mesh, const Mesh::Cell& cell) {
+  geo::UnitVector sum;
+  for (const std::uint32_t corner : cell) {
+    const geo::UnitVector each = geo::unit_vector(mesh.points[corner]);
+    const double weight = support::uniform(rng, 0.0, 1.0);
+    sum = {sum.x + weight * each.x, sum.y + weight * each.y, sum.z + weight * each.z};
+  }
+  const double length = std::sqrt(geo::dot(sum, sum));
+  return geo::lon_lat({sum.x / length, sum.y / length, sum.z / length});
+}
+
+Axis every(const Axis& axis, std::size_t stride) {
+  std::vector<double> nodes;
+  for (std::size_t i = 0; i < axis.size(); i += stride) nodes.push_back(axis[i]);
+  return Axis{std::move(nodes)};
+}
+
+TEST(LeastOfCells, IsNoMoreThanTheLeastKnownCornerAtAnyPlaceOfACell) {
+  support::for_each_seed(50, [](std::mt19937_64& rng) {
+    const Mesh mesh = mesh_about(rng, somewhere(rng), support::uniform(rng, 0.0005, 0.5));
+    std::vector<float> values = noise(rng, mesh.points.size());
+    for (float& value : values)
+      if (support::uniform_int(rng, 0, 5) == 0) value = std::nanf("");
+    const HorizontalGrid fine = lattice_for(mesh).value();
+    const auto stride = static_cast<std::size_t>(support::uniform_int(rng, 1, 6));
+    const HorizontalGrid grid{fine.frame(), every(fine.x(), stride), every(fine.y(), stride)};
+
+    const std::vector<float> least = least_of_cells(mesh, grid, values);
+
+    for (const Mesh::Cell& cell : mesh.cells) {
+      const geo::LonLat place = place_in(rng, mesh, cell);
+      const auto at = grid.locate(place);
+      float corner_m = INFINITY;
+      for (const std::uint32_t corner : cell) corner_m = std::fmin(corner_m, values[corner]);
+      if (!at || corner_m == INFINITY) continue;
+      float found_m = INFINITY;
+      for (const std::size_t iy : {at->y.lower, at->y.upper})
+        for (const std::size_t ix : {at->x.lower, at->x.upper})
+          found_m = std::fmin(found_m, least[iy * grid.x().size() + ix]);
+      ASSERT_LE(found_m, corner_m) << place.lon_deg << " " << place.lat_deg << ", every " << stride;
+    }
+  });
+}
+
+TEST(MeshSampling, HasAsLeastTheLeastOfTheValuesThatCountAtAPlace) {
+  support::for_each_seed(20, [](std::mt19937_64& rng) {
+    const Mesh mesh = mesh_about(rng, somewhere(rng), support::uniform(rng, 0.0005, 0.5));
+    const std::vector<float> values = noise(rng, mesh.points.size());
+    for (const Mesh::Cell& cell : mesh.cells) {
+      const auto sampling = MeshSampling::of(mesh, at_place(place_in(rng, mesh, cell)));
+      float corner = INFINITY;
+      for (const std::uint32_t point : cell) corner = std::fmin(corner, values[point]);
+      ASSERT_EQ(sampling.value().least(values)[0], corner);
+    }
+    const auto at_a_point = MeshSampling::of(mesh, at_place(mesh.points[40]));
+    ASSERT_EQ(at_a_point.value().least(values)[0], values[40]);
+  });
 }
 
 TEST(MeshSampling, HasTheModelsOwnValueAtAPointOfTheModel) {

@@ -433,13 +433,13 @@ TEST_F(ProjectedIceTest, OnAnEllipsoidThatIsNotKnownItIsRefused) {
 }
 
 /// The nodes' latitudes on a sphere: tan((90 - latitude) / 2) = distance / (radius (1 + sin 70)).
-TEST_F(ProjectedIceTest, OnASphereItIsResampledByItsLatitudesOnTheSphere) {
+TEST_F(ProjectedIceTest, OnASphereItKeepsItsNodesAtTheirLatitudesOnTheSphere) {
   write_projected({{"earth_radius", 6371000.0}}, "m");
 
   const auto report = ingest(path("polar.nc"));
 
   ASSERT_EQ(report.status, IngestStatus::stored) << words(report);
-  EXPECT_THAT(words(report), HasSubstr("resampled"));
+  EXPECT_THAT(words(report), HasSubstr("the model's own"));
   const auto ice = repository::FieldRepository{db_}
                        .load_ice(report.dataset->id, {-180.0, -90.0, 180.0, 90.0}, std::nullopt)
                        .value();
