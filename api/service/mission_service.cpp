@@ -102,7 +102,10 @@ mission::YoFlight judge_yo(sql::Connection& db, const repository::PlanRecord& re
 tl::expected<mission::MissionFiles, core::Violations> lists_of(const planning::Plan& plan,
                                                                const mission::MissionSetOptions& options,
                                                                const mission::YoFlight& flight) {
-  auto lists = mission::write_goto_lists(plan, mission::list_options(options));
+  mission::GotoListOptions of_lists = mission::list_options(plan, options);
+  // The mission on board may surface more rarely than ours, unless the pilot planned its surfacings.
+  if (!options.surfacing_interval) of_lists.between_fixes.reset();
+  auto lists = mission::write_goto_lists(plan, of_lists);
   if (!lists) return lists;
   for (const core::Violation& violation : flight.violations)
     lists->messages.push_back(messages::export_message<"yo-cannot-fly-plan">(violation.rule));

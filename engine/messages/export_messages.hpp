@@ -228,6 +228,18 @@ inline constexpr auto export_kinds = std::to_array<Kind>({
      .rank = Rank::note,
      .text =
          "goto_l98.ma replaces the list of safe places on board; the firmware writes goto_l99.ma itself."},
+    {.code = "no-ice-on-route",
+     .rank = Rank::note,
+     .text = "The route passes below no ice: the mission surfaces at every waypoint and every "
+             "{interval_h:.1f} h. "
+             "The safe places and the settings for ice are for emergencies.",
+     .slots = {{{"interval_h", 3.0}}}},
+    {.code = "safe-places-without-ice-data",
+     .rank = Rank::caution,
+     .text = "The plan was made without data on sea ice, so the mission surfaces at every waypoint and every "
+             "{interval_h:.1f} h, as in open water:",
+     .hint = "if there may be ice on the route, import sea ice and plan again.",
+     .slots = {{{"interval_h", 3.0}}}},
     {.code = "watchdog-not-held-off",
      .rank = Rank::caution,
      .text = "A list takes {list_h:.1f} h below ice without contact, but abend no_cop_tickle_for stays at "

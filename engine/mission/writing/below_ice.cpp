@@ -71,6 +71,11 @@ Overhead overhead(const planning::Plan& plan, std::size_t waypoint) {
                                                                           : Overhead::unknown;
 }
 
+bool may_surface_everywhere(const planning::Plan& plan) {
+  return plan.passed_under.empty() && least_upper_turn(plan).value == 0.0 &&
+         (!plan.surfacing || plan.surfacing->longest_without.count() <= 0.0);
+}
+
 bool tells_upper_turns(const planning::Plan& plan) {
   if (!plan.surfacing || plan.surfacing->longest_without.count() <= 0.0) return true;
   const auto& waypoints = plan.surfacing->waypoints;

@@ -29,6 +29,10 @@ enum class Overhead {
 /// Precondition  the plan has such a waypoint
 [[nodiscard]] Overhead overhead(const planning::Plan& plan, std::size_t waypoint);
 
+/// Whether the vehicle may surface everywhere on the plan's route. Ice that nobody knows in the midst of known ice forbids it; a
+/// plan made without data on ice is one in open water.
+[[nodiscard]] bool may_surface_everywhere(const planning::Plan& plan);
+
 /// Whether the plan says of every leg how deep its dives turn. One stored by an older version, which passes where the
 /// vehicle may not surface, does not.
 [[nodiscard]] bool tells_upper_turns(const planning::Plan& plan);

@@ -51,9 +51,9 @@ bool is_shallow(const vehicle::GliderProfile& vehicle) {
   return vehicle.depth_rating.value <= shallow_vehicle_m;
 }
 
-std::vector<SurfacingKind> kinds_of(const MissionSetOptions& options) {
+std::vector<SurfacingKind> kinds_of(const planning::Plan& plan, const MissionSetOptions& options) {
   std::vector<SurfacingKind> kinds{silent, list_done, yo_done};
-  if (!options.under_ice) kinds.insert(kinds.end(), {waypoint_hit, regular});
+  if (surfaces_on_the_way(plan, options)) kinds.insert(kinds.end(), {waypoint_hit, regular});
   return kinds;
 }
 
@@ -128,7 +128,7 @@ core::Metres climb_target(const planning::Plan& plan, const vehicle::GliderProfi
 
 core::Seconds longest_silence(const planning::Plan& plan, const MissionSetOptions& options) {
   const double in_the_open_s = is_shallow(options.vehicle) ? silence_shallow_s : silence_deep_s;
-  if (!options.under_ice) {
+  if (surfaces_on_the_way(plan, options)) {
     const core::Seconds usual{in_the_open_s};
     return std::min(usual, options.surfacing_interval.value_or(usual));
   }
@@ -146,17 +146,22 @@ core::Seconds time_between_surfacings(const MissionSetOptions& options) {
   return options.surfacing_interval.value_or(usual_surfacing_interval(options.vehicle));
 }
 
-GotoListOptions list_options(const MissionSetOptions& options) {
+bool surfaces_on_the_way(const planning::Plan& plan, const MissionSetOptions& options) {
+  return !options.under_ice || may_surface_everywhere(plan);
+}
+
+GotoListOptions list_options(const planning::Plan& plan, const MissionSetOptions& options) {
   GotoListOptions lists = options.lists;
   lists.holds.vehicle = options.vehicle;
-  lists.holds.surfaces = !options.under_ice;
+  lists.holds.surfaces = surfaces_on_the_way(plan, options);
   lists.holds.between_surfacings = time_between_surfacings(options);
+  if (may_surface_everywhere(plan)) lists.between_fixes = time_between_surfacings(options);
   return lists;
 }
 
-std::vector<Surfacing> surfacings_of(const MissionSetOptions& options) {
+std::vector<Surfacing> surfacings_of(const planning::Plan& plan, const MissionSetOptions& options) {
   std::vector<Surfacing> surfacings;
-  for (const SurfacingKind& kind : kinds_of(options)) {
+  for (const SurfacingKind& kind : kinds_of(plan, options)) {
     const int number = options.lists.first_number + static_cast<int>(surfacings.size());
     surfacings.push_back({number, std::string{kind.why}});
   }
@@ -167,7 +172,7 @@ std::vector<MissionFile> flight_files(const planning::Plan& plan, const MissionS
   const int number = options.lists.first_number;
   const std::string origin = origin_comments(plan, options.lists.origin);
   std::vector<MissionFile> files{yo_file(plan, options, number, origin)};
-  const auto kinds = kinds_of(options);
+  const auto kinds = kinds_of(plan, options);
   for (std::size_t i = 0; i < kinds.size(); ++i) {
     files.push_back(surfacing_file(plan, options, number + static_cast<int>(i), kinds[i], origin));
   }

@@ -14,8 +14,13 @@ struct Surfacing {
   std::string why;
 };
 
+/// Whether the mission surfaces at waypoints and after a time: wherever no rules for ice are given, and with them unless ice or
+/// an iceberg forbids it somewhere on the route, for a mission knows no places.
+[[nodiscard]] bool surfaces_on_the_way(const planning::Plan& plan, const MissionSetOptions& options);
+
 /// The surfacings of a mission, in order of priority.
-[[nodiscard]] std::vector<Surfacing> surfacings_of(const MissionSetOptions& options);
+[[nodiscard]] std::vector<Surfacing> surfacings_of(const planning::Plan& plan,
+                                                   const MissionSetOptions& options);
 
 /// The depth that a yo turns at, so far above the rating that an overshoot does not reach it.
 [[nodiscard]] core::Metres target_depth(const vehicle::GliderProfile& vehicle);
@@ -35,8 +40,9 @@ struct Surfacing {
 /// How often the vehicle comes up in open water, whatever else happens.
 [[nodiscard]] core::Seconds time_between_surfacings(const MissionSetOptions& options);
 
-/// The lists of the set, its holds flown by the vehicle and the surfacings of the mission.
-[[nodiscard]] GotoListOptions list_options(const MissionSetOptions& options);
+/// The lists of the set, its holds flown by the vehicle and the surfacings of the mission. The plan's route is one with fixes
+/// where the vehicle may surface all along it.
+[[nodiscard]] GotoListOptions list_options(const planning::Plan& plan, const MissionSetOptions& options);
 
 /// The argument files of yo, surface, sample and prepare_to_dive.
 [[nodiscard]] std::vector<MissionFile> flight_files(const planning::Plan& plan,

@@ -42,7 +42,7 @@ std::vector<core::Metres> leg_lengths(const planning::Plan& plan) {
 /// A list that ends near ice gets a smaller radius than the usual one, if none is asked for.
 ListRules rules_of(const GotoListOptions& options) {
   return {static_cast<std::size_t>(options.max_waypoints),
-          options.radius.value_or(core::Metres{smallest_radius_m})};
+          options.radius.value_or(core::Metres{smallest_radius_m}), options.between_fixes};
 }
 
 core::Metres radius_of(const planning::Plan& plan, const ListPart& part, const GotoListOptions& options) {

@@ -22,7 +22,9 @@ struct GotoListOptions {
   std::optional<core::Metres> radius{};  // in which a waypoint is reached; default: see write_goto_lists
   int initial_waypoint{0};  // of the first list: its row from 0, -1 after the last achieved, -2 the closest
   bool may_end_below_ice{false};  // of lists that no vehicle flies
-  bool thruster_in_yo{false};     // the yo that they are flown with turns it on for every leg
+  /// How often the mission surfaces for a fix on the way of a list; empty: only where a list ends, as below ice.
+  std::optional<core::Seconds> between_fixes{};
+  bool thruster_in_yo{false};  // the yo that they are flown with turns it on for every leg
   HoldOptions holds{};
   FileOrigin origin{};
 };
@@ -45,7 +47,8 @@ struct GotoListOptions {
 /// Ends     a mission brings the vehicle up where its list is flown: a list ends where the plan lets it surface, or
 ///          where nothing is known of the ice, with a warning; never below ice or an iceberg, nor within the radius
 ///          of them, unless `may_end_below_ice`. A list that ends near them gets a smaller radius than the usual one,
-///          and a warning where its error of position may still bring it up below ice
+///          and a warning where its position error may still bring it up below ice. That error grows from the list's start,
+///          or from the last of its fixes `between_fixes`
 /// Holds    of ten minutes or more where the vehicle may come up: the list ends there, and a list of two rows follows
 ///          that keeps it near the place by hold_legs, with a warning that says when the next one is to be sent. Where
 ///          no such list is as short as the hold, the warning alone

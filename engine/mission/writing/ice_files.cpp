@@ -22,6 +22,10 @@ constexpr double watchdog_s = 48'600.0;            // no_cop_tickle_for, the dic
 constexpr core::Metres stock_iceberg_depth{20.0};  // of the vendor's stock settings
 constexpr Firmware first_with_ice{10, 0};          // the stock ice missions date from 2018
 
+bool knows_of_ice(const planning::Plan& plan) {
+  return std::ranges::find(plan.datasets, "ice", &ocean::DatasetRef::kind) != plan.datasets.end();
+}
+
 }  // namespace
 
 std::string ice_settings_name(const MissionSetOptions& options) {
@@ -91,6 +95,12 @@ core::Violations ice_violations(const planning::Plan& plan, const MissionSetOpti
 std::vector<messages::Message> ice_warnings(const planning::Plan& plan, const MissionSetOptions& options) {
   std::vector<messages::Message> told{messages::export_message<"stock-missions-needed">(),
                                       messages::export_message<"safe-list-replaced">()};
+  if (surfaces_on_the_way(plan, options)) {
+    const double interval_h = time_between_surfacings(options).count() / 3600.0;
+    told.push_back(knows_of_ice(plan) ? messages::export_message<"no-ice-on-route">(interval_h)
+                                      : messages::export_message<"safe-places-without-ice-data">(interval_h));
+    return told;
+  }
   const double silent_s = longest_list_time(plan, options.lists).count();
   if (silent_s > watchdog_s)
     told.push_back(messages::export_message<"watchdog-not-held-off">(silent_s / 3600.0));

@@ -60,14 +60,29 @@ core::Seconds time_under_way(const planning::Plan& plan, std::size_t number, geo
   return speed ? std::max(planned, *leg.leg_length / *speed) : planned;
 }
 
-/// Mean over the legs from one waypoint to another; none where the plan tells none.
-geo::VelocityEn mean_current(const planning::Plan& plan, std::size_t from, std::size_t to) {
+/// A span of the plan's time.
+struct Span {
+  core::UtcTime from;
+  core::UtcTime until;
+};
+
+/// Share of the time under way on the leg to a waypoint that lies in the span.
+double share_within(const planning::Plan& plan, std::size_t leg, const Span& span) {
+  const core::UtcTime begin = plan.waypoints[leg - 1].eta + plan.waypoints[leg - 1].wait;
+  const core::UtcTime end = plan.waypoints[leg].eta;
+  if (span.from <= begin && end <= span.until) return 1.0;
+  if (span.until <= begin || end <= span.from) return 0.0;
+  return (std::min(end, span.until) - std::max(begin, span.from)) / (end - begin);
+}
+
+/// Mean over the legs within the span; none where the plan tells none.
+geo::VelocityEn mean_current(const planning::Plan& plan, const Span& span) {
   double east_m = 0.0;
   double north_m = 0.0;
   double all_s = 0.0;
-  for (std::size_t i = from + 1; i <= to; ++i) {
+  for (std::size_t i = 1; i < plan.waypoints.size(); ++i) {
     const geo::VelocityEn current = plan.waypoints[i].current.value_or(geo::VelocityEn{});
-    const double time_s = planned_time(plan, i).count();
+    const double time_s = share_within(plan, i, span) * planned_time(plan, i).count();
     east_m += current.east.value * time_s;
     north_m += current.north.value * time_s;
     all_s += time_s;
@@ -76,24 +91,62 @@ geo::VelocityEn mean_current(const planning::Plan& plan, std::size_t from, std::
   return {{east_m / all_s}, {north_m / all_s}};
 }
 
-/// The current that the vehicle uses for its dead reckoning on the list: that of its last dives.
-geo::VelocityEn reckoned_with(const planning::Plan& plan, const ListPart& part) {
-  return part.before > 0 ? mean_current(plan, part.before - 1, part.first - 1) : geo::VelocityEn{};
+/// When the vehicle leaves the start of the list, with a fix.
+core::UtcTime begin_of(const planning::Plan& plan, const ListPart& part) {
+  const planning::Waypoint& start = plan.waypoints[part.first - 1];
+  return start.eta + start.wait;
 }
 
-/// How far the currents on the list's way carry the vehicle against what it reckons with.
-core::Metres carried_off(const planning::Plan& plan, const ListPart& part) {
-  const geo::VelocityEn reckoned = reckoned_with(plan, part);
+/// The current that the vehicle navigates with at first: that of its last dives.
+geo::VelocityEn assumed_at_start(const planning::Plan& plan, const ListPart& part) {
+  if (part.before == 0) return {};
+  const core::UtcTime surfaced = plan.waypoints[part.first - 1].eta;
+  core::UtcTime from = plan.waypoints[part.before - 1].eta;
+  if (part.between_fixes) from = std::max(from, surfaced - *part.between_fixes);
+  return mean_current(plan, {from, surfaced});
+}
+
+/// The last time under way without a fix, and the current that the vehicle navigates with then.
+struct LastDives {
+  Span span;
+  geo::VelocityEn assumed;
+};
+
+LastDives last_dives(const planning::Plan& plan, const ListPart& part) {
+  const core::UtcTime begin = begin_of(plan, part);
+  const core::UtcTime end = plan.waypoints[part.last].eta;
+  if (!part.between_fixes || end - begin <= *part.between_fixes)
+    return {{begin, end}, assumed_at_start(plan, part)};
+  const core::UtcTime fix = end - *part.between_fixes;
+  return {{fix, end}, mean_current(plan, {std::max(begin, fix - *part.between_fixes), fix})};
+}
+
+/// How far the currents carry the vehicle against what it navigates with, since its last fix.
+core::Metres carried_off(const planning::Plan& plan, const ListPart& part, const LastDives& dives) {
   double east_m = 0.0;
   double north_m = 0.0;
   for (std::size_t i = part.first; i <= part.last; ++i) {
     const planning::Waypoint& leg = plan.waypoints[i];
     if (!leg.current) continue;
-    const double time_s = time_under_way(plan, i, reckoned).count();
-    east_m += (leg.current->east - reckoned.east).value * time_s;
-    north_m += (leg.current->north - reckoned.north).value * time_s;
+    const double time_s = share_within(plan, i, dives.span) * time_under_way(plan, i, dives.assumed).count();
+    east_m += (leg.current->east - dives.assumed.east).value * time_s;
+    north_m += (leg.current->north - dives.assumed.north).value * time_s;
   }
   return {std::hypot(east_m, north_m)};
+}
+
+/// Position error, were there no fix since the start, at a time on the list's route. Between waypoints it grows evenly.
+std::optional<core::Metres> error_without_fix_at(const planning::Plan& plan, const ListPart& part,
+                                                 core::UtcTime time) {
+  const auto& states = plan.surfacing->waypoints;
+  const core::UtcTime begin = begin_of(plan, part);
+  if (time <= begin) return states[part.first - 1].error_without_fix;
+  std::size_t leg = part.first;
+  while (leg < part.last && plan.waypoints[leg].eta < time) ++leg;
+  const auto& before = states[leg - 1].error_without_fix;
+  const auto& after = states[leg].error_without_fix;
+  if (!before || !after) return std::nullopt;
+  return *before + share_within(plan, leg, {begin, time}) * (*after - *before);
 }
 
 /// Whether the list may end there with room for more than so much.
@@ -110,7 +163,8 @@ std::size_t last_of_list(const planning::Plan& plan, std::size_t first, std::siz
   const std::size_t longest = std::min(first + rules.max_waypoints, plan.waypoints.size()) - 1;
   std::size_t farthest = first;
   while (farthest < longest && !is_held_at(plan, farthest)) ++farthest;
-  if (is_held_at(plan, farthest) && has_room(plan, {first, farthest, before}, &ListEnd::room, rules.radius))
+  if (is_held_at(plan, farthest) &&
+      has_room(plan, {first, farthest, before, rules.between_fixes}, &ListEnd::room, rules.radius))
     return farthest;
   const auto farthest_where = [&](const auto& suits) -> std::optional<std::size_t> {
     for (std::size_t last = farthest; last >= first; --last)
@@ -118,8 +172,9 @@ std::size_t last_of_list(const planning::Plan& plan, std::size_t first, std::siz
     return std::nullopt;
   };
   for (const auto room : {&ListEnd::sure_room, &ListEnd::room}) {
-    if (const auto last = farthest_where(
-            [&](std::size_t i) { return has_room(plan, {first, i, before}, room, rules.radius); }))
+    if (const auto last = farthest_where([&](std::size_t i) {
+          return has_room(plan, {first, i, before, rules.between_fixes}, room, rules.radius);
+        }))
       return *last;
   }
   for (const Overhead wanted : {Overhead::unknown, Overhead::open}) {
@@ -150,17 +205,22 @@ bool passes_below(const planning::Plan& plan, const ListPart& part) {
 
 core::Metres error_of(const planning::Plan& plan, const ListPart& part) {
   if (!plan.surfacing) return {};
-  const auto& before = plan.surfacing->waypoints[part.first - 1].error_without_fix;
-  const auto& after = plan.surfacing->waypoints[part.last].error_without_fix;
-  if (!before || !after) return {};
-  return *after - *before + carried_off(plan, part);
+  const LastDives dives = last_dives(plan, part);
+  const auto at_fix = error_without_fix_at(plan, part, dives.span.from);
+  const auto& at_end = plan.surfacing->waypoints[part.last].error_without_fix;
+  if (!at_fix || !at_end) return {};
+  return *at_end - *at_fix + carried_off(plan, part, dives);
 }
 
 core::Seconds late_by(const planning::Plan& plan, const ListPart& part) {
-  const geo::VelocityEn reckoned = reckoned_with(plan, part);
+  const geo::VelocityEn assumed = assumed_at_start(plan, part);
+  const core::UtcTime begin = begin_of(plan, part);
+  const core::UtcTime end = plan.waypoints[part.last].eta;
+  const Span until_fix{begin, part.between_fixes ? std::min(end, begin + *part.between_fixes) : end};
   core::Seconds late{0.0};
   for (std::size_t i = part.first; i <= part.last; ++i) {
-    if (plan.waypoints[i].current) late += time_under_way(plan, i, reckoned) - planned_time(plan, i);
+    if (plan.waypoints[i].current)
+      late += share_within(plan, i, until_fix) * (time_under_way(plan, i, assumed) - planned_time(plan, i));
   }
   return late;
 }
@@ -216,7 +276,7 @@ std::vector<ListPart> part_into_lists(const planning::Plan& plan, const ListRule
   std::vector<ListPart> parts;
   std::size_t before = 0;
   for (std::size_t first = 1; first < plan.waypoints.size();) {
-    parts.push_back({first, last_of_list(plan, first, before, rules), before});
+    parts.push_back({first, last_of_list(plan, first, before, rules), before, rules.between_fixes});
     before = first;
     first = parts.back().last + 1;
   }

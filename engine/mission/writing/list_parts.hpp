@@ -16,13 +16,16 @@ struct ListPart {
   std::size_t first{};
   std::size_t last{};
   std::size_t before{};  // first row of the list before it, 0: there is none
+  /// How often the vehicle surfaces for a fix on the way; empty: only where the list ends.
+  std::optional<core::Seconds> between_fixes{};
 
   friend bool operator==(const ListPart&, const ListPart&) = default;
 };
 
 struct ListRules {
-  std::size_t max_waypoints{8};  // 1 or more rows
-  core::Metres radius{10.0};     // in which a waypoint counts as reached
+  std::size_t max_waypoints{8};                  // 1 or more rows
+  core::Metres radius{10.0};                     // in which a waypoint counts as reached
+  std::optional<core::Seconds> between_fixes{};  // on the way of a list; empty: none
 };
 
 /// Whether ice or an iceberg is above somewhere on the way of the list.
@@ -44,14 +47,15 @@ struct ListEnd {
   [[nodiscard]] core::Metres sure_room() const;  // the same, however far it is off; may be negative
 };
 
-/// How far the position may be off where a list ends, on whose way there is no fix: what the error has grown by, and
-/// how far the currents of the plan carry the vehicle against the one that it reckons with, the mean over the list
-/// before, on the first list none. Against currents that it does not know of it is as long under way as it takes by its
-/// own reckoning, if that is longer. Zero for plans that do not tell of their error.
+/// Position error where a list ends: the growth since the last fix, and how far the currents of the plan carry the vehicle
+/// against the one that it navigates with. The last fix is that of the list's start, or `between_fixes` before the end. The
+/// vehicle navigates with the mean current over the time between the two fixes before, with that over the list before where
+/// there was no other fix, and with none on the first list. Against currents that it does not know of it is as long under way as
+/// it takes by its own reckoning, if that is longer. Zero for plans that do not tell of their error.
 [[nodiscard]] core::Metres error_of(const planning::Plan& plan, const ListPart& part);
 
-/// How much longer than planned the vehicle is under way on the list, because it reckons with currents that it does not
-/// meet there. The ice at its end is judged for the planned time alone.
+/// How much longer than planned the vehicle is under way on the list, because it navigates with currents that it does not
+/// meet there; with `between_fixes` until the first fix. The ice at its end is judged for the planned time alone.
 [[nodiscard]] core::Seconds late_by(const planning::Plan& plan, const ListPart& part);
 
 /// Empty where the list's way passes below nothing and no ice is near its end, and in plans stored before it was kept.

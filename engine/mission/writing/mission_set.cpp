@@ -40,7 +40,7 @@ core::Violations violations_of(const planning::Plan& plan, const MissionSetOptio
   if (is_stock_mission(name)) found.push_back(messages::mission_fault<"mission-on-board">("/mission", name));
   if (options.firmware < oldest || newest < options.firmware)
     found.push_back(messages::mission_fault<"wrong-firmware">("/firmware"));
-  const int last = surfacings_of(options).back().number;
+  const int last = surfacings_of(plan, options).back().number;
   if (options.lists.first_number < 0 || last > last_free_number) {
     found.push_back(messages::mission_fault<"file-numbers-used-up">("/number", last));
   }
@@ -50,8 +50,9 @@ core::Violations violations_of(const planning::Plan& plan, const MissionSetOptio
 /// The most that the position may be off at a fix that ends a list.
 core::Metres largest_error(const planning::Plan& plan, const GotoListOptions& options) {
   core::Metres largest{0.0};
-  for (const ListPart& part : part_into_lists(plan, {static_cast<std::size_t>(options.max_waypoints)}))
-    largest = std::max(largest, error_of(plan, part));
+  const ListRules rules{.max_waypoints = static_cast<std::size_t>(options.max_waypoints),
+                        .between_fixes = options.between_fixes};
+  for (const ListPart& part : part_into_lists(plan, rules)) largest = std::max(largest, error_of(plan, part));
   return largest;
 }
 
@@ -81,13 +82,14 @@ std::string mission_text(const planning::Plan& plan, const MissionSetOptions& op
   if (options.under_ice) text += ice_settings(plan, options);
   text +=
       "\nbehavior: abend\n" +
-      argument_lines("abend", {{"overdepth", whole(overdepth(options.vehicle).value)},
-                               {"overtime", "-1"},
-                               {"samedepth_for", "1800"},
-                               {"stalled_for", "1800"},
-                               {"no_cop_tickle_for", "48600"},
-                               {"max_wpt_distance", whole(max_waypoint_distance_m(plan, options.lists))}});
-  for (const Surfacing& surfacing : surfacings_of(options)) {
+      argument_lines(
+          "abend", {{"overdepth", whole(overdepth(options.vehicle).value)},
+                    {"overtime", "-1"},
+                    {"samedepth_for", "1800"},
+                    {"stalled_for", "1800"},
+                    {"no_cop_tickle_for", "48600"},
+                    {"max_wpt_distance", whole(max_waypoint_distance_m(plan, list_options(plan, options)))}});
+  for (const Surfacing& surfacing : surfacings_of(plan, options)) {
     text += "\n# Comes up when " + surfacing.why + ".";
     text += behavior_from_file("surface", surfacing.number);
   }
@@ -155,7 +157,7 @@ tl::expected<MissionFiles, core::Violations> write_mission_set(const planning::P
   core::Violations found = violations_of(plan, options);
   std::ranges::move(violations_below_ice(plan, options), std::back_inserter(found));
   std::ranges::move(violations_of_yo(plan, options), std::back_inserter(found));
-  GotoListOptions of_lists = list_options(options);
+  GotoListOptions of_lists = list_options(plan, options);
   of_lists.thruster_in_yo = thruster_of_yo(plan, options.vehicle).has_value();
   auto lists = write_goto_lists(plan, of_lists);
   if (!lists) std::ranges::copy(lists.error(), std::back_inserter(found));

@@ -8,6 +8,7 @@
 #include "engine/core/utc_text.hpp"
 #include "engine/geo/geodesic.hpp"
 #include "engine/messages/sentence.hpp"
+#include "engine/mission/writing/list_parts.hpp"
 #include "tests/engine/mission/list_reader.hpp"
 #include "tests/engine/mission/random_plan.hpp"
 
@@ -363,6 +364,45 @@ TEST(GotoLists, SayHowFarOffTheVehicleMayComeUpWhereNoIceIsKnown) {
   plan.surfacing->waypoints[2].error_without_fix = core::Metres{4500.0};
   EXPECT_THAT(messages::sentences(write_goto_lists(plan, {})->messages),
               testing::Not(Contains(HasSubstr("with a position error of"))));
+}
+
+/// The plan has a fix every hour; the vehicle surfaces for it unless something is above it.
+TEST(GotoLists, CountTheErrorSinceTheLastFixOfTheMission) {
+  planning::Plan plan = plan_below_ice(3, {});
+  plan.surfacing->longest_without = core::Seconds{0.0};
+  for (std::size_t i = 0; i < 3; ++i) {
+    plan.waypoints[i].eta = plan.departure + core::Seconds{36'000.0 * static_cast<double>(i)};
+    plan.surfacing->waypoints[i].error_without_fix = core::Metres{4000.0 * static_cast<double>(i)};
+  }
+  const auto says = Contains(HasSubstr("with a position error of"));
+  const auto told = [&](double between_fixes_s) {
+    return messages::sentences(
+        write_goto_lists(plan, {.between_fixes = core::Seconds{between_fixes_s}})->messages);
+  };
+
+  EXPECT_THAT(messages::sentences(write_goto_lists(plan, {})->messages), says) << "no fix on the way";
+  EXPECT_THAT(told(3600.0), testing::Not(says));
+  EXPECT_THAT(told(50'400.0), Contains(HasSubstr("with a position error of 6 km"))) << "1.4 of 2 legs";
+  EXPECT_THAT(told(90'000.0), Contains(HasSubstr("with a position error of 8 km"))) << "longer than the list";
+}
+
+/// After a fix the vehicle knows the current that it met before it.
+TEST(GotoLists, CountTheCurrentsAgainstTheOneMeasuredBeforeTheLastFix) {
+  planning::Plan plan = plan_below_ice(3, {});
+  plan.surfacing->longest_without = core::Seconds{0.0};
+  for (std::size_t i = 0; i < 3; ++i) {
+    plan.waypoints[i].eta = plan.departure + core::Seconds{36'000.0 * static_cast<double>(i)};
+    plan.waypoints[i].current = geo::VelocityEn{{0.2}, {0.0}};
+    plan.surfacing->waypoints[i].error_without_fix = core::Metres{0.0};
+  }
+  const ListPart part{.first = 1, .last = 2, .before = 0, .between_fixes = core::Seconds{18'000.0}};
+
+  EXPECT_NEAR(error_of(plan, {1, 2}).value, 0.2 * 72'000.0, 1.0) << "no current is known at the start";
+  EXPECT_NEAR(error_of(plan, part).value, 0.0, 1.0);
+  plan.waypoints[2].current = geo::VelocityEn{{-0.1}, {0.0}};
+  EXPECT_NEAR(error_of(plan, part).value, 0.0, 1.0) << "met before the last fix, too";
+  plan.waypoints[1].eta += core::Seconds{27'000.0};
+  EXPECT_NEAR(error_of(plan, part).value, 0.3 * 9000.0, 1.0) << "met after the last fix, for 9000 s";
 }
 
 /// Legs of 5 km eastwards at 0.25 m/s through the water, each flown in so much time, with these currents eastwards.

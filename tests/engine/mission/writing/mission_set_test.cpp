@@ -53,6 +53,17 @@ double value_of(const Document& document, const char* argument) {
   return found == nullptr ? -9e9 : found->value;
 }
 
+/// Open water at every waypoint, and ice whose keels reach to 8.4 m on the way to the last one.
+planning::Plan below_ice_between_waypoints() {
+  planning::Plan plan = two_legs();
+  plan.surfacing.emplace();
+  plan.surfacing->longest_without = core::Seconds{1800.0};
+  plan.surfacing->waypoints.resize(3);
+  plan.surfacing->waypoints[1].leg_upper_turn = core::Metres{0.0};
+  plan.surfacing->waypoints[2].leg_upper_turn = core::Metres{18.4};
+  return plan;
+}
+
 struct OvershootRoom {
   const char* vehicle;
   double dive_depth_m;
@@ -80,7 +91,7 @@ TEST(MissionSet, LeavesRoomForAnOvershootBetweenTheYoAndTheOverdepth) {
 TEST(MissionSet, ComesUpRegularlyInOpenWaterAndNeverByTheClockBelowIce) {
   const auto shallow = write_mission_set(two_legs(), options_for("slocum-g3-200"));
   const auto deep = write_mission_set(two_legs(), options_for("slocum-g3-1000"));
-  const auto below = write_mission_set(two_legs(), under_ice());
+  const auto below = write_mission_set(below_ice_between_waypoints(), under_ice());
 
   ASSERT_TRUE(shallow && deep && below);
   EXPECT_EQ(value_of(read_of(*shallow, "surfac14.ma"), "start_when"), 9.0);
@@ -104,10 +115,7 @@ TEST(MissionSet, ComesUpAsOftenAsThePlanWasAskedTo) {
 }
 
 TEST(MissionSet, SaysThatItKeepsNoPlannedSurfacingsBelowIce) {
-  planning::Plan plan = two_legs();
-  plan.surfacing.emplace();
-  plan.surfacing->waypoints.resize(plan.waypoints.size());
-  for (auto& waypoint : plan.surfacing->waypoints) waypoint.leg_upper_turn = core::Metres{0.0};
+  planning::Plan plan = below_ice_between_waypoints();
   plan.surfacing->surfacings.resize(3);
 
   const auto set = write_mission_set(plan, under_ice());
@@ -194,11 +202,17 @@ TEST(MissionSet, LeavesRoomForWhatTheVehicleIsOffAtAFix) {
     plan.surfacing->waypoints[i].error_without_fix = core::Metres{2500.0 * static_cast<double>(i)};
   }
 
-  const auto set = write_mission_set(plan, options_for("slocum-g3-1000"));
+  MissionSetOptions options = options_for("slocum-g3-1000");
+  options.surfacing_interval = plan.travel_time();
+  const auto once = write_mission_set(plan, options);
+  options.surfacing_interval = 0.2 * plan.travel_time();
+  const auto often = write_mission_set(plan, options);
 
-  ASSERT_TRUE(set.has_value());
-  EXPECT_EQ(value_of(read_of(*set, "plan.mi"), "max_wpt_distance"), 91000.0)
+  ASSERT_TRUE(once && often);
+  EXPECT_EQ(value_of(read_of(*once, "plan.mi"), "max_wpt_distance"), 91000.0)
       << "10 km more for 5 km of error";
+  EXPECT_EQ(value_of(read_of(*often, "plan.mi"), "max_wpt_distance"), 83000.0)
+      << "2 km more for 1 km of error since the last fix";
 }
 
 TEST(MissionSet, TakesDepthsAndDistancesFromVehicleAndPlan) {
@@ -220,7 +234,7 @@ TEST(MissionSet, TakesDepthsAndDistancesFromVehicleAndPlan) {
 TEST(MissionSet, UnderIceHoldsTheSafePlacesAndDoesNotComeUpAtWaypoints) {
   MissionSetOptions options = under_ice();
   options.under_ice->deepest_expected_iceberg = core::Metres{35.0};
-  const auto set = write_mission_set(two_legs(), options);
+  const auto set = write_mission_set(below_ice_between_waypoints(), options);
 
   ASSERT_TRUE(set.has_value());
   EXPECT_THAT(names_of(*set),
@@ -244,13 +258,50 @@ TEST(MissionSet, UnderIceHoldsTheSafePlacesAndDoesNotComeUpAtWaypoints) {
   EXPECT_THAT(messages::sentences(set->messages), Contains(HasSubstr("recov.mi")));
 }
 
+/// Safe places are for emergencies; only ice keeps the vehicle from surfacing on its way.
+TEST(MissionSet, WithSafePlacesAndNoIceOnItsRouteSurfacesAsInOpenWater) {
+  planning::Plan open = two_legs();
+  open.surfacing.emplace();
+  open.surfacing->waypoints.resize(open.waypoints.size());
+  for (auto& state : open.surfacing->waypoints) state.leg_upper_turn = core::Metres{0.0};
+  open.surfacing->surfacings.resize(3);
+  open.datasets = {{.id = "ice-1", .kind = "ice", .name = "", .sha256 = ""}};
+  planning::Plan unknown = open;
+  unknown.datasets.clear();
+  planning::Plan partly_unknown = open;
+  partly_unknown.surfacing->longest_without = core::Seconds{1800.0};
+
+  const auto without = write_mission_set(open, options_for("slocum-g3-200"));
+  const auto with = write_mission_set(open, under_ice());
+  const auto without_data = write_mission_set(unknown, under_ice());
+  const auto with_gaps = write_mission_set(partly_unknown, under_ice());
+
+  ASSERT_TRUE(without && with && without_data && with_gaps);
+  for (const MissionFile& file : without->files) {
+    if (file.name.starts_with("surfac")) EXPECT_THAT(with->files, Contains(file));
+  }
+  EXPECT_THAT(names_of(*with), Contains("goto_l98.ma"));
+  EXPECT_THAT(messages::sentences(with->messages),
+              Contains(HasSubstr("below no ice: the mission surfaces at every waypoint and every 3.0 h")));
+  EXPECT_THAT(messages::sentences(with->messages), Not(Contains(HasSubstr("not in the files"))));
+  EXPECT_THAT(messages::sentences(without_data->messages), Contains(HasSubstr("without data on sea ice")));
+  EXPECT_THAT(names_of(*with_gaps), Not(Contains("surfac13.ma"))) << "nothing is known of the ice somewhere";
+}
+
 TEST(MissionSet, UnderIceWaitsForContactLongerThanThePlanTakesAndTellsTheLongestList) {
   std::vector<geo::LonLat> places;
   for (int i = 0; i <= 40; ++i) places.push_back({-53.0 + 0.1 * i, 69.0});
   MissionSetOptions options = under_ice();
   options.lists.max_waypoints = 20;  // of 20 h, one hour for each leg
 
-  const auto set = write_mission_set(support::plan_of(places), options);
+  planning::Plan plan = support::plan_of(places);
+  plan.surfacing.emplace();
+  plan.surfacing->longest_without = core::Seconds{1800.0};
+  plan.surfacing->waypoints.resize(places.size());
+  for (auto& state : plan.surfacing->waypoints) state.leg_upper_turn = core::Metres{0.0};
+  plan.surfacing->waypoints[7].leg_upper_turn = core::Metres{18.4};
+
+  const auto set = write_mission_set(plan, options);
 
   ASSERT_TRUE(set.has_value());
   EXPECT_EQ(value_of(read_of(*set, "surfac10.ma"), "when_secs"), 50.0 * 3600.0);
@@ -271,17 +322,6 @@ TEST(MissionSet, OfAPlanUnderAnIcebergTurnsBelowItsKeelAndNeedsTheRulesUnderIce)
   ASSERT_TRUE(below.has_value());
   EXPECT_EQ(value_of(read_of(*below, "yo10.ma"), "c_target_depth"), 70.0);
   EXPECT_THAT(messages::sentences(below->messages), Contains(HasSubstr("under iceberg B-17")));
-}
-
-/// Open water at every waypoint, and ice whose keels reach to 8.4 m on the way to the last one.
-planning::Plan below_ice_between_waypoints() {
-  planning::Plan plan = two_legs();
-  plan.surfacing.emplace();
-  plan.surfacing->longest_without = core::Seconds{1800.0};
-  plan.surfacing->waypoints.resize(3);
-  plan.surfacing->waypoints[1].leg_upper_turn = core::Metres{0.0};
-  plan.surfacing->waypoints[2].leg_upper_turn = core::Metres{18.4};
-  return plan;
 }
 
 TEST(MissionSet, OfAPlanBelowIceBetweenItsWaypointsTurnsBelowTheKeelsAndNeedsTheRulesUnderIce) {
@@ -510,7 +550,7 @@ TEST(MissionSet, TimesItsHoldsByTheVehicleAndItsSurfacings) {
 
   ASSERT_TRUE(set.has_value());
   EXPECT_THAT(set->files, Contains(Field(&MissionFile::name, "goto_l12.ma")));
-  const auto lists = write_goto_lists(plan, list_options(options));
+  const auto lists = write_goto_lists(plan, list_options(plan, options));
   ASSERT_TRUE(lists.has_value());
   for (const MissionFile& list : lists->files) EXPECT_THAT(set->files, Contains(list));
 }
@@ -541,7 +581,7 @@ TEST(MissionSet, NeverWritesAFactorySettingOrWhatANameSmugglesIn) {
   MissionSetOptions options = under_ice();
   options.lists.origin.plan_name = "x\nsensor: f_max_working_depth(m) 2000\n";
   options.lists.origin.written_by = "y\r\nbehavior: yo";
-  const auto set = write_mission_set(two_legs(), options);
+  const auto set = write_mission_set(below_ice_between_waypoints(), options);
 
   ASSERT_TRUE(set.has_value());
   const std::set<std::string> allowed{
