@@ -92,8 +92,17 @@ inline constexpr auto plan_kinds = std::to_array<Kind>({
                 {"first", "2027-01-12T18:00:00Z"},
                 {"ice_km", 1.2},
                 {"error_km", 2.3}}}},
+    {.code = "longer-below-ice-without-leads",
+     .rank = Rank::danger,
+     .text = "the vehicle could miss the leads that are narrower than its position error. It is then "
+             "{sure_h:.0f} h without a place to surface, not {longest_h:.0f} h: no fix, no contact, no "
+             "ascent in an "
+             "emergency",
+     .hint = "Limit that time (--max-time-without-surfacing), or keep away from the ice",
+     .slots = {{{"sure_h", 71.0}, {"longest_h", 17.0}}}},
+    // A danger: beyond the pilot's own limit, and an error as large as expected is enough.
     {.code = "leads-may-be-missed",
-     .rank = Rank::caution,
+     .rank = Rank::danger,
      .text = "the limit of {bound_h:.1f} h without a place to surface is met only by leads that the vehicle "
              "could miss. Without the leads that are narrower than the position error, the longest time is "
              "{sure_h:.1f} h",

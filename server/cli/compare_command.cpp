@@ -28,7 +28,7 @@ std::string shown(const json& value) {
 }
 
 void print_row(const std::string& name, const json& first, const json& second, const json& difference) {
-  std::printf("%-22s %-22s %-22s %s\n", name.c_str(), shown(first).c_str(), shown(second).c_str(),
+  std::printf("%-28s %-22s %-22s %s\n", name.c_str(), shown(first).c_str(), shown(second).c_str(),
               shown(difference).c_str());
 }
 
@@ -39,7 +39,8 @@ void print_compare_table(const json& comparison) {
   print_row("", first.at("plan_id"), second.at("plan_id"), "second less first");
   print_row("departure", first.at("departure"), second.at("departure"), more.at("departure_s"));
   print_row("arrival", first.at("arrival"), second.at("arrival"), more.at("arrival_s"));
-  for (const char* name : {"travel_time_s", "distance_m", "energy_j", "iceberg_encounters"})
+  for (const char* name : {"travel_time_s", "distance_m", "energy_j", "iceberg_encounters", "below_ice_m",
+                           "below_ice_s", "longest_without_surfacing_s"})
     print_row(name, first.at(name), second.at(name), more.at(name));
   for (const char* name : {"iceberg_m", "land_m", "bottom_m"})
     print_row(std::string{"clear of "} + name, first.at("clearances").at(name),

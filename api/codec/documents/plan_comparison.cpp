@@ -15,10 +15,17 @@ using nlohmann::json;
 
 constexpr std::array texts{"plan_id", "method", "vehicle", "departure", "arrival"};
 constexpr std::array numbers{"travel_time_s", "distance_m", "energy_j", "iceberg_encounters"};
+constexpr std::array of_ice{"below_ice_m", "below_ice_s", "longest_without_surfacing_s"};
 constexpr std::array clearances{"iceberg_m", "land_m", "bottom_m"};
 
 json clearance_of(const json& document, const char* name) {
   return document.value("clearances", json::object()).value(name, json());
+}
+
+/// Null where the plan knows nothing of ice, or not yet that.
+json ice_figure_of(const json& document, const char* name) {
+  const json surfacing = document.value("surfacing", json());
+  return surfacing.is_null() ? json() : surfacing.value(name, json());
 }
 
 json figures_of(const repository::PlanRecord& plan, const json& document) {
@@ -27,6 +34,7 @@ json figures_of(const repository::PlanRecord& plan, const json& document) {
                {"waypoints", document.at("waypoints").size()}};
   for (const char* name : texts) figures[name] = document.at(name);
   for (const char* name : numbers) figures[name] = document.value(name, json());
+  for (const char* name : of_ice) figures[name] = ice_figure_of(document, name);
   for (const char* name : clearances) figures["clearances"][name] = clearance_of(document, name);
   return figures;
 }
@@ -42,6 +50,7 @@ json difference(const repository::PlanRecord& first_plan, const json& first,
   json result{{"departure_s", (second_plan.departure - first_plan.departure).count()},
               {"arrival_s", (second_plan.arrival - first_plan.arrival).count()}};
   for (const char* name : numbers) result[name] = less(second.at(name), first.at(name));
+  for (const char* name : of_ice) result[name] = less(second.at(name), first.at(name));
   for (const char* name : clearances)
     result["clearances"][name] = less(clearance_of(second, name), clearance_of(first, name));
   return result;

@@ -66,6 +66,38 @@ json metres_or_null(const std::optional<core::Metres>& metres) {
   return metres ? json(metres->value) : json();
 }
 
+json below_ice_json(const std::optional<std::vector<planning::StretchBelowIce>>& stretches) {
+  if (!stretches) return nullptr;
+  json all = json::array();
+  for (const planning::StretchBelowIce& stretch : *stretches) {
+    all.push_back({{"waypoint", stretch.waypoint},
+                   {"from", position(stretch.from)},
+                   {"to", position(stretch.to)},
+                   {"enters", core::iso8601(stretch.enters)},
+                   {"time_s", stretch.time.count()},
+                   {"distance_m", stretch.length.value}});
+  }
+  return all;
+}
+
+std::optional<std::vector<planning::StretchBelowIce>> parse_below_ice(const json& surfacing) {
+  const json stretches = surfacing.value("below_ice", json());
+  if (stretches.is_null()) return std::nullopt;
+  const auto place = [](const json& at) {
+    return geo::LonLat{at.at(0).get<double>(), at.at(1).get<double>()};
+  };
+  std::vector<planning::StretchBelowIce> all;
+  for (const json& stretch : stretches) {
+    all.push_back({.waypoint = stretch.at("waypoint").get<std::size_t>(),
+                   .from = place(stretch.at("from")),
+                   .to = place(stretch.at("to")),
+                   .enters = stored_time(stretch, "enters"),
+                   .time = core::Seconds{stretch.at("time_s").get<double>()},
+                   .length = {stretch.at("distance_m").get<double>()}});
+  }
+  return all;
+}
+
 planning::SurfacingState parse_state(const json& waypoint) {
   return {.may_surface = waypoint.at("may_surface").get<bool>(),
           .since_surfacing = core::Seconds{waypoint.at("since_last_surfacing_s").get<double>()},
@@ -106,9 +138,13 @@ json surfacing_json(const std::optional<planning::SurfacingPlan>& plan) {
                           {"position_error_m", surfacing.position_error.value},
                           {"nearest_ice_m", metres_or_null(surfacing.nearest_ice)}});
   }
+  const auto below_s = planning::time_below_ice(*plan);
   json escapes = json::array();
   for (const auto& escape : plan->escapes) escapes.push_back(escape_json(escape, escapes.size()));
   return {{"longest_without_surfacing_s", plan->longest_without.count()},
+          {"below_ice_m", metres_or_null(planning::length_below_ice(*plan))},
+          {"below_ice_s", below_s ? json(below_s->count()) : json()},
+          {"below_ice", below_ice_json(plan->below_ice)},
           {"unknown_ice_m", plan->unknown_ice.value},
           {"planned", std::move(surfacings)},
           {"escapes", std::move(escapes)}};
@@ -123,6 +159,7 @@ std::optional<planning::SurfacingPlan> parse_surfacing(const json& document) {
   for (const json& waypoint : document.at("waypoints")) plan.waypoints.push_back(parse_state(waypoint));
   for (const json& planned : surfacing.at("planned")) plan.surfacings.push_back(parse_planned(planned));
   for (const json& escape : surfacing.at("escapes")) plan.escapes.push_back(parse_escape(escape));
+  plan.below_ice = parse_below_ice(surfacing);
   return plan;
 }
 

@@ -221,11 +221,16 @@ MapPicture draw_map(const planning::Plan& plan, const std::vector<geo::Polygon>&
     const core::Seconds wait = plan.waypoints[i].wait;
     const std::string label = waypoint_label(i) + (wait.count() > 0.0 ? " hold " + hours_minutes(wait) : "");
     picture.waypoints.push_back({free_spot(point, label.size(), picture), label});
-    if (i > 0 && is_leg_below_ice(plan.surfacing, i))
+    const bool is_of_older_version = plan.surfacing && !plan.surfacing->below_ice;
+    if (i > 0 && is_of_older_version && is_leg_below_ice(plan.surfacing, i))
       picture.below_ice.push_back({picture.route[i - 1], point});
     if (plan.surfacing && !plan.surfacing->waypoints.at(i).may_surface) picture.closed.push_back(point);
   }
-  if (plan.surfacing) add_ways_up(picture, frame, *plan.surfacing);
+  if (plan.surfacing) {
+    for (const auto& stretch : plan.surfacing->below_ice.value_or(std::vector<planning::StretchBelowIce>{}))
+      picture.below_ice.push_back({frame.at(stretch.from), frame.at(stretch.to)});
+    add_ways_up(picture, frame, *plan.surfacing);
+  }
   add_scale(picture, frame);
   return picture;
 }

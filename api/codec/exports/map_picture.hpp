@@ -25,10 +25,11 @@ struct MapPicture {
   std::vector<Label> grid_labels;
   std::vector<Disc> icebergs;  // of their length, at least two units
   std::vector<Point> route;
-  std::vector<std::vector<Point>> below_ice;  // the legs of the route with sea ice or icebergs above them
-  std::vector<Point> closed;                  // waypoints where the vehicle may not surface
-  std::vector<std::vector<Point>> escapes;    // from waypoints to where it may
-  std::vector<Point> surfacings;              // planned ones
+  std::vector<std::vector<Point>>
+      below_ice;  // stretches of the route with sea ice or icebergs above them; of older plans whole legs
+  std::vector<Point> closed;                // waypoints where the vehicle may not surface
+  std::vector<std::vector<Point>> escapes;  // from waypoints to where it may
+  std::vector<Point> surfacings;            // planned ones
   std::vector<Label> waypoints;
   std::vector<Point> scale;  // a line as long as `scale_label` says
   std::string scale_label;

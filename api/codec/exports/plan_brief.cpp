@@ -11,7 +11,6 @@
 #include "api/codec/bytes/bare_value.hpp"
 #include "api/codec/bytes/document_values.hpp"
 #include "api/codec/bytes/xml_text.hpp"
-#include "api/codec/documents/surfacing_document.hpp"
 #include "engine/core/utc_text.hpp"
 #include "engine/messages/sentence.hpp"
 
@@ -91,11 +90,10 @@ std::vector<std::string> hold_facts(const planning::Plan& plan) {
 /// What ice means to the plan; empty where nothing is known of ice.
 std::vector<std::string> ice_facts(const planning::Plan& plan) {
   if (!plan.surfacing) return {};
-  double below_m = 0.0;
-  for (std::size_t i = 1; i < plan.waypoints.size(); ++i) {
-    if (is_leg_below_ice(plan.surfacing, i)) below_m += bare(plan.waypoints[i].leg_length).value_or(0.0);
-  }
-  return {"Legs below ice: " + number(below_m, 1, 1e-3) + " km. Longest time without a place to surface: " +
+  const auto below = planning::time_below_ice(*plan.surfacing);
+  return {"Below ice or icebergs: " + number(bare(planning::length_below_ice(*plan.surfacing)), 1, 1e-3) +
+          " km, " + number(below ? std::optional{below->count()} : std::nullopt, 1, 1.0 / 3600.0) +
+          " h. Longest time without a place to surface: " +
           number(plan.surfacing->longest_without.count() / 3600.0, 1) +
           " h. Sea ice unknown: " + number(plan.surfacing->unknown_ice.value, 1, 1e-3) +
           " km. Planned surfacings: " + std::to_string(plan.surfacing->surfacings.size()) + "."};
@@ -156,7 +154,7 @@ std::string brief_origin(const BriefNotes& notes) {
 
 std::string brief_caption(const MapPicture& picture) {
   std::string caption = "The route and its waypoints by number; north is up.";
-  if (!picture.below_ice.empty()) caption += " Dashed: legs below ice.";
+  if (!picture.below_ice.empty()) caption += " Dashed: below ice or icebergs.";
   if (!picture.closed.empty()) caption += " Squares: the vehicle may not surface.";
   if (!picture.escapes.empty()) caption += " Dotted: escape routes to where it may.";
   if (!picture.surfacings.empty()) caption += " Green rings: planned surfacings.";

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
+#include <utility>
 
+#include "engine/geo/geodesic.hpp"
 #include "engine/planning/cost/met_currents.hpp"
 #include "engine/planning/ice/nearest_ice.hpp"
 #include "engine/planning/problem/position_error.hpp"
@@ -20,7 +23,9 @@ class Log {
         here_{{start, core::Seconds{0.0}}},
         fix_{.look = here_},
         last_open_{here_},
-        last_sure_{.look = here_} {}
+        last_sure_{.look = here_} {
+    plan.below_ice.emplace();
+  }
 
   /// The next check. Until then the vehicle travels with this propulsion.
   void look(const Sea::Passage& now, vehicle::Drive drive) {
@@ -28,6 +33,7 @@ class Log {
     here_ = {now, last.error + grown_error(request_.under_ice, sea_.speed(drive), now.time - last.at.time),
              last.carried + carried_between(sea_, last.at, now)};
     const bool open = sea_.domain().overhead().may_surface(now.point, now.time);
+    if (was_open_ && !open) ++closed_since_sure_;
     if (request_.under_ice.surfacing_interval) surface_when_due(open);
     if (!(open && was_open_))
       plan.longest_without = std::max(plan.longest_without, now.time - last_open_.at.time);
@@ -37,13 +43,17 @@ class Log {
     }
     was_open_ = open;
     const bool sure = open && !ice_within(error_since(last_sure_, here_));
-    if (!(sure && was_sure_))
+    if (!(sure && was_sure_) && closed_since_sure_ > 1)
       plan.longest_without_sure = std::max(plan.longest_without_sure, now.time - last_sure_.look.at.time);
-    if (sure) last_sure_ = next_fix(last_sure_, here_);
+    if (sure) {
+      last_sure_ = next_fix(last_sure_, here_);
+      closed_since_sure_ = 0;
+    }
     was_sure_ = sure;
     const core::Metres turn = sea_.domain().overhead().least_upper_turn(now.point, now.time);
     const core::Metres step = sea_.domain().lengths().between(last.at.point, now.point);
     leg_upper_turn_ = std::max(leg_upper_turn_, turn);
+    follow_stretch(last.at, turn.value > 0.0);
     const bool below_ice =
         sea_.domain().ice() && sea_.domain().ice()->least_upper_turn(now.point, now.time).value > 0.0;
     ice_free_before_ = below_ice || was_below_ice_ ? core::Metres{0.0} : ice_free_before_ + step;
@@ -55,6 +65,10 @@ class Log {
 
   /// The last check was at a waypoint: the end of a leg or the start.
   void reach_waypoint() {
+    if (below_since_) {
+      end_stretch(here_.at);
+      below_since_ = here_.at;
+    }
     plan.waypoints.push_back(state());
     if (plan.waypoints.size() > 1) plan.waypoints.back().leg_upper_turn = leg_upper_turn_;
     leg_upper_turn_ = plan.waypoints.back().least_upper_turn;
@@ -107,6 +121,27 @@ class Log {
     const auto ice = ice::nearest_ice_within(distance, *sea_.domain().ice(), point, time);
     if (!ice) return std::nullopt;
     return sea_.domain().lengths().between(point, {point.x_m + ice->value, point.y_m});
+  }
+
+  /// Begins or ends the stretch below ice or icebergs between two checks.
+  void follow_stretch(const Sea::Passage& last, bool is_below) {
+    if (is_below == below_since_.has_value()) return;
+    const Sea::Passage between{{std::midpoint(last.point.x_m, here_.at.point.x_m),
+                                std::midpoint(last.point.y_m, here_.at.point.y_m)},
+                               last.time + (here_.at.time - last.time) / 2.0};
+    if (is_below) {
+      below_since_ = between;
+    } else {
+      end_stretch(between);
+    }
+  }
+  void end_stretch(const Sea::Passage& until) {
+    const Sea::Passage since = *std::exchange(below_since_, std::nullopt);
+    if (until.time <= since.time) return;
+    const geo::LonLat from = sea_.domain().projection().to_lon_lat(since.point);
+    const geo::LonLat to = sea_.domain().projection().to_lon_lat(until.point);
+    plan.below_ice->push_back({plan.waypoints.size(), from, to, request_.depart + since.time,
+                               until.time - since.time, geo::geodesic_between(from, to).length});
   }
 
   void look_beside() {
@@ -176,10 +211,13 @@ class Log {
   std::optional<Opening> best_opening_{};  // since the last fix; of equal places the last
   bool was_open_{true};                    // the vehicle starts at the surface
   bool was_sure_{true};
+  /// Stretches where it may not surface; between two of them lies a lead that it could miss.
+  int closed_since_sure_{0};
   core::Metres leg_upper_turn_{};  // deepest upper turn since the last waypoint
   core::Metres
       ice_free_before_{};  // counted from the first check without ice, because the water before it may be covered
-  bool was_below_ice_{false};  // at the last check
+  bool was_below_ice_{false};                  // at the last check
+  std::optional<Sea::Passage> below_since_{};  // ice or icebergs, on this leg
 };
 
 void look_while_waiting(Log& log, geo::PlanePoint place, core::Seconds from, core::Seconds until,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -70,17 +71,35 @@ struct EscapeWay {
   core::Joules energy{};  // drawn on the escape route
 };
 
+/// A stretch of one leg, and of the hold before it, with ice or icebergs above that dives must turn below. It begins and ends
+/// halfway between the checks of the ice above that differ, so each end is exact to half the distance between checks.
+struct StretchBelowIce {
+  std::size_t waypoint{};  // that the leg leads to
+  geo::LonLat from;
+  geo::LonLat to;
+  core::UtcTime enters;
+  core::Seconds time{};
+  core::Metres length{};  // on the ellipsoid
+};
+
 /// Where and when the vehicle can surface, and its position error.
 struct SurfacingPlan {
   core::Seconds longest_without{};  // the longest time between places where it may surface
-  core::Seconds
-      longest_without_sure{};  // between places that it cannot miss by its position error; not stored
-  core::Metres unknown_ice{};  // length of the route on which the ice is unknown
+  /// The longest time between places that it cannot miss by its position error and between which it passes a lead; 0
+  /// where it passes none. Not stored.
+  core::Seconds longest_without_sure{};
+  core::Metres unknown_ice{};                // length of the route on which the ice is unknown
   std::vector<SurfacingState> waypoints;     // one for each
   std::vector<Reckoned> reckoned;            // one for each waypoint; not stored
   std::vector<PlannedSurfacing> surfacings;  // empty unless an interval was asked for
   std::vector<EscapeWay> escapes;            // one for each waypoint, if the request asks for them
   IceBeside ice_beside{};                    // the deepest ice within the position error; not stored
+  /// In the order of the route. Empty in plans of versions that did not store it.
+  std::optional<std::vector<StretchBelowIce>> below_ice{};
 };
+
+/// Sum over the stretches below ice or icebergs; empty where the plan does not tell them.
+[[nodiscard]] std::optional<core::Metres> length_below_ice(const SurfacingPlan& plan);
+[[nodiscard]] std::optional<core::Seconds> time_below_ice(const SurfacingPlan& plan);
 
 }  // namespace floeplan::planning

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <string>
 
@@ -74,12 +75,24 @@ void tell_of_long_below_ice(Plan& plan, const PlanRequest& request) {
   plan.messages.push_back(messages::plan_message<"long-below-ice">(longest.count() / 3600.0).at(begin.place));
 }
 
+/// The same if the vehicle misses the leads that are narrower than its position error, where that is longer by an hour.
+void tell_of_missed_leads(Plan& plan, const PlanRequest& request) {
+  const core::Seconds sure = plan.surfacing->longest_without_sure;
+  const auto whole_hours = [](core::Seconds time) { return std::round(time.count() / 3600.0); };
+  const double sure_h = whole_hours(sure);
+  const double longest_h = whole_hours(plan.surfacing->longest_without);
+  if (request.under_ice.max_time_without_surfacing || sure <= longest_out_of_contact || sure_h <= longest_h)
+    return;
+  plan.messages.push_back(messages::plan_message<"longer-below-ice-without-leads">(sure_h, longest_h));
+}
+
 }  // namespace
 
 void tell_of_ice_above(Plan& plan, const PlanRequest& request) {
   tell_of_start_and_goal(plan);
   tell_of_vias_under_ice(plan, request);
   tell_of_long_below_ice(plan, request);
+  tell_of_missed_leads(plan, request);
 }
 
 }  // namespace floeplan::planning::publish

@@ -140,6 +140,9 @@ std::vector<std::string> ice_lines(const json& plan) {
   const json& surfacing = plan.at("surfacing");
   if (surfacing.is_null()) return {};
   std::vector<std::string> lines;
+  if (const json below_m = surfacing.value("below_ice_m", json()); below_m.is_number() && below_m > 0.0)
+    lines.push_back("below ice or icebergs for " + cell(below_m, "%.1f km", 1e-3) + ", " +
+                    cell(surfacing.at("below_ice_s"), "%.2f h", 1.0 / 3600.0));
   if (const json& longest_s = surfacing.at("longest_without_surfacing_s"); longest_s > 0.0)
     lines.push_back("longest time between places to surface " + cell(longest_s, "%.2f h", 1.0 / 3600.0));
   double deepest_m = 0.0;

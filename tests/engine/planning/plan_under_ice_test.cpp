@@ -109,12 +109,39 @@ TEST(PlanUnderIce, WarnsOfOpeningsThatKeepTheBoundAndMayBeMissed) {
   const auto warns = testing::Contains(testing::HasSubstr("that the vehicle could miss"));
 
   EXPECT_THAT(messages::sentences(planned(sea, request).messages), testing::Not(warns))
-      << "nothing counts on it";
+      << "there is no limit";
   request.under_ice.max_time_without_surfacing = core::Seconds{15.0 * 3600.0};
-  EXPECT_THAT(messages::sentences(planned(sea, request).messages), warns);
+  const Plan bounded = planned(sea, request);
+  EXPECT_THAT(messages::sentences(bounded.messages), warns);
+  const auto told = std::ranges::find(bounded.messages, "leads-may-be-missed", &messages::Message::code);
+  ASSERT_NE(told, bounded.messages.end());
+  EXPECT_EQ(told->rank, messages::Rank::danger) << "beyond the pilot's own limit";
   request.under_ice.current_uncertainty = {0.0};
   EXPECT_THAT(messages::sentences(planned(sea, request).messages), testing::Not(warns))
       << "less off than the opening is wide";
+}
+
+TEST(PlanUnderIce, TellsWithoutALimitHowLongTheVehicleIsBelowIceIfItMissesLeads) {
+  const auto sea_with_lead = [](double half_width_deg) {
+    return ocean::Environment{.ice = support::ice_from(
+                                  [=](geo::LonLat place, double) {
+                                    if (std::abs(place.lon_deg + 53.0) < half_width_deg) return 0.0;
+                                    return std::abs(place.lon_deg + 53.0) < 0.4 ? 1.0 : 0.0;
+                                  },
+                                  {0.0}, 1.0)};
+  };
+  PlanRequest request = support::eastward_request();
+  request.method = Method::direct;
+  const auto told = [&](double half_width_deg) {
+    const Plan plan = planned(sea_with_lead(half_width_deg), request);
+    const auto found =
+        std::ranges::find(plan.messages, "longer-below-ice-without-leads", &messages::Message::code);
+    return found != plan.messages.end() && found->rank == messages::Rank::danger;
+  };
+
+  EXPECT_TRUE(told(0.06)) << "a lead narrower than the position error";
+  EXPECT_FALSE(told(0.25)) << "a lead that it cannot miss";
+  EXPECT_FALSE(told(-1.0)) << "no lead: the planned time is as long";
 }
 
 TEST(PlanUnderIce, WarnsOfEscapesThatEndAtTheEdgeOfTheIce) {
@@ -208,6 +235,50 @@ TEST(PlanUnderIce, TellsHowFarBeyondTheIceItsWaypointsLie) {
   EXPECT_NEAR(goal.error_without_fix->value,
               request.under_ice.dead_reckoning_share * through_water_m + by_currents_m, 1.0);
   EXPECT_LT(goal.position_error.value, goal.error_without_fix->value);
+}
+
+/// Both ends of the only leg lie in open water, and so does most of the leg.
+TEST(PlanUnderIce, CountsTheStretchesBelowIceRatherThanWholeLegs) {
+  PlanRequest request = support::eastward_request();
+  request.method = Method::direct;
+  request.refine = false;
+
+  const Plan below = planned(band_of_ice(), request);
+
+  double dense_m = 0.0;  // looked up in the ice itself
+  const geo::LonLat start = below.waypoints.front().place;
+  const geo::GeodesicLine ahead = geo::geodesic_between(start, below.waypoints.back().place);
+  for (double along_m = 5.0; along_m < ahead.length.value; along_m += 10.0) {
+    const auto ice = band_of_ice().ice->at(geo::geodesic_destination(start, ahead.course_at_start, {along_m}),
+                                           below.departure);
+    if (ice->concentration > request.under_ice.max_concentration_to_surface) dense_m += 10.0;
+  }
+  const SurfacingPlan& surfacing = *below.surfacing;
+  ASSERT_EQ(surfacing.below_ice->size(), 1U);
+  EXPECT_LT(dense_m, 0.7 * below.distance.value);
+  EXPECT_NEAR(length_below_ice(surfacing)->value, dense_m, 500.0) << "half a check at either end";
+  EXPECT_LE(time_below_ice(surfacing)->count(), surfacing.longest_without.count());
+  EXPECT_NEAR(time_below_ice(surfacing)->count(),
+              length_below_ice(surfacing)->value / below.waypoints.back().speed_over_ground->value, 60.0);
+}
+
+TEST(PlanUnderIce, IsBelowIceAllTheWayOrNowhere) {
+  const auto everywhere = [](double concentration) {
+    return ocean::Environment{
+        .ice = support::ice_from([=](geo::LonLat, double) { return concentration; }, {0.0}, 1.0)};
+  };
+  PlanRequest request = support::eastward_request();
+  request.max_leg = core::Metres{9000.0};
+
+  const Plan below = planned(everywhere(1.0), request);
+  const Plan open = planned(everywhere(0.0), request);
+
+  EXPECT_GT(below.waypoints.size(), 3U);
+  EXPECT_EQ(below.surfacing->below_ice->size(), below.waypoints.size() - 1) << "one for each leg";
+  EXPECT_NEAR(length_below_ice(*below.surfacing)->value, below.distance.value, 1.0);
+  EXPECT_NEAR(time_below_ice(*below.surfacing)->count(), below.travel_time().count(), 1.0);
+  EXPECT_TRUE(open.surfacing->below_ice->empty());
+  EXPECT_EQ(length_below_ice(*open.surfacing)->value, 0.0);
 }
 
 /// Law: under ice everywhere the vehicle needs the same energy as in open water with dives that turn at the same depth.

@@ -2,7 +2,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cstdio>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 
 #include "tests/server/cli/program.hpp"
 
@@ -78,6 +82,50 @@ TEST_F(UnderIceCli, BoundsTheTimeWithoutASurfacingAndSaysSoOfEveryWaypoint) {
     EXPECT_TRUE(waypoint["may_surface"].is_boolean());
     EXPECT_LE(waypoint["since_last_surfacing_s"], 50400.0);
   }
+}
+
+/// One sum of the stretches below ice, whoever prints it.
+TEST_F(UnderIceCli, SaysInEveryOutputHowLongItIsBelowIce) {
+  const Outcome outcome = plan({"--max-leg", "60000", "--no-refine"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const json planned = outcome.json();
+  const json& surfacing = planned["surfacing"];
+  const std::string id = planned["plan_id"];
+
+  double sum_m = 0.0;
+  double legs_m = 0.0;
+  for (const json& stretch : surfacing["below_ice"]) sum_m += stretch["distance_m"].get<double>();
+  for (const json& waypoint : planned["waypoints"])
+    if (waypoint["leg_upper_turn_m"].is_number() && waypoint["leg_upper_turn_m"] > 0.0)
+      legs_m += waypoint["leg_m"].get<double>();
+  ASSERT_GT(sum_m, 1000.0);
+  EXPECT_LT(sum_m, legs_m) << "legs lie partly in open water";
+  EXPECT_NEAR(surfacing["below_ice_m"], sum_m, 1e-6);
+  const auto figure = [](double value, const char* format) {
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), format, value);
+    return std::string{text.data()};
+  };
+  const std::string km = figure(sum_m / 1000.0, "%.1f km, ");
+  const std::string hours = figure(surfacing["below_ice_s"].get<double>() / 3600.0, "%.2f h");
+
+  // The same plan again, as a table: it has the same id only if nothing of it differs.
+  const Outcome table =
+      program_.run({"plan", "--from=-53.15,68.95", "--to=-51.75,69.0", "--depart", "2026-11-22T00:00:00Z",
+                    "--spacing", "1500", "--max-leg", "60000", "--no-refine"});
+  EXPECT_THAT(table.out + table.err, HasSubstr("below ice or icebergs for " + km + hours));
+  const auto out = program_.folder() / "brief";
+  ASSERT_EQ(
+      program_.run({"export", id, "--format", "html", "--out", out.string(), "--accept-dangers"}).exit_code,
+      0);
+  std::string brief;
+  for (const auto& entry : std::filesystem::directory_iterator{out}) {
+    std::ifstream file{entry.path()};
+    brief.assign(std::istreambuf_iterator<char>{file}, {});
+  }
+  EXPECT_THAT(brief, HasSubstr("Below ice or icebergs: " + km));
+  const Outcome compared = program_.run({"compare", id, id, "--json"});
+  EXPECT_EQ(compared.json()["first"]["below_ice_m"], surfacing["below_ice_m"]);
 }
 
 TEST_F(UnderIceCli, SaysWhyThereIsNoPlan) {

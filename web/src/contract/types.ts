@@ -88,8 +88,21 @@ export interface Waypoint {
   nearest_ice_m?: number | null; // where there is some within 200 km
 }
 
+/** A stretch of the leg to a waypoint with ice or icebergs above. */
+export interface StretchBelowIce {
+  waypoint: number;
+  from: [number, number];
+  to: [number, number];
+  enters: string;
+  time_s: number;
+  distance_m: number;
+}
+
 export interface Surfacing {
   longest_without_surfacing_s: number;
+  below_ice_m?: number | null; // sums over the stretches; newer than the rest
+  below_ice_s?: number | null;
+  below_ice?: StretchBelowIce[] | null;
   unknown_ice_m: number;
   planned: {
     lon: number;

@@ -21,7 +21,7 @@ import { toMap } from './projections';
 import { StillLayer } from './still_layer';
 
 /**
- * Lines of the plans: a white casing, then colour and dash pattern; the selected one uppermost and thicker. Legs below ice are
+ * Lines of the plans: a white casing, then colour and dash pattern; the selected one uppermost and thicker. Stretches below ice are
  * drawn as maps draw tunnels: short dashes between broken edges.
  */
 export function planLayer(): VectorLayer<VectorSource> {

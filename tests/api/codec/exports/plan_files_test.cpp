@@ -324,7 +324,14 @@ TEST(PlanBrief, TellsWhereThePlanIsBelowIceAndMaySurface) {
       .reckoned = {},
       .surfacings = {{.place = {-53.1, 69.15}, .time = plan.departure}},
       .escapes = {{.way = {plan.waypoints[0].place}, .course_deg = {}},
-                  {.way = {plan.waypoints[1].place, {-53.0, 69.2}}, .course_deg = 0.0}}};
+                  {.way = {plan.waypoints[1].place, {-53.0, 69.2}}, .course_deg = 0.0}},
+      .ice_beside = {},
+      .below_ice = std::vector<planning::StretchBelowIce>{{.waypoint = 1,
+                                                           .from = {-53.15, 69.12},
+                                                           .to = {-53.05, 69.16},
+                                                           .enters = plan.departure,
+                                                           .time = core::Seconds{4500.0},
+                                                           .length = {5900.0}}}};
 
   const MapPicture picture = draw_map(plan, {}, {}, 720.0, 420.0);
   const std::string html = plan_brief_html(plan, {picture}, {"p-01", "", plan.departure, {}});
@@ -333,12 +340,15 @@ TEST(PlanBrief, TellsWhereThePlanIsBelowIceAndMaySurface) {
   EXPECT_EQ(picture.surfacings.size(), 1U);
   EXPECT_EQ(picture.closed.size(), 1U);
   EXPECT_EQ(picture.escapes.size(), 1U) << "where it may surface at once there is none";
-  EXPECT_THAT(html, HasSubstr("Legs below ice: 12.9 km. Longest time without a place to surface: 1.5 h."));
+  EXPECT_THAT(
+      html,
+      HasSubstr("Below ice or icebergs: 5.9 km, 1.2 h. Longest time without a place to surface: 1.5 h."));
   EXPECT_THAT(html, HasSubstr("<td>yes</td><td>-</td></tr>"));
   EXPECT_THAT(html, HasSubstr("<td>no</td><td>17</td></tr>"));
-  EXPECT_THAT(html, HasSubstr("Dashed: legs below ice. Squares: the vehicle may not surface. Dotted: escape "
-                              "routes to where it may. "
-                              "Green rings: planned surfacings."));
+  EXPECT_THAT(html,
+              HasSubstr("Dashed: below ice or icebergs. Squares: the vehicle may not surface. Dotted: escape "
+                        "routes to where it may. "
+                        "Green rings: planned surfacings."));
 
   plan.surfacing.reset();
   const std::string unknown =

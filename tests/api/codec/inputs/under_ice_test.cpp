@@ -98,13 +98,28 @@ planning::Plan plan_with_surfacings() {
       .surfacings = {{.place = {-52.95, 69.0},
                       .time = plan.departure + core::Seconds{1800.0},
                       .position_error = {127.8}}},
-      .escapes = {
-          {.way = {{-53.0, 69.0}}, .course_deg = std::nullopt, .distance = {0.0}, .time = core::Seconds{0.0}},
-          {.way = {{-52.9, 69.0}, {-52.95, 69.0}},
-           .course_deg = 270.0,
-           .distance = {2000.0},
-           .time = core::Seconds{5714.0},
-           .energy = {12345.0}}}};
+      .escapes = {{.way = {{-53.0, 69.0}},
+                   .course_deg = std::nullopt,
+                   .distance = {0.0},
+                   .time = core::Seconds{0.0}},
+                  {.way = {{-52.9, 69.0}, {-52.95, 69.0}},
+                   .course_deg = 270.0,
+                   .distance = {2000.0},
+                   .time = core::Seconds{5714.0},
+                   .energy = {12345.0}}},
+      .ice_beside = {},
+      .below_ice = std::vector<planning::StretchBelowIce>{{.waypoint = 1,
+                                                           .from = {-52.96, 69.0},
+                                                           .to = {-52.95, 69.0},
+                                                           .enters = plan.departure + core::Seconds{1800.0},
+                                                           .time = core::Seconds{1100.0},
+                                                           .length = {398.5}},
+                                                          {.waypoint = 1,
+                                                           .from = {-52.92, 69.0},
+                                                           .to = {-52.9, 69.0},
+                                                           .enters = plan.departure + core::Seconds{5400.0},
+                                                           .time = core::Seconds{1800.0},
+                                                           .length = {797.0}}}};
   return plan;
 }
 
@@ -126,6 +141,9 @@ TEST(PlanDocument, SaysOfEachWaypointWhatIceMeansThere) {
   EXPECT_TRUE(document.at("waypoints").at(0).at("nearest_ice_m").is_null());
   EXPECT_TRUE(document.at("waypoints").at(0).at("leg_upper_turn_m").is_null());
   EXPECT_EQ(document.at("surfacing").at("planned").at(0).at("time"), "2027-01-15T08:30:00Z");
+  EXPECT_EQ(document.at("surfacing").at("below_ice_m"), 1195.5);
+  EXPECT_EQ(document.at("surfacing").at("below_ice_s"), 2900.0);
+  EXPECT_EQ(document.at("surfacing").at("below_ice").at(0).at("enters"), "2027-01-15T08:30:00Z");
   const json& escape = document.at("surfacing").at("escapes").at(1);
   EXPECT_EQ(escape.at("to"), json::array({-52.95, 69.0}));
   EXPECT_EQ(escape.at("course_deg"), 270.0);
@@ -146,12 +164,15 @@ TEST(PlanDocument, FromBeforeLegsToldHowDeepTheirDivesTurnIsStillRead) {
     for (const char* later : {"leg_upper_turn_m", "ice_free_before_m", "error_without_fix_m", "nearest_ice_m",
                               "current_east_m_s", "current_north_m_s"})
       waypoint.erase(later);
+  for (const char* later : {"below_ice_m", "below_ice_s", "below_ice"}) document.at("surfacing").erase(later);
 
   const planning::Plan plan = parse_plan_document(document);
 
   ASSERT_EQ(plan.surfacing->waypoints.size(), 2U);
   EXPECT_FALSE(plan.surfacing->waypoints[1].leg_upper_turn.has_value());
   EXPECT_FALSE(plan.surfacing->waypoints[1].ice_free_before.has_value());
+  EXPECT_TRUE(plan_document(plan, "p1", "").at("surfacing").at("below_ice_m").is_null())
+      << "not known, not 0";
   EXPECT_EQ(plan.surfacing->waypoints[1].least_upper_turn, core::Metres{18.0});
 }
 

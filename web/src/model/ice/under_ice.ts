@@ -6,31 +6,45 @@ import { none } from '../units';
 export const isLegBelowIce = ({ leg_upper_turn_m }: Waypoint): boolean | undefined =>
   typeof leg_upper_turn_m === 'number' ? leg_upper_turn_m > 0 : undefined;
 
-/** Consecutive legs that are all below ice, or all in open water. */
+/** A part of a route that is all below ice, or all in open water. */
 export interface Run {
   places: Position[];
   isBelowIce: boolean;
 }
 
-/** Divides a route into runs of legs below ice and runs of other legs, as few as possible. Each begins where the one before ends. */
-export function runsOf({ waypoints }: Plan): Run[] {
+/**
+ * Divides a route into runs below ice and runs in open water, as few as possible. Each begins where the one before ends. Of plans of
+ * older servers, which tell no stretches, whole legs are below ice.
+ */
+export function runsOf({ waypoints, surfacing }: Plan): Run[] {
   const runs: Run[] = [];
-  waypoints.slice(1).forEach((to, i) => {
-    const from = waypoints[i];
-    if (!from) return;
-    const isBelowIce = isLegBelowIce(to) ?? false;
+  const go = (from: Position, to: Position, isBelowIce: boolean): void => {
     const last = runs.at(-1);
-    if (last?.isBelowIce === isBelowIce) last.places.push([to.lon, to.lat]);
-    else runs.push({ places: [[from.lon, from.lat], [to.lon, to.lat]], isBelowIce });
+    if (last?.isBelowIce === isBelowIce) last.places.push(to);
+    else runs.push({ places: [from, to], isBelowIce });
+  };
+  const stretches = surfacing?.below_ice;
+  waypoints.slice(1).forEach((waypoint, i) => {
+    const before = waypoints[i];
+    if (!before) return;
+    const goal: Position = [waypoint.lon, waypoint.lat];
+    let here: Position = [before.lon, before.lat];
+    for (const { from, to } of stretches?.filter((stretch) => stretch.waypoint === waypoint.index && stretch.distance_m > 0) ?? []) {
+      if (!isSame(here, from)) go(here, from, false);
+      go(from, to, true);
+      here = to;
+    }
+    if (!isSame(here, goal)) go(here, goal, !stretches && (isLegBelowIce(waypoint) ?? false));
   });
   return runs;
 }
 
-/** Length of the legs that have ice above them somewhere; null where nothing is known of ice. */
-export function belowIce_m({ surfacing, waypoints }: Plan): number | null {
-  if (!surfacing || waypoints.slice(1).some((waypoint) => isLegBelowIce(waypoint) === undefined)) return null;
-  return waypoints.reduce((sum, waypoint) => sum + (isLegBelowIce(waypoint) ? (waypoint.leg_m ?? 0) : 0), 0);
-}
+const isSame = ([lon, lat]: Position, [otherLon, otherLat]: Position): boolean => lon === otherLon && lat === otherLat;
+
+/** Length of the route below ice or icebergs; null where nothing is known of it. */
+export const belowIce_m = ({ surfacing }: Plan): number | null => surfacing?.below_ice_m ?? null;
+/** Time on it, in seconds. */
+export const belowIce_s = ({ surfacing }: Plan): number | null => surfacing?.below_ice_s ?? null;
 
 /** At how many waypoints the vehicle may not surface; null where nothing is known of ice. */
 export function closedWaypoints({ waypoints }: Plan): number | null {

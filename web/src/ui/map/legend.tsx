@@ -161,7 +161,7 @@ function UnderIce({ shown: { plan, style }, surfacings }: { shown: ShownPlan; su
             <path d="M1 7 H21" stroke={ink} stroke-width="9" stroke-dasharray="8 4" />
             <path d="M1 7 H21" stroke={casing} stroke-width="6" />
             <path d="M1 7 H21" stroke={colour} stroke-width="3" stroke-dasharray={belowIceDash.join(' ')} />
-          </svg> leg below ice
+          </svg> below ice
         </p>
       )}
       {isClosed && <p><svg width="22" height="14" aria-hidden="true"><rect x="6.5" y="2.5" width="9" height="9" fill={colour} /></svg> may not surface here</p>}

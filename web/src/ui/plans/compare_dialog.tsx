@@ -5,7 +5,7 @@ import type { Plan } from '../../contract/types';
 import { ofRank } from '../../model/messages';
 import { baseline, baselineId, shownPlans, titleOf } from '../../model/plan/plans';
 import { duration, shortTime } from '../../model/time';
-import { belowIce_m, closedWaypoints, deepestTurn_m, turnFigure } from '../../model/ice/under_ice';
+import { belowIce_m, belowIce_s, closedWaypoints, deepestTurn_m, turnFigure } from '../../model/ice/under_ice';
 import { distance, energy, none } from '../../model/units';
 import { Modal } from '../common/modal';
 import { PlanKey } from '../common/plan_key';
@@ -35,6 +35,7 @@ const columns: Column[] = [
   { title: 'Travel time', value: (plan) => plan.travel_time_s, text: (value) => duration(value ?? 0), difference: (value) => signed(value, duration) },
   { title: 'Distance', value: (plan) => plan.distance_m, ...metres },
   { title: 'Below ice', value: belowIce_m, ...metres },
+  { title: 'Time below ice', value: belowIce_s, text: (value) => duration(value ?? 0), difference: (value) => signed(value, duration) },
   {
     title: 'Longest without a place to surface', value: ({ surfacing }) => surfacing?.longest_without_surfacing_s ?? null,
     text: (value) => duration(value ?? 0), difference: (value) => signed(value, duration),

@@ -2,7 +2,7 @@ import type { VNode } from 'preact';
 import type { Plan } from '../../contract/types';
 import { allHolds_s, holdsOf } from '../../model/plan/holds';
 import { duration, shortTime } from '../../model/time';
-import { belowIce_m } from '../../model/ice/under_ice';
+import { belowIce_m, belowIce_s } from '../../model/ice/under_ice';
 import { distance, energy, none } from '../../model/units';
 
 interface Figure {
@@ -14,6 +14,11 @@ interface Figure {
 }
 
 const share = (value: number): string => `${(100 * value).toFixed(1)} %`;
+
+function whyBelowIce(plan: Plan): string {
+  if (!plan.surfacing) return 'The plan was made without sea ice data';
+  return belowIce_m(plan) === null ? 'The plan is of an older version' : 'The stretches of the route with sea ice or icebergs above them';
+}
 
 const figures: Figure[] = [
   { title: 'Departure', text: (plan) => shortTime(Date.parse(plan.departure)) },
@@ -33,9 +38,16 @@ const figures: Figure[] = [
   {
     title: 'Below ice',
     text: (plan) => distance(belowIce_m(plan)),
-    why: (plan) => (plan.surfacing ? 'Length of the legs that have sea ice or icebergs above them somewhere' : 'The plan was made without sea ice data'),
+    why: whyBelowIce,
     value: belowIce_m,
     difference: distance,
+  },
+  {
+    title: 'Time below ice',
+    text: (plan) => (belowIce_s(plan) ? duration(belowIce_s(plan) ?? 0) : none),
+    why: whyBelowIce,
+    value: belowIce_s,
+    difference: duration,
   },
   {
     title: 'Longest without a place to surface',
@@ -85,7 +97,7 @@ const figures: Figure[] = [
 
 /** A plan in figures; beside another plan with the differences to it, and dimmed while they are worked out anew. */
 export function Figures({ plan, beside, pending = false }: { plan: Plan; beside?: Plan; pending?: boolean }): VNode {
-  const shown = figures.filter(({ title, text }) => text(plan) !== none || !/^(Energy|Battery|Iceberg enc|Sea ice unk|Arrival, |Chance|Holds)/.test(title));
+  const shown = figures.filter(({ title, text }) => text(plan) !== none || !/^(Energy|Battery|Iceberg enc|Sea ice unk|Time below|Arrival, |Chance|Holds)/.test(title));
   return (
     <dl class={pending ? 'figures-grid pending' : 'figures-grid'} aria-busy={pending}>
       {shown.map((figure) => (
