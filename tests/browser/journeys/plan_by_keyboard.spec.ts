@@ -47,6 +47,16 @@ test('faults are shown beside their fields, all at once', async ({ page }) => {
   await expect(page.getByLabel('Start', { exact: true })).toBeFocused();
 });
 
+test('a position with too many minutes stays in its field, which says so when it is left', async ({ page }) => {
+  await open(page);
+  const start = page.getByLabel('Start', { exact: true });
+  await typeInto(page, start, '69 72.0 N 51 21 W');
+  await page.keyboard.press('Tab');
+  await expect(start).toHaveAttribute('aria-invalid', 'true');
+  await expect(page.locator('#fault-from')).toHaveText('The minutes go from 0 to 59.9, not to 72.0.');
+  await expect(start).toHaveValue('69 72.0 N 51 21 W');
+});
+
 test('what the server refuses is shown beside its field', async ({ page, request }) => {
   const { start, goal } = await findPlaces(request);
   await open(page);

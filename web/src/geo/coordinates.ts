@@ -30,6 +30,21 @@ export function editablePosition([lon, lat]: Position): string {
   return `${one(lat, 'NS')} ${one(lon, 'EW')}`;
 }
 
+/**
+ * A place to the centimetre, so that rounding does not move it back into what it was moved out of, written as the text that it replaces: decimal degrees where that has nothing but figures, otherwise degrees
+ * and minutes.
+ */
+export function exactPosition([lon, lat]: Position, before: string): string {
+  if (/^[\d\s.,;+-]+$/.test(before)) return `${Number(lat.toFixed(7))}, ${Number(lon.toFixed(7))}`;
+  const one = (value: number, letters: string): string => {
+    const fine = Math.round(Math.abs(value) * 60_000_000);
+    const degrees = Math.floor(fine / 60_000_000);
+    const minutes = (fine - degrees * 60_000_000) / 1_000_000;
+    return `${degrees}°${minutes}′${(value < 0 ? letters[1] : letters[0]) ?? ''}`;
+  };
+  return `${one(lat, 'NS')} ${one(lon, 'EW')}`;
+}
+
 export type Parsed<T> = { ok: true; value: T } | { ok: false; fault: string };
 
 const fail = (fault: string): { ok: false; fault: string } => ({ ok: false, fault });
@@ -39,8 +54,8 @@ interface Angle {
   letter: string | undefined;
 }
 
-/** One angle: degrees, optional minutes and seconds, a sign or a letter of the compass. */
-function parseAngle(text: string): Angle | undefined {
+/** One angle: degrees, optional minutes and seconds, a sign or a letter of the compass. A text: why it is none, where more can be said. */
+function parseAngle(text: string): Angle | string | undefined {
   const letters = text.match(/[NSEW]/gi) ?? [];
   if (letters.length > 1) return undefined;
   const letter = letters[0]?.toUpperCase();
@@ -49,8 +64,10 @@ function parseAngle(text: string): Angle | undefined {
   if (words.length < 1 || words.length > 3 || !words.every((word) => /^[+-]?\d+(\.\d+)?$/.test(word))) return undefined;
   const [degrees, minutes, seconds] = words.map(Number);
   if (degrees === undefined) return undefined;
-  if ((minutes ?? 0) < 0 || (minutes ?? 0) >= 60 || (seconds ?? 0) < 0 || (seconds ?? 0) >= 60) return undefined;
   if (words.slice(0, -1).some((word) => word.includes('.'))) return undefined;
+  const isSixtieth = (part = 0): boolean => part >= 0 && part < 60;
+  if (!isSixtieth(minutes)) return `The minutes go from 0 to 59.9, not to ${words[1] ?? ''}.`;
+  if (!isSixtieth(seconds)) return `The seconds go from 0 to 59.9, not to ${words[2] ?? ''}.`;
   const negative = bare.startsWith('-');
   if (negative && letter) return undefined;
   const size = Math.abs(degrees) + (minutes ?? 0) / 60 + (seconds ?? 0) / 3600;
@@ -90,7 +107,9 @@ function readAs(text: string, isNear: (place: Position) => boolean): Parsed<Posi
   const pieces = halves(text);
   const first = pieces && parseAngle(pieces[0]);
   const second = pieces && parseAngle(pieces[1]);
-  if (!first || !second) return fail('Not understood. Write 69°10.2′N 51°21.0′W or 69.17, -51.35.');
+  const why = [first, second].find((angle) => typeof angle === 'string');
+  if (why !== undefined) return fail(why);
+  if (!first || !second || typeof first === 'string' || typeof second === 'string') return fail('Not understood. Write 69°10.2′N 51°21.0′W or 69.17, -51.35.');
 
   const firstIsLon = first.letter === 'E' || first.letter === 'W' || second.letter === 'N' || second.letter === 'S';
   let [lat, lon] = firstIsLon ? [second, first] : [first, second];

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { editablePosition, formatPosition, parsePosition } from '../../src/geo/coordinates';
+import { editablePosition, exactPosition, formatPosition, parsePosition } from '../../src/geo/coordinates';
 
 const read = (text: string): [number, number] | string => {
   const parsed = parsePosition(text);
@@ -21,6 +21,23 @@ describe('positions', () => {
   it.each(['', 'abc', '69', '69 70 N 51 W', '91, 10', '10, 181', '69N 51S', '1,2,3', '69.5 10 N 51 W', '-69 N, 51 W',
     '69,17', '69,1 51', '69,1,51,7', '6970.0 -5121.0', '45.0 -5121.0', '123, 10'])('refuses "%s" with a reason', (text) => {
     expect(parsePosition(text).ok).toBe(false);
+  });
+
+  it('says how far minutes and seconds go', () => {
+    expect(read('69 72.0 N 51 21 W')).toBe('The minutes go from 0 to 59.9, not to 72.0.');
+    expect(read('69 10 72 N 51 21 0 W')).toBe('The seconds go from 0 to 59.9, not to 72.');
+  });
+
+  it('writes a place to the centimetre in the form of the text that it replaces', () => {
+    const place: [number, number] = [-51.3512345, 69.1712345];
+    expect(exactPosition(place, '69.17, -51.35')).toBe('69.1712345, -51.3512345');
+    for (const text of ['69°10.2′N 51°21.0′W', '69 10.2 N 51 21 W']) {
+      expect(exactPosition(place, text)).toMatch(/^69°10\.\d+′N 51°21\.\d+′W$/);
+      const value = read(exactPosition(place, text));
+      expect(value[0]).toBeCloseTo(place[0], 7);
+      expect(value[1]).toBeCloseTo(place[1], 7);
+    }
+    expect(exactPosition([10, -70], '70 S 10 E')).toBe('70°0′S 10°0′E');
   });
 
   it('asks where figures seem to stand in the wrong order, and takes letters at their word', () => {

@@ -73,6 +73,19 @@ export function refuse(found: Faults, general: string[] = []): void {
   faultyAttempts.value += 1;
 }
 
+const faultOf = (text: string): string | undefined => {
+  const parsed = readPosition(text);
+  return parsed.ok ? undefined : parsed.fault;
+};
+
+/** Says at once what is wrong with a position that was typed, and leaves its text. Other fields are judged when a plan is asked for. */
+export function checkPlaces(field: Field): void {
+  if (field !== 'from' && field !== 'to' && field !== 'via') return;
+  const text = draft.peek()[field];
+  const fault = text.trim() === '' ? undefined : field === 'via' ? placesIn(text).fault : faultOf(text);
+  if (fault !== undefined) faults.value = { ...faults.peek(), [field]: fault };
+}
+
 /** Changes fields and clears their faults. `typing`: the text field that somebody is typing in. */
 export function edit(part: Partial<Draft>, typing?: string): void {
   const before = draft.peek();

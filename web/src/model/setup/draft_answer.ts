@@ -1,5 +1,6 @@
 import type { Position } from '../../contract/data_types';
 import type { Change, Violation } from '../../contract/types';
+import { exactPosition } from '../../geo/coordinates';
 import { emptyDraft, hasGoalsFile, type Draft, type Faults, type Field } from './draft';
 import { factorOf, numberFields, timeFields, type NumberField } from '../fields';
 import { fieldOf, isoOf } from '../time';
@@ -44,7 +45,7 @@ function editOfOne({ input, to }: Change, form: Draft): Partial<Draft> | undefin
   if (field === 'via') return viaEdit(input, to, form);
   if (field === 'spacing_m') return spacingEdit(to);
   if (field === 'areas') return areasEdit(input, form);
-  if (isPosition(to)) return { [field]: exact(to) };
+  if (isPosition(to)) return { [field]: exactPosition(to, textIn(field, form)) };
   if (typeof to === 'number') return isNumber(field) ? { [field]: String(Number((to / factorOf(field)).toPrecision(8))) } : undefined;
   if (typeof to === 'boolean' && typeof emptyDraft[field] === 'boolean') return { [field]: to };
   if (typeof to !== 'string' || typeof emptyDraft[field] !== 'string') return undefined;
@@ -56,7 +57,7 @@ function viaEdit(input: string, to: unknown, form: Draft): Partial<Draft> | unde
   const lines = form.via.split('\n').filter((line) => line.trim() !== '');
   const index = Number(input.split('/')[1]);
   if (!isPosition(to) || !(index in lines)) return undefined;
-  return { via: lines.map((line, i) => (i === index ? exact(to) : line)).join('\n') };
+  return { via: lines.map((line, i) => (i === index ? exactPosition(to, line) : line)).join('\n') };
 }
 
 /** The areas without the one that the input names; none where it names them all. */
@@ -77,5 +78,8 @@ const isNumber = (field: Field): field is NumberField => (numberFields as readon
 const isPosition = (value: unknown): value is Position =>
   Array.isArray(value) && value.length === 2 && value.every((part) => typeof part === 'number');
 
-/** To the centimetre: rounding must not move a place back into what it was moved out of. */
-const exact = ([lon, lat]: Position): string => `${Number(lat.toFixed(7))}, ${Number(lon.toFixed(7))}`;
+/** What somebody typed into a field. */
+function textIn(field: Field, form: Draft): string {
+  const typed = form[field];
+  return typeof typed === 'string' ? typed : '';
+}

@@ -1,5 +1,5 @@
 import type { ComponentChildren, VNode } from 'preact';
-import { draft, edit, faults, type Draft, type Field } from '../../model/setup/draft';
+import { checkPlaces, draft, edit, faults, type Draft, type Field } from '../../model/setup/draft';
 import { formOf, type FormTexts } from '../../model/fields';
 
 type TextField = { [K in Field]: Draft[K] extends string ? K : never }[Field];
@@ -25,6 +25,7 @@ export function TextField({ name, children, ...given }: FieldProps): VNode {
           autocomplete="off" spellcheck={false} aria-invalid={fault ? true : undefined}
           aria-describedby={fault ? `fault-${name}` : hint ? `hint-${name}` : undefined}
           onInput={(event) => edit({ [name]: event.currentTarget.value }, name)}
+          onChange={() => checkPlaces(name)}
         />
         {children}
       </div>

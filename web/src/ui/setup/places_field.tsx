@@ -1,5 +1,5 @@
 import type { VNode } from 'preact';
-import { draft, edit, faults } from '../../model/setup/draft';
+import { checkPlaces, draft, edit, faults } from '../../model/setup/draft';
 import { Icon, IconButton } from '../common/icon';
 import { PickButton } from './pick_button';
 
@@ -22,6 +22,7 @@ export function PlacesField(): VNode {
             type="text" id={i === 0 ? 'field-via' : undefined} aria-label={`Via point ${i + 1}`} value={line} placeholder="69°05.0′N 52°00.0′W"
             autocomplete="off" spellcheck={false} aria-invalid={fault ? true : undefined} aria-describedby={fault ? 'fault-via' : undefined}
             onInput={(event) => set(lines.map((old, j) => (j === i ? event.currentTarget.value : old)), `via ${i}`)}
+            onChange={() => checkPlaces('via')}
           />
           <IconButton icon="up" label={`Move via point ${i + 1} up`} disabled={i === 0} onClick={() => swap(i, i - 1)} />
           <IconButton icon="x" label={`Remove via point ${i + 1}`} onClick={() => set(lines.filter((_, j) => j !== i))} />
