@@ -32,7 +32,7 @@ export interface Palette {
   reachFill: string;
   start: string;
   goal: string;
-  plans: readonly [string, string, string, string];
+  plans: readonly [string, ...string[]]; // as --plan-0 and so on
 }
 
 export const light: Palette = {
@@ -60,7 +60,7 @@ export const light: Palette = {
   reachFill: 'rgba(138, 97, 0, 0.09)',
   start: '#117733',
   goal: '#13232f',
-  plans: ['#b5400a', '#5b2a86', '#006b5b', '#8a1550'],
+  plans: ['#b5400a', '#5b2a86', '#006b5b', '#8a1550', '#1a5fb4', '#6b5900', '#c4127f', '#3a6b00', '#703a1c', '#4d5866'],
 };
 
 export const dark: Palette = {
@@ -88,7 +88,7 @@ export const dark: Palette = {
   reachFill: 'rgba(230, 179, 84, 0.09)',
   start: '#6fd08c',
   goal: '#dbe6ed',
-  plans: ['#ff9d6b', '#c9a6f2', '#5fd4c0', '#f58bb8'],
+  plans: ['#ff9d6b', '#c9a6f2', '#5fd4c0', '#f58bb8', '#7db8ff', '#d8c34a', '#ff8fe0', '#a6d65c', '#d8a184', '#b9c3cf'],
 };
 
 /** The palette in use; the theme switch sets it. */
@@ -104,14 +104,14 @@ export const currentLimits_m_s = [0.15, 0.4] as const;
 const planDashes: readonly (readonly number[])[] = [[], [14, 7], [12, 6, 2, 6], [2, 7]];
 
 /** Which of the colours a plan has. */
-export const hueOf = (style: number): number => style % 4;
+export const hueOf = (style: number): number => style % light.plans.length;
 
-/** A colour comes again with another dash pattern: sixteen plans differ. */
-export const planDash = (style: number): number[] => [...(planDashes[(style + Math.floor(style / 4)) % 4] ?? [])];
+/** A colour comes again with another dash pattern: twenty plans differ. */
+export const planDash = (style: number): number[] => [...(planDashes[(style + Math.floor(style / light.plans.length)) % 4] ?? [])];
 
 export const planColour = ({ plans }: Palette, style: number): string => plans[hueOf(style)] ?? plans[0];
 
-/** Dashes of the legs below ice of any plan, and of the edges beside them. */
+/** Dashes of the stretches below ice of any plan, and of the edges beside them. */
 export const belowIceDash = [5, 5] as const;
 export const tunnelDash = [10, 5] as const;
 

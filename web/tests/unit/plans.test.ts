@@ -2,7 +2,7 @@ import { beforeEach, describe, expect, it } from 'vitest';
 import type { Plan } from '../../src/contract/types';
 import { inverse } from '../../src/geo/geodesic';
 import { hueOf, planDash } from '../../src/theme/palette';
-import { add, nextName, plans, select, selectedPlan, show, shown, shownPlans, vehicleAt } from '../../src/model/plan/plans';
+import { add, forget, nextName, plans, select, selectedPlan, show, shown, shownPlans, vehicleAt } from '../../src/model/plan/plans';
 
 function plan(id: string, name = ''): Plan {
   const waypoint = (index: number, lon: number, lat: number, eta: string): Plan['waypoints'][number] => ({
@@ -33,7 +33,7 @@ describe('plans', () => {
     expect(selectedPlan.value?.plan_id).toBe('one');
   });
 
-  it('keep their letter and colour as long as they are shown, and those with the same colour differ in dash', () => {
+  it('keep their letter and colour as long as they are listed, and those with the same colour differ in dash', () => {
     for (const id of ['one', 'two', 'three']) add(plan(id));
     const keyOf = (id: string): string | undefined => {
       const found = shownPlans.value.find((candidate) => candidate.plan.plan_id === id);
@@ -42,12 +42,28 @@ describe('plans', () => {
     const [second, third] = [keyOf('two'), keyOf('three')];
     show('one', false);
     expect([keyOf('two'), keyOf('three')]).toEqual([second, third]);
+    add(plan('four'));
     show('one', true);
-    expect(new Set(['one', 'two', 'three'].map(keyOf)).size).toBe(3);
-    expect([keyOf('two'), keyOf('three')]).toEqual([second, third]);
+    expect(new Set(['one', 'two', 'three', 'four'].map(keyOf)).size).toBe(4);
+    expect(keyOf('one')).toBe('A0');
+    forget('two');
+    expect([keyOf('one'), keyOf('three'), keyOf('four')]).toEqual(['A0', third, 'D3']);
+    expect(second).toBe('B1');
+    add(plan('five'));
+    expect(keyOf('five')).toBe(second);
 
-    const looks = Array.from({ length: 16 }, (_, style) => `${hueOf(style)} ${planDash(style).join()}`);
-    expect(new Set(looks).size).toBe(16);
+    const looks = Array.from({ length: 20 }, (_, style) => `${hueOf(style)} ${planDash(style).join()}`);
+    expect(new Set(looks).size).toBe(20);
+    expect(new Set(Array.from({ length: 10 }, (_, style) => hueOf(style))).size).toBe(10);
+  });
+
+  it('take the letter of a plan that is not on the map where all letters are in use', () => {
+    for (let i = 0; i < 26; ++i) add(plan(`p${i}`));
+    expect(shownPlans.value).toHaveLength(26);
+    show('p3', false);
+    add(plan('one more'));
+    expect(shownPlans.value.find(({ plan: { plan_id } }) => plan_id === 'one more')?.letter).toBe('D');
+    expect(new Set(shownPlans.value.map(({ letter }) => letter)).size).toBe(26);
   });
 
   it('are named by the next free number', () => {

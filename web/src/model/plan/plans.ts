@@ -19,22 +19,29 @@ export interface ShownPlan {
   style: number; // from 0: which colour and dash pattern
 }
 
-const letterOf = (index: number): string => String.fromCharCode(65 + (index % 26));
+const letters = 26;
+const letterOf = (place: number): string => String.fromCharCode(65 + (place % letters));
 
-/** The letter of each plan on the map. A plan keeps its letter as long as it is shown. */
+/** The place in the alphabet of each plan that was on the map. A plan keeps it as long as it is listed, so its letter and colour, too. */
 const places = new Map<string, number>();
 
+/** The first free letter; where there is none, that of a plan that is not on the map. */
 function placeOf(id: string): number {
+  const known = places.get(id);
+  if (known !== undefined) return known;
   const taken = new Set(places.values());
   let free = 0;
   while (taken.has(free)) ++free;
-  const place = places.get(id) ?? free;
+  const hidden = free < letters ? undefined : [...places].find(([other]) => !shown.value.includes(other));
+  if (hidden) places.delete(hidden[0]);
+  const place = hidden?.[1] ?? free;
   places.set(id, place);
   return place;
 }
 
 export const shownPlans = computed<ShownPlan[]>(() => {
-  for (const id of places.keys()) if (!shown.value.includes(id)) places.delete(id);
+  const listed = new Set([...shown.value, ...plans.value.map(({ plan_id }) => plan_id)]);
+  for (const id of places.keys()) if (!listed.has(id)) places.delete(id);
   return shown.value.flatMap((id) => {
     const plan = plans.value.find((candidate) => candidate.plan_id === id);
     const place = placeOf(id);

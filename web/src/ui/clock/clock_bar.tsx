@@ -1,10 +1,12 @@
+import { computed } from '@preact/signals';
 import { useEffect } from 'preact/hooks';
 import type { VNode } from 'preact';
 import { advance, playing, range, setTime, slider, speed, speeds, stepHours, time_ms, togglePlay, zoomSlider, type Span } from '../../model/clock';
 import { coveredDatasets } from '../../model/coverage';
 import { chosenCurrents, currentTimes_ms } from '../../model/datasets';
 import { draft } from '../../model/setup/draft';
-import { selectedPlan, shownPlans } from '../../model/plan/plans';
+import { laneCount, lanesOf } from '../../model/plan/lanes';
+import { selectedId, selectedPlan, shownPlans, titleOf } from '../../model/plan/plans';
 import { hour_ms, parseTime, shortTime, spokenTime } from '../../model/time';
 import { hueOf } from '../../theme/palette';
 import { IconButton } from '../common/icon';
@@ -39,6 +41,7 @@ export function ClockBar(): VNode {
           onInput={(event) => setTime(Number(event.currentTarget.value))}
         />
         <Timeline span={slider.value} />
+        <MoreBars />
         <div class="clock-ends">
           <span>{start_ms > whole.start_ms && '‹ '}{shortTime(start_ms)}</span>
           <span class="clock-zoom" role="group" aria-label="Time on the slider">
@@ -68,9 +71,22 @@ function sinceDeparture(now_ms: number, lead: string): string {
   return `${lead}${Math.floor((now_ms - depart_ms) / hour_ms)} h`;
 }
 
+const lanes = computed(() => lanesOf(shownPlans.value, selectedId.value));
+
+/** How many plans on the map have no bar, for want of room. */
+function MoreBars(): VNode | null {
+  const { left } = lanes.value;
+  if (left.length === 0) return null;
+  return (
+    <span class="clock-more" title={`No room for a bar: ${left.map(({ letter, plan }) => `${letter} ${titleOf(plan)}`).join(', ')}`}>
+      +{left.length}<span class="visually-hidden"> more plans</span>
+    </span>
+  );
+}
+
 /** Ticks of the data's steps, frames of covered spans, bars of the plans, hatching where there are no currents. */
 function Timeline({ span }: { span: Span }): VNode {
-  const width = 1000;
+  const [width, height] = [1000, 5 + 3 * laneCount];
   const x = (value_ms: number): number => ((value_ms - span.start_ms) / (span.end_ms - span.start_ms)) * width;
   const times = currentTimes_ms.value;
   const seen = times.filter((time) => time >= span.start_ms && time <= span.end_ms);
@@ -80,7 +96,7 @@ function Timeline({ span }: { span: Span }): VNode {
     time_start && time_end ? [{ id, from: x(Date.parse(time_start)), to: x(Date.parse(time_end)) }] : [],
   );
   return (
-    <svg class="timeline" viewBox={`0 0 ${width} 14`} preserveAspectRatio="none" aria-hidden="true" focusable="false">
+    <svg class="timeline" viewBox={`0 0 ${width} ${height}`} preserveAspectRatio="none" aria-hidden="true" focusable="false">
       <defs>
         <pattern id="no-data" width="5" height="5" patternUnits="userSpaceOnUse" patternTransform="rotate(45)">
           <line class="hatch" x1="0" y1="0" x2="0" y2="5" />
@@ -88,8 +104,8 @@ function Timeline({ span }: { span: Span }): VNode {
       </defs>
       {chosenCurrents.value && first !== undefined && last !== undefined && (
         <>
-          <rect x={0} y={0} width={Math.max(0, x(first))} height={14} fill="url(#no-data)" />
-          <rect x={Math.max(0, x(last))} y={0} width={Math.max(0, width - Math.max(0, x(last)))} height={14} fill="url(#no-data)" />
+          <rect x={0} y={0} width={Math.max(0, x(first))} height={height} fill="url(#no-data)" />
+          <rect x={Math.max(0, x(last))} y={0} width={Math.max(0, width - Math.max(0, x(last)))} height={height} fill="url(#no-data)" />
         </>
       )}
       {seen.filter((_, i) => i % every === 0).map((time) => (
@@ -98,9 +114,9 @@ function Timeline({ span }: { span: Span }): VNode {
       {covered.map(({ id, from, to }) => (
         <rect key={id} class="coverage" x={from} y={0} width={Math.max(2, to - from)} height={4} vector-effect="non-scaling-stroke" />
       ))}
-      {shownPlans.value.slice(0, 3).map(({ plan, style }, i) => (
+      {lanes.value.bars.map(({ shown: { plan, style }, lane }) => (
         <rect
-          key={plan.plan_id} class={`plan-${hueOf(style)}`} fill="currentColor" x={x(Date.parse(plan.departure))} y={5 + 3 * i} height={2}
+          key={plan.plan_id} class={`plan-bar plan-${hueOf(style)}`} fill="currentColor" x={x(Date.parse(plan.departure))} y={5 + 3 * lane} height={2}
           width={Math.max(2, x(Date.parse(plan.arrival)) - x(Date.parse(plan.departure)))}
         />
       ))}
