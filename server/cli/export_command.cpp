@@ -38,6 +38,17 @@ struct ExportFlags {
   bool json_out{false};
 };
 
+/// Throws CLI::ValidationError (wrong usage) for a text that is no place.
+std::vector<geo::LonLat> safe_places_of(const ExportFlags& flags) {
+  std::vector<geo::LonLat> places;
+  for (const std::string& text : flags.safe) {
+    const auto place = parse_place(text);
+    if (!place) throw flag_fault<"not-lon-lat">("--safe", text, "--safe");
+    places.push_back(*place);
+  }
+  return places;
+}
+
 /// Throws CLI::ValidationError (wrong usage) for a flag whose text cannot be read.
 service::MissionRequest mission_request(const ExportFlags& flags) {
   service::MissionRequest request = flags.mission;
@@ -57,14 +68,21 @@ service::MissionRequest mission_request(const ExportFlags& flags) {
     return request;
   }
   request.under_ice.emplace();
-  for (const std::string& text : flags.safe) {
-    const auto place = parse_place(text);
-    if (!place) throw flag_fault<"not-lon-lat">("--safe", text, "--safe");
-    request.under_ice->safe_places.push_back(*place);
-  }
+  request.under_ice->safe_places = safe_places_of(flags);
   if (flags.iceberg_depth_m)
     request.under_ice->deepest_expected_iceberg = core::Metres{*flags.iceberg_depth_m};
   return request;
+}
+
+/// The end where the flag names mission files.
+auto format_of(const ExportFlags& flags) {
+  return std::ranges::find(routes::export_formats(), flags.format, &routes::ExportFormat::name);
+}
+
+/// A page that tells the dangers itself.
+bool is_brief(const ExportFlags& flags) {
+  const auto format = format_of(flags);
+  return format != routes::export_formats().end() && format->is_brief;
 }
 
 /// The files of the format, before any is written.
@@ -74,8 +92,8 @@ tl::expected<mission::MissionFiles, core::Violations> files_of(sql::Connection& 
                                                                const std::vector<messages::Message>& told) {
   if (flags.format == "gliderdos" || flags.format == "seaglider")
     return service::mission_of(db, record, mission_request(flags), now());
-  const auto format = std::ranges::find(routes::export_formats(), flags.format, &routes::ExportFormat::name);
-  auto exported = routes::export_plan(db, record, *format, told, now());
+  const auto format = format_of(flags);
+  auto exported = routes::export_plan(db, record, *format, told, safe_places_of(flags), now());
   if (!exported) return tl::unexpected(exported.error());
   mission::MissionFiles result;
   result.files.push_back({routes::export_file_name(*format, record.id.value), std::move(exported->bytes)});
@@ -128,7 +146,7 @@ int run_export(const ExportFlags& flags, const Program& program) {
   auto files = files_of(db, *record, flags, told);
   if (!files) return print_violations(files.error(), flags.json_out);
   const std::vector<messages::Message> dangers = check.to_confirm();
-  if (!dangers.empty() && !flags.accept_dangers) return refuse(dangers, flags.json_out);
+  if (!dangers.empty() && !flags.accept_dangers && !is_brief(flags)) return refuse(dangers, flags.json_out);
   std::ranges::move(files->messages, std::back_inserter(told));
   const std::vector<OutputFile> output = laid_out(*files, *record, flags);
   if (const auto there = first_existing(flags.out, output); there && !flags.force) {

@@ -184,7 +184,9 @@ planning::Plan parse_members(const json& document) {
                  .duration = core::Seconds{search.at("seconds").get<double>()}};
   plan.refinement = parse_refinement(document);
   const json& clearances = document.at("clearances");
+  const json nearest = clearances.value("iceberg_id", json());
   plan.clearances = {.iceberg = metres_at(clearances, "iceberg_m"),
+                     .nearest_iceberg = nearest.is_null() ? "" : nearest.get<std::string>(),
                      .land = metres_at(clearances, "land_m"),
                      .bottom = metres_at(clearances, "bottom_m")};
   plan.iceberg_encounters = stored_number(document, "iceberg_encounters");
@@ -273,6 +275,8 @@ json plan_document(const planning::Plan& plan, const std::string& plan_id, const
       {"leg_trade", leg_trade_json(plan.refinement)},
       {"clearances",
        {{"iceberg_m", optional_value(plan.clearances.iceberg)},
+        {"iceberg_id",
+         plan.clearances.nearest_iceberg.empty() ? json() : json(plan.clearances.nearest_iceberg)},
         {"land_m", optional_value(plan.clearances.land)},
         {"bottom_m", optional_value(plan.clearances.bottom)}}},
       {"datasets", dataset_refs_json(plan.datasets)}};
@@ -283,6 +287,10 @@ json plan_document(const planning::Plan& plan, const std::string& plan_id, const
 std::string plan_identity(const json& inputs, const planning::Plan& plan) {
   json told = plan_document(plan, "", "");
   for (const char* other : {"search", "dangers", "warnings", "optimality_gap_reason"}) told.erase(other);
+  // These follow from the route and the data: a plan of an older version without them has the same id.
+  if (!told["surfacing"].is_null())
+    for (const char* derived : {"below_ice", "below_ice_m", "below_ice_s"}) told["surfacing"].erase(derived);
+  told["clearances"].erase("iceberg_id");
   for (json& message : told["messages"]) {
     message.erase("text");
     if (message["rank"] == messages::rank_name(messages::Rank::note)) message.erase("values");

@@ -87,6 +87,16 @@ std::vector<std::string> hold_facts(const planning::Plan& plan) {
   return facts;
 }
 
+/// "Safe places: R1 69 12.000 N, 53 12.000 W; R2 ...", by the names that the map gives them.
+std::string safe_places_fact(const std::vector<geo::LonLat>& places) {
+  std::string text = "Safe places:";
+  for (std::size_t i = 0; i < places.size(); ++i)
+    text += (i == 0 ? " R" : "; R") + std::to_string(i + 1) + " " +
+            degrees_minutes(places[i].lat_deg, 'N', 'S') + ", " +
+            degrees_minutes(geo::wrap_longitude(places[i].lon_deg), 'E', 'W');
+  return text + ".";
+}
+
 /// What ice means to the plan; empty where nothing is known of ice.
 std::vector<std::string> ice_facts(const planning::Plan& plan) {
   if (!plan.surfacing) return {};
@@ -134,16 +144,20 @@ std::vector<std::vector<std::string>> brief_rows(const planning::Plan& plan) {
   return rows;
 }
 
-std::vector<std::string> brief_facts(const planning::Plan& plan) {
+std::vector<std::string> brief_facts(const planning::Plan& plan, const BriefNotes& notes) {
   std::vector<std::string> facts{
       "Vehicle " + plan.vehicle + ". Departure " + core::iso8601(plan.departure) + ", arrival " +
           core::iso8601(plan.arrival) + ": " + number(plan.travel_time().count() / 3600.0, 1) + " h, " +
           number(plan.distance.value / 1000.0, 1) + " km.",
-      "Clear of icebergs by " + number(bare(plan.clearances.iceberg), 0) + " m, of land by " +
-          number(bare(plan.clearances.land), 0) + " m, of the bottom by " +
+      "Clear of icebergs by " + number(bare(plan.clearances.iceberg), 0) + " m" +
+          (plan.clearances.nearest_iceberg.empty() ? "" : " (" + plan.clearances.nearest_iceberg + ")") +
+          ", of land by " + number(bare(plan.clearances.land), 0) + " m, of the bottom by " +
           number(bare(plan.clearances.bottom), 0) + " m (- : not known)."};
   std::ranges::move(hold_facts(plan), std::back_inserter(facts));
+  if (plan.iceberg_encounters)
+    facts.push_back("Expected encounters with icebergs: " + number(*plan.iceberg_encounters, 2) + ".");
   std::ranges::move(ice_facts(plan), std::back_inserter(facts));
+  if (!notes.safe_places.empty()) facts.push_back(safe_places_fact(notes.safe_places));
   return facts;
 }
 
@@ -189,7 +203,7 @@ std::string plan_brief_html(const planning::Plan& plan, const BriefPictures& pic
   std::string text = "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>" + title +
                      "</title><style>" + style + "</style></head><body>\n<h1>" + title + "</h1>\n<p>" +
                      xml_text(brief_origin(notes)) + "</p>\n";
-  for (const std::string& fact : brief_facts(plan)) text += "<p>" + xml_text(fact) + "</p>\n";
+  for (const std::string& fact : brief_facts(plan, notes)) text += "<p>" + xml_text(fact) + "</p>\n";
   const auto caption = [](const std::string& words) {
     return "<p class=\"caption\">" + xml_text(words) + "</p>\n";
   };

@@ -18,6 +18,7 @@ struct BriefNotes {
   core::UtcTime generated{};
   std::vector<messages::Message> messages;  // of the export; the plan's own are added
   std::vector<std::string> alternatives{};  // a line for each, the best first
+  std::vector<geo::LonLat> safe_places{};   // to recover to in an emergency, as the pilot named them
 };
 
 struct BriefPictures {
@@ -43,7 +44,7 @@ struct BriefPictures {
 /// What the map shows, as a line below it.
 [[nodiscard]] std::string brief_caption(const MapPicture& picture);
 /// The sentences above the table: vehicle, times, distance, clearances.
-[[nodiscard]] std::vector<std::string> brief_facts(const planning::Plan& plan);
+[[nodiscard]] std::vector<std::string> brief_facts(const planning::Plan& plan, const BriefNotes& notes);
 /// What the lines of the section are, as a line below it.
 inline constexpr const char* section_caption =
     "Ice above the route, by waypoint: draft of level ice (thick), its deepest keels (dotted), and how deep "

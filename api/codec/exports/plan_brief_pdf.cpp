@@ -248,7 +248,7 @@ std::string plan_brief_pdf(const planning::Plan& plan, const BriefPictures& pict
   Sheet sheet{notes.generated};
   sheet.paragraph(notes.name.empty() ? "Plan " + notes.plan_id : notes.name, 16.0, true);
   sheet.paragraph(brief_origin(notes), 9.0);
-  for (const std::string& fact : brief_facts(plan)) sheet.paragraph(fact, 9.0);
+  for (const std::string& fact : brief_facts(plan, notes)) sheet.paragraph(fact, 9.0);
   draw_across(sheet, pictures.map.width, pictures.map.height,
               [&](cairo_t* pen) { draw_map(sheet, pictures.map, pen); });
   sheet.paragraph(brief_caption(pictures.map), 7.5);

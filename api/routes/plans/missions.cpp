@@ -39,10 +39,13 @@ Response refuse_dangerous(const Request& request, const std::vector<messages::Me
   return problem_reply(request, problems::problem<"dangerous-plan">().with(std::move(found)));
 }
 
+/// Whether the pilot has to confirm the dangers of a plan before the answer.
+enum class Dangers { to_confirm, told_in_answer };
+
 /// Calls `answer` with the stored plan that the path names and with what newer data say of it. A plan that would
-/// endanger the vehicle is refused unless the request insists.
+/// endanger the vehicle is refused unless the request insists, or the answer tells the dangers itself.
 template <class Answer>
-Response with_plan(const Context& context, const Request& request, const PathParameters& path,
+Response with_plan(const Context& context, const Request& request, const PathParameters& path, Dangers rule,
                    const Answer& answer) {
   const auto plan = repository::PlanRepository{context.db}.find({path.at("plan_id")});
   if (!plan) return problem_reply<"unknown-plan">(request, path.at("plan_id"));
@@ -52,7 +55,8 @@ Response with_plan(const Context& context, const Request& request, const PathPar
 
   const service::PlanCheck check = service::check_plan(context.db, *plan);
   const std::vector<messages::Message> dangers = check.to_confirm();
-  if (!dangers.empty() && !accept_dangers) return refuse_dangerous(request, dangers);
+  if (rule == Dangers::to_confirm && !dangers.empty() && !accept_dangers)
+    return refuse_dangerous(request, dangers);
   const std::vector<messages::Message> told = service::all_of(check);
   Response response = answer(*plan, told);
   add_warnings(response, told);
@@ -118,7 +122,7 @@ Response with_files(const Context& context, const Request& request, const PlanRe
 }
 
 Response show_mission(const Context& context, const Request& request, const PathParameters& path) {
-  return with_plan(context, request, path,
+  return with_plan(context, request, path, Dangers::to_confirm,
                    [&](const PlanRecord& plan, const std::vector<messages::Message>& told) {
                      return with_files(context, request, plan, [&](const mission::MissionFiles& set) {
                        json files = json::array();
@@ -137,7 +141,7 @@ Response download_zip(const Context& context, const Request& request, const Path
   const bool seaglider = request.parameter("format") == "seaglider";
   const auto folder = service::handover_folder(request.parameter("glider").value_or(""), seaglider);
   if (!folder) return invalid(request, {{"?glider", folder.error().rule}});
-  return with_plan(context, request, path,
+  return with_plan(context, request, path, Dangers::to_confirm,
                    [&](const PlanRecord& plan, const std::vector<messages::Message>&) {
                      return with_files(context, request, plan, [&](const mission::MissionFiles& set) {
                        std::vector<codec::ArchivedFile> files;
@@ -154,9 +158,14 @@ Response download_zip(const Context& context, const Request& request, const Path
 /// Answers with the plan in one format that is a single file.
 auto download_as(const ExportFormat& format) {
   return [&format](const Context& context, const Request& request, const PathParameters& path) {
-    return with_plan(context, request, path,
+    ParameterReader reader{request};
+    const auto safe_places = format.is_brief ? reader.places("safe") : std::nullopt;
+    if (!reader.violations().empty()) return invalid(request, reader.violations());
+    return with_plan(context, request, path, format.is_brief ? Dangers::told_in_answer : Dangers::to_confirm,
                      [&](const PlanRecord& plan, const std::vector<messages::Message>& told) {
-                       auto exported = export_plan(context.db, plan, format, told, request.now);
+                       auto exported =
+                           export_plan(context.db, plan, format, told,
+                                       safe_places.value_or(std::vector<geo::LonLat>{}), request.now);
                        if (!exported) return invalid(request, exported.error());
                        Response response = download(export_file_name(format, download_stem(plan)),
                                                     format.content_type, std::move(exported->bytes));
@@ -176,8 +185,11 @@ std::vector<Route> mission_routes() {
   of_zip.emplace_back("glider");
   std::vector<Route> routes{{"GET", plan + "/mission", of_files, show_mission},
                             {"GET", plan + "/mission.zip", of_zip, download_zip}};
-  for (const ExportFormat& format : export_formats())
-    routes.push_back({"GET", plan + "/mission." + format.name, {"accept_dangers"}, download_as(format)});
+  for (const ExportFormat& format : export_formats()) {
+    std::vector<std::string> parameters{"accept_dangers"};
+    if (format.is_brief) parameters.emplace_back("safe");
+    routes.push_back({"GET", plan + "/mission." + format.name, std::move(parameters), download_as(format)});
+  }
   return routes;
 }
 

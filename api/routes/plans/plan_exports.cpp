@@ -121,7 +121,7 @@ codec::BriefPictures pictures_of(sql::Connection& db, const PlanRecord& record, 
 /// The plan in the format, which can hold it.
 std::string bytes_of(sql::Connection& db, const PlanRecord& record, const planning::Plan& plan,
                      const ExportFormat& format, const std::vector<messages::Message>& told,
-                     core::UtcTime now) {
+                     const std::vector<geo::LonLat>& safe_places, core::UtcTime now) {
   const std::string& id = record.id.value;
   if (format.name == "gpx") return codec::plan_gpx(plan, id, record.name);
   if (format.name == "kml") return codec::plan_kml(plan, id, record.name);
@@ -134,8 +134,12 @@ std::string bytes_of(sql::Connection& db, const PlanRecord& record, const planni
   if (format.name == "imc")
     return codec::plan_imc(plan, service::vehicle_of(record, plan), service::shoals_of(db, record, plan),
                            service::holds_of(db, record, plan).radius, id, record.name, now);
-  const codec::BriefNotes notes{id, record.name, now, told,
-                                codec::alternative_lines(nlohmann::json::parse(record.document_json))};
+  const codec::BriefNotes notes{id,
+                                record.name,
+                                now,
+                                told,
+                                codec::alternative_lines(nlohmann::json::parse(record.document_json)),
+                                safe_places};
   if (format.name == "html") return codec::plan_brief_html(plan, pictures_of(db, record, plan), notes);
   if (format.name == "pdf") return codec::plan_brief_pdf(plan, pictures_of(db, record, plan), notes);
   throw std::invalid_argument{"export_plan: no format " + format.name};
@@ -184,8 +188,8 @@ std::span<const ExportFormat> export_formats() {
                                                  {"nmea", "text/plain; charset=us-ascii", ""},
                                                  {"targets", "text/plain; charset=us-ascii", "targets"},
                                                  {"imc", "application/json", ""},
-                                                 {"html", "text/html; charset=utf-8", ""},
-                                                 {"pdf", "application/pdf", ""}};
+                                                 {"html", "text/html; charset=utf-8", "", true},
+                                                 {"pdf", "application/pdf", "", true}};
   return formats;
 }
 
@@ -211,11 +215,12 @@ std::string download_stem(const PlanRecord& record) {
 tl::expected<ExportedPlan, core::Violations> export_plan(sql::Connection& db, const PlanRecord& record,
                                                          const ExportFormat& format,
                                                          const std::vector<messages::Message>& told,
+                                                         const std::vector<geo::LonLat>& safe_places,
                                                          core::UtcTime now) {
   const planning::Plan plan = codec::parse_plan_document(nlohmann::json::parse(record.document_json));
   if (core::Violations found = violations_of(plan, format); !found.empty())
     return tl::unexpected(std::move(found));
-  return ExportedPlan{bytes_of(db, record, plan, format, told, now), messages_of(plan, format)};
+  return ExportedPlan{bytes_of(db, record, plan, format, told, safe_places, now), messages_of(plan, format)};
 }
 
 }  // namespace floeplan::routes

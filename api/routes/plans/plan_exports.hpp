@@ -18,6 +18,7 @@ struct ExportFormat {
   std::string name;  // "gpx": names the flag's value and ends the address
   std::string content_type;
   std::string file_name;  // of the file; empty: what the plan is called and the format's name
+  bool is_brief{false};   // a page to read, which says the dangers itself; no vehicle flies it
 };
 
 /// Every format but the mission files of a vehicle, in a fixed order.
@@ -36,12 +37,14 @@ struct ExportedPlan {
   std::vector<messages::Message> messages;
 };
 
-/// The plan in one of these formats. `told`: what the check before the export said; the printed page shows it.
+/// The plan in one of these formats. `told`: what the check before the export said; the printed page shows it, and the
+/// safe places.
 /// Ice      a warning where the plan passes below ice or icebergs and the file has no room for how deep its dives turn
 /// Errors   a violation for a plan that the format cannot hold, and for targets of a Seaglider that pass below ice or
 ///          icebergs
 [[nodiscard]] tl::expected<ExportedPlan, core::Violations> export_plan(
     sql::Connection& db, const repository::PlanRecord& record, const ExportFormat& format,
-    const std::vector<messages::Message>& told, core::UtcTime now);
+    const std::vector<messages::Message>& told, const std::vector<geo::LonLat>& safe_places,
+    core::UtcTime now);
 
 }  // namespace floeplan::routes

@@ -246,16 +246,17 @@ std::vector<IcebergDiscs::Under> IcebergDiscs::passed_under(const motion::EvenMo
   return result;
 }
 
-std::optional<core::Metres> IcebergDiscs::distance_from_hulls(const motion::EvenMove& move) const {
-  std::optional<core::Metres> least;
-  for (const Berg& berg : bergs_) {
+std::optional<IcebergDiscs::NearestHull> IcebergDiscs::nearest_hull(const motion::EvenMove& move) const {
+  std::optional<NearestHull> least;
+  for (std::size_t i = 0; i < bergs_.size(); ++i) {
+    const Berg& berg = bergs_[i];
     if (berg.keel && berg.disc.first_touch(move)) continue;  // passed under
     berg.disc.for_each_piece(move.t0_s, move.t1_s, [&](const motion::MovingDisc& disc) {
       const auto distance_m = motion::least_distance(move, disc);
       if (!distance_m) return false;
       const DriftingDisc::Hull hull = berg.disc.hull(std::max(disc.t0_s, move.t0_s));
       const core::Metres clear{(*distance_m - hull.radius_m) / hull.scale};
-      if (!least || clear < *least) least = clear;
+      if (!least || clear < least->distance) least = NearestHull{i, clear};
       return false;
     });
   }

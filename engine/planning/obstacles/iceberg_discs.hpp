@@ -68,9 +68,13 @@ class IcebergDiscs {
   /// Empty without icebergs.
   [[nodiscard]] std::optional<Nearest> nearest(geo::PlanePoint point, core::Seconds time) const;
 
-  /// Least distance on the ground, over all times of the move, from any hull (half the length at the forecast
-  /// place, without margin and error), negative inside; empty without icebergs.
-  [[nodiscard]] std::optional<core::Metres> distance_from_hulls(const motion::EvenMove& move) const;
+  /// The hull (half the length at the forecast place, without margin and error) that a move comes nearest to.
+  struct NearestHull {
+    std::size_t berg{};
+    core::Metres distance;  // on the ground, negative inside
+  };
+  /// Over all times of the move; empty without icebergs.
+  [[nodiscard]] std::optional<NearestHull> nearest_hull(const motion::EvenMove& move) const;
 
   /// How often, on the average over the errors of the positions, a vehicle on this move comes within the margin of a
   /// hull: what remains beside the discs, because they do not cover every error. The error counts in full, not only

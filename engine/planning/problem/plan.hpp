@@ -61,6 +61,8 @@ struct SearchStatistics {
 /// Least distances along the whole route; empty where nothing of the kind is known.
 struct Clearances {
   std::optional<core::Metres> iceberg;  // from the hull's edge, not from the centre
+  std::string
+      nearest_iceberg{};  // its name; empty: it has none, or a version made the plan that did not store it
   std::optional<core::Metres> land;
   std::optional<core::Metres> bottom;  // from the deepest point of the dive to the sea bed
 };

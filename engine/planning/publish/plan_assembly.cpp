@@ -40,17 +40,19 @@ void for_each_sample(const std::vector<geo::PlanePoint>& route, Visit&& visit) {
   }
 }
 
-/// The least distance from the hulls at their forecast places when the vehicle passes.
-std::optional<core::Metres> iceberg_clearance(const cost::Sea& sea, const std::vector<geo::PlanePoint>& route,
-                                              const cost::Schedule& schedule,
-                                              const std::vector<vehicle::Drive>& drives) {
-  std::optional<core::Metres> least;
-  if (sea.domain().icebergs().empty()) return least;
+/// The iceberg whose hull, at its forecast place when the vehicle passes, the route comes nearest to, and how near.
+void add_iceberg_clearance(Clearances& clearances, const cost::Sea& sea,
+                           const std::vector<geo::PlanePoint>& route, const cost::Schedule& schedule,
+                           const std::vector<vehicle::Drive>& drives) {
+  if (sea.domain().icebergs().empty()) return;
+  std::optional<obstacles::IcebergDiscs::NearestHull> least;
   for_each_move(sea, route, schedule, drives, [&](std::size_t, const motion::EvenMove& move) {
-    const auto nearest = sea.domain().icebergs().distance_from_hulls(move);
-    if (nearest && (!least || *nearest < *least)) least = nearest;
+    const auto nearest = sea.domain().icebergs().nearest_hull(move);
+    if (nearest && (!least || nearest->distance < least->distance)) least = nearest;
   });
-  return least;
+  if (!least) return;
+  clearances.iceberg = least->distance;
+  clearances.nearest_iceberg = sea.domain().icebergs().name(least->berg);
 }
 
 /// Expected encounters with icebergs whose positions are not known well, leg by leg and in all.
@@ -291,7 +293,7 @@ Plan assemble_plan(const cost::Sea& sea, const ocean::Environment& environment, 
     }
     plan.waypoints.push_back(waypoint);
   }
-  plan.clearances.iceberg = iceberg_clearance(sea, route, schedule, drives);
+  add_iceberg_clearance(plan.clearances, sea, route, schedule, drives);
   add_iceberg_encounters(plan, sea, route, schedule, drives);
   plan.energy = PlanEnergy{.use = drawn, .usable = request.vehicle.energy.usable()};
   plan.clearances.bottom = bottom_clearance(sea, environment, request, route);

@@ -357,6 +357,23 @@ TEST(PlanBrief, TellsWhereThePlanIsBelowIceAndMaySurface) {
   EXPECT_THAT(unknown, Not(HasSubstr("below ice")));
 }
 
+TEST(PlanBrief, NamesTheNearestIcebergTheEncountersAndTheSafePlaces) {
+  planning::Plan plan = two_legs();
+  plan.clearances.iceberg = core::Metres{812.0};
+  plan.clearances.nearest_iceberg = "B-17";
+  plan.iceberg_encounters = 0.034;
+  BriefNotes notes{.plan_id = "p-01", .name = "", .messages = {}};
+  notes.safe_places = {{-53.2, 69.2}, {-53.0, 69.0}};
+
+  const auto facts = brief_facts(plan, notes);
+
+  EXPECT_THAT(facts, testing::Contains(HasSubstr("Clear of icebergs by 812 m (B-17), of land")));
+  EXPECT_THAT(facts, testing::Contains("Expected encounters with icebergs: 0.03."));
+  EXPECT_THAT(facts,
+              testing::Contains("Safe places: R1 69 12.000 N, 53 12.000 W; R2 69 00.000 N, 53 00.000 W."));
+  EXPECT_THAT(plan_document(plan, "p-01", "").at("clearances").at("iceberg_id"), "B-17");
+}
+
 TEST(PlanBrief, GroupsItsMessagesByRankWithTheirPlaces) {
   planning::Plan plan = two_legs();
   plan.messages = {messages::plan_message<"search-cut-short">(),
@@ -448,7 +465,7 @@ TEST(PlanBrief, TellsHoldsInWordsAndOnTheMap) {
 
   const MapPicture picture = draw_map(plan, {}, {}, 720.0, 420.0);
 
-  EXPECT_THAT(brief_facts(plan), testing::Contains("Hold 2 h 40 min at waypoint 1."));
+  EXPECT_THAT(brief_facts(plan, {}), testing::Contains("Hold 2 h 40 min at waypoint 1."));
   EXPECT_EQ(picture.waypoints.at(1).text, "1 hold 2 h 40 min");
 }
 

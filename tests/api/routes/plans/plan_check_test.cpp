@@ -57,6 +57,16 @@ TEST_F(PlanCheckTest, ADangerOfThePlanIsConfirmedAlthoughTheNewestDataDoNotRepea
   EXPECT_EQ(confirmed.status, 200) << confirmed.body;
 }
 
+/// No vehicle flies the page, and it prints the dangers.
+TEST_F(PlanCheckTest, TheBriefOfADangerousPlanIsHandedOutAndTellsItsDangersAndTheSafePlaces) {
+  const auto brief = ask("GET", std::string{stored} + "/mission.html?safe=-53.2,69.2");
+  EXPECT_EQ(brief.status, 200) << brief.body;
+  EXPECT_THAT(brief.body, HasSubstr("ce lies above the start"));
+  EXPECT_THAT(brief.body, HasSubstr("Safe places: R1 69 12.000 N, 53 12.000 W."));
+  EXPECT_EQ(ask("GET", std::string{stored} + "/mission.html?safe=here").status, 400);
+  EXPECT_EQ(ask("GET", std::string{stored} + "/mission.gpx?safe=-53.2,69.2").status, 400) << "not of a page";
+}
+
 TEST_F(PlanCheckTest, TheCheckTellsADangerOfThePlanOnceAndNotAsOneOfTheNewestData) {
   const json document = json_of(ask("GET", std::string{stored} + "/check"));
 

@@ -78,7 +78,8 @@ TEST(IcebergDiscs, ThatStandKeepHalfTheLengthTheStatedErrorAndTheMargin) {
   EXPECT_TRUE(discs.standing());
   EXPECT_TRUE(discs.touched({eastwards(899.0), eastwards(899.0), 0.0, 0.0}));
   EXPECT_FALSE(discs.touched({eastwards(901.0), eastwards(901.0), 0.0, 1e6}));
-  EXPECT_NEAR(discs.distance_from_hulls({eastwards(901.0), eastwards(2000.0), 0.0, 1.0})->value, 801.0, 0.1);
+  EXPECT_NEAR(discs.nearest_hull({eastwards(901.0), eastwards(2000.0), 0.0, 1.0})->distance.value, 801.0,
+              0.1);
 }
 
 /// Pilots are told metres on the ground, wherever the iceberg has drifted to on the plane.
