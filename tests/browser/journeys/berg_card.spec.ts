@@ -1,6 +1,7 @@
 import type { APIRequestContext } from '@playwright/test';
 import { expectAccessible } from '../support/accessible';
-import { expect, open, pixelOf, test, type LonLat } from '../support/page';
+import { expect, mapAtRest, open, pixelOf, planByTyping, test, type LonLat } from '../support/page';
+import { findPlaces } from '../support/places';
 
 interface Berg {
   geometry: { coordinates: LonLat };
@@ -30,6 +31,22 @@ test('a click on an iceberg opens its card with source, size, keel, history and 
   await page.locator('#map').focus();
   await page.keyboard.press('Escape');
   await expect(card).toHaveCount(0);
+});
+
+test('the figure of the nearest iceberg names it and leads to its card', async ({ page, request }) => {
+  const { start, goal } = await findPlaces(request);
+  await open(page);
+  await planByTyping(page, start, goal);
+  const before = await page.locator('#map').getAttribute('data-view');
+  const figure = page.getByRole('complementary', { name: 'Waypoints' }).getByTitle(/^Show iceberg /);
+  const name = await figure.locator('small').innerText();
+  await figure.click();
+  const card = page.getByRole('region', { name: `Iceberg ${name}` });
+  await expect(card).toContainText('forecast error ±');
+  await expect(card).toContainText('Kept clear');
+  await mapAtRest(page);
+  expect(await page.locator('#map').getAttribute('data-view')).not.toBe(before);
+  await expectAccessible(page);
 });
 
 test('the probe leads to the keel of the nearest iceberg', async ({ page, request }) => {

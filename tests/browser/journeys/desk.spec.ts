@@ -92,9 +92,12 @@ test('plans are compared, and one of them is the baseline', async ({ page, reque
   const depart = page.getByRole('textbox', { name: /^Departure/ });
   const later = new Date(Date.parse(`${(await depart.inputValue()).replace(' ', 'T')}:00Z`) + 6 * 3_600_000);
   await depart.fill(later.toISOString().slice(0, 16).replace('T', ' '));
+  await page.getByLabel('Iceberg margin').fill('800');
   await planByTyping(page, start, goal);
   await page.getByRole('button', { name: /^Plans/ }).click();
   await page.getByRole('button', { name: /^Compare/ }).click();
+  const settings = page.getByRole('region', { name: 'Settings that differ, a row each' });
+  await expect(settings.getByRole('row')).toHaveText([/^Setting/, /^Iceberg margin500 m800 m$/]);
   const table = page.getByRole('region', { name: 'Comparison table' });
   await expect(table.locator('.difference').first()).toBeVisible();
   await table.getByRole('radio').last().check();

@@ -22,6 +22,17 @@ test('a plan is previewed as the glider will read it, and downloaded', async ({ 
   await dialog.getByLabel(/^Number of the waypoint list/).fill('27');
   await expect(dialog.getByText('goto_l27.ma').first()).toBeVisible();
 
+  const asked: string[] = [];
+  page.on('request', (one) => {
+    if (one.url().includes('/mission?')) asked.push(one.url());
+  });
+  await dialog.getByLabel('Files for the vehicle').selectOption('full');
+  await dialog.getByLabel(/^Mission name/).pressSequentially('kangia');
+  await expect(dialog.getByRole('button', { name: 'kangia.mi' })).toBeVisible();
+  expect(asked.length, 'one for the choice of files, few for what is typed').toBeLessThanOrEqual(3);
+  await dialog.getByLabel('Files for the vehicle').selectOption('lists');
+  await expect(dialog.getByText('goto_l27.ma').first()).toBeVisible();
+
   for (const [button, ending] of [['Mission files (.zip)', 'zip'], ['GPX', 'gpx'], ['KML', 'kml'], ['GeoJSON', 'geojson'], ['CSV', 'csv'], ['Brief (PDF)', 'pdf']] as const) {
     const waiting = page.waitForEvent('download');
     await dialog.getByRole('link', { name: button, exact: true }).click();
@@ -37,6 +48,10 @@ test('a plan is previewed as the glider will read it, and downloaded', async ({ 
   await expect(rows.getByRole('row').nth(2)).toHaveText(/^11goto_l27\.ma0$/);
   await page.keyboard.press('Escape');
   await expect(dialog).toBeHidden();
+
+  const brief = page.waitForEvent('download');
+  await page.getByRole('link', { name: 'Brief', exact: true }).click();
+  expect((await brief).suggestedFilename()).toMatch(/\.html$/);
 });
 
 test('a plan is exported with the keyboard alone', { tag: '@long' }, async ({ page, request }) => {

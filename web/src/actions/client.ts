@@ -4,7 +4,7 @@ import type { Flight, SimulateInputs, Simulation, SimulationSummary } from '../c
 import { decodeGrid, type Grid } from '../geo/grid';
 import type { IcebergChoice } from '../model/setup/iceberg_choice';
 import type { Caller } from '../model/login';
-import type { ExportQuery } from '../model/plan/export_options';
+import { pairs, type ExportQuery } from '../model/plan/export_options';
 import { address, ApiError, dangersIn, faultsOf, json, noteRefusal, request, silence, wordsOf } from './http';
 
 export { ApiError, dangersIn, faultsOf, wordsOf };
@@ -136,6 +136,10 @@ export type ExportFormat = 'zip' | 'gpx' | 'kml' | 'geojson' | 'csv' | 'nmea' | 
 /** Where the browser downloads a plan from; `query` is of the archive of mission files alone. */
 export const downloadAddress = (planId: string, format: ExportFormat, query: ExportQuery, accept: boolean): string =>
   address(`/collections/plans/items/${encodeURIComponent(planId)}/mission.${format}`, { ...(format === 'zip' ? query : {}), ...accepted(accept) });
+
+/** The page to print; `safe`: the safe places of the export, which the page lists. */
+export const briefAddress = (planId: string, safe: Position[]): string =>
+  address(`/collections/plans/items/${encodeURIComponent(planId)}/mission.html`, { safe: safe.length > 0 ? pairs(safe) : undefined });
 
 /** The place to a decimetre. The datasets chosen count alone for their kinds. */
 export const probe = ([lon, lat]: Position, time: string, choice: Partial<IcebergChoice>): Promise<Probe> => {

@@ -214,7 +214,7 @@ export interface Plan extends Told {
     stopped_by: 'converged' | 'evaluations' | 'time' | 'cancelled';
   } | null;
   leg_trade?: { legs: number; travel_time_s: number }[];
-  clearances: { iceberg_m: number | null; land_m: number | null; bottom_m: number | null };
+  clearances: { iceberg_m: number | null; iceberg_id?: string | null; land_m: number | null; bottom_m: number | null };
   datasets: DatasetRef[];
   sightings?: { as_of: string; max_age_days: number; oldest: string }; // which sightings of icebergs counted
   created?: string;

@@ -5,7 +5,7 @@ import { wrapLongitude } from '../geo/geodesic';
 import { project, projections } from '../geo/projections';
 import { visible } from '../model/layers';
 import { projection } from '../model/settings';
-import { view } from '../model/view';
+import { toolsReach_px, view } from '../model/view';
 import { palette } from '../theme/palette';
 import { CanvasLayer, type Frame } from './canvas_layer';
 
@@ -25,7 +25,7 @@ export function graticuleLayer(): CanvasLayer {
   effect(() => {
     layer.setVisible(visible.value.graticule);
   });
-  for (const cause of [view, palette, projection]) cause.subscribe(() => layer.changed());
+  for (const cause of [view, palette, projection, toolsReach_px]) cause.subscribe(() => layer.changed());
   return layer;
 }
 
@@ -74,10 +74,9 @@ function angleText(value: number, positive: string, negative: string, step_deg: 
   return step_deg >= 1 ? `${degrees}${letter}` : `${degrees}${String(minutes % 60).padStart(2, '0')}′${letter}`;
 }
 
-/** The map's tools stand at the upper left: labels go beside them. */
+/** Where the middle of a label stands beside the frame, or beside the map's tools where these would cover it. */
 const frameLeft_px = 24;
-const toolsWidth_px = 52;
-const toolsEnd_px = 206;
+const halfHeight_px = 8;
 
 /** Writes each label where its line meets the frame, and none over another. */
 class Labels {
@@ -93,8 +92,9 @@ class Labels {
 
   atLeft(line: [number, number][], text: string): void {
     const beside = crossing(line, 0, frameLeft_px);
-    const isHidden = beside !== undefined && beside < toolsEnd_px;
-    const x = isHidden ? frameLeft_px + toolsWidth_px : frameLeft_px;
+    const tools = toolsReach_px.peek();
+    const isHidden = beside !== undefined && beside < tools.bottom + halfHeight_px;
+    const x = isHidden ? frameLeft_px + tools.right : frameLeft_px;
     const y = isHidden ? crossing(line, 0, x) : beside;
     if (y !== undefined && y > 12 && y < this.frame.height - 40) this.write(x, y, text);
   }

@@ -10,6 +10,7 @@ export interface Settings {
   coordinates: CoordinateStyle;
   theme: 'light' | 'dark' | 'system';
   shortcuts: boolean;
+  legend?: boolean; // unfolded; until a person has chosen, by the room on the screen
 }
 
 const defaults: Settings = {

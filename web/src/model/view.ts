@@ -14,6 +14,9 @@ export interface View {
 export const view = signal<View | undefined>(undefined);
 export const pointer = signal<Position | undefined>(undefined);
 
+/** How far the tools at the map's upper left reach from that corner. The panel of the map sets it. */
+export const toolsReach_px = signal({ right: 0, bottom: 0 });
+
 /** The berg under the pointer. */
 export const hoveredBerg = signal<IcebergFeature | undefined>(undefined);
 

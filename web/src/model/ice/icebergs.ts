@@ -56,6 +56,9 @@ const keepOutRules = computed(() => {
   return { margin_m: metresIn(draft.value.margin_m, margin_m.usual), most_m: metresIn(draft.value.max_inflation_m, max_inflation_m.usual) };
 });
 
+/** The most of a position error that counts in the keep-out distance. */
+export const allowance_m = computed(() => keepOutRules.value.most_m);
+
 /** How far plans keep from where a berg is expected: hull, margin and the error that its position may have by then, up to the set-up's bound. */
 export function keepOut_m(safe_length_m: number, error_m: number): number {
   const { margin_m, most_m } = keepOutRules.value;

@@ -26,11 +26,14 @@ export const exportOptions = signal<{ plan_id: string; options: ExportOptions }>
 
 export const exportOptionsOf = (plan_id: string): ExportOptions => (exportOptions.value.plan_id === plan_id ? exportOptions.value.options : usualExport);
 
-/** The safe places that are typed or picked so far, for the map. */
-export const safePlaces = computed<Position[]>(() => {
-  const { plan_id, options } = exportOptions.value;
-  return options.set === 'full' && plan_id === selectedId.value ? placesIn(options.safe).places : [];
-});
+/** The safe places that are typed or picked so far for a plan. */
+export function safePlacesOf(plan_id: string): Position[] {
+  const { set, safe } = exportOptionsOf(plan_id);
+  return set === 'full' ? placesIn(safe).places : [];
+}
+
+/** Those of the selected plan, for the map. */
+export const safePlaces = computed<Position[]>(() => (selectedId.value === undefined ? [] : safePlacesOf(selectedId.value)));
 
 /** Adds a safe place to those of the export under way. */
 export function addSafePlace(place: string): void {
@@ -76,6 +79,9 @@ export interface ExportWish {
   faults: Partial<Record<keyof ExportOptions, string>>;
 }
 
+/** "lon,lat;lon,lat", to a decimetre. */
+export const pairs = (places: Position[]): string => places.map(([lon, lat]) => `${lon.toFixed(6)},${lat.toFixed(6)}`).join(';');
+
 const stated = (text: string): string | undefined => (text.trim() === '' ? undefined : text.trim());
 
 /** The parameters of the request that the chosen files have. The server refuses wrong values. */
@@ -93,6 +99,6 @@ export function exportWish({ set, number, mission, firmware, glider, safe, icebe
   const depth_m = stated(iceberg_depth_m);
   if (depth_m !== undefined && !(Number(depth_m) > 0)) faults.iceberg_depth_m = 'must be a depth in metres';
   if (depth_m !== undefined && places.length === 0) faults.iceberg_depth_m = 'is for work under ice, which needs safe places too';
-  const safePlaces = places.length > 0 ? places.map(([lon, lat]) => `${lon.toFixed(6)},${lat.toFixed(6)}`).join(';') : undefined;
+  const safePlaces = places.length > 0 ? pairs(places) : undefined;
   return { query: { number: first, full: true, mission: stated(mission), firmware: stated(firmware), safe: safePlaces, iceberg_depth_m: depth_m }, folder, faults };
 }

@@ -30,7 +30,7 @@ function Export({ plan }: { plan: Plan }): VNode {
   const options = exportOptionsOf(plan.plan_id);
   const wish = exportWish(options);
   const valid = Object.keys(wish.faults).length === 0;
-  const asked = JSON.stringify(wish.query);
+  const [asked, askNow] = useSettled(JSON.stringify(wish.query));
   const [preview, setPreview] = useState<MissionPreview | undefined>(undefined);
   const [faults, setFaults] = useState<string[]>([]);
   const [dangers, setDangers] = useState<string[]>([]);
@@ -40,7 +40,7 @@ function Export({ plan }: { plan: Plan }): VNode {
   useEffect(() => {
     if (!valid) return;
     let wanted = true;
-    mission(plan.plan_id, wish.query, accepted)
+    mission(plan.plan_id, JSON.parse(asked) as ExportQuery, accepted)
       .then((answer) => {
         if (!wanted) return;
         setPreview(answer);
@@ -64,7 +64,7 @@ function Export({ plan }: { plan: Plan }): VNode {
   const told = toldAtExport(plan, preview);
   return (
     <Modal title={`Export ${titleOf(plan)}`} guide="export" wide>
-      <div class="export-controls">
+      <div class="export-controls" onChange={askNow}>
         <Options options={options} faults={wish.faults} change={(part) => { exportOptions.value = { plan_id: plan.plan_id, options: { ...options, ...part } }; }} />
         <div class="downloads" role="group" aria-label="Downloads">
           <Download plan={plan} format="zip" query={{ ...wish.query, ...wish.folder }} title="Mission files (.zip)" accepted={accepted} closed={closed || !valid} primary />
@@ -94,6 +94,19 @@ function Export({ plan }: { plan: Plan }): VNode {
       <p class="hint">Not for navigation as it is: check the files before they fly.</p>
     </Modal>
   );
+}
+
+/** How long a text stays as it is before the server is asked. */
+const settled_ms = 300;
+
+/** The text once nobody has changed it for a moment, and at once when the function is called. */
+function useSettled(text: string): [string, () => void] {
+  const [settled, setSettled] = useState(text);
+  useEffect(() => {
+    const timer = setTimeout(() => setSettled(text), settled_ms);
+    return () => clearTimeout(timer);
+  }, [text]);
+  return [settled, () => setSettled(text)];
 }
 
 /** What the newest data say of the plan takes the place of what was said of the same when it was made. */

@@ -1,7 +1,7 @@
 import type { VNode } from 'preact';
 import { formatPosition } from '../../geo/coordinates';
 import { bergHistory, bergSource, expectedNow, forecastEnd_ms, openBerg, openBergId } from '../../model/ice/berg_card';
-import { sizeTitle } from '../../model/ice/icebergs';
+import { allowance_m, keepOut_m, sizeTitle } from '../../model/ice/icebergs';
 import { settings } from '../../model/settings';
 import { shortTime } from '../../model/time';
 import { depth, distance, none } from '../../model/units';
@@ -11,7 +11,7 @@ import { IconButton } from '../common/icon';
 export function BergCard(): VNode | null {
   const berg = openBerg.value;
   if (!berg) return null;
-  const { berg_id, observed, size, length_m, draft_m, position_uncertainty_m, method } = berg.properties;
+  const { berg_id, observed, size, length_m, safe_length_m, draft_m, position_uncertainty_m, method } = berg.properties;
   const history = bergHistory.value;
   const expected = expectedNow.value;
   const end_ms = forecastEnd_ms.value;
@@ -35,7 +35,12 @@ export function BergCard(): VNode | null {
         <dt>History</dt>
         <dd>{history?.berg_id === berg_id ? (history.sightings === 1 ? '1 sighting' : `${history.sightings} sightings since ${shortTime(Date.parse(history.from))}`) : '…'}</dd>
         <dt>Expected now</dt>
-        <dd>{expected ? position(expected.place) : none}{expected && <small>±{distance(expected.error_m)}</small>}</dd>
+        <dd>{expected ? position(expected.place) : none}{expected && <small>forecast error ±{distance(expected.error_m)}, not drawn</small>}</dd>
+        <dt>Kept clear</dt>
+        <dd>
+          {distance(keepOut_m(safe_length_m, position_uncertainty_m ?? 0))} <small>of the sighting: hull, margin and position error</small>
+          {expected && <>{distance(keepOut_m(safe_length_m, expected.error_m))} <small>of where it is expected (ring): the error counts up to {distance(allowance_m.value)}</small></>}
+        </dd>
         <dt>Forecast to</dt>
         <dd>{end_ms === undefined ? none : shortTime(end_ms)}</dd>
       </dl>

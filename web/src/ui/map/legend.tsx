@@ -1,4 +1,4 @@
-import { signal } from '@preact/signals';
+import { computed, signal } from '@preact/signals';
 import type { VNode } from 'preact';
 import { time_ms } from '../../model/clock';
 import { chosenBathymetry, chosenCurrents, chosenSeaIce, ofKind, vehicles } from '../../model/datasets';
@@ -11,18 +11,20 @@ import { crowd, validity_h } from '../../model/ice/icebergs';
 import { visible } from '../../model/layers';
 import { selectedShown, type ShownPlan } from '../../model/plan/plans';
 import { goToSeaIce, heldSeaIceStep_ms, iceEdge, nearestSeaIceStep_ms, seaIceLevels, surfacingLimit } from '../../model/ice/sea_ice';
+import { change, settings } from '../../model/settings';
 import { shortTime } from '../../model/time';
 import { gliderTracks } from '../../model/tracks';
 import { speedFigure, speedUnit } from '../../model/units';
 import { closedWaypoints, isLegBelowIce } from '../../model/ice/under_ice';
 import { belowIceDash, currentLimits_m_s, depthLimits_m, palette, planColour, seaIceHatches } from '../../theme/palette';
 
-/** Folded where the map is small, until a person unfolds it. */
+/** Folded where the map is small, until a person folds or unfolds it; what they chose is remembered. */
 const roomy = window.matchMedia('(min-width: 1100px) and (min-height: 780px)');
-const open = signal(roomy.matches);
+const hasRoom = signal(roomy.matches);
 roomy.addEventListener('change', ({ matches }) => {
-  open.value = matches;
+  hasRoom.value = matches;
 });
+const open = computed(() => settings.value.legend ?? hasRoom.value);
 
 /** What the colours and signs mean, with units. */
 export function Legend(): VNode | null {
@@ -36,7 +38,7 @@ export function Legend(): VNode | null {
   const plan = shown.plans && selectedShown.value;
   if (!depths && !currents && !ice && !chart && !bergs && !tracks) return null;
   return (
-    <details class="legend" open={open.value} onToggle={(event) => { open.value = event.currentTarget.open; }}>
+    <details class="legend" open={open.value} onToggle={(event) => { if (event.currentTarget.open !== open.peek()) change({ legend: event.currentTarget.open }); }}>
       <summary>Legend</summary>
       {depths && <Depths />}
       {currents && <Currents />}

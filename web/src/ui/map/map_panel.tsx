@@ -6,7 +6,7 @@ import { isSynthetic } from '../../model/datasets';
 import { drawnCorners, fewestCorners } from '../../model/drawing';
 import { currentsFault, isLoading } from '../../model/field';
 import { routeOf, selectedPlan } from '../../model/plan/plans';
-import { ask, tool, view } from '../../model/view';
+import { ask, tool, toolsReach_px, view } from '../../model/view';
 import { IconButton } from '../common/icon';
 import { UndoButtons } from '../common/undo_buttons';
 import { BergCard } from './berg_card';
@@ -51,8 +51,18 @@ export function MapPanel(): VNode {
 
 function Toolbar(): VNode {
   const plan = selectedPlan.value;
+  const box = useRef<HTMLDivElement>(null);
+  useEffect(() => {
+    const tools = box.current;
+    if (!tools) return;
+    const watch = new ResizeObserver(() => {
+      toolsReach_px.value = { right: tools.offsetLeft + tools.offsetWidth, bottom: tools.offsetTop + tools.offsetHeight };
+    });
+    watch.observe(tools);
+    return () => watch.disconnect();
+  }, []);
   return (
-    <div class="toolbar" role="toolbar" aria-label="Map tools" aria-orientation="vertical">
+    <div ref={box} class="toolbar" role="toolbar" aria-label="Map tools" aria-orientation="vertical">
       <IconButton icon="plus" label="Zoom in (+)" onClick={() => ask({ do: 'zoom', by: 1 })} />
       <IconButton icon="minus" label="Zoom out (−)" onClick={() => ask({ do: 'zoom', by: -1 })} />
       <IconButton icon="maximize" label="Fit the selected plan (F)" disabled={!plan} onClick={() => plan && ask({ do: 'fit', places: routeOf(plan) })} />

@@ -1,9 +1,13 @@
 import { signal } from '@preact/signals';
+import { useEffect, useState } from 'preact/hooks';
 import type { VNode } from 'preact';
+import { learnRequest } from '../../actions/plan_inputs';
 import type { DatasetKind } from '../../contract/data_types';
 import type { Plan } from '../../contract/types';
 import { ofRank } from '../../model/messages';
 import { baseline, baselineId, shownPlans, titleOf } from '../../model/plan/plans';
+import { settingRows } from '../../model/plan/settings_difference';
+import { requestOf } from '../../model/setup/requests';
 import { duration, shortTime } from '../../model/time';
 import { belowIce_m, belowIce_s, closedWaypoints, deepestTurn_m, turnFigure } from '../../model/ice/under_ice';
 import { distance, energy, none } from '../../model/units';
@@ -49,6 +53,10 @@ const columns: Column[] = [
   { title: 'Nearest iceberg', value: (plan) => plan.clearances.iceberg_m, ...metres },
   { title: 'Nearest land', value: (plan) => plan.clearances.land_m, ...metres },
   { title: 'Above sea bed', value: (plan) => plan.clearances.bottom_m, ...metres },
+  {
+    title: 'Iceberg encounters', value: ({ iceberg_encounters }) => iceberg_encounters ?? null, text: (value) => (value ?? 0).toFixed(2),
+    difference: (value) => signed(value, (size) => size.toFixed(2)),
+  },
   { title: 'Optimality gap', value: (plan) => plan.optimality_gap, ...shares },
   { title: 'Dangers', value: (plan) => ofRank(plan, 'danger').length, text: String, difference: (value) => signed(value, String) },
   { title: 'Cautions', value: (plan) => ofRank(plan, 'caution').length, text: String, difference: (value) => signed(value, String) },
@@ -112,8 +120,54 @@ export function CompareDialog(): VNode {
           </tbody>
         </table>
       </div>
+      <DifferingSettings />
       <p class="hint">Small figures are the difference to the baseline; the table scrolls to the right, to what each plan was made on.</p>
     </Modal>
+  );
+}
+
+/** The settings in which the plans differ, by the names of the set-up; the requests are asked of the server where they are not known. */
+function DifferingSettings(): VNode | null {
+  const compared = shownPlans.value;
+  const ids = compared.map(({ plan }) => plan.plan_id).join(' ');
+  const [learnt, setLearnt] = useState('');
+  useEffect(() => {
+    let wanted = true;
+    void Promise.all(ids.split(' ').map(learnRequest)).then(() => {
+      if (wanted) setLearnt(ids);
+    });
+    return () => {
+      wanted = false;
+    };
+  }, [ids]);
+  if (learnt !== ids) return <p class="quiet">Asking the server for the settings …</p>;
+  const known = compared.flatMap((shown) => {
+    const inputs = requestOf(shown.plan.plan_id);
+    return inputs ? [{ ...shown, inputs }] : [];
+  });
+  const rows = settingRows(known.map(({ inputs }) => inputs));
+  return (
+    <section aria-label="Settings that differ">
+      <h3>Settings that differ</h3>
+      {known.length < compared.length && <p class="hint">The settings of {compared.length - known.length} of {compared.length} plans are not known.</p>}
+      {rows.length === 0 ? <p class="quiet">None but those above.</p> : (
+        <div class="scroll-box" tabIndex={0} role="region" aria-label="Settings that differ, a row each">
+          <table class="figures">
+            <thead>
+              <tr>
+                <th scope="col">Setting</th>
+                {known.map(({ plan, letter, style }) => <th scope="col" key={plan.plan_id} title={titleOf(plan)}><PlanKey letter={letter} style={style} /></th>)}
+              </tr>
+            </thead>
+            <tbody>
+              {rows.map(({ name, label, values }) => (
+                <tr key={name}><th scope="row">{label}</th>{values.map((value, i) => <td key={known[i]?.plan.plan_id ?? i}>{value}</td>)}</tr>
+              ))}
+            </tbody>
+          </table>
+        </div>
+      )}
+    </section>
   );
 }
 

@@ -3,6 +3,7 @@ import type { Plan } from '../../contract/types';
 import { allHolds_s, holdsOf } from '../../model/plan/holds';
 import { duration, shortTime } from '../../model/time';
 import { belowIce_m, belowIce_s } from '../../model/ice/under_ice';
+import { showIceberg } from '../../model/ice/berg_card';
 import { distance, energy, none } from '../../model/units';
 
 interface Figure {
@@ -11,6 +12,7 @@ interface Figure {
   why?: (plan: Plan) => string; // shown when pointed at
   value?: (plan: Plan) => number | null; // compared with the plan the figures are set beside
   difference?: (value: number) => string;
+  iceberg?: (plan: Plan) => string | null; // that the figure is of; a press shows it
 }
 
 const share = (value: number): string => `${(100 * value).toFixed(1)} %`;
@@ -32,7 +34,13 @@ const figures: Figure[] = [
     value: allHolds_s,
     difference: duration,
   },
-  { title: 'Nearest iceberg', text: (plan) => distance(plan.clearances.iceberg_m), value: (plan) => plan.clearances.iceberg_m, difference: distance },
+  {
+    title: 'Nearest iceberg',
+    text: (plan) => distance(plan.clearances.iceberg_m),
+    value: (plan) => plan.clearances.iceberg_m,
+    difference: distance,
+    iceberg: (plan) => plan.clearances.iceberg_id ?? null,
+  },
   { title: 'Nearest land', text: (plan) => distance(plan.clearances.land_m), value: (plan) => plan.clearances.land_m, difference: distance },
   { title: 'Above sea bed', text: (plan) => distance(plan.clearances.bottom_m), value: (plan) => plan.clearances.bottom_m, difference: distance },
   {
@@ -104,12 +112,22 @@ export function Figures({ plan, beside, pending = false }: { plan: Plan; beside?
         <div key={figure.title} title={figure.why?.(plan)}>
           <dt>{figure.title}</dt>
           <dd>
-            {figure.text(plan)}
+            <FigureText figure={figure} plan={plan} />
             {beside && <Difference figure={figure} plan={plan} beside={beside} />}
           </dd>
         </div>
       ))}
     </dl>
+  );
+}
+
+function FigureText({ figure, plan }: { figure: Figure; plan: Plan }): VNode {
+  const berg_id = figure.iceberg?.(plan) ?? null;
+  if (berg_id === null) return <>{figure.text(plan)}</>;
+  return (
+    <button type="button" class="link" title={`Show iceberg ${berg_id} on the map`} onClick={() => showIceberg(berg_id, plan)}>
+      {figure.text(plan)} <small>{berg_id}</small>
+    </button>
   );
 }
 

@@ -1,4 +1,5 @@
 import type { VNode } from 'preact';
+import { briefAddress } from '../../actions/client';
 import { deletePlan } from '../../actions/deleting';
 import { editCopy } from '../../actions/plan_inputs';
 import type { Plan } from '../../contract/types';
@@ -6,6 +7,7 @@ import { edit, emptyDraft } from '../../model/setup/draft';
 import { editablePosition } from '../../geo/coordinates';
 import { may } from '../../model/login';
 import { routeOf, selectedShown, titleOf } from '../../model/plan/plans';
+import { safePlacesOf } from '../../model/plan/export_options';
 import { openEdit } from '../../model/plan/route_edit';
 import { dialog, leftTab, rightTab } from '../../model/screen';
 import { fieldOf } from '../../model/time';
@@ -48,7 +50,6 @@ export function WaypointsPanel(): VNode {
       <div class="result-head">
         <h2><PlanKey letter={letter} style={style} /> <span class="clamped" title={titleOf(plan)}>{titleOf(plan)}</span></h2>
         <IconButton icon="maximize" label="Fit the map to this plan" onClick={() => ask({ do: 'fit', places: routeOf(plan) })} />
-        <IconButton icon="refresh" label="Copy start, goal and departure into the set-up" onClick={() => reuse(plan)} />
         <IconButton icon="trash" label="Delete this plan" disabled={!may('pilot')} onClick={() => deletePlan(plan)} />
       </div>
       <StaleBox plan={plan} />
@@ -58,6 +59,8 @@ export function WaypointsPanel(): VNode {
       <RoleNote role="pilot" what="Changing a plan" />
       <div class="edit-save">
         <button type="button" disabled={!may('pilot')} onClick={() => void editCopy(plan)}><Icon name="edit" /> Edit copy</button>
+        <button type="button" title="Copy start, goal and departure into the set-up" onClick={() => reuse(plan)}><Icon name="refresh" /> Use these settings</button>
+        <a class="button" href={briefAddress(plan.plan_id, safePlacesOf(plan.plan_id))} download=""><Icon name="download" /> Brief</a>
         <button
           type="button" class="export-button"
           onClick={() => {

@@ -1,0 +1,62 @@
+import type { Position } from '../../contract/data_types';
+import type { PlanInputs } from '../../contract/types';
+import { formatPosition } from '../../geo/coordinates';
+import { formOf, numberFields, factorOf, timeFields, type NumberField } from '../fields';
+import { settings } from '../settings';
+import { shortTime } from '../time';
+import { none } from '../units';
+
+/** A setting in which plans differ: its name in the set-up, and what each plan was made with. */
+export interface SettingRow {
+  name: string;
+  label: string;
+  values: string[]; // one for each request, in their order
+}
+
+/** Told elsewhere in the comparison, or of no meaning for the route. */
+const leftOut = new Set(['name', 'remarks', 'vehicle', 'depart', 'depart_until', 'depart_step', 'alternatives', 'currents', 'ice', 'icebergs']);
+
+/** The members of a request by name; those of an object by both names with a dot. */
+function flat(inputs: PlanInputs): Map<string, unknown> {
+  const members = new Map<string, unknown>();
+  for (const [name, value] of Object.entries(inputs)) {
+    const inner = typeof value === 'object' && !Array.isArray(value) && name !== 'areas' && name !== 'goals_file' ? Object.entries(value as object) : [];
+    if (inner.length === 0) members.set(name, value);
+    for (const [part, of] of inner) members.set(`${name}.${part}`, of);
+  }
+  return members;
+}
+
+const isNumberField = (name: string): name is NumberField => (numberFields as readonly string[]).includes(name);
+
+/** A value in the words and the unit of the form; what a request leaves out is what the server takes then. */
+function shown(name: string, value: unknown): string {
+  const { unit, placeholder } = formOf(name);
+  const hasUnit = unit !== undefined && !/\d/.test(unit); // some tell the range beside the field
+  const withUnit = (text: string): string => (hasUnit && /^[\d.]/.test(text) ? `${text} ${unit}` : text);
+  if (value === undefined || value === null) return placeholder ? withUnit(placeholder) : none;
+  if (typeof value === 'boolean') return value ? 'yes' : 'no';
+  if (typeof value === 'number') return withUnit(String(Number((value / (isNumberField(name) ? factorOf(name) : 1)).toPrecision(8))));
+  if (typeof value === 'string') return (timeFields as readonly string[]).includes(name) ? shortTime(Date.parse(value)) : value;
+  if (isPosition(name, value)) return formatPosition(value, settings.value.coordinates);
+  if (Array.isArray(value)) return value.every((each) => typeof each !== 'object') ? value.join(' × ') : String(value.length);
+  const { features, name: called } = value as { features?: unknown[]; name?: string };
+  return features ? String(features.length) : (called ?? 'given');
+}
+
+const isPosition = (name: string, value: unknown): value is Position => (name === 'from' || name === 'to') && Array.isArray(value);
+
+/** Settings without a label in the table of request fields. */
+const own: Record<string, string> = { areas: 'Areas', goals_file: 'File with the goals' };
+
+/** One row for each setting that is not the same in all requests. */
+export function settingRows(requests: PlanInputs[]): SettingRow[] {
+  const all = requests.map(flat);
+  const names = [...new Set(all.flatMap((members) => [...members.keys()]))].filter((name) => !leftOut.has(name.split('.')[0] ?? ''));
+  return names.flatMap((name) => {
+    const values = all.map((members) => members.get(name));
+    if (new Set(values.map((value) => JSON.stringify(value ?? null))).size < 2) return [];
+    const texts = values.map((value) => shown(name, value));
+    return [{ name, label: formOf(name).label || own[name] || name, values: texts }];
+  });
+}

@@ -1,0 +1,32 @@
+import { describe, expect, it } from 'vitest';
+import type { PlanInputs } from '../../src/contract/types';
+import { settingRows } from '../../src/model/plan/settings_difference';
+
+const request = (more: Partial<PlanInputs>): PlanInputs => ({ from: [-52, 69], to: [-51, 69], ...more });
+
+describe('settings in which plans differ', () => {
+  it('have the labels and units of the set-up, and what the server takes where nothing is asked', () => {
+    const rows = settingRows([
+      request({ margin_m: 800, under_ice: { max_time_without_surfacing_s: 7200 }, name: 'first' }),
+      request({ under_ice: { max_time_without_surfacing_s: 14400 }, name: 'second' }),
+    ]);
+
+    expect(rows).toEqual([
+      { name: 'margin_m', label: 'Iceberg margin', values: ['800 m', '500 m'] },
+      { name: 'under_ice.max_time_without_surfacing_s', label: 'Max. time without surfacing', values: ['2 h', '4 h'] },
+    ]);
+  });
+
+  it('have places as degrees and minutes, and lists as their number', () => {
+    const rows = settingRows([request({ from: [-52.5, 69.25], via: [[-52, 69]] }), request({ from: [-52, 69], via: [[-52, 69], [-51.5, 69]] })]);
+
+    expect(rows.map(({ label, values }) => [label, ...values])).toEqual([
+      ['Start', '69°15.0′N 052°30.0′W', '69°00.0′N 052°00.0′W'], ['Via points', '1', '2'],
+    ]);
+  });
+
+  it('are not told where all plans have the same', () => {
+    expect(settingRows([request({ margin_m: 800 }), request({ margin_m: 800 }), request({ margin_m: 800 })])).toEqual([]);
+    expect(settingRows([request({ margin_m: 800 }), request({ margin_m: 900 }), request({ margin_m: 800 })])).toHaveLength(1);
+  });
+});
