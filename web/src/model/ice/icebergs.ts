@@ -65,12 +65,7 @@ export function keepOut_m(safe_length_m: number, error_m: number): number {
   return safe_length_m / 2 + margin_m + Math.min(error_m, most_m);
 }
 
-/**
- * Radii around a berg: half its safe length and the margin of the set-up; and the same with the stated uncertainty of
- * its position, which is what the planner keeps out of.
- */
-export function keepOutRadii_m(berg: IcebergProperties): { kept_m: number; uncertain_m: number } {
-  const margin_m = Number(draft.value.margin_m.replace(',', '.'));
-  const kept_m = berg.safe_length_m / 2 + (Number.isFinite(margin_m) && margin_m >= 0 ? margin_m : 0);
-  return { kept_m, uncertain_m: kept_m + (berg.position_uncertainty_m ?? 0) };
+/** Radii around a sighting: hull and margin alone, and with the error of its position as far as it counts, which plans keep clear of. */
+export function keepOutRadii_m({ safe_length_m, position_uncertainty_m }: IcebergProperties): { kept_m: number; uncertain_m: number } {
+  return { kept_m: keepOut_m(safe_length_m, 0), uncertain_m: keepOut_m(safe_length_m, position_uncertainty_m ?? 0) };
 }

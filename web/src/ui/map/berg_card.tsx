@@ -24,7 +24,7 @@ export function BergCard(): VNode | null {
         <dt>Seen</dt>
         <dd>
           {shortTime(Date.parse(observed))}
-          <small>{position(berg.geometry.coordinates)}{position_uncertainty_m === null ? '' : `, ±${distance(position_uncertainty_m)}`}</small>
+          <small>{position(berg.geometry.coordinates)}{position_uncertainty_m === null ? '' : `, position error ±${distance(position_uncertainty_m)}`}</small>
         </dd>
         <dt>Size</dt>
         <dd>{sizeTitle(size)}{length_m === null ? '' : `, ${distance(length_m)} long`}</dd>
@@ -35,11 +35,12 @@ export function BergCard(): VNode | null {
         <dt>History</dt>
         <dd>{history?.berg_id === berg_id ? (history.sightings === 1 ? '1 sighting' : `${history.sightings} sightings since ${shortTime(Date.parse(history.from))}`) : '…'}</dd>
         <dt>Expected now</dt>
-        <dd>{expected ? position(expected.place) : none}{expected && <small>forecast error ±{distance(expected.error_m)}, not drawn</small>}</dd>
+        <dd>{expected ? position(expected.place) : none}{expected && <small>forecast error ±{distance(expected.error_m)}</small>}</dd>
         <dt>Kept clear</dt>
         <dd>
-          {distance(keepOut_m(safe_length_m, position_uncertainty_m ?? 0))} <small>of the sighting: hull, margin and position error</small>
-          {expected && <>{distance(keepOut_m(safe_length_m, expected.error_m))} <small>of where it is expected (ring): the error counts up to {distance(allowance_m.value)}</small></>}
+          {distance(keepOut_m(safe_length_m, position_uncertainty_m ?? 0))} <small>of the sighting, as its rings: hull, margin and position error</small>
+          {expected && <>{distance(keepOut_m(safe_length_m, expected.error_m))} <small>of where it is expected, as the ring there: with the forecast error</small></>}
+          <small>Errors count up to {distance(allowance_m.value)}.</small>
         </dd>
         <dt>Forecast to</dt>
         <dd>{end_ms === undefined ? none : shortTime(end_ms)}</dd>
