@@ -25,6 +25,19 @@ describe('settings in which plans differ', () => {
     ]);
   });
 
+  it('have those of the vehicle by their own names', () => {
+    const rows = settingRows([request({ vehicle: { profile: 'slocum-g3-200', dive_depth_m: 150 } }), request({ vehicle: 'slocum-g3-200' })]);
+
+    expect(rows).toEqual([{ name: 'dive_depth_m', label: 'Dive depth', values: ['150 m', '–'] }]);
+  });
+
+  it('take what is null as not asked for', () => {
+    const none = { via: null, margin_m: null } as unknown as Partial<PlanInputs>;
+
+    expect(settingRows([request(none), request({})])).toEqual([]);
+    expect(settingRows([request(none), request({ margin_m: 800 })]).map(({ values }) => values)).toEqual([['500 m', '800 m']]);
+  });
+
   it('are not told where all plans have the same', () => {
     expect(settingRows([request({ margin_m: 800 }), request({ margin_m: 800 }), request({ margin_m: 800 })])).toEqual([]);
     expect(settingRows([request({ margin_m: 800 }), request({ margin_m: 900 }), request({ margin_m: 800 })])).toHaveLength(1);

@@ -14,15 +14,16 @@ export interface SettingRow {
 }
 
 /** Told elsewhere in the comparison, or of no meaning for the route. */
-const leftOut = new Set(['name', 'remarks', 'vehicle', 'depart', 'depart_until', 'depart_step', 'alternatives', 'currents', 'ice', 'icebergs']);
+const leftOut = new Set(['name', 'remarks', 'vehicle', 'profile', 'depart', 'depart_until', 'depart_step', 'alternatives', 'currents', 'ice', 'icebergs']);
 
-/** The members of a request by name; those of an object by both names with a dot. */
+/** The members of a request by name; those of an object by both names with a dot, those of the vehicle by their own, as in the set-up. */
 function flat(inputs: PlanInputs): Map<string, unknown> {
   const members = new Map<string, unknown>();
   for (const [name, value] of Object.entries(inputs)) {
-    const inner = typeof value === 'object' && !Array.isArray(value) && name !== 'areas' && name !== 'goals_file' ? Object.entries(value as object) : [];
+    const isGroup = typeof value === 'object' && value !== null && !Array.isArray(value) && name !== 'areas' && name !== 'goals_file';
+    const inner = isGroup ? Object.entries(value as object) : [];
     if (inner.length === 0) members.set(name, value);
-    for (const [part, of] of inner) members.set(`${name}.${part}`, of);
+    for (const [part, of] of inner) members.set(name === 'vehicle' ? part : `${name}.${part}`, of);
   }
   return members;
 }
