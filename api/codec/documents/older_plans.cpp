@@ -25,7 +25,9 @@ const json later_in_waypoint{{"current_east_m_s", nullptr},
                              {"propulsion", nullptr},
                              {"speed_through_water_m_s", nullptr},
                              {"wait_s", 0.0}};
-const json later_in_surfacing{{"nearest_ice_m", nullptr}};
+const json later_in_clearances{{"iceberg_id", nullptr}};
+const json later_in_surfacing{{"below_ice", nullptr}, {"below_ice_m", nullptr}, {"below_ice_s", nullptr}};
+const json later_in_planned{{"nearest_ice_m", nullptr}};
 const json later_in_escape{{"energy_j", 0.0}, {"propulsion", json::array()}};
 
 void complete(json& object, const json& later) {
@@ -37,10 +39,12 @@ void complete(json& object, const json& later) {
 json with_later_members(json document) {
   complete(document, later_in_plan);
   complete(document.at("search"), later_in_search);
+  complete(document.at("clearances"), later_in_clearances);
   for (json& waypoint : document.at("waypoints")) complete(waypoint, later_in_waypoint);
   json& surfacing = document.at("surfacing");
   if (surfacing.is_null()) return document;
-  for (json& planned : surfacing.at("planned")) complete(planned, later_in_surfacing);
+  complete(surfacing, later_in_surfacing);
+  for (json& planned : surfacing.at("planned")) complete(planned, later_in_planned);
   for (json& escape : surfacing.at("escapes")) complete(escape, later_in_escape);
   return document;
 }

@@ -184,7 +184,7 @@ planning::Plan parse_members(const json& document) {
                  .duration = core::Seconds{search.at("seconds").get<double>()}};
   plan.refinement = parse_refinement(document);
   const json& clearances = document.at("clearances");
-  const json nearest = clearances.value("iceberg_id", json());
+  const json& nearest = clearances.at("iceberg_id");
   plan.clearances = {.iceberg = metres_at(clearances, "iceberg_m"),
                      .nearest_iceberg = nearest.is_null() ? "" : nearest.get<std::string>(),
                      .land = metres_at(clearances, "land_m"),

@@ -81,7 +81,7 @@ json below_ice_json(const std::optional<std::vector<planning::StretchBelowIce>>&
 }
 
 std::optional<std::vector<planning::StretchBelowIce>> parse_below_ice(const json& surfacing) {
-  const json stretches = surfacing.value("below_ice", json());
+  const json& stretches = surfacing.at("below_ice");
   if (stretches.is_null()) return std::nullopt;
   const auto place = [](const json& at) {
     return geo::LonLat{at.at(0).get<double>(), at.at(1).get<double>()};
