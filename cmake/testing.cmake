@@ -20,6 +20,21 @@ function(floeplan_register_tests folder)
   endforeach()
 endfunction()
 
+# floeplan_register_server_tests(<folder> <filter> <parts>): the same tests of <folder>_test once more, with their stores at a
+# database server, named <folder>.server<part>. <filter> leaves out those that open no store of support::empty_store.
+function(floeplan_register_server_tests folder filter parts)
+  math(EXPR last "${parts} - 1")
+  foreach(part RANGE ${last})
+    set(name ${folder}.server${part})
+    add_test(NAME ${name} COMMAND ${PROJECT_SOURCE_DIR}/tests/support/at_database_server
+      $<TARGET_FILE:${folder}_test> --gtest_filter=${filter})
+    set(environment GTEST_TOTAL_SHARDS=${parts} GTEST_SHARD_INDEX=${part}
+      GTEST_OUTPUT=xml:${PROJECT_BINARY_DIR}/reports/${name}.xml
+      LSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/tests/support/leaks_of_libraries.txt)
+    set_tests_properties(${name} PROPERTIES ENVIRONMENT "${environment}" SKIP_RETURN_CODE 77)
+  endforeach()
+endfunction()
+
 function(floeplan_test folder)
   cmake_parse_arguments(PARSE_ARGV 1 TEST "" "" "SOURCES;LIBRARIES")
   add_executable(${folder}_test ${TEST_SOURCES})

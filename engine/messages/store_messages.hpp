@@ -52,6 +52,24 @@ inline constexpr auto store_kinds = std::to_array<Kind>({
     {.code = "no-database-version", .text = "the database does not tell its version"},
     {.code = "upload-not-written", .text = "the upload cannot be written to the disk"},
 
+    // A database that a server keeps.
+    {.code = "server-not-reached",
+     .text = "the database {name} cannot be reached ({detail})",
+     .hint = "make sure that its server runs and that this machine may connect to it",
+     .slots = {{{"name", "floeplan at db.example.org"}, {"detail", "Connection refused"}}}},
+    {.code = "server-database-damaged",
+     .text = "the database {name} is damaged ({detail})",
+     .hint = "restore a backup at its server",
+     .slots = {{{"name", "floeplan at db.example.org"}, {"detail", "invalid page in block 17"}}}},
+    {.code = "transaction-undone",
+     .text = "the database {name} has undone a change before its end",
+     .hint = "try again",
+     .slots = {{{"name", "floeplan at db.example.org"}}}},
+    {.code = "server-keeps-files",
+     .text = "a server keeps the database {name}: it has no file here",
+     .hint = "use that server's own backups and checks",
+     .slots = {{{"name", "floeplan at db.example.org"}}}},
+
     // The folder of the store.
     {.code = "store-folder-not-made",
      .text = "the folder {folder} cannot be created: {why}",

@@ -15,6 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 
 int back_up(const fs::path& file, const Program& program) {
+  refuse_store_at_server(program);
   if (!fs::exists(sql::database_in(program.store)))
     return complain<"no-store-to-keep">(could_not, program.store.string());
   auto db = repository::open_store(program.store);
@@ -28,6 +29,7 @@ std::string words_for_kept(const fs::path& kept) {
 }
 
 int restore(const fs::path& file, const Program& program) {
+  refuse_store_at_server(program);
   if (!fs::exists(file)) return complain<"no-backup-file">(could_not, file.string());
   const repository::StoreLock lock{program.store};
   try {

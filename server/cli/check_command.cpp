@@ -79,7 +79,7 @@ tl::expected<std::vector<mission::Document>, core::Violations> judged(const Chec
     start = parse_place(*flags.from);
     if (!start) throw flag_fault<"not-lon-lat">("--from", *flags.from, "--from");
   }
-  auto db = repository::open_store(program.store);
+  auto db = open_store(program);
   core::Violations faults;
   if (!inputs.empty() || start) faults = service::check_flight(db, inputs, start, documents);
   if (faults.empty() && flags.plan) faults = service::compare_with_plan(db, *flags.plan, documents);

@@ -49,6 +49,7 @@ void print_damage(const repository::Damage& damage) {
 }
 
 int verify(bool as_json, const Program& program) {
+  refuse_store_at_server(program);
   auto db = open_existing_store(program);
   const auto damage = repository::find_damage(db, terminal_progress());
   if (as_json)
@@ -59,6 +60,7 @@ int verify(bool as_json, const Program& program) {
 }
 
 int repair(bool as_json, const Program& program) {
+  refuse_store_at_server(program);
   if (!std::filesystem::exists(sql::database_in(program.store)))
     return complain<"no-store-to-keep">(could_not, program.store.string());
   const repository::StoreLock lock{program.store};

@@ -68,7 +68,7 @@ int run_ingest(const IngestFlags& flags, const Program& program) {
   }
   if (flags.kind != "auto") options.kind = repository::parse_kind(flags.kind);
 
-  auto db = repository::open_store(program.store);
+  auto db = open_store(program);
   int exit_code = done;
   const auto tell = [&](const ingest::IngestReport& report) {
     if (report.status == ingest::IngestStatus::refused) exit_code = bad_data;

@@ -13,6 +13,7 @@
 #include "server/manual/help_format.hpp"
 #include "server/manual/manual_commands.hpp"
 #include "server/manual/usage_fault.hpp"
+#include "storage/sql/store_address.hpp"
 
 namespace floeplan::cli {
 namespace {
@@ -75,6 +76,15 @@ void add_everything(CLI::App& app, Program& program) {
   program.store = default_store();
   app.add_option("--data", program.store,
                  "Folder of the store; default: floeplan in $XDG_DATA_HOME, or in ~/.local/share");
+  app.add_option_function<std::string>(
+      "--store",
+      [&program](const std::string& text) {
+        const auto address = sql::parse_store_address(text);
+        if (!address) throw flag_fault<"no-store-address">("--store", text, sql::store_address_forms);
+        if (address->folder) program.store = *address->folder;
+        program.server = address->server;
+      },
+      std::string{"Where the store is: "} + sql::store_address_forms + "; a password belongs into ~/.pgpass");
   app.add_option("--log-level", program.log_level, "Level of a server's log on stderr")
       ->check(CLI::IsMember({"debug", "info", "warning", "error", "off"}))
       ->capture_default_str();

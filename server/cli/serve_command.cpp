@@ -69,6 +69,7 @@ void add_serve(CLI::App& app, Program& program) {
                     "Ingest files even where this machine cannot confine the processes that read them");
   command->callback([options, &program] {
     options->store = program.store;
+    options->server = program.server;
     options->log_level = program.log_level;
     options->reread = program.reread_serve;
     program.exit_code = program.serve(*options);

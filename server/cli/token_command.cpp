@@ -42,7 +42,7 @@ int add_token(const TokenFlags& flags, const Program& program) {
                           .key = credential.key,
                           .digest = codec::digest_of(credential),
                           .created = now()};
-  auto db = repository::open_store(program.store);
+  auto db = open_store(program);
   if (!TokenRepository{db}.add(token)) {
     return complain<"token-exists">(could_not, flags.name);
   }

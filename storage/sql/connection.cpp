@@ -1,5 +1,6 @@
 #include "storage/sql/connection.hpp"
 
+#include "storage/sql/postgresql/server_driver.hpp"
 #include "storage/sql/sqlite/sqlite_driver.hpp"
 
 namespace floeplan::sql {
@@ -10,6 +11,10 @@ Connection Connection::open(const std::filesystem::path& store) {
 
 Connection Connection::open_scratch(const std::filesystem::path& folder) {
   return Connection{sqlite::SqliteDriver::open_scratch(folder)};
+}
+
+Connection Connection::open_at_server(const std::string& address) {
+  return Connection{postgresql::ServerDriver::open(address)};
 }
 
 Connection Connection::in_memory() { return Connection{sqlite::SqliteDriver::in_memory()}; }

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <string>
 #include <utility>
 
 #include "storage/sql/driver/driver.hpp"
@@ -22,9 +23,12 @@ class Connection {
   /// Opens (and creates) a database in `folder` for data that are thrown away when anything goes wrong: nothing waits for
   /// the disk, and nobody else may have it open for writing.
   [[nodiscard]] static Connection open_scratch(const std::filesystem::path& folder);
+  /// Opens a database that a server keeps. `address`  "postgresql://user@host/database?...", as its client library takes it
+  [[nodiscard]] static Connection open_at_server(const std::string& address);
   /// A private database in memory, for tests.
   [[nodiscard]] static Connection in_memory();
 
+  [[nodiscard]] Engine engine() const { return driver_->engine(); }
   [[nodiscard]] Driver& driver() { return *driver_; }
 
  private:

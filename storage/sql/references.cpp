@@ -6,7 +6,10 @@
 
 namespace floeplan::sql {
 
-void defer_references(Connection& db) { execute(db, "PRAGMA defer_foreign_keys = ON"); }
+void defer_references(Connection& db) {
+  execute(db,
+          db.engine() == Engine::server ? "SET CONSTRAINTS ALL DEFERRED" : "PRAGMA defer_foreign_keys = ON");
+}
 
 WithoutReferences::WithoutReferences(Connection& db) : db_{db} { execute(db_, "PRAGMA foreign_keys = OFF"); }
 

@@ -4,15 +4,28 @@
 
 #include "storage/sql/sqlite/database_files.hpp"
 #include "storage/sql/statement.hpp"
+#include "storage/sql/tables.hpp"
 
 namespace floeplan::sql {
 
 std::int64_t schema_number(Connection& db) {
+  if (db.engine() == Engine::server) {
+    if (!has_table(db, "store_schema")) return 0;
+    Statement query{db, "SELECT number FROM store_schema"};
+    return query.step() ? query.integer(0) : 0;
+  }
   Statement query{db, "PRAGMA user_version"};
   return query.step() ? query.integer(0) : 0;
 }
 
 void set_schema_number(Connection& db, std::int64_t number) {
+  if (db.engine() == Engine::server) {
+    execute(db,
+            "CREATE TABLE IF NOT EXISTS store_schema (number bigint NOT NULL); DELETE FROM store_schema; "
+            "INSERT INTO store_schema VALUES (" +
+                std::to_string(number) + ")");
+    return;
+  }
   execute(db, "PRAGMA application_id = " + std::to_string(sqlite::application_id));
   execute(db, "PRAGMA user_version = " + std::to_string(number));
 }

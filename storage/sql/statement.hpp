@@ -6,12 +6,20 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <type_traits>
 #include <utility>
 
 #include "engine/core/units.hpp"
 #include "storage/sql/connection.hpp"
 
 namespace floeplan::sql {
+
+class Statement;
+
+/// Runs an INSERT that returns one whole number, such as the new row's, to its end.
+/// Returns  that number
+/// Errors   Failure when it inserts nothing
+[[nodiscard]] std::int64_t inserted_number(Statement& insert);
 
 /// Runs a script of several statements that take no values and give no rows.
 void execute(Connection& db, const std::string& script);
@@ -42,6 +50,15 @@ class Row {
   std::unique_ptr<PreparedStatement> prepared_;
 };
 
+/// The type of the column that keeps a value of a type of ours.
+template <class T>
+constexpr ColumnType column_type_of() {
+  if constexpr (std::is_integral_v<T>) return ColumnType::integer;
+  if constexpr (std::is_floating_point_v<T> || std::is_same_v<T, core::UtcTime>) return ColumnType::real;
+  if constexpr (std::is_convertible_v<T, std::span<const std::byte>>) return ColumnType::blob;
+  return ColumnType::text;
+}
+
 /// One prepared statement, and the row at which it stands. Parameters count from 1.
 /// Edges    an empty optional is NULL; text and blobs are copied when bound
 /// Threads  as the connection: one thread at a time
@@ -56,14 +73,14 @@ class Statement : public Row {
   void bind(int parameter, double value);
   void bind(int parameter, core::UtcTime value) { bind(parameter, core::unix_seconds(value)); }
   void bind(int parameter, std::span<const std::byte> value) { prepared_->bind(parameter, value); }
-  void bind_null(int parameter) { prepared_->bind_null(parameter); }
+  void bind_null(int parameter, ColumnType type) { prepared_->bind_null(parameter, type); }
 
   template <class T>
   void bind(int parameter, const std::optional<T>& value) {
     if (value) {
       bind(parameter, *value);
     } else {
-      bind_null(parameter);
+      bind_null(parameter, column_type_of<T>());
     }
   }
 

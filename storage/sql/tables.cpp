@@ -9,10 +9,11 @@ namespace floeplan::sql {
 namespace {
 
 ColumnType type_of(const std::string& declared) {
-  if (declared == "INTEGER" || declared == "INT") return ColumnType::integer;  // INT: the key of an R*Tree
-  if (declared == "REAL") return ColumnType::real;
-  if (declared == "TEXT") return ColumnType::text;
-  if (declared == "BLOB") return ColumnType::blob;
+  if (declared == "INTEGER" || declared == "INT" || declared == "bigint")  // INT: the key of an R*Tree
+    return ColumnType::integer;
+  if (declared == "REAL" || declared == "double precision") return ColumnType::real;
+  if (declared == "TEXT" || declared == "text") return ColumnType::text;
+  if (declared == "BLOB" || declared == "bytea") return ColumnType::blob;
   throw std::logic_error{"a column of the type " + declared};
 }
 
@@ -24,7 +25,12 @@ std::string has_column(const std::string& schema, std::string_view column) {
 }  // namespace
 
 std::vector<Column> columns_of(Connection& db, const std::string& table) {
-  Statement query{db, "SELECT name, type FROM pragma_table_info(?1) ORDER BY cid"};
+  Statement query{
+      db, db.engine() == Engine::server
+              ? "SELECT column_name::text, data_type::text FROM information_schema.columns WHERE "
+                "table_schema = current_schema() AND table_name = ?1 AND is_generated = 'NEVER' ORDER BY "
+                "ordinal_position"
+              : "SELECT name, type FROM pragma_table_info(?1) ORDER BY cid"};
   query.bind(1, table);
   std::vector<Column> columns;
   while (query.step()) columns.push_back({query.text(0), type_of(query.text(1))});
@@ -32,7 +38,9 @@ std::vector<Column> columns_of(Connection& db, const std::string& table) {
 }
 
 bool has_table(Connection& db, const std::string& name) {
-  Statement query{db, "SELECT 1 FROM main.sqlite_schema WHERE type = 'table' AND name = ?1"};
+  Statement query{db, db.engine() == Engine::server
+                          ? "SELECT 1 FROM pg_tables WHERE schemaname = current_schema() AND tablename = ?1"
+                          : "SELECT 1 FROM main.sqlite_schema WHERE type = 'table' AND name = ?1"};
   query.bind(1, name);
   return query.step();
 }

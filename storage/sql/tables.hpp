@@ -10,8 +10,6 @@
 /// What tables a database has. `schema` is "main", or the name of an attached database.
 namespace floeplan::sql {
 
-enum class ColumnType { integer, real, text, blob };
-
 struct Column {
   std::string name;
   ColumnType type{};

@@ -7,9 +7,10 @@
 namespace floeplan::sql {
 
 // Savepoints may share a name: it always means the innermost.
-Transaction::Transaction(Connection& db) : db_{db}, outermost_{!db.driver().is_in_transaction()} {
+Transaction::Transaction(Connection& db, WriteTurn turn)
+    : db_{db}, outermost_{!db.driver().is_in_transaction()} {
   if (outermost_)
-    db_.driver().begin_writing();
+    db_.driver().begin_writing(turn);
   else
     execute(db_, "SAVEPOINT nested");
 }
@@ -25,7 +26,10 @@ Transaction::~Transaction() {
 
 void Transaction::commit() {
   if (finished_) throw std::logic_error{"the transaction is finished"};
-  execute(db_, outermost_ ? "COMMIT" : "RELEASE nested");
+  if (outermost_)
+    db_.driver().commit();
+  else
+    execute(db_, "RELEASE nested");
   finished_ = true;
 }
 

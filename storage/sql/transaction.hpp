@@ -11,7 +11,7 @@ namespace floeplan::sql {
 ///          second commit
 class Transaction {
  public:
-  explicit Transaction(Connection& db);
+  explicit Transaction(Connection& db, WriteTurn turn = WriteTurn::alone);
   Transaction(const Transaction&) = delete;
   Transaction& operator=(const Transaction&) = delete;
   ~Transaction();

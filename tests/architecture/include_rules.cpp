@@ -71,7 +71,8 @@ const std::map<std::string, Folder>& folders() {
       {"engine/simulation", {{"engine/simulation/logs"}}},
       {"storage/sql/driver", {{}}},
       {"storage/sql/sqlite", {{"storage/sql/driver", "engine/messages"}}},
-      {"storage/sql", {{"storage/sql/sqlite", "engine/core"}}},
+      {"storage/sql/postgresql", {{"storage/sql/driver", "engine/messages"}}},
+      {"storage/sql", {{"storage/sql/sqlite", "storage/sql/postgresql", "engine/core"}}},
       {"storage/json", {{}}},
       {"storage/repository/encoding", {{"storage/sql", "engine/geo"}}},
       {"storage/repository/store", {{"storage/repository/encoding"}}},
@@ -175,6 +176,7 @@ const std::vector<Library>& libraries() {
       {std::regex{"seccomp\\.h"}, {"storage/sandbox"}},
       {std::regex{"expat\\.h"}, {"storage/xml"}},
       {std::regex{"sqlite3.*|SQLiteCpp/.*"}, {"storage/sql/sqlite"}},
+      {std::regex{"libpq-fe\\.h"}, {"storage/sql/postgresql"}},
       {std::regex{"boost/(beast|asio).*|openssl/ssl.*"}, {"server"}},
   };
   return all;

@@ -29,10 +29,19 @@ std::filesystem::path default_store() {
   return "floeplan-data";
 }
 
+sql::Connection open_store(const Program& program) {
+  return program.server ? repository::open_store_at_server(*program.server)
+                        : repository::open_store(program.store);
+}
+
+void refuse_store_at_server(const Program& program) {
+  if (program.server) throw std::runtime_error{messages::command_text<"store-at-server">()};
+}
+
 sql::Connection open_existing_store(const Program& program) {
-  if (program.store != default_store() && !std::filesystem::exists(program.store))
+  if (!program.server && program.store != default_store() && !std::filesystem::exists(program.store))
     throw std::runtime_error{messages::command_text<"no-store">(program.store.string())};
-  return repository::open_store(program.store);
+  return open_store(program);
 }
 
 core::UtcTime now() { return std::chrono::time_point_cast<core::Seconds>(std::chrono::system_clock::now()); }

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -24,8 +25,10 @@ struct ServeOptions;
 
 /// What every subcommand shares. Subcommands are registered on the parser and set `exit_code` when they run.
 struct Program {
-  std::filesystem::path store;    // --data
-  std::string log_level{"info"};  // --log-level, of the lines that a server writes
+  std::filesystem::path
+      store;  // --data, or --store of a folder: holds the store, or what comes on its way to a server's
+  std::optional<std::string> server{};  // --store of a database server that keeps the store
+  std::string log_level{"info"};        // --log-level, of the lines that a server writes
   int exit_code{done};
   std::function<int(const ServeOptions&)> serve{};  // what the command serve runs
   std::function<ServeOptions()> reread_serve{};     // as ServeOptions says
@@ -40,9 +43,17 @@ class BadDataError : public std::runtime_error {
 /// Where the store lies when --data is not given: floeplan in the XDG data folder, else in ~/.local/share.
 [[nodiscard]] std::filesystem::path default_store();
 
+/// The store of a command that may create it.
+/// Errors   as `repository::open_store` and `repository::open_store_at_server`
+[[nodiscard]] sql::Connection open_store(const Program& program);
+
+/// Ends a command that works on a store's files where a database server keeps the store.
+/// Errors   std::runtime_error
+void refuse_store_at_server(const Program& program);
+
 /// The store of a command that asks for what is stored.
 /// Errors   std::runtime_error where --data names a folder that is not there: from a mistyped path a plan would be one
-///          through an empty sea; else as `repository::open_store`
+///          through an empty sea; else as `open_store`
 [[nodiscard]] sql::Connection open_existing_store(const Program& program);
 
 [[nodiscard]] core::UtcTime now();

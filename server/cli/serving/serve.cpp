@@ -24,6 +24,7 @@
 #include "storage/repository/store/migrations.hpp"
 #include "storage/repository/store/store_lock.hpp"
 #include "storage/repository/work/upload_repository.hpp"
+#include "storage/sql/right_to_serve.hpp"
 #include "storage/sql/store_file.hpp"
 #include "storage/sql/upkeep.hpp"
 
@@ -108,13 +109,43 @@ std::string without_slash(std::string url) {
   return url;
 }
 
+sql::Connection open_store(const ServeOptions& options) {
+  return options.server ? repository::open_store_at_server(*options.server)
+                        : repository::open_store(options.store);
+}
+
+/// The right to serve a store, and the watch over the files of one in a folder.
+class ServedStore {
+ public:
+  /// Errors   std::runtime_error where another process serves the store
+  explicit ServedStore(const ServeOptions& options) {
+    if (!options.server) {
+      lock_.emplace(options.store);
+      return;
+    }
+    std::filesystem::create_directories(options.store);
+    session_.emplace(open_store(options));
+    if (!sql::take_right_to_serve(*session_))
+      throw std::runtime_error{messages::command_text<"store-served-elsewhere">()};
+  }
+
+  void watch(const std::filesystem::path& store) {
+    if (lock_) watch_.emplace(store);
+  }
+
+ private:
+  std::optional<repository::StoreLock> lock_;
+  std::optional<sql::Connection> session_;  // holds the right at the database server
+  std::optional<StoreWatch> watch_;
+};
+
 /// Why the doors may not be opened like this, for a person; nothing when they may.
 std::optional<std::string> fault_of(const ServeOptions& options, const http::ListenAddress& address) {
   for (const std::string& site : options.allow_origins) {
     if (!routes::is_origin(site)) return messages::command_text<"no-origin">(site);
   }
   if (address.loopback && !options.behind_proxy) return std::nullopt;
-  auto db = repository::open_store(options.store);
+  auto db = open_store(options);
   const std::string others = options.behind_proxy ? "through a proxy" : "on " + address.host;
   if (!repository::TokenRepository{db}.any()) {
     return messages::command_text<"served-without-tokens">(others);
@@ -127,10 +158,12 @@ std::optional<std::string> fault_of(const ServeOptions& options, const http::Lis
 
 /// Looks at every page. What is damaged answers with an error from here on, and cannot be written over; all else is served.
 /// Returns  how many pages have changed
-std::size_t logged_damage(const std::filesystem::path& store) {
-  const bool is_new = !std::filesystem::exists(sql::database_in(store));
-  auto db = repository::open_store(store);
-  if (is_new) log::warn({"store new=\"", store.string(), "\" it was created, and holds nothing"});
+/// At a database server, which checks its pages itself, none
+std::size_t logged_damage(const ServeOptions& options) {
+  if (options.server) return 0;
+  const bool is_new = !std::filesystem::exists(sql::database_in(options.store));
+  auto db = open_store(options);
+  if (is_new) log::warn({"store new=\"", options.store.string(), "\" it was created, and holds nothing"});
   const std::size_t pages = sql::damaged_pages(db).size();
   if (pages > 0)
     log::error({"store damaged_pages=", std::to_string(pages),
@@ -140,8 +173,8 @@ std::size_t logged_damage(const std::filesystem::path& store) {
 }
 
 /// A server that nobody can ask says how to change that.
-void log_shut_doors(const std::filesystem::path& store) {
-  auto db = repository::open_store(store);
+void log_shut_doors(const ServeOptions& options) {
+  auto db = open_store(options);
   const repository::TokenRepository tokens{db};
   if (tokens.ever_any() && !tokens.any())
     log::warn(
@@ -165,10 +198,10 @@ routes::ReaderLayers logged_layers(const ingest::Guard& guard) {
 }
 
 void serve_until_stopped(const ServeOptions& options, const http::ListenAddress& address) {
-  const repository::StoreLock lock{options.store};
-  const std::size_t damaged_pages = logged_damage(options.store);
-  log_shut_doors(options.store);
-  const auto open_store = [store = options.store] { return repository::open_store(store); };
+  ServedStore served{options};
+  const std::size_t damaged_pages = logged_damage(options);
+  log_shut_doors(options);
+  const auto open_own = [&options] { return open_store(options); };
   jobs::JobBoard board;
   Api api;  // needs the port, so it is filled in once that is known
   const std::filesystem::path uploads = options.store / "uploads";
@@ -201,7 +234,7 @@ void serve_until_stopped(const ServeOptions& options, const http::ListenAddress&
                        .at_once = [&api](const routes::Request& request) { return api.at_once(request); }}};
   const std::string local = origin(address, server.port(), options.tls_cert.has_value());
   const bool secure = options.behind_proxy || options.tls_cert;
-  api = make_api(open_store, board,
+  api = make_api(open_own, board,
                  {.public_url = without_slash(options.public_url.value_or(local)),
                   .web = find_web(options),
                   .uploads = uploads,
@@ -219,10 +252,10 @@ void serve_until_stopped(const ServeOptions& options, const http::ListenAddress&
                   .origins = options.allow_origins});
   repository::UploadRepository{uploads}.remove_expired(now());
   ingest::StagingFolder::remove_abandoned(place.guard.staging);
-  jobs::WorkerPool workers{open_store, board, options.workers, place, options.time_limits};
-  const StoreWatch store_watch{options.store};
+  jobs::WorkerPool workers{open_own, board, options.workers, place, options.time_limits};
+  served.watch(options.store);
   std::optional<jobs::WatchedFolder> watched;
-  if (options.watch) watched.emplace(*options.watch, open_store, place.guard);
+  if (options.watch) watched.emplace(*options.watch, open_own, place.guard);
   std::cerr << "floeplan: serving " << local << '\n' << std::flush;
   server.run();
   workers.stop();

@@ -15,7 +15,9 @@ namespace floeplan::cli {
 
 /// What `floeplan serve` was told.
 struct ServeOptions {
-  std::filesystem::path store;           // the data folder, created when missing
+  std::filesystem::path store;  // the data folder, created when missing
+  std::optional<std::string>
+      server;  // address of the database server that keeps the store; empty: the folder does
   std::string listen{"127.0.0.1:8080"};  // ADDR:PORT; port 0: any free port
   std::size_t workers{1};                // interactive jobs of one owner at the same time
   jobs::TimeLimits time_limits{};

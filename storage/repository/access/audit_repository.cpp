@@ -1,5 +1,7 @@
 #include "storage/repository/access/audit_repository.hpp"
 
+#include <algorithm>
+
 #include "storage/sql/statement.hpp"
 #include "storage/sql/transaction.hpp"
 
@@ -12,9 +14,7 @@ std::int64_t AuditRepository::add(const AuditEntry& entry) {
       "INSERT INTO audit (at_s, caller, peer, action, target, request_id) VALUES (?1, ?2, ?3, ?4, ?5, ?6) "
       "RETURNING row"};
   insert.bind_all(entry.at, entry.caller, entry.peer, entry.action, entry.target, entry.request_id);
-  (void)insert.step();
-  const std::int64_t row = insert.integer(0);
-  (void)insert.step();  // to its end: a transaction with an open statement is not committed
+  const std::int64_t row = sql::inserted_number(insert);
   sql::Statement forget{db_, "DELETE FROM audit WHERE row <= (SELECT max(row) FROM audit) - ?1"};
   forget.bind(1, most_entries);
   forget.run();
@@ -31,8 +31,8 @@ void AuditRepository::restate(std::int64_t row, const std::string& target) {
 std::vector<AuditEntry> AuditRepository::list(std::int64_t before, int limit) const {
   sql::Statement query{db_,
                        "SELECT row, at_s, caller, peer, action, target, request_id FROM audit WHERE ?1 = 0 "
-                       "OR row < ?1 ORDER BY row DESC LIMIT max(?2, 0)"};
-  query.bind_all(before, limit);
+                       "OR row < ?1 ORDER BY row DESC LIMIT ?2"};
+  query.bind_all(before, std::max(limit, 0));
   std::vector<AuditEntry> entries;
   while (query.step()) {
     entries.push_back({.row = query.integer(0),

@@ -7,9 +7,9 @@ namespace {
 
 /// Adds up to whole numbers that an index of the owner has, so that no document is read.
 constexpr const char* stored_bytes =
-    "SELECT (SELECT coalesce(sum(file_size_bytes), 0) FROM dataset WHERE owner = ?1) + "
+    "SELECT CAST((SELECT coalesce(sum(file_size_bytes), 0) FROM dataset WHERE owner = ?1) + "
     "(SELECT coalesce(sum(stored_bytes), 0) FROM plan WHERE owner = ?1) + "
-    "(SELECT coalesce(sum(stored_bytes), 0) FROM simulation WHERE owner = ?1)";
+    "(SELECT coalesce(sum(stored_bytes), 0) FROM simulation WHERE owner = ?1) AS BIGINT)";
 
 }  // namespace
 

@@ -89,7 +89,7 @@ std::int64_t checked_integer(const std::string& column, std::int64_t value) {
 
 void bind_value(sql::Statement& insert, int parameter, const sql::Column& column, std::string_view& values) {
   const char is_there = number<char>(values);
-  if (is_there == 0) return insert.bind_null(parameter);
+  if (is_there == 0) return insert.bind_null(parameter, column.type);
   if (is_there != 1) throw BrokenParcel{"a value that is neither there nor absent"};
   switch (column.type) {
     case sql::ColumnType::integer:

@@ -9,8 +9,10 @@
 #include <thread>
 
 #include "engine/messages/store_messages.hpp"
+#include "storage/repository/datasets/copy_to_server.hpp"
 #include "storage/repository/datasets/dataset_row.hpp"
 #include "storage/repository/store/dataset_tables.hpp"
+#include "storage/repository/store/migrations.hpp"
 #include "storage/sql/attachment.hpp"
 #include "storage/sql/references.hpp"
 #include "storage/sql/statement.hpp"
@@ -204,6 +206,12 @@ void refuse_another_schema(sql::Connection& db) {
 }  // namespace
 
 std::vector<DatasetId> take_over_datasets(sql::Connection& db, const std::filesystem::path& folder) {
+  if (db.engine() == sql::Engine::server) {
+    sql::Connection reader = open_store_in_memory();
+    const sql::Attachment arrived{reader, sql::database_in(folder), "arrived"};
+    refuse_another_schema(reader);
+    return copy_to_server(reader, db);
+  }
   const sql::Attachment arrived{db, sql::database_in(folder), "arrived"};
   refuse_another_schema(db);
   remove_arrivals_of_the_dead(db);

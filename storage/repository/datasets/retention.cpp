@@ -54,10 +54,12 @@ std::vector<StoredSize> stored_sizes(sql::Connection& db) {
   std::vector<StoredSize> sizes;
   sql::Statement query{
       db,
-      "SELECT (SELECT coalesce(sum(length(samples)), 0) FROM field_chunk WHERE dataset_row = dataset.row) + "
+      "SELECT CAST((SELECT coalesce(sum(length(samples)), 0) FROM field_chunk WHERE dataset_row = "
+      "dataset.row) + "
       "(SELECT coalesce(sum(length(lons_deg) + length(lats_deg) + length(corners)), 0) FROM mesh_block WHERE "
       "dataset_row = dataset.row) + "
-      "(SELECT coalesce(sum(length(way)), 0) FROM glider_track WHERE dataset_row = dataset.row) FROM dataset "
+      "(SELECT coalesce(sum(length(way)), 0) FROM glider_track WHERE dataset_row = dataset.row) AS BIGINT) "
+      "FROM dataset "
       "WHERE id = ?1"};
   for (Dataset& dataset : DatasetRepository{db}.list()) {
     query.bind(1, dataset.id.value);

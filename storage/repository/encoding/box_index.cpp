@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "storage/sql/box_search.hpp"
+
 namespace floeplan::repository {
 namespace {
 
@@ -10,14 +12,16 @@ constexpr std::array turns_deg{-360.0, 0.0, 360.0};
 
 }  // namespace
 
-std::string box_condition(const std::string& box_table, int first_parameter) {
+std::string box_condition(const sql::Connection& db, const std::string& box_table, int first_parameter) {
   const auto parameter = [&](int offset) { return "?" + std::to_string(first_parameter + offset); };
   std::string probes;
   for (int turn = 0; turn < std::ssize(turns_deg); ++turn) {
     if (turn > 0) probes += " UNION ALL ";
-    probes += "SELECT row FROM " + box_table + " WHERE north_deg >= " + parameter(0) +
-              " AND south_deg <= " + parameter(1) + " AND east_deg >= " + parameter(2 + 2 * turn) +
-              " AND west_deg <= " + parameter(3 + 2 * turn);
+    probes += sql::rows_of_boxes_meeting(db, box_table,
+                                         {.west = parameter(2 + 2 * turn),
+                                          .east = parameter(3 + 2 * turn),
+                                          .south = parameter(0),
+                                          .north = parameter(1)});
   }
   return "row IN (" + probes + ")";
 }
@@ -38,9 +42,9 @@ UnrolledBox unrolled(const geo::BoundingBox& box) {
   return {west, west + geo::width_deg(box)};
 }
 
-void BoxInsert::run(const geo::BoundingBox& box) {
+void BoxInsert::run(std::int64_t row, const geo::BoundingBox& box) {
   const UnrolledBox width = unrolled(box);
-  insert_.bind_all(width.west_deg, width.east_deg, box.south_deg, box.north_deg);
+  insert_.bind_all(row, width.west_deg, width.east_deg, box.south_deg, box.north_deg);
   insert_.run();
 }
 

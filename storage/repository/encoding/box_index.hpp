@@ -10,12 +10,13 @@ namespace floeplan::repository {
 /// How many parameters `box_condition` takes.
 inline constexpr int box_parameters = 8;
 
-/// SQL condition on `row`: the rows of an R*Tree table whose box comes near the area. It may hold for rows
-/// that just miss the area (the tree keeps 32-bit numbers), so the caller checks each exactly.
-[[nodiscard]] std::string box_condition(const std::string& box_table, int first_parameter);
+/// SQL condition on `row`: the rows of a table of boxes whose box comes near the area. It may hold for rows that just miss
+/// the area (an index of boxes may keep 32-bit numbers), so the caller checks each exactly.
+[[nodiscard]] std::string box_condition(const sql::Connection& db, const std::string& box_table,
+                                        int first_parameter);
 void bind_box(sql::Statement& statement, int first_parameter, const geo::BoundingBox& area);
 
-/// The box as the R*Tree keeps it: eastwards from [-180, 180).
+/// The box as the table of boxes keeps it: eastwards from [-180, 180).
 struct UnrolledBox {
   double west_deg{};
   double east_deg{};  // not less than west, so up to 540
@@ -23,13 +24,13 @@ struct UnrolledBox {
 
 [[nodiscard]] UnrolledBox unrolled(const geo::BoundingBox& box);
 
-/// Writes the box of the row that was inserted last into an R*Tree table. Prepared once, for many rows.
+/// Writes boxes of rows into a table of boxes. Prepared once, for many rows.
 class BoxInsert {
  public:
   BoxInsert(sql::Connection& db, const std::string& box_table)
-      : insert_{db, "INSERT INTO " + box_table + " VALUES (last_insert_rowid(), ?1, ?2, ?3, ?4)"} {}
+      : insert_{db, "INSERT INTO " + box_table + " VALUES (?1, ?2, ?3, ?4, ?5)"} {}
 
-  void run(const geo::BoundingBox& box);
+  void run(std::int64_t row, const geo::BoundingBox& box);
 
  private:
   sql::Statement insert_;

@@ -22,13 +22,12 @@ void keep_newest_coastline(std::vector<Dataset>& datasets) {
 void CoastlineRepository::insert(const DatasetId& dataset, const std::vector<geo::Polygon>& land) {
   sql::Transaction transaction{db_};
   const std::int64_t dataset_number = dataset_row(db_, dataset);
-  sql::Statement insert{db_, "INSERT INTO land_polygon (dataset_row, rings) VALUES (?1, ?2)"};
+  sql::Statement insert{db_, "INSERT INTO land_polygon (dataset_row, rings) VALUES (?1, ?2) RETURNING row"};
   BoxInsert insert_box{db_, "land_polygon_box"};
   BlobCodec codec;
   for (const geo::Polygon& polygon : land) {
     insert.bind_all(dataset_number, pack_polygon(codec, polygon));
-    insert.run();
-    insert_box.run(geo::bounding_box(polygon));
+    insert_box.run(sql::inserted_number(insert), geo::bounding_box(polygon));
   }
   transaction.commit();
 }
@@ -39,7 +38,7 @@ std::vector<geo::Polygon> CoastlineRepository::load(const DatasetId& dataset,
       db_,
       "SELECT rings FROM land_polygon WHERE dataset_row = (SELECT row FROM dataset WHERE id = ?1) "
       "AND " +
-          box_condition("land_polygon_box", 2) + " ORDER BY row"};
+          box_condition(db_, "land_polygon_box", 2) + " ORDER BY row"};
   query.bind(1, dataset.value);
   bind_box(query, 2, area);
   std::vector<geo::Polygon> land;

@@ -105,15 +105,15 @@ bool comes_into(const geo::BoundingBox& area, const std::vector<ocean::TrackPoin
 
 /// `SELECT <what> FROM glider_track` with the filter's conditions, bound. The area is only narrowed down.
 sql::Statement select_tracks(sql::Connection& db, const std::string& what, const GliderTrackFilter& filter,
-                             std::int64_t after) {
+                             std::int64_t after, const std::string& order = " ORDER BY row") {
   std::string sql = "SELECT " + what + " FROM glider_track WHERE row > ?1";
   if (filter.from) sql += " AND end_s >= ?2";
   if (filter.to) sql += " AND start_s <= ?3";
   if (filter.dataset) sql += " AND dataset_row = (SELECT row FROM dataset WHERE id = ?4)";
   if (filter.glider) sql += " AND glider = ?5";
-  if (filter.area) sql += " AND " + box_condition("glider_track_box", first_of_box);
+  if (filter.area) sql += " AND " + box_condition(db, "glider_track_box", first_of_box);
 
-  sql::Statement query{db, sql + " ORDER BY row"};
+  sql::Statement query{db, sql + order};
   query.bind(1, after);
   if (filter.from) query.bind(2, *filter.from);
   if (filter.to) query.bind(3, *filter.to);
@@ -141,7 +141,7 @@ class TrackWriter {
             db,
             "INSERT INTO glider_track (dataset_row, position, glider, start_s, end_s, deepest_m, points, "
             "way, frame, variation_source, variation_west_rad, utm_zone) VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, "
-            "?8, ?9, ?10, ?11, ?12)"},
+            "?8, ?9, ?10, ?11, ?12) RETURNING row"},
         box_{db, "glider_track_box"},
         current_{db,
                  "INSERT INTO glider_current (dataset_row, position, time_s, lon_deg, lat_deg, east_m_s, "
@@ -157,11 +157,11 @@ class TrackWriter {
     track_.bind(10, axes ? std::optional{std::string{ocean::source_name(axes->source)}} : std::nullopt);
     track_.bind(11, axes ? std::optional{axes->axes.variation_west().value} : std::nullopt);
     track_.bind(12, axes ? std::optional{std::int64_t{axes->axes.utm_zone()}} : std::nullopt);
-    track_.run();
+    const std::int64_t row = sql::inserted_number(track_);
     std::vector<geo::LonLat> places;
     places.reserve(track.points.size());
     for (const ocean::TrackPoint& point : track.points) places.push_back(point.place);
-    box_.run(geo::bounding_box(places));
+    box_.run(row, geo::bounding_box(places));
     for (const ocean::DepthAveragedCurrent& each : track.currents) {
       current_.bind_all(dataset_row_, position, each.time, each.place.lon_deg, each.place.lat_deg,
                         each.current.east.value, each.current.north.value);
@@ -215,7 +215,7 @@ GliderTrackPage GliderTrackRepository::list(const GliderTrackFilter& filter, std
 
 std::int64_t GliderTrackRepository::count(const GliderTrackFilter& filter) const {
   if (!filter.area) {
-    sql::Statement query = select_tracks(db_, "count(*)", filter, 0);
+    sql::Statement query = select_tracks(db_, "count(*)", filter, 0, "");
     return query.step() ? query.integer(0) : 0;
   }
   sql::Statement query = select_tracks(db_, track_columns, filter, 0);

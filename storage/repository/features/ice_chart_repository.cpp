@@ -34,13 +34,13 @@ std::vector<IceCode> egg_codes(const std::string& text) {
 void IceChartRepository::insert(const DatasetId& dataset, const std::vector<ChartPolygon>& polygons) {
   sql::Transaction transaction{db_};
   const std::int64_t dataset_number = dataset_row(db_, dataset);
-  sql::Statement insert{db_, "INSERT INTO chart_polygon (dataset_row, codes, rings) VALUES (?1, ?2, ?3)"};
+  sql::Statement insert{
+      db_, "INSERT INTO chart_polygon (dataset_row, codes, rings) VALUES (?1, ?2, ?3) RETURNING row"};
   BoxInsert insert_box{db_, "chart_polygon_box"};
   BlobCodec codec;
   for (const ChartPolygon& polygon : polygons) {
     insert.bind_all(dataset_number, egg_text(polygon.codes), pack_polygon(codec, polygon.area));
-    insert.run();
-    insert_box.run(geo::bounding_box(polygon.area));
+    insert_box.run(sql::inserted_number(insert), geo::bounding_box(polygon.area));
   }
   transaction.commit();
 }
@@ -51,7 +51,7 @@ std::vector<ChartPolygon> IceChartRepository::load(const DatasetId& dataset,
       db_,
       "SELECT codes, rings FROM chart_polygon WHERE dataset_row = (SELECT row FROM dataset WHERE id = ?1) "
       "AND " +
-          box_condition("chart_polygon_box", 2) + " ORDER BY row"};
+          box_condition(db_, "chart_polygon_box", 2) + " ORDER BY row"};
   query.bind(1, dataset.value);
   bind_box(query, 2, area);
   std::vector<ChartPolygon> polygons;

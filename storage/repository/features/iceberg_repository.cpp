@@ -4,6 +4,7 @@
 
 #include "storage/repository/datasets/dataset_row.hpp"
 #include "storage/repository/encoding/box_index.hpp"
+#include "storage/repository/features/iceberg_fixes.hpp"
 #include "storage/sql/statement.hpp"
 #include "storage/sql/transaction.hpp"
 
@@ -46,15 +47,15 @@ StoredSighting read_sighting(const sql::Row& row) {
 /// `SELECT <what> FROM sighting` with the filter's conditions, bound. The area is only narrowed down: check
 /// each place.
 sql::Statement select_sightings(sql::Connection& db, const std::string& what, const SightingFilter& filter,
-                                std::int64_t after) {
+                                std::int64_t after, const std::string& order = " ORDER BY row") {
   std::string sql = "SELECT " + what + " FROM sighting WHERE row > ?1";
   if (filter.from) sql += " AND observed_s >= ?2";
   if (filter.to) sql += " AND observed_s <= ?3";
   if (filter.dataset) sql += " AND dataset_row = (SELECT row FROM dataset WHERE id = ?4)";
   if (filter.berg_id) sql += " AND berg_id = ?5";
-  if (filter.area) sql += " AND " + box_condition("sighting_box", 6);
+  if (filter.area) sql += " AND " + box_condition(db, "sighting_box", 6);
 
-  sql::Statement query{db, sql + " ORDER BY row"};
+  sql::Statement query{db, sql + order};
   query.bind(1, after);
   if (filter.from) query.bind(2, *filter.from);
   if (filter.to) query.bind(3, *filter.to);
@@ -138,7 +139,7 @@ std::vector<StoredSighting> IcebergRepository::list(const SightingFilter& filter
 
 std::int64_t IcebergRepository::count(const SightingFilter& filter) const {
   if (!filter.area) {
-    sql::Statement query = select_sightings(db_, "count(*)", filter, 0);
+    sql::Statement query = select_sightings(db_, "count(*)", filter, 0, "");
     return query.step() ? query.integer(0) : 0;
   }
   sql::Statement query = select_sightings(db_, "row, lon_deg, lat_deg", filter, 0);
@@ -151,17 +152,9 @@ std::int64_t IcebergRepository::count(const SightingFilter& filter) const {
 
 std::vector<ocean::IcebergFix> IcebergRepository::earlier(const StoredSighting& sighting,
                                                           core::Seconds max_age) const {
-  std::vector<ocean::IcebergFix> fixes;
-  if (sighting.iceberg.id.empty()) return fixes;
-  // If a berg has several sightings at one moment, the one stored last counts, as it does for the newest of all.
-  sql::Statement query{db_,
-                       "SELECT lon_deg, lat_deg, observed_s, max(row) FROM sighting WHERE dataset_row = "
-                       "(SELECT row FROM dataset WHERE id = ?1) AND berg_id = ?2 AND observed_s < ?3 AND "
-                       "observed_s >= ?4 GROUP BY observed_s ORDER BY observed_s"};
-  query.bind_all(sighting.dataset.value, sighting.iceberg.id, sighting.iceberg.observed,
-                 sighting.iceberg.observed - max_age);
-  while (query.step()) fixes.push_back({read_place(query, 0), query.time(2)});
-  return fixes;
+  if (sighting.iceberg.id.empty()) return {};
+  const core::UtcTime observed = sighting.iceberg.observed;
+  return iceberg_fixes(db_, sighting.dataset, sighting.iceberg.id, observed - max_age, observed);
 }
 
 std::vector<StoredSighting> IcebergRepository::latest(const DatasetId& dataset, const geo::BoundingBox& area,

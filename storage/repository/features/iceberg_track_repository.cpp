@@ -1,6 +1,7 @@
 #include "storage/repository/features/iceberg_track_repository.hpp"
 
 #include "storage/repository/encoding/box_index.hpp"
+#include "storage/repository/features/iceberg_fixes.hpp"
 #include "storage/sql/statement.hpp"
 
 namespace floeplan::repository {
@@ -10,20 +11,20 @@ constexpr int first_of_exact_box = 5;
 constexpr int first_of_box_index = 9;
 
 /// Bergs with a sighting in the area: those that the index finds near it, each looked at exactly.
-std::string in_area() {
+std::string in_area(const sql::Connection& db) {
   return "(dataset_row, berg_id) IN (SELECT dataset_row, berg_id FROM sighting WHERE lat_deg BETWEEN ?5 AND "
          "?6 AND "
          "(wrapped_lon_deg BETWEEN ?7 AND ?8 OR wrapped_lon_deg + 360.0 BETWEEN ?7 AND ?8) AND " +
-         box_condition("sighting_box", first_of_box_index) + ")";
+         box_condition(db, "sighting_box", first_of_box_index) + ")";
 }
 
 /// First row, dataset and name of each track that fits, all from the index by berg and time.
-std::string heads(const TrackFilter& filter) {
+std::string heads(const sql::Connection& db, const TrackFilter& filter) {
   std::string sql =
       "SELECT min(row) AS first_row, (SELECT id FROM dataset WHERE dataset.row = dataset_row), berg_id FROM "
       "sighting WHERE berg_id <> ''";
   if (filter.berg_id) sql += " AND berg_id = ?2";
-  if (filter.area) sql += " AND " + in_area();
+  if (filter.area) sql += " AND " + in_area(db);
   sql += " GROUP BY dataset_row, berg_id HAVING min(row) > ?1 AND min(observed_s) < max(observed_s)";
   if (filter.from) sql += " AND max(observed_s) >= ?3";
   if (filter.to) sql += " AND min(observed_s) <= ?4";
@@ -64,7 +65,7 @@ std::optional<IcebergTrack> IcebergTrackRepository::find(std::int64_t first_row)
 }
 
 TrackPage IcebergTrackRepository::list(const TrackFilter& filter, std::int64_t after, int limit) const {
-  sql::Statement query{db_, heads(filter) + " ORDER BY first_row LIMIT " + std::to_string(limit + 1)};
+  sql::Statement query{db_, heads(db_, filter) + " ORDER BY first_row LIMIT " + std::to_string(limit + 1)};
   bind_filter(query, filter, after);
   TrackPage page;
   std::size_t fixes = 0;
@@ -79,20 +80,13 @@ TrackPage IcebergTrackRepository::list(const TrackFilter& filter, std::int64_t a
 }
 
 std::int64_t IcebergTrackRepository::count(const TrackFilter& filter) const {
-  sql::Statement query{db_, "SELECT count(*) FROM (" + heads(filter) + ")"};
+  sql::Statement query{db_, "SELECT count(*) FROM (" + heads(db_, filter) + ") AS heads"};
   bind_filter(query, filter, 0);
   return query.step() ? query.integer(0) : 0;
 }
 
 std::vector<ocean::IcebergFix> IcebergTrackRepository::fixes_of(const IcebergTrack& track) const {
-  sql::Statement query{
-      db_,
-      "SELECT lon_deg, lat_deg, observed_s, max(row) FROM sighting WHERE dataset_row = (SELECT row FROM "
-      "dataset WHERE id = ?1) AND berg_id = ?2 GROUP BY observed_s ORDER BY observed_s"};
-  query.bind_all(track.dataset.value, track.berg_id);
-  std::vector<ocean::IcebergFix> fixes;
-  while (query.step()) fixes.push_back({{query.real(0), query.real(1)}, query.time(2)});
-  return fixes;
+  return iceberg_fixes(db_, track.dataset, track.berg_id);
 }
 
 }  // namespace floeplan::repository

@@ -38,16 +38,16 @@ std::optional<double> bottom_m(const ocean::Zone& zone) {
 
 /// `SELECT <what> FROM zone` with the filter's conditions, bound. The area is only narrowed down: check each outline.
 sql::Statement select_zones(sql::Connection& db, const std::string& what, const ZoneFilter& filter,
-                            std::int64_t after) {
+                            std::int64_t after, const std::string& order = " ORDER BY row") {
   std::string sql = "SELECT " + what + " FROM zone WHERE row > ?1";
   if (filter.from) sql += " AND (until_s IS NULL OR until_s >= ?2)";
   if (filter.to) sql += " AND (from_s IS NULL OR from_s <= ?3)";
   if (filter.dataset) sql += " AND dataset_row = (SELECT row FROM dataset WHERE id = ?4)";
   if (filter.kind) sql += " AND kind = ?5";
   if (filter.name) sql += " AND name = ?6";
-  if (filter.area) sql += " AND " + box_condition("zone_box", 7);
+  if (filter.area) sql += " AND " + box_condition(db, "zone_box", 7);
 
-  sql::Statement query{db, sql + " ORDER BY row"};
+  sql::Statement query{db, sql + order};
   query.bind(1, after);
   if (filter.from) query.bind(2, *filter.from);
   if (filter.to) query.bind(3, *filter.to);
@@ -124,7 +124,7 @@ std::vector<StoredZone> ZoneRepository::list(const ZoneFilter& filter, std::int6
 
 std::int64_t ZoneRepository::count(const ZoneFilter& filter) const {
   if (!filter.area) {
-    sql::Statement query = select_zones(db_, "count(*)", filter, 0);
+    sql::Statement query = select_zones(db_, "count(*)", filter, 0, "");
     return query.step() ? query.integer(0) : 0;
   }
   sql::Statement query = select_zones(db_, stored_columns, filter, 0);
@@ -139,14 +139,13 @@ void ZoneRepository::insert(const DatasetId& dataset, const std::vector<ocean::Z
   const std::int64_t dataset_number = dataset_row(db_, dataset);
   sql::Statement insert{db_,
                         "INSERT INTO zone (dataset_row, name, kind, from_s, until_s, top_m, bottom_m, rings) "
-                        "VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8)"};
+                        "VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8) RETURNING row"};
   BoxInsert insert_box{db_, "zone_box"};
   BlobCodec codec;
   for (const ocean::Zone& zone : zones) {
     insert.bind_all(dataset_number, zone.name, ocean::zone_kind_name(zone.kind), zone.from, zone.until,
                     zone.top.value, bottom_m(zone), pack_polygon(codec, zone.area));
-    insert.run();
-    insert_box.run(geo::bounding_box(zone.area));
+    insert_box.run(sql::inserted_number(insert), geo::bounding_box(zone.area));
   }
   transaction.commit();
 }
@@ -155,7 +154,7 @@ std::vector<ocean::Zone> ZoneRepository::load(const DatasetId& dataset, const ge
                                               core::UtcTime from) const {
   constexpr int first_of_box = 4;
   sql::Statement query{db_, select_of_dataset + " AND (until_s IS NULL OR until_s >= ?2) AND (kind = ?3 OR " +
-                                box_condition("zone_box", first_of_box) + ") ORDER BY row"};
+                                box_condition(db_, "zone_box", first_of_box) + ") ORDER BY row"};
   query.bind_all(dataset.value, from, ocean::zone_kind_name(ocean::ZoneKind::stay_in));
   bind_box(query, first_of_box, area);
   std::vector<ocean::Zone> zones;
@@ -169,7 +168,8 @@ std::vector<ocean::Zone> ZoneRepository::load(const DatasetId& dataset, const ge
 }
 
 std::vector<ocean::Zone> ZoneRepository::at(const DatasetId& dataset, geo::LonLat place) const {
-  sql::Statement query{db_, select_of_dataset + " AND " + box_condition("zone_box", 2) + " ORDER BY row"};
+  sql::Statement query{db_,
+                       select_of_dataset + " AND " + box_condition(db_, "zone_box", 2) + " ORDER BY row"};
   query.bind(1, dataset.value);
   bind_box(query, 2, {place.lon_deg, place.lat_deg, place.lon_deg, place.lat_deg});
   std::vector<ocean::Zone> zones;

@@ -26,7 +26,8 @@ ChunkWriter::ChunkWriter(sql::Connection& db, const ChunkLayout& layout)
       upsert_{db,
               "INSERT INTO field_chunk (dataset_row, variable, time_index, depth_index, chunk_y, chunk_x, "
               "samples) "
-              "VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7) ON CONFLICT DO UPDATE SET samples = excluded.samples"} {}
+              "VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7) ON CONFLICT (dataset_row, variable, time_index, "
+              "depth_index, chunk_y, chunk_x) DO UPDATE SET samples = excluded.samples"} {}
 
 void ChunkWriter::write(const SliceKey& slice, std::size_t first_row, std::span<const float> values,
                         const SampleSteps& steps) {

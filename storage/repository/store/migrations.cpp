@@ -48,6 +48,12 @@ sql::Connection open_scratch_store(const fs::path& folder) {
   return db;
 }
 
+sql::Connection open_store_at_server(const std::string& address) {
+  sql::Connection db = sql::Connection::open_at_server(address);
+  bring_to_newest_schema(db);
+  return db;
+}
+
 sql::Connection open_store_in_memory() {
   sql::Connection db = sql::Connection::in_memory();
   bring_to_newest_schema(db);

@@ -16,6 +16,19 @@ void refuse_broken_references(sql::Connection& db) {
   if (sql::has_broken_references(db)) throw std::runtime_error{messages::store_text<"references-broken">()};
 }
 
+/// Stores at servers begin with this program's schema: there is no older one yet.
+void set_up_at_server(sql::Connection& db, std::int64_t before) {
+  refuse_newer_schema(before);
+  if (before == newest_schema()) return;
+  sql::Transaction transaction{db};
+  // Asked again: another node may have set up the store in the meantime.
+  if (sql::schema_number(db) != newest_schema()) {
+    sql::execute(db, server_schema());
+    sql::set_schema_number(db, newest_schema());
+  }
+  transaction.commit();
+}
+
 }  // namespace
 
 std::int64_t newest_schema() { return static_cast<std::int64_t>(schema_scripts().size()); }
@@ -27,6 +40,7 @@ void refuse_newer_schema(std::int64_t schema) {
 
 void bring_to_newest_schema(sql::Connection& db) {
   const std::int64_t before = sql::schema_number(db);
+  if (db.engine() == sql::Engine::server) return set_up_at_server(db, before);
   refuse_newer_schema(before);
   if (before == newest_schema()) return;
 

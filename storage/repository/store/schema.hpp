@@ -13,6 +13,10 @@ namespace floeplan::repository {
 /// 180.
 [[nodiscard]] std::span<const char* const> schema_scripts();
 
+/// The schema of a store that a database server keeps: the same tables and columns as the newest of `schema_scripts`.
+/// Triggers, keys and indices are in the server's own words.
+[[nodiscard]] const char* server_schema();
+
 /// What this program writes; older ones are brought to it, newer ones refused.
 [[nodiscard]] std::int64_t newest_schema();
 

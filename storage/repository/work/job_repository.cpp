@@ -1,5 +1,6 @@
 #include "storage/repository/work/job_repository.hpp"
 
+#include <algorithm>
 #include <array>
 #include <set>
 #include <stdexcept>
@@ -63,8 +64,8 @@ sql::Statement select_jobs(sql::Connection& db, const std::string& rows, std::in
   if (filter.least_duration) sql += " AND " + duration + " >= ?8";
   if (filter.most_duration) sql += " AND " + duration + " <= ?9";
 
-  sql::Statement query{db, sql + " ORDER BY row DESC LIMIT max(?2, 0)"};
-  query.bind_all(row, limit);
+  sql::Statement query{db, sql + " ORDER BY row DESC LIMIT ?2"};
+  query.bind_all(row, std::max(limit, 0));
   if (filter.status) query.bind(3, status_name(*filter.status));
   if (filter.process) query.bind(4, *filter.process);
   if (filter.owner) query.bind(5, *filter.owner);
@@ -181,7 +182,7 @@ std::optional<std::int64_t> next_in_turn(sql::Connection& db, const Queue& queue
           AND NOT (class = 'batch' AND EXISTS (
             SELECT 1 FROM {jobs} WHERE status = 'running' AND class = 'batch' AND owner = waiting.owner
               AND process = waiting.process AND lease_until_s > ?1))
-        GROUP BY class, owner))
+        GROUP BY class, owner) AS candidates) AS turns
     WHERE ?3 IS NULL OR running < ?3
     ORDER BY CASE its_class WHEN 'interactive' THEN 0 WHEN 'batch' THEN 1 ELSE 2 END, running,
       (SELECT max(started_s) FROM job WHERE owner = candidate AND class = its_class) NULLS FIRST, first_row
@@ -298,9 +299,8 @@ std::optional<JobRecord> JobRepository::find_shared(const std::string& digest,
 }
 
 std::vector<JobRecord> JobRepository::changed_since(std::int64_t change, int limit) const {
-  sql::Statement query{
-      db_, "SELECT " + job_columns + "FROM job WHERE change > ?1 ORDER BY change LIMIT max(?2, 0)"};
-  query.bind_all(change, limit);
+  sql::Statement query{db_, "SELECT " + job_columns + "FROM job WHERE change > ?1 ORDER BY change LIMIT ?2"};
+  query.bind_all(change, std::max(limit, 0));
   return read_jobs(query);
 }
 
@@ -371,12 +371,12 @@ bool JobRepository::fail(const JobId& id, const std::string& worker, const std::
 }
 
 void JobRepository::hand_back(const std::string& worker, core::UtcTime now) {
-  update_jobs(
-      db_,
-      "status = 'accepted', attempts = attempts - 1, started_s = iif(attempts = 1, NULL, started_s), stage = "
-      "'', progress = 0.0, worker = NULL, lease_until_s = NULL, updated_s = ?2",
-      "worker = ?1 AND status = 'running'",
-      [&](sql::Statement& statement) { statement.bind_all(worker, now); });
+  update_jobs(db_,
+              "status = 'accepted', attempts = attempts - 1, started_s = CASE WHEN attempts = 1 THEN NULL "
+              "ELSE started_s END, stage = "
+              "'', progress = 0.0, worker = NULL, lease_until_s = NULL, updated_s = ?2",
+              "worker = ?1 AND status = 'running'",
+              [&](sql::Statement& statement) { statement.bind_all(worker, now); });
 }
 
 void JobRepository::release_all_leases(core::UtcTime now) {

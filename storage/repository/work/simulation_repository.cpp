@@ -1,5 +1,7 @@
 #include "storage/repository/work/simulation_repository.hpp"
 
+#include <algorithm>
+
 #include "storage/sql/statement.hpp"
 #include "storage/sql/transaction.hpp"
 
@@ -65,10 +67,9 @@ std::optional<SimulationRecord> SimulationRepository::find(const SimulationId& i
 
 std::vector<SimulationRecord> SimulationRepository::list(const std::optional<std::string>& plan_id,
                                                          std::int64_t after, int limit) const {
-  sql::Statement query{db_,
-                       std::string{select_simulation} +
-                           "WHERE row > ?1 AND (?2 IS NULL OR plan_id = ?2) ORDER BY row LIMIT max(?3, 0)"};
-  query.bind_all(after, plan_id, limit);
+  sql::Statement query{db_, std::string{select_simulation} +
+                                "WHERE row > ?1 AND (?2 IS NULL OR plan_id = ?2) ORDER BY row LIMIT ?3"};
+  query.bind_all(after, plan_id, std::max(limit, 0));
   std::vector<SimulationRecord> simulations;
   while (query.step()) simulations.push_back(read_simulation(query));
   return simulations;

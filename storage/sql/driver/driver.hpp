@@ -19,6 +19,12 @@ struct Version {
   friend bool operator==(const Version&, const Version&) = default;
 };
 
+/// Whether a transaction that writes is the only one that writes to its store while it lasts. One that is not must write
+/// nothing whose order among other writes matters; an embedded engine lets one write at a time in any case.
+enum class WriteTurn { alone, beside_others };
+
+enum class ColumnType { integer, real, text, blob };
+
 /// A statement that an engine has parsed. `Statement` is what callers use.
 /// Edges    parameters count from 1, columns from 0; values are copied when bound; a blob is valid until the next step
 /// Errors   Failure when the engine refuses
@@ -30,7 +36,8 @@ class PreparedStatement {
   virtual void bind(int parameter, std::int64_t value) = 0;
   virtual void bind(int parameter, double value) = 0;
   virtual void bind(int parameter, std::span<const std::byte> value) = 0;
-  virtual void bind_null(int parameter) = 0;
+  /// NULL where a value of this type might be.
+  virtual void bind_null(int parameter, ColumnType type) = 0;
 
   /// Moves on to the next row. False: there is none.
   [[nodiscard]] virtual bool step() = 0;
@@ -46,6 +53,10 @@ class PreparedStatement {
   [[nodiscard]] virtual std::span<const std::byte> blob(int column) const = 0;
 };
 
+/// Which kind of engine keeps a database: a library inside this program, in files of the store's folder, or a server that
+/// many machines use.
+enum class Engine { embedded, server };
+
 /// One connection to a database engine: what engines do in ways of their own. What all take as the same text (COMMIT,
 /// ROLLBACK, savepoints) is run as a script.
 /// Threads  one thread at a time
@@ -54,13 +65,16 @@ class Driver {
  public:
   virtual ~Driver() = default;
 
+  [[nodiscard]] virtual Engine engine() const = 0;
   /// A statement without values, perhaps one that was parsed before. It is gone before the driver is.
   [[nodiscard]] virtual std::unique_ptr<PreparedStatement> prepare(const std::string& sql) = 0;
   virtual void run_script(const std::string& script) = 0;
 
   [[nodiscard]] virtual bool is_in_transaction() = 0;
   /// Begins a transaction with the right to write, which it waits for.
-  virtual void begin_writing() = 0;
+  virtual void begin_writing(WriteTurn turn) = 0;
+  /// Commits it. Errors  Failure also where it was undone before, so that nothing is acknowledged which is not kept
+  virtual void commit() = 0;
   /// Begins a transaction that reads as of its first read, and waits for nobody.
   virtual void begin_reading() = 0;
   /// Changes with every commit, whoever made it, and costs next to nothing.

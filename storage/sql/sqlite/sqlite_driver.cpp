@@ -186,7 +186,9 @@ void SqliteDriver::run_script(const std::string& script) {
 
 bool SqliteDriver::is_in_transaction() { return sqlite3_get_autocommit(database_->getHandle()) == 0; }
 
-void SqliteDriver::begin_writing() { run_script("BEGIN IMMEDIATE"); }
+void SqliteDriver::begin_writing(WriteTurn) { run_script("BEGIN IMMEDIATE"); }
+
+void SqliteDriver::commit() { run_script("COMMIT"); }
 
 void SqliteDriver::begin_reading() { run_script("BEGIN DEFERRED"); }
 

@@ -34,10 +34,12 @@ class SqliteDriver : public Driver {
   SqliteDriver& operator=(const SqliteDriver&) = delete;
   ~SqliteDriver() override;
 
+  [[nodiscard]] Engine engine() const override { return Engine::embedded; }
   [[nodiscard]] std::unique_ptr<PreparedStatement> prepare(const std::string& sql) override;
   void run_script(const std::string& script) override;
   [[nodiscard]] bool is_in_transaction() override;
-  void begin_writing() override;
+  void begin_writing(WriteTurn turn) override;
+  void commit() override;
   void begin_reading() override;
   [[nodiscard]] Version version() override;
   void back_up(const std::filesystem::path& file) override;

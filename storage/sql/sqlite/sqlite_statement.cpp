@@ -33,7 +33,7 @@ void SqliteStatement::bind(int parameter, std::span<const std::byte> value) {
   translated(database_, [&] { statement_->bind(parameter, value.data(), static_cast<int>(value.size())); });
 }
 
-void SqliteStatement::bind_null(int parameter) {
+void SqliteStatement::bind_null(int parameter, ColumnType) {
   translated(database_, [&] { statement_->bind(parameter); });
 }
 

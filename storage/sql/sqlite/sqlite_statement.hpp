@@ -26,7 +26,7 @@ class SqliteStatement : public PreparedStatement {
   void bind(int parameter, std::int64_t value) override;
   void bind(int parameter, double value) override;
   void bind(int parameter, std::span<const std::byte> value) override;
-  void bind_null(int parameter) override;
+  void bind_null(int parameter, ColumnType type) override;
 
   [[nodiscard]] bool step() override;
   int run() override;

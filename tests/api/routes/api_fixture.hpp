@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "api/routes/request/router.hpp"
-#include "storage/repository/store/migrations.hpp"
+#include "tests/support/empty_store.hpp"
 
 namespace floeplan::support {
 
@@ -66,7 +66,7 @@ class ApiTest : public testing::Test {
     return router_.answer({db_, jobs_, service_}, last_request_);
   }
 
-  sql::Connection db_{repository::open_store_in_memory()};
+  sql::Connection db_{support::empty_store()};
   IdleJobs jobs_;
   routes::ServiceInfo service_{.public_url = "http://127.0.0.1:8080",
                                .web = {},

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "tests/support/empty_store.hpp"
 #include "tests/support/places.hpp"
 
 namespace floeplan::support {
@@ -24,7 +25,8 @@ std::string contents(const std::filesystem::path& file) {
 Outcome Program::run(const std::vector<std::string>& arguments) const {
   const std::filesystem::path out = folder() / "stdout";
   const std::filesystem::path err = folder() / "stderr";
-  std::vector<std::string> words{"floeplan", "--data", store().string()};
+  std::vector<std::string> words = store_words(store());
+  words.emplace(words.begin(), "floeplan");
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> argv;
   for (std::string& word : words) argv.push_back(word.data());

@@ -14,6 +14,7 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "tests/support/empty_store.hpp"
 #include "tests/support/places.hpp"
 
 namespace floeplan::support {
@@ -52,7 +53,8 @@ void drain_in_background(int descriptor, const std::filesystem::path& log) {
 
 ServedProgram::ServedProgram(const std::filesystem::path& store, const std::vector<std::string>& flags,
                              const std::vector<std::string>& before, const std::filesystem::path& log) {
-  std::vector<std::string> words{"floeplan", "--data", store.string()};
+  std::vector<std::string> words = store_words(store);
+  words.emplace(words.begin(), "floeplan");
   words.insert(words.end(), before.begin(), before.end());
   for (const char* word : {"serve", "--listen", "127.0.0.1:0"}) words.emplace_back(word);
   words.insert(words.end(), flags.begin(), flags.end());

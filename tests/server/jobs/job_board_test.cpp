@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "storage/repository/store/migrations.hpp"
+#include "tests/support/empty_store.hpp"
 
 namespace floeplan::jobs::job_board_test {
 namespace {
@@ -25,7 +25,7 @@ class JobBoardTest : public testing::Test {
     ASSERT_TRUE(JobRepository{db_}.succeed(id, "w", "{}", some_time));
   }
 
-  sql::Connection db_{repository::open_store_in_memory()};
+  sql::Connection db_{support::empty_store()};
   JobBoard board_;
 };
 

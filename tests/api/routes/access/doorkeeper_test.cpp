@@ -3,6 +3,7 @@
 #include "api/codec/bytes/credential.hpp"
 #include "storage/repository/access/audit_repository.hpp"
 #include "tests/api/routes/api_fixture.hpp"
+#include "tests/support/empty_store.hpp"
 
 namespace floeplan::routes::doorkeeper_test {
 namespace {
@@ -52,7 +53,7 @@ class DoorsTest : public testing::Test {
   }
 
   core::UtcTime now_{noon};
-  sql::Connection db_{repository::open_store_in_memory()};
+  sql::Connection db_{support::empty_store()};
   support::IdleJobs jobs_;
   ServiceInfo service_{"http://127.0.0.1:8080", {}, {}};
   Doorkeeper keeper_;

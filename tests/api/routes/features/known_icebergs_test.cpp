@@ -8,6 +8,7 @@
 #include "storage/repository/environment/environment_loader.hpp"
 #include "storage/repository/features/iceberg_repository.hpp"
 #include "tests/api/routes/api_fixture.hpp"
+#include "tests/support/empty_store.hpp"
 #include "tests/support/property.hpp"
 
 namespace floeplan::routes::known_icebergs_test {
@@ -136,7 +137,7 @@ TEST_F(KnownIcebergsTest, TheMapFollowsTheDatasetsAndTheAgeOfARequest) {
 /// is past the departure; so is it for a probe.
 TEST_F(KnownIcebergsTest, WhatAPlanObeysIsDrawnWhileItIsUnderWay) {
   support::for_each_seed(20, [&](std::mt19937_64& rng) {
-    db_ = repository::open_store_in_memory();
+    db_ = support::empty_store();
     std::vector<ocean::Iceberg> sightings;
     for (int i = 0; i < 8; ++i)
       sightings.push_back(berg(std::to_string(i), {-52.0 - 0.1 * i, 69.0},
@@ -171,7 +172,7 @@ TEST_F(KnownIcebergsTest, ParametersThatMakeNoSenseAreRefusedTogether) {
 
 TEST_F(KnownIcebergsTest, MapAndPlansAgreeOnEveryStore) {
   support::for_each_seed(60, [&](std::mt19937_64& rng) {
-    db_ = repository::open_store_in_memory();
+    db_ = support::empty_store();
     cited_.clear();
     obeyed_.clear();
     const auto place = [&] { return geo::LonLat{uniform(rng, -54.0, -51.0), uniform(rng, 68.0, 70.0)}; };

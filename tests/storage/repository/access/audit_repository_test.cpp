@@ -2,13 +2,13 @@
 
 #include <gtest/gtest.h>
 
-#include "storage/repository/store/migrations.hpp"
+#include "tests/support/empty_store.hpp"
 
 namespace floeplan::repository::audit_repository_test {
 namespace {
 
 TEST(Audit, IsReadFromTheNewestEntryBackwards) {
-  sql::Connection db = open_store_in_memory();
+  sql::Connection db = support::empty_store();
   AuditRepository audit{db};
   for (int i = 1; i <= 3; ++i) {
     audit.add({.at = core::UtcTime{core::Seconds{1.8e9 + i}},

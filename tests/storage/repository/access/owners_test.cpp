@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "storage/repository/datasets/dataset_repository.hpp"
-#include "storage/repository/store/migrations.hpp"
 #include "storage/repository/work/plan_repository.hpp"
 #include "storage/repository/work/simulation_repository.hpp"
+#include "tests/support/empty_store.hpp"
 
 namespace floeplan::repository::owners_test {
 namespace {
@@ -23,7 +23,7 @@ class OwnersTest : public testing::Test {
     return dataset.id;
   }
 
-  sql::Connection db_ = open_store_in_memory();
+  sql::Connection db_ = support::empty_store();
   DatasetRepository datasets_{db_};
   Owners owners_{db_};
 };

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "storage/repository/store/migrations.hpp"
+#include "tests/support/empty_store.hpp"
 
 namespace floeplan::repository::token_repository_test {
 namespace {
@@ -21,7 +21,7 @@ class Tokens : public testing::Test {
                           {.key = key, .digest = "digest-" + key, .created = now, .expires = now + hour});
   }
 
-  sql::Connection db_{open_store_in_memory()};
+  sql::Connection db_{support::empty_store()};
   TokenRepository tokens_{db_};
 };
 

@@ -9,6 +9,7 @@
 #include "storage/sql/statement.hpp"
 #include "storage/sql/transaction.hpp"
 #include "tests/storage/repository/datasets/sample_data.hpp"
+#include "tests/support/empty_store.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace floeplan::repository::dataset_repository_test {
@@ -21,7 +22,7 @@ class DatasetRepositoryTest : public testing::Test {
     return query.step() ? query.integer(0) : -1;
   }
 
-  sql::Connection db_ = open_store_in_memory();
+  sql::Connection db_ = support::empty_store();
   DatasetRepository datasets_{db_};
 };
 

@@ -4,8 +4,8 @@
 
 #include "storage/repository/datasets/dataset_repository.hpp"
 #include "storage/repository/fields/field_repository.hpp"
-#include "storage/repository/store/migrations.hpp"
 #include "tests/storage/repository/datasets/sample_data.hpp"
+#include "tests/support/empty_store.hpp"
 
 namespace floeplan::repository::retention_test {
 namespace {
@@ -77,7 +77,7 @@ TEST(Retention, HoldsForTheKindThatIsNamed) {
 }
 
 TEST(Retention, RemovesFromTheStoreWithItsSamples) {
-  auto db = open_store_in_memory();
+  auto db = support::empty_store();
   for (const StoredSize& each : three) DatasetRepository{db}.insert(each.dataset);
   FieldRepository fields{db};
   fields.create({"oldest"},

@@ -4,8 +4,8 @@
 
 #include "storage/repository/datasets/dataset_repository.hpp"
 #include "storage/repository/environment/environment_parts.hpp"
-#include "storage/repository/store/migrations.hpp"
 #include "tests/storage/repository/datasets/sample_data.hpp"
+#include "tests/support/empty_store.hpp"
 #include "tests/support/property.hpp"
 
 namespace floeplan::repository::environment_drift_test {
@@ -45,7 +45,7 @@ class DriftBox : public testing::Test {
     return read->samples().u.size();
   }
 
-  sql::Connection db_ = open_store_in_memory();
+  sql::Connection db_ = support::empty_store();
   Dataset flow_ = sample_dataset("flow", DatasetKind::currents, bay);
   EnvironmentQuery query_;
   Reading reading_;

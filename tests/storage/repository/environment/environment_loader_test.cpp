@@ -12,9 +12,9 @@
 #include "storage/repository/features/iceberg_repository.hpp"
 #include "storage/repository/features/zone_repository.hpp"
 #include "storage/repository/fields/field_repository.hpp"
-#include "storage/repository/store/migrations.hpp"
 #include "storage/sql/statement.hpp"
 #include "tests/storage/repository/datasets/sample_data.hpp"
+#include "tests/support/empty_store.hpp"
 #include "tests/support/property.hpp"
 
 namespace floeplan::repository::environment_loader_test {
@@ -148,7 +148,7 @@ class EnvironmentLoaderTest : public testing::Test {
 
   static DatasetChoice none() { return {.how = DatasetChoice::How::none, .ids = {}}; }
 
-  sql::Connection db_ = open_store_in_memory();
+  sql::Connection db_ = support::empty_store();
   EnvironmentQuery query_;
   int added_ = 0;
   const ocean::Axis levels_{{0.0, 50.0, 300.0}};
@@ -374,7 +374,7 @@ TEST_F(EnvironmentLoaderTest, SaysHowManyBergsWereSeenTooLongAgo) {
 /// Law: what is left out for its age is told alike in however many lists the same sightings came.
 TEST_F(EnvironmentLoaderTest, TellsOfBergsSeenTooLongAgoHoweverTheyWereListed) {
   support::for_each_seed(20, [&](std::mt19937_64& rng) {
-    db_ = open_store_in_memory();
+    db_ = support::empty_store();
     const int lists = support::uniform_int(rng, 1, 4);
     std::vector<std::vector<ocean::Iceberg>> of_lists(static_cast<std::size_t>(lists));
     int too_old = 0;
@@ -427,7 +427,7 @@ TEST_F(EnvironmentLoaderTest, LeavesOutLaterSightingsWithoutADangerWhereTheUserS
 /// which no sighting counts.
 TEST_F(EnvironmentLoaderTest, TellsOfEveryBergThatOnlyLaterSightingsKnow) {
   support::for_each_seed(20, [&](std::mt19937_64& rng) {
-    db_ = open_store_in_memory();
+    db_ = support::empty_store();
     std::vector<std::vector<ocean::Iceberg>> of_lists(
         static_cast<std::size_t>(support::uniform_int(rng, 1, 3)));
     const auto add = [&](const ocean::Iceberg& berg) {

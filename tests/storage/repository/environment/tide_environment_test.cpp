@@ -9,8 +9,8 @@
 #include "storage/repository/features/iceberg_repository.hpp"
 #include "storage/repository/fields/field_repository.hpp"
 #include "storage/repository/fields/tide_repository.hpp"
-#include "storage/repository/store/migrations.hpp"
 #include "tests/storage/repository/datasets/sample_data.hpp"
+#include "tests/support/empty_store.hpp"
 
 namespace floeplan::repository::tide_environment_test {
 namespace {
@@ -95,7 +95,7 @@ class TideEnvironment : public testing::Test {
                          time);
   }
 
-  sql::Connection db_ = open_store_in_memory();
+  sql::Connection db_ = support::empty_store();
   EnvironmentQuery query_;
 };
 
@@ -204,7 +204,7 @@ TEST_F(TideEnvironment, RefusesToAddTidesToNoCurrents) {
 }
 
 TEST(TideRepositoryTest, KeepsStationsInTheirOrder) {
-  sql::Connection db = open_store_in_memory();
+  sql::Connection db = support::empty_store();
   DatasetRepository{db}.insert(sample_dataset("tides-s", DatasetKind::tides));
   const std::vector<TideStation> stations{{"b",
                                            {1.0, 2.0},

@@ -3,8 +3,8 @@
 #include <gmock/gmock.h>
 
 #include "storage/repository/datasets/dataset_repository.hpp"
-#include "storage/repository/store/migrations.hpp"
 #include "tests/storage/repository/datasets/sample_data.hpp"
+#include "tests/support/empty_store.hpp"
 #include "tests/support/property.hpp"
 
 namespace floeplan::repository::coastline_repository_test {
@@ -25,7 +25,7 @@ class CoastlineRepositoryTest : public testing::Test {
     DatasetRepository{db_}.insert(sample_dataset("coast", DatasetKind::coastline));
   }
 
-  sql::Connection db_ = open_store_in_memory();
+  sql::Connection db_ = support::empty_store();
   CoastlineRepository coastline_{db_};
 };
 

@@ -11,6 +11,7 @@
 #include "storage/repository/store/migrations.hpp"
 #include "storage/sql/statement.hpp"
 #include "tests/storage/repository/datasets/sample_data.hpp"
+#include "tests/support/empty_store.hpp"
 #include "tests/support/property.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -51,7 +52,7 @@ class GliderTracks : public testing::Test {
     return query.step() ? query.integer(0) : -1;
   }
 
-  sql::Connection db_{open_store_in_memory()};
+  sql::Connection db_{support::empty_store()};
   GliderTrackRepository tracks_{db_};
 };
 

@@ -3,8 +3,8 @@
 #include <gmock/gmock.h>
 
 #include "storage/repository/datasets/dataset_repository.hpp"
-#include "storage/repository/store/migrations.hpp"
 #include "tests/storage/repository/datasets/sample_data.hpp"
+#include "tests/support/empty_store.hpp"
 
 namespace floeplan::repository::ice_chart_repository_test {
 namespace {
@@ -20,7 +20,7 @@ class IceChartRepositoryTest : public testing::Test {
  protected:
   IceChartRepositoryTest() { DatasetRepository{db_}.insert(sample_dataset("chart", DatasetKind::ice)); }
 
-  sql::Connection db_ = open_store_in_memory();
+  sql::Connection db_ = support::empty_store();
   IceChartRepository charts_{db_};
 };
 

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "storage/repository/datasets/dataset_repository.hpp"
-#include "storage/repository/store/migrations.hpp"
 #include "tests/storage/repository/datasets/sample_data.hpp"
+#include "tests/support/empty_store.hpp"
 #include "tests/support/property.hpp"
 
 namespace floeplan::repository::iceberg_repository_test {
@@ -28,7 +28,7 @@ class IcebergRepositoryTest : public testing::Test {
   }
 
   const DatasetId dataset_{"ice-1"};
-  sql::Connection db_ = open_store_in_memory();
+  sql::Connection db_ = support::empty_store();
   IcebergRepository icebergs_{db_};
 };
 

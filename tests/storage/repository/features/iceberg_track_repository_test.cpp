@@ -7,8 +7,8 @@
 
 #include "storage/repository/datasets/dataset_repository.hpp"
 #include "storage/repository/features/iceberg_repository.hpp"
-#include "storage/repository/store/migrations.hpp"
 #include "tests/storage/repository/datasets/sample_data.hpp"
+#include "tests/support/empty_store.hpp"
 #include "tests/support/property.hpp"
 
 namespace floeplan::repository::iceberg_track_repository_test {
@@ -67,7 +67,7 @@ TrackFilter random_filter(std::mt19937_64& rng) {
 
 TEST(IcebergTracks, AreThoseOfEverySightingPageByPage) {
   support::for_each_seed(60, [](std::mt19937_64& rng) {
-    sql::Connection db = open_store_in_memory();
+    sql::Connection db = support::empty_store();
     IcebergRepository icebergs{db};
     for (const char* id : {"ice-1", "ice-2"}) {
       DatasetRepository{db}.insert(sample_dataset(id, DatasetKind::icebergs));

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "storage/repository/datasets/dataset_repository.hpp"
-#include "storage/repository/store/migrations.hpp"
 #include "tests/storage/repository/datasets/sample_data.hpp"
+#include "tests/support/empty_store.hpp"
 
 namespace floeplan::repository::zone_repository_test {
 namespace {
@@ -33,7 +33,7 @@ class ZoneRepositoryTest : public testing::Test {
  protected:
   ZoneRepositoryTest() { DatasetRepository{db_}.insert(sample_dataset("zones", DatasetKind::zones)); }
 
-  sql::Connection db_ = open_store_in_memory();
+  sql::Connection db_ = support::empty_store();
   ZoneRepository zones_{db_};
 };
 

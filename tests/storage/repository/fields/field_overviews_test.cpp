@@ -4,8 +4,8 @@
 
 #include "storage/repository/datasets/dataset_repository.hpp"
 #include "storage/repository/fields/field_repository.hpp"
-#include "storage/repository/store/migrations.hpp"
 #include "tests/storage/repository/datasets/sample_data.hpp"
+#include "tests/support/empty_store.hpp"
 
 namespace floeplan::repository::field_overviews_test {
 namespace {
@@ -35,7 +35,7 @@ class FieldOverviewsTest : public testing::Test {
   }
 
   const DatasetId id_{"bed"};
-  sql::Connection db_ = open_store_in_memory();
+  sql::Connection db_ = support::empty_store();
 };
 
 TEST_F(FieldOverviewsTest, ShowsTheWholeOfALargeFieldByNoMoreNodesThanAskedFor) {

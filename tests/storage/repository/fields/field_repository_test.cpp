@@ -10,9 +10,9 @@
 #include <stdexcept>
 
 #include "storage/repository/datasets/dataset_repository.hpp"
-#include "storage/repository/store/migrations.hpp"
 #include "storage/sql/statement.hpp"
 #include "tests/storage/repository/datasets/sample_data.hpp"
+#include "tests/support/empty_store.hpp"
 #include "tests/support/property.hpp"
 
 namespace floeplan::repository::field_repository_test {
@@ -78,7 +78,7 @@ class FieldRepositoryTest : public testing::Test {
   }
 
   const DatasetId id_{"field"};
-  sql::Connection db_ = open_store_in_memory();
+  sql::Connection db_ = support::empty_store();
   FieldRepository fields_{db_};
 };
 

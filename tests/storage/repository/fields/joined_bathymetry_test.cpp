@@ -6,8 +6,8 @@
 
 #include "storage/repository/datasets/dataset_repository.hpp"
 #include "storage/repository/fields/field_repository.hpp"
-#include "storage/repository/store/migrations.hpp"
 #include "tests/storage/repository/datasets/sample_data.hpp"
+#include "tests/support/empty_store.hpp"
 
 namespace floeplan::repository::joined_bathymetry_test {
 namespace {
@@ -33,7 +33,7 @@ class JoinedBathymetryTest : public testing::Test {
   }
 
   const geo::BoundingBox area_{0.0, 60.0, 4.0, 61.0};
-  sql::Connection db_ = open_store_in_memory();
+  sql::Connection db_ = support::empty_store();
 };
 
 TEST_F(JoinedBathymetryTest, IsTheOnlyDatasetItselfWhereThatIsSmall) {

@@ -18,8 +18,8 @@
 #include "storage/repository/fields/field_repository.hpp"
 #include "storage/repository/fields/forecast_runs.hpp"
 #include "storage/repository/fields/mesh_blocks.hpp"
-#include "storage/repository/store/migrations.hpp"
 #include "tests/storage/repository/datasets/sample_data.hpp"
+#include "tests/support/empty_store.hpp"
 #include "tests/support/property.hpp"
 
 namespace floeplan::repository::native_currents_test {
@@ -95,7 +95,7 @@ class NativeCurrents : public testing::Test {
   }
 
   const DatasetId id_{"native"};
-  sql::Connection db_ = open_store_in_memory();
+  sql::Connection db_ = support::empty_store();
   FieldRepository fields_{db_};
 };
 

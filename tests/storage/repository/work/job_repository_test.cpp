@@ -9,6 +9,7 @@
 
 #include "storage/repository/store/migrations.hpp"
 #include "storage/sql/transaction.hpp"
+#include "tests/support/empty_store.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace floeplan::repository::job_repository_test {
@@ -32,7 +33,7 @@ class JobRepositoryTest : public testing::Test {
  protected:
   JobRecord found(const std::string& id) { return jobs_.find({id}).value(); }
 
-  sql::Connection db_ = open_store_in_memory();
+  sql::Connection db_ = support::empty_store();
   JobRepository jobs_{db_};
 };
 

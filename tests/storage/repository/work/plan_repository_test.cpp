@@ -2,8 +2,8 @@
 
 #include <gmock/gmock.h>
 
-#include "storage/repository/store/migrations.hpp"
 #include "tests/storage/repository/datasets/sample_data.hpp"
+#include "tests/support/empty_store.hpp"
 
 namespace floeplan::repository::plan_repository_test {
 namespace {
@@ -28,7 +28,7 @@ std::vector<std::string> ids(const std::vector<PlanRecord>& plans) {
 
 class PlanRepositoryTest : public testing::Test {
  protected:
-  sql::Connection db_ = open_store_in_memory();
+  sql::Connection db_ = support::empty_store();
   PlanRepository plans_{db_};
 };
 

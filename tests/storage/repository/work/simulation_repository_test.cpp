@@ -2,8 +2,8 @@
 
 #include <gmock/gmock.h>
 
-#include "storage/repository/store/migrations.hpp"
 #include "tests/storage/repository/datasets/sample_data.hpp"
+#include "tests/support/empty_store.hpp"
 
 namespace floeplan::repository::simulation_repository_test {
 namespace {
@@ -22,7 +22,7 @@ SimulationRecord simulation(const std::string& id, const std::string& plan_id = 
 
 class SimulationRepositoryTest : public testing::Test {
  protected:
-  sql::Connection db_ = open_store_in_memory();
+  sql::Connection db_ = support::empty_store();
   SimulationRepository simulations_{db_};
 };
 

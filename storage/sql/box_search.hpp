@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+
+#include "storage/sql/connection.hpp"
+
+namespace floeplan::sql {
+
+/// A box as texts of a statement: parameters or numbers.
+struct BoxTexts {
+  std::string west;
+  std::string east;
+  std::string south;
+  std::string north;
+};
+
+/// A query for the column `row` of the boxes that meet another one, by the index that the engine has for boxes. The table
+/// has the columns row, west_deg, east_deg, south_deg, north_deg.
+[[nodiscard]] std::string rows_of_boxes_meeting(const Connection& db, const std::string& table,
+                                                const BoxTexts& box);
+
+}  // namespace floeplan::sql

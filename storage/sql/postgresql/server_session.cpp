@@ -1,0 +1,91 @@
+#include "storage/sql/postgresql/server_session.hpp"
+
+#include <new>
+#include <utility>
+
+#include "engine/messages/store_messages.hpp"
+#include "storage/sql/postgresql/server_failure.hpp"
+
+namespace floeplan::sql::postgresql {
+namespace {
+
+/// More than the different statements that a program of ours runs, and little memory for a server.
+constexpr std::size_t most_parsed = 300;
+
+bool has_succeeded(const Result& result) {
+  const ExecStatusType status = PQresultStatus(result.get());
+  return status == PGRES_COMMAND_OK || status == PGRES_TUPLES_OK || status == PGRES_EMPTY_QUERY;
+}
+
+std::string text_of(const char* text) { return text != nullptr ? text : ""; }
+
+}  // namespace
+
+ServerSession::ServerSession(const std::string& address, std::string settings)
+    : connection_{PQconnectdb(address.c_str())}, settings_{std::move(settings)} {
+  if (!connection_) throw std::bad_alloc{};
+  name_ = text_of(PQdb(connection_.get())) + " at " + text_of(PQhost(connection_.get()));
+  if (PQstatus(connection_.get()) != CONNECTION_OK) throw failure_of(nullptr, connection_.get(), name_);
+  PQsetNoticeProcessor(connection_.get(), [](void*, const char*) {}, nullptr);
+  run_script(settings_);
+}
+
+void ServerSession::reconnect_if_lost() {
+  if (PQstatus(connection_.get()) == CONNECTION_OK) return;
+  PQreset(connection_.get());
+  if (PQstatus(connection_.get()) != CONNECTION_OK) throw failure_of(nullptr, connection_.get(), name_);
+  parsed_.clear();
+  const Result result{PQexec(connection_.get(), settings_.c_str())};
+  if (!has_succeeded(result)) throw failure_of(result.get(), connection_.get(), name_);
+}
+
+void ServerSession::commit() {
+  const bool whole = PQtransactionStatus(connection_.get()) == PQTRANS_INTRANS;
+  run_script(whole ? "COMMIT" : "ROLLBACK");
+  if (!whole) throw Failure{messages::store_text<"transaction-undone">(name_)};
+}
+
+void ServerSession::run_script(const std::string& script) {
+  reconnect_if_lost();
+  const Result result{PQexec(connection_.get(), script.c_str())};
+  if (!has_succeeded(result)) throw failure_of(result.get(), connection_.get(), name_);
+}
+
+std::string ServerSession::parsed(const std::string& sql, const std::vector<Oid>& types) {
+  if (const auto known = parsed_.find({sql, types}); known != parsed_.end()) return known->second;
+  if (parsed_.size() >= most_parsed) {
+    run_script("DEALLOCATE ALL");
+    parsed_.clear();
+  }
+  std::string name = "s" + std::to_string(++names_given_);
+  const Result result{
+      PQprepare(connection_.get(), name.c_str(), sql.c_str(), static_cast<int>(types.size()), types.data())};
+  if (!has_succeeded(result)) throw failure_of(result.get(), connection_.get(), name_);
+  parsed_.emplace(std::pair{sql, types}, name);
+  return name;
+}
+
+Result ServerSession::run(const std::string& sql, const std::vector<WireValue>& values) {
+  reconnect_if_lost();
+  std::vector<Oid> types;
+  std::vector<const char*> bytes;
+  std::vector<int> lengths;
+  for (const WireValue& value : values) {
+    types.push_back(static_cast<Oid>(value.type));
+    bytes.push_back(value.is_null ? nullptr : value.bytes.empty() ? "" : value.bytes.data());
+    lengths.push_back(static_cast<int>(value.bytes.size()));
+  }
+  const std::vector<int> binary(values.size(), 1);
+  const std::string name = parsed(sql, types);
+  Result result{PQexecPrepared(connection_.get(), name.c_str(), static_cast<int>(values.size()), bytes.data(),
+                               lengths.data(), binary.data(), 1)};
+  if (!has_succeeded(result)) throw failure_of(result.get(), connection_.get(), name_);
+  return result;
+}
+
+bool ServerSession::is_in_transaction() const {
+  const PGTransactionStatusType status = PQtransactionStatus(connection_.get());
+  return status == PQTRANS_INTRANS || status == PQTRANS_INERROR;
+}
+
+}  // namespace floeplan::sql::postgresql

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <libpq-fe.h>
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "storage/sql/postgresql/wire_values.hpp"
+
+namespace floeplan::sql::postgresql {
+
+struct ClearResult {
+  void operator()(PGresult* result) const { PQclear(result); }
+};
+using Result = std::unique_ptr<PGresult, ClearResult>;
+
+/// One session at a server, and the statements that the server has parsed for it.
+/// Threads  one thread at a time
+/// Errors   Failure when the server refuses, or is out of reach
+class ServerSession {
+ public:
+  /// `address`   a connection string or URL of libpq
+  /// `settings`  a script that each session begins with
+  ServerSession(const std::string& address, std::string settings);
+
+  /// Runs a script of statements without values. After the session was lost, and its transaction with it, a new one begins.
+  void run_script(const std::string& script);
+  /// Errors   Failure also when the transaction has failed or was lost: the server takes a COMMIT for a ROLLBACK then
+  void commit();
+  /// Runs one statement to its end and takes all of its rows, in binary form. One that was run before with values of the
+  /// same types is not parsed anew.
+  [[nodiscard]] Result run(const std::string& sql, const std::vector<WireValue>& values);
+
+  [[nodiscard]] bool is_in_transaction() const;
+  /// Its name and its server's, for a person.
+  [[nodiscard]] const std::string& name() const { return name_; }
+
+ private:
+  struct EndSession {
+    void operator()(PGconn* connection) const { PQfinish(connection); }
+  };
+  void reconnect_if_lost();
+  /// The name of a statement that the server has parsed.
+  [[nodiscard]] std::string parsed(const std::string& sql, const std::vector<Oid>& types);
+
+  std::unique_ptr<PGconn, EndSession> connection_;
+  std::string settings_;
+  std::string name_;
+  std::map<std::pair<std::string, std::vector<Oid>>, std::string> parsed_;
+  std::int64_t names_given_{0};
+};
+
+}  // namespace floeplan::sql::postgresql

@@ -1,0 +1,48 @@
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "storage/repository/store/dataset_tables.hpp"
+#include "storage/repository/store/migrations.hpp"
+#include "storage/repository/store/schema.hpp"
+#include "storage/sql/schema_number.hpp"
+#include "storage/sql/tables.hpp"
+#include "tests/support/empty_store.hpp"
+
+namespace floeplan::repository::server_schema_test {
+namespace {
+
+/// "name type" of each column, sorted: which comes first differs where columns were added later.
+std::vector<std::string> columns(sql::Connection& db, const std::string& table) {
+  static constexpr const char* names[]{"integer", "real", "text", "blob"};
+  std::vector<std::string> texts;
+  for (const sql::Column& column : sql::columns_of(db, table))
+    texts.push_back(column.name + " " + names[static_cast<int>(column.type)]);
+  std::ranges::sort(texts);
+  return texts;
+}
+
+/// Repositories hold one text for both engines, so a store at a server must have the same tables.
+TEST(ServerSchema, HasTheTablesAndColumnsOfAStoreInAFolder) {
+  sql::Connection here = open_store_in_memory();
+  sql::Connection there = support::empty_store();
+  const std::vector<std::string> tables = sql::tables_of(here, "main", "");
+  EXPECT_GT(tables.size(), 20U);
+  for (const std::string& table : tables) {
+    EXPECT_TRUE(sql::has_table(there, table)) << table;
+    EXPECT_EQ(columns(there, table), columns(here, table)) << table;
+    const std::string box = boxes_of(table);
+    EXPECT_EQ(sql::has_table(there, box), sql::has_table(here, box)) << box;
+  }
+}
+
+TEST(ServerSchema, IsLeftAsItIsWhenTheStoreIsOpenedAgain) {
+  sql::Connection db = support::empty_store();
+  bring_to_newest_schema(db);
+  EXPECT_EQ(sql::schema_number(db), newest_schema());
+}
+
+}  // namespace
+}  // namespace floeplan::repository::server_schema_test
