@@ -469,7 +469,10 @@ TEST_F(FieldRepositoryTest, ReadsCurrentsWithoutTimeAndDepth) {
 TEST_F(FieldRepositoryTest, SaysWhenAChunkIsDamaged) {
   std::mt19937_64 rng{1};
   store_noise(rng, {geo::GeographicFrame{}, axis(0.0, 1.0, 4), axis(0.0, 1.0, 4)});
-  sql::execute(db_, "UPDATE field_chunk SET samples = x'00112233445566778899'");
+  const std::vector<std::byte> nonsense(10, std::byte{0x5a});
+  sql::Statement spoil{db_, "UPDATE field_chunk SET samples = ?1"};
+  spoil.bind(1, std::span{nonsense});
+  spoil.run();
 
   try {
     (void)fields_.load_bathymetry(id_, everywhere);
