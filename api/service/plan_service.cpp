@@ -2,10 +2,14 @@
 
 #include <chrono>
 #include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "api/codec/documents/alternative_document.hpp"
 #include "api/codec/documents/departure_document.hpp"
 #include "api/codec/documents/plan_document.hpp"
+#include "api/service/swapped_places.hpp"
 #include "api/service/threads.hpp"
 #include "engine/core/utc_text.hpp"
 #include "engine/messages/fault.hpp"
@@ -63,6 +67,14 @@ planning::WindowPlan make_plan(const ocean::Environment& environment, const plan
   }
   return {.departures = {},
           .plan = planning::plan_route(environment, request, stop, progress, wider, executor)};
+}
+
+std::vector<GivenPlace> places_of(const planning::PlanRequest& request) {
+  std::vector<GivenPlace> places{{"from", request.from}};
+  for (std::size_t i = 0; i < request.via.size(); ++i)
+    places.emplace_back("via/" + std::to_string(i), request.via[i]);
+  places.emplace_back("to", request.to);
+  return places;
 }
 
 void add_remarks(planning::Plan& plan, const std::vector<std::string>& remarks) {
@@ -136,6 +148,8 @@ tl::expected<json, core::Violations> plan_route_document(sql::Connection& db, co
                                                          const core::ProgressCallback& progress,
                                                          core::UtcTime now, KeptWork* kept) {
   if (progress) progress("loading data", 0.0);
+  if (auto swapped = swapped_places(db, places_of(inputs.request), inputs.data); !swapped.empty())
+    return tl::unexpected(std::move(swapped));
   const auto environment = repository::load_environment(db, inputs.data, reading(stop, kept));
   if (!environment) return tl::unexpected(environment.error());
 

@@ -261,6 +261,7 @@ void read_land(sql::Connection& db, const std::vector<Dataset>& datasets, codec:
     const bool inside = std::ranges::any_of(
         polygons, [&](const geo::Polygon& polygon) { return geo::contains(polygon, probe.place); });
     probe.land = inside || probe.land.value_or(false);
+    if (inside && probe.coastline.empty()) probe.coastline = dataset.name;
   }
   if (probe.land) return;
   if (probe.depth) probe.land = probe.depth->value <= 0.0;

@@ -1,9 +1,11 @@
 #include "api/service/reach_service.hpp"
 
 #include <chrono>
+#include <utility>
 
 #include "api/codec/documents/plan_document.hpp"
 #include "api/codec/documents/reach_document.hpp"
+#include "api/service/swapped_places.hpp"
 #include "engine/messages/plan_messages.hpp"
 #include "engine/planning/find_isochrones.hpp"
 #include "storage/json/json.hpp"
@@ -17,6 +19,10 @@ tl::expected<nlohmann::json, core::Violations> reach_document(sql::Connection& d
                                                               const core::ProgressCallback& progress,
                                                               KeptWork* kept) {
   if (progress) progress("loading data", 0.0);
+  const bool from = inputs.request.direction == planning::IsochroneRequest::Direction::from;
+  if (auto swapped = swapped_places(db, {{from ? "from" : "to", inputs.request.place}}, inputs.data);
+      !swapped.empty())
+    return tl::unexpected(std::move(swapped));
   const auto environment =
       repository::load_environment(db, inputs.data, {stop, kept != nullptr ? &kept->currents : nullptr});
   if (!environment) return tl::unexpected(environment.error());

@@ -1,6 +1,8 @@
 #include "engine/geo/bearing.hpp"
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 
 #include "engine/core/units.hpp"
 
@@ -20,6 +22,12 @@ Bearing Bearing::towards(double east, double north) {
 double Bearing::degrees() const {
   const double angle = core::radians_to_degrees(std::atan2(east_, north_));
   return angle < 0.0 ? std::fmod(angle + 360.0, 360.0) : angle + 0.0;  // never minus zero
+}
+
+std::string_view compass_point(Bearing bearing) {
+  static constexpr std::array<std::string_view, 8> names{"north", "north-east", "east", "south-east",
+                                                         "south", "south-west", "west", "north-west"};
+  return names[static_cast<std::size_t>(std::lround(bearing.degrees() / 45.0)) % names.size()];
 }
 
 }  // namespace floeplan::geo

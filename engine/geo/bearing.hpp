@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string_view>
+
 namespace floeplan::geo {
 
 /// A horizontal direction, clockwise from true north. Kept as its unit vector, so it has no wrap-around.
@@ -20,5 +22,8 @@ class Bearing {
   double east_;
   double north_;
 };
+
+/// The nearest of the eight points of the compass in words: "north-east".
+[[nodiscard]] std::string_view compass_point(Bearing bearing);
 
 }  // namespace floeplan::geo

@@ -24,7 +24,7 @@ std::string doubt_in_turns(const Polygon& polygon) {
   for (const Ring& hole : polygon.holes) rings.push_back(&hole);
   for (const Ring* const ring : rings) {
     if (turn_of(*ring) != 0.0)
-      return "leads round a pole, which outlines in longitude and latitude cannot; divide it along meridians";
+      return "leads round a pole, but an outline in longitude and latitude cannot; divide it along meridians";
     double widest_deg = 0.0;
     for (std::size_t i = 0; i < ring->size(); ++i)
       widest_deg = std::max(widest_deg, std::abs(longitude_difference(

@@ -11,76 +11,80 @@ inline constexpr auto export_kinds = std::to_array<Kind>({
     // The plan in newer data.
     {.code = "closed-in-newest-data",
      .rank = Rank::danger,
-     .text = "In the newest data, leg {leg}: {found}.",
+     .text = "The newest data close leg {leg}: {found}.",
      .slots = {{{"leg", 3}, {"found", "the route comes too close to an iceberg"}}}},
     {.code = "unknown-in-newest-data",
      .rank = Rank::caution,
-     .text = "In the newest data, leg {leg}: {found}.",
+     .text = "The newest data leave leg {leg} unchecked: {found}.",
      .slots = {{{"leg", 3}, {"found", "the stored data do not cover this place at this time"}}}},
     {.code = "ice-above-in-newest-data",
      .rank = Rank::danger,
-     .text = "In the newest data, {found}.",
-     .slots = {{{"found", "the vehicle may not surface at waypoints 3 to 5, where the plan lets it"}}}},
+     .text = "In the newest data, {found}",
+     .hint = "Plan again.",
+     .slots = {{{"found", "the vehicle must not surface at waypoints 3 to 5, although the plan allows it"}}}},
     {.code = "sightings-too-old-for-plan",
      .rank = Rank::danger,
-     .text = "{ignored} {ignored:iceberg|icebergs} ignored: not seen for too long by the departure of the "
-             "plan. Each may still be near the route",
+     .text = "{ignored} {ignored:iceberg was|icebergs were} ignored, because {ignored:its last sighting "
+             "is|their last sightings are} too old at the departure of the plan. {ignored:The iceberg|Each} "
+             "may still be near the route",
+     .hint = "Ingest newer sightings and plan again.",
      .slots = {{{"ignored", 2}}}},
     {.code = "clear-in-newest-data",
      .rank = Rank::note,
      .text = "The data have changed since the plan was made. The plan is still clear in the newest data."},
     {.code = "not-checked-in-data",
      .rank = Rank::caution,
-     .text = "The plan could not be checked in the stored data: {why}.",
+     .text = "The plan could not be checked in the stored data, because {why}.",
      .slots = {{{"why", "no stored dataset reaches 60 W to 58 W, 69 N to 70 N"}}}},
     {.code = "not-checked-by-this-version",
      .rank = Rank::caution,
-     .text = "The plan was stored by another version and could not be checked in newer data."},
+     .text = "Another version stored the plan, so it could not be checked in newer data",
+     .hint = "Plan again before the flight."},
     {.code = "made-without-bathymetry",
      .rank = Rank::caution,
-     .text = "The plan was made without bathymetry: depths are not checked."},
+     .text = "The plan was made without bathymetry, so depths are not checked."},
     {.code = "made-without-ice",
      .rank = Rank::caution,
-     .text = "The plan was made without ice: open water is assumed."},
+     .text = "The plan was made without sea ice, so open water is assumed."},
     {.code = "made-without-icebergs",
      .rank = Rank::caution,
-     .text = "The plan was made without icebergs: no iceberg is avoided."},
+     .text = "The plan was made without icebergs, so it avoids none."},
 
     // Lists of waypoints.
     {.code = "several-lists",
      .rank = Rank::caution,
-     .text = "The plan takes {lists} lists, {first} to {last}: a list has at most {most} "
-             "{most:waypoint|waypoints}, and ends earlier at a hold or at ice. The vehicle flies only the "
-             "list that its mission names:",
-     .hint = "send the next one when a list ends.",
+     .text = "The plan takes {lists} lists, {first} to {last}. A list has at most {most} "
+             "{most:waypoint|waypoints} and ends earlier at a hold or at ice. The vehicle flies only the "
+             "list that its mission names",
+     .hint = "Send the next list when a list ends.",
      .slots = {{{"lists", 3}, {"first", "goto_l10.ma"}, {"last", "goto_l12.ma"}, {"most", 8}}}},
     {.code = "lists-with-holds",
      .rank = Rank::caution,
-     .text = "The plan takes {lists} lists, {first} to {last}, {holds} of them to hold station. The vehicle "
-             "flies "
-             "only the list that its mission names:",
-     .hint = "send the next one when a list ends.",
+     .text = "The plan takes {lists} lists, {first} to {last}, of which {holds} {holds:holds|hold} station. "
+             "The vehicle flies only the list that its mission names",
+     .hint = "Send the next list when a list ends.",
      .slots = {{{"lists", 3}, {"holds", 1}, {"first", "goto_l10.ma"}, {"last", "goto_l12.ma"}}}},
     {.code = "list-ends-in-unknown-ice",
      .rank = Rank::caution,
-     .text = "{list} ends at waypoint {waypoint}, where the ice is unknown:",
-     .hint = "make sure that the vehicle can surface there.",
+     .text = "{list} ends at waypoint {waypoint}, where the ice is unknown",
+     .hint = "Make sure that the vehicle can surface there.",
      .slots = {{{"list", "goto_l10.ma"}, {"waypoint", 8}}}},
     {.code = "list-ends-far-off",
      .rank = Rank::caution,
-     .text = "{list} ends at waypoint {waypoint} with a position error of {error_km:.0f} km:",
-     .hint = "make sure that the water is open that far to all sides, or plan a surfacing before it.",
+     .text = "{list} ends at waypoint {waypoint} with a position error of {error_km:.0f} km",
+     .hint =
+         "Make sure that all water within this distance is open, or plan a surfacing before this waypoint.",
      .slots = {{{"list", "goto_l10.ma"}, {"waypoint", 8}, {"error_km", 6.0}}}},
     {.code = "list-ends-after-ice-of-earlier-version",
      .rank = Rank::caution,
-     .text = "{list} ends at waypoint {waypoint} after ice or icebergs. The plan was stored by an older "
-             "version, without the distance beyond them:",
-     .hint = "plan again before the flight.",
+     .text = "{list} ends at waypoint {waypoint} after ice or icebergs. An older version stored the plan, "
+             "without the distance of this waypoint from the ice",
+     .hint = "Plan again before the flight.",
      .slots = {{{"list", "goto_l10.ma"}, {"waypoint", 8}}}},
     // A caution: the planned end lies in open water, and only an error of the position as large as expected leads below.
     {.code = "list-may-end-below-ice",
      .rank = Rank::caution,
-     .text = "{list} ends at waypoint {waypoint}, {room}: the vehicle may surface below the ice",
+     .text = "{list} ends at waypoint {waypoint}, {room}. The vehicle may therefore surface below the ice",
      .hint = "Plan the end more than {needed_m:.0f} m from the ice, or use a vehicle with smaller errors of "
              "dead reckoning and currents.",
      .slots = {{{"list", "goto_l10.ma"},
@@ -89,51 +93,53 @@ inline constexpr auto export_kinds = std::to_array<Kind>({
                 {"needed_m", 1900.0}}}},
     {.code = "list-ends-beside-ice",
      .rank = Rank::caution,
-     .text = "{list} ends at waypoint {waypoint}, {room}:",
-     .hint = "make sure that the water is open that far to all sides.",
+     .text = "{list} ends at waypoint {waypoint}, {room}",
+     .hint = "Make sure that all water within the waypoint radius and the position error is open.",
      .slots = {{{"list", "goto_l10.ma"},
                 {"waypoint", 8},
                 {"room", "5000 m beyond the ice (waypoint radius 500 m, position error 1600 m)"}}}},
     {.code = "list-flown-longer",
      .rank = Rank::caution,
      .text = "{list} may take {late_h:.1f} h longer than planned, because the vehicle navigates with the "
-             "current estimate of the list before:",
-     .hint = "make sure that the water at its end is still open then.",
+             "current estimate of the list before it",
+     .hint = "Make sure that the water at the end of this list is still open then.",
      .slots = {{{"list", "goto_l11.ma"}, {"late_h", 5.6}}}},
     {.code = "long-before-first-surfacing",
      .rank = Rank::caution,
      .text = "{list} takes {flown_h:.1f} h to the first surfacing. Until then the vehicle navigates with the "
-             "current estimate of its last mission, or with none: each 0.1 m/s of error takes it "
-             "{off_km:.1f} km off the route, beside ice or below it",
-     .hint = "Have it make a short dive at the start, or send the first waypoint alone.",
+             "current estimate of its last mission, or without any estimate. Each 0.1 m/s of error carries "
+             "the vehicle {off_km:.1f} km off the route, and perhaps below ice",
+     .hint = "Order a short dive at the start, or send a list with only the first waypoint.",
      .slots = {{{"list", "goto_l10.ma"}, {"flown_h", 8.0}, {"off_km", 2.9}}}},
     {.code = "lists-longer-than-documented",
      .rank = Rank::caution,
-     .text = "The lists hold up to {most} {most:waypoint|waypoints}; the vendor documents 8",
-     .hint = "Make sure that this vehicle's firmware takes more.",
+     .text = "The lists hold up to {most} {most:waypoint|waypoints}, but the vendor documents only 8",
+     .hint = "Make sure that the firmware of this vehicle accepts longer lists.",
      .slots = {{{"most", 12}}}},
     {.code = "waypoint-radius-too-large",
      .rank = Rank::caution,
-     .text = "The waypoint radius of {radius_m:.0f} m is half of the shortest leg ({shortest_m:.0f} m) or "
-             "more: the vehicle may skip a waypoint.",
+     .text = "The waypoint radius of {radius_m:.0f} m is at least half of the shortest leg ({shortest_m:.0f} "
+             "m), so the vehicle may skip a waypoint",
+     .hint = "Choose a smaller radius.",
      .slots = {{{"radius_m", 500.0}, {"shortest_m", 800.0}}}},
     {.code = "corners-may-be-cut",
      .rank = Rank::caution,
      .text = "The vehicle turns up to {radius_m:.0f} m before a waypoint and may cut corners, but the plan "
-             "passes {what} at {clearance_m:.0f} m:",
-     .hint = "consider a smaller radius.",
+             "passes {what} at {clearance_m:.0f} m",
+     .hint = "Consider a smaller waypoint radius.",
      .slots = {{{"radius_m", 500.0}, {"what", "an iceberg"}, {"clearance_m", 400.0}}}},
     {.code = "long-leg",
      .rank = Rank::caution,
-     .text = "The leg to waypoint {waypoint} is {leg_km:.0f} km long:",
-     .hint = "check the mission's max_wpt_distance, beyond which the vehicle aborts.",
+     .text = "The leg to waypoint {waypoint} is {leg_km:.0f} km long. The vehicle aborts on a leg longer "
+             "than the mission's max_wpt_distance",
+     .hint = "Check this value.",
      .slots = {{{"waypoint", 3}, {"leg_km", 140.0}}}},
     {.code = "hold-list",
      .rank = Rank::caution,
-     .text = "{list} holds station at waypoint {waypoint}: {legs} legs between two rows, about "
-             "{expected_h:.1f} h "
-             "by the currents of the plan:",
-     .hint = "send {next} at the surfacing nearest to {release}, and {list} again if it ends long before.",
+     .text = "{list} holds station at waypoint {waypoint} with {legs} legs between two rows. In the currents "
+             "of the plan that takes about {expected_h:.1f} h",
+     .hint =
+         "Send {next} at the surfacing nearest to {release}. If {list} ends long before, send {list} again.",
      .slots = {{{"list", "goto_l11.ma"},
                 {"waypoint", 4},
                 {"legs", 5},
@@ -142,8 +148,9 @@ inline constexpr auto export_kinds = std::to_array<Kind>({
                 {"release", "2027-01-12T18:00:00Z"}}}},
     {.code = "hold-list-without-end",
      .rank = Rank::caution,
-     .text = "{list} holds station at waypoint {waypoint} without end; the plan holds for {wait_h:.1f} h:",
-     .hint = "send {next} at the surfacing nearest to {release}.",
+     .text = "{list} holds station at waypoint {waypoint} without end, but the plan holds only for "
+             "{wait_h:.1f} h",
+     .hint = "Send {next} at the surfacing nearest to {release}.",
      .slots = {{{"list", "goto_l11.ma"},
                 {"waypoint", 4},
                 {"wait_h", 30.5},
@@ -151,83 +158,83 @@ inline constexpr auto export_kinds = std::to_array<Kind>({
                 {"release", "2027-01-12T18:00:00Z"}}}},
     {.code = "hold-shorter-than-list",
      .rank = Rank::caution,
-     .text =
-         "The plan holds for {wait_h:.1f} h at waypoint {waypoint}, less than a list of two rows takes. The "
-         "vehicle is at the surface there:",
-     .hint = "send the next list at {release}.",
+     .text = "The plan holds for {wait_h:.1f} h at waypoint {waypoint}, which is shorter than a list of two "
+             "rows takes. The vehicle stays at the surface there",
+     .hint = "Send the next list at {release}.",
      .slots = {{{"wait_h", 0.5}, {"waypoint", 4}, {"release", "2027-01-12T18:00:00Z"}}}},
     {.code = "hold-not-in-lists",
      .rank = Rank::caution,
-     .text = "The plan holds for {wait_h:.1f} h at waypoint {waypoint}, where the vehicle may not surface. "
-             "No list "
-             "ends there, so that the vehicle flies on at once:",
-     .hint = "plan again without holds (--max-hold 0), or depart later.",
+     .text = "The plan holds for {wait_h:.1f} h at waypoint {waypoint}, where the vehicle must not surface. "
+             "No list ends there, so the vehicle flies on at once",
+     .hint = "Plan again without holds (--max-hold 0), or depart later.",
      .slots = {{{"wait_h", 1.5}, {"waypoint", 4}}}},
     {.code = "format-without-holds",
      .rank = Rank::caution,
-     .text = "The plan holds for {wait_h:.1f} h at waypoint {waypoint}, but the format {format} does not "
-             "tell the "
-             "vehicle:",
-     .hint = "keep it there until {release}.",
+     .text = "The plan holds for {wait_h:.1f} h at waypoint {waypoint}, but the format {format} cannot order "
+             "a hold",
+     .hint = "Keep the vehicle there until {release}.",
      .slots = {{{"wait_h", 2.7}, {"waypoint", 4}, {"format", "gpx"}, {"release", "2027-01-12T18:00:00Z"}}}},
     {.code = "beyond-utm",
      .rank = Rank::caution,
      .text = "The plan goes beyond 84 N or 80 S. The vehicle navigates in UTM metres, which are not defined "
-             "there:",
-     .hint = "ask the vendor before the flight."},
+             "there",
+     .hint = "Ask the vendor before the flight."},
     {.code = "thruster-not-in-files",
      .rank = Rank::caution,
      .text = "The legs to waypoints {waypoints} are planned with the thruster, but these files do not turn "
-             "it on: without it the vehicle is slower and misses the planned times",
-     .hint = "Set d_use_thruster and c_use_thruster in the yo for them, or plan with the thruster on all "
-             "legs or on none.",
+             "it on. Without the thruster the vehicle is slower and misses the planned times",
+     .hint = "Set d_use_thruster and c_use_thruster in the yo of these legs, or plan with the thruster on "
+             "all legs or on none.",
      .slots = {{{"waypoints", "2 to 4"}}}},
     {.code = "currents-of-legs-not-told",
      .rank = Rank::caution,
-     .text = "The plan was stored by an older version, without the currents on its legs. They may carry the "
-             "vehicle farther than the lists allow for, beside ice or below it:",
-     .hint = "plan again before the flight."},
+     .text = "An older version stored the plan, without the currents on its legs. Currents may carry the "
+             "vehicle farther than the lists allow for, beside ice or below it",
+     .hint = "Plan again before the flight."},
 
     // Below ice and icebergs.
     {.code = "files-pass-under-iceberg",
      .rank = Rank::caution,
-     .text = "The plan passes under iceberg {iceberg} from {from} to {until}: the vehicle must not surface "
-             "then, and the yo must turn no higher than {turn_m:.0f} m.",
+     .text = "The plan passes under iceberg {iceberg} from {from} to {until}. During this time the vehicle "
+             "must not surface, and the upper turn of the yo must be at {turn_m:.0f} m or deeper.",
      .slots = {{{"iceberg", "B-17"},
                 {"from", "2027-01-12T18:00:00Z"},
                 {"until", "2027-01-12T19:00:00Z"},
                 {"turn_m", 60.0}}}},
     {.code = "files-pass-below-ice",
      .rank = Rank::caution,
-     .text = "The plan passes below ice or icebergs before waypoint {waypoints}: request no surfacing there, "
-             "and let the yo turn no higher than {turn_m:.0f} m.",
+     .text = "The plan passes below ice or icebergs on the legs to these waypoints: {waypoints}",
+     .hint = "Request no surfacing there, and set the upper turn of the yo to {turn_m:.0f} m or deeper.",
      .slots = {{{"waypoints", "3 to 5"}, {"turn_m", 40.0}}}},
     {.code = "nowhere-to-surface",
      .rank = Rank::caution,
-     .text = "The vehicle has no place to surface before waypoint {waypoints}.",
+     .text = "The vehicle has no place to surface on the legs to these waypoints: {waypoints}.",
      .slots = {{{"waypoints", "3 to 5"}}}},
     {.code = "upper-turns-not-told",
      .rank = Rank::caution,
-     .text = "The plan was stored by an older version, without the depth where dives turn below ice:",
-     .hint = "plan again before the flight."},
+     .text = "An older version stored the plan, without the upper turn of dives below ice",
+     .hint = "Plan again before the flight."},
     {.code = "files-in-unknown-ice",
      .rank = Rank::caution,
      .text = "The ice on {unknown_km:.1f} km of the route is unknown. There the yo turns as in open water, "
-             "or below the last known keels.",
+             "or below the last known keels",
+     .hint = "Make sure that the water there is open.",
      .slots = {{{"unknown_km", 12.4}}}},
     {.code = "format-without-turns",
      .rank = Rank::caution,
-     .text = "The plan passes below ice or icebergs, but the format {format} cannot tell the vehicle: its "
-             "dives must turn no higher than {turn}, and no surfacing may be requested there.",
+     .text = "The plan passes below ice or icebergs, but the format {format} cannot tell the vehicle so. "
+             "There the upper turn must be at {turn} or deeper, and the vehicle must not surface",
+     .hint = "Set this in the vehicle's own files.",
      .slots = {{{"format", "gpx"}, {"turn", "40 m"}}}},
     {.code = "stock-missions-needed",
      .rank = Rank::caution,
-     .text = "Under ice the vehicle's own response needs breadcr.mi, freewig.mi and recov.mi on board, with "
-             "dive depths for this water. The export does not write these stock missions."},
+     .text = "Under ice the vehicle responds to faults with breadcr.mi, freewig.mi and recov.mi. The export "
+             "does not write these stock missions",
+     .hint = "Make sure that they are on board, with dive depths for this water."},
     {.code = "safe-list-replaced",
      .rank = Rank::note,
      .text =
-         "goto_l98.ma replaces the list of safe places on board; the firmware writes goto_l99.ma itself."},
+         "goto_l98.ma replaces the list of safe places on board. The firmware itself writes goto_l99.ma."},
     {.code = "no-ice-on-route",
      .rank = Rank::note,
      .text = "The route passes below no ice: the mission surfaces at every waypoint and every "
@@ -242,78 +249,80 @@ inline constexpr auto export_kinds = std::to_array<Kind>({
      .slots = {{{"interval_h", 3.0}}}},
     {.code = "watchdog-not-held-off",
      .rank = Rank::caution,
-     .text = "A list takes {list_h:.1f} h below ice without contact, but abend no_cop_tickle_for stays at "
-             "13.5 h:",
-     .hint = "make sure that u_always_cop_tickle_hardware holds the watchdog off.",
+     .text = "A list takes {list_h:.1f} h below ice without contact, but the watchdog time no_cop_tickle_for "
+             "of abend stays at 13.5 h",
+     .hint = "Make sure that u_always_cop_tickle_hardware resets the watchdog in time.",
      .slots = {{{"list_h", 20.0}}}},
     {.code = "surfacings-not-in-files",
      .rank = Rank::caution,
-     .text = "{surfacings} planned {surfacings:surfacing is|surfacings are} not in the files: below ice the "
-             "vehicle surfaces only at the end of each list. Its position error grows as if they were not "
-             "planned.",
+     .text = "{surfacings} planned {surfacings:surfacing is|surfacings are} not in the files, because below "
+             "ice the vehicle surfaces only at the end of each list. The position error therefore grows "
+             "until the end of the list.",
      .slots = {{{"surfacings", 3}}}},
     {.code = "bed-unknown-below-ice",
      .rank = Rank::caution,
-     .text = "The sea bed is unknown on part of the route:",
-     .hint = "make sure that the yo has room there between the ice and the sea bed, and over every bank."},
+     .text = "The sea bed is unknown on part of the route",
+     .hint = "Make sure that the yo has room there between the ice and the sea bed, and over every bank."},
     {.code = "iceberg-near-safe-place",
      .rank = Rank::caution,
-     .text = "Iceberg {iceberg} was seen within {away_km:.0f} km of the safe place {place}, and drifts:",
-     .hint = "make sure that the safe place stays clear.",
+     .text =
+         "Iceberg {iceberg} was seen within {away_km:.0f} km of the safe place {place}, and may drift there",
+     .hint = "Make sure that the safe place stays clear.",
      .slots = {{{"iceberg", "B-17"}, {"away_km", 3.0}, {"place", "69.2000 N 53.2000 W"}}}},
     {.code = "safe-place-unknown",
      .rank = Rank::caution,
-     .text = "Data on {unknown} at the safe place {place} are missing for part or all of the plan:",
-     .hint = "make sure that the water there is open and deep enough.",
+     .text = "Data on {unknown} at the safe place {place} are missing for part or all of the plan",
+     .hint = "Make sure that the water there is open and deep enough.",
      .slots = {{{"unknown", "the ice"}, {"place", "69.2000 N 53.2000 W"}}}},
 
     // The yo.
     {.code = "yo-above-plan",
      .rank = Rank::caution,
-     .text = "The yo turns at {yo_m:.0f} m instead of the plan's {planned_m:.0f} m, to stay above the depth "
-             "rating of {rating_m:.0f} m, where the vehicle aborts.",
+     .text = "The yo turns at {yo_m:.0f} m instead of the planned {planned_m:.0f} m, because the vehicle "
+             "aborts at its depth rating of {rating_m:.0f} m.",
      .slots = {{{"yo_m", 980.0}, {"planned_m", 1000.0}, {"rating_m", 1000.0}}}},
     {.code = "pump-of-profile",
      .rank = Rank::caution,
-     .text = "Pump and pitch in the yo file come from the vehicle profile, and ballast is not checked:",
-     .hint = "check them before use."},
+     .text = "Pump and pitch in the yo file come from the vehicle profile, and the ballast is not checked",
+     .hint = "Check all three before the flight."},
     {.code = "pump-and-thruster-of-profile",
      .rank = Rank::caution,
-     .text =
-         "Pump, pitch and thruster in the yo file come from the vehicle profile, and ballast is not checked:",
-     .hint = "check them before use."},
+     .text = "Pump, pitch and thruster in the yo file come from the vehicle profile, and the ballast is not "
+             "checked",
+     .hint = "Check all four before the flight."},
     {.code = "yo-cannot-fly-plan",
      .rank = Rank::caution,
      .text = "The waypoints {why}.",
      .slots = {{{"why", "cannot be flown by the one yo of the mission"}}}},
     {.code = "yo-may-not-fly-plan",
      .rank = Rank::caution,
-     .text = "It is not known whether the plan can be flown {how}.",
+     .text = "The check does not show whether the plan can be flown {how}.",
      .slots = {{{"how", "by the one yo of the mission"}}}},
     {.code = "yo-flies-otherwise",
      .rank = Rank::caution,
-     .text = "Flown {how}, {difference}",
+     .text = "With all legs flown {how}, {difference}",
      .hint = "For times and energy that hold, {instead}.",
      .slots = {{{"how", "by the one yo of the mission"},
-                {"difference", "it arrives 2.0 h later than planned"},
+                {"difference", "the vehicle arrives 2.0 h later than planned"},
                 {"instead", "plan anew for this yo"}}}},
     {.code = "yo-not-checked",
      .rank = Rank::caution,
-     .text = "The yo turns at the same depths on the whole route. The stored data did not allow a check that "
-             "it can fly the plan."},
+     .text = "The yo turns at the same depths on the whole route. The stored data do not suffice to check "
+             "that it can fly the plan",
+     .hint = "Check the depths along the route yourself."},
 
     // Seagliders.
     {.code = "seaglider-limits-on-board",
      .rank = Rank::caution,
-     .text = "The cmdfile sets only $D_TGT and $T_DIVE:",
-     .hint = "make sure that $T_MISSION and $D_ABORT on board are larger, and that ballast and $MAX_BUOY "
-             "give this vertical speed."},
+     .text = "The cmdfile sets only $D_TGT and $T_DIVE",
+     .hint = "Make sure that $T_MISSION and $D_ABORT on board are larger, and that the ballast and $MAX_BUOY "
+             "give the planned vertical speed."},
     {.code = "seaglider-over-shoal",
      .rank = Rank::caution,
-     .text = "$D_TGT is {dive_m:.0f} m, but the sea is {bed_m:.0f} m deep at {place}, before waypoint "
-             "{waypoint}, where the plan dives to {planned_m:.0f} m:",
-     .hint = "make sure that the vehicle's altimeter or its own bathymetry map turns it there, or plan again "
-             "with a smaller dive depth.",
+     .text = "$D_TGT is {dive_m:.0f} m, but the sea is only {bed_m:.0f} m deep at {place}, before waypoint "
+             "{waypoint}. The plan dives only to {planned_m:.0f} m there",
+     .hint = "Make sure that the vehicle's altimeter or its bathymetry map turns the dive in time, or plan "
+             "again with a smaller dive depth.",
      .slots = {{{"dive_m", 200.0},
                 {"bed_m", 120.0},
                 {"place", "69.2000 N 53.2000 W"},
@@ -321,7 +330,7 @@ inline constexpr auto export_kinds = std::to_array<Kind>({
                 {"planned_m", 100.0}}}},
     {.code = "no-science-file",
      .rank = Rank::note,
-     .text = "No science file: the vehicle samples as it did before."},
+     .text = "No science file is written, so the vehicle samples as it did before."},
 });
 
 /// The message of this code; it is told its values in the order of the catalogue.

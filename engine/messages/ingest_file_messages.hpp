@@ -10,28 +10,29 @@ namespace floeplan::messages {
 inline constexpr auto ingest_file_kinds = std::to_array<Kind>({
     {.code = "more-faults",
      .rank = Rank::caution,
-     .text = "{more} more {more:fault|faults} not listed",
+     .text = "the file has {more} more {more:fault|faults}, not listed here",
      .slots = {{{"more", 12}}}},
     {.code = "dataset-id-taken",
      .rank = Rank::caution,
-     .text = "another dataset has the id {id}: both files share the first digits of their checksum",
+     .text =
+         "another dataset has the id {id}, because the checksums of both files begin with the same digits",
      .hint = "Remove that dataset first",
      .slots = {{{"id", "currents-0a1b2c3d"}}}},
     {.code = "file-read-otherwise-before",
      .rank = Rank::caution,
      .text = "the same file, read with other options, is also stored as {id}",
-     .hint = "Remove the dataset that was read with the wrong ones",
+     .hint = "Remove the dataset that was read with the wrong options",
      .slots = {{{"id", "ice-0a1b2c3d"}}}},
     {.code = "kind-not-stored",
      .rank = Rank::caution,
-     .text = "the file also holds {kind}. They were not stored, because other data of the file were "
-             "refused: a file is stored whole or not at all",
-     .hint = "Give --kind {kind} to store this part alone",
+     .text = "the file also holds {kind}. A file is stored whole or not at all, so nothing was stored "
+             "because of the fault in its other data",
+     .hint = "To store this part alone, give --kind {kind}",
      .slots = {{{"kind", "currents"}}}},
     {.code = "last-line-without-end",
      .rank = Rank::caution,
-     .text = "the last line has no line end. If the file was cut short, the last number of its last row is "
-             "wrong",
+     .text =
+         "the last line has no line end. If the file was cut short, the last number of this line is wrong",
      .hint = "Compare the size of the file with that at its source"},
     {.code = "removed-while-read",
      .rank = Rank::caution,
@@ -40,43 +41,43 @@ inline constexpr auto ingest_file_kinds = std::to_array<Kind>({
     // The process that reads broke down.
     {.code = "reading-took-too-long",
      .rank = Rank::caution,
-     .text = "reading took more than {seconds} s, far longer than a file of this size needs. The file is "
-             "damaged or unpacks to much more than it seems",
+     .text = "reading the file took more than {seconds} s, far longer than a file of this size needs. The "
+             "file is damaged or unpacks to much more than its size",
      .hint = "Copy it again, or cut out your area and period",
      .slots = {{{"seconds", 120}}}},
     {.code = "reading-needs-too-much-memory",
      .rank = Rank::caution,
-     .text = "reading needs more than {megabytes} MB of memory. The file is damaged or unpacks to much more "
-             "than it seems",
+     .text = "reading the file needs more than {megabytes} MB of memory. The file is damaged or unpacks to "
+             "much more than its size",
      .hint = "Copy it again, or cut out your area and period",
      .slots = {{{"megabytes", 2000}}}},
     {.code = "unpacks-to-too-much",
      .rank = Rank::caution,
-     .text = "the file unpacks to more than {megabytes} MB. It is damaged or made to fill disks",
+     .text = "the file unpacks to more than {megabytes} MB. It is damaged, or was made to fill disks",
      .hint = "Copy it again, or cut out your area and period",
      .slots = {{{"megabytes", 4000}}}},
     {.code = "reader-killed",
      .rank = Rank::caution,
-     .text = "the file stopped the process that reads it ({signal}): it is damaged, or needs more than "
-             "{megabytes} MB of memory",
+     .text = "reading the file stopped the program that reads it ({signal}). The file is damaged, or needs "
+             "more than {megabytes} MB of memory",
      .hint = "Copy or download it again",
      .slots = {{{"signal", "Segmentation fault"}, {"megabytes", 2000}}}},
     {.code = "reader-ended",
      .rank = Rank::caution,
-     .text = "the file stopped the process that reads it: it is damaged",
+     .text = "reading the file stopped the program that reads it. The file is damaged",
      .hint = "Copy or download it again"},
     {.code = "reader-failed",
      .rank = Rank::caution,
-     .text = "the program could not finish reading the file: it is damaged, or written in a variant of its "
-             "format that this program does not know",
+     .text = "the file could not be read to its end. It is damaged, or in a variant of its format that this "
+             "program does not know",
      .hint = "Copy or download it again. If that does not help, open it in another program and save it in "
              "one of the formats that `floeplan formats` lists"},
     {.code = "reader-not-confined",
      .rank = Rank::caution,
-     .text = "this machine cannot confine the process that reads files ({layers}). A hostile file could "
-             "read and change whatever this user can",
-     .hint = "Start Linux 5.19 or later with seccomp and Landlock switched on or, if you trust every file "
-             "that is given, say --allow-weak-sandbox",
+     .text = "this machine cannot confine the process that reads files ({layers}), so a hostile file could "
+             "read and change all files of this user",
+     .hint = "Start Linux 5.19 or later with seccomp and Landlock switched on. If you trust every file, give "
+             "--allow-weak-sandbox instead",
      .slots = {{{"layers", "no Landlock"}}}},
     // Opening.
     {.code = "file-missing",
@@ -101,44 +102,44 @@ inline constexpr auto ingest_file_kinds = std::to_array<Kind>({
      .hint = "Copy or download it again"},
     {.code = "file-cut-short",
      .rank = Rank::caution,
-     .text = "the {format} was cut short: its header announces {announced} {what}, but it has {found}",
+     .text = "the {format} was cut short. Its header announces {announced} {what}, but it has only {found}",
      .hint = "Copy or download it again",
      .slots = {{{"format", "NetCDF file"}, {"announced", 90000}, {"what", "bytes"}, {"found", 45000}}}},
     {.code = "file-damaged",
      .rank = Rank::caution,
-     .text = "the {format} cannot be opened ({reason}): it is damaged or was cut short",
+     .text = "the {format} cannot be opened ({reason}). It is damaged or was cut short",
      .hint = "Copy or download it again",
      .slots = {{{"format", "NetCDF file"}, {"reason", "NetCDF: HDF error"}}}},
     // Archives.
     {.code = "archive-damaged",
      .rank = Rank::caution,
-     .text = "the archive cannot be unpacked ({reason}): it is damaged or was cut short",
+     .text = "the archive cannot be unpacked ({reason}). It is damaged or was cut short",
      .hint = "Copy or download it again",
      .slots = {{{"reason", "truncated ZIP file data"}}}},
     {.code = "archive-name-twice",
      .rank = Rank::caution,
-     .text = "the archive holds the name {name} twice. It is not known which of them counts",
+     .text = "the archive holds two files of the name {name}, and it is not known which of them is right",
      .hint = "Unpack it and give the right file",
      .slots = {{{"name", "ice.shp"}}}},
     {.code = "archive-with-gaps",
      .rank = Rank::caution,
-     .text = "the archive holds a file with gaps",
+     .text = "the archive holds a sparse file (a file with gaps), which is not read",
      .hint = "Unpack it and give the files in it"},
     {.code = "archive-unpacks-to-too-much",
      .rank = Rank::caution,
-     .text = "the archive unpacks to far more than its size: it is damaged or made to fill disks",
+     .text = "the archive unpacks to far more than its size. It is damaged, or was made to fill disks",
      .hint = "Unpack it where there is room, and cut out your area and period"},
     {.code = "archive-disk-full",
      .rank = Rank::caution,
-     .text = "the archive cannot be unpacked: the disk of the store is full",
-     .hint = "Make room on it"},
+     .text = "the archive cannot be unpacked, because the disk of the store is full",
+     .hint = "Free space on this disk and ingest it again"},
     {.code = "archive-with-too-many-files",
      .rank = Rank::caution,
-     .text = "the archive holds more than 100000 files",
+     .text = "the archive holds more than 100000 files, the most that this program reads",
      .hint = "Cut out your area and period first"},
     {.code = "archive-leads-out",
      .rank = Rank::caution,
-     .text = "the archive holds \"{name}\", a link or a name that leads out of it",
+     .text = "the archive holds \"{name}\", a link or a name that leads out of the archive",
      .hint = "Unpack it and give the files in it",
      .slots = {{{"name", "../../etc/passwd"}}}},
     {.code = "archive-with-password",
@@ -147,65 +148,64 @@ inline constexpr auto ingest_file_kinds = std::to_array<Kind>({
      .hint = "Unpack it and give the files in it"},
     {.code = "archive-without-data",
      .rank = Rank::caution,
-     .text = "the archive holds no data{others}: there is nothing to store",
+     .text = "the archive holds no data{others}, so nothing was stored",
      .hint = "Check what you were sent",
      .slots = {{{"others", ", but only readme.txt"}}}},
     {.code = "left-out-of-archive",
      .rank = Rank::note,
-     .text = "not read from the archive, because they are no data: {files}",
+     .text = "these files of the archive are not data and were not read: {files}",
      .slots = {{{"files", "readme.txt, legend.png"}}}},
     // Formats that are not read.
     {.code = "json-without-agreed-meaning",
      .rank = Rank::caution,
-     .text = "this is JSON, but not GeoJSON: the places in it have no agreed meaning",
+     .text = "this is JSON, but not GeoJSON, so the meaning of its positions is not known",
      .hint = "Convert it to a GeoJSON FeatureCollection in longitude and latitude"},
     {.code = "text-in-wide-characters",
      .rank = Rank::caution,
-     .text = "this is a text in UTF-16, of which this program reads KML alone",
+     .text = "this is a text in UTF-16, but this program reads only KML in UTF-16",
      .hint = "Save it in UTF-8"},
     {.code = "file-not-recognised",
      .rank = Rank::caution,
-     .text = "unrecognised file",
-     .hint = "Give NetCDF, GRIB, GeoTIFF, BAG, ESRI ASCII, XYZ, GeoJSON, KML, GeoPackage, a shapefile or "
-             "the sightings of the International Ice Patrol"},
+     .text = "the format of this file is not recognised",
+     .hint = "Give NetCDF, GRIB, GeoTIFF, BAG, ESRI ASCII, XYZ, GeoJSON, KML, GeoPackage, a shapefile or the "
+             "sightings of the International Ice Patrol"},
     {.code = "text-not-recognised",
      .rank = Rank::caution,
-     .text = "unrecognised text file",
+     .text = "the format of this text file is not recognised",
      .hint = "Give NetCDF, GeoTIFF, ESRI ASCII, XYZ, GeoJSON, KML or the sightings of the International Ice "
              "Patrol"},
     {.code = "table-not-recognised",
      .rank = Rank::caution,
-     .text = "this is a table with the columns {columns}, which this program does not know. Of icebergs it "
-             "reads the tables of the International Ice Patrol, the US National Ice Center, Brigham Young "
-             "University and the Canadian Ice Service's beacons, and others with the columns id, lat, lon "
-             "and time (with --kind icebergs whatever else they hold); of depths those with lon, lat and "
-             "depth or elevation",
-     .hint = "Name the columns so, or convert the table to GeoJSON",
+     .text =
+         "this is a table with the columns {columns}, which this program does not know. For icebergs it "
+         "reads the tables of the International Ice Patrol, the US National Ice Center, Brigham Young "
+         "University and the Canadian Ice Service's beacons. With --kind icebergs it reads any table with "
+         "the columns id, lat, lon and time. For depths it reads tables with lon, lat and depth or elevation",
+     .hint = "Rename the columns to these names, or convert the table to GeoJSON",
      .slots = {{{"columns", "x, y and z"}}}},
     {.code = "text-named-as-netcdf",
      .rank = Rank::caution,
-     .text = "the file is named like NetCDF but holds text (\"{begin}\"): probably the download returned a "
-             "message instead of data",
-     .hint = "Read it and download again",
+     .text = "the file is named like NetCDF but holds text (\"{begin}\"). The download probably returned an "
+             "error message instead of data",
+     .hint = "Read the text, then download the file again",
      .slots = {{{"begin", "<html>"}}}},
     {.code = "raster-chart",
      .rank = Rank::caution,
-     .text = "this is a raster chart (KAP/BSB), a picture of a chart in colours: depths cannot be read from "
-             "it",
+     .text = "this is a raster chart (KAP/BSB), a picture of a chart, from which no depths can be read",
      .hint = "Give a bathymetry grid of the area"},
     {.code = "electronic-chart-not-read",
      .rank = Rank::caution,
-     .text = "this is an electronic chart of S-101, which this program does not read",
+     .text = "this is an electronic chart of S-101, a format that this program does not read",
      .hint = "Give the S-57 cell of the same area, or its depths as S-102"},
     {.code = "lone-sensor-list",
      .rank = Rank::caution,
-     .text = "this is the list of the sensors of a Slocum glider's logs, which holds no data by itself",
+     .text = "this file only lists the sensors of a Slocum glider's logs and holds no data",
      .hint = "Give it together with the logs that name it"},
     {.code = "tide-model-of-otis",
      .rank = Rank::caution,
      .text = "this is a tide model in the binary format of OTIS (TPXO's h, u and grid files), which this "
              "program does not read",
-     .hint = "Give what OTPS's extract_HC writes for your places, or the model as NetCDF (the TPXO atlas)"},
+     .hint = "Give the output of OTPS's extract_HC for your places, or the model as NetCDF (the TPXO atlas)"},
     {.code = "archive-not-readable",
      .rank = Rank::caution,
      .text = "this is a compressed archive",
@@ -213,20 +213,20 @@ inline constexpr auto ingest_file_kinds = std::to_array<Kind>({
     {.code = "picture-or-document",
      .rank = Rank::caution,
      .text = "this is a picture or a document, not data",
-     .hint = "Give the data that it was made from"},
+     .hint = "Give the data behind it"},
     {.code = "other-database",
      .rank = Rank::caution,
-     .text = "this is a database, but no GeoPackage",
+     .text = "this is a database, but not a GeoPackage",
      .hint = "Convert it to GeoJSON"},
     {.code = "other-hdf",
      .rank = Rank::caution,
-     .text = "this is an unknown variant of NetCDF or HDF",
+     .text = "this is a variant of NetCDF or HDF that this program does not know",
      .hint = "Convert it to NetCDF-4"},
     {.code = "raster-of-no-depths",
      .rank = Rank::caution,
-     .text = "of such a raster this program reads depths only; it reads sea ice from NetCDF",
-     .hint = "Convert it with gdal_translate -of netCDF IN.tif OUT.nc and give that with --kind ice "
-             "--variable Band1 and --time"},
+     .text = "from a raster of this format, this program reads only depths. It reads sea ice from NetCDF",
+     .hint = "Convert the raster with gdal_translate -of netCDF IN.tif OUT.nc. Then give OUT.nc with --kind "
+             "ice --variable Band1 and --time"},
     {.code = "other-kind-than-stated",
      .rank = Rank::caution,
      .text = "the file holds {held}, not {stated}",
@@ -235,77 +235,77 @@ inline constexpr auto ingest_file_kinds = std::to_array<Kind>({
     // What a NetCDF file holds.
     {.code = "current-as-direction",
      .rank = Rank::caution,
-     .text = "the file holds {what} as a speed and a direction, which this program does not read: a "
-             "direction from which it comes, read as one towards which it goes, would turn it round",
-     .hint = "Ask for components, or compute them: of a direction towards which it goes u = speed * "
-             "sin(direction) and v = speed * cos(direction), of one from which it comes the negative of "
-             "both",
+     .text = "the file holds {what} as a speed and a direction, which this program does not read. A "
+             "direction from which it comes must not be read as a direction towards which it goes",
+     .hint = "Ask for components towards east and north, or compute them. For a direction towards which it "
+             "goes, u = speed * sin(direction) and v = speed * cos(direction). For a direction from which it "
+             "comes, take the negative of both",
      .slots = {{{"what", "the current"}}}},
     {.code = "grid-of-old-gmt",
      .rank = Rank::caution,
-     .text = "this is a grid of GMT 3 or before, whose rows and columns have no axes of their own",
+     .text = "this is a grid of GMT 3 or earlier, which has no axes for its rows and columns",
      .hint = "Convert it with GMT: gmt grdconvert IN.grd OUT.nc=nf"},
     {.code = "schism-in-parts",
      .rank = Rank::caution,
-     .text = "this is one of the files in which SCHISM 5.10 and later write currents, heights of the levels "
-             "and mesh apart from each other; this program does not put them together",
+     .text = "SCHISM 5.10 and later write currents, level heights and mesh into separate files, which this "
+             "program does not join. This is one of these files",
      .hint = "Merge them into the layout of SCHISM 5.9 (one file with its mesh, hvel and zcor), or "
              "interpolate them to longitude, latitude and depth first"},
     {.code = "water-levels-not-read",
      .rank = Rank::caution,
      .text = "this is a dataset of water levels (S-104), which is not stored. Plans take depths from their "
-             "datum as they are: they never count on the water that a tide adds",
-     .hint = "To see the tide at a place give harmonic constants, which the probe predicts the level from; "
-             "for currents give S-111"},
+             "datum and never count on the water that a tide adds",
+     .hint = "To see the tide at a place, give harmonic constants, from which the probe predicts the level. "
+             "For currents give S-111"},
     {.code = "hydrographic-product-not-read",
      .rank = Rank::caution,
-     .text = "this is a dataset of the product {product} in HDF5; of the S-100 family this program reads "
+     .text = "this is a dataset of the S-100 product {product} in HDF5. Of S-100, this program reads only "
              "depths (S-102) and surface currents (S-111)",
      .hint = "Ask its producer for the same data as NetCDF",
      .slots = {{{"product", "INT.IHO.S-104.1.0"}}}},
     {.code = "thickness-without-concentration",
      .rank = Rank::caution,
-     .text = "the file holds a thickness of sea ice but no concentration. It is not known how much of the "
-             "sea is covered",
+     .text = "the file holds a thickness of sea ice but no concentration, so the share of the sea that ice "
+             "covers is not known",
      .hint = "Put the concentration of the same grid and time into the same file, as siconc, for example "
              "with ncks -A"},
     {.code = "called-as-currents",
      .rank = Rank::caution,
-     .text = "\"{variable}\" is called as currents are, but holds another quantity ({quantity}): not the "
-             "current that a vehicle meets",
+     .text = "\"{variable}\" has the name of a current but holds another quantity ({quantity}), so it was "
+             "not read",
      .hint = "Give a file of the current itself",
      .slots = {{{"variable", "uo"}, {"quantity", "wave height in m"}}}},
     {.code = "groups-without-data",
      .rank = Rank::caution,
-     .text = "neither the top level of the file nor its groups ({groups}) hold currents of the sea, depths, "
-             "sea ice or wind under known names: there is nothing to store",
+     .text = "the file holds no currents, depths, sea ice or wind under known names, neither at its top "
+             "level nor in its groups ({groups}). Nothing was stored",
      .hint = "Give a file with, for example, uo and vo, elevation, siconc or u10 and v10",
      .slots = {{{"groups", "/model and /aux"}}}},
     {.code = "netcdf-without-variables",
      .rank = Rank::caution,
-     .text = "the NetCDF file holds no variables at its top level: there is nothing to store",
+     .text = "the NetCDF file holds no variables at its top level, so nothing was stored",
      .hint = "Give a file with currents, depths, sea ice or wind"},
     {.code = "variables-not-recognised",
      .rank = Rank::caution,
-     .text = "the file holds {variables}, but neither currents of the sea nor depths nor sea ice nor wind "
-             "under known names: there is nothing to store",
-     .hint = "If one of them is the concentration of sea ice, give --kind ice and --variable with its name. "
-             "If two of them are the current, say so by their standard_name, eastward_sea_water_velocity and "
-             "northward_sea_water_velocity, for example with ncatted",
+     .text = "the file holds {variables}, but no currents, depths, sea ice or wind under known names. "
+             "Nothing was stored",
+     .hint = "If one of these variables is the concentration of sea ice, give --kind ice and its name with "
+             "--variable. If two of them are the current, set their standard_name to "
+             "eastward_sea_water_velocity and northward_sea_water_velocity, for example with ncatted",
      .slots = {{{"variables", "temp and salt"}}}},
     {.code = "groups-not-read",
      .rank = Rank::note,
-     .text = "the top level of the file was read; its groups {groups} were not",
-     .hint = "To store one of them take it out, for example with ncks -G : -g {first} IN.nc OUT.nc",
+     .text = "only the top level of the file was read. Its groups {groups} were not read",
+     .hint = "To store a group, take it out first, for example with ncks -G : -g {first} IN.nc OUT.nc",
      .slots = {{{"groups", "/model (currents)"}, {"first", "/model"}}}},
     {.code = "several-groups",
      .rank = Rank::caution,
-     .text = "the file holds data in several groups: {groups}. It is not known which of them is meant",
-     .hint = "Take one out, for example with ncks -G : -g {first} IN.nc OUT.nc",
+     .text = "the file holds data in several groups, {groups}, and it is not known which of them to store",
+     .hint = "Take one group out first, for example with ncks -G : -g {first} IN.nc OUT.nc",
      .slots = {{{"groups", "/a (currents) and /b (currents)"}, {"first", "/a"}}}},
     {.code = "data-in-group",
      .rank = Rank::note,
-     .text = "the data lie in the group {group} of the file",
+     .text = "the data were read from the group {group} of the file",
      .slots = {{{"group", "/model"}}}},
     {.code = "other-data-not-stored",
      .rank = Rank::note,

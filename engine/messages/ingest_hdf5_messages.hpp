@@ -9,75 +9,74 @@ inline constexpr auto ingest_hdf5_kinds = std::to_array<Kind>({
     // HDF5.
     {.code = "hdf-part-unreadable",
      .rank = Rank::caution,
-     .text = "\"{part}\" of the HDF5 file cannot be read: the file is damaged or was cut short",
+     .text = "\"{part}\" of the HDF5 file cannot be read. The file is damaged or was cut short",
      .hint = "Copy or download it again",
      .slots = {{{"part", "/SurfaceCurrent"}}}},
     {.code = "hdf-leads-elsewhere",
      .rank = Rank::caution,
-     .text = "\"{part}\" {reason}. That file would be read unchecked, and if it is missing its values would "
-             "count as no data",
+     .text = "\"{part}\" {reason}. This program reads only the given file and does not follow such links",
      .hint = "Copy everything into one file, for example with nccopy, and give that",
      .slots = {{{"part", "uo"}, {"reason", "has its values in another file"}}}},
     {.code = "hdf-hides-something",
      .rank = Rank::caution,
-     .text = "the file is damaged or was cut short: it cannot be gone through to its end, and its hidden "
-             "parts could lead to other files",
+     .text = "the file cannot be read to its end, and its hidden parts could lead to other files. It is "
+             "damaged or was cut short",
      .hint = "Copy or download it again"},
 
     // S-100.
     {.code = "s-hundred-incomplete",
      .rank = Rank::caution,
-     .text = "the S-100 file does not say {what}, so its values cannot be placed",
-     .hint = "Ask its producer for a whole one",
+     .text = "the S-100 file does not say {what}, so the places of its values are not known",
+     .hint = "Ask its producer for a complete file",
      .slots = {{{"what", "where its grid lies (gridOriginLongitude)"}}}},
     {.code = "s-hundred-crs-unknown",
      .rank = Rank::caution,
      .text = "the reference system EPSG:{code} of the S-100 file is not known",
-     .hint = "Ask its producer for one in longitude and latitude (EPSG:4326)",
+     .hint = "Ask its producer for a file in longitude and latitude (EPSG:4326)",
      .slots = {{{"code", "1"}}}},
     {.code = "s-hundred-crs-unusable",
      .rank = Rank::caution,
-     .text = "the S-100 file is in the reference system EPSG:{code}, which this program cannot plan in",
+     .text = "the S-100 file is in the reference system EPSG:{code}, which this program does not use",
      .hint = "Ask its producer for one in longitude and latitude (EPSG:4326), or in UTM",
      .slots = {{{"code", "2154"}}}},
     {.code = "s-hundred-without-values",
      .rank = Rank::caution,
-     .text = "the S-100 file holds no values of {feature}: there is nothing to store",
+     .text = "the S-100 file holds no values of {feature}, so nothing was stored",
      .hint = "Check what you were sent",
      .slots = {{{"feature", "SurfaceCurrent"}}}},
     {.code = "s-hundred-areas",
      .rank = Rank::caution,
-     .text = "the S-100 file holds {areas} areas of {feature}, each on its own grid; this program reads "
-             "files with one area",
+     .text = "the S-100 file holds {areas} areas of {feature}, each on its own grid, but this program reads "
+             "only files with one area",
      .hint = "Ask its producer for a file for each area",
      .slots = {{{"areas", 3}, {"feature", "SurfaceCurrent"}}}},
     {.code = "s-hundred-too-many-records",
      .rank = Rank::caution,
-     .text = "the S-100 file holds more than 100000 records",
+     .text = "the S-100 file holds more than 100000 records, the most that this program reads",
      .hint = "Cut out your period first"},
     {.code = "s-hundred-records-missing",
      .rank = Rank::caution,
-     .text =
-         "the S-100 file announces {announced} records, but has {records}: it is damaged or was cut short",
+     .text = "the S-100 file announces {announced} records, but has only {records}. It is damaged or was cut "
+             "short",
      .hint = "Copy or download it again",
      .slots = {{{"announced", "24"}, {"records", 12}}}},
     {.code = "s-hundred-record-of-other-size",
      .rank = Rank::caution,
-     .text = "a record of the S-100 file has other rows and columns than its grid: it is damaged",
+     .text = "a record of the S-100 file has other rows and columns than its grid, so the file is damaged",
      .hint = "Copy or download it again"},
     {.code = "s-hundred-layout-not-read",
      .rank = Rank::caution,
-     .text = "the values of {feature} in the S-100 file belong to {layout}; this program reads regular "
-             "grids, and currents at separate places and on triangulated meshes (data coding formats 2, 3 "
-             "and 7)",
+     .text =
+         "the values of {feature} in the S-100 file belong to {layout}. This program reads only regular "
+         "grids, and currents at separate places and on triangulated meshes (data coding formats 2, 3 and 7)",
      .hint = "Ask its producer for such a file",
      .slots = {{{"feature", "SurfaceCurrent"}, {"layout", "cells of several sizes"}}}},
     {.code = "s-hundred-of-stations",
      .rank = Rank::caution,
      .text = "the values of {feature} in the S-100 file belong to fixed stations (data coding format "
-             "{format}). A station tells nothing of the water between it and the next, which a plan crosses",
-     .hint = "Ask its producer for the same on a grid or a mesh (data coding format 2, 3 or 7), or give the "
-             "output of the model",
+             "{format}). They do not tell the water between the stations, which a plan crosses",
+     .hint = "Ask its producer for the same data on a grid or a mesh (data coding format 2, 3 or 7), or give "
+             "the output of the model",
      .slots = {{{"feature", "SurfaceCurrent"}, {"format", "8"}}}},
     {.code = "s-hundred-of-a-platform",
      .rank = Rank::caution,
@@ -91,45 +90,44 @@ inline constexpr auto ingest_hdf5_kinds = std::to_array<Kind>({
     {.code = "s-hundred-triangle-impossible",
      .rank = Rank::caution,
      .text = "a triangle of the S-100 file has a corner at place {place}, but the places are numbered from 0 "
-             "to one less than {places}: the file is damaged",
+             "to one less than {places}, so the file is damaged",
      .hint = "Copy or download it again",
      .slots = {{{"place", 12}, {"places", 12}}}},
     {.code = "s-hundred-places-projected",
      .rank = Rank::caution,
-     .text = "the values of the S-100 file lie at places of their own that are not longitudes and latitudes",
-     .hint = "Ask its producer for one in longitude and latitude (EPSG:4326)"},
+     .text =
+         "the values of the S-100 file lie at separate places that are not given in longitude and latitude",
+     .hint = "Ask its producer for a file in longitude and latitude (EPSG:4326)"},
     {.code = "s-hundred-place-impossible",
      .rank = Rank::caution,
      .text = "a place of the S-100 file is {lon} degrees east, {lat} degrees north, which is not on the "
-             "Earth: the "
-             "file is damaged",
+             "Earth, so the file is damaged",
      .hint = "Copy or download it again",
      .slots = {{{"lon", "-999"}, {"lat", "45"}}}},
     {.code = "s-hundred-order-not-read",
      .rank = Rank::caution,
-     .text = "the grid of the S-100 file runs in an order that this program does not follow",
-     .hint = "Ask its producer for one whose rows run from south to north"},
+     .text = "the grid of the S-100 file runs in an order that this program does not read",
+     .hint = "Ask its producer for a file whose rows run from south to north"},
 
     // S-111.
     {.code = "s-places-without-area",
      .rank = Rank::caution,
-     .text =
-         "the places of the currents span no area: between fewer than three places, or places on a line, no "
-         "current is known",
-     .hint = "Ask the producer for a larger part"},
+     .text = "the places of the currents enclose no area. No current is known between fewer than three "
+             "places, or between places on one line",
+     .hint = "Ask the producer for a file of a larger area"},
     {.code = "s-time-unreadable",
      .rank = Rank::caution,
-     .text = "a record of the S-111 file has the unreadable time \"{text}\": it is damaged",
+     .text = "a record of the S-111 file has the unreadable time \"{text}\", so the file is damaged",
      .hint = "Copy or download it again",
      .slots = {{{"text", "yesterday"}}}},
     {.code = "s-depth-missing",
      .rank = Rank::caution,
-     .text = "the S-111 file has no number for the depth of its currents: it is damaged",
+     .text = "the S-111 file has no number for the depth of its currents, so it is damaged",
      .hint = "Copy or download it again"},
     {.code = "s-depth-from-the-bed",
      .rank = Rank::caution,
-     .text = "the depth of the currents in the S-111 file does not count from the surface or a datum of "
-             "charts. It is not known where in the water they are",
+     .text = "the depth of the currents in the S-111 file counts neither from the surface nor from a chart "
+             "datum, so their depth in the water is not known",
      .hint = "Ask its producer for currents below the surface"},
     {.code = "s-speed-unit-unknown",
      .rank = Rank::caution,
@@ -138,13 +136,13 @@ inline constexpr auto ingest_hdf5_kinds = std::to_array<Kind>({
      .slots = {{{"unit", "furlong"}}}},
     {.code = "uppermost-layer",
      .rank = Rank::note,
-     .text =
-         "the currents are means over the uppermost {depth} m; they were stored at the middle of that layer",
+     .text = "the currents are means over the uppermost {depth} m of the water. They count for the middle of "
+             "this layer",
      .slots = {{{"depth", "10"}}}},
     {.code = "depth-from-chart-datum",
      .rank = Rank::note,
-     .text = "the depth of the currents, {depth} m, counts from the datum of charts; it was taken from the "
-             "surface, which the tide moves up and down",
+     .text = "the depth of the currents, {depth} m, counts from the chart datum. It was read as a depth "
+             "below the surface, which moves up and down with the tide",
      .slots = {{{"depth", "4.5"}}}},
 });
 

@@ -9,56 +9,57 @@ inline constexpr auto ingest_netcdf_kinds = std::to_array<Kind>({
     // NetCDF: means and axes.
     {.code = "means-out-of-order",
      .rank = Rank::caution,
-     .text = "the intervals \"{bounds}\" of the means are not in the order of their times (\"{axis}\"). It "
-             "is not known when the means hold",
+     .text = "the intervals \"{bounds}\" of the means are not in the order of their times (\"{axis}\"), so "
+             "it is not known for when the means hold",
      .hint = "Ask the producer",
      .slots = {{{"bounds", "time_bnds"}, {"axis", "time"}}}},
     {.code = "means-placed-in-the-middle",
      .rank = Rank::note,
-     .text = "\"{variable}\" holds means over intervals (\"{bounds}\"), which were placed in the middle of "
-             "each, not at the times that the file states",
+     .text = "\"{variable}\" holds means over intervals (\"{bounds}\"). Each mean counts for the middle of "
+             "its interval, not for the time that the file states",
      .slots = {{{"variable", "uo"}, {"bounds", "time_bnds"}}}},
     {.code = "netcdf-header-damaged",
      .rank = Rank::caution,
-     .text = "the NetCDF header is damaged ({fault}): the file was cut short or changed",
+     .text = "the NetCDF header is damaged ({fault}), because the file was cut short or changed",
      .hint = "Copy or download it again",
      .slots = {{{"fault", "a list is damaged"}}}},
     {.code = "axis-empty",
      .rank = Rank::caution,
-     .text = "{axis} is empty: the file holds no data",
-     .hint = "Ask for another file",
+     .text = "{axis} is empty, so the file holds no data",
+     .hint = "Ask the producer for another file",
      .slots = {{{"axis", "the coordinate \"lon\""}}}},
     {.code = "axis-with-gaps",
      .rank = Rank::caution,
-     .text = "the coordinate \"{axis}\" has missing values: a place without coordinates cannot be used",
+     .text = "the coordinate \"{axis}\" has missing values, so some of the data have no place or time",
      .hint = "Ask the producer for a complete file",
      .slots = {{{"axis", "lon"}}}},
     {.code = "axis-out-of-order",
      .rank = Rank::caution,
      .text = "the values of the coordinate \"{axis}\" must rise, or fall, from the first to the last. Here "
-             "they {course}, but {one} is followed by {next}, so places would be mixed up",
+             "they {course}, but {one} is followed by {next}, so the places would be mixed up",
      .hint = "Ask the producer for a regular grid",
      .slots = {{{"axis", "lon"}, {"course", "rise"}, {"one", "10"}, {"next", "9"}}}},
     {.code = "longitudes-not-degrees",
      .rank = Rank::caution,
-     .text = "the longitudes in \"{axis}\" run from {range}: they are not degrees",
+     .text = "the longitudes in \"{axis}\" run from {range}, so they are not degrees",
      .hint = "State the projection with --crs, or ask for a file in longitude and latitude",
      .slots = {{{"axis", "x"}, {"range", "0 to 900000"}}}},
     {.code = "latitudes-beyond-the-poles",
      .rank = Rank::caution,
-     .text = "the latitudes in \"{axis}\" run from {range}: beyond the poles. The file is wrong, or its "
+     .text = "the latitudes in \"{axis}\" run from {range}, beyond the poles. The file is wrong, or its "
              "coordinates are not degrees",
      .hint = "Ask the producer, or state the projection with --crs",
      .slots = {{{"axis", "y"}, {"range", "0 to 900000"}}}},
     {.code = "times-twice",
      .rank = Rank::caution,
-     .text = "two steps of the time axis \"{axis}\" have the same time. It is not known which of them holds",
+     .text = "the time axis \"{axis}\" has the same time at two steps, and it is not known which of the "
+             "steps is right",
      .hint = "Remove one of them",
      .slots = {{{"axis", "time"}}}},
     {.code = "depth-axis-without-length",
      .rank = Rank::caution,
-     .text = "the depth axis \"{axis}\" has the unit \"{unit}\", which is not a length: levels cannot be "
-             "placed in the water",
+     .text = "the depth axis \"{axis}\" has the unit \"{unit}\", which is not a length, so the depths of the "
+             "levels are not known",
      .hint = "Ask for levels in metres",
      .slots = {{{"axis", "depth"}, {"unit", "hPa"}}}},
     {.code = "axis-without-unit",
@@ -67,64 +68,64 @@ inline constexpr auto ingest_netcdf_kinds = std::to_array<Kind>({
      .slots = {{{"what", "depth axis"}, {"axis", "depth"}}}},
     {.code = "depths-impossible",
      .rank = Rank::caution,
-     .text =
-         "the depth axis \"{axis}\" runs from {range}, deeper than any ocean: its unit or direction is wrong",
+     .text = "the depth axis \"{axis}\" runs from {range}, deeper than any ocean. Its unit or its direction "
+             "is wrong",
      .hint = "Ask the producer",
      .slots = {{{"axis", "depth"}, {"range", "0 to 900000 m"}}}},
     {.code = "times-without-units",
      .rank = Rank::caution,
-     .text = "the time axis \"{axis}\" has no units: without a starting date the times are not known",
+     .text =
+         "the time axis \"{axis}\" has no units and therefore no starting date, so its times are not known",
      .hint = "Ask the producer for a file with units like \"hours since 2000-01-01\"",
      .slots = {{{"axis", "time"}}}},
     {.code = "times-rounded",
      .rank = Rank::caution,
-     .text = "the times are stored with so few digits that they may be wrong by {seconds} s",
+     .text = "the times are stored with too few digits and may be wrong by {seconds} s",
      .slots = {{{"seconds", "600"}}}},
     {.code = "julian-calendar",
      .rank = Rank::note,
-     .text = "the times are stated in the Julian calendar. Their dates were read as dates of today's "
-             "calendar, as their producers mean them, and not shifted by 13 days"},
+     .text = "the file states its times in the Julian calendar. Their dates were read as dates of today's "
+             "calendar, without a shift of 13 days, because producers mean them so"},
     {.code = "model-calendar",
      .rank = Rank::caution,
-     .text = "the times are in a model's own calendar (\"{calendar}\"). The dates were kept, but tides and "
-             "weather of those days are not the real ones",
+     .text = "the file states its times in a model's own calendar (\"{calendar}\"). The dates were kept, but "
+             "tides and weather are not those of the real days",
      .slots = {{{"calendar", "360_day"}}}},
     {.code = "projected-axis-without-length",
      .rank = Rank::caution,
-     .text = "the projected coordinate \"{axis}\" has the unit \"{unit}\", which is not a length: the grid "
-             "cannot be placed",
+     .text = "the projected coordinate \"{axis}\" has the unit \"{unit}\", which is not a length, so the "
+             "place of the grid is not known",
      .hint = "Ask for coordinates in metres",
      .slots = {{{"axis", "x"}, {"unit", "degree"}}}},
     {.code = "levels-above-the-bed",
      .rank = Rank::caution,
-     .text = "the levels of \"{variable}\" (\"{axis}\") are heights above the sea bed. It is not known how "
-             "deep below the surface they lie",
+     .text = "the levels of \"{variable}\" (\"{axis}\") are heights above the sea bed, so their depths below "
+             "the surface are not known",
      .hint = "Ask for depths below the surface",
      .slots = {{{"variable", "uo"}, {"axis", "height"}}}},
     {.code = "levels-without-depths",
      .rank = Rank::caution,
-     .text = "the levels of \"{variable}\" (\"{axis}\") are {what}. It is not known how deep in the sea or "
-             "how high above it they lie",
+     .text = "the levels of \"{variable}\" (\"{axis}\") are {what}, so their depths or heights are not known",
      .hint = "Ask for levels in metres",
      .slots = {{{"variable", "uo"}, {"axis", "lev"}, {"what", "numbers of the model's levels"}}}},
 
     // NetCDF: grids.
     {.code = "projection-not-stated",
      .rank = Rank::caution,
-     .text = "the grid of \"{variable}\" is projected, but the file does not say how: it cannot be placed "
-             "on the Earth",
+     .text = "the grid of \"{variable}\" is projected, but the file does not state the projection, so the "
+             "place of the grid is not known",
      .hint = "State the projection with --crs, for example --crs EPSG:3413",
      .slots = {{{"variable", "uo"}}}},
     {.code = "projection-not-usable",
      .rank = Rank::caution,
-     .text = "the grid of \"{variable}\" is in a projection that this program cannot use from NetCDF",
+     .text = "the grid of \"{variable}\" has a projection that this program does not read from NetCDF",
      .hint = "Convert it first, for example with gdalwarp -t_srs EPSG:4326",
      .slots = {{{"variable", "uo"}}}},
     {.code = "projection-contradicts-tables",
      .rank = Rank::caution,
-     .text = "the grid of \"{variable}\" lies elsewhere by its projection than by its own tables of "
-             "longitude and latitude: its values would be out of place",
-     .hint = "Convert it first to a regular longitude-latitude grid, using the tables",
+     .text = "the projection of \"{variable}\" places the grid elsewhere than its own tables of longitude "
+             "and latitude, so its values would be out of place",
+     .hint = "Convert it first to a regular longitude-latitude grid, with the tables",
      .slots = {{{"variable", "uo"}}}},
     {.code = "projection-unusable",
      .rank = Rank::caution,
@@ -143,112 +144,112 @@ inline constexpr auto ingest_netcdf_kinds = std::to_array<Kind>({
      .slots = {{{"variable", "uo"}}}},
     {.code = "levels-follow-the-bed",
      .rank = Rank::caution,
-     .text = "the levels \"{dimension}\" follow the sea bed (a sigma or s coordinate), a layout that is not "
-             "yet supported",
+     .text = "the levels \"{dimension}\" follow the sea bed (a sigma or s coordinate), and the file does not "
+             "give their depths in a form that this program reads",
      .hint = "Interpolate the data to depths in metres first",
      .slots = {{{"dimension", "s_rho"}}}},
     {.code = "without-plain-axes",
      .rank = Rank::caution,
-     .text = "the variable \"{variable}\" does not lie on one longitude and one latitude axis: the data "
-             "cannot be placed on the Earth",
+     .text = "the variable \"{variable}\" has no single axis of longitude and of latitude, so the places of "
+             "its values are not known",
      .hint = "Ask for a regular longitude-latitude grid",
      .slots = {{{"variable", "uo"}}}},
     {.code = "dimension-empty",
      .rank = Rank::caution,
-     .text = "the dimension \"{dimension}\" is empty: the file holds no data",
-     .hint = "Ask for another file",
+     .text = "the dimension \"{dimension}\" is empty, so the file holds no data",
+     .hint = "Ask the producer for another file",
      .slots = {{{"dimension", "time"}}}},
     {.code = "dimension-too-long",
      .rank = Rank::caution,
-     .text = "the dimension \"{dimension}\" has {size} values, more than this program accepts ({most}): the "
-             "file is damaged, or too large",
+     .text = "the dimension \"{dimension}\" has {size} values, more than this program accepts ({most}). The "
+             "file is damaged or too large",
      .hint = "Cut out your area first",
      .slots = {{{"dimension", "time"}, {"size", 90000000}, {"most", 100000}}}},
     {.code = "final-and-preliminary",
      .rank = Rank::caution,
      .text = "\"{variable}\" holds final and preliminary data (ERA5 and ERA5T) side by side along "
-             "\"{dimension}\"; each time is in one of them",
+             "\"{dimension}\", and each time is in only one of them",
      .hint = "Ask for the final data alone, or join both first",
      .slots = {{{"variable", "u10"}, {"dimension", "expver"}}}},
     {.code = "ensemble-members",
      .rank = Rank::caution,
      .text = "\"{variable}\" holds the members of an ensemble along \"{dimension}\"",
-     .hint = "Choose one of them: take it out first, for example with ncks -d {dimension},0 IN.nc OUT.nc",
+     .hint = "Take out one member first, for example with ncks -d {dimension},0 IN.nc OUT.nc",
      .slots = {{{"variable", "uo"}, {"dimension", "member"}}}},
     {.code = "several-forecasts",
      .rank = Rank::caution,
-     .text = "\"{variable}\" holds forecasts of several lengths along \"{dimension}\", and no coordinate "
-             "along it alone says for which times they hold",
-     .hint = "Take out one run, or one length of forecast, so that the times run along one dimension",
+     .text = "\"{variable}\" holds forecasts of several lengths along \"{dimension}\", so no single "
+             "coordinate gives the times for which they hold",
+     .hint = "Take out one forecast run, or one length of forecast",
      .slots = {{{"variable", "uo"}, {"dimension", "step"}}}},
     {.code = "coordinates-of-another-group",
      .rank = Rank::caution,
      .text = "the coordinates \"{dimension}\" of \"{variable}\" lie in another group of the file ({group}), "
-             "where they belong to other data",
-     .hint = "Put all into one group first, for example with ncks -G : IN.nc OUT.nc",
+             "together with other data",
+     .hint =
+         "Put the coordinates and the variable into one group first, for example with ncks -G : IN.nc OUT.nc",
      .slots = {{{"dimension", "lon"}, {"variable", "uo"}, {"group", "/aux"}}}},
     {.code = "dimension-without-coordinates",
      .rank = Rank::caution,
-     .text = "the dimension \"{dimension}\" of \"{variable}\" has no coordinates that say what it is: the "
-             "data cannot be placed",
+     .text = "the dimension \"{dimension}\" of \"{variable}\" has no coordinates, so the places or times of "
+             "its values are not known",
      .hint = "Ask for a file with longitude, latitude, depth and time coordinates",
      .slots = {{{"dimension", "n"}, {"variable", "uo"}}}},
     {.code = "layout-of-a-mesh",
      .rank = Rank::caution,
-     .text =
-         "the file is the output of an unstructured model (a mesh of triangles or cells, as FVCOM, "
-         "SELFE and UGRID write it). Of meshes this program reads currents whose nodes have longitudes and "
-         "latitudes, which it does not find here",
-     .hint = "Ask for the longitudes and latitudes of the nodes, or interpolate it to a regular "
-             "longitude-latitude grid first"},
+     .text = "the file is the output of a model on a mesh of triangles or cells, such as FVCOM, SELFE and "
+             "UGRID write. On meshes this program reads only currents, and only if the nodes have longitudes "
+             "and latitudes, which it does not find here",
+     .hint = "Ask the producer for the longitudes and latitudes of the nodes, or interpolate the data to a "
+             "regular longitude-latitude grid first"},
     {.code = "layout-of-roms",
      .rank = Rank::caution,
      .text = "the file is the output of a ROMS or CROCO model (a bent, staggered grid with levels that "
-             "follow the sea bed), a layout that is not yet supported here",
-     .hint = "Interpolate it to longitude, latitude and depth first"},
+             "follow the sea bed). This program reads its currents, but not these data",
+     .hint = "Interpolate the data to longitude, latitude and depth first"},
     {.code = "layout-of-a-bent-grid",
      .rank = Rank::caution,
-     .text = "the variable \"{variable}\" lies on a curvilinear (bent) grid whose longitudes and latitudes "
-             "are two-dimensional tables, as NEMO, POP and other global models use, a layout that is not "
-             "yet supported here",
+     .text = "the variable \"{variable}\" lies on a curvilinear (bent) grid. This program reads currents, "
+             "wind, sea ice and depths on such grids, but not this variable",
      .hint = "Interpolate it to a regular longitude-latitude grid first",
      .slots = {{{"variable", "siconc"}}}},
     {.code = "variable-unreadable",
      .rank = Rank::caution,
-     .text = "the variable \"{variable}\" cannot be read to its end ({reason}): the file is damaged or was "
+     .text = "the variable \"{variable}\" cannot be read to its end ({reason}). The file is damaged or was "
              "cut short",
      .hint = "Copy or download it again",
      .slots = {{{"variable", "uo"}, {"reason", "NetCDF: HDF error"}}}},
     {.code = "coordinate-too-long",
      .rank = Rank::caution,
-     .text = "the variable \"{variable}\" has {size} values along \"{dimension}\", more than any coordinate: "
-             "the file is damaged",
+     .text = "the variable \"{variable}\" has {size} values along \"{dimension}\", more than any coordinate "
+             "has, so the file is damaged",
      .hint = "Copy or download it again",
      .slots = {{{"variable", "lon"}, {"size", 90000000}, {"dimension", "x"}}}},
 
     // NetCDF: quality flags.
     {.code = "flags-not-read",
      .rank = Rank::caution,
-     .text = "the quality flags \"{flags}\" of \"{variable}\" {fault}; they were not read, so bad values "
-             "may be among those stored",
+     .text = "the quality flags \"{flags}\" of \"{variable}\" {fault}. They were not read, so bad values may "
+             "be among the stored values",
      .hint = "Take out the flagged values first",
      .slots = {{{"flags", "uo_qc"}, {"variable", "uo"}, {"fault", "do not lie on its nodes"}}}},
     {.code = "flags-taken-as-usual",
      .rank = Rank::note,
-     .text = "the quality flags \"{flags}\" do not say what their numbers mean; as is usual, 4 was read as "
-             "bad and 9 as missing, and 3 as {three}",
+     .text = "the quality flags \"{flags}\" do not say what their numbers mean. As is usual, 4 was read as "
+             "bad, 9 as missing and 3 as {three}",
      .hint = "Ask the producer if that is wrong",
      .slots = {{{"flags", "uo_qc"}, {"three", "suspect"}}}},
     {.code = "flag-bits-unknown",
      .rank = Rank::caution,
-     .text = "the quality flags \"{flags}\" do not say what each of their bits means; values flagged so "
+     .text = "the quality flags \"{flags}\" do not say what each of their bits means, so the flagged values "
              "were kept",
-     .hint = "Check them before you plan",
+     .hint = "Check these values before you plan",
      .slots = {{{"flags", "uo_qc"}}}},
     {.code = "flag-meanings-unknown",
      .rank = Rank::caution,
-     .text = "the quality flags \"{flags}\" have unknown meanings ({meanings}); values flagged so were kept",
-     .hint = "Check them before you plan",
+     .text = "the quality flags \"{flags}\" have unknown meanings ({meanings}), so the values with these "
+             "flags were kept",
+     .hint = "Check these values before you plan",
      .slots = {{{"flags", "uo_qc"}, {"meanings", "dubious_ish"}}}},
 });
 

@@ -12,131 +12,130 @@ namespace floeplan::messages {
 
 inline constexpr auto mission_fault_kinds = std::to_array<Kind>({
     // The files of a mission.
-    {.code = "wrong-mission-name", .text = "must have one to eight small letters, digits or underscores"},
+    {.code = "wrong-mission-name",
+     .text = "must have one to eight lower-case letters, digits or underscores"},
     {.code = "mission-on-board",
-     .text = "must not be {name}, a mission that every vehicle has on board",
+     .text = "must not be {name}, because every vehicle has a mission of this name on board",
      .slots = {{{"name", "stock"}}}},
     {.code = "wrong-firmware", .text = "must be a version from 7.0 to 11.99"},
     {.code = "firmware-without-ice",
-     .text = "must be 10.0 or later for work under ice: older ones have no response to it"},
+     .text = "must be 10.0 or later for work under ice, because older firmware has no response to ice"},
     {.code = "file-numbers-used-up",
-     .text = "the files take the numbers from the given one on to {last}; all must lie between 0 and 97 (98 "
-             "and 99 belong to the firmware)",
+     .text = "gives the files numbers up to {last}, but all must lie between 0 and 97 (98 and 99 belong to "
+             "the firmware); choose a smaller number",
      .slots = {{{"last", 103}}}},
     {.code = "list-numbers-used-up",
-     .text =
-         "the plan takes {lists} list(s), numbered from the given number on; all numbers must lie between "
-         "0 and 97 (98 and 99 belong to the firmware)",
+     .text = "is too large, because the plan takes {lists} {lists:list|lists} with rising numbers. All must "
+             "lie between 0 and 97 (98 and 99 belong to the firmware)",
      .slots = {{{"lists", 12}}}},
     {.code = "wrong-glider-name",
-     .text = "must be one to 40 letters, digits and underscores, the name of a folder"},
+     .text = "must be the name of a folder: one to 40 letters, digits and underscores"},
 
     // Waypoints and lists.
-    {.code = "no-start-and-goal", .text = "a plan to export has at least a start and a goal"},
+    {.code = "no-start-and-goal", .text = "must have at least a start and a goal"},
     {.code = "waypoint-near-pole",
-     .text = "must be a place between 89 degrees south and 89 degrees north; nearer to a pole the vehicle "
-             "cannot navigate by longitude and latitude"},
+     .text = "must be a place between 89 degrees south and 89 degrees north, because the vehicle cannot "
+             "navigate by longitude and latitude nearer to a pole"},
     {.code = "wrong-waypoint-radius", .text = "must be between 10 m, the vehicle's minimum, and 100 km"},
-    {.code = "no-such-row", .text = "must be -2, -1 or a row of the first list, counted from 0"},
+    {.code = "no-such-row",
+     .text = "must be -2, -1 or the number of a row of the first list, counted from 0"},
     {.code = "legs-of-another-program",
-     .text = "stands for a parameter that another program on board sets: which rows are flown is not known"},
+     .text = "stands for a value that another program on board sets, so the rows to be flown are not known"},
     {.code = "wrong-legs-to-run",
-     .text = "must be from 1 to {most}, -1 (round and round) or -2 (once)",
+     .text = "must be from 1 to {most}, -1 (round and round without end) or -2 (once)",
      .slots = {{{"most", 1000}}}},
     {.code = "wrong-initial-waypoint",
-     .text = "must be a row of the list counted from 0, -1 (the one after the last achieved) or -2 (the "
-             "closest); the list has {rows} {rows:row|rows}",
+     .text = "must be the number of a row counted from 0, -1 (the row after the last one reached) or -2 (the "
+             "closest row). The list has {rows} {rows:row|rows}",
      .slots = {{{"rows", 8}}}},
     {.code = "too-many-waypoints-for-nmea",
-     .text = "must be {most} at most for NMEA",
+     .text = "must hold at most {most} waypoints for NMEA",
      .slots = {{{"most", 999}}}},
 
     // Ends of lists at ice and icebergs.
     {.code = "plan-ends-near-ice",
-     .text = "is the end of the plan, {room}: extend the plan until it is more than {radius_m:.0f} m beyond "
-             "them",
+     .text = "is the end of the plan, only {room}. The vehicle surfaces there; extend the plan until it ends "
+             "more than {radius_m:.0f} m beyond the ice",
      .slots = {{{"room", "300 m beyond the ice (waypoint radius 500 m, position error 1600 m)"},
                 {"radius_m", 500.0}}}},
     {.code = "list-ends-near-ice",
-     .text = "is where a list has to end, {room}: extend the plan until it is more than {radius_m:.0f} m "
-             "beyond them, or use fewer waypoints before it",
+     .text = "is the end of a list, only {room}. The vehicle surfaces there; extend the plan until it goes "
+             "more than {radius_m:.0f} m beyond the ice, or use fewer waypoints before it",
      .slots = {{{"room", "300 m beyond the ice (waypoint radius 500 m, position error 1600 m)"},
                 {"radius_m", 500.0}}}},
     {.code = "plan-ends-below-ice",
      .text = "is the end of the plan and lies below ice or icebergs, but the vehicle surfaces at the end of "
-             "its list: extend the plan to open water"},
+             "its list; extend the plan to open water"},
     {.code = "too-many-waypoints-below-ice",
-     .text = "are too many below ice or icebergs in a row: {waypoints} lie there, a list holds {most}, and "
-             "the vehicle surfaces at the end of each list; plan again with fewer waypoints "
-             "(--max-waypoints) or longer legs (--max-leg)",
+     .text = "are too many below ice or icebergs, where {waypoints} lie. A list holds only {most}, and the "
+             "vehicle surfaces at the end of each list; plan again with fewer waypoints (--max-waypoints) or "
+             "longer legs (--max-leg)",
      .slots = {{{"waypoints", "waypoints 3 to 14"}, {"most", 8}}}},
     {.code = "turns-of-earlier-version",
-     .text =
-         "is a plan of an older version that passes where the vehicle must not surface, without the depth "
-         "where its dives turn there: plan again"},
+     .text = "is a plan of an older version that passes water where the vehicle must not surface. The plan "
+             "lacks the upper turn of its dives there; plan again"},
     {.code = "safe-places-required",
-     .text = "is required, with safe places in open water: the plan passes below ice or icebergs, where the "
-             "vehicle must not surface"},
+     .text = "is required: name safe places in open water, because the plan passes below ice or icebergs, "
+             "where the vehicle must not surface"},
 
     // Safe places and the iceberg to expect.
     {.code = "wrong-number-of-safe-places",
-     .text = "must name one to eight places in open water that the vehicle can recover to"},
-    {.code = "safe-place-near-pole", .text = "must be a place between 89 degrees south and north"},
+     .text = "must name one to eight safe places in open water, to which the vehicle can recover"},
+    {.code = "safe-place-near-pole", .text = "must be a place between 89 degrees south and 89 degrees north"},
     {.code = "safe-place-on-land",
-     .text = "must be open water that the vehicle can recover to: {place} is on land",
+     .text = "must be open water to which the vehicle can recover, but {place} is on land",
      .slots = {{{"place", "69.2000 N 53.2000 W"}}}},
     {.code = "safe-place-too-shallow",
-     .text =
-         "must be open water that the vehicle can recover to: {place} has {bed_m:.0f} m of water, and the "
-         "vehicle needs {needed_m:.0f} m",
+     .text = "must be open water to which the vehicle can recover, but {place} has only {bed_m:.0f} m of "
+             "water, and the vehicle needs {needed_m:.0f} m",
      .slots = {{{"place", "69.2000 N 53.2000 W"}, {"bed_m", 12.0}, {"needed_m", 20.0}}}},
     {.code = "safe-place-in-ice",
-     .text = "must be open water that the vehicle can recover to: {place} has {ice_pct:.0f} % of ice while "
-             "the plan lasts, and the vehicle surfaces in {most_pct:.0f} % at most",
+     .text = "must be open water to which the vehicle can recover, but {place} has {ice_pct:.0f} % of ice "
+             "during the plan, and the vehicle surfaces in at most {most_pct:.0f} %",
      .slots = {{{"place", "69.2000 N 53.2000 W"}, {"ice_pct", 40.0}, {"most_pct", 10.0}}}},
     {.code = "safe-place-in-zone",
-     .text = "must be open water that the vehicle can recover to: {place} lies in the no-go area {zone}",
+     .text = "must be open water to which the vehicle can recover, but {place} lies in the no-go area {zone}",
      .slots = {{{"place", "69.2000 N 53.2000 W"}, {"zone", "Harbour"}}}},
     {.code = "safe-place-at-iceberg",
-     .text =
-         "must be open water that the vehicle can recover to: {place} is where iceberg {iceberg} was seen "
-         "last",
+     .text = "must be open water to which the vehicle can recover, but iceberg {iceberg} was last seen at "
+             "{place}",
      .slots = {{{"place", "69.2000 N 53.2000 W"}, {"iceberg", "B-17"}}}},
     {.code = "safe-place-too-far",
-     .text = "must be open water that the vehicle can recover to: {place} is {away_km:.0f} km away from the "
+     .text = "must be open water to which the vehicle can recover, but {place} is {away_km:.0f} km from the "
              "plan, farther than the rest of the battery carries the vehicle",
      .slots = {{{"place", "69.2000 N 53.2000 W"}, {"away_km", 240.0}}}},
-    {.code = "wrong-iceberg-depth", .text = "must be more than 0 m and less than the depth to dive to"},
+    {.code = "wrong-iceberg-depth", .text = "must be more than 0 m and less than the dive depth"},
     {.code = "iceberg-depth-too-small",
-     .text = "must be {keel_m:.0f} m at least, as deep as what the plan passes below reaches",
+     .text = "must be at least {keel_m:.0f} m, the depth of the deepest keel that the plan passes under",
      .slots = {{{"keel_m", 120.0}}}},
 
     // The yo.
     {.code = "no-room-for-yo",
-     .text = "leaves a yo that turns at {dive_m:.0f} m no room, for it must turn no higher than {turn}",
-     .slots = {{{"dive_m", 80.0}, {"turn", "75 m, below ice or icebergs"}}}},
+     .text = "leaves the yo no room. It dives only to {dive_m:.0f} m, but its upper turn must be at least at "
+             "{turn}",
+     .slots = {{{"dive_m", 80.0}, {"turn", "75 m because of ice or icebergs"}}}},
     {.code = "water-too-shallow-for-yo",
-     .text = "lead over water of {bed_m:.0f} m at {place}, before waypoint {waypoint}. The mission has "
-             "one yo for all legs, which must turn no higher than {turn}, so it needs {needed_m:.0f} m of "
-             "water. Plan again with via points round this water, or with a minimum working depth "
-             "(minimum_working_depth_m) of {needed_m:.0f} for the vehicle; below ice that depth counts from "
-             "the upper turn",
+     .text = "lead over water of only {bed_m:.0f} m at {place}, before waypoint {waypoint}. The mission has "
+             "one yo for all legs. Its upper turn must be at least at {turn}, so it needs {needed_m:.0f} m "
+             "of water. Plan again with via points round this water, or with a minimum working depth "
+             "(minimum_working_depth_m) of {needed_m:.0f} m for the vehicle; below ice that depth counts "
+             "from the upper turn",
      .slots = {{{"bed_m", 60.0},
                 {"place", "69.2000 N 53.2000 W"},
                 {"waypoint", 3},
                 {"turn", "40 m"},
                 {"needed_m", 75.0}}}},
     {.code = "water-too-shallow-for-yo-below-ice",
-     .text = "lead over water of {bed_m:.0f} m at {place}, before waypoint {waypoint}. The mission has "
-             "one yo for all legs, which must turn no higher than {turn}, so it needs {needed_m:.0f} m of "
-             "water. Plan again with via points round this water, or with a minimum working depth "
-             "(minimum_working_depth_m) of {needed_m:.0f} for the vehicle; below ice that depth counts from "
-             "the upper turn. Or fly two plans, one over this water and one below the ice, each with a yo of "
-             "its own",
+     .text = "lead over water of only {bed_m:.0f} m at {place}, before waypoint {waypoint}. The mission has "
+             "one yo for all legs. Its upper turn must be at least at {turn}, so it needs {needed_m:.0f} m "
+             "of water. Plan again with via points round this water, or with a minimum working depth "
+             "(minimum_working_depth_m) of {needed_m:.0f} m for the vehicle; below ice that depth counts "
+             "from the upper turn. Or fly two plans, one over this water and one below the ice, each with a "
+             "yo of its own",
      .slots = {{{"bed_m", 60.0},
                 {"place", "69.2000 N 53.2000 W"},
                 {"waypoint", 3},
-                {"turn", "40 m, below ice or icebergs"},
+                {"turn", "40 m because of ice or icebergs"},
                 {"needed_m", 75.0}}}},
     {.code = "not-flown-by-yo",
      .text = "cannot be flown {how}; {instead}",
@@ -146,13 +145,13 @@ inline constexpr auto mission_fault_kinds = std::to_array<Kind>({
                 {"instead", "plan again with a climb_to_m of 90"}}}},
 
     // Seagliders.
-    {.code = "too-deep-for-seaglider", .text = "must be 1100 m at most, the deepest a Seaglider is sent"},
+    {.code = "too-deep-for-seaglider", .text = "must be at most 1100 m, because no Seaglider dives deeper"},
     {.code = "dives-of-wrong-length",
-     .text = "must give dives of 5 to 2880 minutes, not of {dive_min:.0f}",
+     .text = "must give dives of 5 to 2880 minutes, not of {dive_min:.0f} minutes",
      .slots = {{{"dive_min", 4000.0}}}},
     {.code = "seaglider-below-ice",
-     .text = "must not be that of a Seaglider, which comes up after every dive: the plan passes below ice or "
-             "icebergs"},
+     .text = "must not be that of a Seaglider, because the plan passes below ice or icebergs and a Seaglider "
+             "surfaces after every dive"},
     {.code = "science-band-refused",
      .text = "{finding}",
      .slots = {{{"finding", "sensors must be given, one digit for each sensor"}}}},

@@ -13,44 +13,47 @@ inline constexpr auto plan_kinds = std::to_array<Kind>({
     // Ice above the vehicle.
     {.code = "start-under-ice",
      .rank = Rank::danger,
-     .text = "the start lies under ice: the vehicle may not surface there. The plan holds only if the "
-             "vehicle is brought below the ice",
-     .hint = "Move the start to open water. The simulator flies no plan that begins under ice"},
+     .text = "the start lies under ice, so the vehicle must not surface there. The plan is valid only if the "
+             "vehicle is launched below the ice",
+     .hint = "Move the start to open water. The simulator refuses a plan that begins under ice"},
     {.code = "start-ice-unknown",
      .rank = Rank::caution,
-     .text = "the ice at the start is unknown: the plan counts on no surfacing there",
-     .hint = "Make sure that the water is open"},
+     .text = "the ice at the start is unknown, so the plan includes no surfacing there",
+     .hint = "Make sure that the water there is open"},
     {.code = "goal-under-ice",
      .rank = Rank::danger,
-     .text = "the goal lies under ice: the vehicle may not surface there",
+     .text = "the goal lies under ice, so the vehicle must not surface there",
      .hint = "Move the goal to open water"},
     {.code = "goal-ice-unknown",
      .rank = Rank::caution,
-     .text = "the ice at the goal is unknown: the plan counts on no surfacing there"},
+     .text = "the ice at the goal is unknown, so the plan includes no surfacing there",
+     .hint = "Make sure that the water there is open, or move the goal"},
     {.code = "vias-under-ice",
      .rank = Rank::danger,
-     .text = "{under} of {vias} {vias:via point lies|via points lie} under ice (number {numbers}): the "
-             "vehicle may not surface there",
-     .hint = "Move them to open water, or make sure that the vehicle need not surface there",
+     .text = "{under} of {vias} {vias:via point|via points} {under:lies|lie} under ice (number {numbers}), "
+             "so the vehicle must not surface there",
+     .hint = "Move {under:this via point|these via points} to open water, or make sure that the vehicle need "
+             "not surface there",
      .slots = {{{"under", 1}, {"vias", 3}, {"numbers", "2"}}}},
     {.code = "long-below-ice",
      .rank = Rank::danger,
-     .text = "the vehicle is below ice for {longest_h:.1f} h without a place to surface: no fix, no contact, "
-             "no ascent in an emergency",
-     .hint = "Limit that time (--max-time-without-surfacing), or keep away from the ice",
+     .text = "the vehicle is below ice for {longest_h:.1f} h without a place to surface. During this time it "
+             "has no fix and no contact, and it cannot surface in an emergency",
+     .hint = "Limit this time (--max-time-without-surfacing), or lead the route away from the ice (--via)",
      .slots = {{{"longest_h", 17.5}}}},
     {.code = "ice-unknown-on-route",
      .rank = Rank::caution,
-     .text = "the ice on {unknown_km:.1f} km of the route is unknown: the vehicle passes there, but the plan "
-             "counts on no surfacing",
+     .text = "the ice on {unknown_km:.1f} km of the route is unknown. The vehicle passes there, but the plan "
+             "includes no surfacing there",
+     .hint = "Ingest ice data that cover the route",
      .slots = {{{"unknown_km", 12.4}}}},
     // Cautions, not dangers: the planned way itself keeps clear, and only an error of the position leads to the ice.
     {.code = "ice-beside",
      .rank = Rank::caution,
-     .text =
-         "the position error of {error_km:.1f} km at {lon_deg:.4f}, {lat_deg:.4f} reaches ice where dives "
-         "must turn no higher than {turn_m:.0f} m, but the planned dives turn at {planned_turn_m:.0f} m",
-     .hint = "Keep the dives below that ice on the whole route (--climb-to {turn_m:.0f}), or limit the time "
+     .text = "the position error at {lon_deg:.4f}, {lat_deg:.4f} is {error_km:.1f} km, so the vehicle may "
+             "come below the ice beside the route. Below that ice the upper turn must be at {turn_m:.0f} m "
+             "or deeper, but it is planned at {planned_turn_m:.0f} m",
+     .hint = "Set a deeper upper turn for the whole route (--climb-to {turn_m:.0f}), or limit the time "
              "without surfacing (--max-time-without-surfacing)",
      .slots = {{{"error_km", 2.1},
                 {"lon_deg", -60.25},
@@ -59,11 +62,11 @@ inline constexpr auto plan_kinds = std::to_array<Kind>({
                 {"planned_turn_m", 10.0}}}},
     {.code = "ice-beside-needs-deeper-dives",
      .rank = Rank::caution,
-     .text =
-         "the position error of {error_km:.1f} km at {lon_deg:.4f}, {lat_deg:.4f} reaches ice where dives "
-         "must turn no higher than {turn_m:.0f} m, but the planned dives turn at {planned_turn_m:.0f} m",
-     .hint = "Keep the dives below that ice on the whole route (--climb-to {turn_m:.0f} --dive-depth "
-             "{dive_m:.0f}), or limit the time without surfacing (--max-time-without-surfacing)",
+     .text = "the position error at {lon_deg:.4f}, {lat_deg:.4f} is {error_km:.1f} km, so the vehicle may "
+             "come below the ice beside the route. Below that ice the upper turn must be at {turn_m:.0f} m "
+             "or deeper, but it is planned at {planned_turn_m:.0f} m",
+     .hint = "Set deeper dives for the whole route (--climb-to {turn_m:.0f} --dive-depth {dive_m:.0f}), or "
+             "limit the time without surfacing (--max-time-without-surfacing)",
      .slots = {{{"error_km", 2.1},
                 {"lon_deg", -60.25},
                 {"lat_deg", 69.5},
@@ -72,11 +75,11 @@ inline constexpr auto plan_kinds = std::to_array<Kind>({
                 {"dive_m", 220.0}}}},
     {.code = "ice-beside-too-deep",
      .rank = Rank::caution,
-     .text =
-         "the position error of {error_km:.1f} km at {lon_deg:.4f}, {lat_deg:.4f} reaches ice where dives "
-         "must turn no higher than {turn_m:.0f} m, but the planned dives turn at {planned_turn_m:.0f} m",
-     .hint = "This vehicle cannot dive below that ice. Use one that can, or limit the time without surfacing "
-             "(--max-time-without-surfacing)",
+     .text = "the position error at {lon_deg:.4f}, {lat_deg:.4f} is {error_km:.1f} km, so the vehicle may "
+             "come below the ice beside the route. Below that ice the upper turn must be at {turn_m:.0f} m "
+             "or deeper, but it is planned at {planned_turn_m:.0f} m",
+     .hint = "This vehicle cannot dive below that ice. Choose a vehicle that dives deeper, or limit the time "
+             "without surfacing (--max-time-without-surfacing)",
      .slots = {{{"error_km", 2.1},
                 {"lon_deg", -60.25},
                 {"lat_deg", 69.5},
@@ -84,9 +87,10 @@ inline constexpr auto plan_kinds = std::to_array<Kind>({
                 {"planned_turn_m", 10.0}}}},
     {.code = "surfacings-near-ice",
      .rank = Rank::caution,
-     .text = "at {near} of {surfacings} planned surfacings the position error exceeds the distance to ice, "
-             "first at {first}: ice at {ice_km:.1f} km, error {error_km:.1f} km",
-     .hint = "Surface more often (--surfacing-interval), or keep away from the ice",
+     .text =
+         "at {near} of {surfacings} planned surfacings the position error exceeds the distance to the ice. "
+         "At the first, {first}, the ice is {ice_km:.1f} km away and the position error is {error_km:.1f} km",
+     .hint = "Surface more often (--surfacing-interval), or lead the route away from the ice (--via)",
      .slots = {{{"near", 2},
                 {"surfacings", 4},
                 {"first", "2027-01-12T18:00:00Z"},
@@ -103,74 +107,85 @@ inline constexpr auto plan_kinds = std::to_array<Kind>({
     // A danger: beyond the pilot's own limit, and an error as large as expected is enough.
     {.code = "leads-may-be-missed",
      .rank = Rank::danger,
-     .text = "the limit of {bound_h:.1f} h without a place to surface is met only by leads that the vehicle "
-             "could miss. Without the leads that are narrower than the position error, the longest time is "
-             "{sure_h:.1f} h",
-     .hint = "Allow less time (--max-time-without-surfacing), or keep away from the ice",
+     .text = "the route keeps the limit of {bound_h:.1f} h without a place to surface only through leads "
+             "that the vehicle could miss. Without the leads that are narrower than the position error, the "
+             "longest time is {sure_h:.1f} h",
+     .hint =
+         "Set a shorter limit (--max-time-without-surfacing), or lead the route away from the ice (--via)",
      .slots = {{{"bound_h", 12.0}, {"sure_h", 19.5}}}},
     {.code = "escapes-end-near-ice",
      .rank = Rank::caution,
-     .text = "{near} {near:escape route ends|escape routes end} closer to ice than the position error, first "
-             "from waypoint {waypoint}: ice at {ice_km:.1f} km, error {error_km:.1f} km",
-     .hint = "Let the vehicle fly on before it surfaces",
+     .text = "{near} {near:escape route ends|escape routes end} closer to ice than the position error. The "
+             "first, from waypoint {waypoint}, ends {ice_km:.1f} km from the ice with a position error of "
+             "{error_km:.1f} km",
+     .hint = "In an emergency, let the vehicle fly on into open water before it surfaces",
      .slots = {{{"near", 6}, {"waypoint", 3}, {"ice_km", 1.2}, {"error_km", 2.3}}}},
     {.code = "surfaces-more-often",
      .rank = Rank::note,
-     .text =
-         "the fastest route has waypoints without an escape route; this route passes more places to surface"},
+     .text = "this is not the fastest route, because that route has waypoints without an escape route. This "
+             "route passes more places to surface"},
 
     // Icebergs.
     {.code = "sightings-too-old-at-departure",
      .rank = Rank::danger,
-     .text = "{ignored} {ignored:iceberg|icebergs} ignored: not seen for too long by the departure at "
-             "{departure} ({names}). Each may still be near the route, and the plan avoids none of them",
+     .text =
+         "{ignored} {ignored:iceberg was|icebergs were} ignored ({names}). At the departure, {departure}, "
+         "{ignored:its last sighting is|their last sightings are} too old. {ignored:The iceberg|Each} may "
+         "still be near the route, and the plan {ignored:does not avoid it|avoids none of them}",
      .hint = "Depart earlier, ingest newer sightings, or raise the maximum sighting age (--max-sighting-age)",
      .slots = {{{"ignored", 2}, {"departure", "2027-01-12T06:00:00Z"}, {"names", "B-17, B-18"}}}},
     {.code = "drift-unknown-near-route",
      .rank = Rank::caution,
-     .text = "{near} of {icebergs} {icebergs:iceberg|icebergs} may come near the route after drifting for a "
-             "time without known currents ({names}). During that time each keeps its last observed drift, "
-             "drifts with the wind, or stays put",
+     .text = "{near} of {icebergs} {icebergs:iceberg|icebergs} may come near the route ({names}), but the "
+             "currents are unknown for part of {near:its|their} drift. For that part each iceberg is assumed "
+             "to keep its last observed drift, else to drift with the wind, else to stay in place",
      .hint = "Ingest newer sightings, or currents that begin earlier and cover a wider area",
      .slots = {{{"near", 3}, {"icebergs", 60}, {"names", "B-17, B-18, B-19"}}}},
     {.code = "drift-unknown-elsewhere",
      .rank = Rank::note,
-     .text = "{elsewhere} of {icebergs} {icebergs:iceberg|icebergs} {elsewhere:drifts|drift} for a time "
-             "without known currents, but too far away to come near the route",
+     .text = "the currents are unknown for part of the drift of {elsewhere} of {icebergs} "
+             "{icebergs:iceberg|icebergs}. {elsewhere:This iceberg is|These icebergs are} too far away to "
+             "come near the route",
      .slots = {{{"elsewhere", 57}, {"icebergs", 60}}}},
     // Asked for, and safe when flown as planned: whoever flies it has to know which yo to send.
     {.code = "passes-under-iceberg",
      .rank = Rank::caution,
-     .text = "the plan passes under iceberg {iceberg}: no surfacing from {from} to {until}, and dives must "
-             "turn no higher than {turn_m:.0f} m",
+     .text = "the plan passes under iceberg {iceberg} from {from} to {until}. During this time the vehicle "
+             "must not surface, and the upper turn must be at {turn_m:.0f} m or deeper",
      .slots = {{{"iceberg", "B-17"},
                 {"from", "2027-01-12T18:00:00Z"},
                 {"until", "2027-01-12T19:00:00Z"},
                 {"turn_m", 60.0}}}},
     {.code = "currents-of-shallower-turns",
      .rank = Rank::caution,
-     .text = "below icebergs the dives turn as deep as {turn_m:.0f} m. The energy is computed for that, but "
-             "the currents are those of dives that turn at {planned_turn_m:.0f} m",
-     .hint = "Plan with --climb-to {turn_m:.0f} to see the difference",
+     .text = "below icebergs the upper turn is as deep as {turn_m:.0f} m. The plan has the energy of these "
+             "dives, but the currents of dives with an upper turn at {planned_turn_m:.0f} m",
+     .hint = "To see the difference, plan with the deeper upper turn (--climb-to {turn_m:.0f})",
      .slots = {{{"turn_m", 60.0}, {"planned_turn_m", 10.0}}}},
 
     // Currents.
     {.code = "currents-of-nearest-water",
      .rank = Rank::caution,
-     .text = "on {share_pct:.0f} % of the route the current is that of the nearest water in the model, "
-             "because the coast of the model is coarser",
+     .text = "on {share_pct:.0f} % of the route the current model has land, because its coast is coarser "
+             "than the true coast. There the plan uses the current of the nearest water in the model",
      .slots = {{{"share_pct", 4.0}}}},
     {.code = "dives-below-currents",
      .rank = Rank::caution,
-     .text =
-         "on {unknown_km:.1f} km of the route the dives go below the current model, at worst to {dive_m:.0f} "
-         "m where its currents end at {known_m:.0f} m: the mean of its currents is used below",
+     .text = "on {unknown_km:.1f} km of the route the dives go deeper than the current model. At worst they "
+             "go to {dive_m:.0f} m, where the currents end at {known_m:.0f} m. Below the model the plan uses "
+             "the mean of the currents above",
      .slots = {{{"unknown_km", 12.4}, {"dive_m", 200.0}, {"known_m", 60.0}}}},
+    {.code = "passes-close-to-land",
+     .rank = Rank::caution,
+     .text = "at {lon_deg:.4f}, {lat_deg:.4f} the route passes only {distance_m:.0f} m from land, closer "
+             "than the position error of {error_m:.0f} m there",
+     .hint = "Lead the route farther from land (--via)",
+     .slots = {{{"lon_deg", -60.25}, {"lat_deg", 69.5}, {"distance_m", 74.0}, {"error_m", 156.0}}}},
     {.code = "hardly-enough-speed",
      .rank = Rank::caution,
-     .text = "on {legs} {legs:leg|legs} the current takes more than {enough_pct:.0f} % of the vehicle's "
-             "speed to hold the course, most on leg {leg} at {time} ({most_pct:.1f} %): a slightly slower "
-             "vehicle drifts off the route there",
+     .text = "on {legs} {legs:leg|legs} the vehicle needs more than {enough_pct:.0f} % of its speed to hold "
+             "the course against the current. Leg {leg} at {time} needs the most, {most_pct:.1f} %. A "
+             "slightly slower vehicle would drift off the route there",
      .hint = "Plan with a lower speed (--speed) to keep a reserve",
      .slots = {{{"legs", 1},
                 {"enough_pct", 95.0},
@@ -179,18 +194,18 @@ inline constexpr auto plan_kinds = std::to_array<Kind>({
                 {"most_pct", 98.2}}}},
     {.code = "several-grids-tried",
      .rank = Rank::caution,
-     .text = "currents in the area are as fast as the vehicle, so small differences close or open a route. "
-             "This plan is the best of several grids",
-     .hint = "Another grid spacing (--spacing) or a via point (--via) may give a better one"},
+     .text = "some currents in the area are as fast as the vehicle, so small differences close or open a "
+             "route. This plan is the best of the plans on several grids",
+     .hint = "Another grid spacing (--spacing) or a via point (--via) may give a better plan"},
     {.code = "several-grids-agree",
      .rank = Rank::note,
-     .text = "currents in the area are as fast as the vehicle, but the plans on several grids differ by less "
-             "than {agreement_pct:.0f} %. This plan is the best of them",
+     .text = "some currents in the area are as fast as the vehicle, but the plans on several grids differ by "
+             "less than {agreement_pct:.0f} %. This plan is the best of them",
      .slots = {{{"agreement_pct", 1.0}}}},
     {.code = "alternative",
      .rank = Rank::note,
      .text = "this route passes {side} of the {obstacle} at {lon_deg:.4f}, {lat_deg:.4f} ({extent_km:.0f} km "
-             "across), which the best route leaves on its other side. It takes {difference_h:.1f} h {more}",
+             "across). The best route passes on the other side. This route takes {difference_h:.1f} h {more}",
      .slots = {{{"side", "south"},
                 {"obstacle", "land"},
                 {"lon_deg", -53.5},
@@ -200,58 +215,59 @@ inline constexpr auto plan_kinds = std::to_array<Kind>({
                 {"more", "more"}}}},
     {.code = "nothing-to-go-round",
      .rank = Rank::note,
-     .text =
-         "no alternative: nothing of {least_km:.1f} km or more lies beside the route that a vehicle could "
-         "leave on its other side",
+     .text = "there is no alternative. Near the route lies no obstacle of {least_km:.1f} km or more that the "
+             "vehicle could pass on its other side",
      .slots = {{{"least_km", 4.2}}}},
     {.code = "few-alternatives",
      .rank = Rank::note,
-     .text =
-         "fewer alternatives than asked for: {tried} {tried:route|routes} round other sides of obstacles "
-         "{tried:was|were} tried. The rest are closed, take more than {longest_h:.0f} h, or hardly differ",
+     .text = "fewer alternatives were found than requested. {tried} {tried:route|routes} on other sides of "
+             "obstacles {tried:was|were} tried. The rejected routes are closed, take more than "
+             "{longest_h:.0f} h, or hardly differ from the others",
      .slots = {{{"tried", 4}, {"longest_h", 91.0}}}},
     {.code = "may-depart-later",
      .rank = Rank::note,
-     .text = "the vehicle may depart {later_h:.1f} h later, at {time}: it arrives no later",
+     .text = "the vehicle may depart {later_h:.1f} h later, at {time}, and still arrive at the same time",
      .slots = {{{"later_h", 2.9}, {"time", "2027-01-12T18:00:00Z"}}}},
     {.code = "route-without-holds",
      .rank = Rank::caution,
-     .text = "this vehicle never holds, and something in its way opens later: a route with a hold may arrive "
-             "earlier",
+     .text = "part of the water is closed at first and reopens later. The vehicle is not allowed to hold "
+             "until then, but a route with a hold may arrive earlier",
      .hint = "Allow holds (--max-hold)"},
 
     // Uncertain currents.
     {.code = "closed-in-members",
      .rank = Rank::caution,
-     .text = "in {closed} of {members} members the vehicle does not reach the goal on this route, and no "
-             "compared route does better",
+     .text = "in {closed} of {members} members of the ensemble of currents, the vehicle does not reach the "
+             "goal on this route. No other route that was compared reaches it in more members",
      .slots = {{{"closed", 2}, {"members", 12}}}},
     {.code = "closed-members-left-out-of-mean",
      .rank = Rank::caution,
-     .text = "in {closed} of {members} members the vehicle does not reach the goal on this route, and no "
-             "compared route does better. The mean leaves these members out",
+     .text = "in {closed} of {members} members of the ensemble of currents, the vehicle does not reach the "
+             "goal on this route. No other route that was compared reaches it in more members. The mean "
+             "leaves these members out",
      .slots = {{{"closed", 2}, {"members", 12}}}},
     {.code = "share-of-members-not-met",
      .rank = Rank::caution,
-     .text = "in {closed} of {members} members the vehicle does not reach the goal on this route, and no "
-             "compared route does better. Fewer members arrive than the {share_pct:.0f} % of the request, so "
-             "the route is the best in the mean of those that arrive",
+     .text = "in {closed} of {members} members of the ensemble of currents, the vehicle does not reach the "
+             "goal on this route. No other route that was compared reaches it in more members. The request "
+             "asks for arrival in {share_pct:.0f} % of the members, so this plan is the best in the mean of "
+             "those that arrive",
      .slots = {{{"closed", 2}, {"members", 12}, {"share_pct", 90.0}}}},
     {.code = "named-members-not-used",
      .rank = Rank::caution,
-     .text = "the plan uses random members around the first of the named currents; the other named currents "
+     .text = "the plan uses random members around the first of the named currents. The other named currents "
              "were not used",
      .hint = "To plan over the named currents, leave out the number of members (--members)"},
     {.code = "uncertainty-without-members",
      .rank = Rank::caution,
-     .text = "the uncertainty of the request has no effect: it has one set of currents and no model of their "
-             "errors",
+     .text = "the requested uncertainty has no effect, because the request has only one set of currents and "
+             "no model of their errors",
      .hint = "Name several currents (--currents), or give the number of members (--members) and their error "
              "(--current-error)"},
     {.code = "late-in-first-currents",
      .rank = Rank::caution,
-     .text = "in the first currents the plan arrives at {arrival}, after the wanted arrival; the "
-             "{what_counts} of the members, {counted}, is in time",
+     .text = "in the first of the currents, the plan arrives at {arrival}, after the wanted arrival. The "
+             "{what_counts} of all members, {counted}, is in time",
      .slots = {{{"arrival", "2027-01-13T18:10:00Z"},
                 {"what_counts", "mean"},
                 {"counted", "2027-01-13T17:50:00Z"}}}},
@@ -259,20 +275,21 @@ inline constexpr auto plan_kinds = std::to_array<Kind>({
     // Times and areas.
     {.code = "early-arrival",
      .rank = Rank::note,
-     .text =
-         "the plan arrives {early_h:.1f} h before the wanted arrival: no later departure in time was found",
+     .text = "the plan arrives {early_h:.1f} h before the wanted arrival. No later departure was found that "
+             "arrives in time",
      .slots = {{{"early_h", 3.5}}}},
     {.code = "departures-not-all-planned",
      .rank = Rank::note,
      .text = "{planned} of {departures} departures were planned in full, and this plan is the best of them. "
-             "One of the others may be better over all members of the ensemble of currents",
-     .hint = "A shorter window plans all of its departures",
+             "Another departure may be better over all members of the ensemble of currents",
+     .hint = "In a shorter window, all departures are planned in full",
      .slots = {{{"departures", 48}, {"planned", 6}}}},
     {.code = "area-opens-just-before",
      .rank = Rank::caution,
-     .text = "the plan is at {lon_deg:.4f}, {lat_deg:.4f} only {spare_min:.0f} min after an area reopens "
-             "there ({changes}), after {under_way_h:.1f} h under way: a vehicle {error_pct:.0f} % faster "
-             "than planned breaks the rule of the area",
+     .text = "after {under_way_h:.1f} h under way, the vehicle is at {lon_deg:.4f}, {lat_deg:.4f} only "
+             "{spare_min:.0f} min after an area there reopens ({changes}). A vehicle {error_pct:.0f} % "
+             "faster than planned would break the rule of the area",
+     .hint = "Depart later, or lead the route round the area",
      .slots = {{{"lon_deg", -60.25},
                 {"lat_deg", 69.5},
                 {"spare_min", 12.0},
@@ -281,9 +298,10 @@ inline constexpr auto plan_kinds = std::to_array<Kind>({
                 {"error_pct", 5.0}}}},
     {.code = "area-closes-just-after",
      .rank = Rank::caution,
-     .text = "the plan is at {lon_deg:.4f}, {lat_deg:.4f} only {spare_min:.0f} min before an area closes "
-             "there ({changes}), after {under_way_h:.1f} h under way: a vehicle {error_pct:.0f} % slower "
-             "than planned breaks the rule of the area",
+     .text = "after {under_way_h:.1f} h under way, the vehicle is at {lon_deg:.4f}, {lat_deg:.4f} only "
+             "{spare_min:.0f} min before an area there closes ({changes}). A vehicle {error_pct:.0f} % "
+             "slower than planned would break the rule of the area",
+     .hint = "Depart earlier, or lead the route round the area",
      .slots = {{{"lon_deg", -60.25},
                 {"lat_deg", 69.5},
                 {"spare_min", 12.0},
@@ -294,37 +312,38 @@ inline constexpr auto plan_kinds = std::to_array<Kind>({
     // The battery. These are cautions, not dangers, because the reserve that is kept for a recovery is not counted.
     {.code = "battery-too-small",
      .rank = Rank::caution,
-     .text = "the plan draws {drawn_mj:.2f} MJ, {missing_mj:.2f} MJ more than the {usable_mj:.2f} MJ above "
-             "the battery's reserve",
+     .text = "the plan needs {drawn_mj:.2f} MJ, but the battery has only {usable_mj:.2f} MJ above its "
+             "reserve. {missing_mj:.2f} MJ are missing",
      .hint = "Start with a fuller battery, save energy (--objective energy, --thruster off, deeper dives), "
              "or plan a shorter route",
      .slots = {{{"drawn_mj", 1.25}, {"missing_mj", 0.25}, {"usable_mj", 1.0}}}},
     {.code = "battery-below-reserve",
      .rank = Rank::caution,
-     .text = "the plan draws {drawn_mj:.2f} MJ, but the battery begins {missing_mj:.2f} MJ below its reserve",
+     .text = "the plan needs {drawn_mj:.2f} MJ, but at the departure the battery is already {missing_mj:.2f} "
+             "MJ below its reserve",
      .hint = "Start with a fuller battery, save energy (--objective energy, --thruster off, deeper dives), "
              "or plan a shorter route",
      .slots = {{{"drawn_mj", 1.25}, {"missing_mj", 0.1}}}},
     {.code = "battery-too-small-for-escape",
      .rank = Rank::caution,
-     .text = "the escape route from waypoint {waypoint} draws {drawn_mj:.2f} MJ, but only {left_mj:.2f} MJ "
-             "are left there above the battery's reserve",
+     .text = "the escape route from waypoint {waypoint} needs {drawn_mj:.2f} MJ, but at that waypoint the "
+             "battery has only {left_mj:.2f} MJ above its reserve",
      .hint = "Start with a fuller battery, plan a route nearer to open water, or plan without escape routes "
-             "(--escape-plan)",
+             "(leave out --escape-plan)",
      .slots = {{{"waypoint", 3}, {"drawn_mj", 0.4}, {"left_mj", 0.25}}}},
 
     // How the way was looked for.
     {.code = "search-cut-short",
      .rank = Rank::note,
-     .text = "the search reached the limit of its work: a better route may exist"},
+     .text = "the search stopped at the limit of its work, so a better route may exist"},
     {.code = "search-cut-short-near-the-best",
      .rank = Rank::note,
-     .text = "the search reached the limit of its work: a better route may exist, faster by at most "
-             "{gain_min:.0f} min ({gain_pct:.1f} %) before refinement",
+     .text = "the search stopped at the limit of its work, so a better route may exist. Before refinement, "
+             "that route would be faster by at most {gain_min:.0f} min ({gain_pct:.1f} %)",
      .slots = {{{"gain_min", 4.0}, {"gain_pct", 0.3}}}},
     {.code = "cost-search-cut-short",
      .rank = Rank::note,
-     .text = "the search reached the limit of its work: a plan of lower cost may exist"},
+     .text = "the search stopped at the limit of its work, so a plan of lower cost may exist"},
     {.code = "route-not-refined",
      .rank = Rank::note,
      .text = "the route keeps to the lines of the search grid. A route off these lines would be faster, but "
@@ -332,57 +351,60 @@ inline constexpr auto plan_kinds = std::to_array<Kind>({
      .hint = "A smaller grid spacing (--spacing) may give a faster route"},
     {.code = "more-waypoints-than-asked",
      .rank = Rank::caution,
-     .text = "the route needs more waypoints than requested: with fewer it would be closed or have legs that "
-             "are too long"},
+     .text = "the route needs more waypoints than requested. With fewer waypoints it would be closed or have "
+             "legs that are too long",
+     .hint = "Allow more waypoints (--max-waypoints)"},
 
     // Isochrones: an area that is too small keeps nobody from a plan, so most of this is a note.
     {.code = "areas-in-strong-currents",
      .rank = Rank::note,
-     .text = "currents in the area are as fast as the vehicle. They close whole legs of the grid, so the "
-             "areas may be a few per cent too small",
-     .hint = "Another grid spacing (--spacing) may show more"},
+     .text = "some currents in the area are as fast as the vehicle and close whole legs of the grid. The "
+             "isochrones may therefore be a few per cent too small",
+     .hint = "Another grid spacing (--spacing) may show larger isochrones"},
     {.code = "areas-to-a-place-in-strong-currents",
      .rank = Rank::note,
-     .text = "currents in the area are as fast as the vehicle. They close whole legs of the grid, so the "
-             "areas may be a few per cent too small. Places may be missing from which the vehicle is in time "
-             "only because a closed route reopens",
-     .hint = "Another grid spacing (--spacing) may show more"},
+     .text = "some currents in the area are as fast as the vehicle and close whole legs of the grid. The "
+             "isochrones may therefore be a few per cent too small. They may also miss places from which the "
+             "vehicle arrives in time only after a closed route reopens",
+     .hint = "Another grid spacing (--spacing) may show larger isochrones"},
     {.code = "areas-beyond-battery",
      .rank = Rank::caution,
-     .text = "the {usable_mj:.2f} MJ above the battery's reserve last at most {lasts_h:.1f} h: the areas of "
-             "longer times are beyond the battery",
+     .text = "the battery has {usable_mj:.2f} MJ above its reserve, which last at most {lasts_h:.1f} h. The "
+             "isochrones of longer times are beyond the battery",
      .slots = {{{"usable_mj", 1.0}, {"lasts_h", 96.0}}}},
     {.code = "areas-cut-short",
      .rank = Rank::note,
-     .text = "the search was cut short: the true areas may be larger",
-     .hint = "A larger grid spacing (--spacing) helps"},
+     .text = "the search stopped at the limit of its work, so the true isochrones may be larger",
+     .hint = "Choose a larger grid spacing (--spacing)"},
     {.code = "areas-cut-at-the-data",
      .rank = Rank::note,
-     .text = "the area ends at the edge of the data; currents carry the vehicle farther"},
+     .text = "the isochrone ends at the edge of the data, but currents carry the vehicle farther",
+     .hint = "Ingest data that cover a wider area"},
 
     // Words that came with a request or a file, or from a plan that was stored before there were codes.
     {.code = "remark",
      .rank = Rank::note,
      .text = "{remark}",
-     .slots = {{{"remark", "read from track.gpx"}}}},
+     .slots = {{{"remark", "the route was read from track.gpx"}}}},
     {.code = "mission-file-note",
      .rank = Rank::note,
      .text = "{remark}",
-     .slots =
-         {{{"remark",
-            "A goto list ends below ice, where no vehicle can come up: the next one is flown at once."}}}},
+     .slots = {{{"remark",
+                 "A goto list ends below ice, where the vehicle cannot surface, so the simulation flies the "
+                 "next list at once."}}}},
     {.code = "speed-not-made",
      .rank = Rank::caution,
-     .text = "No plausible drag explains the planned speed with this pump and pitch. The flight uses the "
-             "drag of the vehicle profile, so the vehicle is slower or faster than planned."},
+     .text = "With this pump and pitch, no plausible drag gives the planned speed. The flight uses the drag "
+             "of the vehicle profile, so the vehicle is slower or faster than planned",
+     .hint = "Check the pump, the pitch and the planned speed."},
     {.code = "earlier-danger",
      .rank = Rank::danger,
      .text = "{remark}",
-     .slots = {{{"remark", "as it was stored"}}}},
+     .slots = {{{"remark", "the goal lies under ice, so the vehicle must not surface there"}}}},
     {.code = "earlier-warning",
      .rank = Rank::caution,
      .text = "{remark}",
-     .slots = {{{"remark", "as it was stored"}}}},
+     .slots = {{{"remark", "no sea ice was stored for this area, so open water is assumed"}}}},
 });
 
 /// The message of this code; it is told its values in the order of the catalogue.

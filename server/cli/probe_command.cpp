@@ -31,6 +31,8 @@ void print_probe(const codec::Probe& probe) {
   } else {
     std::cout << "depth     - (" << probe.depth_reason << ")\n";
   }
+  if (!probe.coastline.empty())
+    std::cout << "land      the coastline " << probe.coastline << " has land here, so plans do not pass\n";
   if (probe.currents.velocity) {
     std::cout << std::setprecision(3) << "current   " << probe.currents.velocity->east.value << " m/s east, "
               << probe.currents.velocity->north.value << " m/s north (" << probe.currents.dataset_name

@@ -73,6 +73,9 @@ std::optional<std::string> unknown_word(const CLI::App& app) {
   const std::string who = path.empty() ? "there is no" : path + " has no";
   const std::string help = path.empty() ? "" : path + ' ';
   const std::string word = remaining.front().substr(0, remaining.front().find('='));
+  if (const auto of_all = flag_names(app);
+      &command != &app && std::ranges::find(of_all, word) != of_all.end())
+    return messages::command_text<"flag-before-command">(word, path);
   if (word.starts_with("-")) return unknown(who + " flag", word, flag_names(command), help + "--help-all");
   const std::vector<std::string> commands = commands_below(command);
   if (commands.empty()) return std::nullopt;

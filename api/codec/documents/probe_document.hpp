@@ -60,6 +60,7 @@ struct Probe {
   std::optional<core::Metres> shoalest_depth;  // the least depth known around the place
   std::string depth_reason;                    // empty when there is a depth
   std::optional<bool> land;                    // empty: no coastline and no bathymetry here
+  std::string coastline;  // name of the dataset by which the place is land; empty: none says so
   Velocity currents;
   Velocity wind;  // 10 m above the sea, towards which it blows
   Ice ice;

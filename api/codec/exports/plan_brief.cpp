@@ -169,7 +169,7 @@ std::string brief_origin(const BriefNotes& notes) {
 std::string brief_caption(const MapPicture& picture) {
   std::string caption = "The route and its waypoints by number; north is up.";
   if (!picture.below_ice.empty()) caption += " Dashed: below ice or icebergs.";
-  if (!picture.closed.empty()) caption += " Squares: the vehicle may not surface.";
+  if (!picture.closed.empty()) caption += " Squares: the vehicle must not surface.";
   if (!picture.escapes.empty()) caption += " Dotted: escape routes to where it may.";
   if (!picture.surfacings.empty()) caption += " Green rings: planned surfacings.";
   if (picture.icebergs.empty()) return caption;

@@ -36,7 +36,7 @@ ReadRoutes read_mission(const std::string& name, std::string_view bytes, std::op
   }
   if (faults.empty() && places.empty())
     faults.push_back(messages::fault<"no-waypoints-by-place">(
-        "file", left_out.empty() ? "where its lists are in files of their own, give one of those"
+        "file", left_out.empty() ? "if its lists are in separate files, give one of these files"
                                  : left_out + "; write them in degrees and minutes (wpt_units 2)"));
   if (!faults.empty()) return tl::unexpected(std::move(faults));
   file.routes.push_back({"", {std::move(places)}});
@@ -68,8 +68,7 @@ ReadRoutes read_by_content(const std::string& name, std::string_view text, std::
   if (root == "kml") return read_kml(text);
   if (looks_like_mission(name, text)) return read_mission(name, text, from);
   if (looks_like_targets(text)) return read_mission("targets", text, from);
-  if (start == '<')
-    return route_fault<"unknown-xml">("file", core::cut_short(root, 40));
+  if (start == '<') return route_fault<"unknown-xml">("file", core::cut_short(root, 40));
   return read_csv(text);
 }
 
@@ -78,8 +77,7 @@ ReadRoutes read_by_content(const std::string& name, std::string_view text, std::
 tl::expected<RouteFile, core::Violations> read_route_file(const std::string& name, std::string_view bytes,
                                                           const std::optional<std::string>& wanted,
                                                           std::optional<geo::LonLat> from) {
-  if (bytes.size() > max_bytes)
-    return route_fault<"file-too-large">("file", max_bytes >> 20);
+  if (bytes.size() > max_bytes) return route_fault<"file-too-large">("file", max_bytes >> 20);
   auto routes = read_by_content(name, core::utf8_text(bytes), from);
   if (!routes) return tl::unexpected(std::move(routes.error()));
   return choose_route(std::move(*routes), wanted);

@@ -90,12 +90,13 @@ tl::expected<std::optional<Latest>, problems::Problem> read_latest(const Feature
   if (wish == "true" && !query.span.to)
     violations.push_back(parameter_fault<"required">("datetime", "with latest=true, the moment to look at"));
   if (wish != "true" && age)
-    violations.push_back(parameter_fault<"needs-latest">("max_sighting_age_days",
-                                                         "; without it, \"datetime\" says from when on"));
+    violations.push_back(parameter_fault<"needs-latest">(
+        "max_sighting_age_days", "; without it, give the first time in \"datetime\""));
   if (departure && !latest.departure)
     violations.push_back(parameter_fault<"wrong-shape">("departure", "a UTC time like 2026-11-20T06:00:00Z"));
   if (wish != "true" && departure)
-    violations.push_back(parameter_fault<"needs-latest">("departure", ": ages are counted then"));
+    violations.push_back(
+        parameter_fault<"needs-latest">("departure", ", because ages are counted at the departure"));
   if (days < 0.0 || days > oldest_days)
     violations.push_back(parameter_fault<"wrong-shape">("max_sighting_age_days", "a number from 0 to 30"));
   if (wish != "true" && latest.choice.ids.size() > 1)

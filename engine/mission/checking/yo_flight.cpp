@@ -66,7 +66,7 @@ std::string difference(const planning::Plan& plan, const planning::Plan& flown) 
   if (!is_timed && !is_drawn) return "";
   char text[160];
   std::snprintf(text, sizeof text,
-                "it arrives at %s, %.1f h %s than planned, and draws %.2f MJ instead of %.2f MJ",
+                "the vehicle arrives at %s, %.1f h %s than planned, and draws %.2f MJ instead of %.2f MJ",
                 core::iso8601(flown.arrival).c_str(), std::abs(later.count()) / 3600.0,
                 later.count() < 0.0 ? "earlier" : "later", drawn_j / 1e6, planned_j / 1e6);
   return text;

@@ -33,14 +33,14 @@ std::optional<HoldTimes> planned_times(const Document& document) {
 }  // namespace
 
 std::string hold_comment(const HoldTimes& times) {
-  return std::string{comment_begin} + core::iso8601(times.from) + std::string{comment_middle} + core::iso8601(times.until) +
-         "\n";
+  return std::string{comment_begin} + core::iso8601(times.from) + std::string{comment_middle} +
+         core::iso8601(times.until) + "\n";
 }
 
 std::string hold_text(const HoldOrder& hold) {
   const std::string legs =
-      hold.legs < 0 ? std::string{"goes round for ever"} : std::to_string(hold.legs) + " legs";
-  std::string text = "holds station: " + legs + " between rows " +
+      hold.legs < 0 ? std::string{"without end"} : "with " + std::to_string(hold.legs) + " legs";
+  std::string text = "the list holds station " + legs + " between two rows " +
                      std::to_string(std::lround(hold.apart.value)) + " m apart";
   if (hold.planned)
     text += ", planned from " + core::iso8601(hold.planned->from) + " until " +

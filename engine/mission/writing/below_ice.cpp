@@ -88,8 +88,8 @@ std::vector<std::string> closed_above_since(const planning::Plan& plan, const pl
   const double planned_m = std::ceil(least_upper_turn(plan).value);
   const double needed_m = std::ceil(least_upper_turn(now).value);
   if (needed_m > planned_m) {
-    found.push_back("the route passes below ice or icebergs, where dives must turn no higher than " +
-                    whole(needed_m) + " m; the plan was made for " +
+    found.push_back("the route passes below ice or icebergs, where the upper turn must be at " +
+                    whole(needed_m) + " m or deeper. The plan was made for " +
                     (planned_m > 0.0 ? whole(planned_m) + " m" : std::string{"open water"}));
   }
   if (plan.waypoints.size() != now.waypoints.size()) return found;
@@ -97,7 +97,7 @@ std::vector<std::string> closed_above_since(const planning::Plan& plan, const pl
     return overhead(plan, i) != Overhead::closed && overhead(now, i) == Overhead::closed;
   });
   if (!closed.empty())
-    found.push_back("the vehicle may not surface at waypoints " + closed + ", where the plan lets it");
+    found.push_back("the vehicle must not surface at waypoints " + closed + ", although the plan allows it");
   return found;
 }
 

@@ -119,7 +119,7 @@ bool is_below_ice(const planning::Plan& plan, const vehicle::GliderProfile& vehi
 
 std::string climb_text(const planning::Plan& plan, const vehicle::GliderProfile& vehicle) {
   return whole(climb_target(plan, vehicle).value) +
-         (is_below_ice(plan, vehicle) ? " m, below ice or icebergs" : " m");
+         (is_below_ice(plan, vehicle) ? " m because of ice or icebergs" : " m");
 }
 
 /// The yo turns at both its depths everywhere on the way.

@@ -97,13 +97,6 @@ std::string_view name_of(ObstacleKind kind) {
   return "";
 }
 
-/// In words, of an azimuth clockwise from north.
-std::string_view direction(double azimuth_deg) {
-  static constexpr std::array<std::string_view, 8> names{"north", "north-east", "east", "south-east",
-                                                         "south", "south-west", "west", "north-west"};
-  return names[static_cast<std::size_t>(std::lround(azimuth_deg / 45.0) + 8) % names.size()];
-}
-
 /// A plan on the other side of an obstacle.
 struct OtherWay {
   Plan plan;
@@ -217,7 +210,7 @@ class AlternativeSearch {
         projection_.to_lon_lat(nearest_point(timed_route(way.plan, projection_), way.around->middle));
     const double later_h = (way.plan.travel_time() - plan_.travel_time()).count() / 3600.0;
     return messages::plan_message<"alternative">(
-               direction(geo::geodesic_between(middle, passes).course_at_start.degrees()),
+               geo::compass_point(geo::geodesic_between(middle, passes).course_at_start),
                name_of(way.around->kind), middle.lon_deg, middle.lat_deg, way.around->extent.value / 1000.0,
                std::abs(later_h), later_h < 0.0 ? "less" : "more")
         .at(middle);

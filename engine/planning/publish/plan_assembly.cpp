@@ -3,42 +3,22 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
 #include <optional>
 
 #include "engine/core/shown_text.hpp"
 #include "engine/core/violation_list.hpp"
-#include "engine/geo/coarse_outline.hpp"
 #include "engine/geo/geodesic.hpp"
 #include "engine/messages/plan_messages.hpp"
 #include "engine/planning/cost/met_currents.hpp"
 #include "engine/planning/cost/surfacing.hpp"
-#include "engine/planning/plane/coast_lines.hpp"
-#include "engine/planning/plane/plane_lines.hpp"
+#include "engine/planning/publish/land_distance.hpp"
 #include "engine/planning/publish/route_moves.hpp"
+#include "engine/planning/publish/route_samples.hpp"
 #include "engine/planning/publish/warnings.hpp"
 #include "engine/vehicle/dive_band.hpp"
 
 namespace floeplan::planning::publish {
 namespace {
-
-constexpr double sample_step_m =
-    250.0;  // along the route, for clearances: about the cells of the finest bathymetry in use
-
-/// Calls `visit(point)` at both ends of every leg and between them.
-template <class Visit>
-void for_each_sample(const std::vector<geo::PlanePoint>& route, Visit&& visit) {
-  visit(route.front());
-  for (std::size_t i = 1; i < route.size(); ++i) {
-    const geo::PlanePoint a = route[i - 1];
-    const geo::PlanePoint b = route[i];
-    const int pieces = std::max(1, static_cast<int>(std::ceil(geo::distance_m(a, b) / sample_step_m)));
-    for (int piece = 1; piece <= pieces; ++piece) {
-      const double share = static_cast<double>(piece) / pieces;
-      visit(geo::PlanePoint{a.x_m + share * (b.x_m - a.x_m), a.y_m + share * (b.y_m - a.y_m)});
-    }
-  }
-}
 
 /// The iceberg whose hull, at its forecast place when the vehicle passes, the route comes nearest to, and how near.
 void add_iceberg_clearance(Clearances& clearances, const cost::Sea& sea,
@@ -106,7 +86,7 @@ std::optional<core::Metres> bottom_clearance(const cost::Sea& sea, const ocean::
                                              const std::vector<geo::PlanePoint>& route) {
   if (!environment.bathymetry) return std::nullopt;
   std::optional<core::Metres> least;
-  for_each_sample(route, [&](geo::PlanePoint point) {
+  for_each_sample(route, [&](std::size_t, double, geo::PlanePoint point) {
     const auto bed = environment.bathymetry->shoalest(sea.domain().projection().to_lon_lat(point));
     if (!bed) return;
     const core::Metres deepest =
@@ -115,47 +95,6 @@ std::optional<core::Metres> bottom_clearance(const cost::Sea& sea, const ocean::
     if (!least || left < *least) least = left;
   });
   return least;
-}
-
-/// Least distance from the route to the lines of the coast. The search widens step by step, so that distant coasts cost
-/// little.
-std::optional<core::Metres> land_clearance(const cost::Sea& sea, const ocean::Environment& environment,
-                                           const std::vector<geo::PlanePoint>& route) {
-  constexpr core::Metres first_look{4000.0};
-  constexpr core::Metres round_the_globe{2.1e7};
-  // Ratio of distances in the plane to those on the ground: 0.933 for polar stereographic planes at the pole, at least 1
-  // for the others.
-  constexpr double least_scale = 0.9;
-  if (environment.land.empty()) return std::nullopt;
-  std::vector<geo::PlanePoint> samples;
-  std::vector<geo::LonLat> places;
-  for_each_sample(route, [&](geo::PlanePoint point) {
-    samples.push_back(point);
-    places.push_back(sea.domain().projection().to_lon_lat(point));
-  });
-  std::ranges::sort(samples, {}, &geo::PlanePoint::x_m);
-  const geo::BoundingBox along = geo::bounding_box(places);
-
-  double least = std::numeric_limits<double>::infinity();
-  const auto approach = [&](geo::PlanePoint a, geo::PlanePoint b) {
-    const auto [west, east] = std::minmax(a.x_m, b.x_m);
-    const auto [south, north] = std::minmax(a.y_m, b.y_m);
-    auto sample = std::ranges::lower_bound(samples, west - least, {}, &geo::PlanePoint::x_m);
-    for (; sample != samples.end() && sample->x_m <= east + least; ++sample) {
-      if (sample->y_m < south - least || sample->y_m > north + least) continue;
-      least = std::min(least, plane::distance_to_line(*sample, a, b));
-    }
-  };
-  for (core::Metres within = first_look;; within = 8.0 * within) {
-    least = std::numeric_limits<double>::infinity();
-    const geo::BoundingBox near = geo::grown(along, within);
-    for (const geo::Polygon& polygon : environment.land)
-      plane::for_each_coast_line(geo::coarse_beyond(near, {polygon.outer, {}}).outer,
-                                 sea.domain().projection(), approach);
-    if (least <= least_scale * within.value || within > round_the_globe) break;
-  }
-  if (!std::isfinite(least)) return std::nullopt;
-  return core::Metres{least};
 }
 
 /// Names the icebergs whose sightings are too old for this departure, though not for an earlier one.
@@ -311,6 +250,8 @@ Plan assemble_plan(const cost::Sea& sea, const ocean::Environment& environment, 
     plan.messages.push_back(*std::move(message));
   add_passages_under(plan, sea, route, schedule, drives);
   add_surfacings(plan, sea, request, route, schedule, drives);
+  if (auto message = land_warning(plan, sea, environment, request, route, schedule))
+    plan.messages.push_back(*std::move(message));
   return plan;
 }
 

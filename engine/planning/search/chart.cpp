@@ -73,7 +73,13 @@ std::optional<Infeasible> check_stops(cost::Sea& sea, const ocean::Environment& 
     if (const auto closed = closed_stop(sea, layout, stop)) {
       Infeasible infeasible =
           explain_place(*closed, kind_of(stop, layout), layout.stops[stop], sea, environment, request);
-      if (moves == Moves::looked_for) infeasible.moves = moves_of(sea, layout, stop, token);
+      if (moves == Moves::looked_for) {
+        infeasible.moves = moves_of(sea, layout, stop, token);
+        if (closed == motion::EdgeClosed::on_land || closed == motion::EdgeClosed::too_shallow)
+          infeasible.besides.push_back(
+              tell_of_nearest_water(kind_of(stop, layout), layout.stops[stop],
+                                    nearest_usable_place(sea.domain(), layout.points[stop])));
+      }
       return infeasible;
     }
     sea.domain().safety().open_around(layout.points[stop]);

@@ -8,6 +8,7 @@
 #include "engine/geo/geodesic.hpp"
 #include "engine/messages/refusal_messages.hpp"
 #include "engine/planning/search/missing_data.hpp"
+#include "engine/planning/search/usable_place.hpp"
 
 namespace floeplan::planning::search {
 namespace {
@@ -197,6 +198,16 @@ messages::Message no_way(motion::EdgeClosed binding, bool cut_short, const messa
 
 }  // namespace
 
+messages::Message tell_of_nearest_water(Stop stop, geo::LonLat place,
+                                        const std::optional<geo::LonLat>& nearest) {
+  const std::string subject = subject_of(stop);
+  if (!nearest) return messages::refusal<"no-water-near">(farthest_usable_place.value / 1000.0, subject);
+  const geo::GeodesicLine line = geo::geodesic_between(place, *nearest);
+  return messages::refusal<"nearest-water">(line.length.value / 1000.0,
+                                            geo::compass_point(line.course_at_start), subject)
+      .at(*nearest);
+}
+
 Infeasible explain_place(motion::EdgeClosed closed, Stop stop, geo::LonLat place, const cost::Sea& sea,
                          const ocean::Environment& environment, const PlanRequest& request) {
   if (closed != motion::EdgeClosed::outside_data)
@@ -247,8 +258,11 @@ Infeasible explain_search(const RouteSearch& search, Stop kind, geo::PlanePoint 
     if (search.statistics.holds_may_help) why.besides.push_back(messages::refusal<"never-holds">());
     return why;
   }
+  // Currents of a single time end at the departure.
+  const auto end = sea.domain().currents() ? sea.domain().currents()->end() : std::nullopt;
+  const bool out_of_time = search.out_of_time || (end && *end <= core::Seconds{0.0});
   const Closure closure =
-      closure_of(binding, sea, request, search.out_of_time, search.nearest, search.nearest_arrival);
+      closure_of(binding, sea, request, out_of_time, search.nearest, search.nearest_arrival);
   const bool by_data = binding == outside_data || binding == current_too_strong || binding == under_ice ||
                        binding == no_surfacing;
   const geo::LonLat at = sea.domain().projection().to_lon_lat(search.nearest);
@@ -256,7 +270,7 @@ Infeasible explain_search(const RouteSearch& search, Stop kind, geo::PlanePoint 
                         .at = at,
                         .when = clock(request, search.nearest_arrival),
                         .why = no_way(binding, search.statistics.cut_short, closure.why).at(at),
-                        .binding = constraint_of(binding, search.out_of_time),
+                        .binding = constraint_of(binding, out_of_time),
                         .search_cut_short = search.statistics.cut_short};
   if (infeasible.search_cut_short) infeasible.besides.push_back(messages::refusal<"search-without-end">());
   if (search.statistics.holds_may_help) infeasible.besides.push_back(messages::refusal<"never-holds">());
@@ -316,8 +330,14 @@ Infeasible explain_too_many_icebergs(std::size_t icebergs, const PlanRequest& re
 }
 
 Change move_of(const std::string& input, geo::LonLat from, geo::LonLat to) {
-  char text[64];
-  std::snprintf(text, sizeof text, "move it by %.1f km", 1e-3 * geo::geodesic_between(from, to).length.value);
+  const std::string stop = input == "from" ? "start"
+                           : input == "to" ? "goal"
+                                           : "via point " + std::to_string(std::stoi(input.substr(4)) + 1);
+  const geo::GeodesicLine line = geo::geodesic_between(from, to);
+  char text[128];
+  std::snprintf(text, sizeof text, "move the %s %.1f km to the %s, to %.4f, %.4f", stop.c_str(),
+                1e-3 * line.length.value, geo::compass_point(line.course_at_start).data(), to.lon_deg,
+                to.lat_deg);
   return {.input = input, .from = from, .to = to, .text = text};
 }
 

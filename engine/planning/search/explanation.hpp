@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "engine/ocean/environment.hpp"
 #include "engine/planning/cost/route_cost.hpp"
 #include "engine/planning/cost/sea.hpp"
@@ -16,6 +18,11 @@ enum class Stop { start, via, goal };
 [[nodiscard]] Infeasible explain_place(motion::EdgeClosed closed, Stop stop, geo::LonLat place,
                                        const cost::Sea& sea, const ocean::Environment& environment,
                                        const PlanRequest& request);
+
+/// Says how far from a start, goal or via point on land or in shallow water the nearest water is that the vehicle can use.
+/// `nearest`: of nearest_usable_place.
+[[nodiscard]] messages::Message tell_of_nearest_water(Stop stop, geo::LonLat place,
+                                                      const std::optional<geo::LonLat>& nearest);
 
 /// Says what closes the start at the departure for so long, and when it reopens.
 [[nodiscard]] Infeasible explain_start(motion::EdgeClosed closed, geo::LonLat place, core::Seconds after,
@@ -40,7 +47,7 @@ enum class Stop { start, via, goal };
 
 [[nodiscard]] Infeasible explain_cancelled(const PlanRequest& request);
 
-/// The change that moves a stop to another place. The stop is named as in the inputs.
+/// The change that moves a stop to another place. `input` names the stop as the inputs do: "from", "to" or "via/0".
 [[nodiscard]] Change move_of(const std::string& input, geo::LonLat from, geo::LonLat to);
 [[nodiscard]] Infeasible explain_too_large(double vertices, const PlanRequest& request);
 [[nodiscard]] Infeasible explain_too_many_icebergs(std::size_t icebergs, const PlanRequest& request);

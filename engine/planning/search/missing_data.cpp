@@ -18,21 +18,14 @@ namespace {
 constexpr std::array distances_beyond{2'500.0, 5'000.0, 10'000.0, 20'000.0};
 constexpr int directions = 8;
 
-std::string compass_point(geo::Bearing bearing) {
-  constexpr std::array names{"north", "north-east", "east", "south-east",
-                             "south", "south-west", "west", "north-west"};
-  const auto sector = std::lround(bearing.degrees() / 45.0);
-  return names.at(static_cast<std::size_t>((sector + directions) % directions));
-}
-
 /// Where a place without a value lies from the data on the grid.
 std::string where_from(const ocean::HorizontalGrid& grid, geo::LonLat place, const std::string& data) {
   const geo::BoundingBox bounds = grid.bounds();
   if (grid.locate(place) || geo::contains(bounds, place))
     return messages::phrase<"in-gap-of-data">(data, geo::bounds_text(bounds));
   const geo::GeodesicLine line = geo::geodesic_between(geo::nearest_place(bounds, place), place);
-  return messages::phrase<"outside-of-data">(line.length.value / 1000.0, compass_point(line.course_at_start),
-                                             data, geo::bounds_text(bounds));
+  return messages::phrase<"outside-of-data">(
+      line.length.value / 1000.0, geo::compass_point(line.course_at_start), data, geo::bounds_text(bounds));
 }
 
 bool currents_reach(const ocean::Environment& environment, geo::LonLat place) {

@@ -9,7 +9,7 @@
 namespace floeplan::planning::search {
 namespace {
 
-constexpr double farthest_m = 100'000.0;  // a place farther away is another mission
+constexpr double farthest_m = farthest_usable_place.value;
 constexpr int most_rings = 400;
 
 bool is_usable(const cost::PlanningDomain& domain, geo::PlanePoint point) {

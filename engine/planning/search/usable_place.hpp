@@ -7,8 +7,11 @@
 
 namespace floeplan::planning::search {
 
+/// A usable place farther away is another mission. A judgement.
+inline constexpr core::Metres farthest_usable_place{100'000.0};
+
 /// The nearest usable place at the departure, in rings of the safety map's cells around an unusable one: the centre
-/// of a cell that is open as a whole. Empty if there is none within 100 km.
+/// of a cell that is open as a whole. Empty if there is none within the farthest distance.
 [[nodiscard]] std::optional<geo::LonLat> nearest_usable_place(const cost::PlanningDomain& domain,
                                                               geo::PlanePoint around);
 

@@ -83,7 +83,7 @@ void print_refinement(const json& plan) {
               with_energy("after_s", "energy_after_j").c_str(),
               stopped_by == "converged" ? "" : (" until stopped by its limit of " + stopped_by).c_str());
   if (plan.at("leg_trade").empty()) return;
-  std::printf("hours by legs:");
+  std::printf("travel time in hours by number of legs:");
   for (const json& entry : plan.at("leg_trade")) {
     std::printf("  %d: %s", entry.at("legs").get<int>(),
                 cell(entry.at("travel_time_s"), "%.2f", 1.0 / 3600.0).c_str());
@@ -124,7 +124,7 @@ std::vector<std::string> energy_lines(const json& plan) {
   return {"energy " + megajoules(plan.at("energy_j")) + " MJ of " + megajoules(energy.at("usable_j")) +
           " MJ: hotel " + megajoules(energy.at("hotel_j")) + ", pump " + megajoules(energy.at("pump_j")) +
           ", thruster " + megajoules(energy.at("thruster_j")) + "; " +
-          cell(energy.at("inflections"), "%.0f") + " inflections"};
+          cell(energy.at("inflections"), "%.0f") + " turns of dives"};
 }
 
 std::string optimality_line(const json& plan) {
@@ -151,8 +151,8 @@ std::vector<std::string> ice_lines(const json& plan) {
       deepest_m = std::max(deepest_m, turn.get<double>());
   }
   if (deepest_m > 0.0)
-    lines.push_back("below ice or icebergs the dives turn no higher than " +
-                    cell(std::ceil(deepest_m), "%.0f m"));
+    lines.push_back("below ice or icebergs the upper turn is at " + cell(std::ceil(deepest_m), "%.0f m") +
+                    " or deeper");
   return lines;
 }
 
@@ -309,14 +309,6 @@ void print_everything(const json& plan) {
   print_departures(plan);
 }
 
-/// Which stop of the route an input of a request is; empty: none.
-std::string stop_of(const std::string& input) {
-  if (input == "from") return "start: ";
-  if (input == "to") return "goal: ";
-  if (!input.starts_with("via/")) return "";
-  return "via point " + std::to_string(std::stoi(input.substr(4)) + 1) + ": ";
-}
-
 /// Where and why, what to do, and line by line the changes with which there is a plan.
 std::string why_no_plan(const json& document) {
   const json& at = document.at("at");
@@ -325,11 +317,12 @@ std::string why_no_plan(const json& document) {
                      degrees_minutes(at.at("lon"), 'E', 'W');
   if (const std::string hint = document.at("suggestion"); !hint.empty()) text += "\n  what to do: " + hint;
   for (const json& change : document.at("changes")) {
-    text += "\n  would help: " + stop_of(change.at("input")) + change.at("text").get<std::string>();
+    text += "\n  would help: " + change.at("text").get<std::string>();
   }
   if (document.at("changes_cut_short") == true) {
-    text += document.at("changes").empty() ? "\n  The search for changes that would help was cut short."
-                                           : "\n  The search for smaller changes was cut short.";
+    text += document.at("changes").empty()
+                ? "\n  The search for changes that would help reached its limit. Other changes may help."
+                : "\n  The search for changes reached its limit. Smaller changes may help.";
   }
   return text;
 }

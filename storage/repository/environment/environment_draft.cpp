@@ -39,6 +39,11 @@ std::optional<Period> period_of(const Dataset& dataset) {
   return Period{*dataset.time_start, *dataset.time_end};
 }
 
+std::string coverage_text(const Dataset& dataset, const Period& period) {
+  if (period.from == period.to) return title(dataset) + " has only the time " + core::iso8601(period.from);
+  return title(dataset) + " covers " + period_text(period);
+}
+
 std::string period_text(const Period& period) {
   return core::iso8601(period.from) + " to " + core::iso8601(period.to);
 }

@@ -51,6 +51,8 @@ struct EnvironmentDraft {
 /// The period that a dataset states; empty where it states none.
 [[nodiscard]] std::optional<Period> period_of(const Dataset& dataset);
 [[nodiscard]] std::string period_text(const Period& period);
+/// "Disko (currents-1) covers ... to ...".
+[[nodiscard]] std::string coverage_text(const Dataset& dataset, const Period& period);
 [[nodiscard]] bool covers(const Period& period, core::UtcTime time);
 /// Whether data of this period serve a departure of the query.
 [[nodiscard]] bool covers_begin(const Period& period, const EnvironmentQuery& query);

@@ -222,8 +222,7 @@ Choice choose(EnvironmentDraft& draft, const std::vector<Dataset>& found) {
         used, [&](const Product& product) { return product.moment(query.depart).is_known(); });
     if (is_areas_alone(dataset) && tells_of_departure) break;
     if (named ? !covers(with_hold(*period), query.depart) : !counts_in(*period, mission)) {
-      choice.periods_missed +=
-          (choice.periods_missed.empty() ? "" : "; ") + title(dataset) + " covers " + period_text(*period);
+      choice.periods_missed += (choice.periods_missed.empty() ? "" : "; ") + coverage_text(dataset, *period);
       continue;
     }
     const auto shape = fields.shape(dataset.id);

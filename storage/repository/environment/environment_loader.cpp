@@ -171,8 +171,7 @@ void add_wind(EnvironmentDraft& draft) {
     const auto period = joined_period(found[i], parts);
     if (!period) continue;
     if (parts.empty() || !covers_begin(*period, query)) {
-      periods_missed +=
-          (periods_missed.empty() ? "" : "; ") + title(found[i]) + " covers " + period_text(*period);
+      periods_missed += (periods_missed.empty() ? "" : "; ") + coverage_text(found[i], *period);
       continue;
     }
     auto wind =

@@ -89,7 +89,7 @@ void add_ensemble(EnvironmentDraft& draft, const std::vector<Dataset>& found) {
   for (const Dataset& dataset : found) {
     auto period = query.steady ? std::nullopt : period_of(dataset);
     if (period && !(covers_begin(*period, query) && covers_end(*period, query))) {
-      refuse_period(draft, title(dataset) + " covers " + period_text(*period), covers_begin(*period, query));
+      refuse_period(draft, coverage_text(dataset, *period), covers_begin(*period, query));
       continue;
     }
     if (period) period->from = drift_start(draft);
@@ -145,8 +145,7 @@ void add_currents(EnvironmentDraft& draft) {
     const auto period = query.steady ? std::nullopt : joined_period(dataset, parts);
     begins = begins || (period && covers_begin(*period, query));
     if (period && !(covers_begin(*period, query) && covers_end(*period, query))) {
-      periods_missed +=
-          (periods_missed.empty() ? "" : "; ") + title(dataset) + " covers " + period_text(*period);
+      periods_missed += (periods_missed.empty() ? "" : "; ") + coverage_text(dataset, *period);
       continue;
     }
     const auto read = [&](const CurrentsBox& box) {

@@ -33,6 +33,6 @@ test('a position is understood as people write it, and what can be read in two w
   await expect(page.getByText(/did you mean/)).toBeVisible();
   await typeInto(page, field, '69,17');
   await page.getByRole('button', { name: /^Plan / }).click();
-  await expect(page.getByText(/Is the comma a decimal one/)).toBeVisible();
+  await expect(page.getByText(/Does the comma mark decimals/)).toBeVisible();
   expect(asked).toHaveLength(written.length);
 });

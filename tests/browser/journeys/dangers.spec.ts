@@ -11,13 +11,13 @@ test('a plan that ignores icebergs for their age says so as a danger, and is exp
   });
   expect(answer.status(), await answer.text()).toBe(200);
   const { plan } = (await answer.json()) as { plan: { plan_id: string; dangers: string[] } };
-  expect(plan.dangers.join(' ')).toMatch(/ignored: not seen since/);
+  expect(plan.dangers.join(' ')).toMatch(/ignored, not seen since/);
   await open(page);
 
   await page.getByRole('button', { name: /^Plans/ }).click();
   await page.locator('.plan-choose', { hasText: 'Ignores bergs' }).click();
   const panel = page.getByRole('region', { name: 'Dangers' });
-  await expect(panel).toContainText(/ignored: not seen since/);
+  await expect(panel).toContainText(/ignored, not seen since/);
   await expect(panel.getByRole('listitem')).toHaveCount(1);
 
   await page.getByRole('button', { name: 'Export mission' }).click();

@@ -32,5 +32,13 @@ TEST(Bearing, OfNorthIsZeroAndNeverMinusZero) {
   EXPECT_FALSE(std::signbit(Bearing::towards(-0.0, 1.0).degrees()));
 }
 
+TEST(Bearing, IsNamedByTheNearestPointOfTheCompass) {
+  EXPECT_EQ(compass_point(Bearing::degrees(359.0)), "north");
+  EXPECT_EQ(compass_point(Bearing::degrees(22.0)), "north");
+  EXPECT_EQ(compass_point(Bearing::degrees(23.0)), "north-east");
+  EXPECT_EQ(compass_point(Bearing::degrees(180.0)), "south");
+  EXPECT_EQ(compass_point(Bearing::towards(-1.0, 1.0)), "north-west");
+}
+
 }  // namespace
 }  // namespace floeplan::geo::bearing_test

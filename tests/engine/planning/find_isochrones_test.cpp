@@ -277,7 +277,7 @@ TEST(Isochrones, WarnsWhereTheBatteryDoesNotLast) {
 
   EXPECT_EQ(found.areas.size(), 2U);
   EXPECT_THAT(messages::sentences(found.messages),
-              testing::Contains(testing::HasSubstr("0.09 MJ above the battery's reserve")));
+              testing::Contains(testing::HasSubstr("0.09 MJ above its reserve")));
 }
 
 TEST(Isochrones, StopsWhenAsked) {

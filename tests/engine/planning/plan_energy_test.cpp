@@ -38,7 +38,7 @@ TEST(PlanEnergy, WarnsWhenTheBatteryDoesNotLast) {
 
   ASSERT_TRUE(found.has_value());
   EXPECT_THAT(messages::sentences(found->messages),
-              Contains(HasSubstr("more than the 0.18 MJ above the battery's reserve")));
+              Contains(HasSubstr("the battery has only 0.18 MJ above its reserve")));
 }
 
 TEST(PlanEnergy, RefusesAPlanBeyondTheBatteryWhereItIsRequired) {
@@ -51,7 +51,7 @@ TEST(PlanEnergy, RefusesAPlanBeyondTheBatteryWhereItIsRequired) {
 
   ASSERT_FALSE(found.has_value());
   EXPECT_EQ(found.error().reason, Reason::energy_exceeded);
-  EXPECT_THAT(found.error().explanation(), HasSubstr("MJ more than"));
+  EXPECT_THAT(found.error().explanation(), HasSubstr("MJ are missing"));
 
   request.vehicle.energy.battery_start_share = 1.0;
   EXPECT_TRUE(plan({}, request).has_value());

@@ -193,6 +193,31 @@ TEST(PlanRoute, MeasuresItsDistanceFromACoastHoweverFarAway) {
   }
 }
 
+TEST(PlanRoute, WarnsWhereItPassesLandCloserThanItsPositionError) {
+  PlanRequest request = eastward_request();
+  request.method = Method::direct;
+  request.under_ice.surfacing_interval = core::Seconds{6.0 * 3600.0};  // an error of 1.5 km
+  const geo::LocalProjection projection = cost::lay_out(request, cost::first_reach).projection;
+  const geo::PlanePoint from = projection.to_plane(request.from);
+  const geo::PlanePoint to = projection.to_plane(request.to);
+  const auto warns_of_island = [&](double away_m) {
+    const geo::LonLat south =
+        projection.to_lon_lat({0.5 * (from.x_m + to.x_m), 0.5 * (from.y_m + to.y_m) + away_m});
+    ocean::Environment environment;
+    environment.land = {{.outer = {south,
+                                   {south.lon_deg + 0.01, south.lat_deg + 0.01},
+                                   {south.lon_deg - 0.01, south.lat_deg + 0.01}},
+                         .holes = {}}};
+    const auto found = plan(environment, request);
+    return found && std::ranges::any_of(found->messages, [](const messages::Message& message) {
+             return message.code == "passes-close-to-land";
+           });
+  };
+
+  EXPECT_TRUE(warns_of_island(1000.0));
+  EXPECT_FALSE(warns_of_island(3000.0));
+}
+
 TEST(PlanRoute, VisitsEveryViaInItsOrder) {
   PlanRequest request = eastward_request();
   request.via = {{-53.3, 69.08}, {-52.7, 68.95}};
@@ -404,7 +429,7 @@ TEST(PlanRoute, DoesNotAdviseToLeaveOutDepthsWhereTheCurrentsEndToo) {
   ASSERT_FALSE(found.has_value());
   EXPECT_NE(found.error().explanation().find("and 12 km east of the stored currents"), std::string::npos)
       << found.error().explanation();
-  EXPECT_EQ(found.error().suggestion(), "move it, or ingest bathymetry and currents that cover it");
+  EXPECT_EQ(found.error().suggestion(), "Move the goal, or ingest bathymetry and currents that cover it");
 }
 
 TEST(PlanRoute, NamesTheCurrentsThatAGoalLiesOutside) {
@@ -414,7 +439,7 @@ TEST(PlanRoute, NamesTheCurrentsThatAGoalLiesOutside) {
   EXPECT_NE(found.error().explanation().find("The goal lies 12 km east of the stored currents"),
             std::string::npos)
       << found.error().explanation();
-  EXPECT_EQ(found.error().suggestion(), "move it, or ingest currents that cover it");
+  EXPECT_EQ(found.error().suggestion(), "Move the goal, or ingest currents that cover it");
 }
 
 TEST(PlanRoute, SaysThatTheDepthsEndOnTheWay) {

@@ -87,7 +87,7 @@ TEST(PlanUnderIce, WarnsOfDeeperIceWithinTheErrorOfPosition) {
   };
   PlanRequest request = support::eastward_request();
   request.method = Method::direct;
-  const auto warns = testing::Contains(testing::HasSubstr("reaches ice where dives must turn"));
+  const auto warns = testing::Contains(testing::HasSubstr("may come below the ice beside the route"));
 
   EXPECT_THAT(messages::sentences(planner::try_to_plan(sea_with(60.0), request, {}, {}).value().messages),
               testing::Not(warns));
@@ -298,7 +298,7 @@ TEST(PlanUnderIce, DrawsWhatDivesDrawThatTurnBelowTheIce) {
   EXPECT_NEAR(drawn.inflections, in_open_water.inflections, 1e-4 * in_open_water.inflections);
   EXPECT_GT(drawn.pump.value, 1.2 * planned({}, request).energy->use.pump.value);
   EXPECT_NEAR(below.waypoints.back().energy->value, drawn.total().value, 1e-6 * drawn.total().value);
-  EXPECT_THAT(messages::sentences(below.messages), Not(Contains(HasSubstr("dives turn as deep"))));
+  EXPECT_THAT(messages::sentences(below.messages), Not(Contains(HasSubstr("upper turn is as deep"))));
 }
 
 /// Law: under ice everywhere the current carries it as in open water with dives that turn at the same depth.
@@ -683,7 +683,7 @@ TEST(PlanUnderIce, TellsOfAStartAGoalAndViaPointsUnderIceAsDangers) {
   ends_below.to = {-53.0, 69.0};
   EXPECT_THAT(dangers(ends_below), Contains(HasSubstr("the goal lies under ice")));
   request.via = {{-53.4, 69.0}, {-53.0, 69.05}};
-  EXPECT_THAT(dangers(request), Contains(HasSubstr("1 of 2 via points lie under ice (number 2)")));
+  EXPECT_THAT(dangers(request), Contains(HasSubstr("1 of 2 via points lies under ice (number 2)")));
 }
 
 /// 32 km of ice without a lead take a day.
@@ -771,7 +771,7 @@ TEST(PlanUnderIce, SurfacesAtIntervalsInOpenWaterAndBeforeAndAfterTheIce) {
   const auto& planned_ones = icy.surfacing->surfacings;
   ASSERT_GE(planned_ones.size(), 3U);
   EXPECT_THAT(messages::sentences(icy.messages),
-              Not(Contains(HasSubstr("the position error exceeds the distance to ice"))));
+              Not(Contains(HasSubstr("the position error exceeds the distance to the ice"))));
   for (const PlannedSurfacing& surfacing : planned_ones)
     EXPECT_FALSE(surfacing.nearest_ice) << "within " << surfacing.position_error.value << " m";
   std::size_t gaps = 0;
@@ -810,7 +810,7 @@ TEST(PlanUnderIce, SurfacesWithMostRoomWhereItIsNowhereClearOfTheIce) {
   ASSERT_TRUE(in_the_lead->nearest_ice);
   EXPECT_LT(*in_the_lead->nearest_ice, in_the_lead->position_error);
   EXPECT_THAT(messages::sentences(plan.messages),
-              Contains(HasSubstr("the position error exceeds the distance to ice")));
+              Contains(HasSubstr("the position error exceeds the distance to the ice")));
 }
 
 /// Points that were fixed at the ice during refinement are free afterwards. Via points stay fixed.

@@ -51,9 +51,9 @@ TEST(Alternatives, AreNamedInTheSummary) {
 
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("\nalternative 1 (p"));
-  EXPECT_THAT(
-      plan(program, {"--alternatives", "3", "--verbose"}).out,
-      HasSubstr("note: fewer alternatives than asked for: 1 route round other sides of obstacles was tried"));
+  EXPECT_THAT(plan(program, {"--alternatives", "3", "--verbose"}).out,
+              HasSubstr("note: fewer alternatives were found than requested. 1 route on other sides of "
+                        "obstacles was tried"));
 }
 
 TEST(Alternatives, AreRefusedForAWindowOfDepartures) {
@@ -62,7 +62,7 @@ TEST(Alternatives, AreRefusedForAWindowOfDepartures) {
   const Outcome outcome = plan(program, {"--alternatives", "1", "--depart-until", "2026-11-22T12:00:00Z"});
 
   EXPECT_EQ(outcome.exit_code, 3);
-  EXPECT_THAT(outcome.err, HasSubstr("--alternatives: need a single departure and a search"));
+  EXPECT_THAT(outcome.err, HasSubstr("--alternatives: are not possible with a departure window"));
 }
 
 }  // namespace

@@ -91,7 +91,8 @@ TEST_F(DemoStore, RefusesAWindowThatIsReversedEndlessOrOutsideTheData) {
     EXPECT_EQ(outcome.exit_code, 3);
     return outcome.err;
   };
-  EXPECT_THAT(refused({"--depart", time(6), "--depart-until", time(0)}), HasSubstr("floeplan: --depart-until"));
+  EXPECT_THAT(refused({"--depart", time(6), "--depart-until", time(0)}),
+              HasSubstr("floeplan: --depart-until"));
   EXPECT_THAT(refused({"--depart", time(0), "--depart-until", time(6), "--depart-step", "PT0S"}),
               HasSubstr("floeplan: --depart-step"));
   EXPECT_THAT(refused({"--depart", time(0), "--depart-until", time(6), "--depart-step", "PT1S"}),
@@ -112,7 +113,7 @@ TEST_F(DemoStore, SaysLineByLineWhyThereIsNoPlan) {
   EXPECT_THAT(refused.err, testing::MatchesRegex("floeplan: no plan: the goal lies on land[^\n]*\n"
                                                  "  where: +69 30.000 N +53 00.000 W\n"
                                                  "  what to do: [^\n]*\n"
-                                                 "(  would help: goal: move it by [^\n]*\n)?"
+                                                 "(  would help: move the goal [^\n]*\n)?"
                                                  "[^/_]*"))
       << "neither a pointer nor a name of the code";
 }

@@ -89,6 +89,15 @@ TEST(Help, SaysWhatWasMeant) {
   EXPECT_THAT(flag.err, HasSubstr("plan has no flag --dpart; did you mean --depart?"));
 }
 
+TEST(Help, SaysThatAFlagOfAllCommandsStandsBeforeTheCommand) {
+  const Program program;
+
+  const Outcome late = program.run({"plan", "--data", "store"});
+
+  EXPECT_EQ(late.exit_code, 2);
+  EXPECT_THAT(late.err, HasSubstr("--data must stand before the command; write floeplan --data ... plan"));
+}
+
 TEST(Manual, IsWrittenAsAPackageHasIt) {
   const Program program;
   const std::filesystem::path share = program.folder() / "share";

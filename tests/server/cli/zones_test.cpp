@@ -48,7 +48,7 @@ TEST_F(StoredZones, AreGoneRoundListedAndLeftOutOnRequest) {
   EXPECT_EQ(plan({"--zones", id}).json()["distance_m"], round["distance_m"]);
   const json through = plan({"--zones", "none"}).json();
   EXPECT_NEAR(through["distance_m"].get<double>(), straight_m, 1.0);
-  EXPECT_THAT(through["warnings"].dump(), HasSubstr("they are not obeyed"));
+  EXPECT_THAT(through["warnings"].dump(), HasSubstr("does not obey them"));
 
   const Outcome evaluated =
       program_.run({"evaluate", through["plan_id"], "--depart", "2026-11-22T06:00:00Z", "--json"});

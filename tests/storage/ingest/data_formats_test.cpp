@@ -96,7 +96,7 @@ TEST_F(FormatOf, ABagIsWalkedThroughBeforeAnythingOpensIt) {
       format_of(write_file("bag.nc", "\x89HDF\r\n\x1a\n" + std::string(64, '\0') + "BAG_root"));
 
   ASSERT_FALSE(format);
-  EXPECT_THAT(reason_of(format.error()), HasSubstr("cannot be gone through to its end"));
+  EXPECT_THAT(reason_of(format.error()), HasSubstr("cannot be read to its end"));
 }
 
 // A cut within the last number of a table leaves another number, so all tables of lines tell of an end that is missing.

@@ -49,10 +49,10 @@ INSTANTIATE_TEST_SUITE_P(
                     Refused{"tides/utide_HNL2010_prediction_a_2010-03.csv", "unrecognised"},
                     Refused{"tides/utide_HNL2010_prediction_a_2016-07.csv", "unrecognised"},
                     Refused{"tides/utide_HNL2010_hourly_mm.asc", "unrecognised"},
-                    Refused{"tides/ttide_constituents_const.nc", "neither currents of the sea"},
-                    Refused{"tides/ttide_constituents_sat.nc", "neither currents of the sea"},
-                    Refused{"tides/ttide_constituents_shallow.nc", "neither currents of the sea"},
-                    Refused{"tides/uhslc_h820_nuuk_hourly.nc", "neither currents of the sea"}));
+                    Refused{"tides/ttide_constituents_const.nc", "no currents, depths, sea ice or wind"},
+                    Refused{"tides/ttide_constituents_sat.nc", "no currents, depths, sea ice or wind"},
+                    Refused{"tides/ttide_constituents_shallow.nc", "no currents, depths, sea ice or wind"},
+                    Refused{"tides/uhslc_h820_nuuk_hourly.nc", "no currents, depths, sea ice or wind"}));
 
 INSTANTIATE_TEST_SUITE_P(S100, SampleWithoutData,
                          testing::Values(Refused{"s100/104US00_Florida_Ovp_20260111_20260120.h5",

@@ -147,7 +147,7 @@ export function parsePosition(text: string, isNear: (place: Position) => boolean
   const decimal = readAs(withPoints, isNear);
   const isOneNumber = /^[+-]?\d+\.\d+$/.test(withPoints.trim());
   if (asWritten.ok && (decimal.ok || isOneNumber)) {
-    return fail('Is the comma a decimal one, or does it part latitude and longitude? Write 69.17, -51.35 with points, and a space after the comma.');
+    return fail('Does the comma mark decimals, or does it separate latitude and longitude? Write 69.17, -51.35 with points, and a space after the comma.');
   }
   return asWritten.ok ? asWritten : decimal;
 }

@@ -8,6 +8,9 @@ const instant = /\d{4}-\d\d-\d\dT\d\d:\d\d:\d\dZ/g;
 /** What the server says of the order of the numbers in a position. On this page latitude comes first. */
 const orderOfNumbers = /; longitude comes first$/;
 
+/** A place as a flag gives it. */
+const placeOfFlag = /--(?:from|to|via)=(-?\d+(?:\.\d+)?),(-?\d+(?:\.\d+)?)/g;
+
 /** Makes a sentence of the server's words: a full stop at the end and, unless it begins with the name of a file, a capital. */
 export const asSentence = (text: string): string => {
   const words = inPageWords(text);
@@ -23,6 +26,7 @@ const placeInText = /(-?\d{1,3}\.\d{4}), (-?\d{1,2}\.\d{4})/g;
 export const inPageWords = (text: string): string =>
   text
     .replace(orderOfNumbers, '')
+    .replace(placeOfFlag, (_, lon: string, lat: string) => formatPosition([Number(lon), Number(lat)], settings.value.coordinates))
     .replace(placeInText, (_, lon: string, lat: string) => formatPosition([Number(lon), Number(lat)], settings.value.coordinates))
     .replace(instant, (time) => shortTime(Date.parse(time)))
     .replace(/--[a-z]+(-[a-z]+)*/g, (flag) => (labelsOfFlags[flag] ? `“${labelsOfFlags[flag]}”` : flag));

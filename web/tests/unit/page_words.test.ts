@@ -8,6 +8,7 @@ it('flags of the command line become the fields of the page, whole ones only', (
   expect(inPageWords('save energy (--objective energy)')).toBe('save energy (“Optimise” energy)');
   expect(inPageWords('--depart-until 12Z')).toBe('“Latest departure” 12Z');
   expect(inPageWords('move it into the water; longitude comes first')).toBe('move it into the water');
+  expect(inPageWords('did you mean --from=-53.2,69.2?')).toBe('did you mean 69°12.0′N 053°12.0′W?');
   expect(inPageWords('closed until 2026-11-22T19:24:33Z')).toBe('closed until 22 Nov 19:24Z');
   expect(inPageWords('a well-known --thing -- and more')).toBe('a well-known --thing -- and more');
 });

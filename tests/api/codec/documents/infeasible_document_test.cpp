@@ -33,9 +33,10 @@ TEST(InfeasibleDocument, TellsWhatStandsInTheWayAndWhatWasFoundOutBesides) {
   const nlohmann::json document = infeasible_document(why, {});
 
   EXPECT_EQ(document.at("explanation"),
-            "the route breaks the rule of a zone. A route exists without zones. Searched up to 104 km either "
-            "side of the direct line and beyond its ends");
-  EXPECT_EQ(document.at("suggestion"), "change the zones or their times");
+            "the route breaks the rule of a zone. Without the zones, a route exists. The search went up to "
+            "104 km to "
+            "either side of the direct line and beyond its ends");
+  EXPECT_EQ(document.at("suggestion"), "Change the zones or their times");
   EXPECT_EQ(document.at("why").at(0).at("code"), "way-in-zone");
   EXPECT_EQ(document.at("why").at(0).at("place").at("lat"), 69.0);
   EXPECT_EQ(document.at("why").at(2).at("values").at("beside_km"), 104.0);

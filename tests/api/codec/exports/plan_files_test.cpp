@@ -345,10 +345,10 @@ TEST(PlanBrief, TellsWhereThePlanIsBelowIceAndMaySurface) {
       HasSubstr("Below ice or icebergs: 5.9 km, 1.2 h. Longest time without a place to surface: 1.5 h."));
   EXPECT_THAT(html, HasSubstr("<td>yes</td><td>-</td></tr>"));
   EXPECT_THAT(html, HasSubstr("<td>no</td><td>17</td></tr>"));
-  EXPECT_THAT(html,
-              HasSubstr("Dashed: below ice or icebergs. Squares: the vehicle may not surface. Dotted: escape "
-                        "routes to where it may. "
-                        "Green rings: planned surfacings."));
+  EXPECT_THAT(
+      html, HasSubstr("Dashed: below ice or icebergs. Squares: the vehicle must not surface. Dotted: escape "
+                      "routes to where it may. "
+                      "Green rings: planned surfacings."));
 
   plan.surfacing.reset();
   const std::string unknown =

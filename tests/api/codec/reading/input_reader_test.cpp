@@ -35,10 +35,11 @@ TEST(InputReader, NamesTheKnownKeysOnceAndEveryUnknownOne) {
 
   reader.refuse_unknown();
 
-  EXPECT_EQ(errors_json(reader.violations()),
-            json::parse(R"([{"pointer": "/colour", "detail": "is not known; the known keys are depth, speed",
+  EXPECT_EQ(
+      errors_json(reader.violations()),
+      json::parse(R"([{"pointer": "/colour", "detail": "is not a known key. The known keys are depth, speed",
                              "code": "unknown-member", "values": {"known": "depth, speed"}},
-                            {"pointer": "/shape", "detail": "is not known either",
+                            {"pointer": "/shape", "detail": "is not a known key either",
                              "code": "another-unknown-member", "values": {}}])"));
 }
 

@@ -172,7 +172,7 @@ TEST(RouteChoice, IsARefusalThatNamesTheRoutesAndTheWay) {
   EXPECT_EQ(read_route_file("a.gpx", gpx(alike, "rte", "rtept"), "2")->places.front(), two[1].places.front());
   const std::vector<Given> counted{{"2", two[0].places}, {"back", two[1].places}};
   EXPECT_THAT(fault_of("a.gpx", gpx(counted, "rte", "rtept"), "2"),
-              HasSubstr("is the name of 1 \"2\" and the number of 2 \"back\""));
+              HasSubstr("is the name of route 1 \"2\" and also the number of route 2 \"back\""));
   EXPECT_EQ(read_route_file("a.gpx", gpx(counted, "rte", "rtept"), "1")->places.front(),
             two[0].places.front());
 }
@@ -268,14 +268,14 @@ std::string lines(const json& parts) {
 
 TEST(RouteGaps, BetweenLinesAreRefusedAndLinesThatTouchAreOne) {
   EXPECT_THAT(fault_of("a.geojson", lines({{{-8, 52}, {-7, 52.5}}, {{-5, 53}, {-4, 54}}})),
-              HasSubstr("do not touch"));
+              HasSubstr("does not say how to go from one part to the other"));
   EXPECT_THAT(
       fault_of(
           "a.kml",
           "<kml><Placemark><MultiGeometry><LineString><coordinates>-8,52 -7,52</coordinates></LineString>"
           "<LineString><coordinates>-5,53 -4,53</coordinates></LineString></MultiGeometry></Placemark>"
           "</kml>"),
-      HasSubstr("do not touch"));
+      HasSubstr("does not say how to go from one part to the other"));
   EXPECT_THAT(read_route_file("a.geojson", lines({{{-8, 52}, {-7, 53}}, {{-7, 53}, {-4, 54}}}))->places,
               ElementsAre(geo::LonLat{-8, 52}, geo::LonLat{-7, 53}, geo::LonLat{-4, 54}));
 }
@@ -303,7 +303,7 @@ TEST(RouteGaps, OfAMetreAtTheAntimeridianAreNone) {
   EXPECT_EQ(read->places.size(), 2U);
   EXPECT_THAT(fault_of("a.geojson",
                        lines({{{179.0, -20.0}, {179.9999, -20.0}}, {{-179.9999, -20.0}, {-179.0, -20.0}}})),
-              HasSubstr("do not touch"));
+              HasSubstr("does not say how to go from one part to the other"));
 }
 
 TEST(RoutePositions, MayHaveHeightsWhichAreLeftOut) {
@@ -364,7 +364,8 @@ TEST(NmeaRoutes, ThatAreSentAgainCountOnceAndThoseThatLackASentenceAreRefused) {
   const std::string none = "$GPRTE,1,1,c,*37\n";  // what a plotter without an active route sends
   EXPECT_EQ(read_route_file("a.nmea", places + none + listing + listing)->places, two[0].places);
   EXPECT_THAT(fault_of("a.nmea", places + "$GPRTE,2,1,c,r,A\n"), HasSubstr("lacks sentence 2 of 2"));
-  EXPECT_THAT(fault_of("a.nmea", places + "$GPRTE,2,2,c,r,B\n"), HasSubstr("the sentence before it is missing"));
+  EXPECT_THAT(fault_of("a.nmea", places + "$GPRTE,2,2,c,r,B\n"),
+              HasSubstr("the sentence before it is missing"));
 }
 
 TEST(ImcRoutes, ThatBranchAreRefused) {

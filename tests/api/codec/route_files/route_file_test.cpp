@@ -130,7 +130,7 @@ TEST(RouteFile, TellsWhatTargetsLeaveOutAndThatTheyGoRound) {
   ASSERT_TRUE(loop.has_value());
   EXPECT_EQ(loop->places.size(), 2U);
   EXPECT_THAT(loop->warnings, Contains(HasSubstr("after TWO the vehicle goes on to ONE again")));
-  EXPECT_THAT(loop->warnings, Contains(HasSubstr("OFF does not follow from the first target")));
+  EXPECT_THAT(loop->warnings, Contains(HasSubstr("leads from the first target to OFF")));
 
   const auto line = read_route_file("targets",
                                     "ONE lat=5200.0 lon=-800.0 radius=500 goto=TWO\n"
@@ -153,7 +153,7 @@ TEST(RouteFile, SaysThatWaypointsOfAMissionAreInLocalMetres) {
                                     "    b_arg: wpt_y_1(X) 5230.00\n");
   ASSERT_FALSE(read.has_value());
   EXPECT_THAT(read.error().front().rule, HasSubstr("in local metres or UTM"));
-  EXPECT_THAT(read.error().front().rule, testing::Not(HasSubstr("files of their own")));
+  EXPECT_THAT(read.error().front().rule, testing::Not(HasSubstr("in separate files")));
 }
 
 TEST(RouteFile, SaysWhatIsWrongAndWhere) {
@@ -162,7 +162,7 @@ TEST(RouteFile, SaysWhatIsWrongAndWhere) {
   EXPECT_THAT(fault_of("a.ma",
                        "behavior_name=goto_list\n<start:b_arg>\nb_arg: num_waypoints(nodim) 1\n<end:b_arg>\n"
                        "<start:waypoints>\n-53.5 69.25\n<end:waypoints>\n"),
-              HasSubstr("line 6: these look like decimal degrees"));
+              HasSubstr("line 6: the coordinates look like decimal degrees"));
   EXPECT_THAT(fault_of("a.mi", "behavior: abend\n"), HasSubstr("no waypoints"));
   EXPECT_THAT(fault_of("a.gpx", "<gpx>\n<rtept lat=\"91\" lon=\"0\"/></gpx>"), HasSubstr("line 2"));
   EXPECT_THAT(fault_of("a.gpx", "<gpx></gpx>"), HasSubstr("no rtept"));
@@ -173,7 +173,8 @@ TEST(RouteFile, SaysWhatIsWrongAndWhere) {
               HasSubstr("/coordinates/0: must be [longitude, latitude]"));
   EXPECT_THAT(fault_of("a.csv", "a,b\n1,2\n"), HasSubstr("column lon"));
   EXPECT_THAT(fault_of("a.csv", "lon,lat\n1,2\n1\n"), HasSubstr("line 3"));
-  EXPECT_THAT(fault_of("targets", "A lat=6915 lon=-5330 radius=500 goto=X\n"), HasSubstr("names no target"));
+  EXPECT_THAT(fault_of("targets", "A lat=6915 lon=-5330 radius=500 goto=X\n"),
+              HasSubstr("names a target that the file does not hold"));
   EXPECT_THAT(fault_of("a", " \n"), HasSubstr("empty"));
   EXPECT_THAT(fault_of("a", std::string(9'000'000, 'x')), HasSubstr("8 MiB"));
 }
@@ -269,10 +270,12 @@ TEST(NmeaRoute, IsRefusedWithTheLineThatIsWrong) {
   EXPECT_THAT(fault_of("a.nmea", good + "$GPWPL,6915.0000,N,05330.0000,W,B*00\n"),
               HasSubstr("line 2: has a wrong checksum"));
   EXPECT_THAT(fault_of("a.nmea", good + "$GPWPL,6960.0000,N,05330.0000,W,B\n"),
-              HasSubstr("line 2: is not a latitude"));
-  EXPECT_THAT(fault_of("a.nmea", good + "$GPWPL,69.25,N,53.5,W,B\n"), HasSubstr("line 2: is not a latitude"));
+              HasSubstr("line 2: must be a latitude"));
+  EXPECT_THAT(fault_of("a.nmea", good + "$GPWPL,69.25,N,53.5,W,B\n"),
+              HasSubstr("line 2: must be a latitude"));
   EXPECT_THAT(fault_of("a.nmea", good + "$GPWPL,6915.0000,E,05330.0000,W,B\n"), HasSubstr("line 2"));
-  EXPECT_THAT(fault_of("a.nmea", good + "$GPWPL,6916.0000,N,05330.0000,W,A\n"), HasSubstr("another position"));
+  EXPECT_THAT(fault_of("a.nmea", good + "$GPWPL,6916.0000,N,05330.0000,W,A\n"),
+              HasSubstr("a different position"));
   EXPECT_THAT(fault_of("a.nmea", good + "$GPRTE,1,1,c,r,A,B\n"), HasSubstr("waypoint B in its route"));
   EXPECT_THAT(fault_of("a.nmea", good + "$GPRTE,1,1,c,r,A\n$GPRTE,1,1,c,s,A\n"), HasSubstr("holds 2 routes"));
   EXPECT_THAT(fault_of("a.nmea", "$GPGGA,120000\n"), HasSubstr("no WPL"));
@@ -297,7 +300,7 @@ TEST(ImcRoute, IsRefusedWithTheManeuverThatIsWrong) {
               HasSubstr("radians"));
   EXPECT_THAT(fault_of("plan.json", imc_plan({R"({"abbrev":"Rows","lat":1.2,"lon":-0.9})"})),
               HasSubstr("pattern"));
-  EXPECT_THAT(fault_of("plan.json", imc_plan({})), HasSubstr("does not hold it"));
+  EXPECT_THAT(fault_of("plan.json", imc_plan({})), HasSubstr("does not hold this maneuver"));
   EXPECT_THAT(fault_of("plan.json", R"({"abbrev":"Abort"})"), HasSubstr("PlanSpecification"));
 }
 

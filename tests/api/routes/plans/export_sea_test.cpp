@@ -90,7 +90,7 @@ TEST_F(ExportSeaTest, OneYoForAWayBelowIceIsNotWrittenOverABank) {
   const auto beside_it = answer("p2", "mission?safe=-53.5,69");
 
   EXPECT_EQ(over_the_bank.status, 400);
-  EXPECT_THAT(over_the_bank.body, HasSubstr("lead over water of 45 m at "));
+  EXPECT_THAT(over_the_bank.body, HasSubstr("lead over water of only 45 m at "));
   ASSERT_EQ(beside_it.status, 200) << beside_it.body;
   EXPECT_THAT(json_of(beside_it)["files"][0]["text"].get<std::string>(),
               HasSubstr("u_max_expected_iceberg_depth(m) 48\n"));
@@ -146,7 +146,7 @@ TEST_F(ExportSeaTest, FilesThatDoNotTellHowDeepTheDivesTurnBelowIceSaySo) {
     EXPECT_EQ(response.status, 200) << format;
     return std::ranges::any_of(response.headers, [](const auto& header) {
       return header.first == "Floeplan-Warning" &&
-             header.second.find("turn no higher than 58 m") != std::string::npos;
+             header.second.find("upper turn must be at 58 m or deeper") != std::string::npos;
     });
   };
   for (const char* format : {"gpx", "kml", "csv", "nmea", "imc"}) EXPECT_TRUE(warns(format)) << format;
@@ -161,7 +161,7 @@ TEST_F(ExportSeaTest, DivesOfOtherVehiclesHeedTheBank) {
 
   const json imc = json_of(answer("p1", "mission.imc"));
   EXPECT_EQ(imc["maneuvers"].back()["data"]["z"], 35.0);
-  EXPECT_THAT(answer("p1", "mission?format=seaglider").body, HasSubstr("the sea is 45 m deep at "));
+  EXPECT_THAT(answer("p1", "mission?format=seaglider").body, HasSubstr("the sea is only 45 m deep at "));
 }
 
 }  // namespace

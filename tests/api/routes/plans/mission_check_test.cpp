@@ -47,7 +47,8 @@ TEST_F(MissionCheckTest, WithADepartureTheRouteIsFollowedThroughTheStoredData) {
 
   EXPECT_EQ(answer["verdict"], "warn") << answer["messages"];
   EXPECT_THAT(answer["messages"].dump(), testing::HasSubstr("route_clear"));
-  EXPECT_THAT(answer["messages"].dump(), testing::HasSubstr("no stored bathymetry")) << "the store is empty";
+  EXPECT_THAT(answer["messages"].dump(), testing::HasSubstr("no bathymetry is stored"))
+      << "the store is empty";
 }
 
 TEST_F(MissionCheckTest, OfAMessageInEveryLineTheFirstOfEachSeverityAreListed) {

@@ -126,7 +126,7 @@ TEST_F(MissionFilesTest, WarnInTheArchivesHeadersOfAllThatTheyWarnOfByThemselves
 TEST_F(MissionFilesTest, SayWhatThePlanWasMadeWithout) {
   const auto warnings = ask_for("")["warnings"].get<std::vector<std::string>>();
 
-  EXPECT_THAT(warnings, Contains(HasSubstr("made without ice: open water is assumed")));
+  EXPECT_THAT(warnings, Contains(HasSubstr("made without sea ice, so open water is assumed")));
   EXPECT_THAT(warnings, Contains(HasSubstr("made without bathymetry")));
   EXPECT_THAT(warnings, testing::Not(Contains(HasSubstr("made without icebergs"))));
 }

@@ -79,7 +79,7 @@ TEST(IceCheck, RejectsAYoThatClimbsIntoTheIce) {
   const auto high = checked({list_through(), yo(5)}, sea_with_ice());
   const auto low = checked({list_through(), yo(18)}, sea_with_ice());
 
-  EXPECT_THAT(high[0].messages, says("ice_above_climb", Severity::error, 9, "no higher than 18 m"));
+  EXPECT_THAT(high[0].messages, says("ice_above_climb", Severity::error, 9, "must be at 18 m or deeper"));
   EXPECT_THAT(high[0].messages, says("ice_above_climb", Severity::error, 10, "climbs to 5 m"));
   EXPECT_THAT(high[0].messages, says_nothing_of("route_clear"));
   EXPECT_THAT(low[0].messages, says_nothing_of("ice_above_climb"));
@@ -131,7 +131,7 @@ TEST(IceCheck, RejectsSurfacingsBelowIce) {
   const auto done = checked({list_through(), surfacing(3)}, sea_with_ice());
 
   EXPECT_THAT(hit[0].messages,
-              says("surfaces_below_ice", Severity::error, 9, "surfac10.ma surfaces at this"));
+              says("surfaces_below_ice", Severity::error, 9, "surfac10.ma orders a surfacing at this"));
   EXPECT_THAT(every[1].messages, says("surfaces_below_ice", Severity::error, 3, "legs 2 to 3 of the route"));
   EXPECT_THAT(silent[1].messages,
               says("surfaces_below_ice", Severity::error, 3, "after 3.0 h without contact"));

@@ -211,7 +211,7 @@ TEST(ReadDocument, JudgesTheValueOfAThrusterByItsMode) {
     EXPECT_TRUE(noted(share, "-1"));
   }
   EXPECT_FALSE(noted("3", "-0.05")) << "a depth rate has a sign";
-  EXPECT_FALSE(noted("4", "1000006")) << "names a mission parameter";
+  EXPECT_FALSE(noted("4", "1000006")) << "takes its value from a mission parameter";
   EXPECT_TRUE(noted("6", "0")) << "no such mode";
 }
 

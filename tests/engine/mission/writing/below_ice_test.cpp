@@ -29,11 +29,11 @@ TEST(BelowIce, TellsWhatHasComeToLieAboveAPlan) {
 
   for (const planning::Plan& plan : {open, without_ice}) {
     EXPECT_THAT(closed_above_since(plan, plan_below(57.6, false)),
-                ElementsAre(HasSubstr("no higher than 58 m; the plan was made for open water"),
-                            HasSubstr("may not surface at waypoints 1, where")));
+                ElementsAre(HasSubstr("at 58 m or deeper. The plan was made for open water"),
+                            HasSubstr("must not surface at waypoints 1, although")));
   }
   EXPECT_THAT(closed_above_since(plan_below(22.0, false), plan_below(30.0, false)),
-              ElementsAre(HasSubstr("no higher than 30 m; the plan was made for 22 m")));
+              ElementsAre(HasSubstr("at 30 m or deeper. The plan was made for 22 m")));
 }
 
 TEST(BelowIce, FindsNothingAbovePlansThatTurnAsDeepAsTheyMust) {

@@ -104,7 +104,7 @@ TEST(GotoLists, SplitALongPlanIntoConsecutiveNumbersAndSaySo) {
   }
   EXPECT_THAT(names, ElementsAre("goto_l07.ma", "goto_l08.ma", "goto_l09.ma"));
   EXPECT_THAT(rows, ElementsAre(8u, 8u, 1u));
-  EXPECT_THAT(messages::sentences(lists->messages), ElementsAre(HasSubstr("send the next one")));
+  EXPECT_THAT(messages::sentences(lists->messages), ElementsAre(HasSubstr("Send the next list")));
 }
 
 TEST(GotoLists, NeverUseTheNumbersOfTheFirmware) {
@@ -171,7 +171,7 @@ TEST(GotoLists, WarnOfLongLegsPolesAndLongLists) {
 
   ASSERT_TRUE(lists.has_value());
   EXPECT_THAT(messages::sentences(lists->messages),
-              ElementsAre(HasSubstr("the vendor documents 8"), HasSubstr("leg to waypoint 2 is 168 km"),
+              ElementsAre(HasSubstr("the vendor documents only 8"), HasSubstr("leg to waypoint 2 is 168 km"),
                           HasSubstr("beyond 84 N")));
 }
 
@@ -239,7 +239,7 @@ TEST(GotoLists, AreRefusedForMoreWaypointsBelowIceThanAListHolds) {
   ASSERT_FALSE(lists.has_value());
   EXPECT_THAT(lists.error(), ElementsAre(testing::AllOf(
                                  Field(&core::Violation::field, "/waypoints"),
-                                 Field(&core::Violation::rule, HasSubstr("waypoints 3 to 10 lie there")))));
+                                 Field(&core::Violation::rule, HasSubstr("where waypoints 3 to 10 lie")))));
 }
 
 TEST(GotoLists, AreRefusedForAPlanThatEndsBelowIce) {
@@ -314,7 +314,7 @@ TEST(GotoLists, AreRefusedWhereTheVehicleComesUpBeforeItIsOutOfTheIce) {
   EXPECT_THAT(lists.error(), ElementsAre(testing::AllOf(
                                  Field(&core::Violation::field, "/waypoints/2"),
                                  Field(&core::Violation::rule, HasSubstr("8 m beyond the ice")),
-                                 Field(&core::Violation::rule, HasSubstr("more than 10 m beyond them")))));
+                                 Field(&core::Violation::rule, HasSubstr("more than 10 m beyond the ice")))));
   EXPECT_TRUE(write_goto_lists(plan, {.may_end_below_ice = true}).has_value());
 }
 
@@ -334,7 +334,7 @@ TEST(GotoLists, WarnWhereTheVehicleMayBeOffSoFarThatItComesUpBelowTheIce) {
   ASSERT_TRUE(lists.has_value());
   EXPECT_THAT(lists->files.front().text, HasSubstr("list_when_wpt_dist(m) 299\n"));
   EXPECT_THAT(messages::sentences(lists->messages),
-              Contains(testing::AllOf(HasSubstr("the vehicle may surface below the ice"),
+              Contains(testing::AllOf(HasSubstr("may therefore surface below the ice"),
                                       HasSubstr("more than 899 m from the ice"))));
 }
 
@@ -358,7 +358,7 @@ TEST(GotoLists, SayHowFarOffTheVehicleMayComeUpWhereNoIceIsKnown) {
   planning::Plan plan = plan_below_ice(3, {});
   for (std::size_t i = 0; i < 3; ++i)
     plan.surfacing->waypoints[i].error_without_fix = core::Metres{4000.0 * static_cast<double>(i)};
-  const auto says = Contains(HasSubstr("position error of 8 km: make sure"));
+  const auto says = Contains(HasSubstr("position error of 8 km. Make sure"));
   EXPECT_THAT(messages::sentences(write_goto_lists(plan, {})->messages), says);
 
   plan.surfacing->waypoints[2].error_without_fix = core::Metres{4500.0};
@@ -491,10 +491,10 @@ TEST(GotoLists, EndInFrontOfIceOnlyWhereTheyMustAndSaySo) {
 
   ASSERT_TRUE(free && forced);
   EXPECT_THAT(ends_of(*free), ElementsAre(2u, 5u));
-  EXPECT_THAT(
-      messages::sentences(forced->messages),
-      Contains(testing::AllOf(HasSubstr("ends at waypoint 3, 120 m from the nearest ice"),
-                              HasSubstr("position error 500 m"), HasSubstr("may surface below the ice"))));
+  EXPECT_THAT(messages::sentences(forced->messages),
+              Contains(testing::AllOf(HasSubstr("ends at waypoint 3, 120 m from the nearest ice"),
+                                      HasSubstr("position error 500 m"),
+                                      HasSubstr("may therefore surface below the ice"))));
 }
 
 TEST(GotoLists, GetASmallerRadiusWhereTheyEndNearIce) {
@@ -556,7 +556,7 @@ TEST(GotoLists, OfAPlanThatDoesNotTellHowFarFromIceItEndsSaySo) {
   const auto lists = write_goto_lists(plan, {});
 
   ASSERT_TRUE(lists.has_value());
-  EXPECT_THAT(messages::sentences(lists->messages), Contains(HasSubstr("plan again before the flight")));
+  EXPECT_THAT(messages::sentences(lists->messages), Contains(HasSubstr("Plan again before the flight")));
 }
 
 TEST(GotoLists, NameTheLegsOnTheThruster) {

@@ -140,7 +140,7 @@ TEST(HoldLists, LeaveAShortHoldToThePilot) {
 
   ASSERT_TRUE(written.has_value());
   EXPECT_EQ(written->files.size(), 2U) << "the list ends where the vehicle holds";
-  EXPECT_THAT(messages::sentences(written->messages), Contains(HasSubstr("less than a list of two rows")));
+  EXPECT_THAT(messages::sentences(written->messages), Contains(HasSubstr("shorter than a list of two rows")));
   EXPECT_EQ(write_goto_lists(holding_plan(core::Seconds{300.0}, {}), {})->files.size(), 1U);
 }
 
@@ -155,7 +155,7 @@ TEST(HoldLists, SayWhereTheVehicleMayNotComeUpToHold) {
   ASSERT_TRUE(written.has_value());
   EXPECT_EQ(written->files.size(), 1U);
   EXPECT_THAT(messages::sentences(written->messages),
-              Contains(HasSubstr("where the vehicle may not surface")));
+              Contains(HasSubstr("where the vehicle must not surface")));
 }
 
 TEST(HoldOrder, IsNoLineThatIsFlownToAndFro) {

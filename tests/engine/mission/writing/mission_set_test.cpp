@@ -337,8 +337,9 @@ TEST(MissionSet, OfAPlanBelowIceBetweenItsWaypointsTurnsBelowTheKeelsAndNeedsThe
   EXPECT_EQ(value_of(read_of(*below, "yo10.ma"), "c_target_depth"), 19.0);
   EXPECT_THAT(names_of(*below), Not(Contains("surfac13.ma"))) << "no surfacing at waypoints";
   EXPECT_THAT(messages::sentences(below->messages),
-              Contains(HasSubstr("below ice or icebergs before waypoint 2: request no surfacing there, and "
-                                 "let the yo turn no higher than 19 m")));
+              Contains(HasSubstr(
+                  "below ice or icebergs on the legs to these waypoints: 2. Request no surfacing there, and "
+                  "set the upper turn of the yo to 19 m or deeper")));
 }
 
 TEST(MissionSet, NeverClimbsAboveTheDeepestTurnOfItsPlan) {
@@ -384,8 +385,8 @@ TEST(MissionSet, SaysWhereThereIsNowhereToSurface) {
 
   ASSERT_TRUE(set.has_value());
   EXPECT_THAT(messages::sentences(set->messages),
-              Contains("The vehicle has no place to surface before waypoint 1."));
-  EXPECT_THAT(messages::sentences(set->messages), Contains(HasSubstr("before waypoint 1 to 2")));
+              Contains("The vehicle has no place to surface on the legs to these waypoints: 1."));
+  EXPECT_THAT(messages::sentences(set->messages), Contains(HasSubstr("legs to these waypoints: 1 to 2")));
 }
 
 TEST(MissionSet, IsRefusedForAPlanThatEndsBelowIce) {
@@ -443,12 +444,12 @@ TEST(MissionSet, IsRefusedOverAShoalThatItsYoIsTooDeepFor) {
   const auto by_the_plan = write_mission_set(plan, options);
 
   ASSERT_FALSE(over_a_bank.has_value());
-  EXPECT_THAT(
-      over_a_bank.error(),
-      ElementsAre(AllOf(Field(&core::Violation::field, "/waypoints"),
-                        Field(&core::Violation::rule,
-                              HasSubstr("water of 30 m at -52.8000, 69.0000, before waypoint 1. The mission "
-                                        "has one yo for all legs, which must turn no higher than 19 m")))));
+  EXPECT_THAT(over_a_bank.error(),
+              ElementsAre(AllOf(
+                  Field(&core::Violation::field, "/waypoints"),
+                  Field(&core::Violation::rule,
+                        HasSubstr("water of only 30 m at -52.8000, 69.0000, before waypoint 1. The mission "
+                                  "has one yo for all legs. Its upper turn must be at least at 19 m")))));
   ASSERT_TRUE(over_enough.has_value());
   EXPECT_THAT(messages::sentences(over_enough->messages), Not(Contains(HasSubstr("sea bed is unknown"))));
   ASSERT_FALSE(by_the_plan.has_value());

@@ -77,7 +77,7 @@ TEST(SafePlaces, AreNotOnLandNorInShallows) {
               refused("on land"));
   EXPECT_THAT(findings(plan, {refuge, behind_the_coast}).violations, refused("on land"));
   EXPECT_THAT(findings(plan, {refuge, sea(plan, 12.0, {{0.0, 0.0F}, {48.0, 0.0F}})}).violations,
-              refused("has 12 m of water, and the vehicle needs 20 m"));
+              refused("has only 12 m of water, and the vehicle needs 20 m"));
 }
 
 TEST(SafePlaces, HaveLittleIceAsLongAsThePlanLasts) {
@@ -98,7 +98,7 @@ TEST(SafePlaces, LieWithinTheRestOfTheBattery) {
   ocean::Environment nothing;
 
   EXPECT_THAT(findings(plan, {{-53.1, 71.6}, nothing}).violations, IsEmpty()) << "290 km";
-  EXPECT_THAT(findings(plan, {{-53.1, 72.0}, nothing}).violations, refused("335 km away from the plan"));
+  EXPECT_THAT(findings(plan, {{-53.1, 72.0}, nothing}).violations, refused("335 km from the plan"));
 }
 
 TEST(SafePlaces, OfWhichNothingIsKnownAreNamed) {
@@ -145,7 +145,7 @@ TEST(SafePlaces, AreNotBelowIcebergsAndSayWhichAreNear) {
   berg.observed = plan.departure;
   berg.length = core::Metres{400.0};
   open.icebergs = {berg};
-  EXPECT_THAT(findings(plan, {refuge, open}).violations, refused("iceberg B1 was seen last"));
+  EXPECT_THAT(findings(plan, {refuge, open}).violations, refused("iceberg B1 was last seen at"));
 
   open.icebergs.front().place.lat_deg += 0.02;
   const SafePlaceFindings near = findings(plan, {refuge, open});

@@ -64,9 +64,10 @@ TEST(SeagliderSet, NamesTheShoalestWaterOnTheWay) {
   const auto over_enough = write_seaglider_set(plan, options);
 
   ASSERT_TRUE(over_a_bank.has_value());
-  EXPECT_THAT(messages::sentences(over_a_bank->messages),
-              Contains(HasSubstr("$D_TGT is 200 m, but the sea is 45 m deep at -52.6000, 69.0000, before "
-                                 "waypoint 2, where the plan dives to 35 m")));
+  EXPECT_THAT(
+      messages::sentences(over_a_bank->messages),
+      Contains(HasSubstr("$D_TGT is 200 m, but the sea is only 45 m deep at -52.6000, 69.0000, before "
+                         "waypoint 2. The plan dives only to 35 m")));
   ASSERT_TRUE(over_enough.has_value());
   EXPECT_THAT(messages::sentences(over_enough->messages),
               testing::Not(Contains(HasSubstr("but the sea is"))));

@@ -179,9 +179,10 @@ TEST(RobustPlan, SaysThatAShareCannotBeMetAndTakesTheBestInTheMeanOfTheOthers) {
 
   ASSERT_TRUE(found && by_mean);
   EXPECT_EQ(found->uncertainty->spread.quantile(0.9), std::nullopt);
-  EXPECT_THAT(messages::sentences(found->messages),
-              testing::Contains(testing::AllOf(testing::HasSubstr("in 1 of 4 members"),
-                                               testing::HasSubstr("Fewer members arrive than the 90 %"))));
+  EXPECT_THAT(
+      messages::sentences(found->messages),
+      testing::Contains(testing::AllOf(testing::HasSubstr("in 1 of 4 members"),
+                                       testing::HasSubstr("asks for arrival in 90 % of the members"))));
   EXPECT_EQ(*found->uncertainty->spread.mean(), *by_mean->uncertainty->spread.mean());
 }
 

@@ -99,7 +99,7 @@ TEST(StrongCurrents, ThatCloseEveryWayAreSaidToBeLookedThroughOnlySoFar) {
 
   ASSERT_FALSE(plan);
   EXPECT_EQ(plan.error().reason, Reason::current_too_strong);
-  EXPECT_THAT(plan.error().explanation(), HasSubstr("up to 100 km either side"));
+  EXPECT_THAT(plan.error().explanation(), HasSubstr("up to 100 km to either side"));
   EXPECT_THAT(plan.error().suggestion(), HasSubstr("--via"));
   EXPECT_THAT(plan.error().suggestion(), Not(HasSubstr("finer grid")));
 }

@@ -42,7 +42,7 @@ std::shared_ptr<const ocean::CurrentGrid> still_water_on(std::size_t wet) {
 }
 
 TEST(WaterWarnings, TellWhereACurrentLeavesHardlyAnySpeed) {
-  const auto hardly = Contains(HasSubstr("drifts off the route"));
+  const auto hardly = Contains(HasSubstr("drift off the route"));
 
   EXPECT_THAT(warnings_in({{0.0}, {0.345}}), hardly);   // 0.35 m/s through the water, across
   EXPECT_THAT(warnings_in({{-0.338}, {0.0}}), hardly);  // ahead
@@ -51,11 +51,11 @@ TEST(WaterWarnings, TellWhereACurrentLeavesHardlyAnySpeed) {
 }
 
 TEST(WaterWarnings, TellWhereDivesGoMuchDeeperThanTheCurrentsAreKnown) {
-  const auto unknown = Contains(HasSubstr("at worst to 200 m where its currents end at 100 m"));
+  const auto unknown = Contains(HasSubstr("At worst they go to 200 m, where the currents end at 100 m"));
 
   EXPECT_THAT(warnings_in(still_water_on(3)), unknown);
-  EXPECT_THAT(warnings_in(still_water_on(4)), Not(Contains(HasSubstr("go below the current model"))));
-  EXPECT_THAT(warnings_in(still_water_on(5)), Not(Contains(HasSubstr("go below the current model"))));
+  EXPECT_THAT(warnings_in(still_water_on(4)), Not(Contains(HasSubstr("go deeper than the current model"))));
+  EXPECT_THAT(warnings_in(still_water_on(5)), Not(Contains(HasSubstr("go deeper than the current model"))));
 }
 
 }  // namespace

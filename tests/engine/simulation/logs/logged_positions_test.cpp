@@ -147,20 +147,20 @@ std::string refusal_of(const std::string& text) {
 
 TEST(LoggedPositions, ThatContradictTheirUnitOrEachOtherAreRefused) {
   EXPECT_THAT(refusal_of("m_present_time,m_lat,m_lon\ntimestamp,deg,deg\n1,5418.9,724.6\n"),
-              HasSubstr("but hold 5418.9, which is degrees and minutes; correct the unit"));
+              HasSubstr("but hold 5418.9, which is in degrees and minutes; correct the unit"));
   EXPECT_THAT(refusal_of("m_present_time,m_lat,m_lon\ntimestamp,ddmm,ddmm\n1,69.2,-52.5\n"),
-              HasSubstr("but hold 69.2, which is decimal degrees"));
+              HasSubstr("but hold 69.2, which is in decimal degrees"));
   EXPECT_THAT(refusal_of("m_present_time,m_lat,m_lon\ntimestamp,lat,lon\n1,69.2,-52.5\n2,6912.0,-5231.0\n"),
               HasSubstr("hold both degrees and minutes"));
   EXPECT_THAT(refusal_of("m_present_time,m_lat,m_lon\ntimestamp,deg,ddmm\n1,54.3,7.4\n"),
-              HasSubstr("different notations"));
+              HasSubstr("their notations differ"));
 }
 
 TEST(LoggedPositions, ThatNothingTellsAreRefusedWithBothPlacesAndWhatToDo) {
   const std::string refusal = refusal_of("m_present_time,m_lat,m_lon\ntimestamp,lat,lon\n1,54.3,7.5\n");
   EXPECT_THAT(refusal, HasSubstr("/m_lat and m_lon could be"));
   EXPECT_THAT(refusal, HasSubstr("0.905 N 0.125 E or 54.3 N 7.5 E"));
-  EXPECT_THAT(refusal, HasSubstr("write the unit ddmm or deg"));
+  EXPECT_THAT(refusal, HasSubstr("Write the unit ddmm or deg"));
 }
 
 /// A program may have converted the fixes alone.

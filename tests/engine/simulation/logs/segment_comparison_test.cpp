@@ -116,7 +116,7 @@ TEST(GliderLog, IsReadInDecimalDegreesAsInTheVehiclesOwn) {
   EXPECT_EQ(decimal->front().turned_from.axes, own->front().turned_from.axes);
   EXPECT_EQ(decimal->front().positions_read, "");
   ASSERT_FALSE(untold.has_value());
-  EXPECT_THAT(untold.error().front().rule, HasSubstr("write the unit ddmm or deg"));
+  EXPECT_THAT(untold.error().front().rule, HasSubstr("Write the unit ddmm or deg"));
 }
 
 TEST(GliderLog, TellsWhyItReadDecimalDegreesThatNoUnitStates) {

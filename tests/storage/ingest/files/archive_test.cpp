@@ -150,7 +150,7 @@ TEST_F(Archives, AreNotNeededForTheFilesOfAShapefile) {
 TEST_F(Archives, ThatLeadOutOfTheirFolderAreRefused) {
   for (const char* name :
        {"../escaped.geojson", "/escaped.geojson", "a/../../escaped.geojson", "C:\\escaped.geojson"})
-    expect_unpack_refused(pack("bad.zip", Packing::zip, {{name, berg}}), "leads out of it");
+    expect_unpack_refused(pack("bad.zip", Packing::zip, {{name, berg}}), "leads out of the archive");
 }
 
 TEST_F(Archives, WithOneNameTwiceAreRefused) {

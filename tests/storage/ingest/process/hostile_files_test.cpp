@@ -218,10 +218,10 @@ class HostileFiles : public StoreFixture {
       EXPECT_EQ(report.dataset.has_value(), report.status != IngestStatus::refused);
       EXPECT_EQ(report.errors.empty(), report.dataset.has_value());
       ++(report.dataset ? tally_.stored : tally_.refused);
-      if (words(report).find("stopped the process that reads it") != std::string::npos)
+      if (words(report).find("stopped the program that reads it") != std::string::npos)
         ++tally_.broken_readers;
-      if (words(report).find("reading took more than") != std::string::npos ||
-          words(report).find("reading needs more than") != std::string::npos)
+      if (words(report).find("reading the file took more than") != std::string::npos ||
+          words(report).find("reading the file needs more than") != std::string::npos)
         ++tally_.out_of_bounds;
       if (!report.dataset) continue;
       expect_possible(*report.dataset);
@@ -344,7 +344,7 @@ TEST_F(HostileFiles, ThatTakeLongerThanTheirSizeAllowsAreRefused) {
 
   const auto reports = guarded(write_file("endless.csv", table));
 
-  EXPECT_THAT(words(reports.front()), HasSubstr("reading took more than"));
+  EXPECT_THAT(words(reports.front()), HasSubstr("reading the file took more than"));
 }
 
 TEST_F(HostileFiles, ThatUnpackToMoreThanTheMemoryAreRefused) {
@@ -356,7 +356,7 @@ TEST_F(HostileFiles, ThatUnpackToMoreThanTheMemoryAreRefused) {
 
   const auto reports = guarded(write_file("bomb.kml", kml + "</kml>"));
 
-  EXPECT_THAT(words(reports.front()), HasSubstr("reading needs more than"));
+  EXPECT_THAT(words(reports.front()), HasSubstr("reading the file needs more than"));
 }
 
 }  // namespace

@@ -161,10 +161,10 @@ TEST_F(EnvironmentLoaderTest, WarnsOfEverythingThatIsMissing) {
   EXPECT_EQ(environment.bathymetry, nullptr);
   EXPECT_THAT(environment.datasets, IsEmpty());
   EXPECT_THAT(messages::sentences(environment.messages),
-              ElementsAre(AllOf(HasSubstr("no stored currents"), HasSubstr("planned in still water")),
-                          HasSubstr("no stored bathymetry"),
-                          AllOf(HasSubstr("no stored ice for"), HasSubstr("open water is assumed")),
-                          HasSubstr("no stored icebergs"), HasSubstr("no stored coastline")));
+              ElementsAre(AllOf(HasSubstr("no currents are stored"), HasSubstr("made in still water")),
+                          HasSubstr("no bathymetry is stored"),
+                          AllOf(HasSubstr("no sea ice is stored for"), HasSubstr("open water is assumed")),
+                          HasSubstr("no icebergs are stored"), HasSubstr("no coastline is stored")));
 }
 
 TEST_F(EnvironmentLoaderTest, RefusesToPlanInStillWaterWhereItHasCurrentsOfOtherWatersOnly) {
@@ -190,7 +190,7 @@ TEST_F(EnvironmentLoaderTest, WarnsOfWhatWasLeftOutAsRequested) {
 
   EXPECT_EQ(environment.bathymetry, nullptr);
   EXPECT_THAT(messages::sentences(environment.messages),
-              Contains(HasSubstr("bathymetry left out as requested")));
+              Contains(HasSubstr("bathymetry was left out as requested")));
 }
 
 TEST_F(EnvironmentLoaderTest, TakesTheNewestOfEachKindThatMeetsTheArea) {
@@ -279,7 +279,7 @@ TEST_F(EnvironmentLoaderTest, HoldsCurrentsSteadyAtTheirMeanAtAnyTime) {
   EXPECT_EQ(environment.currents->samples().times_s.size(), 1U);
   EXPECT_THAT(environment.currents->samples().u, testing::Each(2.0F));
   EXPECT_THAT(messages::sentences(environment.messages),
-              Contains(AllOf(HasSubstr("held steady: sample currents"), HasSubstr("mean of 5 steps"))));
+              Contains(AllOf(HasSubstr("held steady"), HasSubstr("mean of 5 time steps"))));
 }
 
 TEST_F(EnvironmentLoaderTest, HoldsTheOneStepSteady) {
@@ -349,7 +349,8 @@ TEST_F(EnvironmentLoaderTest, PutsBathymetryTogetherInTheOrderOfTheNames) {
   EXPECT_THAT(cited(environment), ElementsAre("survey", "fine"));
   EXPECT_EQ(environment.bathymetry->depth({-52.2, 69.0})->value, 20.0);
   EXPECT_EQ(environment.bathymetry->depth({-51.5, 69.0})->value, 300.0);
-  EXPECT_THAT(messages::sentences(environment.messages), Contains(HasSubstr("bathymetry is joined")));
+  EXPECT_THAT(messages::sentences(environment.messages),
+              Contains(HasSubstr("bathymetry comes from several datasets")));
 }
 
 TEST_F(EnvironmentLoaderTest, WarnsOfCoarseBathymetry) {
@@ -368,7 +369,7 @@ TEST_F(EnvironmentLoaderTest, SaysHowManyBergsWereSeenTooLongAgo) {
   EXPECT_EQ(environment.icebergs[0].id, "young");
   EXPECT_THAT(messages::sentences(environment.messages),
               Contains(AllOf(testing::StartsWith("Danger: 1 of 2 icebergs"),
-                             HasSubstr("ignored: not seen since"), testing::EndsWith(": old"))));
+                             HasSubstr("ignored, not seen since"), testing::EndsWith(": old"))));
 }
 
 /// Law: what is left out for its age is told alike in however many lists the same sightings came.
@@ -391,7 +392,7 @@ TEST_F(EnvironmentLoaderTest, TellsOfBergsSeenTooLongAgoHoweverTheyWereListed) {
     const auto warnings = messages::sentences(load().messages);
 
     const auto told = std::ranges::find_if(warnings, [](const std::string& text) {
-      return text.find("ignored: not seen since") != std::string::npos;
+      return text.find("ignored, not seen since") != std::string::npos;
     });
     ASSERT_EQ(told != warnings.end(), too_old > 0);
     if (too_old > 0) {
@@ -406,10 +407,11 @@ TEST_F(EnvironmentLoaderTest, TellsOfABergThatWasOnlySeenAfterTheDeparture) {
   const ocean::Environment environment = load();
 
   EXPECT_THAT(environment.icebergs, IsEmpty());
-  EXPECT_THAT(messages::sentences(environment.messages),
-              Contains(AllOf(testing::StartsWith("Danger: 1 iceberg ignored: seen only after the departure"),
-                             HasSubstr("--icebergs-as-of"), HasSubstr(": later at "))));
-  EXPECT_THAT(messages::sentences(environment.messages), Not(Contains(HasSubstr("no stored icebergs"))));
+  EXPECT_THAT(
+      messages::sentences(environment.messages),
+      Contains(AllOf(testing::StartsWith("Danger: 1 iceberg was ignored, seen only after the departure"),
+                     HasSubstr("--icebergs-as-of"), HasSubstr(": later at "))));
+  EXPECT_THAT(messages::sentences(environment.messages), Not(Contains(HasSubstr("no icebergs are stored"))));
 }
 
 TEST_F(EnvironmentLoaderTest, LeavesOutLaterSightingsWithoutADangerWhereTheUserSaidSo) {
@@ -419,7 +421,8 @@ TEST_F(EnvironmentLoaderTest, LeavesOutLaterSightingsWithoutADangerWhereTheUserS
 
   const auto warnings = messages::sentences(load().messages);
 
-  EXPECT_THAT(warnings, Contains(testing::StartsWith("1 iceberg left out as requested: seen only after")));
+  EXPECT_THAT(warnings,
+              Contains(testing::StartsWith("1 iceberg was left out as requested, seen only after")));
   EXPECT_THAT(warnings, Not(Contains(testing::StartsWith("Danger"))));
 }
 
@@ -451,7 +454,7 @@ TEST_F(EnvironmentLoaderTest, TellsOfEveryBergThatOnlyLaterSightingsKnow) {
     const auto warnings = messages::sentences(load().messages);
 
     const auto found = std::ranges::find_if(warnings, [](const std::string& text) {
-      return text.find("ignored: seen only after") != std::string::npos;
+      return text.find("ignored, seen only after") != std::string::npos;
     });
     ASSERT_EQ(found != warnings.end(), told > 0);
     if (told > 0) {
@@ -728,7 +731,7 @@ TEST_F(EnvironmentLoaderTest, ReportsEveryNamedDatasetThatCannotBeUsed) {
   query_.icebergs = named({"depths"});
 
   EXPECT_THAT(violations(),
-              ElementsAre(AllOf(HasSubstr("/currents"), HasSubstr("shares nothing with the area")),
+              ElementsAre(AllOf(HasSubstr("/currents"), HasSubstr("does not overlap the area")),
                           AllOf(HasSubstr("/bathymetry"), HasSubstr("unknown")),
                           AllOf(HasSubstr("/icebergs"), HasSubstr("holds bathymetry, not icebergs"))));
 }
@@ -776,7 +779,8 @@ TEST_F(EnvironmentLoaderTest, HoldsTheIceForThreeDaysBeyondItsPeriodAndSaysSo) {
 
   ASSERT_NE(environment.ice, nullptr);
   EXPECT_EQ(environment.ice->samples().times_s.size(), 1U);
-  EXPECT_THAT(messages::sentences(environment.messages), Contains(HasSubstr("is held as at 2027-01-12T")));
+  EXPECT_THAT(messages::sentences(environment.messages),
+              Contains(AllOf(HasSubstr("at 2027-01-12T"), HasSubstr("is used throughout"))));
   EXPECT_THAT(messages::sentences(environment.messages), Contains(HasSubstr("no thickness")));
 }
 
@@ -791,8 +795,8 @@ TEST_F(EnvironmentLoaderTest, TakesIceOfOtherDatasetsWhereOrWhenTheNewestTellsNo
   EXPECT_EQ(environment.further_ice.size(), 1U);
   EXPECT_THAT(cited(environment), testing::IsSupersetOf({"later", "full"}));
   EXPECT_THAT(messages::sentences(environment.messages),
-              Contains(HasSubstr("ice is joined from several datasets")));
-  EXPECT_THAT(messages::sentences(environment.messages), Not(Contains(HasSubstr("is held as at"))));
+              Contains(HasSubstr("sea ice comes from several datasets")));
+  EXPECT_THAT(messages::sentences(environment.messages), Not(Contains(HasSubstr("is used throughout"))));
 
   add_ice("newest", sample_time - 2.0 * day, 40);
   environment = load();
@@ -818,19 +822,19 @@ TEST_F(EnvironmentLoaderTest, TakesIceThatBeginsWhileTheMissionMayLast) {
   add_ice("later", sample_time + 9.0 * day, 5);
 
   EXPECT_NE(load().ice, nullptr);
-  EXPECT_THAT(messages::sentences(load().messages),
-              Contains(AllOf(HasSubstr("the stored ice begins at 2027-01-24T"),
-                             HasSubstr("Open water is assumed until 2027-01-21T"))));
+  EXPECT_THAT(
+      messages::sentences(load().messages),
+      Contains(AllOf(HasSubstr("the stored sea ice begins at 2027-01-24T"), HasSubstr("Until 2027-01-21T"))));
 
   query_.ice = named({"later"});
-  EXPECT_THAT(violations(), ElementsAre(HasSubstr("/ice has no data at")));
+  EXPECT_THAT(violations(), ElementsAre(HasSubstr("/ice has no sea ice for")));
 }
 
 TEST_F(EnvironmentLoaderTest, TakesTheIceOfTheLatestDepartureToo) {
   add_ice("later", sample_time + 40.0 * day, 5);
   EXPECT_EQ(load().ice, nullptr);
   EXPECT_THAT(messages::sentences(load().messages),
-              Contains(HasSubstr("no stored ice for the time of departure")));
+              Contains(HasSubstr("no stored sea ice covers the time of departure")));
 
   query_.steady = true;
   query_.until = CoveredUntil{"arrive_by", sample_time + 30.0 * day};
@@ -843,7 +847,7 @@ TEST_F(EnvironmentLoaderTest, TakesAChartThatWasFilledInLaterBesideTheDataOfTheT
 
   EXPECT_EQ(load().ice->samples().times_s.size(), 1U);
   EXPECT_EQ(load().further_ice.size(), 1U);
-  EXPECT_THAT(messages::sentences(load().messages), Not(Contains(HasSubstr("is held as at"))));
+  EXPECT_THAT(messages::sentences(load().messages), Not(Contains(HasSubstr("is used throughout"))));
 }
 
 TEST_F(EnvironmentLoaderTest, TakesOlderIceInALongGapOfTheNewest) {
@@ -860,7 +864,7 @@ TEST_F(EnvironmentLoaderTest, TakesOlderIceInALongGapOfTheNewest) {
   EXPECT_EQ(load().further_ice.size(), 1U);
   query_.ice = named({"gap"});
   EXPECT_THAT(messages::sentences(load().messages),
-              Contains(HasSubstr("the ice at the departure is unknown")));
+              Contains(HasSubstr("the sea ice at the departure is unknown")));
 }
 
 TEST_F(EnvironmentLoaderTest, TakesOlderIceForItsThicknessWhereTheNewestHasNone) {
@@ -871,7 +875,7 @@ TEST_F(EnvironmentLoaderTest, TakesOlderIceForItsThicknessWhereTheNewestHasNone)
   EXPECT_THAT(cited(load()), testing::IsSupersetOf({"satellite", "model"}));
   EXPECT_THAT(cited(load()), Not(Contains("older")));
   EXPECT_THAT(messages::sentences(load().messages),
-              Contains(HasSubstr("has no thickness: where other datasets")));
+              Contains(HasSubstr("has no thickness. Where other datasets")));
 }
 
 TEST_F(EnvironmentLoaderTest, TakesAreasOfFastIceOnlyWhereThereIsNoOtherIce) {
@@ -887,7 +891,8 @@ TEST_F(EnvironmentLoaderTest, TakesAreasOfFastIceOnlyWhereThereIsNoOtherIce) {
 
   const ocean::Environment both = load();
   EXPECT_NEAR(both.ice->at({-52.0, 69.0}, sample_time)->concentration, 0.1, 1e-6);
-  EXPECT_THAT(messages::sentences(both.messages), Contains(HasSubstr("nothing outside them")));
+  EXPECT_THAT(messages::sentences(both.messages),
+              Contains(HasSubstr("nothing about the water outside them")));
 
   DatasetRepository{db_}.remove({"ice"});
   EXPECT_EQ(load().ice->at({-52.0, 69.0}, sample_time)->concentration, 1.0);
@@ -902,7 +907,7 @@ TEST_F(EnvironmentLoaderTest, TakesIceThatEndedBeforeTheDepartureForTheKeelsThat
   ASSERT_NE(environment.ice, nullptr);
   EXPECT_EQ(environment.ice->samples().times_s.size(), 1U);
   EXPECT_THAT(messages::sentences(environment.messages),
-              Contains(AllOf(HasSubstr("the ice at the departure is unknown"), HasSubstr("2027-01-07T"),
+              Contains(AllOf(HasSubstr("the sea ice at the departure is unknown"), HasSubstr("2027-01-07T"),
                              HasSubstr("last known keels"))));
 
   add_ice("newer", sample_time - day, 5);
@@ -915,11 +920,12 @@ TEST_F(EnvironmentLoaderTest, TakesNoIceOfAnotherTime) {
   const ocean::Environment environment = load();
 
   EXPECT_EQ(environment.ice, nullptr);
-  EXPECT_THAT(messages::sentences(environment.messages),
-              Contains(AllOf(HasSubstr("no stored ice for the time of departure"), HasSubstr("open water"))));
+  EXPECT_THAT(
+      messages::sentences(environment.messages),
+      Contains(AllOf(HasSubstr("no stored sea ice covers the time of departure"), HasSubstr("open water"))));
   query_.ice = named({"ice"});
   EXPECT_THAT(violations(),
-              ElementsAre(AllOf(HasSubstr("/ice has no data at"), HasSubstr("at most 3 days beyond"))));
+              ElementsAre(AllOf(HasSubstr("/ice has no sea ice for"), HasSubstr("at most 3 days beyond"))));
 }
 
 ocean::Zone zone_of(const std::string& name, const geo::BoundingBox& box) {
@@ -989,7 +995,8 @@ TEST_F(EnvironmentLoaderTest, TakesEachTimeFromTheNewestRunThatCoversIt) {
   EXPECT_THAT(cited(environment), ElementsAre("run-monday", "run-tuesday"));
   EXPECT_EQ(environment.datasets[0].until, sample_time + 11.0 * hour);
   EXPECT_EQ(environment.datasets[1].from, sample_time + 12.0 * hour);
-  EXPECT_THAT(messages::sentences(environment.messages), Contains(HasSubstr("joined in time")));
+  EXPECT_THAT(messages::sentences(environment.messages),
+              Contains(HasSubstr("come from several forecast runs")));
 }
 
 /// Their ids come from their bytes and say nothing.

@@ -112,7 +112,7 @@ TEST_F(TideEnvironment, AddsTheTideToTheCurrentsAndWarnsThatTheyMayHoldItAlready
   }
   EXPECT_FALSE(environment.steady_currents);
   EXPECT_THAT(messages::sentences(environment.messages),
-              Contains(HasSubstr("If these currents include the tide already")));
+              Contains(HasSubstr("If those currents already include the tide")));
   EXPECT_EQ(environment.datasets.front().id, "currents-a");
   EXPECT_EQ(environment.datasets[1].id, "tides-m2");
 }

@@ -91,7 +91,7 @@ function Export({ plan }: { plan: Plan }): VNode {
       )}
       {shown && <ListDifference file={shown} plan={plan} query={wish.query} />}
       {preview && <Rows preview={preview} />}
-      <p class="hint">Not for navigation as it is: check the files before they fly.</p>
+      <p class="hint">Not for navigation without a check. Check the files before the vehicle flies them.</p>
     </Modal>
   );
 }

@@ -60,7 +60,7 @@ function Ask({ plan }: { plan: Plan }): VNode {
         Obstacle avoidance on board
       </label>
       {startsUnderIce(plan) && (
-        <p class="role-note" role="note"><Icon name="warning" size={13} /><span>This plan starts under ice, where the vehicle may not surface. The test bed launches from open water only and will refuse it; begin at a waypoint in open water, or plan without sea ice if there is none.</span></p>
+        <p class="role-note" role="note"><Icon name="warning" size={13} /><span>This plan starts under ice, where the vehicle must not surface. The test bed launches only from open water and refuses this plan. Begin at a waypoint in open water, or plan without sea ice if there is none.</span></p>
       )}
       <RoleNote role="pilot" what="Simulating" />
       {now ? (

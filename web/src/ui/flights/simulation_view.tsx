@@ -92,7 +92,7 @@ function FlightRow({ id, run, kept }: { id: string; run: Run; kept: boolean }): 
       {run.why && (
         <tr class="why">
           <td />
-          <td colSpan={4} class="difference">{run.why}{run.could_be_saved === false && ' Full knowledge could not have saved it.'}</td>
+          <td colSpan={4} class="difference">{run.why}{run.could_be_saved === false && ' Even with full knowledge of the ice, the vehicle could not have avoided this.'}</td>
         </tr>
       )}
     </>

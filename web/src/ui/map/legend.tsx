@@ -166,7 +166,7 @@ function UnderIce({ shown: { plan, style }, surfacings }: { shown: ShownPlan; su
           </svg> below ice
         </p>
       )}
-      {isClosed && <p><svg width="22" height="14" aria-hidden="true"><rect x="6.5" y="2.5" width="9" height="9" fill={colour} /></svg> may not surface here</p>}
+      {isClosed && <p><svg width="22" height="14" aria-hidden="true"><rect x="6.5" y="2.5" width="9" height="9" fill={colour} /></svg> must not surface here</p>}
       {planned && (
         <p>
           <svg width="22" height="14" aria-hidden="true">
@@ -200,7 +200,7 @@ function Icebergs({ circles, drift }: { circles: boolean; drift: boolean }): VNo
       <p><svg width="22" height="14" aria-hidden="true"><path class="berg" d="M11 1 L19 12 H3 Z" /></svg> by size; grey after {validity_h} h</p>
       {drift && <p><svg width="22" height="14" aria-hidden="true"><path class="ghost" d="M11 1 L19 12 H3 Z" /></svg> expected, in its keep-out ring</p>}
       {drift && driftsLeftOut.value > 0 && <p class="caution">not expected for {driftsLeftOut.value} more; zoom in</p>}
-      {drift && drifts.value.length > crowd && <p>no drift lines of so many</p>}
+      {drift && drifts.value.length > crowd && <p>too many icebergs for drift lines</p>}
       {circles && (
         <>
           <p><svg width="22" height="14" aria-hidden="true"><circle class="ring" cx="11" cy="7" r="6" /></svg> hull + {margin || '0'} m margin</p>

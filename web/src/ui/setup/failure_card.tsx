@@ -6,7 +6,7 @@ import { formatPosition } from '../../geo/coordinates';
 import { draft } from '../../model/setup/draft';
 import { editFor } from '../../model/setup/draft_answer';
 import { failure, mayHelpWithoutCurrents, reasonTitle, running } from '../../model/job';
-import { asSentence } from '../../model/page_words';
+import { asSentence, inPageWords } from '../../model/page_words';
 import { settings } from '../../model/settings';
 import { shortTime } from '../../model/time';
 import { ask } from '../../model/view';
@@ -27,10 +27,8 @@ function Changes({ possible }: { possible: Change[] }): VNode {
   );
 }
 
-function titleOfChange({ input, text }: Change): string {
-  const [outer = '', number] = input.split('/');
-  const stops: Record<string, string> = { from: 'Start: ', to: 'Goal: ', via: `Via point ${Number(number ?? 0) + 1}: ` };
-  const said = `${stops[outer] ?? ''}${text}`;
+function titleOfChange({ text }: Change): string {
+  const said = inPageWords(text);
   return said.charAt(0).toUpperCase() + said.slice(1);
 }
 

@@ -145,12 +145,13 @@ TEST_F(FlagsOfGrids, TakeOutWhatTheyCallBadAndNothingElse) {
       }
     }
     const auto count = std::ranges::count(bad, true);
-    EXPECT_THAT(words(report_), HasSubstr(std::to_string(count) + (count == 1 ? " value is" : " values are") +
-                                          " flagged as bad"));
+    EXPECT_THAT(words(report_),
+                HasSubstr(std::to_string(count) + (count == 1 ? " value was" : " values were") +
+                          " left out, because the file's own quality flags"));
     if (doubtful > 0) {
       EXPECT_THAT(words(report_),
-                  HasSubstr(std::to_string(doubtful) + (doubtful == 1 ? " value is" : " values are") +
-                            " flagged as suspect"));
+                  HasSubstr(std::to_string(doubtful) + (doubtful == 1 ? " value was" : " values were") +
+                            " kept, although the file's own quality flags"));
     }
     EXPECT_EQ(words(report_).find("do not say what their numbers mean") != std::string::npos,
               *convention.meanings == '\0');

@@ -172,7 +172,7 @@ TEST_F(NetcdfGroups, WhoseNamesSpeakOfStatisticsAreRefused) {
                                     {"daily_max", "a maximum"},
                                     {"anomaly", "an anomaly"}}) {
     write_sole_group(path("named.nc"), group);
-    expect_refused(path("named.nc"), std::string{"by its name holds "} + what);
+    expect_refused(path("named.nc"), std::string{"By its name the group holds "} + what);
   }
 }
 
@@ -186,7 +186,7 @@ TEST_F(NetcdfGroups, WhoseNamesSpeakOfAPartAreTold) {
     write_sole_group(path("named.nc"), group);
     const auto report = ingest(path("named.nc"));
     EXPECT_EQ(report.status, IngestStatus::stored) << words(report);
-    EXPECT_EQ(words(report).find("by its name the group") != std::string::npos, *what != '\0') << group;
+    EXPECT_EQ(words(report).find("By its name the group") != std::string::npos, *what != '\0') << group;
     EXPECT_THAT(words(report), HasSubstr(what));
   }
 }

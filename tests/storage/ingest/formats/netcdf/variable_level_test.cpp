@@ -209,7 +209,7 @@ TEST_F(LevelChoice, TellsWhatIsTakenForTheWaterAboveADeepFirstLevel) {
     const Level level{.name = "depth", .value = depth_m, .texts = {{"units", "m"}, {"positive", "down"}}};
     const auto report = outcome(write(pair_of("uo", "vo", 0.25), level));
     expect_pair(stored(report), 0.25, report);
-    EXPECT_EQ(words(report).find("begin at a depth of 50 m. Above it the current of that depth is used") !=
+    EXPECT_EQ(words(report).find("begin at a depth of 50 m. Above this depth the same current is used") !=
                   std::string::npos,
               is_told)
         << depth_m;

@@ -188,7 +188,7 @@ TEST_F(SlocumLogs, InDecimalDegreesLieWhereTheVehicleWas) {
 TEST_F(SlocumLogs, WhoseNotationNothingTellsAreRefused) {
   expect_refused(
       write_file("log.csv", "m_present_time,m_gps_lat,m_gps_lon\ntimestamp,lat,lon\n1566394900,54.3,7.4\n"),
-      "write the unit ddmm or deg");
+      "Write the unit ddmm or deg");
 }
 
 /// The NetCDF file is one that dbd2netcdf makes of binary logs.

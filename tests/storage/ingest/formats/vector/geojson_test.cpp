@@ -57,7 +57,7 @@ TEST_F(Geojson, PointsHaveTheErrorOfTheirPositionUnderAnyNameOfIt) {
   ASSERT_EQ(report.status, IngestStatus::stored) << words(report);
   const auto rows = repository::IcebergRepository{db_}.list({}, 0, 10);
   EXPECT_EQ(rows[0].iceberg.position_uncertainty, core::Metres{4000.0});
-  EXPECT_THAT(words(report), HasSubstr("\"radius_m\" may state the position error"));
+  EXPECT_THAT(words(report), HasSubstr("\"radius_m\" may be the position error"));
 }
 
 TEST_F(Geojson, BadPointsAreLeftOutCountedAndExplained) {
@@ -74,15 +74,16 @@ TEST_F(Geojson, BadPointsAreLeftOutCountedAndExplained) {
   EXPECT_EQ(report.dataset->rows_refused, 7);
   EXPECT_THAT(words(report), HasSubstr("feature 2 was left out: the latitude 95"));
   EXPECT_THAT(words(report), HasSubstr("feature 3 was left out: the longitude 400"));
-  EXPECT_THAT(words(report), HasSubstr("feature 7 was left out: length_m"));
-  EXPECT_THAT(words(report), HasSubstr("feature 8 was left out: position_uncertainty_m"));
+  EXPECT_THAT(words(report), HasSubstr("feature 7 was left out: its length_m"));
+  EXPECT_THAT(words(report), HasSubstr("feature 8 was left out: its position_uncertainty_m"));
 }
 
 TEST_F(Geojson, AnIcebergInTheSaharaIsFlagged) {
   const auto report = ingest(write(point("[10, 25]", R"("id": "A1", "observed": "2026-11-20T06:00:00Z")")));
 
   ASSERT_EQ(report.status, IngestStatus::stored) << words(report);
-  EXPECT_THAT(words(report), HasSubstr("lies where none was ever seen, the first, \"A1\", at latitude 25"));
+  EXPECT_THAT(words(report),
+              HasSubstr("lies where no iceberg was ever seen. The first is \"A1\" at latitude 25"));
 }
 
 TEST_F(Geojson, PolygonsBecomeLand) {
@@ -107,7 +108,7 @@ TEST_F(Geojson, APolygonThatCannotBeUsedRefusesTheFile) {
 
 TEST_F(Geojson, MixedGeometriesAreRefused) {
   expect_refused(write(polygon("[[[0,50],[4,50],[4,54],[0,50]]]") + "," + point("[0, 50]", R"("id": "A")")),
-                 "neither only points");
+                 "a mixture of shapes");
 }
 
 TEST_F(Geojson, ACutFileIsRefused) {

@@ -173,7 +173,8 @@ TEST_F(BathymetryTraps, ALatitudeOf95IsRefused) {
 }
 
 TEST_F(BathymetryTraps, DepthsThatNoOceanHasAreRefused) {
-  expect_refused(write_tiff("EPSG:4326", {10.0, 1.0, 0.0, 60.0, 0.0, -1.0}, -1001.0), "none on Earth");
+  expect_refused(write_tiff("EPSG:4326", {10.0, 1.0, 0.0, 60.0, 0.0, -1.0}, -1001.0),
+                 "exists nowhere on Earth");
 }
 
 TEST_F(BathymetryTraps, AGridThatDoesNotSayItsSenseIsRefusedUntilTheUserDoes) {
@@ -214,7 +215,7 @@ TEST_F(BathymetryTraps, AttributesDecideTheSense) {
 
 TEST_F(BathymetryTraps, ADepthThatLooksLikeElevationIsRefused) {
   write_netcdf("depth", {{"units", "m"}}, {-1, -2, -3, -4, -5, -6});
-  expect_refused(path("sea.nc"), "as elevations would");
+  expect_refused(path("sea.nc"), "as elevations do");
 }
 
 TEST_F(BathymetryTraps, DepthsInAnyUnitOfLengthBecomeMetres) {
@@ -263,7 +264,7 @@ TEST_F(BathymetryTraps, DepthsOfACaseInOtherUnitsAreThoseThatItStates) {
 
 TEST_F(BathymetryTraps, DynamicTopographyIsNotTheSeaFloor) {
   write_netcdf("adt", {{"units", "m"}, {"long_name", "Absolute dynamic topography"}}, {1, 2, 3, 4, 5, 6});
-  expect_refused(path("sea.nc"), "neither currents of the sea nor depths");
+  expect_refused(path("sea.nc"), "no currents, depths, sea ice or wind");
 }
 
 TEST_F(BathymetryTraps, AnUndeclaredMarkerIsLeftOutWithAWarning) {
@@ -273,7 +274,7 @@ TEST_F(BathymetryTraps, AnUndeclaredMarkerIsLeftOutWithAWarning) {
 
   EXPECT_TRUE(std::isnan(sea.depth_m()[0]));
   EXPECT_TRUE(std::isnan(sea.depth_m()[5]));
-  EXPECT_THAT(words(report_), HasSubstr("2 values left out: they stand for a missing depth"));
+  EXPECT_THAT(words(report_), HasSubstr("2 values were left out, because they stand for a missing depth"));
 }
 
 TEST_F(BathymetryTraps, PlainTextInMetresIsNotTakenForDegrees) {
@@ -333,7 +334,7 @@ TEST_F(BathymetryTraps, ATableWithNamedColumnsIsReadAsItsColumnsSay) {
 TEST_F(BathymetryTraps, ATableOfSingleSoundingsIsRefused) {
   expect_refused(
       write_file("soundings.csv", "lon,lat,depth\n0.0,50.0,10\n0.013,50.002,11\n0.2,50.1,12\n0.21,50.4,7\n"),
-      "no regular grid");
+      "not a regular grid");
 }
 
 TEST_F(BathymetryTraps, ATableWithABadLineOrTwoDepthsAtAPlaceIsRefused) {

@@ -130,7 +130,7 @@ TEST_F(ElectronicChart, IsRefusedWhenItsLastRecordIsMissing) {
   const auto base = chart_with({".000"});
   std::filesystem::resize_file(base, std::filesystem::file_size(base) - 174);
 
-  expect_refused(base, "21997 records where it counts 21998");
+  expect_refused(base, "counts 21998 records but has only 21997");
 }
 
 TEST_F(ElectronicChart, IsRefusedWhenALeastDepthIsImpossible) {

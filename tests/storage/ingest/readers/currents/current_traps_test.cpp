@@ -158,7 +158,8 @@ TEST_F(CurrentTraps, MeansStandInTheMiddleOfTheirIntervals) {
     const double first_h = (is_mean ? 0.5 : stated) * length_h;
     EXPECT_EQ(report.dataset->time_start,
               core::parse_iso8601("2026-11-20T00:00:00Z").value() + core::Seconds{3600.0 * first_h});
-    EXPECT_EQ(words(report).find("placed in the middle") != std::string::npos, is_mean && stated != 0.5);
+    EXPECT_EQ(words(report).find("counts for the middle of its interval") != std::string::npos,
+              is_mean && stated != 0.5);
   });
 }
 

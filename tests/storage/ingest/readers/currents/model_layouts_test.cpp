@@ -221,7 +221,7 @@ TEST_F(ModelLayouts, ComponentsOfDifferentTimesAreNotPutTogether) {
   const auto reports = ingest_all_together({path("u.nc"), path("v2.nc")});
   ASSERT_EQ(reports.size(), 1U);
   EXPECT_EQ(reports[0].status, IngestStatus::refused);
-  EXPECT_THAT(words(reports[0]), HasSubstr("fit no known arrangement"));
+  EXPECT_THAT(words(reports[0]), HasSubstr("neither at the same points nor half a cell apart"));
 }
 
 TEST_F(ModelLayouts, LevelsThatFollowTheBedBecomeDepthsBelowTheSurface) {

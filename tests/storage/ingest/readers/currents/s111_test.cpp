@@ -100,7 +100,7 @@ TEST_F(S111, IsAtTheDepthThatTheFileSays) {
   EXPECT_EQ(depth_m(today, 2.0, 48.0, 4.0), 2.0);
   EXPECT_THAT(words(report_), HasSubstr("means over the uppermost 4 m"));
   EXPECT_EQ(depth_m(today, 1.0, 23.0, 5.0), 5.0);
-  EXPECT_THAT(words(report_), HasSubstr("counts from the datum of charts"));
+  EXPECT_THAT(words(report_), HasSubstr("counts from the chart datum"));
   EXPECT_EQ(depth_m(before_1_2, 1.0, 23.0, 10.0), 5.0);
   EXPECT_EQ(depth_m(before_1_2, 2.0, 23.0, -4.6), 4.6);
   EXPECT_EQ(depth_m("INT.IHO.S-111", 1.0, 48.0, -4.5), 4.5) << "without an edition as today";
@@ -109,10 +109,10 @@ TEST_F(S111, IsAtTheDepthThatTheFileSays) {
 TEST_F(S111, AboveTheSeaBedIsRefused) {
   S100Sample sample = s111_sample(turning);
   sample.file_numbers["verticalDatum"] = 47.0;
-  expect_refused(sample.write(path("bed.h5")), "does not count from the surface");
+  expect_refused(sample.write(path("bed.h5")), "counts neither from the surface");
   sample.product = "INT.IHO.S-111.1.0";
   sample.file_numbers["depthTypeIndex"] = 4.0;
-  expect_refused(sample.write(path("older.h5")), "does not count from the surface");
+  expect_refused(sample.write(path("older.h5")), "counts neither from the surface");
 }
 
 TEST_F(S111, InTransverseMercatorKeepsItsNodes) {
@@ -129,8 +129,8 @@ TEST_F(S111, InTransverseMercatorKeepsItsNodes) {
 }
 
 TEST_F(S111, OfAnotherLayoutIsRefusedWithTheReason) {
-  for (const auto& [code, reason] : {std::pair{1.0, "nothing of the water between"},
-                                     {8.0, "nothing of the water between"},
+  for (const auto& [code, reason] : {std::pair{1.0, "do not tell the water between"},
+                                     {8.0, "do not tell the water between"},
                                      {4.0, "along the track of a moving platform"},
                                      {5.0, "an irregular grid"},
                                      {6.0, "cells of several sizes"},
@@ -150,7 +150,7 @@ TEST_F(S111, ThatCannotBePlacedInSpaceOrTimeIsRefused) {
   refused("has the unreadable time \"\"", [](S100Sample& s) { s.records[1].time = ""; });
   refused("has the unreadable time \"20261311T000000Z\"",
           [](S100Sample& s) { s.records[1].time = "20261311T000000Z"; });
-  refused("announces 3 records, but has 2", [](S100Sample& s) { s.announced_records = 3.0; });
+  refused("announces 3 records, but has only 2", [](S100Sample& s) { s.announced_records = 3.0; });
   refused("2 areas of SurfaceCurrent", [](S100Sample& s) { s.areas = 2; });
   refused("runs in an order", [](S100Sample& s) { s.scan_direction = "latitude,longitude"; });
   refused("runs in an order", [](S100Sample& s) { s.feature_numbers["dataOffsetCode"] = 6.0; });
@@ -287,10 +287,10 @@ TEST_F(S111, AtPlacesThatAreNoneIsRefused) {
   sample.places[3] = {-999.0, 45.0};
   expect_refused(sample.write(path("a.h5")), "not on the Earth");
   sample = scattered(2, [](std::size_t, std::size_t row) { return row == 0; });
-  expect_refused(sample.write(path("b.h5")), "span no area");
+  expect_refused(sample.write(path("b.h5")), "enclose no area");
   sample = scattered(4, [](std::size_t, std::size_t) { return true; });
   sample.file_numbers["horizontalCRS"] = 32633.0;
-  expect_refused(sample.write(path("d.h5")), "not longitudes and latitudes");
+  expect_refused(sample.write(path("d.h5")), "not given in longitude and latitude");
 }
 
 TEST_F(S111, WhosePartsAreSaidToLieBeyondTheirElementsIsRefused) {

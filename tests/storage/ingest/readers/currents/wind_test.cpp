@@ -117,7 +117,7 @@ TEST_F(Wind, OnALevelOfTheModelIsRefused) {
   file.depth_texts = {
       {"units", "1"}, {"positive", "down"}, {"standard_name", "atmosphere_hybrid_sigma_pressure_coordinate"}};
   file.write(path("wind.nc"));
-  expect_refused(path("wind.nc"), "lies on levels of the model (\"depth\")");
+  expect_refused(path("wind.nc"), "is given on levels of the model (\"depth\")");
 }
 
 TEST_F(Wind, OfRealFilesStandsBesideTheirCurrents) {

@@ -133,7 +133,7 @@ TEST_F(IceTest, PercentWhoseGreatestValidValueIsOneAreShares) {
   EXPECT_THAT(words(report_), HasSubstr("read as shares of 1"));
 
   file.numbers["valid_max"] = 10000.0;
-  expect_refused_ice(file, "Open water and closed ice");
+  expect_refused_ice(file, "closed ice counts as open water");
 }
 
 /// GMT writes the ice maps of Bremen as a variable z that does not say what it is.
@@ -237,7 +237,7 @@ TEST_F(IceTest, FlagsForLandCoastAndTheHoleRoundThePoleAreLeftOut) {
   EXPECT_FLOAT_EQ(samples.concentration[2], 1.0F);
   EXPECT_FLOAT_EQ(samples.concentration[6], 0.1F);
   for (const std::size_t i : {1U, 3U, 4U, 5U}) EXPECT_TRUE(std::isnan(samples.concentration[i])) << i;
-  EXPECT_THAT(words(report_), HasSubstr("4 values of \"siconc\" are marks"));
+  EXPECT_THAT(words(report_), HasSubstr("4 values of \"siconc\" stand for land"));
 }
 
 TEST_F(IceTest, TheFillIsComparedBeforeScaleAndOffset) {
@@ -429,7 +429,7 @@ TEST_F(ProjectedIceTest, IsStoredOnItsOwnGridRowsAscending) {
 TEST_F(ProjectedIceTest, OnAnEllipsoidThatIsNotKnownItIsRefused) {
   write_projected({{"semi_major_axis", 6378206.4}, {"semi_minor_axis", 6356583.8}}, "m");
 
-  expect_refused(path("polar.nc"), "projection that this program cannot use");
+  expect_refused(path("polar.nc"), "projection that this program does not read");
 }
 
 /// The nodes' latitudes on a sphere: tan((90 - latitude) / 2) = distance / (radius (1 + sin 70)).

@@ -118,11 +118,12 @@ TEST_F(S411, NamesWhatItHoldsBesides) {
 
 TEST_F(S411, IsRefusedWhereItsIceWouldBeAGuess) {
   const std::string corners = "65 -60 65 -58 66 -58 66 -60 65 -60";
-  expect_refused(chart(area("92", "86", "-120 65 -118 65 -118 66 -120 66 -120 65")), "latitudes first");
-  expect_refused(chart(area("92", "86", "65 -60 65 -58 66")), "not pairs of numbers");
-  expect_refused(chart(area("92", "86", "65 -60 65 west 66 -58 66 -60 65 -60")), "not pairs of numbers");
+  expect_refused(chart(area("92", "86", "-120 65 -118 65 -118 66 -120 66 -120 65")), "latitude comes first");
+  expect_refused(chart(area("92", "86", "65 -60 65 -58 66")), "not a closed outline of pairs of numbers");
+  expect_refused(chart(area("92", "86", "65 -60 65 west 66 -58 66 -60 65 -60")),
+                 "not a closed outline of pairs of numbers");
   expect_refused(chart(area("92", "86", corners) + area("92", "86", corners, "EPSG:3995")),
-                 "in one reference system");
+                 "in one coordinate reference system");
   expect_refused(chart(area("92", "86", corners, "EPSG:1")), "EPSG:1");
   expect_refused(chart(area("92", "90", corners)), "90");
   expect_refused(chart("<ice:IceFeatureMember><ice:lacice/></ice:IceFeatureMember>"), "areas of sea ice");

@@ -235,7 +235,7 @@ TEST_F(OwnIcebergTable, KnowsAnErrorOfThePositionByItsWords) {
     ASSERT_TRUE(report.dataset) << words(report);
     ASSERT_TRUE(sightings().back().iceberg.position_uncertainty);
     EXPECT_NEAR(sightings().back().iceberg.position_uncertainty->value, error * unit.metres, 1e-6);
-    EXPECT_THAT(words(report), testing::Not(HasSubstr("may state the position error")));
+    EXPECT_THAT(words(report), testing::Not(HasSubstr("may be the position error")));
   });
 }
 
@@ -245,7 +245,7 @@ TEST_F(OwnIcebergTable, TellsOfAnErrorThatItDoesNotUnderstand) {
                                                            "\nA1,69.1,-52.2,2026-11-22,100,4000\n"));
 
     ASSERT_TRUE(report.dataset) << words(report);
-    EXPECT_THAT(words(report), HasSubstr('"' + std::string{name} + "\" may state the position error"));
+    EXPECT_THAT(words(report), HasSubstr('"' + std::string{name} + "\" may be the position error"));
     EXPECT_FALSE(sightings().back().iceberg.position_uncertainty);
   }
 }

@@ -147,12 +147,12 @@ TEST_F(TideFile, WhoseComponentSaysThatItIsTheOtherOneIsRefused) {
       writer.variable(part);
     }
   }
-  expect_refused(path("u_m2.nc"), "says that it is the other component");
+  expect_refused(path("u_m2.nc"), "says the other component");
 }
 
 TEST_F(TideFile, OfTransportsWithoutDepthsIsRefused) {
   write_tpxo_transport(path("u_k1_tpxo.nc"), false);
-  expect_refused(path("u_k1_tpxo.nc"), "no depths to make it a speed");
+  expect_refused(path("u_k1_tpxo.nc"), "depths that make it a speed are missing");
 }
 
 TEST_F(TideFile, OfTransportsTakesTheDepthsOfTheGridFileThatIsGivenWithAllConstituents) {
@@ -220,7 +220,7 @@ TEST_F(TideFile, OfTransportsIsRefusedBesideTheGridFileOfAnotherModel) {
   const IngestReport report = ingest_together({path("u_k1_tpxo.nc"), path("grid_tpxo.nc")});
 
   EXPECT_EQ(report.status, IngestStatus::refused);
-  EXPECT_THAT(words(report), HasSubstr("no depths to make it a speed"));
+  EXPECT_THAT(words(report), HasSubstr("depths that make it a speed are missing"));
 }
 
 /// Writes a tide as FES does: amplitude and phase, latitude and longitude, one constituent a file.
@@ -420,7 +420,8 @@ TEST_F(TideStations, OfNoaaNeedAPlaceAndAreConvertedFromFeet) {
 TEST_F(TideStations, WhoseLabelsDoNotFitTheirSpeedsAreRefused) {
   std::string swapped = noaa;
   swapped.replace(swapped.find("28.984104"), 9, "28.439730");
-  expect_refused(write_file("harcon.json", swapped), "labels do not fit", {.at = geo::LonLat{0.0, 0.0}});
+  expect_refused(write_file("harcon.json", swapped), "names in the file do not fit",
+                 {.at = geo::LonLat{0.0, 0.0}});
 }
 
 TEST_F(TideStations, ThatWereCutShortAreRefused) {

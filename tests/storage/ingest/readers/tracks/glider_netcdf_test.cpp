@@ -233,7 +233,7 @@ TEST_F(GliderNetcdf, ThatNamesAVehiclesSensorAsTheSourceOfItsCurrentsIsDoubted) 
 
   ASSERT_EQ(track.currents.size(), 1U);
   expect_current(track.currents[0], 0.2, -0.1);
-  EXPECT_THAT(warnings_, HasSubstr("taken from m_final_water_vx"));
+  EXPECT_THAT(warnings_, HasSubstr("comes from m_final_water_vx"));
 }
 
 TEST_F(GliderNetcdf, HasNoCurrentWhereItIsTheFill) {
@@ -312,7 +312,7 @@ TEST_F(GliderNetcdf, PutsTimesThatDoNotAscendIntoOrder) {
 
   EXPECT_EQ(core::unix_seconds(track.points[0].time), start_s);
   EXPECT_EQ(track.points[0].depth, core::Metres{160.0});
-  EXPECT_THAT(warnings_, HasSubstr("do not ascend"));
+  EXPECT_THAT(warnings_, HasSubstr("did not always rise"));
 }
 
 TEST_F(GliderNetcdf, GivenTogetherIsOneTrackInAnyOrder) {

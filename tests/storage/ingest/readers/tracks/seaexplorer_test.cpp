@@ -75,7 +75,7 @@ TEST_F(Seaexplorer, OfAMissionIsOneTrackForItsNavigationAndOneForItsPayload) {
 
 TEST_F(Seaexplorer, WithoutPositionsOrFixesIsRefused) {
   expect_refused(write_file("sea035.6.pld1.sub.1", "PLD_REALTIMECLOCK;T;\n17/05/2019 22:00:01.500;20.1;\n"),
-                 "without time and position");
+                 "needs time and position");
   expect_refused(
       write_file("sea035.6.gli.sub.1", navigation + "17/05/2019 22:00:00;105;1;0.1;0.000;0.000;\n"),
       "no position of the glider");

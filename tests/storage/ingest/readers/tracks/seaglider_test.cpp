@@ -97,7 +97,7 @@ TEST_F(Seaglider, OfOneMissionIsOneTrackHoweverItsDivesAreGiven) {
 
 TEST_F(Seaglider, ThatWasCutInItsHeadIsRefused) {
   expect_refused(write_file("a.log", "version: 66.11\nglider: 561\ndive: 5\nstart: 5 4 116\ndata:\n" + fixes),
-                 "do not say of which glider");
+                 "do not state the glider");
   expect_refused(write_file("b.log", log(5, "$N_DIVES,0\n")), "no position of the glider");
 }
 

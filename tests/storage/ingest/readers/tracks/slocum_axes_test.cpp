@@ -319,7 +319,7 @@ TEST_F(SlocumAxes, ThatNothingTellsCostTheCurrentsAloneAndTheLogIsTold) {
 
   EXPECT_EQ(track.points.size(), 5U);
   EXPECT_TRUE(track.currents.empty());
-  EXPECT_THAT(told_, HasSubstr("vehicle's own axes and left out"));
+  EXPECT_THAT(told_, HasSubstr("vehicle's own axes, whose direction is not known"));
   EXPECT_THAT(told_, HasSubstr("m_gps_mag_var"));
 }
 

@@ -241,7 +241,7 @@ TEST_F(Choice, OfComponentsOfTwoModelsIsRefused) {
                                      {"vo_b", 0.5, {{"standard_name", northward_current}}}}));
 
   EXPECT_FALSE(stored(report));
-  EXPECT_THAT(words(report), HasSubstr("do not belong together by their names"));
+  EXPECT_THAT(words(report), HasSubstr("do not fit together"));
 }
 
 TEST_F(Choice, IsLeftToTheUserWhoNamesAComponent) {
@@ -296,7 +296,7 @@ TEST_F(Choice, KnowsNamesThatProducersPutTogether) {
       {"U_sfc", "V_sfc", "sea water velocity", "surface alone"},
       {"depth_averaged_u", "depth_averaged_v", "water velocity", "means over the whole water column"},
       {"east_vel", "north_vel", "current", "state no depth"},
-      {"u_residual", "v_residual", "residual current", "are without the tide"}};
+      {"u_residual", "v_residual", "residual current", "do not include the tide"}};
   for (const ComposedNames& names : all) {
     auto pair = pair_of(names.east, names.north, 0.25);
     for (auto& variable : pair) {
@@ -327,7 +327,7 @@ TEST_F(Choice, IsRefusedWithWhatIsStoredUnderTheNamesOfACurrent) {
       write({{"uo", 0.25, {{"standard_name", "tendency_of_" + eastward_current}, {"units", "m s-2"}}},
              {"vo", 0.25, {{"standard_name", "tendency_of_" + northward_current}, {"units", "m s-2"}}}}));
   EXPECT_FALSE(stored(tendency));
-  EXPECT_THAT(words(tendency), HasSubstr("\"uo\" is called as currents are, but holds another quantity "
+  EXPECT_THAT(words(tendency), HasSubstr("\"uo\" has the name of a current but holds another quantity "
                                          "(tendency_of_eastward_sea_water_velocity in m s-2)"));
   const auto amplitude = outcome(write(pair_of("u_amp", "v_amp", 0.25, {{"long_name", "M2 amplitude"}})));
   EXPECT_FALSE(stored(amplitude));
@@ -379,7 +379,7 @@ TEST_F(Choice, TellsOfTheSurfaceBesideAMeanAndOfATotalBesideTheRest) {
 
 TEST_F(Choice, TakesAPartOfTheCurrentForNoWhole) {
   const auto eddies = outcome(write(pair_of("u", "v", 0.25, {{"long_name", "eddy velocity"}})));
-  EXPECT_THAT(words(eddies), HasSubstr("leaves out the rest of the current"));
+  EXPECT_THAT(words(eddies), HasSubstr("ignores the rest of the current"));
   const auto upper = outcome(write(pair_of("u", "v", 0.25, {{"long_name", "velocity averaged 0-300 m"}})));
   EXPECT_THAT(words(upper), HasSubstr("means over the whole water column or a part of it"));
 }
@@ -392,12 +392,12 @@ TEST_F(Choice, SaysWhatThePairHolds) {
   };
   const auto total = report_of("", "velocity including tides");
   expect_pair(stored(total), 0.25, total);
-  EXPECT_THAT(words(total), HasSubstr("already hold the tide; add no tide"));
+  EXPECT_THAT(words(total), HasSubstr("already include the tide; add no tide"));
   const auto without = report_of("_assuming_no_tide", "");
   expect_pair(stored(without), 0.25, without);
-  EXPECT_THAT(words(without), HasSubstr("are without the tide"));
+  EXPECT_THAT(words(without), HasSubstr("do not include the tide"));
   const auto detided = report_of("", "detided velocity");
-  EXPECT_THAT(words(detided), HasSubstr("are without the tide"));
+  EXPECT_THAT(words(detided), HasSubstr("do not include the tide"));
   const auto tide = report_of("", "tidal current");
   expect_pair(stored(tide), 0.25, tide);
   EXPECT_THAT(words(tide), HasSubstr("hold the tide alone, as their long names say"));

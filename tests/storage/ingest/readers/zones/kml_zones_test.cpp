@@ -114,7 +114,7 @@ TEST_F(KmlZones, WhosePeriodIsNotThatOfTheirFolderAreRefusedWithBoth) {
       rule_of_span("<TimeSpan><begin>2026-05-01</begin><end>2026-06-01</end></TimeSpan>",
                    "<TimeSpan><begin>2026-01-01</begin><end>2026-03-01</end></TimeSpan>");
   EXPECT_THAT(refusal, HasSubstr("its own period (2026-05-01T00:00:00Z to 2026-06-02T00:00:00Z)"));
-  EXPECT_THAT(refusal, HasSubstr("of the folder around it (2026-01-01T00:00:00Z to 2026-03-02T00:00:00Z)"));
+  EXPECT_THAT(refusal, HasSubstr("the period of its folder (2026-01-01T00:00:00Z to 2026-03-02T00:00:00Z)"));
 }
 
 /// Words of the rule that the zone does not get are told, wherever they stand; those of its own are not.
@@ -128,13 +128,13 @@ TEST_F(KmlZones, TellWordsOfTheOtherRule) {
         {.zone_kind = kind}));
   };
   EXPECT_THAT(told("stay_in", "A", "", "no_go"),
-              HasSubstr("\"names of the folders around\" is \"stay_in\", words of stay_in"));
-  EXPECT_THAT(told("zones", "Stay-In box until June", "", "no_go"), HasSubstr("words of stay_in"));
+              HasSubstr("\"names of the folders around\" is \"stay_in\". These words suggest stay_in"));
+  EXPECT_THAT(told("zones", "Stay-In box until June", "", "no_go"), HasSubstr("words suggest stay_in"));
   EXPECT_THAT(told("zones", "A", "Vehicle must stay inside this box", "no_go"),
-              HasSubstr("words of stay_in"));
-  EXPECT_THAT(told("zones", "Cable: keep out", "", "stay_in"), HasSubstr("words of no_go"));
-  EXPECT_THAT(told("stay_in", "A", "Must stay inside", "stay_in"), testing::Not(HasSubstr("words of")));
-  EXPECT_THAT(told("fishing banks", "mainstay inlet", "", "no_go"), testing::Not(HasSubstr("words of")));
+              HasSubstr("words suggest stay_in"));
+  EXPECT_THAT(told("zones", "Cable: keep out", "", "stay_in"), HasSubstr("words suggest no_go"));
+  EXPECT_THAT(told("stay_in", "A", "Must stay inside", "stay_in"), testing::Not(HasSubstr("words suggest")));
+  EXPECT_THAT(told("fishing banks", "mainstay inlet", "", "no_go"), testing::Not(HasSubstr("words suggest")));
 }
 
 TEST_F(KmlZones, AreRefusedWithWhatTheFileHolds) {
@@ -146,14 +146,14 @@ TEST_F(KmlZones, AreRefusedWithWhatTheFileHolds) {
               HasSubstr("\"begin\" is \"01.05.2026\""));
   EXPECT_THAT(rule_of_span("", "<TimeSpan><end>soon</end></TimeSpan>"), HasSubstr("is \"soon\""));
   EXPECT_THAT(rule_of_span("<TimeStamp><when>2026-05-01T06:00:00Z</when></TimeStamp>"),
-              HasSubstr("a moment"));
+              HasSubstr("only at the moment"));
   EXPECT_THAT(
       rule_of_span("", "<ExtendedData><Data name=\"kind\"><value>stay_in</value></Data></ExtendedData>"),
       HasSubstr("line 3: the Folder states \"kind\""));
   EXPECT_THAT(rule_of_span("", "<NetworkLink><Link><href>more.kml</href></Link></NetworkLink>"),
               HasSubstr("NetworkLink"));
   EXPECT_THAT(rule_of(element("Placemark", "<Point><coordinates>1;2</coordinates></Point>")),
-              HasSubstr("\"1;2\", which is no longitude,latitude"));
+              HasSubstr("\"1;2\", which is not longitude,latitude"));
   EXPECT_THAT(rule_of(element("Folder", "")), HasSubstr("no placemarks"));
   const IngestReport cut =
       ingest(write_file("cut.kml", "<kml><Document><Placemark>" + square + "</Placemark>"));

@@ -306,7 +306,7 @@ TEST_F(Zones, TellOfFreeTextThatNamesADateUnlessTheyStateTheirPeriod) {
   const auto told = ingest(write(formats[2], {{triangle, {{"kind", "no_go"}, {"remarks", text}}}}));
   ASSERT_EQ(told.status, IngestStatus::stored) << words(told);
   EXPECT_THAT(messages::sentences(told.warnings),
-              Contains(HasSubstr("text that names a date and is not obeyed")));
+              Contains(HasSubstr("a text with a date that is not obeyed")));
   std::filesystem::remove(path(formats[2].file));
 
   const Feature plain{triangle, {{"kind", "no_go"}, {"remarks", text}, {"from", "2026-05-01"}}};
@@ -347,7 +347,7 @@ TEST_F(Zones, TellEveryFaultOfEveryFeature) {
   EXPECT_THAT(messages::sentences(report.errors), Contains(HasSubstr("feature 4: \"bottom_m\" is \"-5\"")));
   EXPECT_THAT(messages::sentences(report.errors),
               Contains(HasSubstr("feature 5: ends at 2026-11-20T00:00:00Z, before it begins")));
-  EXPECT_THAT(messages::sentences(report.errors), Contains(HasSubstr("feature 6: it is no polygon")));
+  EXPECT_THAT(messages::sentences(report.errors), Contains(HasSubstr("feature 6: it is not a polygon")));
   EXPECT_THAT(messages::sentences(report.errors),
               Contains(HasSubstr("feature 7: \"from\" is \"2026-11-21T00:00:00\"")));
 }
@@ -376,7 +376,7 @@ TEST_F(Zones, MayCrossTheAntimeridian) {
 
   ASSERT_EQ(report.status, IngestStatus::stored) << words(report);
   EXPECT_THAT(messages::sentences(report.warnings),
-              Contains(HasSubstr("crosses the antimeridian, 2 degrees")));
+              Contains(HasSubstr("crosses the antimeridian and is 2 degrees")));
   const auto zones = stored(report);
   EXPECT_TRUE(geo::contains(zones.front().area, {179.9, 60.5}));
   EXPECT_TRUE(geo::contains(zones.front().area, {-179.9, 60.5}));

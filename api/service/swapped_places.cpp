@@ -1,0 +1,41 @@
+#include "api/service/swapped_places.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/geo/bounding_box.hpp"
+#include "engine/messages/fault.hpp"
+#include "storage/repository/datasets/dataset_repository.hpp"
+
+namespace floeplan::service {
+namespace {
+
+using repository::DatasetChoice;
+using repository::DatasetKind;
+
+std::string flag_of(const std::string& field) { return "--" + field.substr(0, field.find('/')); }
+
+}  // namespace
+
+core::Violations swapped_places(sql::Connection& db, const std::vector<GivenPlace>& places,
+                                const repository::EnvironmentQuery& data) {
+  if (data.currents.how == DatasetChoice::How::none && data.bathymetry.how == DatasetChoice::How::none)
+    return {};
+  const std::vector<repository::Dataset> stored = repository::DatasetRepository{db}.list();
+  const auto is_covered = [&](geo::LonLat place) {
+    return std::ranges::any_of(stored, [&](const repository::Dataset& dataset) {
+      return (dataset.kind == DatasetKind::currents || dataset.kind == DatasetKind::bathymetry) &&
+             geo::contains(dataset.bounds, place);
+    });
+  };
+  core::Violations found;
+  for (const auto& [field, place] : places) {
+    const geo::LonLat swapped{place.lat_deg, geo::wrap_longitude(place.lon_deg)};
+    if (std::abs(swapped.lat_deg) > 90.0 || is_covered(place) || !is_covered(swapped)) continue;
+    core::note(found, messages::fault<"coordinates-swapped">("/" + field, flag_of(field), swapped.lon_deg,
+                                                             swapped.lat_deg));
+  }
+  return found;
+}
+
+}  // namespace floeplan::service

@@ -1,0 +1,60 @@
+#include "api/service/swapped_places.hpp"
+
+#include <gmock/gmock.h>
+
+#include "storage/repository/datasets/dataset_repository.hpp"
+#include "storage/repository/store/migrations.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace floeplan::service::swapped_places_test {
+namespace {
+
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+constexpr geo::LonLat in_the_bay{-53.2, 69.2};
+constexpr geo::LonLat exchanged{69.2, -53.2};
+
+/// A store that holds currents of Disko Bay.
+class SwappedPlaces : public testing::Test {
+ protected:
+  SwappedPlaces() {
+    repository::Dataset dataset;
+    dataset.id = {"currents-12345678"};
+    dataset.kind = repository::DatasetKind::currents;
+    dataset.name = "bay";
+    dataset.bounds = {-55.0, 68.0, -50.0, 70.0};
+    dataset.provenance.sha256 = "1234";
+    repository::DatasetRepository{db_}.insert(dataset);
+  }
+
+  support::TemporaryFolder store_;
+  sql::Connection db_{repository::open_store(store_.path())};
+  repository::EnvironmentQuery query_;
+};
+
+TEST_F(SwappedPlaces, AreNamedWithTheExchangedCoordinates) {
+  const auto found =
+      swapped_places(db_, {{"from", exchanged}, {"to", in_the_bay}, {"via/0", exchanged}}, query_);
+
+  ASSERT_THAT(found, SizeIs(2));
+  EXPECT_EQ(found[0].field, "/from");
+  EXPECT_THAT(found[0].rule, HasSubstr("did you mean --from=-53.2,69.2?"));
+  EXPECT_EQ(found[1].field, "/via/0");
+  EXPECT_THAT(found[1].rule, HasSubstr("did you mean --via=-53.2,69.2?"));
+}
+
+TEST_F(SwappedPlaces, AreNotThoseThatNoDataCoverEitherWay) {
+  EXPECT_THAT(swapped_places(db_, {{"from", {10.0, 20.0}}}, query_), IsEmpty());
+}
+
+TEST_F(SwappedPlaces, AreNotLookedForWhereNoDataAreWanted) {
+  query_.currents.how = repository::DatasetChoice::How::none;
+  query_.bathymetry.how = repository::DatasetChoice::How::none;
+
+  EXPECT_THAT(swapped_places(db_, {{"from", exchanged}}, query_), IsEmpty());
+}
+
+}  // namespace
+}  // namespace floeplan::service::swapped_places_test
