@@ -13,13 +13,13 @@
 namespace floeplan::avoidance {
 namespace {
 
-constexpr double reach_m = 700.0;     // farther objects are tracked, but not looked at
-constexpr double slowest_m_s = 0.05;  // a speed below it is a sensor's, not a glider's
+constexpr double reach_m = 700.0;     // objects farther away are tracked but not avoided
+constexpr double slowest_m_s = 0.05;  // a slower reported speed is sensor noise, not a glider's
 constexpr double path_point_reached_m = 8.0;
-constexpr double path_kept = 0.8;    // of the clearance: a path as good as that is flown on
-constexpr double left_clear = 1.15;  // of the clearance: the route must be so clear to return to it
+constexpr double path_kept = 0.8;    // of the clearance: a path this clear is still followed
+constexpr double left_clear = 1.15;  // of the clearance: a route this clear is returned to
 constexpr double progress_m = 50.0;
-constexpr double farther_on_m = 150.0;  // a second rendezvous, where there is no path to the first
+constexpr double farther_on_m = 150.0;  // along the route: second rendezvous if no path leads to the first
 
 AvoidanceSettings checked(AvoidanceSettings settings) {
   const core::Violations violations = settings.violations();
@@ -36,7 +36,7 @@ bool is_usable_state(const OwnState& own, std::optional<core::UtcTime> last) {
   return is_finite && !(last && own.time < *last);
 }
 
-/// The beginning of a way.
+/// The part of a way up to this time.
 TimedWay until(const TimedWay& way, double end_s) {
   TimedWay beginning;
   for (const TimedPoint& point : way.points()) {
@@ -54,7 +54,7 @@ TimedWay until(const TimedWay& way, double end_s) {
   return beginning;
 }
 
-/// Whether the vehicle is at a point of its path, or abeam of it. Precondition: not the first one.
+/// Whether the vehicle is at or abeam of a point of its path. Precondition: not the first point.
 bool is_passed(std::span<const TimedPoint> path, std::size_t point, geo::PlanePoint own) {
   const geo::PlanePoint at = path[point].place;
   const geo::PlanePoint from = path[point - 1].place;
@@ -94,7 +94,7 @@ Guidance AvoidanceSystem::react(const Sensed& sensed) {
   return last_;
 }
 
-/// What to do, from what has been perceived.
+/// Decides what to do from what was sensed so far.
 Guidance AvoidanceSystem::guide() {
   if (own_.at_surface) {
     route_clear_since_s_.reset();
@@ -166,7 +166,7 @@ void AvoidanceSystem::take_ping(const SonarPing& ping, const OwnState& own) {
   objects_.take({echoes_.data(), count}, own, water_.own());
 }
 
-/// What is left of the path, from where the vehicle is, at the speed it has.
+/// The rest of the path from the vehicle's place, at its present speed.
 TimedWay AvoidanceSystem::path_from_here() const {
   TimedWay way;
   const auto points = path_.points();
@@ -193,7 +193,7 @@ AvoidanceSystem::Choice AvoidanceSystem::choose(bool route_clear, bool path_clea
   return {Mode::reactive, why_no_path_};
 }
 
-/// Whether reactive control must steer: something is close, or soon will be on the course that the choice steers.
+/// Whether reactive control must steer: something is close, or soon will be on the chosen course.
 bool AvoidanceSystem::is_too_close(const Choice& choice, const TimedWay& route, const TimedWay& path) const {
   const double close_m = settings_.close.value;
   const auto nearest = obstacles_.nearest_m(water_.own());
@@ -204,7 +204,8 @@ bool AvoidanceSystem::is_too_close(const Choice& choice, const TimedWay& route, 
          first_contact(steered.points(), obstacles_.all(), close_m).has_value();
 }
 
-/// Whether evasion has led nowhere for too long. Time on the mission's own route does not count: that is not evasion.
+/// Whether evasion has made no progress for too long. Time on the mission's own route does not count as
+/// evasion.
 bool AvoidanceSystem::is_in_vain(const Choice& choice) {
   if (mode_ == Mode::given_up) return true;
   const double to_go_m = route_.to_go_m(own_.place);

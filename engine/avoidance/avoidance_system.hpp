@@ -23,64 +23,67 @@
 
 namespace floeplan::avoidance {
 
-/// An object as a report or a display wants it. Frame: the flight's local plane, drift over the ground.
+/// A detected object for reports and displays. Frame: the flight's local plane; drift over the ground.
 struct DetectedObject {
   std::uint32_t id{};
   geo::PlanePoint centre{};  // of the surface seen so far
   core::Metres half_extent{};
   core::Metres place_sigma{};
   geo::VelocityEn drift{};
-  core::MetresPerSecond drift_sigma{};  // through the water; over the ground the current's comes on top
-  core::Metres keel{};                  // deepest part seen
+  core::MetresPerSecond drift_sigma{};  // of the drift through water; over ground add the current's error
+  core::Metres keel{};                  // depth of the deepest part seen
   core::Seconds unseen{};
 
   friend bool operator==(const DetectedObject&, const DetectedObject&) = default;
 };
 
-/// What the system did so far.
+/// Counts of the system's actions so far.
 struct AvoidanceCounters {
-  std::int64_t evasions{};  // times that the mission's route was left
+  std::int64_t evasions{};  // number of departures from the mission's route
   std::int64_t paths_planned{};
   std::int64_t paths_failed{};
-  std::int64_t most_expansions{};  // of one search
+  std::int64_t most_expansions{};  // largest number in one search
 
   friend bool operator==(const AvoidanceCounters&, const AvoidanceCounters&) = default;
 };
 
-/// The obstacle avoidance system on board: object detection, sea current detection, collision observation and the
-/// evasive module with path planning over reactive control (Eichhorn 2009, Figure 3). It knows its mission's waypoints,
-/// the forecast it carries, and what it was told by `Sensed`.
+/// The onboard obstacle avoidance system: object detection, current detection, collision monitoring, and the
+/// evasive module with path planning above reactive control (Eichhorn 2009, Figure 3). Its input is the
+/// mission's waypoints, the forecast that it carries, and `Sensed` at each step.
 ///
 /// Modes    mission -> path       the route comes too near to an object within `watch`, and a path is known
-///          mission, path -> reactive   an object is nearer than `close`, or will be within `imminent` on the course
-///                                steered; or evasion is needed and there is no path
+///          mission, path -> reactive   an object is nearer than `close`, or will be within `imminent` on the
+///                                steered course; or evasion is needed and there is no path
 ///          reactive -> path, mission   nothing was too close for `settled`
 ///          path, reactive -> mission   the route has been clear for `settled`
-///          path, reactive -> given_up  has evaded for `give_up` and come no nearer to the goal; it stays so
-/// Use      `step` once for each new state, about every second. The reactive loop alone is `react`: it does not
-///          allocate and its time is bounded. `plan_path` may run between two of them, or not at all
+///          path, reactive -> given_up  evasion has lasted for `give_up` without getting nearer to the goal;
+///                                this mode is final
+/// Use      Call `step` for each new state, about once a second. `react` is the reactive loop alone: it does
+///          not allocate, and its time is limited. `plan_path` may be called between two calls of it, or
+///          never
 /// Threads  one at a time
 class AvoidanceSystem {
  public:
-  /// Errors  std::invalid_argument for settings with violations, and for waypoints that are missing or not finite
+  /// Errors  std::invalid_argument for settings with violations, and for missing or non-finite waypoints
   AvoidanceSystem(std::vector<geo::PlanePoint> waypoints, CarriedForecast forecast,
                   AvoidanceSettings settings);
   AvoidanceSystem(const AvoidanceSystem&) = delete;
   AvoidanceSystem& operator=(const AvoidanceSystem&) = delete;
 
-  /// `react`, then `plan_path` where one is wanted; the path guides from the next step on.
+  /// `react`, then `plan_path` if a path is wanted. The path is followed from the next step on.
   Guidance step(const Sensed& sensed, const std::stop_token& stop = {});
 
-  /// Takes what was sensed and says what to do now.
+  /// Takes the sensed data and returns what to do now.
   Guidance react(const Sensed& sensed);
   [[nodiscard]] bool path_wanted() const { return path_wanted_; }
-  /// Plans a path from the state last reacted to. Allocates; bounded by the settings' expansions and `stop`.
+  /// Plans a path from the state of the last `react`. Allocates; limited by the settings' expansions and by
+  /// `stop`.
   void plan_path(const std::stop_token& stop = {});
 
   [[nodiscard]] Mode mode() const { return mode_; }
   [[nodiscard]] const AvoidanceCounters& counters() const { return counters_; }
   [[nodiscard]] std::vector<DetectedObject> objects() const;
-  /// Mean over the depths of the saw-tooth, at the vehicle.
+  /// Mean current over the depths of the saw-tooth at the vehicle's place.
   [[nodiscard]] EstimatedCurrent current() const { return current_now_; }
 
  private:
@@ -118,7 +121,7 @@ class AvoidanceSystem {
   Going going_{};
   EstimatedCurrent current_now_{};
   TimedWay path_{};
-  std::size_t path_point_{};  // the one steered for
+  std::size_t path_point_{};  // index of the path's point steered for
   Mode mode_{Mode::mission};
   Reason why_no_path_{Reason::path_not_ready};
   bool path_wanted_{};
@@ -126,7 +129,7 @@ class AvoidanceSystem {
   std::optional<double> route_clear_since_s_{};
   double close_until_s_{};
   double least_to_go_m_{};
-  double in_vain_s_{};  // of evading since the vehicle was that near
+  double in_vain_s_{};  // time of evasion since the vehicle was that near
   std::optional<double> reacted_s_{};
   AvoidanceCounters counters_{};
 };

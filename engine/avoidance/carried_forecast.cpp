@@ -10,7 +10,7 @@
 namespace floeplan::avoidance {
 namespace {
 
-/// The neighbours of a place on an axis and the weight of the second.
+/// Interpolation on an axis: the two neighbours of a value, and the weight of the second.
 struct Between {
   std::size_t first;
   std::size_t second;

@@ -8,14 +8,14 @@
 
 namespace floeplan::avoidance {
 
-/// The current that the plan was made with, on a small grid that the vehicle carries along: linear between its
-/// points in place, depth and time. Immutable.
+/// The current forecast of the plan on a small grid that is stored on the vehicle: linear in place, depth and
+/// time. Immutable.
 /// Frame    the flight's local plane; velocities over the ground
-/// Edges    outside the grid, and before and after its times, the nearest value: a vehicle at sea cannot refuse
+/// Edges    outside the grid and its times the nearest value, because a vehicle at sea needs an answer
 /// Threads  const members may be called from several threads at once
 class CarriedForecast {
  public:
-  /// A regular grid of places, and rising depths and times.
+  /// A regular grid of places, with ascending depths and times.
   struct Grid {
     geo::PlanePoint origin{};  // of the first column and row
     core::Metres spacing{1000.0};
@@ -26,10 +26,10 @@ class CarriedForecast {
     std::vector<geo::VelocityEn> values{};  // [time][depth][row][column]
   };
 
-  /// The same water everywhere and always.
+  /// A current that is the same everywhere and at all times.
   explicit CarriedForecast(geo::VelocityEn everywhere);
-  /// Errors  std::invalid_argument for axes that are empty or do not rise, for a wrong number of values and for a
-  ///         value that is not finite
+  /// Errors  std::invalid_argument for axes that are empty or not ascending, a wrong number of values, and
+  ///         values that are not finite
   explicit CarriedForecast(Grid grid);
 
   [[nodiscard]] geo::VelocityEn at(geo::PlanePoint place, core::Metres depth, core::UtcTime time) const;

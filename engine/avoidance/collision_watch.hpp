@@ -8,9 +8,9 @@
 
 namespace floeplan::avoidance {
 
-/// The first time at which someone who moves along the way is nearer than `clearance_m` to an obstacle; empty: never up
-/// to the way's end. Who is nearer already is in contact only where the way leads still nearer.
-/// Exact    the moves against the moving discs, not samples
+/// The first time at which a vehicle on this way is nearer than `clearance_m` to an obstacle; empty: never,
+/// up to the way's end. If it is nearer already, contact counts only where the way leads still nearer.
+/// Exact    computed from moves and moving discs, not from samples
 [[nodiscard]] std::optional<double> first_contact(std::span<const TimedPoint> way,
                                                   std::span<const Obstacle> obstacles, double clearance_m);
 

@@ -8,7 +8,7 @@ namespace {
 
 constexpr double depth_scale_m = 50.0;
 constexpr double time_scale_s = 6.0 * 3600.0;
-constexpr double believable = 5.0;  // standard deviations
+constexpr double believable = 5.0;  // standard deviations within which a measurement is accepted
 
 template <std::size_t N>
 double dot(const std::array<double, N>& a, const std::array<double, N>& b) {
@@ -93,7 +93,7 @@ EstimatedCurrent CurrentEstimate::blended(geo::VelocityEn forecast, const Weight
           {std::sqrt(std::max(variance, 0.0))}};
 }
 
-/// The share of what was known at the last measurement that still holds.
+/// Share of the information from the last measurement that is still valid at this time.
 double CurrentEstimate::kept_until(core::UtcTime time) const {
   if (!time_) return 1.0;
   return std::exp(-std::max((time - *time_).count(), 0.0) / time_scale_s);

@@ -10,14 +10,14 @@ namespace {
 
 constexpr double leave_m = 0.5;
 
-/// The obstacle's disc; around someone within it, shrunk to leave them outside.
+/// The obstacle's disc; reduced so that it does not contain the vehicle, if the vehicle is inside.
 motion::MovingDisc disc_left_by(const Obstacle& obstacle, const LookAhead& look) {
   motion::MovingDisc disc = disc_of(obstacle, look.now_s, look.until_s, look.clearance_m);
   const double east_m = look.from.x_m - disc.centre0.x_m;
   const double north_m = look.from.y_m - disc.centre0.y_m;
   const double apart_m2 = east_m * east_m + north_m * north_m;
   const double within_m = disc.radius0_m + leave_m;
-  if (apart_m2 > within_m * within_m) return disc;  // nearly always, so without a root
+  if (apart_m2 > within_m * within_m) return disc;  // the usual case, without a square root
   disc.radius0_m = std::max(std::sqrt(apart_m2) - leave_m, 0.0);
   disc.growth_m_s = 0.0;
   return disc;
@@ -35,7 +35,7 @@ bool drift_alike(const motion::MovingDisc& a, const motion::MovingDisc& b) {
   return a.velocity.x_m_s == b.velocity.x_m_s && a.velocity.y_m_s == b.velocity.y_m_s;
 }
 
-/// The disc that holds discs of one drift at all times.
+/// A disc that contains all these discs, which have the same drift, at all times.
 motion::MovingDisc disc_about(std::span<const motion::MovingDisc> discs) {
   motion::MovingDisc about = discs.front();
   const auto count = static_cast<double>(discs.size());

@@ -18,7 +18,7 @@ LevelVector levelled(const BodyVector& body, const Attitude& attitude) {
   const double cos_p = std::cos(attitude.pitch.value);
   const double sin_r = std::sin(attitude.roll.value);
   const double cos_r = std::cos(attitude.roll.value);
-  // First roll and pitch: ahead and to starboard of the heading, and down.
+  // First roll and pitch: the result is ahead, to starboard of the heading, and down.
   const double aside = cos_r * body.starboard - sin_r * body.down;
   const double below = sin_r * body.starboard + cos_r * body.down;
   const double ahead = cos_p * body.forward + sin_p * below;

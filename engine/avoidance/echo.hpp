@@ -6,7 +6,7 @@
 
 namespace floeplan::avoidance {
 
-/// Where a sonar return came from: on the axis of its beam, and how far above or below it at that range.
+/// Place of a sonar echo: on the axis of its beam, with the beam's half height above and below at that range.
 struct Echo {
   geo::PlanePoint place{};  // water frame
   double depth_m{};
@@ -17,20 +17,20 @@ struct Echo {
   friend bool operator==(const Echo&, const Echo&) = default;
 };
 
-/// A vector of the body axes, seen from above: metres east, north and down.
+/// A vector in level axes: metres east, north and down.
 struct LevelVector {
   double east{};
   double north{};
   double down{};
 };
 
-/// Turns body axes into level ones: heading, then pitch, then roll.
+/// Rotates a vector from body axes to level axes, by heading, then pitch, then roll.
 [[nodiscard]] LevelVector levelled(const BodyVector& body, const Attitude& attitude);
 
 [[nodiscard]] Echo placed(const SonarReturn& sonar, const OwnState& own, geo::PlanePoint own_in_water,
                           const SonarView& view);
 
-/// Whether it can be a body's: finite, of a range above zero and within the reach.
+/// Whether the return can be a body's echo: finite, with a positive range within `reach`.
 [[nodiscard]] bool is_usable(const SonarReturn& sonar, core::Metres reach);
 
 }  // namespace floeplan::avoidance

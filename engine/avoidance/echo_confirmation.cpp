@@ -22,7 +22,7 @@ std::optional<Echo> EchoConfirmation::take(const Echo& echo) {
     const double dx = waiting.mean.place.x_m - echo.place.x_m;
     const double dy = waiting.mean.place.y_m - echo.place.y_m;
     if (dx * dx + dy * dy > gate_m * gate_m) continue;
-    if (waiting.last_ping == ping_) return std::nullopt;  // a ping counts once
+    if (waiting.last_ping == ping_) return std::nullopt;  // each ping counts once
 
     ++waiting.pings;
     waiting.last_ping = ping_;

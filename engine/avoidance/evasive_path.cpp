@@ -13,14 +13,14 @@
 namespace floeplan::avoidance {
 namespace {
 
-constexpr double finest_m = 10.0;     // a third of the usual clearance
-constexpr double beside_m = 260.0;    // room at every side: a berg of 200 m and the clearance on both sides
+constexpr double finest_m = 10.0;     // smallest grid step: a third of the usual clearance
+constexpr double beside_m = 260.0;    // room on each side: a berg of 200 m with the clearance on both sides
 constexpr int most_across = 91;       // rows
 constexpr int most_along = 90;        // columns
-constexpr double path_slack_m = 3.0;  // more than the watch asks, so that the path stays good as it is flown
+constexpr double path_slack_m = 3.0;  // more than the watch needs, so that a path stays valid
 constexpr double horizon_s = 3600.0;
 
-/// The search's grid: columns along the line from the vehicle to the goal, both of which are vertices.
+/// The search's grid. Columns run along the line from the vehicle to the goal; both are vertices.
 class LocalGrid {
  public:
   LocalGrid(geo::PlanePoint start, geo::PlanePoint goal) : start_{start} {
@@ -53,13 +53,13 @@ class LocalGrid {
 
  private:
   geo::PlanePoint start_;
-  geo::PlanePoint along_{};  // unit vector
+  geo::PlanePoint along_{};  // unit vector along the line
   int between_{};
   int pad_{};
   double spacing_m_{};
 };
 
-/// Even moves over the ground among the obstacles' discs, seconds from now.
+/// Times moves at constant speed over the ground among the obstacles' discs, in seconds from now.
 class LocalSea {
  public:
   LocalSea(const Going& going, geo::PlanePoint start, std::vector<Obstacle> obstacles, double clearance_m)
@@ -72,7 +72,7 @@ class LocalSea {
                 .clearance_m = clearance_m,
                 .takes_guesses = true}} {}
 
-  /// Arrival of a straight way; empty: against the current or into an obstacle.
+  /// Arrival on a straight line; empty: the current is too strong, or an obstacle is in the way.
   [[nodiscard]] std::optional<double> arrival_s(geo::PlanePoint from, geo::PlanePoint to,
                                                 double depart_s) const {
     const double length_m = distance_m(from, to);
@@ -100,7 +100,7 @@ class LocalSea {
   DiscSet discs_;
 };
 
-/// No way to the goal is faster than straight with the current behind.
+/// Lower bound: a straight line to the goal with the current from astern.
 class StraightBound {
  public:
   StraightBound(const graph::GridGraph& graph, const LocalGrid& grid, double fastest_m_s)
@@ -126,8 +126,8 @@ class StraightBound {
   double fastest_m_s_;
 };
 
-/// The path with each point joined straight to the farthest later point that is reached no later than by the vertices
-/// between.
+/// The path with fewer points: each is joined straight to the farthest later point that is then reached no
+/// later.
 std::vector<TimedPoint> straightened(const std::vector<TimedPoint>& path, const LocalSea& sea) {
   std::vector<TimedPoint> straight{path.front()};
   std::size_t i = 0;
@@ -140,7 +140,7 @@ std::vector<TimedPoint> straightened(const std::vector<TimedPoint>& path, const 
       next = j;
       break;
     }
-    if (!arrival) return path;  // earlier than at first, an edge is closed: the search's own times hold
+    if (!arrival) return path;  // with an earlier departure an edge is closed, so the search's own times stay
     straight.push_back({path[next].place, *arrival});
     i = next;
   }
@@ -170,7 +170,7 @@ EvasivePath plan_evasion(const Going& going, geo::PlanePoint goal, const WaterFr
   };
   std::stop_source budget;
   const std::stop_callback forward{stop, [&] { budget.request_stop(); }};
-  // A search looks at its stop before it reports, so the stop is asked for one look ahead.
+  // A search checks its stop token before it reports, so the stop is requested one check ahead.
   const auto spend = [&](std::int64_t expansions) {
     if (expansions + 2 * graph::expansions_between_looks > settings.most_expansions) budget.request_stop();
   };
@@ -190,7 +190,7 @@ EvasivePath plan_evasion(const Going& going, geo::PlanePoint goal, const WaterFr
     path.push_back({grid.place(graph, v), tree.arrival_s(v)});
   }
   for (const TimedPoint& point : straightened(path, sea)) {
-    // Back to the water: a place on the ground is met where it has drifted to by then.
+    // Converts back to the water frame: a place on the ground is met where it has drifted to by then.
     result.way.add({{point.place.x_m - point.time_s * going.current.east.value,
                      point.place.y_m - point.time_s * going.current.north.value},
                     going.time_s + point.time_s});

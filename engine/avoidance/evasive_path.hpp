@@ -13,20 +13,22 @@
 
 namespace floeplan::avoidance {
 
-/// What a path search came to.
+/// Result of a path search.
 struct EvasivePath {
-  TimedWay way{};  // empty: none found
+  TimedWay way{};  // empty: no path found
   std::int64_t expansions{};
-  bool out_of_budget{};  // the search was ended: a path may exist that was not found
+  bool out_of_budget{};  // the search was ended early: a path may exist
 };
 
-/// The fastest way from the vehicle to a place on the ground past the detected objects in the measured current: the
-/// search of the mission planner on a small grid laid along the line between both, with moving discs closing edges at
-/// the times at which they are travelled; then straightened where that costs no time.
-/// Budget   `most_expansions` of the settings (1024 at least, which is how often the search looks), and `stop` for a
-///          limit in time that the vehicle's computer keeps
-/// Memory   grows with the grid, at most 8192 vertices. Allocates: not for the reactive loop
-/// Source   Eichhorn 2009, section III (search and edge cost); moving obstacles as in engine/motion/disc_encounter.hpp
+/// The fastest way from the vehicle to a place on the ground, past the detected objects, in the measured
+/// current. It uses the mission planner's search on a small grid along the line between both; moving discs
+/// close edges at the times at which they are travelled. Then the way is straightened where that costs no
+/// time.
+/// Budget   `most_expansions` of the settings (at least 1024, the interval of the search's checks), and
+///          `stop`, with which the vehicle's computer can limit the time
+/// Memory   grows with the grid, at most 8192 vertices. Allocates, so it is not for the reactive loop
+/// Source   Eichhorn 2009, section III (search and edge cost); moving obstacles as in
+///          engine/motion/disc_encounter.hpp
 [[nodiscard]] EvasivePath plan_evasion(const Going& going, geo::PlanePoint goal, const WaterFrame& water,
                                        std::span<const Obstacle> obstacles, const AvoidanceSettings& settings,
                                        const std::stop_token& stop);

@@ -9,10 +9,10 @@ namespace floeplan::avoidance {
 namespace {
 
 constexpr double step_m = 20.0;
-constexpr double detour = 1.2;     // of the evasive way against the straight one, for the time of arrival
-constexpr double behind_m = 20.0;  // clear of the obstacle by so much more than the path has to be
+constexpr double detour = 1.2;     // length of the evasive way per straight distance, to estimate the arrival
+constexpr double behind_m = 20.0;  // additional clearance of the rendezvous
 
-/// Whether some obstacle covers a place that is fixed to the ground when the vehicle may be there.
+/// Whether some obstacle covers a place on the ground at the time when the vehicle may be there.
 bool is_covered(geo::PlanePoint place, const Going& going, const WaterFrame& water,
                 std::span<const Obstacle> obstacles, double clearance_m) {
   const double arrival_s =
@@ -45,9 +45,9 @@ std::optional<RoutePlace> rendezvous(const MissionRoute& route, const Going& goi
     } else if (!found && place->along_m >= least_along_m) {
       found = place;
     }
-    if (place->along_m < along_m) break;  // the route ends here
+    if (place->along_m < along_m) break;  // end of the route
   }
-  // Near the end of the route any clear place will do, its last waypoint before all.
+  // Near the end of the route any clear place is accepted, first of all the last waypoint.
   if (!found) {
     const auto last = route.place_along(going.place, along_m);
     if (last && distance_m(last->place, going.place) <= farthest_rendezvous_m &&

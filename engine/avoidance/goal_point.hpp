@@ -10,15 +10,15 @@
 
 namespace floeplan::avoidance {
 
-/// The rendezvous with the planned route behind the obstacles: the first place along it that is clear when the vehicle
-/// can be there, beyond the last that is not, and at least `least_along_m` on. Empty: no such place within reach of the
-/// path planner, or nothing is left of the route.
+/// The place where the evasive way returns to the planned route behind the obstacles: the first place along
+/// the route that is clear when the vehicle can be there. It lies beyond the last covered place and at least
+/// `least_along_m` ahead. Empty: no such place within reach of path planning, or the route is finished.
 [[nodiscard]] std::optional<RoutePlace> rendezvous(const MissionRoute& route, const Going& going,
                                                    const WaterFrame& water,
                                                    std::span<const Obstacle> obstacles,
                                                    const AvoidanceSettings& settings, double least_along_m);
 
-/// How far along the route a rendezvous is looked for.
+/// Largest distance along the route at which a rendezvous is searched.
 inline constexpr double farthest_rendezvous_m = 900.0;
 
 }  // namespace floeplan::avoidance

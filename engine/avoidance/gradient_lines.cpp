@@ -15,15 +15,15 @@ namespace {
 
 constexpr int headings = 72;
 constexpr double step_rad = 2.0 * std::numbers::pi / headings;
-constexpr int widest_sweep = 60;  // of the headings: beyond 300 degrees the other side is nearer
+constexpr int widest_sweep = 60;  // in steps of headings: beyond 300 degrees the other side is nearer
 
-/// A demand on headings: no contact within a time, at a distance.
+/// A condition on headings: no contact within a time and a clearance.
 struct Look {
   double horizon_s;
   double clearance_m;
 };
 
-/// Headings of one moment against the obstacles of one look, each tried when it is first asked for.
+/// Headings at one time against the obstacles of one look. Each is tested when first needed.
 class Headings {
  public:
   Headings(geo::PlanePoint own, double through_water_m_s, double goal_rad,
@@ -42,12 +42,12 @@ class Headings {
   [[nodiscard]] double heading_rad(int steps_from_goal) const {
     return goal_rad_ + steps_from_goal * step_rad;
   }
-  /// Seconds until contact; infinite: none within the look.
+  /// Time to contact in seconds; infinite: none within the look.
   [[nodiscard]] double contact_s(int steps_from_goal) const {
     return discs_.first_touch(move(steps_from_goal)).value_or(std::numeric_limits<double>::infinity());
   }
   [[nodiscard]] bool is_free(int steps_from_goal) const { return !discs_.is_touched(move(steps_from_goal)); }
-  /// Steps from the goal's heading to the first free one on a side; empty: none.
+  /// Number of steps from the goal's heading to the first free one on this side; empty: none.
   [[nodiscard]] std::optional<int> sweep(int side) const {
     for (int k = 1; k <= widest_sweep; ++k) {
       if (is_free(side * k)) return k;
@@ -77,7 +77,7 @@ GradientCourse GradientLines::steer(geo::PlanePoint own_in_water, double through
   };
   const double watch_s = settings_.watch.count();
   const double imminent_s = settings_.imminent.count();
-  // The looks from the farthest and widest to the nearest and narrowest; the first that finds a free heading counts.
+  // Looks from the farthest and widest to the nearest and narrowest. The first with a free heading decides.
   const std::array<Look, 4> looks{Look{watch_s, settings_.clearance.value},
                                   Look{std::max(0.3 * watch_s, imminent_s), settings_.clearance.value},
                                   Look{imminent_s, settings_.clearance.value},

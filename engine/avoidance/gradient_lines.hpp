@@ -12,18 +12,20 @@ namespace floeplan::avoidance {
 /// A heading to steer and how it was come by.
 struct GradientCourse {
   double heading_rad{};
-  bool boxed_in{};  // every heading ends in contact: this is the one with the latest
+  bool boxed_in{};  // every heading leads to contact; this one has the latest
 };
 
-/// Course commands in real time around what is near.
+/// Real-time course commands around near objects.
 ///
-/// From every place a gradient line leads to the goal: straight where that is free, else along the tangent to the
-/// obstacles in the way, on one side of them, and straight again from where they are passed. It is constructed in the
-/// water frame, where the vehicle's way is a straight line for any steady heading: headings are swept from the goal's
-/// away to the side that was taken up, and the first that touches no moving disc within the horizon is the tangent. The
-/// side holds until the way to the goal is free again, so that the vehicle goes round and not to and fro.
-/// No local minimum: a line that is followed round an obstacle ends only where the goal can be steered for, for every
-/// body, convex or not, whose hollow is shorter than the way that is looked ahead (`watch` times the speed, 315 m)
+/// From every place a gradient line leads to the goal: straight if that is free, otherwise along the tangent
+/// to the obstacles in the way, on one side of them, and straight again once they are passed. It is
+/// constructed in the water frame, where a steady heading is a straight line. Headings are tested from the
+/// goal's heading away to the chosen side; the first that touches no moving disc within the horizon is the
+/// tangent. The side is kept until the way to the goal is free, so that the vehicle goes round and not to and
+/// fro.
+/// No local minimum: following a line round an obstacle ends only where the goal can be steered for. This
+/// holds for every body, convex or not, if its hollows are shorter than the look ahead (`watch` times the
+/// speed, 315 m)
 /// Memory   fixed; no member allocates
 /// Source   after the gradient lines of Eichhorn 2005, A reactive obstacle avoidance system for an autonomous
 ///          underwater vehicle, IFAC World Congress; the side held as in Kamon, Rivlin and Rimon 1996, A new
@@ -36,9 +38,9 @@ class GradientLines {
   [[nodiscard]] GradientCourse steer(geo::PlanePoint own_in_water, double through_water_m_s,
                                      double goal_heading_rad, double goal_s,
                                      std::span<const Obstacle> obstacles);
-  /// Forgets the side: what was gone round is passed.
+  /// Forgets the chosen side: the obstacle is passed.
   void release() { side_ = 0; }
-  [[nodiscard]] int side() const { return side_; }  // 1 starboard, -1 port, 0 none taken up
+  [[nodiscard]] int side() const { return side_; }  // 1: starboard, -1: port, 0: none chosen
 
  private:
   AvoidanceSettings settings_;

@@ -8,26 +8,26 @@
 
 namespace floeplan::avoidance {
 
-/// Who steers. Each mode but `mission` overrides the autopilot's own waypoint list.
+/// Which part of the system steers. Every mode except `mission` overrides the autopilot's waypoint list.
 enum class Mode : std::uint8_t {
   mission,   // the autopilot follows its mission plan
-  path,      // an evasive route leads back to the planned one
-  reactive,  // course by course around what is near
-  given_up   // no way on was found for too long: keeps clear of what is near, and nothing else
+  path,      // the vehicle follows an evasive path back to the planned route
+  reactive,  // steers around near objects, course by course
+  given_up   // found no way for too long: only keeps clear of near objects
 };
 
-/// Why the system guides as it does. Every guidance carries one.
+/// Reason for the present guidance.
 enum class Reason : std::uint8_t {
-  route_clear,         // nothing detected comes near the planned route
-  own_state_unusable,  // a number of the vehicle's own state is none, or its time goes back: what was said holds
-  at_surface,          // nothing can be steered
+  route_clear,         // no detected object comes near the planned route
+  own_state_unusable,  // own state invalid, or its time goes back: the last guidance stays
+  at_surface,          // the vehicle cannot steer
   evading,             // the planned route comes too near to a detected object
-  too_close,           // an object is or will very soon be too close for the route being followed
-  no_path,             // evasion is needed, and path planning has found none in its budget
+  too_close,           // an object is, or will very soon be, too close for the followed route
+  no_path,             // evasion is needed, but path planning found no path within its budget
   path_not_ready,      // evasion is needed, and no path has been planned yet
-  goal_occupied,       // the last waypoint is covered by an object; keeps clear until it is free
-  boxed_in,            // no heading is free of contact: the one with the latest contact
-  current_too_strong,  // no nearer to the goal for that long, against a current that the vehicle does not master
+  goal_occupied,       // an object covers the last waypoint; keeps clear until it is free
+  boxed_in,            // every heading leads to contact: the one with the latest contact is steered
+  current_too_strong,  // no nearer to the goal for too long, in a current that is too strong
   no_progress          // no nearer to the goal for longer than the settings allow
 };
 
@@ -58,7 +58,7 @@ enum class Reason : std::uint8_t {
   return "";
 }
 
-/// What the autopilot is asked to do until the next step.
+/// Orders to the autopilot until the next step.
 struct Guidance {
   Mode mode{Mode::mission};
   Reason reason{Reason::route_clear};
@@ -67,9 +67,9 @@ struct Guidance {
                            // `waypoint` as the mission asks
   std::size_t waypoint{};  // of the mission's list, the one under way; rises past those that evasion
                            // left behind
-  std::optional<core::Metres> shallowest{};  // inflect there at the latest when climbing
-  std::optional<core::Metres> deepest{};     // inflect there at the latest when diving
-  bool thruster{};                           // a vehicle that has one is asked to use it
+  std::optional<core::Metres> shallowest{};  // turn at this depth at the latest when climbing
+  std::optional<core::Metres> deepest{};     // turn at this depth at the latest when diving
+  bool thruster{};                           // use the thruster, if the vehicle has one
 
   friend bool operator==(const Guidance&, const Guidance&) = default;
 };

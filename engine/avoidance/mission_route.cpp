@@ -10,7 +10,7 @@
 namespace floeplan::avoidance {
 namespace {
 
-constexpr double least_speed_m_s = 0.02;  // over ground: who makes less is held to stand still
+constexpr double least_speed_m_s = 0.02;  // over ground; a slower vehicle counts as standing still
 
 bool is_finite_place(geo::PlanePoint p) { return std::isfinite(p.x_m) && std::isfinite(p.y_m); }
 
@@ -47,7 +47,7 @@ TimedWay MissionRoute::way(const Going& going, const WaterFrame& water, double h
   const double end_s = going.time_s + horizon_s;
   geo::PlanePoint from = going.place;
   double time_s = going.time_s;
-  // A place fixed to the ground drifts against the current, seen from the water.
+  // In the water frame a place on the ground drifts against the current.
   const auto in_water = [&](geo::PlanePoint place, double at_s) {
     const geo::PlanePoint now = water.from_local(place);
     const double since_s = at_s - going.time_s;
@@ -72,7 +72,7 @@ TimedWay MissionRoute::way(const Going& going, const WaterFrame& water, double h
 std::optional<RoutePlace> MissionRoute::place_along(geo::PlanePoint abeam_of, double along_m) const {
   if (is_done()) return std::nullopt;
   geo::PlanePoint from = next_ > 0 ? waypoints_[next_ - 1] : start_.value_or(abeam_of);
-  // On the leg under way, the place nearest to the vehicle.
+  // The place on the current leg nearest to the vehicle.
   const geo::PlanePoint to = waypoints_[next_];
   const double length_m = distance_m(from, to);
   if (length_m > 0.0) {

@@ -12,7 +12,8 @@
 
 namespace floeplan::avoidance {
 
-/// How the vehicle moves: its place in the local plane, its horizontal speed through the water, and the current.
+/// Motion of the vehicle: its place in the local plane, its horizontal speed through the water, and the
+/// current.
 struct Going {
   geo::PlanePoint place{};
   double time_s{};
@@ -23,31 +24,31 @@ struct Going {
 /// A place on the planned route.
 struct RoutePlace {
   geo::PlanePoint place{};
-  std::size_t waypoint{};  // the end of its leg
-  double along_m{};        // from where the vehicle is abeam of the route
+  std::size_t waypoint{};  // end of the leg
+  double along_m{};        // distance along the route from the place abeam of the vehicle
 };
 
-/// The mission's waypoint list and how far the vehicle has come in it. Frame: the flight's local plane.
+/// The mission's waypoints and the progress of the vehicle. Frame: the flight's local plane.
 class MissionRoute {
  public:
-  /// Errors   std::invalid_argument without waypoints or where one is not finite
+  /// Errors   std::invalid_argument for no waypoints or one that is not finite
   MissionRoute(std::vector<geo::PlanePoint> waypoints, core::Metres reached_within);
 
-  /// Counts waypoints that lie within reach now as reached; the first call sets where the first leg begins.
+  /// Marks waypoints that are within reach as reached. The first call sets the beginning of the first leg.
   void visit(geo::PlanePoint place);
-  /// Leaves the waypoints before this one behind.
+  /// Marks all waypoints before this one as passed.
   void skip_to(std::size_t waypoint);
 
   [[nodiscard]] std::size_t next() const { return next_; }
   [[nodiscard]] bool is_done() const { return next_ >= waypoints_.size(); }
   [[nodiscard]] const std::vector<geo::PlanePoint>& waypoints() const { return waypoints_; }
-  /// Over the remaining legs; zero when done.
+  /// Distance over the remaining legs; zero at the end.
   [[nodiscard]] double to_go_m(geo::PlanePoint place) const;
 
-  /// The way that the mission's autopilot would take from here for `horizon_s`.
+  /// The way that the mission's autopilot would take from here in the next `horizon_s` seconds.
   [[nodiscard]] TimedWay way(const Going& going, const WaterFrame& water, double horizon_s) const;
-  /// The place on the planned legs that lies `along_m` behind the one abeam of the vehicle; the last waypoint when the
-  /// route is shorter. Empty when done.
+  /// The place on the planned legs `along_m` ahead of the place abeam of the vehicle; the last waypoint if
+  /// the route is shorter. Empty at the end.
   [[nodiscard]] std::optional<RoutePlace> place_along(geo::PlanePoint abeam_of, double along_m) const;
 
  private:

@@ -9,11 +9,11 @@ namespace floeplan::avoidance {
 namespace {
 
 constexpr std::size_t one_looks_past =
-    4;  // of so many echoes: a cell that is not there is seen through often enough
+    4;  // echoes: only every fourth is tested, which is often enough to find cells that do not exist
 
-constexpr double least_row_height = 0.1;  // of beams without a height of their own, 6 degrees
+constexpr double least_row_height = 0.1;  // for beams without a height of their own: 6 degrees
 
-/// Whether more of the object would have echoed, were there more of it: near enough, ahead, and seen in this ping.
+/// Whether a larger object would have given more echoes: it is near enough, ahead, and was seen in this ping.
 bool is_in_view(const TrackedObject& object, double now_s, double apart_m, const SonarView& sonar) {
   return object.seen_s() == now_s && apart_m < 0.75 * sonar.reach.value;
 }
@@ -53,8 +53,8 @@ void ObjectMap::take(std::span<const Echo> ping, const OwnState& own, geo::Plane
   look_past(own, own_in_water);
 }
 
-/// Below keels and above tops. A top counts as looked over where the highest row of beams looks a row's height above
-/// it: an echo of that row itself may be the foot of what goes on above.
+/// Counts looks below keels and above tops. A top is looked over if the highest row of beams is a row's
+/// height above it: an echo of that row may still be the foot of a part that goes on above.
 void ObjectMap::look_past(const OwnState& own, geo::PlanePoint own_in_water) {
   const SonarView& view = settings_.sonar;
   const double pitch = own.attitude.pitch.value;

@@ -12,26 +12,27 @@
 
 namespace floeplan::avoidance {
 
-/// The objects that the sonar's returns have shown so far: confirmed echoes, those near to each other one object, each
+/// The objects that the sonar has detected: confirmed echoes near to each other form one object, which is
 /// tracked over time.
 /// Frame    water
-/// Memory   fixed; no member allocates. When full the object not seen for the longest time gives way
+/// Memory   fixed; no member allocates. When full, the object not seen for the longest time is dropped
 class ObjectMap {
  public:
   static constexpr std::size_t most_objects = 24;
 
   explicit ObjectMap(const AvoidanceSettings& settings) : settings_{settings} {}
 
-  /// Moves every object on and drops what has not been seen for too long.
+  /// Moves every object to this time, and drops those not seen for too long.
   void advance(double now_s);
-  /// Takes the echoes of one ping. Precondition: advanced to its time.
+  /// Takes the echoes of one ping. Precondition: `advance` was called for its time.
   void take(std::span<const Echo> ping, const OwnState& own, geo::PlanePoint own_in_water);
 
-  /// Takes an echo of the sea bed: what it lies right below stands on it, and is no cover to look below.
+  /// Takes an echo of the sea bed. An object just above it stands on the bed, so the vehicle cannot pass
+  /// below.
   void stand_on(const Echo& bed);
-  /// Adds a patch of surface that needs no confirmation. Precondition: advanced to its time.
+  /// Adds a patch of surface that needs no confirmation. Precondition: `advance` was called for its time.
   void add(const Echo& confirmed, geo::PlanePoint vehicle);
-  /// Takes an object out; the last one moves to its place.
+  /// Removes an object; the last one moves to its index.
   void remove(std::size_t i);
 
   [[nodiscard]] std::size_t size() const { return size_; }

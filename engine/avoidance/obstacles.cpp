@@ -10,9 +10,9 @@
 namespace floeplan::avoidance {
 namespace {
 
-constexpr double patch_m = 0.75 * SurfaceCell::size_m;  // neighbouring patches overlap
+constexpr double patch_m = 0.75 * SurfaceCell::size_m;  // so that neighbouring patches overlap
 constexpr double most_uncertainty_m =
-    30.0;                                 // a surface less sure than that is not believed to be anywhere near
+    30.0;  // position error in metres beyond which a detected surface is ignored
 constexpr double most_growth_m_s = 0.05;  // what is seen again and again is corrected sooner
 constexpr double growth_lasts_s = 300.0;
 
@@ -20,7 +20,7 @@ double apart_m(const Obstacle& obstacle, geo::PlanePoint place) {
   return distance_m(obstacle.centre, place) - obstacle.radius_m;
 }
 
-/// Calls `take` for the surfaces within reach, object by object, and for what may lie behind them.
+/// Calls `take` for the surfaces within reach, object by object, and for guessed surfaces behind them.
 template <class Take>
 void for_each_patch(const ObjectMap& objects, geo::PlanePoint own_in_water, double reach_m,
                     const Take& take) {
@@ -33,7 +33,7 @@ void for_each_patch(const ObjectMap& objects, geo::PlanePoint own_in_water, doub
       const SurfaceCell& cell = object.cell(k);
       if (!cell.beside_other) take({object.place(cell), object.drift(), radius_m, growth_m_s, false});
     }
-    // A berg is about as deep as it is wide: the disc over its visible face.
+    // A berg is about as deep as it is wide, so its body is guessed as a disc over its visible face.
     const Obstacle body{object.centre(), object.drift(), object.half_extent_m(), growth_m_s, true};
     if (apart_m(body, own_in_water) > 0.0) take(body);
   }
@@ -42,7 +42,7 @@ void for_each_patch(const ObjectMap& objects, geo::PlanePoint own_in_water, doub
 }  // namespace
 
 motion::MovingDisc disc_of(const Obstacle& obstacle, double now_s, double until_s, double clearance_m) {
-  // Doubt about the drift counts for a while only, spread over the span: what lies ahead is seen again by then.
+  // The uncertainty of the drift grows for a limited time only, because objects ahead are seen again by then.
   const double span_s = std::max(until_s - now_s, 1.0);
   const double growth = obstacle.growth_m_s * std::min(1.0, growth_lasts_s / span_s);
   return {now_s, until_s, obstacle.centre, obstacle.drift, obstacle.radius_m + clearance_m, growth};

@@ -11,24 +11,24 @@
 
 namespace floeplan::avoidance {
 
-/// A patch of a detected surface as what must not be touched: a disc that moves on and grows with what is not known of
-/// its drift. Frame: water.
+/// A patch of a detected surface that must not be touched, as a disc. It moves, and grows with the
+/// uncertainty of its drift. Frame: water.
 struct Obstacle {
   geo::PlanePoint centre{};
   geo::PlaneVelocity drift{};
-  double radius_m{};    // of the patch and twice the sigma of its place
-  double growth_m_s{};  // one sigma of its drift
-  bool is_guess{};      // what may lie behind the surface seen: looked at by path planning alone
+  double radius_m{};    // radius of the patch plus two standard deviations of its place
+  double growth_m_s{};  // one standard deviation of its drift
+  bool is_guess{};      // a guess behind the seen surface; used by path planning only
 
   friend bool operator==(const Obstacle&, const Obstacle&) = default;
 };
 
-/// The obstacle from `now_s` to `until_s`, kept off by `clearance_m`.
+/// The obstacle's disc from `now_s` to `until_s`, enlarged by `clearance_m`.
 [[nodiscard]] motion::MovingDisc disc_of(const Obstacle& obstacle, double now_s, double until_s,
                                          double clearance_m);
 
 /// The obstacles near the vehicle.
-/// Memory   fixed; no member allocates. When more are near, the farthest are left out
+/// Memory   fixed; no member allocates. If there are more, the farthest are left out
 class Obstacles {
  public:
   static constexpr std::size_t most = 768;
@@ -37,7 +37,7 @@ class Obstacles {
   void collect(const ObjectMap& objects, geo::PlanePoint own_in_water, double reach_m);
 
   [[nodiscard]] std::span<const Obstacle> all() const { return {list_.data(), size_}; }
-  /// Distance from a place to the nearest surface; empty: none.
+  /// Distance from a place to the nearest surface; empty: there is none.
   [[nodiscard]] std::optional<double> nearest_m(geo::PlanePoint place) const;
 
  private:

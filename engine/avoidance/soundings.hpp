@@ -8,7 +8,7 @@
 
 namespace floeplan::avoidance {
 
-/// A depth found at a place.
+/// A measured depth at a place.
 struct Sounding {
   geo::PlanePoint place{};
   double depth_m{};
@@ -18,12 +18,12 @@ struct Sounding {
 };
 
 /// Depths of the sea bed or of the ice's underside around the vehicle, some 15 m apart.
-/// Memory   fixed; when full the oldest gives way
+/// Memory   fixed; when full, the oldest is dropped
 class Soundings {
  public:
   static constexpr double apart_m = 15.0;
 
-  /// Where one lies near already, only its time and `depth_m` as the caller wants it are renewed.
+  /// Adds a sounding. If one is near already, only its time is renewed and, if `renews_depth`, its depth.
   void take(const Sounding& found, bool renews_depth);
   void forget_before(double time_s) {
     forget_if([&](const Sounding& sounding) { return sounding.time_s < time_s; });

@@ -18,13 +18,13 @@ namespace floeplan::avoidance {
   return {from.x_m + way_m * std::sin(heading_rad), from.y_m + way_m * std::cos(heading_rad)};
 }
 
-/// Where to point the nose to make good a course in a current, and the speed that is made good.
+/// Heading that holds a course in a current, and the resulting speed.
 struct Crab {
   double heading_rad{};
-  double speed_m_s{};  // over ground, along the course; negative: set back
+  double speed_m_s{};  // over ground along the course; negative: the current sets the vehicle back
 };
 
-/// Where the current across the course is stronger than the vehicle, the nose points straight against it.
+/// If the current across the course exceeds the vehicle's speed, the nose points straight against it.
 /// Source   navigation triangle, as in engine/motion/crabbing.hpp
 [[nodiscard]] inline Crab crab(double course_rad, geo::VelocityEn current, double through_water_m_s) {
   const double east = std::sin(course_rad);

@@ -8,7 +8,7 @@
 
 namespace floeplan::avoidance {
 
-/// A place and when to be there, seconds on the clock of the flight.
+/// A place and the time to be there, in seconds on the clock of the flight.
 struct TimedPoint {
   geo::PlanePoint place{};
   double time_s{};
@@ -16,13 +16,14 @@ struct TimedPoint {
   friend bool operator==(const TimedPoint&, const TimedPoint&) = default;
 };
 
-/// Straight even moves from point to point. Frame: water, where a steady heading is a straight move.
+/// Straight moves at constant speed from point to point. Frame: water, where a steady heading is a straight
+/// line.
 /// Memory   fixed
 class TimedWay {
  public:
   static constexpr std::size_t most_points = 128;
 
-  /// A point beyond the room is left out: the way then ends earlier.
+  /// Adds a point. Beyond `most_points` it is left out, so the way ends earlier.
   void add(const TimedPoint& point) {
     if (size_ < most_points) points_[size_++] = point;
   }

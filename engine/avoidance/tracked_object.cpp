@@ -9,14 +9,14 @@
 namespace floeplan::avoidance {
 namespace {
 
-constexpr double neighbourhood_m = 15.0;    // cells within it make the line through the surface
-constexpr double straightness = 3.0;        // least ratio of their variances along and across it
-constexpr double surface_sigma_m = 2.0;     // of a berg's roughness around that line
-constexpr double independent_echoes = 4.0;  // of one ping: errors of neighbouring beams go together
+constexpr double neighbourhood_m = 15.0;    // cells within it define the line through the surface
+constexpr double straightness = 3.0;        // least ratio of the cells' variances along and across the line
+constexpr double surface_sigma_m = 2.0;     // roughness of a berg around that line
+constexpr double independent_echoes = 4.0;  // per ping: errors of adjacent beams are correlated
 constexpr double drift_walk_m2_s3 = 1e-6;   // (0.01 m/s)^2 in 100 s
-constexpr std::uint16_t settled_hits = 6;   // after them a cell's place holds: it is what drift is told by
-constexpr double join_m = 25.0;             // a surface so near belongs to the same body
-constexpr double past_cell_m = 15.0;        // an echo so far behind a cell has looked past it
+constexpr std::uint16_t settled_hits = 6;   // then a cell's place is fixed, and the drift is measured by it
+constexpr double join_m = 25.0;             // a surface this near belongs to the same body
+constexpr double past_cell_m = 15.0;        // an echo this far behind a cell shows that it is gone
 
 double squared(double x) { return x * x; }
 
@@ -24,7 +24,7 @@ double squared_distance(geo::PlanePoint a, geo::PlanePoint b) {
   return squared(a.x_m - b.x_m) + squared(a.y_m - b.y_m);
 }
 
-/// Greater of the two eigenvalues of a symmetric matrix (a, b; b, d).
+/// Greater of the two eigenvalues of the symmetric matrix (a, b; b, d).
 double greater_eigenvalue(double a, double b, double d) {
   return 0.5 * (a + d) + std::hypot(0.5 * (a - d), b);
 }
@@ -44,9 +44,9 @@ class LocalLine {
   struct Fit {
     double normal_x;
     double normal_y;
-    double residual_m;  // of the echo, along the normal
+    double residual_m;  // distance of the echo from the line, along the normal
   };
-  /// The line through the cells, seen from an echo at (0, 0); empty if the cells lie on no line.
+  /// The line through the cells, relative to an echo at (0, 0); empty if the cells are not on a line.
   [[nodiscard]] std::optional<Fit> fit() const {
     if (count_ < 3) return std::nullopt;
     const double n = count_;
@@ -73,7 +73,7 @@ class LocalLine {
 TrackedObject::TrackedObject(std::uint32_t id, const Echo& first, double now_s,
                              core::MetresPerSecond drift_sigma)
     : id_{id}, state_{first.place.x_m, first.place.y_m, 0.0, 0.0}, now_s_{now_s}, seen_s_{now_s} {
-  covariance_[0][0] = covariance_[1][1] = 1.0;  // a metre: the noise of the first echo
+  covariance_[0][0] = covariance_[1][1] = 1.0;  // a metre: the error of the first echo
   covariance_[2][2] = covariance_[3][3] = squared(drift_sigma.value);
 }
 
@@ -158,8 +158,8 @@ void TrackedObject::correct() {
   pull_ = {};
   echoes_ = 0;
 
-  // x += P_o (A P_oo + 1)^-1 b,  P -= P_o (A P_oo + 1)^-1 A P_o^T: Kalman's update by information A and pull b, which
-  // needs no inverse of an A that knows one direction alone.
+  // x += P_o (A P_oo + 1)^-1 b,  P -= P_o (A P_oo + 1)^-1 A P_o^T: Kalman's update in information form
+  // (matrix A, vector b). It needs no inverse of A, which is singular if only one direction was measured.
   const auto& p = covariance_;
   const double m00 = a * p[0][0] + b * p[1][0] + 1.0;
   const double m01 = a * p[0][1] + b * p[1][1];
@@ -185,7 +185,7 @@ void TrackedObject::correct() {
       covariance_[row][column] -= g0 * before[0][column] + g1 * before[1][column];
     }
   }
-  for (std::size_t row = 0; row < 4; ++row) {  // rounding must not make it lopsided
+  for (std::size_t row = 0; row < 4; ++row) {  // keeps it symmetric in spite of rounding
     for (std::size_t column = row + 1; column < 4; ++column) {
       covariance_[row][column] = covariance_[column][row] =
           0.5 * (covariance_[row][column] + covariance_[column][row]);
@@ -306,7 +306,7 @@ void TrackedObject::measure_box() {
 }
 
 void TrackedObject::remove(std::size_t i) {
-  if (!cells_[i].beside_other) {  // who was beside it must be seen from now on
+  if (!cells_[i].beside_other) {  // cells beside it must be seen from above again
     for (std::size_t k = 0; k < size_; ++k) {
       if (squared_distance(cells_[k].offset, cells_[i].offset) < squared(0.5 * SurfaceCell::size_m)) {
         cells_[k].beside_other = false;

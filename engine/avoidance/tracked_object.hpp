@@ -12,24 +12,25 @@
 
 namespace floeplan::avoidance {
 
-/// A patch of a surface that the sonar has seen, about `SurfaceCell::size_m` wide and high.
+/// A patch of surface that the sonar has seen, about `SurfaceCell::size_m` wide and high.
 struct SurfaceCell {
   static constexpr double size_m = 6.0;
 
   geo::PlanePoint offset{};  // from the object's origin
   double depth_m{};
-  double deepest_m{};  // the greatest depth from which all its echoes can have come
-  double seen_s{};     // when last, on the clock of the flight
+  double deepest_m{};  // greatest depth from which all its echoes can come
+  double seen_s{};     // last time, on the clock of the flight
   std::uint16_t hits{};
-  bool beside_other{};  // seen from above another cell lies there already
+  bool beside_other{};  // another cell is at the same place in the plane
 };
 
-/// A body as far as the sonar has seen it: its surface, and how it moves.
+/// A body as seen by the sonar so far: its surface and its motion.
 /// Frame    water; the surface is fixed to the origin, which moves with the estimated drift
-/// Filter   Kalman's on the origin's place and drift. Each echo on a known part of the surface says how far the surface
-///          has moved along its normal (the line through the cells around it); along a straight wall nothing is learnt.
-///          The drift is a random walk of 0.01 m/s in 100 s: what turning bergs and sheared water do to it
-/// Memory   fixed; when full the cell farthest from the vehicle gives way
+/// Filter   A Kalman filter for the origin's place and drift. Each echo on a known part of the surface
+///          measures the surface's displacement along its normal (of the line through the cells around it);
+///          along a straight wall nothing is measured. The drift is a random walk of 0.01 m/s in 100 s, for
+///          rotating bergs and sheared currents
+/// Memory   fixed; when full, the cell farthest from the vehicle is dropped
 /// Source   point-to-line registration: Censi 2008, doi:10.1109/ROBOT.2008.4543181; Kalman 1960
 class TrackedObject {
  public:
@@ -40,16 +41,16 @@ class TrackedObject {
 
   void advance(double now_s);
 
-  /// How near the echo is to the surface seen so far.
+  /// Position of an echo relative to the surface seen so far.
   enum class Match : std::uint8_t { none, near_by, on_surface };
-  /// An echo on the surface refreshes it and is remembered for `correct`.
+  /// Matches an echo. On the surface it refreshes the surface and is stored for `correct`.
   Match take(const Echo& echo, const SonarView& sonar);
-  /// Corrects place and drift by the echoes that were on the surface since the last time.
+  /// Corrects place and drift by the echoes on the surface since the last call.
   void correct();
   /// Adds a patch of surface that has been confirmed.
   void add(const Echo& confirmed, geo::PlanePoint vehicle);
   void forget_before(double seen_s);
-  /// Whether the sonar looks past a cell at something behind it: such a cell was never there, or is not any more.
+  /// Handles an echo behind a cell: a cell that the sonar sees through does not exist, or no longer.
   void contradict(const Echo& echo, geo::PlanePoint vehicle, double vehicle_depth_m);
 
   [[nodiscard]] std::uint32_t id() const { return id_; }
@@ -59,23 +60,23 @@ class TrackedObject {
     return {state_[0] + cell.offset.x_m, state_[1] + cell.offset.y_m};
   }
   [[nodiscard]] geo::PlaneVelocity drift() const { return {state_[2], state_[3]}; }
-  [[nodiscard]] double place_sigma_m() const;  // of the worse direction
+  [[nodiscard]] double place_sigma_m() const;  // standard deviation in the worse direction
   [[nodiscard]] double drift_sigma_m_s() const;
-  /// The smallest box round the cells, seen from above.
+  /// Centre of the smallest box around the cells in the plane.
   [[nodiscard]] geo::PlanePoint centre() const;
-  [[nodiscard]] double half_extent_m() const;              // half its diagonal
+  [[nodiscard]] double half_extent_m() const;              // half the diagonal of that box
   [[nodiscard]] double keel_m() const { return keel_m_; }  // depth of the lowest cell
-  [[nodiscard]] double top_m() const { return top_m_; }    // of the highest
+  [[nodiscard]] double top_m() const { return top_m_; }    // depth of the highest cell
   [[nodiscard]] double seen_s() const { return seen_s_; }
-  /// Pings in a row that looked below the keel and met nothing.
+  /// Number of consecutive pings that looked below the keel and found nothing.
   [[nodiscard]] int looks_below() const { return looks_below_; }
-  /// `lowest_look_m`: how deep the sonar would have seen the object's side.
+  /// `lowest_look_m`: depth down to which the sonar would have seen the object's side.
   void look_below(double lowest_look_m);
-  /// Nothing was looked below where an echo of the sea bed lies under the keel without a gap.
+  /// Resets the looks below if the sea bed's echo lies directly under the keel.
   void stand_on(const Echo& bed);
-  /// Pings in a row in which beams looked over the top and met nothing.
+  /// Number of consecutive pings with beams above the top that found nothing.
   [[nodiscard]] int looks_above() const { return looks_above_; }
-  /// `least_top_m`: a top deeper than that had a row of beams above it.
+  /// Counts such a ping. `least_top_m`: only tops deeper than this had a row of beams above them.
   void look_above(double least_top_m);
 
  private:
@@ -93,10 +94,11 @@ class TrackedObject {
   double top_m_{};
   int looks_below_{};
   int looks_above_{};
-  geo::PlanePoint low_{};  // corners of the box, from the origin
+  geo::PlanePoint low_{};  // corners of the box, relative to the origin
   geo::PlanePoint high_{};
 
-  // Sums over the echoes since the last correction: of n n^T / sigma^2 and of n r / sigma^2.
+  // Sums over the echoes since the last correction: of n n^T / sigma^2 and of n r / sigma^2 (n: normal, r:
+  // residual).
   std::array<double, 3> information_{};
   std::array<double, 2> pull_{};
   int echoes_{};

@@ -11,29 +11,29 @@ namespace floeplan::avoidance {
 namespace {
 
 constexpr double right_angle = std::numbers::pi / 2.0;
-constexpr double soundings_hold_s = 900.0;   // some 300 m of way
-constexpr double steepest = 0.2;             // of a bed or an underside: beyond that it is taken for a wall
-constexpr double noise_m = 3.0;              // of an echo's depth
+constexpr double soundings_hold_s = 900.0;   // validity of soundings: some 300 m of way
+constexpr double steepest = 0.2;             // of a bed or an underside; steeper surfaces count as walls
+constexpr double noise_m = 3.0;              // error of an echo's depth
 constexpr double sounding_radius_m = 150.0;  // farther from a sounding nothing is concluded from it
 constexpr double bed_echo_holds_s = 120.0;
 constexpr double silence_tells_s = 30.0;
-constexpr double heard_from_m = 40.0;    // by any altimeter, of any bed
-constexpr double overhead_m = 3.0;       // the least height above the vehicle of an echo from above
-constexpr double below_within_m = 15.0;  // seen from above, of what a wall stands on
-constexpr double underfoot_m = 10.0;     // the same below: nearer, the altimeter tells
+constexpr double heard_from_m = 40.0;    // range at which any altimeter hears any bed
+constexpr double overhead_m = 3.0;       // least height of an echo above the vehicle to count as overhead
+constexpr double below_within_m = 15.0;  // horizontal, of what a wall stands on, for echoes from above
+constexpr double underfoot_m = 10.0;     // horizontal, for echoes from below; nearer, the altimeter measures
 constexpr double seek_beds_every_s = 10.0;
-constexpr double cover_width_m = 200.0;  // of the greatest bergs that are gone round without a doubt
+constexpr double cover_width_m = 200.0;  // larger than any berg, which is always gone round
 constexpr int looks_needed = 20;         // pings
-constexpr double least_slope = 0.35;     // of a glider's way: 20 degrees
-constexpr double turning_way_m = 15.0;   // from the order to climb to climbing: half a minute of pumping
-constexpr double rise_over_m = 15.0;     // of way, that the bed's rise is taken from
+constexpr double least_slope = 0.35;     // of a glider's path: 20 degrees
+constexpr double turning_way_m = 15.0;   // from the order to climb to the climb: half a minute of pumping
+constexpr double rise_over_m = 15.0;     // distance over which the bed's rise is measured
 constexpr double rise_within_s = 300.0;
-/// The altimeter looks straight down in a dive; looking ahead in a climb, its beam's near edge makes the bed an eighth
-/// shoaler.
+/// Pitch in a dive at which the altimeter looks straight down. In a climb it looks ahead, and the near edge
+/// of its beam makes the bed seem an eighth shallower.
 constexpr double straight_down_pitch = -0.35;
-constexpr double least_rise = 0.03;  // the altimeter's noise makes 0.01 of it
+constexpr double least_rise = 0.03;  // the altimeter's noise alone gives 0.01
 constexpr double shoal_watch_m = 80.0;
-constexpr double nearest_shoal_m = 40.0;  // room to turn in
+constexpr double nearest_shoal_m = 40.0;  // distance needed for a turn
 constexpr double shoal_patches_apart_m = 12.0;
 
 }  // namespace
@@ -55,12 +55,12 @@ void VerticalRoom::read_altimeter(const OwnState& own) {
     if (own.attitude.pitch.value < straight_down_pitch) look_for_shoal(below);
     return;
   }
-  // It looks down while the vehicle dives.
+  // The altimeter looks down only in a dive.
   if (own.attitude.pitch.value < 0.0) silent_s_ += now_s_ - before_s_;
   if (silent_s_ >= silence_tells_s) unlearn_bed();
 }
 
-/// Looks along the way as far as the bed's rise since the last time can be trusted.
+/// Looks for a shoal ahead, as far as the measured rise of the bed can be extrapolated.
 void VerticalRoom::look_for_shoal(const Sounding& below) {
   const double way_m = sounded_ ? distance_m(sounded_->place, below.place) : 0.0;
   const bool is_of_use = sounded_ && below.time_s - sounded_->time_s < rise_within_s;
@@ -83,8 +83,8 @@ void VerticalRoom::look_for_shoal(const Sounding& below) {
   shoal_ = edge;
 }
 
-/// Where the altimeter hears nothing the bed is far below, and no slope leads up from there to what was taken for one:
-/// the foot of a berg.
+/// Removes soundings of the bed that were wrong. If the altimeter hears nothing, the bed is far below; no
+/// slope then leads from there up to such a sounding, which was the foot of a berg.
 void VerticalRoom::unlearn_bed() {
   const auto is_none = [&](const Sounding& bed) {
     return bed.depth_m < depth_m_ + heard_from_m - steepest * distance_m(bed.place, place_);
@@ -118,7 +118,7 @@ bool VerticalRoom::is_known_bed(geo::PlanePoint place, double depth_m) const {
   });
 }
 
-/// Whether the vehicle clears a bed there when it begins to climb now; half the margin is for the turn.
+/// Whether the vehicle clears the bed there if it begins to climb now. Half the margin is for the turn.
 bool VerticalRoom::is_passed_above(geo::PlanePoint place, double bed_m) const {
   const double way_m = std::max(0.0, distance_m(place, place_) - turning_way_m);
   return depth_m_ - (bed_m - 0.5 * settings_.vertical_margin.value) <= least_slope * way_m;
@@ -153,7 +153,7 @@ bool VerticalRoom::is_bed_throughout(const TrackedObject& object) const {
   return true;
 }
 
-/// Ice never does: it reaches up to the surface.
+/// Whether the object ends below the vehicle's path. Ice never does: it reaches the surface.
 bool VerticalRoom::ends_below(const TrackedObject& object) const {
   if (object.looks_above() < looks_needed || !has_room_over(object.top_m())) return false;
   for (std::size_t i = 0; i < object.size(); ++i) {
@@ -178,8 +178,8 @@ void VerticalRoom::take_beds(ObjectMap& objects) {
   }
 }
 
-/// Whether the echo comes from steeply above, and from no wall: of a wall the beams below hear what stands under it, no
-/// farther off.
+/// Whether the echo comes from steeply above and not from a wall. For a wall, lower beams have echoes below
+/// it that are no farther away.
 bool VerticalRoom::is_overhead(const Echo& echo) const {
   const double above_m = depth_m_ - echo.depth_m;
   const double away_m = distance_m(place_, echo.place);
@@ -197,7 +197,7 @@ bool VerticalRoom::is_roof(const Echo& echo) {
   const bool overhead = is_overhead(echo);
   bool is_known = false;
   bool goes_on =
-      false;  // at the same slope without the noise: else a wall would be walked down, noise by noise
+      false;  // at the same slope without the noise: with the noise a wall would count as bed, step by step
   for (const Sounding& roof : roof_.all()) {
     const double apart_m = distance_m(roof.place, echo.place);
     if (apart_m > sounding_radius_m) continue;

@@ -16,53 +16,55 @@
 
 namespace floeplan::avoidance {
 
-/// The depths left to the saw-tooth between ice above and the sea bed below, and which echoes the vehicle need not go
-/// round because it passes above or below what they come from.
-/// Sonar    an echo comes from anywhere within the height of its beam. Where the sea bed or the underside of ice is known near by
-///          and lies within that height, the echo counts as an echo of it
-/// Shoals   where the altimeter finds the bed rising towards less than the least water, the edge of the shoal is a
-///          thing to go round; nothing else hears a bed that lies close below
+/// The depths left for the saw-tooth between the ice and the sea bed, and which echoes need no evasion
+/// because the vehicle passes above or below their source.
+/// Sonar    an echo may come from anywhere within the height of its beam. If the sea bed or the underside of
+///          ice is known nearby and lies within that height, the echo counts as theirs
+/// Shoals   if the altimeter finds the bed rising towards less than the least water, the edge of the shoal
+///          becomes an obstacle; no other sensor detects a bed close below
 /// Frame    water
 /// Memory   fixed; no member allocates
 class VerticalRoom {
  public:
-  /// Places in a row across the way, as patches of a surface.
+  /// Places in a row across the vehicle's course, as patches of a surface.
   using ShoalEdge = std::array<Echo, 5>;
 
-  /// How the vehicle gets past what an echo comes from, without going round it.
+  /// How the vehicle passes the source of an echo without going round it.
   enum class Pass : std::uint8_t { no, above, below };
 
   explicit VerticalRoom(const AvoidanceSettings& settings) : settings_{settings} {}
 
-  /// Takes up the vehicle's place, and what the altimeter has found below it, or not found.
+  /// Takes the vehicle's place, and the altimeter's echo or its absence.
   void sound(const OwnState& own, geo::PlanePoint own_in_water);
-  /// The echoes of one ping, borrowed until the next. Precondition: `sound` has been told where the vehicle is.
+  /// Begins a ping with these echoes, which are borrowed until the next ping. Precondition: `sound` was
+  /// called for this step.
   void begin_ping(std::span<const Echo> ping);
-  /// Whether the echo is one to go round. It is not:
-  /// - from below the saw-tooth;
-  /// - from a sea bed that a lower saw-tooth passes over, and that the vehicle is above by the time it gets there. A
-  /// bed is
-  ///   told from a wall by soundings, the altimeter's and echoes from steeply below: it rises by no more than 1 in 5
-  ///   from the nearest;
-  /// - from the underside of a cover of ice that a deeper saw-tooth passes under, told from a wall in the same way. Its
-  ///   first soundings are echoes from steeply above that nothing stands below, and covers recognised from afar.
-  /// A bed or a cover that leaves no room is a thing to go round. One that does limits the depth from now on,
-  /// once its echoes have confirmed each other.
+  /// Whether the vehicle passes the source of the echo without going round it. It does so:
+  /// - if the echo comes from below the saw-tooth;
+  /// - if it comes from a sea bed that a shallower saw-tooth passes over, which the vehicle reaches in time.
+  ///   A bed differs from a wall by soundings (the altimeter's and echoes from steeply below): it rises by at
+  ///   most 1 in 5 from the nearest;
+  /// - if it comes from the underside of an ice cover that a deeper saw-tooth passes under; it differs from a
+  ///   wall in the same way. Its first soundings are echoes from steeply above with nothing below them, and
+  ///   covers recognised from afar.
+  /// A bed or cover that leaves no room must be gone round. One that does limits the depth from then on, once
+  /// its echoes have confirmed each other.
   [[nodiscard]] Pass passes(const Echo& echo);
-  /// Recognises covers of ice among the objects and takes them out. A cover is as wide as the greatest bergs at least,
-  /// the sonar has looked below its keel for long enough and seen no bed that it stands on, a saw-tooth has room under
-  /// it, and the vehicle gets below it in time.
+  /// Recognises ice covers among the objects and removes them from the map. A cover is at least as wide as
+  /// the largest bergs; the sonar has looked below its keel for long enough and seen no bed below it; a
+  /// saw-tooth has room under it; and the vehicle gets below it in time.
   void take_covers(ObjectMap& objects);
 
-  /// Takes out the objects that turn out to be a bed that is passed over: what the sonar saw of a known bed before
-  /// there was a sounding, and what rises steeply but ends below, the sonar having looked over its top for long enough.
+  /// Removes objects that turn out to be a bed that the vehicle passes over: parts of a known bed seen before
+  /// there was a sounding, and steep rises that end below, over whose top the sonar has looked for long
+  /// enough.
   void take_beds(ObjectMap& objects);
 
-  /// The edge of a shoal ahead, when the altimeter has just found one.
+  /// The edge of a shoal ahead, if the altimeter has just found one.
   [[nodiscard]] std::optional<ShoalEdge> take_shoal() { return std::exchange(shoal_, std::nullopt); }
 
-  /// Where to inflect at the latest, climbing and diving; empty: as the mission says. Where ice and bed leave less than
-  /// the least band, or seem to, that band midway between them.
+  /// Limits of the depth, for climbs and dives; empty: as in the mission. If ice and bed leave less than the
+  /// least band, or seem to, that band half-way between them.
   [[nodiscard]] std::optional<core::Metres> shallowest() const { return band().top; }
   [[nodiscard]] std::optional<core::Metres> deepest() const { return band().bottom; }
 
@@ -100,12 +102,12 @@ class VerticalRoom {
   EchoConfirmation underfoot_confirmation_{};
   EchoConfirmation roof_confirmation_{};
   std::span<const Echo> ping_{};
-  std::optional<Sounding> shallowest_bed_{};  // that an echo showed lately
-  std::optional<Sounding> sounded_{};         // by the altimeter, some way back
+  std::optional<Sounding> shallowest_bed_{};  // shown by a recent echo
+  std::optional<Sounding> sounded_{};         // by the altimeter, some distance back
   std::optional<ShoalEdge> shoal_{};
-  double before_s_{};                      // of the step before
-  double silent_s_{};                      // that the altimeter has heard nothing while diving
-  std::optional<double> beds_sought_s_{};  // among the objects
+  double before_s_{};                      // time of the step before
+  double silent_s_{};                      // time without an altimeter echo while diving
+  std::optional<double> beds_sought_s_{};  // time of the last search among the objects
 };
 
 }  // namespace floeplan::avoidance

@@ -7,11 +7,11 @@
 
 namespace floeplan::core {
 
-/// Does independent pieces of work for the engine, which starts no thread itself: the caller of the engine says how many
-/// threads there are. Results do not depend on their number.
+/// Runs independent pieces of work for the engine, which starts no threads itself: its caller decides how
+/// many there are. Results do not depend on their number.
 class Executor {
  public:
-  /// `is_caller`  whether this is the thread that called `run`, where progress is listened to
+  /// `is_caller`  whether this thread is the one that called `run`; only it reports progress
   using Piece = std::function<void(std::size_t index, bool is_caller)>;
 
   Executor() = default;
@@ -19,16 +19,17 @@ class Executor {
   Executor& operator=(const Executor&) = delete;
   virtual ~Executor() = default;
 
-  /// Calls `piece` once for every index below `count`, in any order and maybe on several threads at once; each call writes
-  /// to its own place only. The calling thread may do pieces, too. Returns when all of them have ended.
+  /// Calls `piece` once for every index below `count`, in any order and maybe on several threads at once.
+  /// Each call must write only to data of its own. The calling thread may run pieces, too. Returns when all
+  /// pieces have ended.
   /// Errors  rethrows the first exception of a piece; some pieces are then left out
   virtual void run(std::size_t count, const Piece& piece) const = 0;
 };
 
-/// Does one piece after the other on the calling thread.
+/// An executor that runs one piece after another on the calling thread.
 [[nodiscard]] const Executor& in_order();
 
-/// Counts what has ended on several threads, and tells of it on the one that called `run`.
+/// Counts the pieces that have ended on any thread, and reports the count on the thread that called `run`.
 class CountOfEnded {
  public:
   explicit CountOfEnded(std::function<void(std::size_t)> listener) : listener_{std::move(listener)} {}

@@ -5,10 +5,10 @@
 
 namespace floeplan::core {
 
-/// Letters of ASCII in lower case, everything else as it is.
+/// ASCII letters in lower case, all other bytes unchanged.
 [[nodiscard]] std::string lower_case(std::string_view text);
 
-/// Letters and digits of ASCII alone, in lower case: how names and words of different makers are compared.
+/// Only the ASCII letters and digits of the text, in lower case: makes names of different makers comparable.
 [[nodiscard]] std::string plain_word(std::string_view text);
 
 }  // namespace floeplan::core

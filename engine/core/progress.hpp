@@ -8,9 +8,9 @@
 
 namespace floeplan::core {
 
-/// Long work calls it from time to time, on its own thread. The stage is a word or two ("search"). Details follow a colon, for
-/// places with room ("not possible as asked: the goal lies on land"). The fraction is the share of the whole work that is
-/// done, 0 to 1. The callback must be cheap; it is never called from an innermost loop.
+/// Called from time to time by long work, on its own thread. `stage` is a word or two ("search"); details may
+/// follow after a colon ("not possible as asked: the goal lies on land"). `fraction` is the share of the
+/// whole work that is done, 0 to 1. The callback must be cheap; it is never called from an innermost loop.
 using ProgressCallback = std::function<void(std::string_view stage, double fraction)>;
 
 /// The progress of a part of the work, scaled to the progress of the whole between `from` and `to`. All its stages are reported
@@ -38,7 +38,7 @@ inline ProgressCallback never_falling(const ProgressCallback& listener) {
 /// Divides the progress of work whose number of parts is not known in advance: each part gets half of the rest.
 class PartsOfProgress {
  public:
-  /// Both are borrowed and must outlive the parts.
+  /// `whole` and `stage` are borrowed and must outlive the parts.
   PartsOfProgress(const ProgressCallback& whole, std::string_view stage) : whole_{whole}, stage_{stage} {}
 
   /// The progress of the next part.

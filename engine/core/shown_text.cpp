@@ -17,11 +17,11 @@ bool ends_a_word(char c) {
   return std::isspace(static_cast<unsigned char>(c)) != 0 || c == '"' || c == ';' || c == ',' || c == '&';
 }
 
-/// What introduces a secret, and which characters it consists of after that.
+/// The text before a secret, and the characters that the secret itself consists of.
 struct SecretShape {
   std::string_view begin;  // in lower case
   bool (*belongs)(char);
-  std::size_t least;  // fewer are none
+  std::size_t least;  // least length of a secret; shorter text is not hidden
 };
 
 constexpr std::array<SecretShape, 3> shapes{{{"floeplan_session=", [](char c) { return !ends_a_word(c); }, 1},
@@ -49,7 +49,8 @@ std::string decoded_once(std::string_view text) {
   return result;
 }
 
-/// Until nothing is left to decode: what somebody else decodes once more must not hold a secret either.
+/// Percent-decodes the text repeatedly, at most five times: a reader who decodes once more must not find a
+/// secret either.
 std::string decoded(std::string_view text) {
   constexpr int most_layers = 5;
   std::string result{text};
@@ -134,7 +135,7 @@ std::string excerpt(std::string_view text) {
     if (word.size() > longest_word) {
       std::size_t kept = kept_of_word;
       while (kept > 0 && (static_cast<unsigned char>(word[kept]) & 0xC0U) == 0x80U)
-        --kept;  // whole characters
+        --kept;  // never cut inside a UTF-8 character
       result += std::string{word.substr(0, kept)} + "... (" + std::to_string(word.size()) + " characters)";
     } else {
       result += word;

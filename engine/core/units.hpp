@@ -7,8 +7,7 @@
 
 namespace floeplan::core {
 
-/// One double in the SI unit that its alias is named after. An operator exists only where its dimension is
-/// right.
+/// A double in the SI unit that its alias is named after. Only operators with a right dimension exist.
 template <class Tag>
 struct Quantity {
   double value{};

@@ -8,7 +8,7 @@
 namespace floeplan::core {
 namespace {
 
-/// Cursor over text that is consumed from the left; every reader leaves it where it was on failure.
+/// Reads text from left to right. A reader that fails leaves the position unchanged.
 class Reader {
  public:
   explicit Reader(std::string_view text) : rest_{text} {}
@@ -33,7 +33,7 @@ class Reader {
     return value;
   }
 
-  /// Unsigned decimal number, at most nine digits before the point.
+  /// An unsigned decimal number with at most nine digits before the point.
   std::optional<double> number() {
     std::size_t length = 0;
     while (length < rest_.size() &&
@@ -62,7 +62,7 @@ std::optional<UtcTime> midnight(int year, int month, int day) {
   return UtcTime{std::chrono::sys_days{date}};
 }
 
-/// Zone as seconds east of Greenwich.
+/// The time zone, as seconds east of Greenwich.
 std::optional<Seconds> zone(Reader& reader) {
   if (reader.take('Z') || reader.take('z')) return Seconds{0.0};
   const bool west = reader.take('-');

@@ -11,9 +11,9 @@ namespace floeplan::core {
 /// ISO 8601 text of an instant, UTC with `Z`: "2026-11-20T06:00:00Z", rounded to the nearest second.
 [[nodiscard]] std::string iso8601(UtcTime time);
 
-/// Instant written as ISO 8601 / RFC 3339: date, 'T' or blank, hh:mm[:ss[.fff]], then Z or +-hh:mm.
-/// Edges    a date alone means 00:00:00Z; a time without a zone is refused, since guessing one can be hours
-///          off
+/// Parses an instant in ISO 8601 / RFC 3339: date, 'T' or blank, hh:mm[:ss[.fff]], then Z or +-hh:mm.
+/// Edges    a date alone means 00:00:00Z; a time without a zone is refused, because a guess can be wrong by
+///          hours
 /// Outside  nullopt for anything else, for impossible dates (30 February) and for leap seconds
 [[nodiscard]] std::optional<UtcTime> parse_iso8601(std::string_view text);
 

@@ -10,7 +10,7 @@ constexpr std::uint32_t replacement = 0xFFFD;
 
 std::uint8_t byte_at(std::string_view bytes, std::size_t at) { return static_cast<std::uint8_t>(bytes[at]); }
 
-/// Bytes of the sequence that begins with `first`; 0 where none does.
+/// Number of bytes of the sequence that begins with `first`; 0 if no sequence does.
 std::size_t sequence_length(std::uint8_t first) {
   if (first < 0x80) return 1;
   if (first >= 0xC2 && first < 0xE0) return 2;
@@ -18,7 +18,8 @@ std::size_t sequence_length(std::uint8_t first) {
   return first >= 0xF0 && first < 0xF5 ? 4 : 0;
 }
 
-/// Whether a sequence of three or four bytes may go on with `second`: the others are overlong, surrogates or too large.
+/// Whether `second` is valid after `first` in a sequence of three or four bytes. Others are overlong,
+/// surrogates or too large.
 bool may_follow(std::uint8_t first, std::uint8_t second) {
   switch (first) {
     case 0xE0: return second >= 0xA0;

@@ -4,10 +4,11 @@
 
 namespace floeplan::core {
 
-/// The release, as "0.2.0": that of CMakeLists.txt. One source holds it, so that a new release compiles one file.
+/// The version, such as "0.2.0", from CMakeLists.txt. Only one source file contains it, so a new release
+/// compiles one file.
 [[nodiscard]] std::string_view version();
 
-/// "floeplan 0.2.0", as files and datasets name the program that wrote them.
+/// Program and version, such as "floeplan 0.2.0", as written into files and datasets.
 [[nodiscard]] std::string_view program_version();
 
 }  // namespace floeplan::core

@@ -7,8 +7,8 @@
 
 namespace floeplan::core {
 
-/// What a message speaks of: a number in the unit that its name ends in ("error_km"), a count, or words; a moment is
-/// words in ISO 8601.
+/// A value that a message names: a number in the unit in its name ("error_km"), a count, or text. A time is
+/// text in ISO 8601.
 using Value = std::variant<double, std::int64_t, std::string>;
 
 struct NamedValue {
@@ -18,13 +18,13 @@ struct NamedValue {
   friend bool operator==(const NamedValue&, const NamedValue&) = default;
 };
 
-/// One rule that outside data breaks. All of them are reported at once, never the first one alone.
+/// One rule that data from outside break. All violations are reported together, not only the first one.
 struct Violation {
-  std::string field;  // where: a JSON pointer ("/departure"), a flag ("--depart") or a variable of a file
-                      // ("uo.units")
-  std::string rule;   // what must hold, with the value found and a way out, for a person
-  std::string code{};                // for programs: the rule's row in the catalogue of messages; empty: of none
-  std::vector<NamedValue> values{};  // that the rule speaks of
+  std::string field;   // where: a JSON pointer ("/departure"), a flag ("--depart") or a variable of a file
+                       // ("uo.units")
+  std::string rule;    // for a person: the rule, the value found and how to correct it
+  std::string code{};  // for programs: row in the catalogue of messages; empty: none
+  std::vector<NamedValue> values{};  // values that the rule names
 
   friend bool operator==(const Violation&, const Violation&) = default;
 };

@@ -11,7 +11,7 @@ constexpr std::size_t longest_field = 200;
 constexpr std::size_t longest_rule = 1000;
 constexpr std::string_view ellipsis = "...";
 
-/// Whether the byte is one of a UTF-8 character but not its first.
+/// Whether the byte continues a UTF-8 character, that is, is not its first byte.
 bool continues(char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U; }
 
 }  // namespace

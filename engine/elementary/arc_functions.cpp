@@ -11,10 +11,10 @@
 namespace floeplan::elementary {
 namespace {
 
-constexpr int steps = 32;               // of the quotient, between 0 and 1
-constexpr int steps_of_series = 4;      // so near to 0 the series does without the table
-constexpr double negligible = 0x1p-27;  // atan x = asin x = x to within half a unit
-constexpr double flat = 0x1p-60;        // of such a quotient the arc differs by less than 2^-120
+constexpr int steps = 32;               // table steps for the quotient, from 0 to 1
+constexpr int steps_of_series = 4;      // below this step the series needs no table
+constexpr double negligible = 0x1p-27;  // below, atan x = asin x = x within half a unit in the last place
+constexpr double flat = 0x1p-60;        // below, the arc differs from the quotient by less than 2^-120
 
 /// Gregory's series, for |x| <= 1/32.
 constexpr DoubleDouble arc_by_series(DoubleDouble x) {
@@ -25,7 +25,7 @@ constexpr DoubleDouble arc_by_series(DoubleDouble x) {
   return x * sum;
 }
 
-/// atan(i / 32): from one to the next by the difference of two arcs.
+/// Table of atan(i / 32). Each entry is the one before plus the difference of two arcs.
 constexpr std::array<DoubleDouble, steps + 1> make_arcs() {
   std::array<DoubleDouble, steps + 1> arcs{};
   for (int i = 1; i <= steps; ++i) {
@@ -38,7 +38,7 @@ constexpr std::array<DoubleDouble, steps + 1> make_arcs() {
 }
 constexpr auto arcs = make_arcs();
 
-/// atan(y / x) for 0 <= y <= x, from 2^-60 of x, both within 2^+-500: about the nearest step c, by
+/// atan(y / x) for 2^-60 x <= y <= x (or y = 0), both within 2^+-500. With c the nearest table step:
 /// atan(y/x) = atan(c) + atan((y - cx) / (x + cy)).
 DoubleDouble arc_of_quotient(DoubleDouble y, DoubleDouble x) {
   const auto nearest = static_cast<int>(y.high / x.high * steps + 0.5);
@@ -63,7 +63,7 @@ DoubleDouble arc_of_quotient(DoubleDouble y, DoubleDouble x) {
                    : fast_two_sum(sum.high, sum.low + (arc.low + t_low + t * z * series));
 }
 
-/// The angle of (x, y), none of which is negative and one of which is not zero.
+/// The angle of (x, y). Both are at least zero, and not both zero.
 DoubleDouble arc_in_quadrant(DoubleDouble y, DoubleDouble x) {
   if (y.high > x.high) return half_pi - arc_in_quadrant(x, y);
   if (y.high < flat * x.high) return {y.high / x.high, 0.0};

@@ -6,12 +6,14 @@
 
 namespace floeplan::elementary {
 
-/// A number as the unevaluated sum of two doubles, the second below half a unit in the last place of the first.
-/// Error    of a product, a quotient and a sum of equal signs: below 2^-100 of the result; of a sum that cancels:
-///          below 2^-100 of the larger operand
+/// A number as the unevaluated sum of two doubles. The second is below half a unit in the last place of the
+/// first.
+/// Error    of a product, a quotient and a sum of equal signs: below 2^-100 of the result; of a sum that
+///          cancels: below 2^-100 of the larger operand
 /// Assumes  rounding to nearest, no operation contracted or reordered, nothing near overflow or underflow
-/// Source   Dekker 1971, A floating-point technique for extending the available precision, Numer. Math. 18; Knuth 1997,
-///          The Art of Computer Programming, volume 2, section 4.2.2 (the sum without a comparison)
+/// Source   Dekker 1971, A floating-point technique for extending the available precision, Numer. Math. 18;
+///          Knuth 1997, The Art of Computer Programming, volume 2, section 4.2.2 (the sum without a
+///          comparison)
 struct DoubleDouble {
   double high{};
   double low{};
@@ -24,20 +26,20 @@ constexpr DoubleDouble two_sum(double a, double b) {
   return {sum, (a - (sum - of_b)) + (b - of_b)};
 }
 
-/// a + b, exactly, where |a| >= |b| or a is zero.
+/// a + b exactly; requires |a| >= |b| or a = 0.
 constexpr DoubleDouble fast_two_sum(double a, double b) {
   const double sum = a + b;
   return {sum, b - (sum - a)};
 }
 
-/// `x` without all but its first `bits` significant bits.
+/// `x` cut to its first `bits` significant bits.
 constexpr double leading_bits(double x, int bits) {
   const std::uint64_t all = ~std::uint64_t{0};
   return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) & (all << (53 - bits)));
 }
 
-/// a * b, exactly. Halves of 26 and 27 bits, cut off rather than rounded, have products of at most 53 bits, but for
-/// that of the two lower ones (54), whose last bit lies below 2^-105 of the result.
+/// a * b exactly. The factors are cut, not rounded, into halves of 26 and 27 bits. Products of halves have at
+/// most 53 bits, except that of the two lower ones (54); its last bit is below 2^-105 of the result.
 constexpr DoubleDouble two_product(double a, double b) {
   const double product = a * b;
   const double a_high = leading_bits(a, 26);
@@ -47,7 +49,7 @@ constexpr DoubleDouble two_product(double a, double b) {
   return {product, ((a_high * b_high - product) + a_high * b_low + a_low * b_high) + a_low * b_low};
 }
 
-/// The same sum with its second part as short as it is to be for the operators below.
+/// The same value, with the second part below half a unit of the first, as the operators below need it.
 constexpr DoubleDouble normalised(DoubleDouble x) { return fast_two_sum(x.high, x.low); }
 
 constexpr DoubleDouble operator-(DoubleDouble a) { return {-a.high, -a.low}; }
@@ -75,7 +77,7 @@ constexpr DoubleDouble operator/(DoubleDouble a, DoubleDouble b) {
   return fast_two_sum(sum.high, sum.low + last.high / b.high);
 }
 
-/// The root of a number that is not negative: one step of Newton's method from that of its leading part.
+/// The square root of a number that is not negative: one Newton step from the root of its leading part.
 inline DoubleDouble square_root(DoubleDouble x) {
   if (x.high == 0.0) return {};
   const double root = std::sqrt(x.high);

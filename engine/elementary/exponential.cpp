@@ -16,13 +16,13 @@ namespace floeplan::elementary {
 namespace {
 
 constexpr int powers = 128;
-constexpr double beyond_all = 1100.0;  // in either direction
+constexpr double beyond_all = 1100.0;  // exponents beyond overflow or underflow
 
-// ln2 / 128, the first part short enough for exact products with 18 bits.
+// ln2 / 128; the first part is short enough for exact products with 18 bits.
 constexpr double step_high = leading_bits(ln2.high, 33) / powers;
 constexpr double step_low = ((ln2.high - leading_bits(ln2.high, 33)) + ln2.low) / powers;
 
-/// 2^(i/128), each from the one before.
+/// Table of 2^(i/128), each entry computed from the one before.
 constexpr std::array<DoubleDouble, powers> make_powers() {
   const DoubleDouble step{ln2.high / powers, ln2.low / powers};
   DoubleDouble factor{1.0};
@@ -34,7 +34,7 @@ constexpr std::array<DoubleDouble, powers> make_powers() {
 }
 constexpr auto power_of_two = make_powers();
 
-/// 2^exponent, of normal numbers.
+/// 2^exponent, for exponents of normal numbers.
 double normal_power(int exponent) {
   return std::bit_cast<double>(static_cast<std::uint64_t>(exponent + 1023) << 52);
 }

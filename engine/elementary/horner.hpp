@@ -2,7 +2,7 @@
 
 namespace floeplan::elementary {
 
-/// first + x * (second + x * (...)).
+/// The polynomial first + x * (second + x * (...)).
 constexpr double horner(double /*x*/, double last) { return last; }
 template <class... Doubles>
 constexpr double horner(double x, double first, Doubles... others) {

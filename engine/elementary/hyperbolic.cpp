@@ -13,12 +13,12 @@ namespace floeplan::elementary {
 namespace {
 
 constexpr double negligible_argument =
-    0x1p-28;                               // each odd function is its argument there, to within half a unit
-constexpr double near_zero = 0.3;          // the series are shorter there than differences of exponentials
-constexpr double far_out = 40.0;           // e^-x is below 2^-115 of e^x
-constexpr double large_argument = 0x1p28;  // sqrt(x^2 + 1) is x to within 2^-57
+    0x1p-28;                               // below, each odd function equals its argument within half a unit
+constexpr double near_zero = 0.3;          // below, the series are shorter than differences of exponentials
+constexpr double far_out = 40.0;           // above, e^-x is below 2^-115 of e^x
+constexpr double large_argument = 0x1p28;  // above, sqrt(x^2 + 1) equals x within 2^-57
 
-/// Both for |x| < 0.3, by Taylor's series.
+/// sinh x, and below cosh x, for |x| < 0.3, by Taylor's series.
 DoubleDouble sinh_near_zero(double x) {
   const double z = x * x;
   return {
@@ -33,7 +33,7 @@ DoubleDouble cosh_near_zero(double x) {
                      z * z * horner(z, 1.0 / 24, 1.0 / 720, 1.0 / 40320, 1.0 / 3628800, 1.0 / 479001600))};
 }
 
-/// e^x / 2 for an x from far out.
+/// e^x / 2 for x >= far_out.
 double half_of_exponential(double x) {
   if (x > 1000.0) return overflow(1.0);
   Scaled scaled = exponential({x, 0.0});

@@ -1,10 +1,11 @@
-/// The functions of <math.h> that differ between processors in the C library, under their own names. Every call in the
-/// process is bound to these: those of the program by the linker, which finds them before the C library; those of shared
-/// libraries (GeographicLib, PROJ, NLopt, GDAL) by the loader, which looks into the program first. For that they have to be
-/// in the program's dynamic symbol table: exported_names.txt.
-/// What is not here is the C library's: functions whose exact value it returns (sqrt, fmod, floor), and those that it has
-/// in one version only (hypot, cbrt); tests compare their bits with and without fused multiply-add. Its complex functions
-/// call its own real ones, past these: std::pow, exp and log of complex numbers are not to be used.
+/// Functions of <math.h> whose results in the C library differ between processors, under their own names.
+/// Every call in the process is bound to these. For the program the linker does it, which finds them before
+/// the C library. For shared libraries (GeographicLib, PROJ, NLopt, GDAL) the loader does it, which searches
+/// the program first; so they must be in the program's dynamic symbol table: exported_names.txt.
+/// All other functions come from the C library: those with exact results (sqrt, fmod, floor), and those with
+/// only one version (hypot, cbrt); tests compare their bits with and without fused multiply-add. The
+/// library's complex functions call its own real ones and not these, so std::pow, exp and log of complex
+/// numbers must not be used.
 
 #include "engine/elementary/elementary.hpp"
 
@@ -15,7 +16,7 @@ extern "C" {
 double sin(double x) noexcept { return numbers::sin(x); }
 double cos(double x) noexcept { return numbers::cos(x); }
 double tan(double x) noexcept { return numbers::tan(x); }
-// What compilers make of both for one argument.
+// Compilers merge a sin and a cos of one argument into this call.
 void sincos(double x, double* sine, double* cosine) noexcept {
   const numbers::SineCosine both = numbers::sincos(x);
   *sine = both.sine;

@@ -14,7 +14,7 @@
 namespace floeplan::elementary {
 namespace {
 
-// ln2, the first part short enough for exact products with 11 bits.
+// ln2; the first part is short enough for exact products with 11 bits.
 constexpr double ln2_high = leading_bits(ln2.high, 42);
 constexpr double ln2_low = (ln2.high - ln2_high) + ln2.low;
 
@@ -28,7 +28,7 @@ struct Point {
   DoubleDouble log;
 };
 
-/// log(c) by the series of the inverse hyperbolic tangent of (c - 1) / (c + 1).
+/// Table of log(c), by the series of the inverse hyperbolic tangent of (c - 1) / (c + 1).
 constexpr std::array<Point, last_part - first_part + 1> make_points() {
   std::array<Point, last_part - first_part + 1> points{};
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -43,7 +43,7 @@ constexpr std::array<Point, last_part - first_part + 1> make_points() {
 }
 constexpr auto points = make_points();
 
-/// What log(x) has for arguments that have none, and the finite logarithm of all others by `formula`.
+/// The logarithm: special values for arguments without one, `formula` for all others.
 template <class Formula>
 double logarithmic(double x, const Formula& formula) {
   if (x > 0.0 && x <= std::numeric_limits<double>::max()) return formula(x);
@@ -70,7 +70,7 @@ DoubleDouble logarithm(double x) {
   const double c = static_cast<double>(part) / parts;
   const Point& point = points[static_cast<std::size_t>(part - first_part)];
   const double f = z - c;                                     // exact
-  const double r_high = leading_bits(f * point.inverse, 26);  // whose product with c, and square, is exact
+  const double r_high = leading_bits(f * point.inverse, 26);  // its product with c, and its square, are exact
   const double r_low = (f - r_high * c) * point.inverse;
   const double r = r_high + r_low;
   const double series = horner(r, 1.0 / 3, -1.0 / 4, 1.0 / 5, -1.0 / 6, 1.0 / 7, -1.0 / 8, 1.0 / 9);

@@ -18,7 +18,7 @@ Parity parity(double y) {
   return 2.0 * std::trunc(0.5 * whole) == whole ? Parity::even : Parity::odd;
 }
 
-/// pow(x, y) where x is zero or infinite, or y is infinite.
+/// pow(x, y) if x is zero or infinite, or y is infinite.
 double at_the_ends(double x, double y) {
   const double size = std::abs(x);
   if (std::isinf(y)) {
@@ -31,7 +31,7 @@ double at_the_ends(double x, double y) {
   return size == 0.0 ? at_pole(sign) : std::copysign(std::numeric_limits<double>::infinity(), sign);
 }
 
-/// x^y of a positive x, both finite, y within 2^+-65.
+/// x^y for positive x, both finite, |y| within 2^+-65.
 double of_positive(double x, double y) {
   const DoubleDouble log = logarithm(x);
   if (std::abs(log.high * y) > 1000.0) return log.high * y > 0.0 ? overflow(1.0) : underflow(1.0);
@@ -49,7 +49,7 @@ double pow(double x, double y) {
   const Parity kind = x < 0.0 ? parity(y) : Parity::even;
   if (kind == Parity::none) return outside_domain(x);
   const double sign = kind == Parity::odd ? -1.0 : 1.0;
-  if (size == 1.0 || std::abs(y) < 0x1p-65) return sign;  // no logarithm exceeds 745
+  if (size == 1.0 || std::abs(y) < 0x1p-65) return sign;  // no logarithm of a double exceeds 745
   if (std::abs(y) > 0x1p65) return (size > 1.0) == (y > 0.0) ? overflow(sign) : underflow(sign);
   return sign * of_positive(size, y);
 }

@@ -12,7 +12,7 @@
 namespace floeplan::elementary {
 namespace {
 
-/// An angle as whole quarter turns and a rest.
+/// An angle as a number of quarter turns and a rest.
 struct QuarterTurns {
   int quadrant{};  // 0 to 3
   DoubleDouble rest;
@@ -22,7 +22,7 @@ __extension__ using Wide = unsigned __int128;
 
 constexpr double moderate = 0x1p20;
 
-// pi/2: three pieces of 33 bits and what is left.
+// pi/2 in three pieces of 33 bits and a rest.
 constexpr double piece_1 = 0x1.921fb544p+0;
 constexpr double piece_2 = 0x1.0b4611a6p-34;
 constexpr double piece_3 = 0x1.3198a2ep-69;
@@ -36,14 +36,14 @@ QuarterTurns of_moderate(double x) {
   return {static_cast<int>(turns) & 3, fast_two_sum(third.high, third.low + (second.low - turns * piece_4))};
 }
 
-// Bits of 2/pi after the binary point; a word of zeros goes before.
+// Bits of 2/pi after the binary point, with a word of zeros in front.
 constexpr std::array<std::uint64_t, 20> two_over_pi{
     0x0000000000000000, 0xa2f9836e4e441529, 0xfc2757d1f534ddc0, 0xdb6295993c439041, 0xfe5163abdebbc561,
     0xb7246e3a424dd2e0, 0x06492eea09d1921c, 0xfe1deb1cb129a73e, 0xe88235f52ebb4484, 0xe99c7026b45f7e41,
     0x3991d639835339f4, 0x9c845f8bbdf9283b, 0x1ff897ffde05980f, 0xef2f118b5a0a6d1f, 0x6d367ecf27cb09b7,
     0x4f463f669e5fea2d, 0x7527bac7ebe5f17b, 0x3d0739f78a5292ea, 0x6bfb5fb11f8d5d08, 0x56033046fc7b6bab};
 
-/// 64 bits of 2/pi from this one on.
+/// 64 bits of 2/pi, from this bit on.
 std::uint64_t bits_from(std::size_t bit) {
   const std::size_t word = bit / 64;
   const std::size_t shift = bit % 64;
@@ -51,15 +51,15 @@ std::uint64_t bits_from(std::size_t bit) {
   return (two_over_pi[word] << shift) | (two_over_pi[word + 1] >> (64 - shift));
 }
 
-/// x = mantissa * 2^exponent. Of 2/pi the bits are left out that give whole turns; the next 192 give the quadrant in
-/// the first two bits of the product, and 190 bits of the rest.
+/// x = mantissa * 2^exponent. Bits of 2/pi that give whole turns are left out. The next 192 bits give a
+/// product whose first two bits are the quadrant; the other 190 are the rest.
 QuarterTurns of_large(double x) {
   const auto bits = std::bit_cast<std::uint64_t>(x);
   const std::uint64_t mantissa = (bits & 0x000fffffffffffff) | 0x0010000000000000;
   const int exponent = static_cast<int>((bits >> 52) & 0x7ff) - 1075;
-  const auto first = static_cast<std::size_t>(exponent + 62);  // -2 bits of whole turns, 64 of zeros
+  const auto first = static_cast<std::size_t>(exponent + 62);  // -2: whole turns, 64: the word of zeros
 
-  std::array<std::uint64_t, 3> product{};  // the lowest word last
+  std::array<std::uint64_t, 3> product{};  // the lowest word comes last
   std::uint64_t carry = 0;
   for (std::size_t i = 3; i-- > 0;) {
     const Wide word = static_cast<Wide>(mantissa) * bits_from(first + 64 * i) + carry;
@@ -71,7 +71,7 @@ QuarterTurns of_large(double x) {
   product[1] = (product[1] << 2) | (product[2] >> 62);
   product[2] <<= 2;
   const bool above_half = (product[0] >> 63) != 0;
-  if (above_half) {  // that much short of the next quarter turn; the last bit does not matter
+  if (above_half) {  // the rest counts backwards from the next quarter turn; the last bit does not matter
     quadrant = (quadrant + 1) & 3;
     for (std::uint64_t& word : product) word = ~word;
   }
@@ -86,12 +86,14 @@ QuarterTurns of_large(double x) {
   return {quadrant, above_half ? -rest : rest};
 }
 
-/// `x` in radians, finite, of any size. The rest lies between -pi/4 and pi/4, or beyond by 1e-10 of it.
+/// Reduces `x` in radians, finite, of any size. The rest lies within [-pi/4, pi/4], exceeded by at most 1e-10
+/// of it.
 /// Error    below 2^-68 of the rest
-/// Method   to 2^20 by Cody and Waite: multiples of pi/2 in pieces of 33 bits, whose products are exact; beyond by Payne
-///          and Hanek: of the product with 2/pi only those bits are formed that matter
-/// Source   Cody and Waite 1980, Software Manual for the Elementary Functions; Payne and Hanek 1983, Radian reduction for
-///          trigonometric functions, ACM SIGNUM Newsletter 18. Digits of pi computed with mpmath
+/// Method   up to 2^20 by Cody and Waite: multiples of pi/2 in pieces of 33 bits, whose products are exact;
+///          beyond by Payne and Hanek: only those bits of the product with 2/pi are computed that matter
+/// Source   Cody and Waite 1980, Software Manual for the Elementary Functions; Payne and Hanek 1983, Radian
+///          reduction for trigonometric functions, ACM SIGNUM Newsletter 18. Digits of pi computed with
+///          mpmath
 QuarterTurns quarter_turns(double x) {
   const double size = std::abs(x);
   if (size <= std::numbers::pi / 4.0) return {0, {x, 0.0}};
@@ -103,8 +105,8 @@ QuarterTurns quarter_turns(double x) {
 
 constexpr double negligible_angle = 0x1p-27;  // sin x = tan x = x and cos x = 1 to within half a unit
 
-// Taylor's series about 0, cut where a term is below 2^-58 of the result at pi/4; what is not rounded away of the leading
-// terms goes into the lower part.
+// Taylor's series around 0, ended where a term is below 2^-58 of the result at pi/4. Rounding errors of the
+// leading terms go into the lower part.
 
 DoubleDouble sine_of_rest(DoubleDouble x) {
   const double z = x.high * x.high;

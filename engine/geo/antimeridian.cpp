@@ -14,23 +14,23 @@ namespace floeplan::geo {
 namespace {
 
 struct ChartPoint {
-  double x{};  // degrees of longitude, which may run on beyond 180
+  double x{};  // degrees of longitude; may exceed 180
   double y{};  // degrees of latitude
 
   bool operator==(const ChartPoint&) const = default;
 };
 using ChartRing = std::vector<ChartPoint>;
 
-/// The places of a ring with longitudes that run on without a jump, from the first within [-180, 180).
+/// A ring whose longitudes continue without a jump; the first lies within [-180, 180).
 struct Unrolled {
   ChartRing places;   // open: the last does not repeat the first
-  double turn_deg{};  // how far round the globe the ring goes: 0, or a turn east or west round a pole
+  double turn_deg{};  // total turn around the globe: 0, or 360 east (positive) or west around a pole
 };
 
-/// On the antimeridian, or a whole number of turns from it, where only rounding keeps it from there: slivers so narrow
-/// are more than cutting and joining can be trusted with.
+/// Moves longitudes that differ from the antimeridian only by rounding onto it. Cutting and joining would
+/// leave unreliable slivers otherwise.
 double snapped(double lon_deg) {
-  constexpr double rounding_deg = 1e-9;  // a tenth of a millimetre
+  constexpr double rounding_deg = 1e-9;  // a tenth of a millimetre on the ground
   const double nearest_deg = 180.0 + 360.0 * std::round((lon_deg - 180.0) / 360.0);
   return std::abs(lon_deg - nearest_deg) < rounding_deg ? nearest_deg : lon_deg;
 }
@@ -49,7 +49,7 @@ Unrolled unroll(const Ring& ring) {
   return result;
 }
 
-/// A ring round a pole, cut open on the antimeridian and closed along the pole's parallel.
+/// A ring around a pole, cut along the antimeridian and closed along the pole's parallel.
 ChartRing closed_over_pole(const Unrolled& ring, double pole_deg) {
   const double end_deg = std::copysign(180.0, ring.turn_deg);
   const auto beyond = [&](const ChartPoint& place) {
@@ -57,7 +57,7 @@ ChartRing closed_over_pole(const Unrolled& ring, double pole_deg) {
   };
   const auto& places = ring.places;
   const auto after = static_cast<std::size_t>(std::ranges::find_if(places, beyond) - places.begin());
-  const ChartPoint& a = places[after - 1];  // the first place is not beyond
+  const ChartPoint& a = places[after - 1];  // the first place is never beyond
   const ChartPoint b =
       after < places.size() ? places[after] : ChartPoint{places.front().x + ring.turn_deg, places.front().y};
   const double lat_deg = a.y + (end_deg - a.x) / (b.x - a.x) * (b.y - a.y);
@@ -67,12 +67,13 @@ ChartRing closed_over_pole(const Unrolled& ring, double pole_deg) {
     result.push_back({places[i].x - ring.turn_deg, places[i].y});
   result.insert(result.end(), places.begin(), places.begin() + static_cast<std::ptrdiff_t>(after));
   result.push_back({end_deg, lat_deg});
-  // Neighbours less than half a turn apart: who reads the ring takes the short way between them.
+  // Consecutive places are less than half a turn apart, because readers take the short way between them.
   for (const double share : {1.0, 0.5, 0.0, -0.5, -1.0}) result.push_back({share * end_deg, pole_deg});
   return result;
 }
 
-/// Round the inside of a counter-clockwise ring, which lies on its left, to the north of one that runs eastwards; closed.
+/// The closed outline of a counter-clockwise ring. Its inside lies on its left: north of the outline where
+/// that runs eastwards.
 ChartRing outline_of(const Ring& ring) {
   const Unrolled unrolled = unroll(ring);
   ChartRing result = unrolled.turn_deg == 0.0
@@ -89,7 +90,7 @@ bool fits_chart(const ChartRing& places) {
                              [](const ChartPoint& place) { return place.x >= -180.0 && place.x <= 180.0; });
 }
 
-/// Shapes of GEOS in a context of their own. What GEOS cannot do throws std::runtime_error.
+/// Geometries of GEOS in their own context. Operations that GEOS cannot perform throw std::runtime_error.
 class Shapes {
  public:
   struct Delete {
@@ -98,7 +99,7 @@ class Shapes {
   };
   using Shape = std::unique_ptr<GEOSGeometry, Delete>;
 
-  /// What lies within a closed outline.
+  /// The area within a closed outline.
   [[nodiscard]] Shape within(const ChartRing& outline) const {
     const auto points = static_cast<unsigned>(outline.size());
     GEOSCoordSequence* const sequence =
@@ -118,7 +119,7 @@ class Shapes {
     return owned(GEOSUnion_r(context_.get(), a.get(), b.get()));
   }
 
-  /// The polygons of a shape; where shapes only touched, lines and points of it are left out.
+  /// The polygons of a geometry. Lines and points, left where geometries only touch, are dropped.
   [[nodiscard]] std::vector<Polygon> polygons(const Shape& area) const {
     std::vector<Polygon> result;
     const int parts = GEOSGetNumGeometries_r(context_.get(), area.get());
@@ -145,7 +146,7 @@ class Shapes {
     return Shape{shape, Delete{context_.get()}};
   }
 
-  /// Open, in the direction that is asked for.
+  /// An open ring in the requested direction.
   [[nodiscard]] Ring ring_of(const GEOSGeometry* ring, bool counter_clockwise) const {
     const GEOSCoordSequence* const sequence = GEOSGeom_getCoordSeq_r(context_.get(), ring);
     unsigned points = 0;
@@ -157,7 +158,7 @@ class Shapes {
         GEOSCoordSeq_isCCW_r(context_.get(), sequence, &runs_counter_clockwise) == 0)
       fail();
     if ((runs_counter_clockwise != 0) != counter_clockwise) std::ranges::reverse(places);
-    places.pop_back();  // the last place joins the first
+    places.pop_back();  // GEOS repeats the first place at the end
     Ring result;
     for (const ChartPoint& place : places) result.push_back({snapped(place.x), place.y});
     return result;
@@ -170,7 +171,7 @@ class Shapes {
 };
 static_assert(sizeof(ChartPoint) == 2 * sizeof(double), "GEOS reads and writes them one after the other");
 
-/// What the outline encloses, brought onto the chart from where it lies beyond.
+/// The area within the outline, with parts outside the chart moved by whole turns onto it.
 Shapes::Shape on_chart(const Shapes& shapes, const ChartRing& outline) {
   if (fits_chart(outline)) return shapes.within(outline);
   const Shapes::Shape chart =
@@ -188,7 +189,7 @@ bool fits_chart(const Ring& ring) {
   return unrolled.turn_deg == 0.0 && fits_chart(unrolled.places);
 }
 
-/// With longitudes in which no neighbours lie on opposite rims.
+/// The ring with longitudes that do not jump between the chart's two edges.
 Ring unrolled_ring(const Ring& ring) {
   Ring result;
   for (const ChartPoint& place : unroll(ring).places) result.push_back({place.x, place.y});

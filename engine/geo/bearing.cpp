@@ -21,7 +21,7 @@ Bearing Bearing::towards(double east, double north) {
 
 double Bearing::degrees() const {
   const double angle = core::radians_to_degrees(std::atan2(east_, north_));
-  return angle < 0.0 ? std::fmod(angle + 360.0, 360.0) : angle + 0.0;  // never minus zero
+  return angle < 0.0 ? std::fmod(angle + 360.0, 360.0) : angle + 0.0;  // adding 0.0 avoids minus zero
 }
 
 std::string_view compass_point(Bearing bearing) {

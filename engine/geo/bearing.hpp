@@ -4,16 +4,16 @@
 
 namespace floeplan::geo {
 
-/// A horizontal direction, clockwise from true north. Kept as its unit vector, so it has no wrap-around.
+/// A horizontal direction, clockwise from true north. Stored as a unit vector, so angles do not wrap around.
 class Bearing {
  public:
   [[nodiscard]] static Bearing degrees(double clockwise_from_north_deg);
-  /// Direction of the vector (east, north); north when both are zero.
+  /// Direction of the vector (east, north); north if both are zero.
   [[nodiscard]] static Bearing towards(double east, double north);
 
   [[nodiscard]] double east() const { return east_; }
   [[nodiscard]] double north() const { return north_; }
-  /// In [0, 360).
+  /// The bearing in degrees, in [0, 360).
   [[nodiscard]] double degrees() const;
 
  private:

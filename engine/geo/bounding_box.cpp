@@ -11,7 +11,7 @@
 namespace floeplan::geo {
 namespace {
 
-constexpr double metres_per_degree = 110'574.0;  // shortest degree of latitude on WGS84, at the equator
+constexpr double metres_per_degree = 110'574.0;  // shortest degree of latitude on WGS84 (at the equator)
 
 double eastward(double from_deg, double to_deg) {
   const double difference = longitude_difference(from_deg, to_deg);
@@ -32,7 +32,8 @@ double width_deg(const BoundingBox& box) {
 }
 
 bool contains(const BoundingBox& box, LonLat place) {
-  // Wrapped first, as the edges of a box of places are: a place on an edge is then not lost to rounding.
+  // The longitude is wrapped first, as for the box's edges, so that rounding does not exclude a place on an
+  // edge.
   return place.lat_deg >= box.south_deg && place.lat_deg <= box.north_deg &&
          eastward(box.west_deg, wrap_longitude(place.lon_deg)) <= width_deg(box);
 }
@@ -54,7 +55,7 @@ BoundingBox bounding_box(std::span<const LonLat> places) {
     longitudes.push_back(wrap_longitude(place.lon_deg));
   }
 
-  // The box is what remains of the circle after its widest empty gap is taken out.
+  // The box is the circle of longitudes without its widest empty gap.
   std::ranges::sort(longitudes);
   double widest_gap = longitudes.front() + 360.0 - longitudes.back();
   box.west_deg = longitudes.front();
@@ -88,7 +89,7 @@ BoundingBox grown(const BoundingBox& box, core::Metres margin) {
 }
 
 BoundingBox united(const BoundingBox& a, const BoundingBox& b) {
-  // From the western edge of the one to whichever eastern edge is further, or the same from the other.
+  // Two candidates: from the western edge of one box to the eastern edge that is further, for each box.
   const auto from_west_of = [](const BoundingBox& first, const BoundingBox& second) {
     const double to_second = eastward(first.west_deg, second.west_deg) + width_deg(second);
     const double width = std::max(width_deg(first), to_second);

@@ -20,29 +20,30 @@ struct BoundingBox {
   friend bool operator==(BoundingBox, BoundingBox) = default;
 };
 
-/// How far the box reaches eastwards from its western edge, in (0, 360]; 0 for a meridian.
+/// Width in degrees, eastwards from the western edge, in (0, 360]; 0 for a single meridian.
 [[nodiscard]] double width_deg(const BoundingBox& box);
 
 [[nodiscard]] bool contains(const BoundingBox& box, LonLat place);
 [[nodiscard]] bool intersects(const BoundingBox& a, const BoundingBox& b);
 
-/// Smallest box around the places (across the antimeridian if that is shorter).
-/// Errors   std::invalid_argument without any place
+/// Smallest box around the places; it crosses the antimeridian if that is shorter.
+/// Errors   std::invalid_argument for no places
 [[nodiscard]] BoundingBox bounding_box(std::span<const LonLat> places);
 
-/// The box grown by a distance on every side; reaches round the globe where a pole comes inside.
+/// The box enlarged by a distance on every side; it spans all longitudes if a pole comes inside.
 [[nodiscard]] BoundingBox grown(const BoundingBox& box, core::Metres margin);
 
-/// The smallest box that holds both.
+/// The smallest box that contains both.
 [[nodiscard]] BoundingBox united(const BoundingBox& a, const BoundingBox& b);
 
-/// The place of the box whose longitude and latitude are nearest to those of `place`, which it is where the box holds it.
+/// The place in the box with the nearest longitude and latitude to `place`; `place` itself if it is inside.
 [[nodiscard]] LonLat nearest_place(const BoundingBox& box, LonLat place);
 
-/// The box in words, rounded to four digits: "54 W to 50 W, 68 N to 70 N".
+/// Text for the box, rounded to four digits: "54 W to 50 W, 68 N to 70 N".
 [[nodiscard]] std::string bounds_text(const BoundingBox& box);
 
-/// The least box round this one whose edges are whole multiples of `step_deg`, which divides 90 evenly.
+/// The smallest box around this one whose edges are multiples of `step_deg`; 90 must be a multiple of
+/// `step_deg`.
 [[nodiscard]] BoundingBox on_lattice(const BoundingBox& box, double step_deg);
 
 }  // namespace floeplan::geo

@@ -6,12 +6,12 @@
 namespace floeplan::geo {
 namespace {
 
-/// Edges of more than half a turn would lead the other way round.
+/// Longer edges could be taken for the other way round the globe.
 constexpr double longest_edge_deg = 90.0;
-/// Corners that lie on the box but for rounding count as inside.
+/// Corners outside the box by only a rounding error count as inside.
 constexpr double rounding_deg = 1e-9;
 
-/// On which sides of a box places lie, a bit for each; none for a place in the box.
+/// Computes on which sides of a box places lie: one bit per side, no bit for a place inside.
 class Sides {
  public:
   explicit Sides(const BoundingBox& box)
@@ -38,8 +38,8 @@ class Sides {
 Ring coarse_beyond(const Sides& sides, const Ring& ring) {
   if (ring.empty()) return {};
   Ring result{ring.front()};
-  std::uint8_t shared = sides.of(ring.front());  // by all corners since the last one that was kept
-  double from_kept_deg = 0.0;                    // to the corner at hand, along the outline
+  std::uint8_t shared = sides.of(ring.front());  // sides on which all corners since the last kept one lie
+  double from_kept_deg = 0.0;                    // along the outline to the current corner
   for (std::size_t i = 1; i < ring.size(); ++i) {
     const LonLat& here = ring[i];
     const LonLat& next = ring[(i + 1) % ring.size()];

@@ -6,9 +6,9 @@
 
 namespace floeplan::geo {
 
-/// Shortest way between two places on WGS84.
+/// Shortest line between two places on WGS84.
 /// Source   Karney 2013, Algorithms for geodesics, J. Geodesy 87, doi:10.1007/s00190-012-0578-z
-/// (GeographicLib)
+///          (GeographicLib)
 struct GeodesicLine {
   core::Metres length;
   Bearing course_at_start;
@@ -17,7 +17,7 @@ struct GeodesicLine {
 
 [[nodiscard]] GeodesicLine geodesic_between(LonLat from, LonLat to);
 
-/// The place reached along the geodesic that leaves `from` on `course` after `distance`.
+/// The end of the geodesic of this length that leaves `from` with this course.
 [[nodiscard]] LonLat geodesic_destination(LonLat from, Bearing course, core::Metres distance);
 
 }  // namespace floeplan::geo

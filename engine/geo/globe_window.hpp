@@ -7,7 +7,7 @@ namespace floeplan::geo {
 /// A part of the Earth between two parallels and two meridians, or all the way round.
 struct GlobeWindow {
   double middle_lon_deg{};
-  double half_width_deg{std::numeric_limits<double>::infinity()};  // below 180; infinite: all the way round
+  double half_width_deg{std::numeric_limits<double>::infinity()};  // below 180; infinite: all longitudes
   double south_deg{-90.0};
   double north_deg{90.0};
 };

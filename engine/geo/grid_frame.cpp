@@ -30,7 +30,7 @@ GeographicLib::TransverseMercator formula(const TransverseMercatorFrame& frame) 
   return {GeographicLib::Constants::WGS84_a(), GeographicLib::Constants::WGS84_f(), frame.scale_0};
 }
 
-/// Northing of the frame's origin, which the formulas count from the equator.
+/// Northing of the frame's origin above the equator, from which the formulas count.
 double origin_northing(const TransverseMercatorFrame& frame) {
   double x = 0.0;
   double y = 0.0;

@@ -13,7 +13,7 @@ constexpr double zone_width_deg = 6.0;
 
 double central_meridian_deg(int utm_zone) { return -183.0 + zone_width_deg * utm_zone; }
 
-/// Clockwise angle from true north to the zone's grid north.
+/// Clockwise angle in degrees from true north to the zone's grid north.
 double convergence_deg(int utm_zone, LonLat place) {
   double x_m = 0.0;
   double y_m = 0.0;

@@ -15,7 +15,7 @@ using GeographicLib::LambertConformalConic;
 using GeographicLib::PolarStereographic;
 using GeographicLib::TransverseMercator;
 
-constexpr double polar_from_deg = 60.0;  // beyond it a plane at the pole distorts less than a cone
+constexpr double polar_from_deg = 60.0;  // nearer to the pole a polar plane distorts less than a cone
 constexpr double conic_from_deg =
     15.0;  // nearer to the equator the cone is almost a cylinder and gains nothing
 
@@ -25,7 +25,7 @@ struct Projected {
   double scale;
 };
 
-/// Polar stereographic, true to scale on the origin's parallel, with the origin's meridian along the y axis.
+/// Polar stereographic, true to scale on the origin's parallel; the origin's meridian is the y axis.
 struct Polar {
   bool north;
   PolarStereographic formula;
@@ -50,7 +50,7 @@ struct Polar {
   }
 };
 
-/// A projection whose formulas are the same to the north and to the south of the equator.
+/// A projection with the same formulas on both sides of the equator.
 template <class Formula>
 struct Central {
   Formula formula;
@@ -82,7 +82,7 @@ Transverse transverse() {
 
 }  // namespace
 
-/// The formulas take longitudes from the origin's meridian, so that no seam lies near the area.
+/// Longitudes in the formulas count from the origin's meridian, so that no seam is near the area.
 class LocalProjection::Formulas {
  public:
   explicit Formulas(LonLat origin) : formula_{choose(origin)} {
@@ -131,8 +131,8 @@ LonLat LocalProjection::to_lon_lat(PlanePoint point) const {
 }
 
 GlobeWindow LocalProjection::window() const {
-  // Stereographic planes have the other pole at infinity; cones a seam, and the other pole at infinity; transverse
-  // Mercator, places on the equator a quarter round the Earth.
+  // Stereographic planes have the opposite pole at infinity. Cones have a seam, and the opposite pole at
+  // infinity. Transverse Mercator has the places on the equator 90 degrees away at infinity.
   constexpr double beyond_equator_deg = 45.0;
   constexpr double half_width_deg = 60.0;
   const double lat_deg = origin_.lat_deg;
@@ -156,7 +156,7 @@ PlaneVelocity LocalProjection::to_plane(VelocityEn velocity, LonLat place) const
   const double sine = std::sin(local.convergence.value);
   const double east = local.scale * velocity.east.value;
   const double north = local.scale * velocity.north.value;
-  // Grid north bears `convergence` from true north: y along (sin, cos) in east-north axes, x along (cos,
+  // `convergence` is the bearing of grid north. In east-north axes y points along (sin, cos), x along (cos,
   // -sin).
   return {east * cosine - north * sine, east * sine + north * cosine};
 }

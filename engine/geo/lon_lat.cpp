@@ -5,7 +5,7 @@
 namespace floeplan::geo {
 
 double wrap_longitude(double lon_deg) {
-  if (lon_deg >= -180.0 && lon_deg < 180.0) return lon_deg;  // to the bit: the sums below round
+  if (lon_deg >= -180.0 && lon_deg < 180.0) return lon_deg;  // exactly unchanged: the sums below round
   const double turned = std::fmod(lon_deg + 180.0, 360.0);
   return turned < 0.0 ? turned + 180.0 : turned - 180.0;
 }

@@ -12,13 +12,13 @@ struct LonLat {
   friend bool operator==(LonLat, LonLat) = default;
 };
 
-/// The longitude brought into [-180, 180).
+/// The longitude wrapped to [-180, 180).
 [[nodiscard]] double wrap_longitude(double lon_deg);
 
-/// Signed difference `to - from` of two longitudes the short way round, in [-180, 180).
+/// Signed difference `to - from` of two longitudes, the short way round, in [-180, 180).
 [[nodiscard]] double longitude_difference(double from_deg, double to_deg);
 
-/// Finite, latitude within [-90, 90], longitude within [-180, 360].
+/// Whether both are finite, the latitude is within [-90, 90] and the longitude within [-180, 360].
 [[nodiscard]] bool is_valid(LonLat place);
 
 }  // namespace floeplan::geo

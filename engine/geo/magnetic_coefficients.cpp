@@ -3,8 +3,8 @@
 namespace floeplan::geo {
 namespace {
 
-// One row for each degree n and order m, as the published files have them: g, h in nT at the epoch, then their change
-// in nT each year.
+// One row for each degree n and order m, as in the published files: g and h in nT at the epoch, then their
+// change in nT per year.
 // clang-format off
 
 // WMM-2010 of 2009-11-20

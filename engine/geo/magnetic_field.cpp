@@ -14,7 +14,7 @@
 namespace floeplan::geo {
 namespace {
 
-/// Radius of the sphere that the coefficients refer to.
+/// Radius of the sphere to which the coefficients refer.
 constexpr double reference_radius_m = 6'371'200.0;
 constexpr double years_an_edition = 5.0;
 
@@ -27,7 +27,7 @@ double year_of(core::UtcTime time) {
   return static_cast<int>(date.year()) + (time - begin) / (end - begin);
 }
 
-/// An edition's coefficients in the order of GeographicLib: by columns of one order, without the sines of order 0.
+/// An edition's coefficients in the order of GeographicLib: grouped by order, without the sines of order 0.
 struct Columns {
   std::vector<double> cosines;
   std::vector<double> sines;
@@ -41,7 +41,7 @@ struct Columns {
   }
 };
 
-/// Owns the coefficients, to which the sum only refers.
+/// Owns the coefficients: GeographicLib's sum only refers to them.
 class Edition {
  public:
   explicit Edition(const MagneticEpoch& epoch) : year_{epoch.year} {
@@ -65,7 +65,7 @@ class Edition {
     double grad_y = 0.0;
     double grad_z = 0.0;
     sum_(year - year_, x, y, z, grad_x, grad_y, grad_z);
-    const auto along = [&](std::size_t axis) {  // the field is minus the gradient of the potential
+    const auto along = [&](std::size_t axis) {  // field = -gradient of the potential
       return -reference_radius_m * (axes[axis] * grad_x + axes[3 + axis] * grad_y + axes[6 + axis] * grad_z);
     };
     return {.east_nt = along(0), .north_nt = along(1), .down_nt = -along(2)};
@@ -78,7 +78,7 @@ class Edition {
   GeographicLib::SphericalHarmonic1 sum_;
 };
 
-/// The time as a year with its share gone, where an edition holds.
+/// The time as a decimal year; empty if no edition is valid.
 std::optional<double> year_in_model(core::UtcTime time) {
   if (!(time >= first_magnetic_time) || time > last_magnetic_time) return std::nullopt;
   return year_of(time);

@@ -17,32 +17,33 @@ struct MagneticField {
   double down_nt{};
 };
 
-/// Angle of magnetic north from true north. East is positive, as the model and charts have it; a Slocum's
-/// m_gps_mag_var has the other sign (see LocalMissionAxes).
+/// Angle from true north to magnetic north. East is positive, as in the model and on charts; a Slocum's
+/// m_gps_mag_var has the opposite sign (see LocalMissionAxes).
 struct Declination {
   double east_deg{};
-  double sigma_deg{};  // one standard deviation, as the model states it; 180 at most
+  double sigma_deg{};  // standard deviation stated by the model; at most 180
 };
 
-/// First and last instant of the model.
+/// First and last instant of the model's validity.
 inline constexpr core::UtcTime first_magnetic_time{
     std::chrono::sys_days{std::chrono::year{2010} / std::chrono::January / 1}};
 inline constexpr core::UtcTime last_magnetic_time{
     std::chrono::sys_days{std::chrono::year{2030} / std::chrono::January / 1}};
 
-/// The World Magnetic Model of the edition that holds at the time: spherical harmonics to degree 12 with their secular
-/// variation. Between two editions it steps, by little more than the declination's sigma anywhere.
+/// The magnetic field by the edition of the World Magnetic Model that is valid at the time: spherical
+/// harmonics to degree 12 with their secular variation. Between two editions it jumps by little more than the
+/// declination's sigma.
 /// `height`  above the ellipsoid
 /// Edges    at the poles east and north are those of the place's longitude
-/// Outside  nullopt before and after the model's times; never extrapolates
-/// Errors   std::invalid_argument for a place that is none
+/// Outside  nullopt before and after the model's period; never extrapolates
+/// Errors   std::invalid_argument for an invalid place
 /// Threads  may be called from several threads at once
 /// Source   Chulliat et al. 2025, The US/UK World Magnetic Model for 2025-2030; sums by GeographicLib's
 ///          SphericalHarmonic1. Agrees with an independent implementation to 0.001 degrees
 [[nodiscard]] std::optional<MagneticField> magnetic_field_at(LonLat place, core::UtcTime time,
                                                              core::Metres height = {});
 
-/// The field's declination; otherwise as magnetic_field_at.
+/// Declination of the magnetic field at the ellipsoid; otherwise as magnetic_field_at.
 [[nodiscard]] std::optional<Declination> declination_at(LonLat place, core::UtcTime time);
 
 }  // namespace floeplan::geo

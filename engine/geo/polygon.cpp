@@ -7,10 +7,10 @@
 namespace floeplan::geo {
 namespace {
 
-/// Whether the edge from a to b crosses the meridian of the place north of it. Longitudes are taken relative to the
+/// Whether the edge from a to b crosses the meridian of the place north of it. Longitudes are relative to the
 /// place, so the antimeridian is no seam.
-/// A corner's side of that meridian is the same for both of its edges: otherwise a corner on it would be
-/// crossed once.
+/// A corner on that meridian counts as lying on the same side for both its edges. Otherwise it could count as
+/// one crossing.
 bool passes_north_of(LonLat place, LonLat a, LonLat b) {
   const double a_deg = longitude_difference(place.lon_deg, a.lon_deg);
   const double b_deg = longitude_difference(place.lon_deg, b.lon_deg);
@@ -27,7 +27,7 @@ bool inside(const Ring& ring, LonLat place) {
   return is_inside;
 }
 
-/// Places by their longitudes, so that an edge is compared with those between its ends only.
+/// Places sorted by longitude, so that an edge is compared only with places between its ends.
 class SortedPlaces {
  public:
   explicit SortedPlaces(std::span<const LonLat> places) {
@@ -36,7 +36,7 @@ class SortedPlaces {
     std::ranges::sort(sorted_, {}, &Entry::lon_deg);
   }
 
-  /// Turns round whether each place is inside, for every edge that passes north of it.
+  /// For each edge: inverts `is_inside` of every place that the edge passes north of.
   void cross(const Ring& ring, std::vector<bool>& is_inside) const {
     for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
       const auto [west_deg, east_deg] =
@@ -100,7 +100,7 @@ BoundingBox bounding_box(const Polygon& polygon) {
   if (ring.empty()) throw std::invalid_argument{"bounding_box needs at least one place"};
   const double first_deg = wrap_longitude(ring.front().lon_deg);
   BoundingBox box{first_deg, ring.front().lat_deg, first_deg, ring.front().lat_deg};
-  double lon_deg = 0.0;  // counted from the first corner on, without a seam
+  double lon_deg = 0.0;  // counted from the first corner, without a seam
   double west_deg = 0.0;
   double east_deg = 0.0;
   for (std::size_t i = 0; i < ring.size(); ++i) {

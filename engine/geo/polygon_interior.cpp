@@ -35,9 +35,9 @@ struct Band {
   [[nodiscard]] double height_deg() const { return north_deg - south_deg; }
 };
 
-/// Between the parallels of neighbouring corners, the highest first. No corner lies inside a band.
+/// Bands between the parallels of consecutive corners, the highest band first. No corner lies inside a band.
 std::vector<Band> bands_of(const Polygon& polygon) {
-  constexpr std::size_t enough = 32;  // to find a roomy one; a shape has as many bands as corners
+  constexpr std::size_t enough = 32;  // to find a wide one; a polygon may have as many bands as corners
   std::vector<double> latitudes;
   for (const LonLat corner : polygon.outer) latitudes.push_back(corner.lat_deg);
   for (const Ring& hole : polygon.holes)
@@ -61,7 +61,8 @@ void add_crossings(const Ring& ring, double lat_deg, std::vector<double>& crossi
   }
 }
 
-/// The longest stretch of the parallel inside the polygon: its length in degrees of latitude, and its middle.
+/// The longest stretch of the parallel inside the polygon: its length, in degrees of latitude, and its
+/// middle.
 std::optional<std::pair<double, LonLat>> widest_stretch(const Polygon& polygon, double lat_deg) {
   constexpr double rounding_deg = 1e-9;
   std::vector<double> crossings_deg;
@@ -69,7 +70,7 @@ std::optional<std::pair<double, LonLat>> widest_stretch(const Polygon& polygon, 
   for (const Ring& hole : polygon.holes) add_crossings(hole, lat_deg, crossings_deg);
   if (crossings_deg.empty()) return std::nullopt;
   std::ranges::sort(crossings_deg);
-  std::vector<std::pair<double, double>> stretches;  // length and beginning
+  std::vector<std::pair<double, double>> stretches;  // length and western end of each
   for (std::size_t i = 0; i < crossings_deg.size(); ++i) {
     const bool is_last = i + 1 == crossings_deg.size();
     const double end = is_last ? crossings_deg.front() + 360.0 : crossings_deg[i + 1];

@@ -9,8 +9,8 @@
 namespace floeplan::geo {
 namespace {
 
-/// The part of a ring on one side of a line, of which `inside_by(place)` is the signed distance, linear in longitude
-/// and latitude.
+/// The part of a ring on one side of a line. `inside_by(place)`: signed distance from the line, linear in
+/// longitude and latitude.
 template <class InsideBy>
 Ring on_one_side(const Ring& ring, const InsideBy& inside_by) {
   if (std::ranges::all_of(ring, [&](LonLat place) { return inside_by(place) >= 0.0; })) return ring;

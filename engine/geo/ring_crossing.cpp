@@ -10,10 +10,10 @@
 namespace floeplan::geo {
 namespace {
 
-constexpr double touching_deg = 1e-7;  // a centimetre, the last decimal that charts are written with
+constexpr double touching_deg = 1e-7;  // a centimetre, the last decimal on charts
 constexpr std::size_t most_pairs = 50'000'000;
 
-/// On longitudes that run on without a jump.
+/// An edge with longitudes that continue without a jump.
 struct Edge {
   LonLat west;
   LonLat east;
@@ -33,7 +33,7 @@ std::vector<Edge> edges_from_west(const Ring& ring) {
   return edges;
 }
 
-/// How far left of the edge's line, in degrees; nothing for an edge without length.
+/// Distance of the place to the left of the edge's line, in degrees; empty for an edge of no length.
 double distance_left(const Edge& edge, LonLat place) {
   const double lon_deg = edge.east.lon_deg - edge.west.lon_deg;
   const double lat_deg = edge.east.lat_deg - edge.west.lat_deg;
@@ -43,7 +43,7 @@ double distance_left(const Edge& edge, LonLat place) {
          length_deg;
 }
 
-/// Where two edges cross.
+/// The place where two edges cross; empty if they do not.
 std::optional<LonLat> crossing(const Edge& a, const Edge& b) {
   const auto [a_south, a_north] = std::minmax(a.west.lat_deg, a.east.lat_deg);
   const auto [b_south, b_north] = std::minmax(b.west.lat_deg, b.east.lat_deg);
@@ -65,7 +65,7 @@ std::optional<LonLat> crossing(const Edge& a, const Edge& b) {
 
 RingCrossing find_crossing(const Ring& ring) {
   if (ring.size() < 4) return {};
-  std::vector<Edge> beside;  // those that reach as far east as the edge that is looked at
+  std::vector<Edge> beside;  // edges that reach at least as far east as the current edge
   std::size_t pairs = 0;
   for (const Edge& edge : edges_from_west(ring)) {
     std::erase_if(beside, [&](const Edge& earlier) { return earlier.east.lon_deg < edge.west.lon_deg; });

@@ -6,14 +6,15 @@
 
 namespace floeplan::geo {
 
-/// How far round the Earth a ring leads, degrees: 0, or a turn east (positive) or west round a pole.
+/// Total turn of a ring around the Earth, in degrees: 0, or for a ring around a pole 360 (eastwards) or -360
+/// (westwards).
 [[nodiscard]] double turn_of(const Ring& ring);
 
-/// Why an outline in longitude and latitude is not clear: it leads round a pole, or it has edges so long that they
-/// could lead round the Earth either way; empty when it is clear.
+/// Why an outline in longitude and latitude is ambiguous: it leads around a pole, or it has edges so long
+/// that they could go round the Earth either way. Empty if it is not ambiguous.
 [[nodiscard]] std::string doubt_in_turns(const Polygon& polygon);
 
-/// The longitudes of a ring, counted on from the first, which is within half a turn of `from_deg`, without a jump.
+/// The ring with longitudes that continue without a jump. The first is within half a turn of `from_deg`.
 [[nodiscard]] Ring counted_on(const Ring& ring, double from_deg);
 
 }  // namespace floeplan::geo

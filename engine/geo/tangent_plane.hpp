@@ -7,7 +7,7 @@
 
 namespace floeplan::geo {
 
-/// A direction from the centre of the Earth, of length one. Free of the seams that longitudes have.
+/// A direction from the centre of the Earth, as a vector of length one. It has no seam, unlike longitudes.
 struct UnitVector {
   double x{};
   double y{};
@@ -17,21 +17,22 @@ struct UnitVector {
 [[nodiscard]] UnitVector unit_vector(LonLat place);
 [[nodiscard]] LonLat lon_lat(UnitVector direction);
 [[nodiscard]] double dot(UnitVector a, UnitVector b);
-/// The place half-way between two; also across the date line and the pole.
+/// The place half-way between two places; valid also across the date line and the pole.
 [[nodiscard]] LonLat midpoint(LonLat a, LonLat b);
 /// Distance on a sphere of the Earth's mean radius, metres; within 0.6 % of that on the ellipsoid.
 [[nodiscard]] double sphere_distance_m(LonLat a, LonLat b);
 
-/// Angle of the way from one place to another as seen half-way at `at`, radians counterclockwise from east.
-/// Outside  nullopt when both are the same place
+/// Direction of the line from one place to another at the half-way point `at`, in radians counterclockwise
+/// from east.
+/// Outside  nullopt if both are the same place
 [[nodiscard]] std::optional<double> direction_at(LonLat at, LonLat from, LonLat to);
 
-/// By how much a direction's bearing grows, clockwise, when it is carried along the great circle from one place to
-/// another; meridians converge, so east there is not east here. Radians.
+/// Angle in radians, clockwise, by which a direction's bearing grows when it is carried along the great
+/// circle from one place to another: meridians converge, so east differs between places.
 /// Source  Napier's analogies for the triangle with the pole
 [[nodiscard]] double convergence(LonLat from, LonLat to);
 
-/// The plane that touches the Earth at a place, in units of the Earth's radius.
+/// The plane that touches the Earth at a place; unit of length: the Earth's radius.
 class TangentPlane {
  public:
   struct Point {
@@ -40,7 +41,8 @@ class TangentPlane {
   };
 
   explicit TangentPlane(UnitVector at);
-  /// Gnomonic: great circles become straight lines. Only for directions on the plane's own side of the Earth.
+  /// Gnomonic projection: great circles become straight lines. Only for directions on the same side of the
+  /// Earth as the place.
   [[nodiscard]] Point project(UnitVector direction) const;
   [[nodiscard]] bool faces(UnitVector direction) const { return dot(at_, direction) > 0.1; }
 

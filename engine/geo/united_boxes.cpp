@@ -12,7 +12,7 @@ struct Arc {
   double width_deg{};
 };
 
-/// Angle from `from_deg` eastwards to `to_deg`, in [0, 360).
+/// Angle eastwards from `from_deg` to `to_deg`, in [0, 360).
 double turn(double from_deg, double to_deg) {
   const double difference = longitude_difference(from_deg, to_deg);
   return difference < 0.0 ? difference + 360.0 : difference;
@@ -30,8 +30,8 @@ BoundingBox united(std::span<const BoundingBox> boxes) {
     arcs.push_back({wrap_longitude(box.west_deg), width_deg(box)});
   }
   std::ranges::sort(arcs, {}, &Arc::west_deg);
-  // Degrees are counted from the beginning of the first arc. An arc that runs past 360 reaches over the beginning of the
-  // first one again, and closes the gaps there.
+  // Degrees count from the beginning of the first arc. An arc that runs past 360 covers the beginning of the
+  // first one again, and closes gaps there.
   double reached_deg = 0.0;
   for (const Arc& arc : arcs)
     reached_deg = std::max(reached_deg, arc.west_deg - arcs.front().west_deg + arc.width_deg - 360.0);
@@ -67,7 +67,8 @@ double share_held(const BoundingBox& outer, const BoundingBox& inner) {
     return all_deg > 0.0 ? std::clamp(held_deg / all_deg, 0.0, 1.0) : 1.0;
   };
   const double inner_width = width_deg(inner);
-  // From the western edge of the inner box on the outer one may begin once, and may still reach in from behind.
+  // The outer box may begin once between the western edge of the inner box and its end, or already cover that
+  // edge.
   const double begins = turn(inner.west_deg, outer.west_deg);
   const double ahead = std::min(inner_width, begins + width_deg(outer)) - std::min(inner_width, begins);
   const double behind = std::min(inner_width, std::max(0.0, begins + width_deg(outer) - 360.0));

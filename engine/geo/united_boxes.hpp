@@ -7,20 +7,20 @@
 
 namespace floeplan::geo {
 
-/// The smallest box round all of them, in whatever order they come: what is left of the circle of longitudes after its
-/// widest gap between the boxes is taken out; across the antimeridian where that is shorter.
-/// Errors   std::invalid_argument without any box
+/// The smallest box around all boxes, independent of their order: the circle of longitudes without the widest
+/// gap between the boxes. It may cross the antimeridian.
+/// Errors   std::invalid_argument for no boxes
 [[nodiscard]] BoundingBox united(std::span<const BoundingBox> boxes);
 
-/// Whether all of `inner` lies in `outer`.
+/// Whether `outer` contains all of `inner`.
 [[nodiscard]] bool holds(const BoundingBox& outer, const BoundingBox& inner);
 
-/// How much of `inner` lies in `outer`, in [0, 1]: the product of the shares of its longitudes and of its latitudes,
-/// each of which is 1 for a meridian or a parallel inside.
+/// Share of `inner` that lies in `outer`, in [0, 1]: share of its longitudes times share of its latitudes.
+/// Each share is 1 for a single meridian or parallel inside.
 [[nodiscard]] double share_held(const BoundingBox& outer, const BoundingBox& inner);
 
-/// The longitudes and latitudes of both boxes; nullopt: they share none. Two pieces (of boxes that meet at the front
-/// and at the back of the globe) are not told apart: then `a` with the latitudes of both.
+/// The longitudes and latitudes that both boxes share; nullopt if there are none. If two boxes meet on both
+/// sides of the globe, the result would be two pieces. Then it is `a` with the shared latitudes.
 [[nodiscard]] std::optional<BoundingBox> shared(const BoundingBox& a, const BoundingBox& b);
 
 }  // namespace floeplan::geo

@@ -6,7 +6,7 @@
 
 namespace floeplan::geo {
 
-/// Horizontal velocity in the local east-north frame. For a current: where the water goes to.
+/// Horizontal velocity in the local east-north frame. A current points where the water goes.
 struct VelocityEn {
   core::MetresPerSecond east{};
   core::MetresPerSecond north{};

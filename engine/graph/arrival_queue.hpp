@@ -8,9 +8,9 @@
 
 namespace floeplan::graph {
 
-/// Vertices by ascending key, equal keys by ascending number, so that every run takes the same order; INSERT,
-/// EXTRACT-MIN and DECREASE-KEY of the paper's Table I. A heap with four children: flatter than two, fewer
-/// cache misses.
+/// Priority queue of vertices: ascending by key, equal keys by vertex number, so that every run has the same
+/// order. Offers INSERT, EXTRACT-MIN and DECREASE-KEY of the paper's Table I. A heap with four children per
+/// node: it is flatter than a binary heap and has fewer cache misses.
 class ArrivalQueue {
  public:
   explicit ArrivalQueue(std::size_t vertices) : slot_(vertices, absent) {}

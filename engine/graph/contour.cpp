@@ -8,14 +8,14 @@
 namespace floeplan::graph {
 namespace {
 
-/// A border crosses no line at its very end, so that rings keep apart: by some centimetres, more than documents round
-/// places to.
+/// The outline crosses a line between vertices at least this share from its ends, so that rings stay apart:
+/// by some centimetres, more than the rounding of places in documents.
 constexpr double least_share = 1e-3;
-/// Likewise of the lines that lead out of the grid, on whose rim the area ends.
+/// The same limit for lines that lead out of the grid, so that the area ends on the grid's rim.
 constexpr double rim_share = 1e-6;
 
-/// The grid with a frame of vertices outside around it, and the lines between neighbours numbered: of each
-/// vertex the one to the right, then the one upwards.
+/// The grid with a frame of outside vertices around it. Lines between neighbours are numbered: for each
+/// vertex first the one to the right, then the one upwards.
 class FramedGrid {
  public:
   FramedGrid(int nx, int ny, const std::vector<std::uint8_t>& inside) : nx_{nx}, ny_{ny}, inside_{inside} {}
@@ -38,11 +38,11 @@ class FramedGrid {
   const std::vector<std::uint8_t>& inside_;
 };
 
-/// A piece of the border through one cell, from line to line, with the inside on its left.
+/// A piece of the outline through one cell, from one line to another. The inside lies on its left.
 struct Piece {
   std::size_t from{};
   std::size_t to{};
-  GridPlace start;  // on the line `from`
+  GridPlace start;  // where the piece begins, on the line `from`
 };
 
 class Tracer {
@@ -73,8 +73,8 @@ class Tracer {
  private:
   using Corner = std::array<int, 2>;
 
-  /// Each run of inside corners, counter-clockwise, is cut off by one piece: in on the line after the run, out
-  /// on the line before it.
+  /// Each group of consecutive inside corners, counter-clockwise, is cut off by one piece. It enters on the
+  /// line after the group and leaves on the line before it.
   void cross_cell(int x, int y) {
     const std::array<Corner, 4> corners{{{x, y}, {x + 1, y}, {x + 1, y + 1}, {x, y + 1}}};
     const std::array<std::size_t, 4> lines{grid_.line(x, y, false), grid_.line(x + 1, y, true),
@@ -145,7 +145,7 @@ std::vector<GridPolygon> contour(int nx, int ny, const std::vector<std::uint8_t>
     }
   }
   for (GridRing& hole : holes) {
-    // The smallest area around a hole is the one that it is cut from.
+    // A hole belongs to the smallest polygon around it.
     GridPolygon* around = nullptr;
     double least = 0.0;
     for (GridPolygon& polygon : polygons) {

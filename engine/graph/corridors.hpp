@@ -10,26 +10,26 @@
 
 namespace floeplan::graph {
 
-/// The stretch around the middle of a path that other paths shall avoid.
+/// The area around the middle of a path that later paths must avoid.
 struct CorridorGate {
   int column{};
   int row{};
-  double radius{};  // in steps of the grid
+  double radius{};  // in grid steps
 
   [[nodiscard]] bool bars(const GridGraph& graph, Vertex v) const {
     return std::hypot(graph.column(v) - column, graph.row(v) - row) < radius;
   }
 };
 
-/// Paths through different corridors, each the earliest that stays clear of the middles of those before it:
-/// starting points for a search for the best way that is not bound to the grid. At most `most`; fewer when
-/// no further way is left, or once `stop` is requested.
+/// Paths through different corridors. Each is the earliest that avoids the middles of the paths before. They
+/// are starting points for a search that is not bound to the grid. At most `most`; fewer if there are no
+/// more, or once `stop` is requested.
 /// Law      the first path is the earliest of all
 template <EdgeTravelTime TravelTime>
 std::vector<std::vector<Vertex>> find_corridors(const GridGraph& graph, const Query& query,
                                                 const TravelTime& travel_time, std::size_t most,
                                                 const std::stop_token& stop = {}) {
-  constexpr double share_of_way = 1.0 / 8.0;  // wide enough that the next path is no mere neighbour
+  constexpr double share_of_way = 1.0 / 8.0;  // of a path: wide enough to separate the next path
   const Vertex goal = query.goal.value();
   const double way =
       std::hypot(graph.column(goal) - graph.column(query.source), graph.row(goal) - graph.row(query.source));

@@ -7,11 +7,10 @@
 
 namespace floeplan::graph {
 
-/// Time to travel `edge` when leaving its tail at `depart` (wfunc in the paper); empty: not passable then.
-/// Times are counted from an instant that the caller chose. An edge's time is positive.
-/// `latest`: an arrival after it is of no use, so the function may then answer empty without working out the
-/// time. Law (FIFO): leaving later never arrives earlier. Edges that open later and moving obstacles break
-/// it.
+/// Travel time of `edge` for a departure from its tail at `depart` (wfunc in the paper); empty: not passable
+/// then. Positive. Times count from an instant that the caller chooses.
+/// `latest`: later arrivals are of no use, so the function may return empty without computing the time.
+/// Law (FIFO): leaving later never arrives earlier. Edges that reopen and moving obstacles break it.
 template <class F>
 concept EdgeTravelTime = requires(const F& f, const Edge& edge, core::Seconds depart, core::Seconds latest) {
   { f(edge, depart, latest).has_value() } -> std::same_as<bool>;

@@ -20,7 +20,7 @@ std::vector<Offset> sector_offsets(int sectors) {
   const auto angle = [](Offset o) {
     const double turned = std::atan2(o.dy, o.dx);
     return turned < 0.0 ? turned + 7.0
-                        : turned;  // 7 > 2 pi keeps the order of the lower half behind the upper half
+                        : turned;  // 7 > 2 pi: the lower half is sorted behind the upper half, in its order
   };
   std::ranges::sort(offsets, [&](Offset a, Offset b) { return angle(a) < angle(b); });
   return offsets;

@@ -7,7 +7,7 @@ namespace floeplan::graph {
 
 using Vertex = std::uint32_t;
 
-/// A step of the grid from one vertex to another, in columns and rows.
+/// A step from one vertex to another, in columns and rows.
 struct Offset {
   int dx{};
   int dy{};
@@ -15,33 +15,33 @@ struct Offset {
   friend bool operator==(Offset, Offset) = default;
 };
 
-/// The steps of a k-sector grid: all (i, j) with max(|i|, |j|) <= k and no common divisor, so that no step
-/// passes over a vertex that a shorter one reaches. 8, 16, 32 steps for k = 1, 2, 3. Counter-clockwise from
+/// The steps of a k-sector grid: all (i, j) with max(|i|, |j|) <= k and without a common divisor, because a
+/// shorter step already leads in that direction. 8, 16 or 32 steps for k = 1, 2, 3. Counter-clockwise from
 /// east.
 /// Source   Eichhorn 2009, Figure 4
 /// Errors   std::invalid_argument unless 1 <= sectors <= 5
 [[nodiscard]] std::vector<Offset> sector_offsets(int sectors);
 
-/// A directed connection. `step` is the index of its offset.
+/// A directed edge. `step` is the index of its offset.
 struct Edge {
   Vertex tail{};
   Vertex head{};
   std::uint8_t step{};
 };
 
-/// Vertices on nx columns and ny rows, numbered row by row, joined by the steps of a k-sector grid; knows no
-/// ocean. A closed vertex has no edges. Edges are not stored.
+/// A grid of nx columns and ny rows. Vertices are numbered row by row and joined by the steps of a k-sector
+/// grid. A closed vertex has no edges. Edges are computed, not stored.
 /// Threads  const members may be called from several threads at once
 class GridGraph {
  public:
-  /// `open` has nx * ny entries, or none when every vertex is open.
+  /// `open`: nx * ny flags; empty: every vertex is open.
   /// Errors   std::invalid_argument for an empty or oversized grid or a wrong number of entries
   GridGraph(int nx, int ny, int sectors, std::vector<std::uint8_t> open = {});
 
   [[nodiscard]] int nx() const { return nx_; }
   [[nodiscard]] int ny() const { return ny_; }
   [[nodiscard]] const std::vector<Offset>& offsets() const { return offsets_; }
-  /// All vertices, open or not: the range of vertex numbers.
+  /// Number of all vertices, open or closed.
   [[nodiscard]] std::size_t size() const {
     return static_cast<std::size_t>(nx_) * static_cast<std::size_t>(ny_);
   }
@@ -54,11 +54,11 @@ class GridGraph {
     return vertex(column(head) - offsets_[step].dx, row(head) - offsets_[step].dy);
   }
 
-  /// The same graph with only those of its open vertices that are kept, `size()` flags.
+  /// A copy in which only open vertices with a set flag in `kept` stay open. `kept` has `size()` flags.
   [[nodiscard]] GridGraph keeping(const std::vector<bool>& kept) const;
 
   [[nodiscard]] std::int64_t count_open_vertices() const;
-  /// Directed edges between open vertices.
+  /// Number of directed edges between open vertices.
   [[nodiscard]] std::int64_t count_edges() const;
 
   /// Calls `visit(Edge)` for every edge that leaves `tail`, in the order of the offsets.
@@ -82,9 +82,9 @@ class GridGraph {
  private:
   int nx_;
   int ny_;
-  int reach_;  // of the longest step, in columns and in rows
+  int reach_;  // columns or rows that the longest step spans
   std::vector<Offset> offsets_;
-  std::vector<Vertex> strides_;  // of the offsets, from vertex number to vertex number, modulo 2^32
+  std::vector<Vertex> strides_;  // change of the vertex number for each step, modulo 2^32
   std::vector<std::uint8_t> open_;
 };
 

@@ -18,33 +18,34 @@
 
 namespace floeplan::graph {
 
-/// A time during which a place is safe. Seconds on the clock of the query's departure, as all times here.
+/// A period in which a place is safe. All times here are seconds on the clock of the query's departure.
 struct SafeInterval {
   double from_s{};
   double until_s{};
-  bool may_stay{};  // whether the vehicle may stay there meanwhile; else it can only pass
+  bool may_stay{};  // true: the vehicle may stay there during the period; false: it may only pass
 };
 
-/// A departure at which an edge is open, and the arrival.
+/// A departure at which an edge is open, and its arrival.
 struct OpenDeparture {
   double depart_s{};
   double arrive_s{};
 };
 
-/// What became of a look for such a departure.
+/// Result of a search for such a departure.
 struct DepartureLook {
   std::optional<OpenDeparture> open;
-  double looked_until_s{};  // there is none before it
+  double looked_until_s{};  // no earlier departure is open
 };
 
 /// Edges that open and close, between places that are safe at times.
-/// safe_intervals  of a vertex: ascending, not overlapping; of two that touch the vehicle may stay in one only
-/// first_open      the first departure, no earlier than `from_s` and no later than `until_s`, that arrives no earlier
-///                 than `arrive_from_s`. It may look at some departures only; asked again from there, it goes on
-/// open_until      the last departure such that every one from `open` to it is open, no later than `until_s` and no
-///                 later at the head than `arrive_until_s`; it may stop earlier, when it is asked again from there
-/// least_time_s    never more than the time of the edge, whenever it is open
-/// remaining_s     of a vertex, to the goal. Law (consistent): remaining(tail) <= time of the edge + remaining(head)
+/// safe_intervals  of a vertex: ascending, disjoint; of two that touch, the vehicle may stay in at most one
+/// first_open      the first departure between `from_s` and `until_s` that arrives at `arrive_from_s` or
+/// later. One call may test only some departures; the next call continues from `looked_until_s` open_until
+///   the last departure until which the edge stays open from `open` on, at most `until_s`, with an arrival of
+/// at most `arrive_until_s`. It may stop earlier; the next call continues from there least_time_s    lower
+/// bound of the edge's time, for all departures
+/// remaining_s     lower bound from a vertex to the goal. Law (consistent): remaining(tail) <= time of the
+/// edge + remaining(head)
 /// Law (FIFO)      a later departure arrives later
 /// Law (safe)      an open departure arrives in one of the head's intervals
 template <class M>
@@ -56,36 +57,36 @@ concept IntervalModel = requires(M& model, const Edge& edge, Vertex v, double s,
   { model.remaining_s(v) } -> std::convertible_to<double>;
 };
 
-/// A place on the way, and when.
+/// A vertex of the path, with arrival and departure.
 struct Visit {
   Vertex vertex{};
   double arrive_s{};
   double leave_s{};
 };
 
-/// What a search over intervals found.
+/// Result of a search over intervals.
 struct IntervalSearch {
-  std::vector<Visit> way;  // from the source to the goal; empty: none
+  std::vector<Visit> way;  // from the source to the goal; empty: no path
   SearchCounters counters;
-  bool stopped{false};     // the caller asked for it: what is here is not complete
-  bool full{false};        // a bound on memory or work was met: an earlier way may exist
-  double none_before_s{};  // then: no way arrives earlier
+  bool stopped{false};     // stopped by the caller: the result is incomplete
+  bool full{false};        // a limit on memory or work was reached: an earlier path may exist
+  double none_before_s{};  // if `full`: lower bound of the arrival
 
   [[nodiscard]] double arrival_s() const { return way.empty() ? SearchTree::never : way.back().arrive_s; }
 };
 
-/// What a search over intervals may leave undone.
+/// Accuracy and limits of a search over intervals.
 struct IntervalLimits {
-  double slack_s{};  // an arrival that is later than the earliest by so much will do
+  double slack_s{};  // tolerance: an arrival later than the earliest by this is good enough
   std::size_t most_entries{std::numeric_limits<std::uint32_t>::max()};  // some hundred bytes each
-  std::int64_t most_looks{std::numeric_limits<std::int64_t>::max()};    // for departures
+  std::int64_t most_looks{std::numeric_limits<std::int64_t>::max()};    // calls of first_open
 };
 
 /// The search of `find_earliest_among_intervals`, for one query.
 template <class Graph, IntervalModel Model>
 class IntervalSearcher {
  public:
-  /// Everything is borrowed.
+  /// All references are borrowed.
   IntervalSearcher(const Graph& graph, const Query& query, Model& model, const IntervalLimits& limits)
       : graph_{graph}, query_{query}, goal_{query.goal.value()}, model_{model}, limits_{limits} {
     place_of_.assign(graph.size(), none);
@@ -123,41 +124,43 @@ class IntervalSearcher {
   static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
   static constexpr std::int64_t turns_between_looks = 64;
   static constexpr std::int64_t turns_between_reports = 16'384;
-  static constexpr double resolution_s = 0.1;  // of departures
-  static constexpr double touching_s = 1.0;    // arrivals so near to each other are taken together
+  static constexpr double resolution_s = 0.1;  // tolerance of departures
+  static constexpr double touching_s = 1.0;    // windows of arrivals closer than this are joined
 
-  /// Arrivals at a place in one of its intervals: the earliest one where the vehicle may stay, else a window of them.
+  /// Arrivals at a place within one of its intervals. If the vehicle may stay there: the earliest one.
+  /// Otherwise a window of arrivals.
   struct Arrivals {
     Vertex vertex;
     std::uint32_t interval;
     double from_s;
     double until_s;
-    std::uint32_t parent;  // a stand; none: the beginning
-    std::uint8_t step;     // of the edge from there
+    std::uint32_t parent;  // index of a stand; `none`: the start of the search
+    std::uint8_t step;     // of the edge that leads here
     double depart_from_s;
     double depart_until_s;
     bool expanded{false};
     double
-        known_until_s{};  // of a window: the latest end of it and of those that begin earlier in its interval
+        known_until_s{};  // for windows: the latest end of it and of those that begin earlier in the interval
   };
-  /// A place that is left at any time of a window.
+  /// A place that a vehicle may leave at any time of a window.
   struct Stand {
     Vertex vertex;
     std::uint32_t interval;
     double from_s;
     double until_s;
   };
-  /// Looks for departures of one stand along one edge, ascending, into an interval of its head and those after it.
+  /// Searches departures from one stand along one edge, in ascending order, into an interval of the head and
+  /// those after it.
   struct Traveller {
     std::uint32_t stand;
     Edge edge;
     std::uint32_t interval;
     double depart_s;
-    double arrive_s;      // no earlier
-    double earliest_s{};  // at the head, for what is known beforehand
+    double arrive_s;      // lower limit of the arrival
+    double earliest_s{};  // lower bound of the arrival at the head
   };
-  /// Arrivals to be expanded, or a traveller. Of equal keys the one goes first that would be nearer to the goal if
-  /// nothing were closed.
+  /// Queue entry: arrivals to expand, or a traveller. Of equal keys the entry comes first that would be
+  /// nearer to the goal without closures.
   struct Entry {
     double key_s;
     double order_s;
@@ -170,10 +173,10 @@ class IntervalSearcher {
       return number > other.number;
     }
   };
-  /// What is known of a place in one of its intervals.
+  /// Search state of a place in one of its intervals.
   struct State {
-    std::vector<std::uint32_t> arrivals;  // ascending; where the vehicle may stay, the earliest one alone
-    bool settled{false};                  // where it may stay
+    std::vector<std::uint32_t> arrivals;  // ascending; if the vehicle may stay, only the earliest
+    bool settled{false};                  // expanded; only for intervals in which the vehicle may stay
   };
   struct Place {
     std::vector<SafeInterval> intervals;
@@ -206,7 +209,7 @@ class IntervalSearcher {
            (best_ != none && arrivals_[best_].from_s <= key_s + limits_.slack_s);
   }
 
-  /// No earlier can a vehicle be at the goal, as far as that is closed then.
+  /// The earliest time, from `when_s` on, at which the goal is safe.
   double goal_opens_s(double when_s) {
     for (const SafeInterval& safe : place(goal_).intervals) {
       if (safe.until_s >= when_s) return std::max(when_s, safe.from_s);
@@ -251,7 +254,7 @@ class IntervalSearcher {
       arrivals_[*later].known_until_s = known_until_s;
   }
 
-  /// Of a place that can only be passed: its windows that begin later.
+  /// For a place that can only be passed: the first window that begins after `time_s`.
   [[nodiscard]] auto first_after(const State& state, double time_s) const {
     return std::ranges::upper_bound(state.arrivals, time_s, {}, from_of());
   }
@@ -270,7 +273,7 @@ class IntervalSearcher {
       state.settled = true;
       stand.until_s = here.intervals[from.interval].until_s;
     } else {
-      // Windows that touch are left as one: many ways lead here at about the same time.
+      // Windows that touch are joined: many paths lead here at about the same time.
       const auto first = std::ranges::lower_bound(state.arrivals, stand.from_s, {}, from_of());
       for (auto i = first; i != state.arrivals.end(); ++i) {
         Arrivals& other = arrivals_[*i];
@@ -288,7 +291,7 @@ class IntervalSearcher {
     });
   }
 
-  /// Puts a traveller back for the earliest arrival that it may still find, if that is of use.
+  /// Queues the traveller again with the earliest arrival that it may still find, if that is of use.
   void queue_again(Traveller traveller) {
     const Stand& stand = stands_[traveller.stand];
     if (traveller.depart_s > stand.until_s) return;
@@ -305,7 +308,7 @@ class IntervalSearcher {
     }
   }
 
-  /// Whether some vehicle is in the interval by when this one may be there, and may stay.
+  /// Whether the interval allows staying and another vehicle is there no later than this one could be.
   bool is_known(const Traveller& traveller) {
     const Place& head = place(traveller.edge.head);
     const SafeInterval& safe = head.intervals[traveller.interval];
@@ -317,7 +320,7 @@ class IntervalSearcher {
   void look_on(Traveller traveller) {
     const Stand stand = stands_[traveller.stand];
     const SafeInterval safe = place(traveller.edge.head).intervals[traveller.interval];
-    if (is_known(traveller)) {  // by now
+    if (is_known(traveller)) {  // another arrival came first in the meantime
       queue_again(traveller);
       return;
     }
@@ -344,8 +347,8 @@ class IntervalSearcher {
     queue_again(traveller);
   }
 
-  /// Adds the window of arrivals that begins with this departure, as far as it is not there, and moves the traveller
-  /// on.
+  /// Adds the window of arrivals that begins with this departure, except for parts already known. Then moves
+  /// the traveller past it.
   void add_window(Traveller& traveller, const Stand& stand, const SafeInterval& safe,
                   const OpenDeparture& open) {
     const State& state = place(traveller.edge.head).states[traveller.interval];
@@ -363,13 +366,14 @@ class IntervalSearcher {
       add({traveller.edge.head, traveller.interval, open.arrive_s, last.arrive_s, traveller.stand,
            traveller.edge.step, open.depart_s, last.depart_s});
     }
-    // The next window begins where this one ends, unless that is a single moment.
+    // The next search begins at the end of this window; if the window is a single moment, slightly later.
     const bool goes_on = last.depart_s > open.depart_s + resolution_s;
     traveller.depart_s = goes_on ? last.depart_s : last.depart_s + resolution_s;
     traveller.arrive_s = last.arrive_s;
   }
 
-  /// From the goal back, each departure as early as it can be for what follows.
+  /// Follows the path from the goal back. Each departure is the one whose arrival the next step of the path
+  /// needs.
   void trace_back() {
     std::vector<Visit>& way = search_.way;
     std::uint32_t index = best_;
@@ -408,28 +412,28 @@ class IntervalSearcher {
   Vertex goal_;
   Model& model_;
   IntervalLimits limits_;
-  std::vector<std::uint32_t> place_of_;  // of each vertex
-  std::deque<Place> places_;             // as they are first asked for
+  std::vector<std::uint32_t> place_of_;  // for each vertex: index of its place, or `none`
+  std::deque<Place> places_;             // in the order of their first use
   std::vector<Arrivals> arrivals_;
   std::vector<Stand> stands_;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue_;
   std::uint64_t number_{};
-  std::uint32_t best_{none};  // arrivals at the goal
+  std::uint32_t best_{none};  // index of the arrivals at the goal
   IntervalSearch search_;
 };
 
-/// The earliest arrival at the query's goal in a world where places and edges open and close and a vehicle may stay at
-/// some places for a while: A* over (vertex, safe interval). Where it may stay, the earliest arrival can do all that a
-/// later one can; where it can only pass, every arrival counts, and windows of them are kept. An edge that is closed is
-/// looked at again from the queue, when the search has come to that time. Exact under the model's laws, to within
-/// the slack and a second for each edge.
+/// The earliest arrival at the query's goal if places and edges open and close and a vehicle may stay at some
+/// places for a while: A* over (vertex, safe interval). If the vehicle may stay, the earliest arrival can do
+/// all that a later one can. If it can only pass, every arrival counts, so windows of arrivals are kept. A
+/// closed edge is put back into the queue and tested again when the search reaches that time. Exact under the
+/// model's laws, within the slack and a second per edge.
 /// `graph`  as GridGraph: size, is_open, for_each_edge
-/// Returns  a way whose departures are as late as the earliest arrival at each next place has it: the vehicle stays
-///          as near to what it stays for as it can
+/// Returns  a path whose departures are as late as the earliest arrival at each next place allows, so the
+///          vehicle waits near what it waits for
 /// Source   Phillips and Likhachev 2011, SIPP: Safe interval path planning for dynamic environments,
 ///          doi:10.1109/ICRA.2011.5980306; the windows of arrivals are an addition
-/// Stops    early, and says so in the result, once `stop` is requested or a bound of `limits` is met; in the second
-///          case with the best way so far, if there is one
+/// Stops    early, and says so in the result, once `stop` is requested or a limit is reached; in the second
+///          case with the best path so far, if there is one
 template <class Graph, IntervalModel Model>
 IntervalSearch find_earliest_among_intervals(const Graph& graph, const Query& query, Model& model,
                                              const IntervalLimits& limits, const std::stop_token& stop,

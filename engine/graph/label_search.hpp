@@ -16,7 +16,7 @@
 
 namespace floeplan::graph {
 
-/// An arrival at a place in a state: what `State` holds matters for the way onward besides place and time.
+/// An arrival at a vertex. `State` holds what matters for the way onward besides vertex and time.
 template <class State>
 struct Label {
   static constexpr std::uint32_t no_parent = std::numeric_limits<std::uint32_t>::max();
@@ -24,24 +24,24 @@ struct Label {
   Vertex vertex{};
   double arrival_s{};
   State state{};
-  std::uint32_t parent{no_parent};  // index of the label it comes from, at the same vertex after a wait
-  std::uint32_t choice{};           // which of the model's ways to travel or to wait led here
+  std::uint32_t parent{no_parent};  // index of the label before; after a wait it is at the same vertex
+  std::uint32_t choice{};           // number, given by the model, of the kind of travel or wait that led here
 };
 
-/// Where `extend` and `wait` report each arrival: emit(arrival_s, state, choice).
+/// Shape of the callback to which `extend` and `wait` report each arrival: emit(arrival_s, state, choice).
 template <class State>
 struct IgnoreArrival {
   void operator()(double, const State&, std::uint32_t) const {}
 };
 
-/// The rules of a voyage. Times are seconds on the clock of the query's departure.
-/// extend     every way to travel the edge when at its tail then and in that state; none when it is closed
-/// wait       every later moment worth staying for at the vertex; none where the vehicle cannot stay
-/// key        cost so far and a bound on the rest. Law: never falls along a way, never more than the cost of
-///            any way to the goal, and at the goal the cost itself
-/// order      if there is one: the labels likely to be nearest to the goal first, among those whose keys are equal
-/// dominates  whether whatever can be done from `b` can be done from `a`, at the same vertex, at no greater
-///            cost. A label after a wait is compared too, also with the one it waited from
+/// The rules by which labels are made and compared. Times are seconds on the clock of the query's departure.
+/// extend     emits an arrival for every way to travel the edge at that time in that state; none if the edge
+/// is closed wait       emits every later time at the vertex that is worth a wait; none if the vehicle cannot
+/// stay key        cost so far plus a lower bound of the rest. Law: never falls along a path, never exceeds
+/// the cost of any path to the goal, and at the goal equals the cost
+/// order      optional: among labels with equal keys, the least comes first; meant for those nearest to the
+/// goal dominates  whether all that can be done from `b` can be done from `a`, at the same vertex, at no
+/// greater cost. A label after a wait is compared, too, also with the one before the wait
 template <class M>
 concept VoyageModel = requires(M& model, const Edge& edge, Vertex v, const Label<typename M::State>& label,
                                IgnoreArrival<typename M::State>& emit) {
@@ -54,25 +54,25 @@ concept VoyageModel = requires(M& model, const Edge& edge, Vertex v, const Label
 struct LabelCounters {
   std::int64_t expansions{};
   std::int64_t edge_evaluations{};
-  std::int64_t dominated{};  // arrivals that were of no use, because another one dominates them
+  std::int64_t dominated{};  // arrivals dropped because another one dominates them
 };
 
-/// What a search over labels made.
+/// Result of a search over labels.
 template <class State>
 struct LabelSearch {
-  std::vector<Label<State>> labels;   // in the order they were made, so a parent comes before its children
-  std::optional<std::uint32_t> goal;  // index of the best label at the goal; empty: no way found
+  std::vector<Label<State>> labels;   // in the order of creation, so parents come before children
+  std::optional<std::uint32_t> goal;  // index of the best label at the goal; empty: no path found
   LabelCounters counters;
-  double least_key{};   // no way that was not found costs less
-  bool stopped{false};  // the caller asked for it: what is here is not complete
-  bool full{false};     // the bound on labels was met: a way may exist that was not found
+  double least_key{};   // lower bound of the cost of all paths not found
+  bool stopped{false};  // stopped by the caller: the result is incomplete
+  bool full{false};     // the limit on labels was reached: a further path may exist
 };
 
-/// How often a search over labels looks at its stop token: an expansion may travel each edge in several ways
-/// and past moving obstacles, some hundred microseconds in all.
+/// Expansions between two checks of the stop token. One expansion may travel each edge in several ways and
+/// past moving obstacles, which takes some hundred microseconds.
 inline constexpr std::int64_t label_expansions_between_looks = 4;
 
-/// Rank of a label among labels with equal keys, the least first; zero if the model gives no `order`.
+/// Order among labels with equal keys, the least first; zero if the model has no `order`.
 template <class M>
 double order_of(const M& model, Vertex v, double arrival_s) {
   if constexpr (requires { model.order(v, arrival_s); }) {
@@ -82,14 +82,13 @@ double order_of(const M& model, Vertex v, double arrival_s) {
   }
 }
 
-/// The best way from a source to a goal where more than the arrival time counts: several labels for each
-/// vertex, of which none dominates another, expanded by ascending key, of equal keys by ascending order and then as the
-/// labels were made.
-/// `goal`: empty: everywhere, as far as the model goes.
-/// `slack`: in units of the key, a way that costs no more than the best by so much will do; exact under the model's
-/// laws without it.
-/// Stops    early, and says so in the result, once `stop` is requested or `most_labels` have been made; in the second
-///          case with the best way to the goal so far, if there is one
+/// The best path from a source to a goal if more than the arrival time counts. Each vertex has several
+/// labels, none of which dominates another. They are expanded by ascending key; equal keys by ascending
+/// order, then by creation.
+/// `goal`: empty: all vertices that the model reaches.
+/// `slack`: tolerance in units of the key. With zero the result is exact under the model's laws.
+/// Stops    early, and says so in the result, once `stop` is requested or `most_labels` have been made; in
+///          the second case with the best path to the goal so far, if there is one
 /// Source   Martins 1984, On a multicriteria shortest path problem, doi:10.1016/0377-2217(84)90077-8 (label
 ///          setting with several criteria); Phillips and Likhachev 2011, SIPP: Safe interval path planning
 ///          for dynamic environments, doi:10.1109/ICRA.2011.5980306 (a state that is a safe interval)
@@ -104,17 +103,17 @@ LabelSearch<typename Model::State> find_best_labels(const GridGraph& graph, Vert
   constexpr std::uint32_t none = Label<State>::no_parent;
   struct Open {
     double key;
-    double order_s;  // of equal keys the least goes first
+    double order_s;  // of equal keys the least comes first
     std::uint32_t label;
     auto operator<=>(const Open&) const = default;
   };
 
   LabelSearch<State> search;
-  std::vector<std::uint32_t> newest(graph.size(), none);  // of each vertex's undominated labels, a list
-  std::vector<std::uint32_t> next;                        // in that list, for each label
+  std::vector<std::uint32_t> newest(graph.size(), none);  // first undominated label of each vertex
+  std::vector<std::uint32_t> next;                        // for each label: next in that list
   std::vector<bool> dominated;
   std::priority_queue<Open, std::vector<Open>, std::greater<>> queue;
-  std::optional<Open> best;  // at the goal
+  std::optional<Open> best;  // best label at the goal
   if (!graph.is_open(source)) return search;
 
   const auto add = [&](const Label<State>& label) {
@@ -162,7 +161,7 @@ LabelSearch<typename Model::State> find_best_labels(const GridGraph& graph, Vert
     queue.pop();
     if (dominated[parent]) continue;
     ++search.counters.expansions;
-    const Label<State> from = search.labels[parent];  // a copy: the list grows below
+    const Label<State> from = search.labels[parent];  // a copy, because the vector grows below
     graph.for_each_edge(from.vertex, [&](const Edge& edge) {
       ++search.counters.edge_evaluations;
       model.extend(edge, from.arrival_s, from.state,

@@ -10,14 +10,14 @@
 
 namespace floeplan::graph {
 
-/// What a search for any of many goals found.
+/// Result of a search for the nearest of many goals.
 struct NearestGoal {
   SearchTree tree;
-  std::optional<Vertex> goal;  // the goal that is reached first; empty: none by then
+  std::optional<Vertex> goal;  // the goal reached first; empty: none by `latest`
 };
 
-/// The goal that is reached first from a vertex, where a goal may depend on the time of arrival: `is_goal(v,
-/// arrival)`. Exact under FIFO for goals that stay goals; arrivals after `latest` are of no use.
+/// The goal that is reached first from a vertex. Whether a vertex is a goal may depend on the arrival:
+/// `is_goal(v, arrival)`. Exact under FIFO for goals that stay goals. Arrivals after `latest` are of no use.
 /// Stops    early, and says so in the tree, once `stop` is requested
 /// Source   Dijkstra's search on arrival times, ended at the first settled goal (Dreyfus 1969, see
 ///          time_dependent_astar.hpp)

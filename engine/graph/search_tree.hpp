@@ -12,22 +12,22 @@
 
 namespace floeplan::graph {
 
-/// The start and the goal of a search, and its departure.
+/// Source and goal of a search, and the departure.
 struct Query {
   Vertex source{};
-  std::optional<Vertex> goal;  // empty: to every vertex that can be reached
+  std::optional<Vertex> goal;  // empty: every reachable vertex
   core::Seconds depart{};
-  core::Seconds latest{std::numeric_limits<double>::infinity()};  // arrivals after it are of no use
+  core::Seconds latest{std::numeric_limits<double>::infinity()};  // later arrivals are of no use
 };
 
-/// What a search did.
+/// Counts of the work of a search.
 struct SearchCounters {
   std::int64_t edge_evaluations{};
   std::int64_t expansions{};
-  std::int64_t reinsertions{};  // of vertices that had already been expanded (BLACK in the paper)
+  std::int64_t reinsertions{};  // of vertices that were already expanded (BLACK in the paper)
 };
 
-/// Earliest arrivals found, and how each vertex was reached.
+/// The earliest arrivals found, and the edge by which each vertex was reached.
 class SearchTree {
  public:
   static constexpr double never = std::numeric_limits<double>::infinity();
@@ -35,10 +35,10 @@ class SearchTree {
   explicit SearchTree(std::size_t vertices) : arrival_s_(vertices, never), step_(vertices, no_step) {}
 
   [[nodiscard]] bool is_reached(Vertex v) const { return arrival_s_[v] < never; }
-  /// Infinite when not reached.
+  /// Infinite if not reached.
   [[nodiscard]] double arrival_s(Vertex v) const { return arrival_s_[v]; }
   [[nodiscard]] bool has_predecessor(Vertex v) const { return step_[v] != no_step; }
-  /// The step of the edge that reached `v`. Defined only where `has_predecessor(v)`.
+  /// Index of the step that reached `v`. Valid only if `has_predecessor(v)`.
   [[nodiscard]] std::uint8_t step(Vertex v) const { return step_[v]; }
 
   void start(Vertex source, double depart_s) { arrival_s_[source] = depart_s; }
@@ -48,7 +48,7 @@ class SearchTree {
   }
 
   SearchCounters counters;
-  bool stopped{false};  // the caller asked for it: what is here is not complete
+  bool stopped{false};  // stopped by the caller: the result is incomplete
 
  private:
   static constexpr std::uint8_t no_step = 255;
@@ -57,19 +57,19 @@ class SearchTree {
   std::vector<std::uint8_t> step_;
 };
 
-/// The vertices from the source to `goal`, both included; empty when the goal was not reached.
+/// The vertices from the source to `goal`, both included; empty if the goal was not reached.
 [[nodiscard]] std::vector<Vertex> path_to(const GridGraph& graph, const SearchTree& tree, Vertex goal);
 
-/// Called with the number of expansions after every 1024 of them.
+/// Called after every 1024 expansions with their total number.
 using ExpansionCallback = std::function<void(std::int64_t expansions)>;
 
-/// How often a search looks at its stop token and reports: often enough for 100 ms, seldom enough to cost
-/// nothing.
+/// Expansions between two checks of the stop token: few enough to react within 100 ms, enough to cost no
+/// time.
 inline constexpr std::int64_t expansions_between_looks = 64;
 inline constexpr std::int64_t expansions_between_reports = 1024;
 
-/// To be asked before each expansion: looks at `stop` now and then, and reports.
-/// Returns  whether the search has to end; the tree then says that it was stopped
+/// Call before each expansion: checks `stop` and reports progress from time to time.
+/// Returns  whether the search must end; the tree is then marked as stopped
 [[nodiscard]] inline bool is_to_stop(SearchTree& tree, const std::stop_token& stop,
                                      const ExpansionCallback& report) {
   const std::int64_t expansions = tree.counters.expansions;

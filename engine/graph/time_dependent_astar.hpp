@@ -11,10 +11,11 @@
 
 namespace floeplan::graph {
 
-/// What is known beforehand of travel times.
-/// Law (admissible)  least_time(edge, depart) is never more than the time of that edge for who leaves its tail then
+/// Bounds of travel times that are known before the search.
+/// Law (admissible)  least_time(edge, depart) never exceeds the time of that edge for a departure from its
+/// tail at `depart`
 /// Law (consistent)  remaining(tail) <= least_time(edge, depart) + remaining(head); remaining(goal) = 0
-/// Law (latest)      who is at v after latest_use(v) is not at the goal by the query's latest arrival
+/// Law (latest)      a vehicle at v after latest_use(v) cannot be at the goal by the query's latest arrival
 template <class B>
 concept TravelTimeBound = requires(const B& bound, const Edge& edge, core::Seconds depart, Vertex v) {
   { bound.least_time(edge, depart) } -> std::convertible_to<core::Seconds>;
@@ -22,20 +23,20 @@ concept TravelTimeBound = requires(const B& bound, const Edge& edge, core::Secon
   { bound.latest_use(v) } -> std::convertible_to<core::Seconds>;
 };
 
-/// Knows nothing: with it the search is Dijkstra's on arrival times.
+/// No bound: the search becomes Dijkstra's on arrival times.
 struct NoBound {
   [[nodiscard]] static core::Seconds least_time(const Edge&, core::Seconds) { return core::Seconds{0.0}; }
   [[nodiscard]] static core::Seconds remaining(Vertex) { return core::Seconds{0.0}; }
   [[nodiscard]] static core::Seconds latest_use(Vertex) { return core::Seconds{SearchTree::never}; }
 };
 
-/// Earliest arrivals, each vertex expanded once: Dijkstra on arrival times, A* with a bound. Exact under
-/// FIFO. An edge that cannot improve its head even at its least time, or from whose head the goal cannot be
-/// reached by `query.latest`, is not evaluated; a vertex reached too late for that does not count as reached.
-/// Returns  arrival and predecessor of every vertex expanded before the goal, and of the goal when it can be
+/// Earliest arrivals, with each vertex expanded once: Dijkstra on arrival times, or A* with a bound. Exact
+/// under FIFO. An edge is not evaluated if even its least time cannot improve its head, or if the goal cannot
+/// be reached from its head by `query.latest`. A vertex reached too late for that does not count as reached.
+/// Returns  arrival and predecessor of every vertex expanded before the goal, and of the goal if it can be
 ///          reached
-/// Source   Dreyfus 1969, An appraisal of some shortest-path algorithms, Operations Research
-///          17 (time-dependent case); Hart, Nilsson and Raphael 1968, doi:10.1109/TSSC.1968.300136 (A*)
+/// Source   Dreyfus 1969, An appraisal of some shortest-path algorithms, Operations Research 17
+///          (time-dependent case); Hart, Nilsson and Raphael 1968, doi:10.1109/TSSC.1968.300136 (A*)
 /// Stops    early, and says so in the result, once `stop` is requested
 template <EdgeTravelTime TravelTime, TravelTimeBound Bound = NoBound>
 SearchTree find_earliest_arrivals(const GridGraph& graph, const Query& query, const TravelTime& travel_time,

@@ -9,10 +9,10 @@
 namespace floeplan::graph {
 
 /// Earliest arrivals in a time-varying environment; label-correcting, exact under FIFO. Runs until the queue
-/// is empty, as printed: a goal or a latest arrival in the query do not end it early.
-/// Returns  arrival and predecessor of every vertex that can be reached, counters of the search
+/// is empty, as in the paper: a goal or a latest arrival in the query does not end it early.
+/// Returns  arrival and predecessor of every reachable vertex, counters of the search
 /// Source   Eichhorn 2009, Table I, right column; d: arrival, pi: predecessor, t_0: query.depart. A vertex is
-///          GRAY while the queue holds it; the paper prints pi <- infinity at the start, here a vertex has no
+///          GRAY while it is in the queue. The paper sets pi <- infinity at the start; here a vertex has no
 ///          predecessor
 /// Stops    early, and says so in the result, once `stop` is requested
 template <EdgeTravelTime TravelTime>

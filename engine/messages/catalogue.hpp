@@ -6,7 +6,7 @@
 
 namespace floeplan::messages {
 
-/// All kinds of messages: of plans, of their data, of refusals with the phrases in them, of exports.
+/// All kinds of messages: about plans and their data, refusals and their phrases, exports.
 [[nodiscard]] std::vector<Kind> catalogue();
 
 }  // namespace floeplan::messages

@@ -5,8 +5,9 @@
 #include "engine/messages/kind.hpp"
 #include "engine/messages/sentence.hpp"
 
-/// What the command line tells on stderr: why a command line is refused, what could not be done, and what to see to. A
-/// fault endangers nobody: it is a caution. A fault of a flag follows the flag's name and a colon.
+/// Messages of the command line on stderr: why a command is refused, what failed, and what the user must see
+/// to. A fault endangers no vehicle, so it is a caution. The fault of a flag follows the flag's name and a
+/// colon.
 namespace floeplan::messages {
 
 inline constexpr auto command_kinds = std::to_array<Kind>({
@@ -126,7 +127,7 @@ inline constexpr auto command_kinds = std::to_array<Kind>({
      .text = "--older-than and --max-size are missing, so it is not known what to remove",
      .hint = "give --older-than P30D, --max-size 20GB or both"},
 
-    // Files that a command reads.
+    // Files to read.
     {.code = "file-not-readable",
      .text = "the {what} {file} cannot be read",
      .hint = "check its name",
@@ -158,7 +159,7 @@ inline constexpr auto command_kinds = std::to_array<Kind>({
      .hint = "give the name of a backup",
      .slots = {{{"file", "store.backup"}}}},
 
-    // Files that a command writes.
+    // Files to write.
     {.code = "file-not-written",
      .text = "{file} cannot be written",
      .hint = "check the folder and the free space",
@@ -175,7 +176,7 @@ inline constexpr auto command_kinds = std::to_array<Kind>({
      .text = "nothing was written, because the plan has dangers",
      .hint = "plan again, or accept the dangers with --accept-dangers"},
 
-    // What is stored.
+    // Stored data.
     {.code = "no-store",
      .text = "there is no store in {folder}",
      .hint = "give its folder with --data, or read data into it with floeplan ingest FILE...",
@@ -264,7 +265,7 @@ inline constexpr auto command_kinds = std::to_array<Kind>({
      .text = "TLS cannot be switched on or off while the server runs",
      .hint = "restart it"},
 
-    // To see to after a command that did its work.
+    // Notes after a successful command.
     {.code = "token-shown-once",
      .rank = Rank::note,
      .text = "Keep this token secret like a password. It is not shown again:"},
@@ -276,13 +277,13 @@ inline constexpr auto command_kinds = std::to_array<Kind>({
              "real."},
 });
 
-/// The message of this code; it is told its values in the order of the catalogue.
+/// Makes the message with this code. `given`: its values, in the order of its slots in the table above.
 template <Code code, class... Given>
 [[nodiscard]] Message command_message(const Given&... given) {
   return make_message<command_kinds, code>(given...);
 }
 
-/// The same as one sentence, for an error that the command line catches.
+/// The text and hint of such a message as one sentence, for an exception that the command line catches.
 template <Code code, class... Given>
 [[nodiscard]] std::string command_text(const Given&... given) {
   return whole_text(command_message<code>(given...));

@@ -2,10 +2,10 @@
 
 #include "engine/messages/kind.hpp"
 
-/// What a pilot is told of the data that something is computed in: what is missing, stretched or left out.
-/// Ranks    danger: hazards that are known and that nobody avoids. Caution: something is assumed in the place of data,
-///          or a hazard was left out, whoever wanted that: who flies the plan is often not who made it. Note: where the
-///          data come from, and wishes that hide no hazard
+/// Messages to the pilot about the data of a computation: what is missing, extrapolated or left out.
+/// Ranks    danger: known hazards that the plan does not avoid. Caution: an assumption replaces data, or a
+///          hazard was left out, even on request, because the pilot of a plan often did not make it. Note:
+///          the origin of data, and requests that hide no hazard
 namespace floeplan::messages {
 
 inline constexpr auto data_kinds = std::to_array<Kind>({
@@ -269,7 +269,7 @@ inline constexpr auto data_kinds = std::to_array<Kind>({
      .slots = {{{"end", "2027-01-20T00:00:00Z"}}}},
 });
 
-/// The message of this code; it is told its values in the order of the catalogue.
+/// Makes the message with this code. `given`: its values, in the order of its slots in the table above.
 template <Code code, class... Given>
 [[nodiscard]] Message data_message(const Given&... given) {
   return make_message<data_kinds, code>(given...);

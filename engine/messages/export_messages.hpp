@@ -2,13 +2,13 @@
 
 #include "engine/messages/kind.hpp"
 
-/// What a pilot is told when a stored plan is looked at again and written as files for a vehicle.
-/// Ranks    danger: newer data close the plan; it is not to be flown. Caution: what the files do not hold, or hold
-///          otherwise than the plan, and the pilot has to see to. Note: good to know
+/// Messages to the pilot when a stored plan is checked again and written as files for a vehicle.
+/// Ranks    danger: newer data close the plan; it must not be flown. Caution: the files lack something, or
+///          differ from the plan, and the pilot must see to it. Note: good to know
 namespace floeplan::messages {
 
 inline constexpr auto export_kinds = std::to_array<Kind>({
-    // The plan in newer data.
+    // The plan checked with newer data.
     {.code = "closed-in-newest-data",
      .rank = Rank::danger,
      .text = "The newest data close leg {leg}: {found}.",
@@ -81,7 +81,8 @@ inline constexpr auto export_kinds = std::to_array<Kind>({
              "without the distance of this waypoint from the ice",
      .hint = "Plan again before the flight.",
      .slots = {{{"list", "goto_l10.ma"}, {"waypoint", 8}}}},
-    // A caution: the planned end lies in open water, and only an error of the position as large as expected leads below.
+    // A caution only: the planned end lies in open water; the vehicle ends below ice only with a position
+    // error as large as expected.
     {.code = "list-may-end-below-ice",
      .rank = Rank::caution,
      .text = "{list} ends at waypoint {waypoint}, {room}. The vehicle may therefore surface below the ice",
@@ -333,7 +334,7 @@ inline constexpr auto export_kinds = std::to_array<Kind>({
      .text = "No science file is written, so the vehicle samples as it did before."},
 });
 
-/// The message of this code; it is told its values in the order of the catalogue.
+/// Makes the message with this code. `given`: its values, in the order of its slots in the table above.
 template <Code code, class... Given>
 [[nodiscard]] Message export_message(const Given&... given) {
   return make_message<export_kinds, code>(given...);

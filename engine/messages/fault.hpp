@@ -10,19 +10,19 @@
 
 namespace floeplan::messages {
 
-/// What a row of requests says of a field.
+/// The violation of a field, with the text of a row of the request messages.
 template <Code code, class... Given>
 [[nodiscard]] core::Violation fault(std::string field, const Given&... values) {
   return violation_of(std::move(field), make_message<request_kinds, code>(values...));
 }
 
-/// Collects the faults of an object, as far as `core::note` goes.
+/// Collects the violations of an object, up to the limit of `core::note`.
 class Faults {
  public:
-  /// `place` is that of the object inside the whole request: fields are named below it.
+  /// `place`: path of the object in the whole request; the fields' paths begin with it.
   explicit Faults(std::string place = "") : place_{std::move(place)} {}
 
-  /// Notes a fault, unless the rule holds, and tells whether it does.
+  /// Adds a violation unless the rule holds. Returns whether it holds.
   template <Code code, class... Given>
   bool require(bool holds, const std::string& field, const Given&... values) {
     if (!holds) refuse<code>(field, values...);
@@ -34,13 +34,13 @@ class Faults {
     core::note(found_, fault<code>(place_ + field, values...));
   }
 
-  /// Notes a number that is not within both ends; `least` and `most` are these as a person writes them.
+  /// Adds a violation if `value` is outside [low, high]. `least` and `most`: these limits as text.
   void within(double value, double low, double high, const char* field, std::string_view least,
               std::string_view most) {
     require<"not-between">(value >= low && value <= high, field, least, most);
   }
 
-  /// Takes over the faults of a part of the object.
+  /// Adds the violations of a part of the object, with the part's path before their fields.
   void take(core::Violations of_part, const std::string& part = "") {
     for (core::Violation& violation : of_part) {
       violation.field = place_ + part + violation.field;

@@ -6,8 +6,8 @@
 #include "engine/messages/kind.hpp"
 #include "engine/messages/sentence.hpp"
 
-/// Why mission files, a plan or the log of a glider cannot be flown in the simulator. Each text follows the name of the
-/// field, file or column. None has a rank of its own: what is refused endangers nobody.
+/// Why mission files, a plan or a glider's log cannot be flown in the simulator. Each text follows the name
+/// of the field, file or column. They have no rank: what is refused endangers no vehicle.
 namespace floeplan::messages {
 
 inline constexpr auto flight_fault_kinds = std::to_array<Kind>({
@@ -113,7 +113,7 @@ inline constexpr auto flight_fault_kinds = std::to_array<Kind>({
      .slots = {{{"other", "m_lon"}, {"packed", "0.5 N 0.4 E"}, {"decimal", "30.0 N 24.0 E"}}}},
 });
 
-/// What a row says of a field of a simulated flight, of a mission file or of a log.
+/// The violation of a field of a simulated flight, a mission file or a log, with the text of this row.
 template <Code code, class... Given>
 [[nodiscard]] core::Violation flight_fault(std::string field, const Given&... values) {
   return violation_of(std::move(field), make_message<flight_fault_kinds, code>(values...));

@@ -2,12 +2,12 @@
 
 #include "engine/messages/kind.hpp"
 
-/// What a pilot is told of a file of zones or coastlines, and of polygons and their attributes. A fault of one feature is
-/// told after its name: "feature 3: ".
+/// Messages to the pilot about a file of zones or coastlines, its polygons and their attributes. The fault of
+/// one feature follows its name: "feature 3: ".
 namespace floeplan::messages {
 
 inline constexpr auto ingest_area_kinds = std::to_array<Kind>({
-    // What the file holds.
+    // Contents of the file.
     {.code = "polygons-do-not-say-what-they-are",
      .rank = Rank::caution,
      .text = "the file does not say whether its polygons are areas to keep out of, land or ice",
@@ -206,7 +206,7 @@ inline constexpr auto ingest_area_kinds = std::to_array<Kind>({
      .slots = {{{"crs", "EPSG:1"}}}},
 });
 
-/// The message of this code; it is told its values in the order of the catalogue.
+/// Makes the message with this code. `given`: its values, in the order of its slots in the table above.
 template <Code code, class... Given>
 [[nodiscard]] Message ingest_area_message(const Given&... given) {
   return make_message<ingest_area_kinds, code>(given...);

@@ -2,7 +2,7 @@
 
 #include "engine/messages/kind.hpp"
 
-/// What a pilot is told of a file of currents or wind.
+/// Messages to the pilot about a file of currents or wind.
 namespace floeplan::messages {
 
 inline constexpr auto ingest_current_kinds = std::to_array<Kind>({
@@ -78,7 +78,7 @@ inline constexpr auto ingest_current_kinds = std::to_array<Kind>({
              "water near the surface may run faster or in another direction",
      .slots = {{{"depth", "5"}}}},
 
-    // How strong.
+    // Speeds.
     {.code = "wind-too-strong",
      .rank = Rank::caution,
      .text = "the wind reaches {speed} m/s at {place}, stronger than any wind. The unit is wrong, or the "
@@ -113,7 +113,7 @@ inline constexpr auto ingest_current_kinds = std::to_array<Kind>({
              "it stands in the file",
      .slots = {{{"points", 120}, {"value", "-9.99"}, {"beyond", "smaller"}}}},
 
-    // Which way it points.
+    // Directions and axes.
     {.code = "axes-of-variable-unknown",
      .rank = Rank::caution,
      .text = "the variable \"{variable}\" has no two dimensions that could be rows and columns, so the "
@@ -190,7 +190,7 @@ inline constexpr auto ingest_current_kinds = std::to_array<Kind>({
      .hint = "Interpolate the data to depths in metres first",
      .slots = {{{"what", "a regular grid"}}}},
 
-    // The part of the water.
+    // Part of the water column.
     {.code = "current-of-one-depth",
      .rank = Rank::caution,
      .text = "{variables} are currents at a depth of {depth} m, as the file says. Below this depth the "
@@ -285,7 +285,7 @@ inline constexpr auto ingest_current_kinds = std::to_array<Kind>({
      .slots = {{{"first", "u"}, {"second", "v"}}}},
 });
 
-/// The message of this code; it is told its values in the order of the catalogue.
+/// Makes the message with this code. `given`: its values, in the order of its slots in the table above.
 template <Code code, class... Given>
 [[nodiscard]] Message ingest_current_message(const Given&... given) {
   return make_message<ingest_current_kinds, code>(given...);

@@ -2,7 +2,7 @@
 
 #include "engine/messages/kind.hpp"
 
-/// What a pilot is told of a file of depths: grids, tables and nautical charts.
+/// Messages to the pilot about a file of depths: grids, tables and nautical charts.
 namespace floeplan::messages {
 
 inline constexpr auto ingest_depth_kinds = std::to_array<Kind>({
@@ -135,7 +135,7 @@ inline constexpr auto ingest_depth_kinds = std::to_array<Kind>({
                 {"what", "a depth of 32767 m"},
                 {"longitude", "-52"},
                 {"latitude", "69"}}}},
-    // Which way is up, and where.
+    // Sign of the depths, and coordinates.
     {.code = "bag-counts-downwards",
      .rank = Rank::caution,
      .text = "the BAG file counts its values downwards, but the format holds elevations, which count "
@@ -258,7 +258,7 @@ inline constexpr auto ingest_depth_kinds = std::to_array<Kind>({
      .slots = {{{"columns", "90000"}, {"rows", "90000"}}}},
 });
 
-/// The message of this code; it is told its values in the order of the catalogue.
+/// Makes the message with this code. `given`: its values, in the order of its slots in the table above.
 template <Code code, class... Given>
 [[nodiscard]] Message ingest_depth_message(const Given&... given) {
   return make_message<ingest_depth_kinds, code>(given...);

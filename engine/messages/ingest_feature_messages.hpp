@@ -2,7 +2,8 @@
 
 #include "engine/messages/kind.hpp"
 
-/// What a pilot is told of how a file of features is written: GeoJSON, KML, S-411 and what GDAL reads.
+/// Messages to the pilot about the format of a file of features: GeoJSON, KML, S-411 and the formats that
+/// GDAL reads.
 namespace floeplan::messages {
 
 inline constexpr auto ingest_feature_kinds = std::to_array<Kind>({
@@ -128,7 +129,7 @@ inline constexpr auto ingest_feature_kinds = std::to_array<Kind>({
      .slots = {{{"reason", "no .shx"}}}},
 });
 
-/// The message of this code; it is told its values in the order of the catalogue.
+/// Makes the message with this code. `given`: its values, in the order of its slots in the table above.
 template <Code code, class... Given>
 [[nodiscard]] Message ingest_feature_message(const Given&... given) {
   return make_message<ingest_feature_kinds, code>(given...);

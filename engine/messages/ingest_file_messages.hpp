@@ -2,9 +2,11 @@
 
 #include "engine/messages/kind.hpp"
 
-/// What a pilot is told of any file that is read into the store: what it is, whether it can be opened, what it holds.
-/// Ranks  (of all ingest_*_messages) Caution: the file or a row is refused, or a stored value may be wrong for a plan. Note:
-///        something was assumed, converted or left out, or the message says what the data are
+/// Messages to the pilot about any file that is read into the store: what it is, whether it can be opened,
+/// what it holds.
+/// Ranks  (of all ingest_*_messages) Caution: the file or a row is refused, or a stored value may be wrong
+///        for a plan. Note: something was assumed, converted or left out, or the message says what the data
+///        are
 namespace floeplan::messages {
 
 inline constexpr auto ingest_file_kinds = std::to_array<Kind>({
@@ -38,7 +40,7 @@ inline constexpr auto ingest_file_kinds = std::to_array<Kind>({
      .rank = Rank::caution,
      .text = "the data were removed from the store while the file was read",
      .hint = "Ingest the file again"},
-    // The process that reads broke down.
+    // Failures of the process that reads the file.
     {.code = "reading-took-too-long",
      .rank = Rank::caution,
      .text = "reading the file took more than {seconds} s, far longer than a file of this size needs. The "
@@ -155,7 +157,7 @@ inline constexpr auto ingest_file_kinds = std::to_array<Kind>({
      .rank = Rank::note,
      .text = "these files of the archive are not data and were not read: {files}",
      .slots = {{{"files", "readme.txt, legend.png"}}}},
-    // Formats that are not read.
+    // Formats that cannot be read.
     {.code = "json-without-agreed-meaning",
      .rank = Rank::caution,
      .text = "this is JSON, but not GeoJSON, so the meaning of its positions is not known",
@@ -232,7 +234,7 @@ inline constexpr auto ingest_file_kinds = std::to_array<Kind>({
      .text = "the file holds {held}, not {stated}",
      .hint = "Leave out --kind, or give another file",
      .slots = {{{"held", "currents"}, {"stated", "ice"}}}},
-    // What a NetCDF file holds.
+    // Contents of a NetCDF file.
     {.code = "current-as-direction",
      .rank = Rank::caution,
      .text = "the file holds {what} as a speed and a direction, which this program does not read. A "
@@ -314,7 +316,7 @@ inline constexpr auto ingest_file_kinds = std::to_array<Kind>({
      .slots = {{{"what", "depths of the sea bed"}, {"kind", "bathymetry"}}}},
 });
 
-/// The message of this code; it is told its values in the order of the catalogue.
+/// Makes the message with this code. `given`: its values, in the order of its slots in the table above.
 template <Code code, class... Given>
 [[nodiscard]] Message ingest_file_message(const Given&... given) {
   return make_message<ingest_file_kinds, code>(given...);

@@ -2,7 +2,7 @@
 
 #include "engine/messages/kind.hpp"
 
-/// What a pilot is told of how a GRIB file is written, and of its fields of currents and wind.
+/// Messages to the pilot about the format of a GRIB file, and its fields of currents and wind.
 namespace floeplan::messages {
 
 inline constexpr auto ingest_grib_kinds = std::to_array<Kind>({
@@ -231,7 +231,7 @@ inline constexpr auto ingest_grib_kinds = std::to_array<Kind>({
      .slots = {{{"others", ""}}}},
 });
 
-/// The message of this code; it is told its values in the order of the catalogue.
+/// Makes the message with this code. `given`: its values, in the order of its slots in the table above.
 template <Code code, class... Given>
 [[nodiscard]] Message ingest_grib_message(const Given&... given) {
   return make_message<ingest_grib_kinds, code>(given...);

@@ -2,7 +2,7 @@
 
 #include "engine/messages/kind.hpp"
 
-/// What a pilot is told of the grid, mesh or levels of a model.
+/// Messages to the pilot about the grid, mesh or levels of a model.
 namespace floeplan::messages {
 
 inline constexpr auto ingest_grid_kinds = std::to_array<Kind>({
@@ -131,7 +131,7 @@ inline constexpr auto ingest_grid_kinds = std::to_array<Kind>({
      .hint = "Ask the producer for a complete file"},
 });
 
-/// The message of this code; it is told its values in the order of the catalogue.
+/// Makes the message with this code. `given`: its values, in the order of its slots in the table above.
 template <Code code, class... Given>
 [[nodiscard]] Message ingest_grid_message(const Given&... given) {
   return make_message<ingest_grid_kinds, code>(given...);

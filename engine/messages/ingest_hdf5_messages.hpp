@@ -2,7 +2,7 @@
 
 #include "engine/messages/kind.hpp"
 
-/// What a pilot is told of how an HDF5 file is written, and an S-100 file, which is one.
+/// Messages to the pilot about the format of an HDF5 file, including S-100 files.
 namespace floeplan::messages {
 
 inline constexpr auto ingest_hdf5_kinds = std::to_array<Kind>({
@@ -146,7 +146,7 @@ inline constexpr auto ingest_hdf5_kinds = std::to_array<Kind>({
      .slots = {{{"depth", "4.5"}}}},
 });
 
-/// The message of this code; it is told its values in the order of the catalogue.
+/// Makes the message with this code. `given`: its values, in the order of its slots in the table above.
 template <Code code, class... Given>
 [[nodiscard]] Message ingest_hdf5_message(const Given&... given) {
   return make_message<ingest_hdf5_kinds, code>(given...);

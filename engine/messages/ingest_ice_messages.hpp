@@ -2,7 +2,7 @@
 
 #include "engine/messages/kind.hpp"
 
-/// What a pilot is told of a file of sea ice.
+/// Messages to the pilot about a file of sea ice.
 namespace floeplan::messages {
 
 inline constexpr auto ingest_ice_kinds = std::to_array<Kind>({
@@ -189,7 +189,7 @@ inline constexpr auto ingest_ice_kinds = std::to_array<Kind>({
      .slots = {{{"variable", "siconc_sd"}, {"statistic", "a standard deviation"}}}},
 });
 
-/// The message of this code; it is told its values in the order of the catalogue.
+/// Makes the message with this code. `given`: its values, in the order of its slots in the table above.
 template <Code code, class... Given>
 [[nodiscard]] Message ingest_ice_message(const Given&... given) {
   return make_message<ingest_ice_kinds, code>(given...);

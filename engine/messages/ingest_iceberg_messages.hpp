@@ -2,7 +2,8 @@
 
 #include "engine/messages/kind.hpp"
 
-/// What a pilot is told of a file of icebergs. A row that is left out is named before the text: "line 12 was left out: ".
+/// Messages to the pilot about a file of icebergs. For a row that is left out, its name precedes the text:
+/// "line 12 was left out: ".
 namespace floeplan::messages {
 
 inline constexpr auto ingest_iceberg_kinds = std::to_array<Kind>({
@@ -151,7 +152,7 @@ inline constexpr auto ingest_iceberg_kinds = std::to_array<Kind>({
      .hint = "Before you ingest the list, delete the detections that you do not trust"},
 });
 
-/// The message of this code; it is told its values in the order of the catalogue.
+/// Makes the message with this code. `given`: its values, in the order of its slots in the table above.
 template <Code code, class... Given>
 [[nodiscard]] Message ingest_iceberg_message(const Given&... given) {
   return make_message<ingest_iceberg_kinds, code>(given...);

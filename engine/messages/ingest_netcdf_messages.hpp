@@ -2,7 +2,7 @@
 
 #include "engine/messages/kind.hpp"
 
-/// What a pilot is told of the axes, grids and quality flags of a NetCDF file.
+/// Messages to the pilot about the axes, grids and quality flags of a NetCDF file.
 namespace floeplan::messages {
 
 inline constexpr auto ingest_netcdf_kinds = std::to_array<Kind>({
@@ -253,7 +253,7 @@ inline constexpr auto ingest_netcdf_kinds = std::to_array<Kind>({
      .slots = {{{"flags", "uo_qc"}, {"meanings", "dubious_ish"}}}},
 });
 
-/// The message of this code; it is told its values in the order of the catalogue.
+/// Makes the message with this code. `given`: its values, in the order of its slots in the table above.
 template <Code code, class... Given>
 [[nodiscard]] Message ingest_netcdf_message(const Given&... given) {
   return make_message<ingest_netcdf_kinds, code>(given...);

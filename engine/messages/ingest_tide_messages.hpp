@@ -2,7 +2,7 @@
 
 #include "engine/messages/kind.hpp"
 
-/// What a pilot is told of a file of tides.
+/// Messages to the pilot about a file of tides.
 namespace floeplan::messages {
 
 inline constexpr auto ingest_tide_kinds = std::to_array<Kind>({
@@ -236,7 +236,7 @@ inline constexpr auto ingest_tide_kinds = std::to_array<Kind>({
      .slots = {{{"constituents", "SA-IOS"}, {"metres", "0.02"}, {"station", "Victoria"}}}},
 });
 
-/// The message of this code; it is told its values in the order of the catalogue.
+/// Makes the message with this code. `given`: its values, in the order of its slots in the table above.
 template <Code code, class... Given>
 [[nodiscard]] Message ingest_tide_message(const Given&... given) {
   return make_message<ingest_tide_kinds, code>(given...);

@@ -2,7 +2,7 @@
 
 #include "engine/messages/kind.hpp"
 
-/// What a pilot is told of how a file counts its times.
+/// Messages to the pilot about the time coordinates of a file.
 namespace floeplan::messages {
 
 inline constexpr auto ingest_time_kinds = std::to_array<Kind>({
@@ -55,7 +55,7 @@ inline constexpr auto ingest_time_kinds = std::to_array<Kind>({
      .slots = {{{"time", "\"59 days since 1900-01-01\""}, {"date", "1900-2-30"}}}},
 });
 
-/// The message of this code; it is told its values in the order of the catalogue.
+/// Makes the message with this code. `given`: its values, in the order of its slots in the table above.
 template <Code code, class... Given>
 [[nodiscard]] Message ingest_time_message(const Given&... given) {
   return make_message<ingest_time_kinds, code>(given...);

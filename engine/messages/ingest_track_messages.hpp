@@ -2,7 +2,7 @@
 
 #include "engine/messages/kind.hpp"
 
-/// What a pilot is told of a glider's track and of its logs.
+/// Messages to the pilot about a glider's track and logs.
 namespace floeplan::messages {
 
 inline constexpr auto ingest_track_kinds = std::to_array<Kind>({
@@ -234,7 +234,7 @@ inline constexpr auto ingest_track_kinds = std::to_array<Kind>({
      .slots = {{{"file", "d0ba8a7e.cac"}}}},
 });
 
-/// The message of this code; it is told its values in the order of the catalogue.
+/// Makes the message with this code. `given`: its values, in the order of its slots in the table above.
 template <Code code, class... Given>
 [[nodiscard]] Message ingest_track_message(const Given&... given) {
   return make_message<ingest_track_kinds, code>(given...);

@@ -2,7 +2,7 @@
 
 #include "engine/messages/kind.hpp"
 
-/// What a pilot is told of which variables of a file are the current or the wind, and of their units.
+/// Messages to the pilot about the choice of a file's variables for current or wind, and about their units.
 namespace floeplan::messages {
 
 inline constexpr auto ingest_velocity_kinds = std::to_array<Kind>({
@@ -156,7 +156,7 @@ inline constexpr auto ingest_velocity_kinds = std::to_array<Kind>({
      .slots = {{{"group", "/tide"}, {"what", "the tide alone"}}}},
 });
 
-/// The message of this code; it is told its values in the order of the catalogue.
+/// Makes the message with this code. `given`: its values, in the order of its slots in the table above.
 template <Code code, class... Given>
 [[nodiscard]] Message ingest_velocity_message(const Given&... given) {
   return make_message<ingest_velocity_kinds, code>(given...);

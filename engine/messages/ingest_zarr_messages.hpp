@@ -2,7 +2,7 @@
 
 #include "engine/messages/kind.hpp"
 
-/// What a pilot is told of how a Zarr store is written.
+/// Messages to the pilot about the format of a Zarr store.
 namespace floeplan::messages {
 
 inline constexpr auto ingest_zarr_kinds = std::to_array<Kind>({
@@ -39,7 +39,7 @@ inline constexpr auto ingest_zarr_kinds = std::to_array<Kind>({
      .hint = "Cut out your area and period first"},
 });
 
-/// The message of this code; it is told its values in the order of the catalogue.
+/// Makes the message with this code. `given`: its values, in the order of its slots in the table above.
 template <Code code, class... Given>
 [[nodiscard]] Message ingest_zarr_message(const Given&... given) {
   return make_message<ingest_zarr_kinds, code>(given...);

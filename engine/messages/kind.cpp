@@ -8,7 +8,7 @@
 namespace floeplan::messages {
 namespace {
 
-/// Written as a number or, where the text gives two words, as the one for that many.
+/// A count, formatted as a number or, if the text gives two words, as the word for one or for several.
 struct Count {
   std::int64_t value;
 };
@@ -16,7 +16,7 @@ struct Count {
 }  // namespace
 }  // namespace floeplan::messages
 
-/// "{legs}" is a number; "{legs:leg|legs}" is "leg" of one and "legs" of any other.
+/// "{legs}" gives a number; "{legs:leg|legs}" gives "leg" for one and "legs" for any other number.
 template <>
 struct fmt::formatter<floeplan::messages::Count> {
   std::string_view words{};

@@ -18,24 +18,24 @@
 #include "engine/core/utc_text.hpp"
 #include "engine/messages/message.hpp"
 
-/// What a row of the catalogue is, and how a message is made of one. Only the rows themselves hold words.
+/// The rows of the catalogue, and how a message is made from one. All texts are in the rows.
 namespace floeplan::messages {
 
-/// A value that every message of a kind has, and an example of it; the example's type is the value's.
+/// A value in every message of a kind, with an example; the example's type is the type of the value.
 struct Slot {
   std::string_view name;
   std::variant<double, std::int64_t, std::string_view> example;
 };
 
 /// A row of the catalogue.
-/// Text, hint  what is the matter, and what to do about it. They name their values in braces, with how a number is
-///             written: "ice at {ice_km:.1f} km" (the format of {fmt}); of a count the word: "{legs} {legs:leg|legs}"
+/// Text, hint  what is the matter, and what to do about it. They contain their values in braces, with the
+/// format of {fmt}: "ice at {ice_km:.1f} km"; for a count with its noun: "{legs} {legs:leg|legs}"
 struct Kind {
-  std::string_view code;  // stays, since programs and stored plans know it
+  std::string_view code;  // never changes: programs and stored plans use it
   Rank rank{Rank::caution};
   std::string_view text;
   std::string_view hint{};
-  std::array<Slot, 7> slots{};  // those without a name are unused
+  std::array<Slot, 7> slots{};  // unused ones have no name
 
   [[nodiscard]] constexpr std::size_t values() const {
     return static_cast<std::size_t>(
@@ -43,13 +43,13 @@ struct Kind {
   }
 };
 
-/// The message of a kind with as many values as it names, of their types.
+/// The message of a kind with these values. Number and types must be those of its slots.
 [[nodiscard]] Message message_of(const Kind& kind, std::vector<Value> values);
 
-/// With the examples of the catalogue.
+/// The message with the examples of the catalogue as values.
 [[nodiscard]] Message example_of(const Kind& kind);
 
-/// A code as the argument of a template, so that one that is not in the catalogue does not compile.
+/// A code as a template argument, so that a code missing in the catalogue does not compile.
 template <std::size_t size>
 struct Code {
   consteval Code(const char (&text)[size]) { std::ranges::copy(text, characters.begin()); }
@@ -76,7 +76,7 @@ Value value_from(const T& given) {
   }
 }
 
-/// Whether the slots ask for values of these types.
+/// Whether the kind's slots have exactly these types.
 template <class... Given>
 consteval bool takes(const Kind& kind) {
   if (kind.values() != sizeof...(Given)) return false;
@@ -87,7 +87,7 @@ consteval bool takes(const Kind& kind) {
   return true;
 }
 
-/// The message with this code among the kinds; one that is not there, or has other values, does not compile.
+/// The message with this code among these kinds. An unknown code, or values of other types, do not compile.
 template <const auto& kinds, Code code, class... Given>
 [[nodiscard]] Message make_message(const Given&... given) {
   constexpr const Kind& kind = kind_among(kinds, code.view());

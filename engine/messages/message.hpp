@@ -10,7 +10,7 @@
 
 namespace floeplan::messages {
 
-/// How much a message matters, the gravest first.
+/// The rank of a message, the most serious first.
 enum class Rank {
   danger,   // the vehicle may be lost
   caution,  // the plan may not hold
@@ -23,25 +23,25 @@ enum class Rank {
 using core::NamedValue;
 using core::Value;
 
-/// Something that a person is told. Programs go by the code and the values, which stay; the text may be worded better.
-/// Made of a row of the catalogue (catalogue.hpp), or read back from where it was stored.
+/// A message to a person. Programs use the code and the values, which never change; the text may be improved.
+/// Made from a row of the catalogue (catalogue.hpp), or read back from storage.
 struct Message {
   std::string code;
   Rank rank{Rank::note};
-  std::optional<geo::LonLat> place{};  // where on the map; empty: all over, or nowhere
+  std::optional<geo::LonLat> place{};  // on the map; empty: everywhere, or no place
   std::vector<NamedValue> values{};
-  std::string text{};  // what is the matter and what it means
-  std::string hint{};  // what to do; empty where nothing can be done, and where the text says it
+  std::string text{};  // what is the matter, and what it means
+  std::string hint{};  // what to do; empty if nothing can be done, or if the text says it
 
   [[nodiscard]] Message at(geo::LonLat where) &&;
 
   friend bool operator==(const Message&, const Message&) = default;
 };
 
-/// Whether it tells of a danger.
+/// Whether the message's rank is danger.
 [[nodiscard]] bool is_grave(const Message& message);
 
-/// The gravest first, each rank in its order.
+/// The messages ordered by rank, the most serious first; equal ranks keep their order.
 [[nodiscard]] std::vector<Message> by_rank(std::vector<Message> messages);
 
 }  // namespace floeplan::messages

@@ -2,13 +2,13 @@
 
 #include "engine/messages/kind.hpp"
 
-/// What is found when mission files are judged together, in the stored data and beside a stored plan.
-/// Ranks    danger: an error, the file is not to be flown; caution: a warning; note: good to know
-/// Codes    those that scripts know, with underscores; a word behind a slash tells rows of one code apart
+/// Findings when mission files are checked together, with the stored data and against a stored plan.
+/// Ranks    danger: an error, the file must not be flown; caution: a warning; note: good to know
+/// Codes    with underscores, known to scripts; a word after a slash distinguishes rows with the same code
 namespace floeplan::messages {
 
 inline constexpr auto mission_check_kinds = std::to_array<Kind>({
-    // Files together.
+    // Several files together.
     {.code = "file_missing",
      .text = "the mission asks for {file}, which was not given",
      .hint = "make sure that the vehicle has it",
@@ -157,7 +157,7 @@ inline constexpr auto mission_check_kinds = std::to_array<Kind>({
      .slots = {{{"legs", 5}, {"takes", "about 1.2 h"}, {"wait_h", 2.7}}}},
 });
 
-/// The message of this code; it is told its values in the order of the catalogue.
+/// Makes the message with this code. `given`: its values, in the order of its slots in the table above.
 template <Code code, class... Given>
 [[nodiscard]] Message mission_check_message(const Given&... given) {
   return make_message<mission_check_kinds, code>(given...);

@@ -6,8 +6,9 @@
 #include "engine/messages/kind.hpp"
 #include "engine/messages/sentence.hpp"
 
-/// Why a plan cannot be written as files for a vehicle, and why mission files and logs cannot be flown in the simulator.
-/// Each text follows the name of the field, file or line. None has a rank of its own: what is refused endangers nobody.
+/// Why a plan cannot be written as files for a vehicle, and why mission files and logs cannot be flown in the
+/// simulator. Each text follows the name of the field, file or line. They have no rank: what is refused
+/// endangers no vehicle.
 namespace floeplan::messages {
 
 inline constexpr auto mission_fault_kinds = std::to_array<Kind>({
@@ -52,7 +53,7 @@ inline constexpr auto mission_fault_kinds = std::to_array<Kind>({
      .text = "must hold at most {most} waypoints for NMEA",
      .slots = {{{"most", 999}}}},
 
-    // Ends of lists at ice and icebergs.
+    // Lists that end near ice and icebergs.
     {.code = "plan-ends-near-ice",
      .text = "is the end of the plan, only {room}. The vehicle surfaces there; extend the plan until it ends "
              "more than {radius_m:.0f} m beyond the ice",
@@ -78,7 +79,7 @@ inline constexpr auto mission_fault_kinds = std::to_array<Kind>({
      .text = "is required: name safe places in open water, because the plan passes below ice or icebergs, "
              "where the vehicle must not surface"},
 
-    // Safe places and the iceberg to expect.
+    // Safe places, and the draft of icebergs to expect.
     {.code = "wrong-number-of-safe-places",
      .text = "must name one to eight safe places in open water, to which the vehicle can recover"},
     {.code = "safe-place-near-pole", .text = "must be a place between 89 degrees south and 89 degrees north"},
@@ -157,7 +158,7 @@ inline constexpr auto mission_fault_kinds = std::to_array<Kind>({
      .slots = {{{"finding", "sensors must be given, one digit for each sensor"}}}},
 });
 
-/// What a row says of a field of an export, of a mission file or of a log.
+/// The violation of a field of an export, a mission file or a log, with the text of this row.
 template <Code code, class... Given>
 [[nodiscard]] core::Violation mission_fault(std::string field, const Given&... values) {
   return violation_of(std::move(field), make_message<mission_fault_kinds, code>(values...));

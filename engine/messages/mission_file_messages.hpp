@@ -2,13 +2,13 @@
 
 #include "engine/messages/kind.hpp"
 
-/// What is found in the mission and argument files of a Slocum by themselves.
-/// Ranks    danger: an error, the file is not to be flown; caution: a warning; note: good to know
-/// Codes    those that scripts know, with underscores; a word behind a slash tells rows of one code apart
+/// Findings in single mission and argument files of a Slocum.
+/// Ranks    danger: an error, the file must not be flown; caution: a warning; note: good to know
+/// Codes    with underscores, known to scripts; a word after a slash distinguishes rows with the same code
 namespace floeplan::messages {
 
 inline constexpr auto mission_file_kinds = std::to_array<Kind>({
-    // Of a file as a whole.
+    // The file as a whole.
     {.code = "file_too_large",
      .rank = Rank::danger,
      .text = "the file is larger than 64 KiB, and no vehicle reads such large mission files"},
@@ -261,7 +261,7 @@ inline constexpr auto mission_file_kinds = std::to_array<Kind>({
      .slots = {{{"hold", "the list holds station with 5 legs between two rows 900 m apart"}}}},
 });
 
-/// The message of this code; it is told its values in the order of the catalogue.
+/// Makes the message with this code. `given`: its values, in the order of its slots in the table above.
 template <Code code, class... Given>
 [[nodiscard]] Message mission_file_message(const Given&... given) {
   return make_message<mission_file_kinds, code>(given...);

@@ -2,11 +2,12 @@
 
 #include "engine/messages/kind.hpp"
 
-/// What a pilot is told of a plan, of isochrones and of simulated flights.
-/// Ranks    danger: followed as it is, the plan may cost the vehicle, which comes up below ice or meets an iceberg that
-///          nobody avoids; told again at every export. Caution: something the plan rests on may be otherwise, or what
-///          was asked for is not kept; the vehicle may be late, short of energy or off its way, and the pilot can see to
-///          it. Note: the plan holds; how it was made, and that a better one may exist
+/// Messages to the pilot about a plan, isochrones and simulated flights.
+/// Ranks    Danger: flown as it is, the plan may cost the vehicle, which surfaces below ice or meets an
+///          iceberg that the plan does not avoid; repeated at every export. Caution: an assumption of the
+///          plan may be wrong, or a request is not kept; the vehicle may be late, short of energy or off its
+///          route, and the pilot can see to it. Note: the plan is valid; how it was made, or that a better
+///          one may exist
 namespace floeplan::messages {
 
 inline constexpr auto plan_kinds = std::to_array<Kind>({
@@ -47,7 +48,8 @@ inline constexpr auto plan_kinds = std::to_array<Kind>({
              "includes no surfacing there",
      .hint = "Ingest ice data that cover the route",
      .slots = {{{"unknown_km", 12.4}}}},
-    // Cautions, not dangers: the planned way itself keeps clear, and only an error of the position leads to the ice.
+    // Cautions, not dangers: the planned route itself is clear; only a position error brings the vehicle to
+    // the ice.
     {.code = "ice-beside",
      .rank = Rank::caution,
      .text = "the position error at {lon_deg:.4f}, {lat_deg:.4f} is {error_km:.1f} km, so the vehicle may "
@@ -147,7 +149,7 @@ inline constexpr auto plan_kinds = std::to_array<Kind>({
              "{icebergs:iceberg|icebergs}. {elsewhere:This iceberg is|These icebergs are} too far away to "
              "come near the route",
      .slots = {{{"elsewhere", 57}, {"icebergs", 60}}}},
-    // Asked for, and safe when flown as planned: whoever flies it has to know which yo to send.
+    // Requested, and safe if flown as planned. The pilot must know which yo to send.
     {.code = "passes-under-iceberg",
      .rank = Rank::caution,
      .text = "the plan passes under iceberg {iceberg} from {from} to {until}. During this time the vehicle "
@@ -309,7 +311,7 @@ inline constexpr auto plan_kinds = std::to_array<Kind>({
                 {"under_way_h", 12.2},
                 {"error_pct", 5.0}}}},
 
-    // The battery. These are cautions, not dangers, because the reserve that is kept for a recovery is not counted.
+    // The battery. Cautions, not dangers, because the reserve for a recovery is not counted.
     {.code = "battery-too-small",
      .rank = Rank::caution,
      .text = "the plan needs {drawn_mj:.2f} MJ, but the battery has only {usable_mj:.2f} MJ above its "
@@ -332,7 +334,7 @@ inline constexpr auto plan_kinds = std::to_array<Kind>({
              "(leave out --escape-plan)",
      .slots = {{{"waypoint", 3}, {"drawn_mj", 0.4}, {"left_mj", 0.25}}}},
 
-    // How the way was looked for.
+    // The search for the route.
     {.code = "search-cut-short",
      .rank = Rank::note,
      .text = "the search stopped at the limit of its work, so a better route may exist"},
@@ -355,7 +357,7 @@ inline constexpr auto plan_kinds = std::to_array<Kind>({
              "legs that are too long",
      .hint = "Allow more waypoints (--max-waypoints)"},
 
-    // Isochrones: an area that is too small keeps nobody from a plan, so most of this is a note.
+    // Isochrones: an area that is too small endangers no plan, so most of these are notes.
     {.code = "areas-in-strong-currents",
      .rank = Rank::note,
      .text = "some currents in the area are as fast as the vehicle and close whole legs of the grid. The "
@@ -381,7 +383,7 @@ inline constexpr auto plan_kinds = std::to_array<Kind>({
      .text = "the isochrone ends at the edge of the data, but currents carry the vehicle farther",
      .hint = "Ingest data that cover a wider area"},
 
-    // Words that came with a request or a file, or from a plan that was stored before there were codes.
+    // Texts from a request or file, or from a plan stored before messages had codes.
     {.code = "remark",
      .rank = Rank::note,
      .text = "{remark}",
@@ -407,7 +409,7 @@ inline constexpr auto plan_kinds = std::to_array<Kind>({
      .slots = {{{"remark", "no sea ice was stored for this area, so open water is assumed"}}}},
 });
 
-/// The message of this code; it is told its values in the order of the catalogue.
+/// Makes the message with this code. `given`: its values, in the order of its slots in the table above.
 template <Code code, class... Given>
 [[nodiscard]] Message plan_message(const Given&... given) {
   return make_message<plan_kinds, code>(given...);

@@ -2,13 +2,13 @@
 
 #include "engine/messages/kind.hpp"
 
-/// Why there is no plan for a valid request, and what would help.
-/// Ranks    caution: what stands in the way, which the pilot has to change something about. Nothing is flown, so nothing
-///          is a danger. Note: what the search has to say besides
+/// Why a valid request has no plan, and what would help.
+/// Ranks    caution: what closes the route, so that the pilot must change something. Nothing is flown, so
+///          nothing is a danger. Note: further findings of the search
 namespace floeplan::messages {
 
 inline constexpr auto refusal_kinds = std::to_array<Kind>({
-    // On the way.
+    // On the route.
     {.code = "current-too-strong",
      .rank = Rank::caution,
      .text = "the current is too strong for a vehicle with {speed_m_s:.2f} m/s through the water",
@@ -96,7 +96,7 @@ inline constexpr auto refusal_kinds = std::to_array<Kind>({
                 {"where", "12 km east of the stored bathymetry (in this area: 54 W to 50 W, 68 N to 70 N)"},
                 {"beside", "12 km east of the stored currents (in this area: 54 W to 50 W, 68 N to 70 N)"}}}},
 
-    // Refusals by a search. {closed} and {help} are the text and the hint of the row of what closes most edges.
+    // Refusals by a search. {closed} and {help}: text and hint of the row for what closes most edges.
     {.code = "no-way-to-goal",
      .rank = Rank::caution,
      .text = "no route to the goal was found. At the nearest place reached {closed}",
@@ -155,7 +155,7 @@ inline constexpr auto refusal_kinds = std::to_array<Kind>({
      .slots = {{{"icebergs", 25000}}}},
     {.code = "cancelled", .rank = Rank::note, .text = "the search was cancelled", .hint = "Start it again"},
 
-    // Besides. A hint of these counts instead of that of what stands in the way.
+    // Further findings. If one of these has a hint, it replaces the hint of what closes the route.
     {.code = "way-without-icebergs",
      .rank = Rank::note,
      .text = "without the icebergs, a route exists",
@@ -219,13 +219,13 @@ inline constexpr auto refusal_kinds = std::to_array<Kind>({
      .slots = {{{"tried", 24}, {"departures", 31}, {"left", 3}}}},
 });
 
-/// The message of this code; it is told its values in the order of the catalogue.
+/// Makes the message with this code. `given`: its values, in the order of its slots in the table above.
 template <Code code, class... Given>
 [[nodiscard]] Message refusal(const Given&... given) {
   return make_message<refusal_kinds, code>(given...);
 }
 
-/// Parts of these messages, which are told as values of theirs.
+/// Phrases that are values of these messages.
 inline constexpr auto phrase_kinds = std::to_array<Kind>({
     {.code = "an-iceberg", .rank = Rank::note, .text = "an iceberg"},
     {.code = "iceberg-with-margin",

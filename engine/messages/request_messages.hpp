@@ -2,8 +2,8 @@
 
 #include "engine/messages/kind.hpp"
 
-/// What is wrong with a field of a request, of a file in it or of a setting. Each text follows the field's name.
-/// None has a rank of its own: what is refused endangers nobody.
+/// Faults of a field of a request, a file in it or a setting. Each text follows the field's name. They have
+/// no rank: what is refused endangers no vehicle.
 namespace floeplan::messages {
 
 inline constexpr auto request_kinds = std::to_array<Kind>({
@@ -241,7 +241,7 @@ inline constexpr auto request_kinds = std::to_array<Kind>({
      .text = "holds more than {most} places in a route",
      .slots = {{{"most", 10000}}}},
 
-    // What is stored.
+    // Stored data.
     {.code = "no-such-dataset",
      .text = "no dataset has the id {id}; /datasets lists all ids",
      .slots = {{{"id", "ice-1"}}}},
@@ -346,7 +346,7 @@ inline constexpr auto request_kinds = std::to_array<Kind>({
     {.code = "encloses-no-area", .text = "must enclose an area"},
     {.code = "area-with-depths", .text = "must have no Z values; give the depths of an area as \"z\""},
 
-    // Executions of processes.
+    // Execution of processes.
     {.code = "not-an-output",
      .text = "is not an output of the process {process}",
      .slots = {{{"process", "plan-route"}}}},

@@ -2,9 +2,9 @@
 
 #include "engine/messages/kind.hpp"
 
-/// What is found in the targets, science file and cmdfile of a Seaglider by themselves.
-/// Ranks    danger: an error, the file is not to be flown; caution: a warning; note: good to know
-/// Codes    those that scripts know, with underscores; a word behind a slash tells rows of one code apart
+/// Findings in single files of a Seaglider: targets, science file and cmdfile.
+/// Ranks    danger: an error, the file must not be flown; caution: a warning; note: good to know
+/// Codes    with underscores, known to scripts; a word after a slash distinguishes rows with the same code
 namespace floeplan::messages {
 
 inline constexpr auto seaglider_file_kinds = std::to_array<Kind>({
@@ -140,7 +140,7 @@ inline constexpr auto seaglider_file_kinds = std::to_array<Kind>({
     {.code = "depths_not_increasing", .text = "the depth bands must be listed from the surface down"},
 });
 
-/// The message of this code; it is told its values in the order of the catalogue.
+/// Makes the message with this code. `given`: its values, in the order of its slots in the table above.
 template <Code code, class... Given>
 [[nodiscard]] Message seaglider_file_message(const Given&... given) {
   return make_message<seaglider_file_kinds, code>(given...);

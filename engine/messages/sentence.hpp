@@ -6,33 +6,33 @@
 
 #include "engine/messages/message.hpp"
 
-/// Messages as plain sentences, for where only words are shown or stored: the rank travels in them.
+/// Messages as plain sentences, for places that show or store only text. The sentence includes the rank.
 namespace floeplan::messages {
 
-/// How the sentence of a danger begins, which may cost the vehicle and is told again at every export; any other is a
-/// caution or a note.
+/// Prefix of the sentence of a danger, which may cost the vehicle and is repeated at every export. Sentences
+/// without it are cautions or notes.
 inline constexpr std::string_view danger_mark = "Danger: ";
 
 [[nodiscard]] bool is_danger(std::string_view sentence);
 
-/// Without the mark, for a place that shows the rank in another way.
+/// The sentence without the mark, for places that show the rank in another way.
 [[nodiscard]] std::string without_mark(std::string_view sentence);
 
-/// What is the matter and what to do. The hint follows as a sentence of its own where it begins with a capital, after
-/// the text's colon where that ends in one, else after a semicolon.
+/// Text and hint in one. A hint that begins with a capital follows as a sentence. Otherwise it follows the
+/// text's final colon or, without one, a semicolon.
 [[nodiscard]] std::string whole_text(const Message& message);
 
-/// The whole text as a rule that the field breaks.
+/// The whole text as the rule of a violation of the field.
 [[nodiscard]] core::Violation violation_of(std::string field, Message message);
 
-/// The whole text with its rank.
+/// The whole text, with the mark if it is a danger.
 [[nodiscard]] std::string sentence(const Message& message);
 [[nodiscard]] std::vector<std::string> sentences(const std::vector<Message>& messages);
 
-/// The sentences of the dangers among them.
+/// The sentences of those messages that are dangers.
 [[nodiscard]] std::vector<std::string> dangers_among(const std::vector<Message>& messages);
 
-/// Dangers first, the rest in its order.
+/// The sentences with dangers first; otherwise the order stays.
 [[nodiscard]] std::vector<std::string> dangers_first(std::vector<std::string> sentences);
 
 }  // namespace floeplan::messages

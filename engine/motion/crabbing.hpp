@@ -8,20 +8,20 @@
 
 namespace floeplan::motion {
 
-/// A vehicle that makes less than this share of its speed through water over the ground is held to stand
-/// still.
+/// A vehicle whose speed over ground is below this share of its speed through water counts as standing still.
+/// A judgement.
 inline constexpr double least_progress = 0.01;
 
-/// A vehicle that turns its nose into the current to stay on an edge: its speed over ground is
-/// v = a + sqrt(V^2 - n^2), a the current along the edge and n across it. The edge is passable where |n| < V
-/// and v > v_min.
+/// A vehicle that turns its nose into the current to stay on an edge. Its speed over ground is v = a +
+/// sqrt(V^2 - n^2), where V is its speed through water, a the current along the edge and n the current
+/// across. The edge is passable if |n| < V and v > v_min.
 /// Source   Eichhorn 2009, section III.C
 class Crabbing {
  public:
   explicit Crabbing(core::MetresPerSecond through_water)
       : v_{through_water.value}, v2_{v_ * v_}, v_min_{least_progress * v_} {}
 
-  /// Seconds for a metre over the ground; empty where the current is too strong.
+  /// Seconds per metre over the ground; empty if the current is too strong.
   [[nodiscard]] std::optional<double> slowness(CurrentOnEdge c) const {
     const double margin = v2_ - c.across_m_s * c.across_m_s;
     if (!(margin > 0.0)) return std::nullopt;
@@ -30,9 +30,9 @@ class Crabbing {
     return 1.0 / v;
   }
 
-  /// How much the current may change, in whatever direction, before the edge can close; not positive where
-  /// it is closed. In the plane of (a, n) the passable currents fill the strip |n| < V to the right of a
-  /// half circle of radius V about (v_min, 0): this is the distance to their border.
+  /// Largest change of the current, in any direction, that cannot close the edge; not positive if the edge is
+  /// closed. In the plane of (a, n) the passable currents fill the strip |n| < V to the right of a half
+  /// circle of radius V around (v_min, 0). The result is the distance to the border of this area.
   [[nodiscard]] double room(CurrentOnEdge c) const {
     const double short_of = c.along_m_s - v_min_;
     const double across = std::abs(c.across_m_s);

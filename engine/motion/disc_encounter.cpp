@@ -6,7 +6,7 @@
 namespace floeplan::motion {
 namespace {
 
-/// Where the vehicle is, seen from the disc's centre, while both exist: q(t) = from + (t - t0) * velocity.
+/// Place of the vehicle relative to the disc's centre while both exist: q(t) = from + (t - t0) * velocity.
 struct Relative {
   double t0_s;
   double duration_s;
@@ -44,14 +44,15 @@ geo::PlanePoint place_at(const EvenMove& move, double t_s) {
 std::optional<double> first_touch(const EvenMove& move, const MovingDisc& disc) {
   const auto q = seen_from(disc, move);
   if (!q) return std::nullopt;
-  // |q|^2 - r^2 = a t^2 + 2 b t + c, to be no more than zero.
+  // Solves |q|^2 - r^2 = a t^2 + 2 b t + c <= 0.
   const double r = disc.radius0_m + (q->t0_s - disc.t0_s) * disc.growth_m_s;
   const double c = q->from.x_m * q->from.x_m + q->from.y_m * q->from.y_m - r * r;
   if (c <= 0.0) return q->t0_s;
   const double b = q->from.x_m * q->velocity.x_m_s + q->from.y_m * q->velocity.y_m_s - r * disc.growth_m_s;
   const double a = q->velocity.x_m_s * q->velocity.x_m_s + q->velocity.y_m_s * q->velocity.y_m_s -
                    disc.growth_m_s * disc.growth_m_s;
-  // Outside at the start: the first root, in the form that does not cancel. None while the gap only widens.
+  // The vehicle begins outside. First root, in the form without cancellation; none if the distance only
+  // grows.
   const double discriminant = b * b - a * c;
   if (discriminant < 0.0 || (b >= 0.0 && a >= 0.0)) return std::nullopt;
   const double root = std::sqrt(discriminant);

@@ -7,8 +7,8 @@
 
 namespace floeplan::motion {
 
-/// A disc whose centre moves straight and evenly and whose radius changes evenly, from t0 to t1.
-/// Units    metres of the plane; seconds on the clock of the departure; t1 may be infinite when nothing changes
+/// A disc whose centre moves at constant velocity and whose radius changes at a constant rate, from t0 to t1.
+/// Units    metres of the plane; seconds on the clock of the departure; t1 may be infinite if nothing changes
 struct MovingDisc {
   double t0_s{};
   double t1_s{};
@@ -18,8 +18,8 @@ struct MovingDisc {
   double growth_m_s{};
 };
 
-/// A vehicle that moves straight and evenly from one place and time to another. Precondition: it takes time,
-/// or both places are the same.
+/// A vehicle that moves from one place to another on a straight line at constant speed. Precondition: the
+/// duration is positive, or both places are the same.
 struct EvenMove {
   geo::PlanePoint from;
   geo::PlanePoint to;
@@ -27,35 +27,36 @@ struct EvenMove {
   double t1_s{};
 };
 
-/// Where the vehicle is at a time of the move.
+/// Place of the vehicle at a time during the move.
 [[nodiscard]] geo::PlanePoint place_at(const EvenMove& move, double t_s);
 
-/// First moment at which the vehicle is in the disc (on its rim included), while both exist; empty: never.
-/// Exact: the roots of |p(t) - c(t)|^2 = r(t)^2, not samples.
+/// First time at which the vehicle is in the disc or on its rim, while both exist; empty: never. Exact: from
+/// the roots of |p(t) - c(t)|^2 = r(t)^2, not from samples.
 [[nodiscard]] std::optional<double> first_touch(const EvenMove& move, const MovingDisc& disc);
 
-/// Least distance of the vehicle from the centre of the disc while both exist; empty: they never do.
+/// Least distance of the vehicle from the centre of the disc while both exist; empty: they never both exist.
 [[nodiscard]] std::optional<double> least_distance(const EvenMove& move, const MovingDisc& disc);
 
-/// A part of a drive along an edge, taken as an even move, and how far the vehicle may be from it at most.
+/// A move at constant speed that approximates a piece of a drive, and the largest distance of the vehicle
+/// from it.
 struct ChordOfPiece {
   EvenMove move;
-  double deviation_m{};  // metres of the plane, along the edge
+  double deviation_m{};  // along the edge, in metres of the plane
 };
 
-/// The chord of the piece's cubic s(t), within |s''| h^2 / 8 of it.
+/// The chord of the piece's cubic s(t). Its deviation is at most |s''| h^2 / 8 for a duration h.
 [[nodiscard]] ChordOfPiece chord_of(const PlaneEdge& edge, const EdgePiece& piece);
 
-/// The two halves of a piece, each the same cubic.
+/// The two halves of a piece; both follow the same cubic.
 struct HalvedPiece {
   EdgePiece first;
   EdgePiece second;
 };
 [[nodiscard]] HalvedPiece halve(const EdgePiece& piece);
 
-/// Calls `visit(move, deviation_m)` for even moves that follow the piece one after the other, each within
-/// `most_deviation_m` of it; precondition: the edge has a length. Ends with the first answer of `visit` that is not
-/// empty, and returns it.
+/// Calls `visit(move, deviation_m)` for consecutive moves at constant speed that follow the piece within
+/// `most_deviation_m`.
+/// Precondition: the edge has a length. Ends at the first non-empty result of `visit`, and returns it.
 template <class Visit>
 auto follow_piece(const PlaneEdge& edge, const EdgePiece& piece, double most_deviation_m, Visit&& visit)
     -> decltype(visit(EvenMove{}, 0.0)) {

@@ -7,15 +7,15 @@
 
 namespace floeplan::motion {
 
-/// The place so far along the edge, its end at most.
+/// The place at this distance (on the ground) along the edge, at most the edge's end.
 inline geo::PlanePoint place_along(const PlaneEdge& edge, double way_m) {
   const double along = std::min(way_m / edge.ground_length.value, 1.0);
   return {edge.from.x_m + along * (edge.to.x_m - edge.from.x_m),
           edge.from.y_m + along * (edge.to.y_m - edge.from.y_m)};
 }
 
-/// Looks along a piece of a drive: calls `visit(point, time)` at least every `step` metres of the way, and at the
-/// piece's end, until it answers false. The piece's beginning is the end of the one before.
+/// Samples a piece of a drive: calls `visit(point, time)` at least every `step` metres, and at the piece's
+/// end, until it returns false. The piece's beginning is left out, because it is the end of the piece before.
 template <class Visit>
 void look_along(const PlaneEdge& edge, const EdgePiece& piece, core::Metres step, const Visit& visit) {
   const double gain = piece.way1_m - piece.way0_m;

@@ -2,17 +2,17 @@
 
 namespace floeplan::motion {
 
-/// Why an edge cannot be travelled, cheap enough for the inner loop.
+/// Why an edge cannot be travelled; cheap to return in the inner loop.
 enum class EdgeClosed {
   current_too_strong,
   outside_data,
   too_shallow,
   on_land,
   obstacle,
-  in_zone,       // against the rule of a zone
-  under_ice,     // no room between the ice and the sea bed, or below the reach of the dives
-  no_surfacing,  // the last place where the vehicle may surface lies too far back
-  too_late       // it would end later than the caller cares for
+  in_zone,       // against a zone's rule
+  under_ice,     // no room between ice and sea bed, or deeper than the dives reach
+  no_surfacing,  // time without surfacing beyond its limit
+  too_late       // would end after the latest time of the caller
 };
 
 }  // namespace floeplan::motion

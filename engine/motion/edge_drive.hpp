@@ -16,16 +16,16 @@
 
 namespace floeplan::motion {
 
-/// One drive along one edge by the steps of a Runge-Kutta pair.
-/// The way is the independent variable, dt/ds = 1 / v(s, t): so the end of the edge and every border of the
-/// data are hit exactly, and no step asks for data beyond the end. A step ends where its stretch of the
-/// current ends, in place or in time, so that none reaches over a kink.
-/// Line   hands out the stretches: `stretch()`, `begin(depart)`, `pass_way()` and `pass_time()`; the latter
-///        three answer false where the data end
+/// One drive along one edge, integrated in steps of a Runge-Kutta pair.
+/// The distance s is the independent variable, dt/ds = 1 / v(s, t). So the drive hits the end of the edge and
+/// every border of the data exactly, and never asks for data beyond the end. A step ends where its stretch of
+/// the current ends, in place or in time, so that no step crosses a kink.
+/// Line   gives the stretches: `stretch()`, `begin(depart)`, `pass_way()` and `pass_time()`; the last three
+///        return false where the data end
 template <class Step, class Line>
 class EdgeDrive {
  public:
-  /// `line` is borrowed and outlives the drive.
+  /// `line` is borrowed and must outlive the drive.
   EdgeDrive(Line& line, core::Metres length, core::MetresPerSecond through_water, double relative_tolerance)
       : line_{line},
         crabbing_{through_water},
@@ -51,7 +51,7 @@ class EdgeDrive {
       const Position end = end_of(*step);
       if (end.t_s > latest.count()) return tl::unexpected(EdgeClosed::too_late);
       if (!stays_open(*step, end)) return tl::unexpected(EdgeClosed::current_too_strong);
-      if (end.t_s > here_.t_s) {  // a step that starts at a border may have no length
+      if (end.t_s > here_.t_s) {  // a step that begins at a border may have no length
         const EdgePiece piece{here_.t_s, here_.way_m, 1.0 / here_.slowness_s_m,
                               end.t_s,   end.way_m,   1.0 / end.slowness_s_m};
         if (const auto closed = visit_piece(piece)) return tl::unexpected(*closed);
@@ -83,9 +83,9 @@ class EdgeDrive {
     return *result;
   }
 
-  /// The longest step that the tolerance allows, within the stretch's ways and little beyond its times.
+  /// The longest step within the tolerance, within the stretch's distances, and hardly beyond its times.
   tl::expected<Step, EdgeClosed> next_step() {
-    constexpr double beyond_time = 1.25;  // so that a vehicle that slows down by a fifth still gets there
+    constexpr double beyond_time = 1.25;  // so that a vehicle that slows by a fifth still reaches the end
     const double to_end = std::min(line_.stretch().end_way_m, length_) - here_.way_m;
     const double to_time = beyond_time * (line_.stretch().end_s - here_.t_s) / here_.slowness_s_m;
     const auto k = [this](double way_m, double t_s) { return slowness(way_m, t_s); };
@@ -94,7 +94,8 @@ class EdgeDrive {
       const double h = std::min(std::max(std::min(wish_m_, to_time), shortest_), to_end);
       const auto step = Step::step(k, here_.way_m, here_.t_s, h, here_.slowness_s_m);
       if (!step || !(step->gain > 0.0)) {
-        // The points on trial lie ahead of the vehicle; only when they close in on it is the edge closed.
+        // The tested points lie ahead of the vehicle. Only if they fail at the shortest step is the edge
+        // closed.
         if (h <= shortest_) return tl::unexpected(step ? EdgeClosed::current_too_strong : step.error());
         wish_m_ = 0.25 * h;
         continue;
@@ -105,7 +106,8 @@ class EdgeDrive {
         continue;
       }
       if (h >= wish_m_) {
-        // Below a hundredth of what is allowed the step quadruples anyway: no root needed.
+        // For an error below a hundredth of the allowed one the step quadruples in any case, so no root is
+        // needed.
         const bool is_easy = 100.0 * step->error <= allowed;
         wish_m_ = h * (is_easy ? 4.0 : std::clamp(0.9 * Step::lengthening(allowed / step->error), 0.5, 4.0));
       }
@@ -113,7 +115,7 @@ class EdgeDrive {
     }
   }
 
-  /// The step cut short where the stretch's time is up before its end.
+  /// Shortens the step to the end of the stretch's time, if that comes before the step's end.
   tl::expected<Step, EdgeClosed> cut_by_time(const Step& tried) {
     const double left_s = line_.stretch().end_s - here_.t_s;
     double h = tried.h * share_with_gain(tried, left_s);
@@ -122,7 +124,7 @@ class EdgeDrive {
       if (!k_end) return tl::unexpected(k_end.error());
       return Step{{h, left_s, here_.slowness_s_m, *k_end}, tried.error};
     } else {
-      // A little beside the border is near enough: what the kink there adds is of second order.
+      // An end close to the border suffices: the kink there adds an error of second order only.
       const auto k = [this](double way_m, double t_s) { return slowness(way_m, t_s); };
       const double near_enough_s = 0.01 * std::sqrt(tolerance_) * left_s;
       for (int tries = 0;; ++tries) {
@@ -139,10 +141,11 @@ class EdgeDrive {
     return {reaches_end ? end_way : here_.way_m + step.h, here_.t_s + step.gain, step.k_end};
   }
 
-  /// Whether the current leaves room all the way from here to `end`, between the points tried, too.
+  /// Whether the current leaves the edge open all the way from here to `end`, also between the tested points.
   bool stays_open(const Step& step, const Position& end) const {
     if constexpr (!Stretch::is_bounded) {
-      // Smooth on the scale of the tries: what lies between them differs less from them than they do.
+      // The current is smooth on this scale: between the tested points its room differs by less than between
+      // them.
       if (2.0 * least_room_ > most_room_) return true;
     }
     constexpr int halvings = 12;
@@ -151,7 +154,7 @@ class EdgeDrive {
 
   bool stays_open(const Step& step, double way0_m, double t0_s, double way1_m, double t1_s,
                   int halvings) const {
-    constexpr double resolution_m_s = 1e-7;  // far below what any current is known to
+    constexpr double resolution_m_s = 1e-7;  // far below the accuracy of any current
     const double least = line_.stretch().least_room(crabbing_, way0_m, t0_s, way1_m, t1_s);
     if (least > 0.0) return true;
     const double way_m = 0.5 * (way0_m + way1_m);
@@ -175,12 +178,13 @@ class EdgeDrive {
   Line& line_;
   Crabbing crabbing_;
   double length_;
-  double shortest_;  // step, on the ground
+  double shortest_;  // shortest step, on the ground
   double tolerance_;
   Position here_;
-  double wish_m_{std::numeric_limits<double>::infinity()};  // step that the tolerance would like next
+  double wish_m_{std::numeric_limits<double>::infinity()};  // next step that the tolerance would allow
 
-  // For a current that is known point by point: its room at the latest point, and its range over the step on trial.
+  // For a current known point by point: its room at the last point, and its least and largest room in the
+  // tested step.
   double latest_room_{};
   double least_room_{};
   double most_room_{};

@@ -9,20 +9,20 @@ namespace {
 
 constexpr std::size_t block = EdgeFan::block;
 constexpr float least_share =
-    0.02F;                         // of the speed through water: twice what Crabbing holds for standing still
-constexpr float rounding = 2e-5F;  // of a time: far above that of some fifty operations on floats
+    0.02F;                         // of the speed through water: twice the share `least_progress` of Crabbing
+constexpr float rounding = 2e-5F;  // of a time: far above the rounding of some fifty float operations
 constexpr int sharpenings = 3;
 
 using Lanes = std::array<float, block>;
 
-// One lane of each formula, without a branch, so that a loop over lanes becomes vectors. The reference and all
-// paths call the same functions: one operation for each, in the same order.
+// Each function computes one lane, without branches, so that a loop over lanes is vectorised. The reference
+// and all other paths call the same functions, so the operations and their order are the same.
 
 [[gnu::always_inline]] inline float larger(float a, float b) { return a > b ? a : b; }
 [[gnu::always_inline]] inline float smaller(float a, float b) { return a < b ? a : b; }
 
-/// The greatest speed over ground along (ex, ey) of a vehicle as fast as `v` in the current (x, y); not above
-/// zero where there is none.
+/// The largest speed over ground along (ex, ey) of a vehicle with speed `v` through the current (x, y); zero
+/// or negative if it makes no way.
 [[gnu::always_inline]] inline float greatest_speed(float x, float y, float ex, float ey, float v) {
   const float across = x * ey - y * ex;
   const float margin = v * v - across * across;
@@ -34,7 +34,7 @@ using Lanes = std::array<float, block>;
   return length / larger(speed, length / longest);
 }
 
-/// What holds in the quarter that an edge goes into.
+/// The value for the quarter that an edge leads into.
 [[gnu::always_inline]] inline float in_quarter(const NearbyCurrent::ByQuarter& values, bool down_u,
                                                bool down_v) {
   using Current = NearbyCurrent;
@@ -47,8 +47,8 @@ struct LaneState {
   float length;
   float shift_x;  // change of the current over the edge
   float shift_y;
-  float off;     // by how much it may differ
-  float mean_x;  // current over the edge, with the time estimated last
+  float off;     // bound of its error
+  float mean_x;  // mean current over the drive, for the latest estimate of its time
   float mean_y;
   float time;
 };
@@ -72,7 +72,8 @@ struct LaneState {
   return s;
 }
 
-/// The mean current of a drive as long as `time`: first what the knots add, in units of its square, then all.
+/// Adds the contribution of a knot to the mean current over a drive of `time`, in units of the squared time.
+/// `finish_mean` then computes the mean.
 [[gnu::always_inline]] inline void add_knot(LaneState& s, float knot_s, float bend_x, float bend_y) {
   const float past = larger(s.time - knot_s, 0.0F);
   s.mean_x += bend_x * (past * past);
@@ -90,34 +91,35 @@ struct LaneState {
   s.time = time_at(s.length, speed, vehicle.longest_s);
 }
 
-/// What encloses a drive whose mean current is known.
+/// Bounds of a drive, from its mean current.
 struct Enclosure {
-  float slowest;   // speed over ground
-  float of_place;  // by how much the mean may be off because of where the vehicle is when
-  float least;     // duration
-  float is_open;   // one where every vehicle gets through, zero where some might not
+  float slowest;   // lower bound of the speed over ground
+  float of_place;  // error of the mean that comes from the unknown place of the vehicle at each time
+  float least;     // lower bound of the duration
+  float is_open;   // 1: certainly passable for every vehicle; 0: maybe not
 };
 
 [[gnu::always_inline]] inline Enclosure enclose(const LaneState& s, float ex, float ey,
                                                 const NearbyCurrent& c, const FanVehicle& vehicle) {
   const float v = vehicle.through_water_m_s;
   const float shift = std::abs(s.shift_x) + std::abs(s.shift_y);
-  // Whatever the vehicle meets until then differs from the mean by no more than that.
+  // The current at any time until `until` differs from the mean by at most this.
   const auto apart = [&](float until) __attribute__((always_inline)) {
     return c.steepest_m_s2 * (until - 0.5F * s.time) + 0.5F * shift + s.off + c.unseen_m_s;
   };
-  // A drive that takes longer than estimated is bounded by the estimate already.
+  // For a drive that takes longer than estimated, the estimate is already a lower bound.
   const float near = apart(s.time);
   const float fastest = greatest_speed(s.mean_x, s.mean_y, ex, ey, v + near);
   const float slowest = greatest_speed(s.mean_x, s.mean_y, ex, ey, v - near);
-  // It must end for such a current, too.
+  // Also with the worst current in the window the drive must end within it.
   const float window = smaller(1.5F * s.time, smaller(vehicle.longest_s, c.known_s));
   const float slowest_late = greatest_speed(s.mean_x, s.mean_y, ex, ey, v - apart(window));
   const float gets_on = static_cast<float>(slowest_late > least_share * v);
   const float in_time = static_cast<float>(s.length < slowest_late * window);
   const float in_window = static_cast<float>(s.time <= window);
 
-  // Between two speeds the mean place lies off the middle by no more than an eighth of what they differ by.
+  // The mean place lies off the middle of the edge by at most an eighth of the relative difference of the two
+  // speeds.
   const float safe_slowest = larger(slowest, least_share * v);
   const float off_middle = smaller((fastest - slowest) / (8.0F * safe_slowest), 0.5F);
   return {safe_slowest, off_middle * shift + (0.5F + off_middle) * s.off + c.unseen_m_s,
@@ -127,7 +129,7 @@ struct Enclosure {
 
 [[gnu::always_inline]] inline float sharpened(const LaneState& s, const Enclosure& e, float ex, float ey,
                                               const NearbyCurrent& c, const FanVehicle& vehicle) {
-  // The mean over a time moves by no more than half the slope times what the time changes by.
+  // If the duration changes, the mean over it changes by at most half the slope times that change.
   const float radius = e.of_place + 0.5F * c.steepest_m_s2 * (s.time - e.least);
   const float speed = greatest_speed(s.mean_x, s.mean_y, ex, ey, vehicle.through_water_m_s + radius);
   return larger(e.least, smaller(s.length / larger(speed, e.slowest), s.time));
@@ -164,7 +166,7 @@ void one_by_one(const Job& job, bool as_bound) {
   }
 }
 
-/// The same for a block of lanes at a time.
+/// Computes one block of lanes after another.
 template <bool as_bound>
 [[gnu::always_inline]] inline void block_by_block(const Job& job) {
   const auto& [fan, c, vehicle, times] = job;

@@ -8,16 +8,16 @@
 
 namespace floeplan::motion {
 
-/// The straight edges that leave a point, one in each lane.
+/// The straight edges out of a point, one in each lane (for vector instructions).
 struct EdgeFan {
   static constexpr std::size_t most = 80;   // edges out of a vertex of a 5-sector grid
-  static constexpr std::size_t block = 16;  // lanes are worked in such groups, the widest register of floats
+  static constexpr std::size_t block = 16;  // lanes per group: floats in the widest register
 
-  std::size_t lanes{};  // a multiple of `block`; those beyond the edges repeat the last one
-  alignas(64) std::array<float, most> x_m{};  // of the plane, from the point to the edge's end
+  std::size_t lanes{};                        // a multiple of `block`; surplus lanes repeat the last edge
+  alignas(64) std::array<float, most> x_m{};  // from the point to the edge's end, metres of the plane
   alignas(64) std::array<float, most> y_m{};
-  alignas(64) std::array<float, most> length_m{};  // of the plane
-  alignas(64) std::array<float, most> ex{};        // unit direction
+  alignas(64) std::array<float, most> length_m{};  // metres of the plane
+  alignas(64) std::array<float, most> ex{};        // unit vector of the edge
   alignas(64) std::array<float, most> ey{};
 
   EdgeFan() = default;
@@ -25,51 +25,52 @@ struct EdgeFan {
   explicit EdgeFan(const std::vector<geo::PlanePoint>& edges);
 };
 
-/// The current about a point from a time on, as far as edges reach that leave it.
-/// Model    at the point: linear between knots of time. Elsewhere: the point's own current at that time and a
-///          change for each metre that lies in a box, given by its centre and half widths along two axes u and v; a box
-///          for each of the quarters between them, for edges into that quarter
+/// Model of the current around a point from a time on, as far as edges reach.
+/// Model    At the point the current is linear between knots of time. Elsewhere it is the point's current
+///          plus a change per metre. The change lies in a box, given by centre and half widths along two axes
+///          u and v. Each of the four quarters between the axes has its own box, for the edges that lead into
+///          it
 struct NearbyCurrent {
   static constexpr std::size_t most_knots = 32;
   static constexpr std::size_t quarters = 4;
   using ByQuarter = std::array<float, quarters>;
 
-  /// Which quarter an edge goes into, by whether it goes down each axis.
+  /// Index of the quarter that an edge leads into, by whether it goes down each axis.
   static constexpr std::size_t quarter(bool down_u, bool down_v) {
     return (down_u ? 1U : 0U) + (down_v ? 2U : 0U);
   }
 
-  float x_m_s{};  // at the point at the beginning
+  float x_m_s{};  // current at the point, at the beginning
   float y_m_s{};
-  float x_m_s2{};  // its first slope in time
+  float x_m_s2{};  // its slope in time, up to the first knot
   float y_m_s2{};
   std::size_t knots{};
-  std::array<float, most_knots> knot_s{};  // after the beginning, ascending
-  std::array<float, most_knots> bend_x{};  // by which the slope changes there
+  std::array<float, most_knots> knot_s{};  // times of the knots after the beginning, ascending
+  std::array<float, most_knots> bend_x{};  // change of the slope at each knot
   std::array<float, most_knots> bend_y{};
-  float steepest_m_s2{};  // the greatest slope in time until `known_s`
-  float known_s{};        // so long the model holds
+  float steepest_m_s2{};  // largest slope in time until `known_s`
+  float known_s{};        // the model is valid for this time
 
-  float u_x{};  // of the plane's metres: the axes u and v
+  float u_x{};  // axes u and v, per metre of the plane
   float u_y{};
   float v_x{};
   float v_y{};
-  ByQuarter x_by_u{};  // centre of the change for each unit of u and v
+  ByQuarter x_by_u{};  // centre of the change per unit of u and v
   ByQuarter y_by_u{};
   ByQuarter x_by_v{};
   ByQuarter y_by_v{};
-  ByQuarter off_by_u{};  // how much the change may differ from it, a bound on the vector's length
+  ByQuarter off_by_u{};  // bound of the deviation from the centre, as a vector's length
   ByQuarter off_by_v{};
-  float unseen_m_s{};  // what the model itself may miss
+  float unseen_m_s{};  // error of the model itself
 };
 
-/// What a fan is timed with.
+/// The vehicle for which a fan is timed.
 struct FanVehicle {
   float through_water_m_s{};
   float ground_per_plane{
-      1.0F};                  // metres on the ground for one of the plane, never more than it is on any edge
-  float longest_s{};          // durations beyond it need not be told apart
-  bool never_stopped{false};  // no current that there is anywhere keeps it from any course
+      1.0F};          // metres on the ground per metre of the plane: a lower bound that holds for all edges
+  float longest_s{};  // longer durations are all given as this
+  bool never_stopped{false};  // no current in the data closes any course for it
 };
 
 /// Seconds by lane.
@@ -77,39 +78,41 @@ struct alignas(64) FanTimes {
   std::array<float, EdgeFan::most> time_s;
 };
 
-/// How the lanes are worked; all give the same bits.
+/// Ways to compute the lanes; all give identical bits.
 enum class FanPath {
-  reference,  // one lane after the other, as the formulas are read
-  baseline,   // what every x86-64 has
+  reference,  // one lane after another, as the formulas are written
+  baseline,   // instructions of every x86-64
   avx2,
   avx512
 };
 
-/// The paths that this processor can take, the widest last.
+/// The paths that this processor supports, the widest last.
 [[nodiscard]] const std::vector<FanPath>& fan_paths();
 
-/// About how long each edge takes for a vehicle that leaves now: the chord's mean current for the whole edge.
-/// `longest_s` where it takes longer or is closed.
+/// Estimated time of each edge for a vehicle that leaves now, from the mean current of a straight drive at
+/// constant speed.
+/// `longest_s` if it takes longer or is closed.
 void estimate_fan(const EdgeFan& fan, const NearbyCurrent& current, const FanVehicle& vehicle,
                   FanTimes& times, FanPath path = fan_paths().back());
 
-/// Never more than the travel time of any vehicle that leaves the point now and keeps to the edge, in any current
-/// that the model allows; zero where the model does not prove that the edge is passable, for then one that leaves
-/// at another time may be sooner there than travel times of passable edges allow.
-/// Method   With c the mean over time of the current that the vehicle meets, its speed over ground on the edge's
-///          direction e is on the average no more than g(c, V) = c.e + sqrt(V^2 - (c.n)^2): the pairs of a speed s
-///          and a current c with |s e - c| <= V are a convex set. Where c is known to within r,
-///          |s e - c0| <= V + r: no more than g(c0, V + r). What is left is to enclose the mean: over time at the
-///          point, half the change over the edge, and for each of both by how much the vehicle's way may differ
-///          from an even one.
-/// Accuracy short by some hundredths in tides and eddies on edges of a few kilometres: by how the slopes differ
+/// Lower bounds of the travel time of each edge, for every vehicle that leaves the point now and stays on the
+/// edge, in any current that the model allows. Zero if the model does not prove that the edge is passable:
+/// without FIFO a later departure could then arrive sooner.
+/// Method   Let c be the mean over time of the current that the vehicle meets. Its mean speed over ground
+///          along the edge's direction e is at most g(c, V) = c.e + sqrt(V^2 - (c.n)^2), because the pairs of
+///          a speed s and a current c with |s e - c| <= V form a convex set. If c is known as c0 with error
+///          r, then |s e - c0| <= V + r, so the speed is at most g(c0, V + r). The mean c is enclosed from:
+///          its course over time at the point, half the change over the edge, and for both the effect of a
+///          drive that is not at constant speed
+/// Accuracy too short by some hundredths in tides and eddies on edges of a few kilometres, depending on how
+/// slopes differ
 void bound_fan(const EdgeFan& fan, const NearbyCurrent& current, const FanVehicle& vehicle, FanTimes& times,
                FanPath path = fan_paths().back());
 
-/// From now on and in the whole process fan_paths() ends with this path, as on a processor that has no wider one: so it
-/// can be shown that plans do not depend on it.
-/// Errors   std::invalid_argument for a path that this processor cannot take
-/// Threads  to be called before anything is planned
+/// From now on fan_paths() ends with this path in the whole process, as on a processor without wider ones. So
+/// tests can show that plans do not depend on the path.
+/// Errors   std::invalid_argument for a path that this processor does not support
+/// Threads  call before any planning
 void limit_fan_paths(FanPath widest);
 
 }  // namespace floeplan::motion

@@ -7,7 +7,8 @@
 
 namespace floeplan::motion {
 
-/// A part of the drive along an edge: the way s(t) is the cubic with these values and slopes at its two ends.
+/// A part of the drive along an edge: the distance s(t) is the cubic with these values and slopes at its two
+/// ends.
 /// Units    metres on the ground from the edge's start; seconds on the clock of the departure
 struct EdgePiece {
   double t0_s{};
@@ -18,13 +19,13 @@ struct EdgePiece {
   double v1_m_s{};
 };
 
-/// Looks at each part of the drive, in the order it is driven, without a gap; an answer closes the edge.
+/// Called with each piece of the drive, in order and without gaps; a non-empty result closes the edge.
 template <class F>
 concept EdgePieceVisitor = requires(const F& visit, const EdgePiece& piece) {
   { visit(piece) } -> std::convertible_to<std::optional<EdgeClosed>>;
 };
 
-/// Costs nothing.
+/// Visitor that does nothing.
 struct VisitNoPiece {
   std::optional<EdgeClosed> operator()(const EdgePiece&) const { return std::nullopt; }
 };

@@ -15,32 +15,32 @@
 
 namespace floeplan::motion {
 
-/// How exactly to integrate.
+/// Accuracy of the integration.
 struct EdgeAccuracy {
   double relative_tolerance{1e-4};  // of the travel time
-  // The scales on which a current changes that is known point by point only.
+  // For currents known point by point: the scales on which they change.
   core::Metres longest_step{INFINITY};  // on the ground
   core::Seconds longest_duration{INFINITY};
 };
 
-/// Below this tolerance the formula of higher order takes less work than the other.
+/// Below this tolerance the formula of higher order needs less work than the other one.
 inline constexpr double tight_tolerance = 2e-6;
 
-/// A current that lays itself along an edge, stretch by stretch.
+/// A current that provides a line of stretches along an edge.
 template <class F>
 concept LaidOutCurrent = requires(const F& current, const PlaneEdge& edge, core::Seconds depart) {
   { current.line(edge).begin(depart) } -> std::same_as<bool>;
 };
 
-/// Travel time along an edge: the solution of ds/dt = v(x(s), t) from the departure on, where v = c.e +
-/// sqrt(V^2 - (c.n)^2) is the speed over ground on the edge's direction e. Two vehicles on one edge obey the
-/// same scalar equation, and solutions of a scalar equation do not cross: the later one never overtakes.
-/// Hence FIFO: t1 <= t2 implies t1 + w(t1) <= t2 + w(t2), while the edge stays passable.
-/// `visit_piece` sees the drive as it is integrated, up to the arrival, and may close the edge.
+/// Travel time along an edge: the solution of ds/dt = v(x(s), t) from the departure on. The speed over ground
+/// in the edge's direction e is v = c.e + sqrt(V^2 - (c.n)^2). Two vehicles on one edge obey the same scalar
+/// equation, and solutions of a scalar equation do not cross: the later vehicle never overtakes. Hence FIFO:
+/// t1 <= t2 implies t1 + w(t1) <= t2 + w(t2), while the edge stays passable.
+/// `visit_piece` gets the pieces of the drive up to the arrival, and may close the edge.
 /// Accuracy relative error below the tolerance. Laid-out currents: open or closed is decided everywhere on
-///          the way, to 1e-7 m/s of current; others: to what can be seen on the scales that `accuracy` states
-/// Errors   the reason why the edge is closed: where the vehicle would be, when it would be there; too_late
-///          as soon as it is certain that the arrival is after `latest`; what `visit_piece` answered
+/// the way, to 1e-7 m/s of current; others: to what can be seen on the scales that `accuracy` states
+/// Errors   why the edge is closed at the place and time of the vehicle; too_late as soon as the arrival is
+///          certainly after `latest`; the result of `visit_piece`
 /// Source   Eichhorn 2009, section III.C (wfunc)
 template <PlaneCurrent Current, EdgePieceVisitor VisitPiece = VisitNoPiece>
 tl::expected<core::Seconds, EdgeClosed> edge_time(const PlaneEdge& edge, core::Seconds depart,

@@ -8,7 +8,7 @@
 
 namespace floeplan::motion {
 
-/// A current as a film run backwards shows it: at the time -t the water of the time t, flowing the other way.
+/// A current in reversed time: at the time -t it is that of the time t, with the opposite sign.
 template <PlaneCurrent Current>
 struct MirroredCurrent {
   const Current& current;
@@ -20,12 +20,12 @@ struct MirroredCurrent {
   }
 };
 
-/// Travel time along `edge` for a vehicle that is to be at its end at `arrive`: it has to leave that much
-/// earlier. On the film run backwards the vehicle drives from the end to the start; its speed over ground
-/// there is (-c).(-e) + sqrt(V^2 - (c.n)^2), the same as forwards, so that this is `edge_time` in the
-/// mirrored current.
+/// Travel time along `edge` for a vehicle that must be at its end at `arrive`: it has to leave this much
+/// earlier. In reversed time the vehicle drives from the end to the start. Its speed over ground is then
+/// (-c).(-e) + sqrt(V^2 - (c.n)^2), the same as forwards. So the result is `edge_time` in the mirrored
+/// current.
 /// Law      the inverse of `edge_time` within its tolerance, while the edge stays passable
-/// Errors   as `edge_time`; too_late as soon as it is certain that the departure is before `earliest`
+/// Errors   as `edge_time`; too_late as soon as the departure is certainly before `earliest`
 template <PlaneCurrent Current>
 tl::expected<core::Seconds, EdgeClosed> edge_time_back(const PlaneEdge& edge, core::Seconds arrive,
                                                        core::MetresPerSecond through_water,

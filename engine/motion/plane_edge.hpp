@@ -15,13 +15,13 @@ struct PlaneEdge {
   core::Metres ground_length;
 };
 
-/// A current as an edge sees it: along its direction, and across it.
+/// A current split into its components along the direction of an edge and across it.
 struct CurrentOnEdge {
   double along_m_s{};
   double across_m_s{};
 };
 
-/// The unit direction of an edge. Precondition: the edge has a length in the plane.
+/// Unit vector of an edge's direction. Precondition: the edge has a length in the plane.
 class EdgeDirection {
  public:
   explicit EdgeDirection(const PlaneEdge& edge) {

@@ -10,7 +10,7 @@
 
 namespace floeplan::motion {
 
-/// A current on an edge that is quadratic in the way: what a bilinear cell of a grid looks like on a line.
+/// A current on an edge that is quadratic in the distance: a bilinear grid cell along a line.
 struct WayQuadratic {
   CurrentOnEdge constant;
   CurrentOnEdge linear;
@@ -18,8 +18,8 @@ struct WayQuadratic {
 
   [[nodiscard]] CurrentOnEdge at(double way_m) const { return between(way_m, way_m); }
 
-  /// The value at `a` when a = b; for a < b the middle one of the three values between which the quadratic
-  /// stays on [a, b] (its polar form; the outer two are those at a and at b).
+  /// The value at `a` if a = b. For a < b the middle one of three values that bound the quadratic on [a, b];
+  /// the outer two are those at a and at b (polar form).
   [[nodiscard]] CurrentOnEdge between(double a_m, double b_m) const {
     const double middle = 0.5 * (a_m + b_m);
     const double product = a_m * b_m;
@@ -28,18 +28,18 @@ struct WayQuadratic {
   }
 };
 
-/// The current on a stretch of an edge inside one cell of a grid and one step of its time.
-/// Frame    way in metres on the ground from the edge's start; seconds on the clock of the departure
+/// The current on a stretch of an edge within one grid cell and one time step.
+/// Frame    distance in metres on the ground from the edge's start; seconds on the clock of the departure
 struct QuadraticStretch {
   static constexpr bool is_bounded = true;
 
-  WayQuadratic at_start;    // at start_s
-  WayQuadratic per_second;  // what time changes
+  WayQuadratic at_start;    // at the time start_s
+  WayQuadratic per_second;  // change per second
   double start_s{};
   double end_way_m{std::numeric_limits<double>::infinity()};
   double end_s{std::numeric_limits<double>::infinity()};
 
-  /// Goes on smoothly beyond both ends, so that a step may try what lies a little ahead of them.
+  /// Continues smoothly beyond both ends, so that a step may test points slightly ahead.
   [[nodiscard]] std::optional<CurrentOnEdge> at(double way_m, double t_s) const {
     const CurrentOnEdge start = at_start.at(way_m);
     const CurrentOnEdge change = per_second.at(way_m);
@@ -48,7 +48,8 @@ struct QuadraticStretch {
                          start.across_m_s + since * change.across_m_s};
   }
 
-  /// Never more than the room of any place on the ways at any of the times; exact where nothing changes.
+  /// Lower bound of `Crabbing::room` for all distances and times in these ranges; exact if the current is
+  /// constant.
   [[nodiscard]] double least_room(const Crabbing& crabbing, double way0_m, double t0_s, double way1_m,
                                   double t1_s) const {
     const double since0 = t0_s - start_s;

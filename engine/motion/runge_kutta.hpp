@@ -8,21 +8,21 @@
 
 namespace floeplan::motion {
 
-/// A step from s to s + h in which t grows by `gain`, and the cubic through both ends with the slopes there.
+/// A step from s to s + h in which t grows by `gain`, as a cubic through both ends with the slopes there.
 struct StepCubic {
   double h{};
   double gain{};
   double k_start{};
   double k_end{};
 
-  /// Gain of t over a share of the step.
+  /// Growth of t over this share of the step.
   [[nodiscard]] double gain_at(double share) const {
     const double from = h * k_start;
     const double to = h * k_end;
     return share * (from + share * (3.0 * gain - 2.0 * from - to + share * (from + to - 2.0 * gain)));
   }
 
-  /// Its derivative, for each whole step.
+  /// Derivative of `gain_at`, per whole step.
   [[nodiscard]] double slope_at(double share) const {
     const double from = h * k_start;
     const double to = h * k_end;
@@ -30,7 +30,7 @@ struct StepCubic {
   }
 };
 
-/// The share of a step at which the gain of t is `wanted`. Precondition: 0 <= wanted <= gain.
+/// The share of a step at which t has grown by `wanted`. Precondition: 0 <= wanted <= gain.
 inline double share_with_gain(const StepCubic& step, double wanted) {
   double low = 0.0;
   double high = 1.0;
@@ -38,7 +38,7 @@ inline double share_with_gain(const StepCubic& step, double wanted) {
   for (int i = 0; i < 60; ++i) {
     const double miss = wanted - step.gain_at(share);
     (miss > 0.0 ? low : high) = share;
-    const double guess = share + miss / step.slope_at(share);  // Newton's, halving where it leads astray
+    const double guess = share + miss / step.slope_at(share);  // Newton's step; bisection if it fails
     const double next = guess > low && guess < high ? guess : 0.5 * (low + high);
     if (std::abs(next - share) <= 1e-13) break;
     share = next;
@@ -46,21 +46,20 @@ inline double share_with_gain(const StepCubic& step, double wanted) {
   return share;
 }
 
-// Steps by embedded pairs of Runge-Kutta formulas for dt/ds = k(s, t). The gain of t is that of the higher
-// formula; `error` estimates that of the lower one. `is_its_cubic`: the cubic is as good as the formula, so
-// that a step may be cut short anywhere. The function k takes (s, t) and gives
-// tl::expected<double, EdgeClosed>.
+// Steps by embedded pairs of Runge-Kutta formulas for dt/ds = k(s, t). `gain` comes from the higher formula,
+// `error` estimates that of the lower one. `is_its_cubic`: the cubic is as accurate as the formula, so a step
+// may be cut short anywhere. The function k takes (s, t) and returns tl::expected<double, EdgeClosed>.
 
-/// A 3(2) pair, and Simpson's rule along its cubic: four new values of k for a step. What the two differ by is
-/// the error of the third-order formula; the pair's own estimate is that of the second order, ten times too
-/// cautious, yet it guards the other where both happen to agree.
+/// A 3(2) pair, and Simpson's rule along its cubic: four new values of k per step. Their difference is the
+/// error of the third-order formula. The pair's own estimate is that of the second order, ten times too
+/// large. A share of it is kept as a guard for the case that the other two agree by chance.
 /// Source   Bogacki and Shampine 1989, A 3(2) pair of Runge-Kutta formulas, Appl. Math. Lett. 2,
 ///          doi:10.1016/0893-9659(89)90079-7; between its ends the cubic through values and slopes
 struct BogackiShampine : StepCubic {
   double error{};
   static constexpr bool is_its_cubic = true;
   static constexpr double share_for_a_step = 1.0;  // of the tolerance
-  static constexpr double pair_share = 0.2;        // of the pair's estimate, that is still heeded
+  static constexpr double pair_share = 0.2;        // of the pair's estimate, kept as a guard
 
   template <class K>
   static tl::expected<BogackiShampine, EdgeClosed> step(const K& k, double s, double t, double h, double k1) {
@@ -80,17 +79,17 @@ struct BogackiShampine : StepCubic {
     return BogackiShampine{{h, by_simpson, k1, *k4}, error};
   }
 
-  /// How much longer a step may be whose error for each second should be `ratio` times as large.
+  /// Factor of the step length that multiplies the error per second by `ratio`.
   static double lengthening(double ratio) { return std::cbrt(ratio); }
 };
 
-/// A 5(4) pair: six new values of k for a step, worth it for tight tolerances.
+/// A 5(4) pair: six new values of k per step, worth it for tight tolerances.
 /// Source   Dormand and Prince 1980, A family of embedded Runge-Kutta formulae, J. Comput. Appl. Math. 6,
 ///          doi:10.1016/0771-050X(80)90013-3
 struct DormandPrince : StepCubic {
   double error{};
   static constexpr bool is_its_cubic = false;
-  static constexpr double share_for_a_step = 0.1;  // its estimate falls short of long steps' errors
+  static constexpr double share_for_a_step = 0.1;  // its estimate is too small for long steps
 
   template <class K>
   static tl::expected<DormandPrince, EdgeClosed> step(const K& k, double s, double t, double h, double k1) {

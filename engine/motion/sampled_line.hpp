@@ -11,7 +11,7 @@
 
 namespace floeplan::motion {
 
-/// A stretch of an edge on which the current is evaluated point by point, whatever kind of current it is.
+/// A stretch of an edge on which any kind of current is evaluated point by point.
 template <PlaneCurrent Current>
 struct SampledStretch {
   static constexpr bool is_bounded = false;
@@ -31,8 +31,8 @@ struct SampledStretch {
     return direction(*c);
   }
 
-  /// An estimate from three places: it takes the room to fall between them by no more than it differs among
-  /// them. Not positive where the current is not known.
+  /// Estimate from three places. It assumes that between them the room falls by at most its range over the
+  /// three. Zero or negative if the current is unknown.
   [[nodiscard]] double least_room(const Crabbing& crabbing, double way0_m, double t0_s, double way1_m,
                                   double t1_s) const {
     const auto room = [&](double way_m, double t_s) {
@@ -45,7 +45,7 @@ struct SampledStretch {
   }
 };
 
-/// An edge in such stretches, one after the other; none longer than the scales on which the current changes.
+/// An edge divided into such stretches, none longer than the scales on which the current changes.
 template <PlaneCurrent Current>
 class SampledLine {
  public:

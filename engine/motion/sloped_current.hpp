@@ -7,8 +7,8 @@
 
 namespace floeplan::motion {
 
-/// A current and how it changes from place to place; dx_dy is the slope of its x component along y. Slopes
-/// per second.
+/// A current and its derivatives in place; dx_dy is the derivative of the x component along y. Derivatives in
+/// 1/s.
 struct SlopedCurrent {
   CurrentXy velocity;
   double dx_dx{};
@@ -17,8 +17,8 @@ struct SlopedCurrent {
   double dy_dy{};
 };
 
-/// The current and its slopes at a point of the plane at a time; empty: not known there.
-/// Law      `slopes_at` gives the velocity that the plane current itself gives
+/// The current and its derivatives at a point of the plane at a time; empty: unknown.
+/// Law      the velocity in `slopes_at` equals that of the plane current itself
 template <class F>
 concept SlopedPlaneCurrent =
     PlaneCurrent<F> && requires(const F& current, geo::PlanePoint point, core::Seconds time) {

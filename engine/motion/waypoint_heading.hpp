@@ -5,10 +5,11 @@
 
 namespace floeplan::motion {
 
-/// Where a Slocum points its nose to come to a place: along the course at its speed through the water, less the current
-/// that it reckons with. It so comes to the place from downstream, also where no heading would hold the course.
-/// Frame    any of the level with two axes; the heading is in radians, clockwise from the second
-/// Units    m and m/s, of the place as seen from the vehicle and of the current
+/// The heading of a Slocum towards a place: the vector of its speed through water along the course, minus the
+/// current that it assumes. So it approaches the place from downstream, even if no heading would hold the
+/// course.
+/// Frame    any horizontal frame with two axes; the heading is in radians, clockwise from the second axis
+/// Units    m and m/s; the place is relative to the vehicle
 /// Edges    empty at the place itself
 /// Source   the log of comet of 21 August 2019
 [[nodiscard]] inline std::optional<double> waypoint_heading(double east_m, double north_m, double speed_m_s,

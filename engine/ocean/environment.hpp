@@ -14,29 +14,30 @@
 
 namespace floeplan::ocean {
 
-/// All that is known of the sea in an area and a period: an immutable snapshot for one job.
-/// A missing part (null, empty) means that nothing is known or that the request left it out; the plan then
+/// All data on the sea in an area and a period: an immutable snapshot for one job.
+/// A missing part (null, empty) means that there are no data or that the request left them out; the plan then
 /// warns.
 struct Environment {
   std::shared_ptr<const CurrentGrid> currents{};  // null: still water
-  bool steady_currents{false};                    // `currents` holds one time, meant for every time
-  std::vector<std::shared_ptr<const CurrentGrid>> members{};  // of an ensemble, `currents` first; else empty
-  /// The same currents over a wider area, from which icebergs may drift in, and down to their keels; null:
-  /// `currents` carry icebergs.
+  bool steady_currents{false};                    // `currents` has a single time that counts for every time
+  std::vector<std::shared_ptr<const CurrentGrid>> members{};  // of an ensemble, `currents` first; or empty
+  /// The same currents over a wider area, from which icebergs may drift in, and down to the depth of their
+  /// keels. Null:
+  /// `currents` move the icebergs.
   std::shared_ptr<const CurrentGrid> drift_currents{};
   std::vector<std::shared_ptr<const CurrentGrid>> drift_members{};  // one for each of `members`, or empty
-  /// Velocity of the air 10 m above the sea, towards which it blows, on a grid without depths; null: not known. Its
-  /// dataset stands among the others, as kind "wind".
+  /// Velocity of the air 10 m above the sea, towards which it blows, on a grid without depths; null: unknown.
+  /// Its dataset is listed with kind "wind".
   std::shared_ptr<const CurrentGrid> wind{};
   std::shared_ptr<const Bathymetry> bathymetry{};
-  std::shared_ptr<const IceField> ice{};  // null: nothing is known of sea ice, open water is assumed
-  /// Ice of other products, the preferred one first. It counts where and when `ice` has no value.
+  std::shared_ptr<const IceField> ice{};  // null: no ice data, open water is assumed
+  /// Ice of other products, the preferred one first. Used where and when `ice` has no value.
   std::vector<std::shared_ptr<const IceField>> further_ice{};
   std::vector<geo::Polygon> land{};
-  std::vector<Iceberg> icebergs{};  // the latest sighting of each berg, none after the moment asked for
-  std::vector<Zone> zones{};        // of stored datasets, all obeyed
+  std::vector<Iceberg> icebergs{};  // latest sighting of each berg, none later than requested
+  std::vector<Zone> zones{};        // of stored datasets; all must be obeyed
   std::vector<DatasetRef> datasets{};
-  std::vector<messages::Message> messages{};  // what the choice of data implies, for the pilot
+  std::vector<messages::Message> messages{};  // consequences of the choice of data, for the pilot
 };
 
 }  // namespace floeplan::ocean

@@ -13,13 +13,13 @@ namespace floeplan::ocean {
 namespace {
 
 constexpr core::Seconds hour{3600.0};
-/// The weather that pushed a berg aside does not last much longer.
+/// Weather that pushed a berg aside lasts about this long.
 constexpr core::Seconds fading{24.0 * 3600.0};
-/// Sightings closer in time tell more of their errors (kilometres) than of the drift, those further apart more of
-/// past weather than of the next day's.
+/// Sightings closer in time show mainly their own errors (kilometres). Sightings further apart show past
+/// weather instead of the next day's drift.
 constexpr core::Seconds shortest_observation{6.0 * 3600.0};
 constexpr core::Seconds longest_observation{72.0 * 3600.0};
-/// Faster than any current: two bergs under one name.
+/// Faster than any current: the sightings are of two bergs with one name.
 constexpr core::MetresPerSecond fastest_drift{2.0};
 
 geo::VelocityEn mean_velocity(const IcebergFix& from, const IcebergFix& to) {
@@ -28,7 +28,7 @@ geo::VelocityEn mean_velocity(const IcebergFix& from, const IcebergFix& to) {
   return {line.course_at_start.east() * speed, line.course_at_start.north() * speed};
 }
 
-/// The drift between the last sighting and an earlier one that is long enough ago.
+/// The drift from an earlier sighting, long enough before, to the last one.
 struct ObservedDrift {
   IcebergFix from;
   geo::VelocityEn velocity;
@@ -58,7 +58,7 @@ geo::LonLat moved(geo::LonLat from, geo::VelocityEn velocity, core::Seconds dura
                                    distance);
 }
 
-/// What moves one iceberg.
+/// The forces on one iceberg, and the velocity that they give it.
 class Drift {
  public:
   Drift(const Iceberg& iceberg, const Environment& environment)
@@ -75,14 +75,15 @@ class Drift {
     const auto wind = by_wind(at);
     if (!current && observed_) return observed_->velocity;
     const geo::VelocityEn forced = sum(current.value_or(geo::VelocityEn{}), wind.value_or(geo::VelocityEn{}));
-    // Wind that was not known when the berg was seen to move hides in what it moved beside the current.
+    // If the wind during the observed drift is unknown, it is part of the remainder. It must not be added a
+    // second time.
     if (!current || (wind && !wind_was_known_)) return forced;
     const double left = std::exp(-((at.time - last_.time) / fading));
     return {forced.east + left * besides_forces_.east, forced.north + left * besides_forces_.north};
   }
 
-  /// The end of a step that begins then: after an hour, or where the currents or the wind begin or end, so that a step
-  /// is all with them or all without.
+  /// The end of a step that begins at `begin`: after an hour, or earlier where currents or wind begin or end.
+  /// So the whole step is with or without these data.
   [[nodiscard]] core::UtcTime end_of_step(core::UtcTime begin) const {
     core::UtcTime end = begin + hour;
     for (const CurrentGrid* const forces : {carrying(environment_), environment_.wind.get()}) {
@@ -97,8 +98,8 @@ class Drift {
 
   [[nodiscard]] bool knows_the_current(const IcebergFix& at) const { return over_draft(at).has_value(); }
 
-  /// By the mean depth, not by the least of the cell: a forecast that holds a berg too early leaves the water free to
-  /// which it drifts on, while the error around it grows either way.
+  /// Uses the mean depth, not the least of the cell. A forecast that holds a berg too early would leave the
+  /// water open into which it drifts; the position error grows in both cases.
   [[nodiscard]] bool is_aground(geo::LonLat place) const {
     if (!environment_.bathymetry) return false;
     const auto bed = environment_.bathymetry->depth(place);
@@ -106,7 +107,7 @@ class Drift {
   }
 
  private:
-  /// The current's mean over the draft; empty where or when it is not known.
+  /// Mean current over the draft; empty if it is unknown.
   [[nodiscard]] std::optional<geo::VelocityEn> over_draft(const IcebergFix& at) const {
     if (!carrying(environment_)) return std::nullopt;
     const CurrentGrid& currents = *carrying(environment_);
@@ -121,7 +122,7 @@ class Drift {
                            before->north + when->fraction * (after->north - before->north)};
   }
 
-  /// What the wind adds to the water's velocity; empty where or when it is not known.
+  /// Velocity that the wind adds to that of the water; empty if the wind is unknown.
   [[nodiscard]] std::optional<geo::VelocityEn> by_wind(const IcebergFix& at) const {
     if (!environment_.wind) return std::nullopt;
     const auto wind = environment_.wind->at(at.place, core::Metres{0.0}, at.time);
@@ -129,8 +130,8 @@ class Drift {
     return moved_by_wind(*wind, length_, at.place.lat_deg);
   }
 
-  /// The observed drift without the part of the current, and of the wind where that is known all the way; zero where
-  /// the current is not.
+  /// The observed drift minus the current, and minus the effect of the wind if that is known all along; zero
+  /// if the current is unknown anywhere.
   [[nodiscard]] geo::VelocityEn besides_forces(const ObservedDrift& observed) {
     const IcebergFix& from = observed.from;
     const core::Seconds span = last_.time - from.time;
@@ -161,7 +162,7 @@ class Drift {
   IcebergFix last_;
   std::optional<ObservedDrift> observed_;
   geo::VelocityEn besides_forces_{};
-  bool wind_was_known_{false};  // all the way between the sightings that tell of the drift
+  bool wind_was_known_{false};  // all along the observed drift
 };
 
 }  // namespace

@@ -12,7 +12,7 @@
 namespace floeplan::ocean {
 namespace {
 
-/// What a word of a name can stand for.
+/// Meanings that a word in an attribute's name can have.
 enum class Sense {
   begin,
   end,
@@ -23,19 +23,19 @@ enum class Sense {
   depth,
   height,
   clock,      // a date or time
-  validity,   // that something holds for a time
+  validity,   // that a rule holds for a time
   effective,  // valid from then on
   first,      // with a date or time: begin
   last,       // the same: end
-  turning,    // beginning or end, by what is meant
+  turning,    // beginning or end, depending on the other words
   rule,
   type,
-  place,   // the zone itself, or what is done there
+  place,   // the zone itself, or an activity there
   extent,  // the limit of something
   unit,
   called,
   record,  // who wrote the data down, and when
-  cut,     // the beginning of several words that differ
+  cut,     // beginning of several words with different meanings
   unknown
 };
 
@@ -194,7 +194,7 @@ constexpr auto words = std::to_array<Word>({
     {"today", Sense::record},
 });
 
-/// S-57's attributes, which nothing cuts.
+/// Attributes of S-57. They are never cut short.
 constexpr auto acronyms = std::to_array<Word>({
     {"datsta", Sense::begin},
     {"persta", Sense::begin},
@@ -204,9 +204,9 @@ constexpr auto acronyms = std::to_array<Word>({
     {"sordat", Sense::record},
 });
 
-/// Below it a part of letters written together could be anything.
+/// Shorter parts of letters written together are not recognised: they could be anything.
 constexpr std::size_t shortest_joined = 3;
-constexpr std::size_t shapefile_name = 10;  // letters; dBASE III keeps no more
+constexpr std::size_t shapefile_name = 10;  // letters; dBASE III stores no more
 
 std::optional<Word> word_of(std::string_view text) {
   const auto* const found = std::ranges::find(words, text, &Word::text);
@@ -215,7 +215,7 @@ std::optional<Word> word_of(std::string_view text) {
   return acronym != acronyms.end() ? std::optional{*acronym} : std::nullopt;
 }
 
-/// A word for all that begin so.
+/// A word for all known words that begin with this text; empty: their meanings differ, or there are none.
 std::optional<Word> word_that_begins(std::string_view text) {
   std::optional<Word> common;
   for (const Word& word : words) {
@@ -227,7 +227,7 @@ std::optional<Word> word_that_begins(std::string_view text) {
   return common;
 }
 
-/// "ValidTo_2" as "valid", "to".
+/// The parts of a name: "ValidTo_2" gives "valid", "to".
 std::vector<std::string> parts_of(std::string_view name) {
   const auto is = [&](int (*kind)(int), std::size_t i) {
     return i < name.size() && kind(static_cast<unsigned char>(name[i])) != 0;
@@ -244,8 +244,8 @@ std::vector<std::string> parts_of(std::string_view name) {
   return parts;
 }
 
-/// The words that letters written together are made of, the longest first; empty: they are not. `may_be_cut`: the last
-/// word may be the beginning of one.
+/// The known words that letters written together consist of, longest matches first; empty: they do not.
+/// `may_be_cut`: the last word may be incomplete.
 std::vector<Word> words_in(std::string_view letters, bool may_be_cut) {
   for (std::size_t length = letters.size(); length > 0; --length) {
     const std::string_view first = letters.substr(0, length);
@@ -264,7 +264,7 @@ std::vector<Word> words_in(std::string_view letters, bool may_be_cut) {
   return beginning ? std::vector{*beginning} : std::vector<Word>{};
 }
 
-/// The words of a name by what they can stand for.
+/// The words of a name, sorted by what they can mean.
 class Senses {
  public:
   explicit Senses(std::string_view name) {
@@ -295,7 +295,7 @@ class Senses {
   std::vector<Word> words_;
 };
 
-/// Names of depths; nothing: it is none.
+/// The meaning of a name about depths; `nothing`: it is not about depths.
 AttributeMeaning depth_meant(const Senses& senses) {
   using enum AttributeMeaning;
   const bool known = senses.are_only(Sense::depth, Sense::upper, Sense::lower, Sense::least, Sense::most,
@@ -317,7 +317,7 @@ AttributeMeaning depth_meant(const Senses& senses) {
   return senses.has(Sense::least) || senses.has(Sense::most) ? unclear_depth : depths;
 }
 
-/// Names of times; nothing: it is none.
+/// The meaning of a name about times; `nothing`: it is not about times.
 AttributeMeaning time_meant(const Senses& senses) {
   using enum AttributeMeaning;
   const bool holds = senses.has(Sense::validity);

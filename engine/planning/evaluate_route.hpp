@@ -12,8 +12,9 @@
 
 namespace floeplan::planning {
 
-/// Times a given route (at least two places): the same legs, the same edge integration, the same rules. Where legs may
-/// have different drives, on those that make the whole cost least by the request's objective.
+/// Times a given route (at least two places) with the leg cost model that plans use. If the vehicle has
+/// several kinds of propulsion, each leg gets the one that makes the total cost least by the request's
+/// objective.
 /// `request` gives departure, vehicle, margin and tolerance; its places and method are not used.
 /// Errors   as plan_route
 /// Stops    with Reason::cancelled once `stop` is requested
@@ -21,9 +22,10 @@ namespace floeplan::planning {
                                           const std::vector<geo::LonLat>& route, const PlanRequest& request,
                                           const std::stop_token& stop = {});
 
-/// The same on the ground of the route's site, which gives the same figures whichever route it was laid out for; of the
-/// request only the places may differ from the one that it was laid out for.
-/// Errors   also std::invalid_argument for a ground of another site
+/// Times a route on a leg cost model made before (`RouteGround`) for this or another route of the same site.
+/// The result is the same. The request may differ only in its places from the one that the model was made
+/// for.
+/// Errors   also std::invalid_argument for a model of another site
 [[nodiscard]] Result<Plan> evaluate_route(const search::RouteGround& ground,
                                           const std::vector<geo::LonLat>& route, const PlanRequest& request,
                                           const std::stop_token& stop = {});

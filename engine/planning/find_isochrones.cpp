@@ -21,12 +21,13 @@ using Direction = IsochroneRequest::Direction;
 
 constexpr double most_vertices = 1e7;          // some minutes and half a gigabyte
 constexpr std::size_t most_icebergs = 20'000;  // some seconds of forecasts
-constexpr double map_cells_per_step = 3.0;     // of the safety map
-constexpr int halvings = 8;                    // of a line between two vertices, where something closes it
-// Legs of a k-sector grid pass over k vertices at most: those next to the border then have their own arrivals.
+constexpr double map_cells_per_step = 3.0;     // cells of the safety map per grid step
+constexpr int halvings = 8;                    // of a closed line between two vertices, to find its open part
+// Edges of a k-sector grid span at most k vertices. With this margin the vertices next to the outline have
+// arrivals.
 constexpr double steps_beyond = 3.0;
-/// In the Kuroshio and the Agulhas Current 3 sectors gave 0.79 to 1.0 of the area of a finer search, 5 sectors 0.96 to
-/// 1.03, in three times the time.
+/// Test in the Kuroshio and the Agulhas Current: with 3 sectors the area was 0.79 to 1.0 of that of a finer
+/// search, with 5 sectors 0.96 to 1.03, in three times the time.
 constexpr int sectors_in_strong_currents = 5;
 constexpr int usual_sectors = 3;
 
@@ -34,7 +35,7 @@ plane::PlaneBox box_around(geo::PlanePoint centre, double radius_m) {
   return plane::PlaneBox{centre, centre}.grown(radius_m);
 }
 
-/// A square grid with the place in its middle. Start and goal are the place.
+/// A square grid around the place, which is both start and goal.
 cost::RouteGrid grid_around(geo::PlanePoint centre, core::Metres radius, core::Metres step) {
   const int steps = static_cast<int>(std::ceil(radius / step));
   cost::RouteGrid grid;
@@ -48,7 +49,7 @@ cost::RouteGrid grid_around(geo::PlanePoint centre, core::Metres radius, core::M
   return grid;
 }
 
-/// No further than the strongest current can carry the vehicle, and some steps.
+/// Radius of the grid: the distance that the strongest current can carry the vehicle, and some steps more.
 core::Metres grid_radius(const cost::Sea& sea, const IsochroneRequest& request) {
   const core::MetresPerSecond current =
       sea.domain().currents() ? sea.domain().currents()->strongest() : core::MetresPerSecond{0.0};
@@ -57,15 +58,15 @@ core::Metres grid_radius(const cost::Sea& sea, const IsochroneRequest& request) 
   return std::min(request.data_radius(), core::Metres{farthest_m});
 }
 
-/// What a search reached, within one span after the other.
+/// Makes the areas reached within each span from the result of a search.
 class ReachedAreas {
  public:
-  /// Everything is borrowed and outlives this.
+  /// All references are borrowed and must outlive this.
   ReachedAreas(const cost::Sea& sea, const search::OpenGrid& open, Direction direction,
                const search::Reached& reached)
       : sea_{sea}, open_{open}, direction_{direction}, reached_{reached} {}
 
-  /// Polygons of the vertices reached until then, on the search's clock.
+  /// Polygons around the vertices reached until `level` on the search's clock.
   std::vector<graph::GridPolygon> until(core::Seconds level) const {
     std::vector<std::uint8_t> inside(open_.graph.size());
     for (Vertex v = 0; v < inside.size(); ++v) inside[v] = reached_.earliest_s(v) <= level.count() ? 1 : 0;
@@ -82,7 +83,8 @@ class ReachedAreas {
     return sea_.domain().closures().closed_between(open_.grid.point(in), open_.grid.point(out)).has_value();
   }
 
-  /// How far the vehicle comes on the straight line towards a vertex that it does not reach that way.
+  /// Distance that the vehicle covers by `level` on the straight line to a vertex that it does not reach
+  /// directly, as a share of the line.
   double share_travelled(Vertex in, Vertex out, core::Seconds level) const {
     const geo::PlanePoint from = open_.grid.point(in);
     const geo::PlanePoint to = open_.grid.point(out);
@@ -147,7 +149,7 @@ Isochrone to_area(const std::vector<graph::GridPolygon>& polygons, const cost::R
   return area;
 }
 
-/// Why the vehicle cannot be at the place when it leaves or is to arrive.
+/// Why the vehicle cannot be at the place when it leaves it or has to arrive; empty: it can.
 std::optional<motion::EdgeClosed> closed_place(const cost::Sea& sea, geo::PlanePoint place,
                                                const IsochroneRequest& request) {
   if (const auto closed = sea.domain().safety().closed_at(request.place)) return closed;
@@ -158,7 +160,7 @@ std::optional<motion::EdgeClosed> closed_place(const cost::Sea& sea, geo::PlaneP
   return std::nullopt;
 }
 
-/// Whether the search came to the rim of its grid in time, beyond which the area goes on.
+/// Whether the search reached the rim of its grid by `level`, so that the area may extend beyond.
 bool touches_rim(const search::Reached& reached, const cost::RouteGrid& grid, core::Seconds level) {
   const auto is_in = [&](int column, int row) {
     return reached.earliest_s(static_cast<Vertex>(row * grid.nx + column)) <= level.count();
@@ -173,7 +175,7 @@ bool has_strong_currents(const cost::Sea& sea) {
   return sea.domain().currents() && sea.domain().currents()->strongest() >= sea.through_water();
 }
 
-/// Says so when the battery does not last as long as the longest span.
+/// The message if the battery does not last for the longest span.
 std::optional<messages::Message> of_battery(const cost::Sea& sea, const IsochroneRequest& request) {
   const core::Joules usable = request.vehicle.energy.usable();
   const core::Watts power = sea.energy().least_power(sea.drives().front());

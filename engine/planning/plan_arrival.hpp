@@ -13,13 +13,13 @@
 namespace floeplan::planning {
 
 /// The plan with the latest departure that arrives by the request's `departures.arrive_by`: the plan for this
-/// departure alone. Its arrival is within a minute, or a thousandth of the travel time, of the wanted one unless
-/// the sea lets none arrive then.
-/// Errors   Reason::arrival_too_early when even the earliest departure, `request.depart`, arrives later; else
-///          as plan_route
+/// departure alone. It arrives at most a minute, or a thousandth of the travel time, before the wanted time,
+/// unless closures prevent it.
+/// Errors   Reason::arrival_too_early when even the earliest departure, `request.depart`, arrives later;
+///          otherwise as plan_route
 /// Throws   std::invalid_argument when `request.violations()` is not empty or no arrival is asked for
-/// `wider`: as plan_route's. More room is tried where no departure has a plan in time for currents as fast
-/// as the vehicle.
+/// `wider`: as in plan_route. A larger area is tried if currents as fast as the vehicle leave no departure
+/// with a plan in time.
 [[nodiscard]] Result<Plan> plan_arrival(const ocean::Environment& environment, const PlanRequest& request,
                                         const std::stop_token& stop, const core::ProgressCallback& progress,
                                         const WiderSea& wider = {},

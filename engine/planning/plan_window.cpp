@@ -12,12 +12,12 @@ namespace floeplan::planning {
 
 namespace {
 
-/// With the changes that make the window's first departure possible: they make the window so.
+/// Adds the changes that make the window's first departure possible: these make the whole window possible.
 Infeasible what_would_help(const ocean::Environment& environment, const PlanRequest& request, Infeasible why,
                            const std::stop_token& stop, const core::ProgressCallback& progress) {
   why = diagnosis::with_what_would_help(environment, leaving_at(request, request.depart), std::move(why),
                                         stop, progress);
-  // The window ends where it did: leaving later than that is another request.
+  // A later departure is no such change: the end of the window is part of the request.
   const auto departs_later = [](const Change& change) { return change.input == "depart"; };
   std::erase_if(why.changes, [&](const Change& change) {
     return departs_later(change) || std::ranges::any_of(change.with, departs_later);

@@ -11,9 +11,9 @@
 
 namespace floeplan::planning {
 
-/// Compares the departures of the request's window and plans for the best of them.
-/// `wider`: as plan_route's. Where no departure has a plan for currents as fast as the vehicle, all are
-/// compared with more room.
+/// Compares the departures of the request's window and plans the best of them.
+/// `wider`: as in plan_route. If currents as fast as the vehicle leave no departure with a plan, all
+/// departures are compared in a larger area.
 [[nodiscard]] WindowPlan plan_window(const ocean::Environment& environment, const PlanRequest& request,
                                      const std::stop_token& stop, const core::ProgressCallback& progress,
                                      const WiderSea& wider = {},

@@ -14,7 +14,7 @@
 
 namespace floeplan::reproduction {
 
-/// A case of the paper in a current; case and current are borrowed.
+/// Searches one of the paper's cases in a current; case and current are borrowed.
 template <motion::PlaneCurrent Current>
 class CaseSearch {
  public:
@@ -27,8 +27,8 @@ class CaseSearch {
         graph_{searched.graph()},
         query_{vertex(searched.grid.start), vertex(searched.grid.goal), core::Seconds{0.0}} {}
 
-  /// The way that the search finds, with the times that it really takes; empty: it finds none, or its way
-  /// cannot be travelled.
+  /// The route that the search finds, with its true times. Empty: no route is found, or the route cannot be
+  /// travelled at the true times.
   [[nodiscard]] std::optional<planning::optimal_control::TimedWay> fastest() const {
     const auto at_departure = [&](const graph::Edge& edge, core::Seconds, core::Seconds latest) {
       return edge_time(edge, query_.depart, latest);
@@ -41,7 +41,7 @@ class CaseSearch {
     return planning::optimal_control::time_way(points_of(path), query_.depart, legs());
   }
 
-  /// Ways through different corridors, the earliest first: at most `most`.
+  /// Routes through different corridors, the earliest first, at most `most`.
   [[nodiscard]] std::vector<std::vector<geo::PlanePoint>> corridors(std::size_t most) const {
     std::vector<std::vector<geo::PlanePoint>> ways;
     for (const auto& path : graph::find_corridors(graph_, query_, edges(), most)) {

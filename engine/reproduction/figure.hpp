@@ -11,9 +11,9 @@ namespace floeplan::reproduction {
 
 /// A path in a figure, in the plane's own units.
 struct FigurePath {
-  std::string name;      // "1-sector", "optimal control", ...
+  std::string name;      // such as "1-sector" or "optimal control"
   double travel_time{};  // of the whole path, in the figure's unit of time
-  std::string colour;    // as SVG has it
+  std::string colour;    // as in SVG
   bool dashed{false};
   std::vector<geo::PlanePoint> points;
 };
@@ -23,16 +23,16 @@ struct FigureArrow {
   motion::CurrentXy current;
 };
 
-/// One drawing of a figure: the water at a time and what lies in it.
+/// One panel of a figure: the current at a time, and the paths and obstacles in it.
 struct FigurePanel {
-  std::string title;  // empty: the figure has one panel
+  std::string title;  // empty if the figure has only one panel
   std::vector<FigureArrow> arrows;
   std::vector<Obstacle> obstacles;
   std::vector<FigurePath> paths;
-  std::optional<geo::PlanePoint> vehicle;  // where it is at that time
+  std::optional<geo::PlanePoint> vehicle;  // place at that time
 };
 
-/// Axis from one end to the other with a tick at every `step`, drawn so many pixels long.
+/// An axis with a tick at every `step`, and its length in pixels.
 struct FigureAxis {
   std::string label;
   double low{};
@@ -41,7 +41,7 @@ struct FigureAxis {
   double pixels{};
 };
 
-/// What a figure of the paper shows, before it is drawn.
+/// The contents of one of the paper's figures, before drawing.
 struct Figure {
   int number{};
   std::string title;
@@ -49,9 +49,9 @@ struct Figure {
   FigureAxis y;
   geo::PlanePoint start;
   geo::PlanePoint goal;
-  double unit_m{};            // metres that one unit of the plane stands for on a map
-  std::string time_unit;      // empty: without dimension
-  std::string speed_unit;     // likewise
+  double unit_m{};            // metres per unit of the plane, for a map
+  std::string time_unit;      // empty: dimensionless
+  std::string speed_unit;     // empty: dimensionless
   double pixels_per_speed{};  // length of an arrow
   int panels_in_a_row{1};
   std::vector<FigurePanel> panels;
@@ -60,8 +60,8 @@ struct Figure {
 inline constexpr int first_figure = 5;
 inline constexpr int last_figure = 10;
 
-/// Figures 5 to 10 of the paper from our own searches. Those of the jet show the stand-in of `jet_cases`, the
-/// last one the obstacles of `jet_obstacles`.
+/// Figures 5 to 10 of the paper, computed by our own searches. The figures of the jet use the assumed extents
+/// of `jet_cases`, the last one the assumed obstacles of `jet_obstacles`.
 /// Source   Eichhorn 2009, Figures 5 to 10
 [[nodiscard]] std::vector<Figure> reproduce_figures();
 

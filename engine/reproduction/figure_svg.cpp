@@ -8,7 +8,7 @@
 namespace floeplan::reproduction {
 namespace {
 
-// Pixels around the drawing of a panel, and of the lines of text.
+// Margins in pixels around the drawing of a panel, for lines of text.
 constexpr double left = 62.0;
 constexpr double right = 22.0;
 constexpr double above = 30.0;
@@ -17,7 +17,7 @@ constexpr double title_height = 34.0;
 constexpr double legend_line = 24.0;
 constexpr double legend_width = 270.0;
 
-/// A text by a pattern of printf; for numbers and short texts.
+/// Text formatted as by printf; for numbers and short texts.
 [[gnu::format(printf, 1, 2)]] std::string format(const char* pattern, ...) {
   std::array<char, 400> text{};
   std::va_list values;
@@ -32,10 +32,10 @@ std::string text_at(double x, double y, const char* anchor, const std::string& w
          "</text>\n";
 }
 
-/// Where the plane lies on the page.
+/// Position of the plane on the page.
 struct Frame {
   const Figure& figure;
-  double x0;  // of the drawing's upper left corner
+  double x0;  // upper left corner of the drawing
   double y0;
 
   [[nodiscard]] double x(double plane_x) const {
@@ -69,7 +69,7 @@ std::string axes(const Frame& frame) {
   return svg;
 }
 
-/// An arrow that begins at this place of the page; one too short for a head is a dot.
+/// An arrow that begins at this place of the page. If it is too short for a head, a dot.
 std::string arrow(double x, double y, double dx, double dy) {
   const double length = std::hypot(dx, dy);
   if (length < 2.0) return format("<circle cx=\"%.1f\" cy=\"%.1f\" r=\"0.8\"/>\n", x, y);
@@ -135,7 +135,7 @@ std::string panel_svg(const Frame& frame, const FigurePanel& panel, int number) 
   return svg + text_at(frame.x0 + figure.x.pixels, frame.y0 - 9.0, "end", panel.title);
 }
 
-/// The marks of start and goal, the scale of the arrows, then a line for each path.
+/// Entries of the legend: marks of start and goal, scale of the arrows, one line per path.
 std::vector<std::string> legend_entries(const Figure& figure) {
   std::vector<std::string> entries;
   entries.push_back(

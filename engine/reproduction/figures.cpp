@@ -18,13 +18,13 @@ constexpr const char* orange = "#e69f00";
 constexpr const char* green = "#009e73";
 constexpr const char* blue = "#0072b2";
 
-/// A row of the tables and the colour of its path.
+/// A row of the tables, and the colour of its path.
 struct Shown {
   std::string row;
   std::string colour;
 };
 
-/// One of the paper's two waters with its cases.
+/// One of the paper's two currents with its cases.
 template <motion::SlopedPlaneCurrent Current>
 struct Water {
   Current current;
@@ -66,7 +66,7 @@ struct Water {
     return result;
   }
 
-  /// Arrows on a lattice that keeps half a step from the rim.
+  /// Arrows of the current on a lattice, at least half a step from the edges.
   [[nodiscard]] std::vector<FigureArrow> arrows(const Figure& figure, double dx, double dy,
                                                 double time) const {
     std::vector<FigureArrow> result;
@@ -119,7 +119,7 @@ Figure jet_figure(int number, const std::string& title, double width_pixels) {
           .panels = {}};
 }
 
-/// The path so far.
+/// The part of the path up to this time.
 FigurePath until(const FigurePath& path, const planning::optimal_control::TimedWay& way, core::Seconds time) {
   FigurePath result = path;
   result.points.clear();
@@ -151,7 +151,7 @@ Figure time_sequence(const Water<planning::currents::MeanderingJet>& jet) {
   return figure;
 }
 
-/// All paths over the water at one time, half-way.
+/// A figure of all paths over the current at one time, half-way.
 Figure comparison(const Figure& blank, const Water<planning::currents::MeanderingJet>& jet,
                   std::vector<FigurePath> paths, const std::vector<Obstacle>& obstacles) {
   constexpr double half_way = 8.5;

@@ -14,7 +14,7 @@ struct Node {
   int row{};
 };
 
-/// The rectangle of water of a case, its grid, start and goal.
+/// The rectangle of water of a case, with its grid, start and goal.
 struct CaseGrid {
   geo::PlanePoint low;
   double dx{};
@@ -30,17 +30,17 @@ struct CaseGrid {
   [[nodiscard]] geo::PlanePoint high() const { return point({nx - 1, ny - 1}); }
 };
 
-/// What is searched: a grid structure on that water, what stands in it, and how edges are weighed.
+/// The input of a search: grid structure, obstacles, and edge weights.
 struct GridCase {
   CaseGrid grid;
   int sectors{1};
   std::vector<Obstacle> obstacles{};
-  bool frozen{false};  // every weight as it is at departure: the left column of the paper's Table I
+  bool frozen{false};  // every edge keeps its weight of the departure: left column of the paper's Table I
 
-  /// Vertices inside an obstacle are closed.
+  /// The grid graph; vertices inside an obstacle are closed.
   [[nodiscard]] graph::GridGraph graph() const;
   [[nodiscard]] bool is_open(geo::PlanePoint a, geo::PlanePoint b) const;
-  /// Directed edges between open vertices that meet no obstacle.
+  /// Number of directed edges between open vertices that meet no obstacle.
   [[nodiscard]] std::int64_t count_open_edges() const;
 };
 

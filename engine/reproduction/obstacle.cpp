@@ -5,7 +5,7 @@
 namespace floeplan::reproduction {
 namespace {
 
-/// The share of a line on which it lies between two bounds of one coordinate.
+/// The range of a line, as shares of its length, within which one coordinate lies between two bounds.
 struct Share {
   double first{0.0};
   double last{1.0};

@@ -6,7 +6,7 @@
 namespace floeplan::reproduction {
 namespace {
 
-/// 60 m of the river from bank to bank, start and goal half-way up.
+/// 60 m of the river from bank to bank; start and goal are half-way along.
 CaseGrid river_grid(double dx_m, double dy_m) {
   constexpr double width_m = 300.0;
   constexpr double height_m = 60.0;

@@ -18,7 +18,7 @@ std::optional<double> seconds(const std::optional<planning::optimal_control::Tim
   return way ? std::optional{way->duration().count()} : std::nullopt;
 }
 
-/// The rows of one table: one water, one start, one goal.
+/// Makes the rows of one table: one current, one start, one goal.
 template <motion::SlopedPlaneCurrent Current>
 class Table {
  public:
@@ -55,7 +55,7 @@ class Table {
     rows_.push_back(std::move(row));
   }
 
-  /// The way of the 3-sector search, refined to so many legs as the product does it.
+  /// Adds the route of the 3-sector search, refined to this number of legs by the product's refinement.
   void add_refined(std::size_t legs) {
     const CaseSearch product{water_, current_, through_water_, product_default};
     ReproducedRow row{.printed = {.row = "refined, " + std::to_string(legs) + " legs",
@@ -77,7 +77,7 @@ class Table {
     rows_.push_back(std::move(row));
   }
 
-  /// All rows, with their percentages.
+  /// All rows with their percentages.
   [[nodiscard]] std::vector<ReproducedRow> rows() const {
     std::vector<ReproducedRow> result = rows_;
     for (ReproducedRow& row : result) {

@@ -8,14 +8,14 @@
 
 namespace floeplan::reproduction {
 
-/// A row of one of the paper's tables beside our own number.
+/// A row of one of the paper's tables, with our own value.
 struct ReproducedRow {
   PrintedRow printed;
-  std::optional<double> ours_s{};  // edges integrated to 1e-7; empty: no way
+  std::optional<double> ours_s{};  // from edges integrated to 1e-7; empty: no route
   std::optional<double> ours_at_default_tolerance_s{};
   std::optional<std::int64_t> vertices{};
   std::optional<std::int64_t> edges{};
-  std::optional<double> saving_pct{};     // of time against direct drive; Table II only
+  std::optional<double> saving_pct{};     // time saved against the direct route; Table II only
   std::optional<double> deviation_pct{};  // from optimal control
 };
 
@@ -23,7 +23,7 @@ struct ReproducedRow {
 /// Source   Eichhorn 2009, Table II; verified values by converged edge integration
 [[nodiscard]] std::vector<ReproducedRow> reproduce_table_2();
 
-/// Table III: the meandering jet (equations 2 to 4), on our stand-in for what the paper does not print.
+/// Table III: the meandering jet (equations 2 to 4), with our assumptions for what the paper does not give.
 /// Source   Eichhorn 2009, Table III; verified values by converged edge integration and by collocation
 [[nodiscard]] std::vector<ReproducedRow> reproduce_table_3();
 

@@ -11,7 +11,7 @@
 namespace floeplan::tide {
 namespace {
 
-/// A line of the astronomical tide.
+/// A constituent of the astronomical tide.
 struct Line {
   const char* name;
   std::array<int, 6> doodson;
@@ -47,7 +47,7 @@ constexpr std::array lines{
     Line{"M3", {3, 0, 0, 0, 0, 0}, 2, m3},       Line{"S3", {3, 3, -3, 0, 0, 0}, 2, none},
 };
 
-/// A line of shallow water, as so many of each parent: "2 M2 -1 K1".
+/// A shallow-water constituent, as a sum of parents with whole factors: "2 M2 -1 K1".
 struct Compound {
   const char* name;
   const char* parents;
@@ -166,7 +166,7 @@ constexpr std::array compounds{
     Compound{"M12", "6 M2"},
 };
 
-/// Other names of the same line.
+/// Other names of the same constituent.
 constexpr std::array<std::pair<const char*, const char*>, 33> aliases{{
     {"NO1", "M1"},
     {"RHO", "RHO1"},
@@ -204,12 +204,12 @@ constexpr std::array<std::pair<const char*, const char*>, 33> aliases{{
     {"M2(KS)2", "M2KS2"},
 }};
 
-/// A line as the catalogue keeps it.
+/// A constituent as the catalogue stores it.
 struct Entry {
   std::string name;
   std::array<int, 6> doodson{};
   int quarter_turns{};
-  std::vector<std::pair<NodalClass, int>> nodal;  // factors, and how often each
+  std::vector<std::pair<NodalClass, int>> nodal;  // nodal factors, and the number of times each applies
 };
 
 std::string upper(std::string_view name) {
@@ -251,7 +251,8 @@ const std::vector<Entry>& catalogue() {
 
 const Entry& entry(Constituent constituent) { return catalogue().at(constituent.index); }
 
-/// f^n exp(i n u) of a parent that takes part n times; one that is subtracted still multiplies the amplitude.
+/// Factor f^n exp(i n u) of a parent that takes part n times. A subtracted parent (n < 0) still multiplies
+/// the amplitude by f^|n|.
 std::complex<double> repeated(std::complex<double> factor, int times) {
   std::complex<double> result{1.0};
   const std::complex<double> once = times < 0 ? std::conj(factor) : factor;
@@ -282,10 +283,11 @@ std::vector<Constituent> all_constituents() {
 std::array<int, 6> doodson_numbers(Constituent constituent) { return entry(constituent).doodson; }
 
 double angular_speed(Constituent constituent) {
-  // Over a century, so that the slow curvature of the longitudes does not matter and rounding does not either.
+  // Difference over a century: long enough against rounding, short enough against the curvature of the
+  // longitudes.
   constexpr double half_century_s = 50.0 * 365.25 * 86'400.0;
   constexpr double epoch_s =
-      946'684'800.0;  // a midnight, as both ends are: full days cancel in the lunar time
+      946'684'800.0;  // a midnight, as are both ends, so that full days cancel in the lunar time
   const MeanLongitudes before = mean_longitudes(core::from_unix_seconds(epoch_s - half_century_s));
   const MeanLongitudes after = mean_longitudes(core::from_unix_seconds(epoch_s + half_century_s));
   const auto a = before.in_doodsons_order();

@@ -13,39 +13,39 @@
 
 namespace floeplan::tide {
 
-/// Names a line of the catalogue.
+/// A constituent (line) of the tide, as an index into the catalogue.
 struct Constituent {
   std::uint16_t index{};
 
   friend auto operator<=>(const Constituent&, const Constituent&) = default;
 };
 
-/// The line of a name in any of its usual spellings, upper or lower case: "M2", "nu2", "LAM2" and "lambda2", "RHO" and
-/// "rho1", "NO1" and "M1". Lines of shallow water are the sums of their parents: "2MS6" is twice M2 and S2.
-/// S1 counts from midnight, Sa from the Sun's longitude alone, as NOAA, TPXO and FES do; programs after Foreman refer
-/// both to the perigee of the Sun, and their phases differ.
-/// Returns  nullopt for a line that the catalogue does not hold
-/// Source   Doodson numbers: Doodson 1921; phases: Schureman 1958, table 2; shallow water: Foreman 1977, table 2, and
-///          the list of constituents that NOAA publishes with its stations
+/// The constituent with this name, in any usual spelling, upper or lower case: "M2", "nu2", "LAM2" and
+/// "lambda2", "RHO" and "rho1", "NO1" and "M1". Names of shallow-water constituents state their parents:
+/// "2MS6" is twice M2 plus S2. S1 counts from midnight, and Sa from the Sun's longitude alone, as in NOAA,
+/// TPXO and FES. Programs after Foreman refer both to the Sun's perigee, so their phases differ.
+/// Returns  nullopt for a constituent that is not in the catalogue
+/// Source   Doodson numbers: Doodson 1921; phases: Schureman 1958, table 2; shallow water: Foreman 1977,
+///          table 2, and the list of constituents that NOAA publishes with its stations
 [[nodiscard]] std::optional<Constituent> find_constituent(std::string_view name);
 
-/// "M2".
+/// Name of the constituent, such as "M2".
 [[nodiscard]] const std::string& constituent_name(Constituent constituent);
 
-/// Every line of the catalogue, by rising index.
+/// All constituents of the catalogue, ascending by index.
 [[nodiscard]] std::vector<Constituent> all_constituents();
 
-/// Doodson's six numbers; the fifth counts N'.
+/// Doodson's six numbers; the fifth is the factor of N' = -N.
 [[nodiscard]] std::array<int, 6> doodson_numbers(Constituent constituent);
 
-/// Radians per second.
+/// Angular speed in radians per second.
 [[nodiscard]] double angular_speed(Constituent constituent);
 
-/// exp(i V): the line's argument at Greenwich, without nodal corrections.
+/// exp(i V): V is the constituent's argument at Greenwich, without nodal corrections.
 [[nodiscard]] std::complex<double> equilibrium_phasor(Constituent constituent,
                                                       const MeanLongitudes& longitudes);
 
-/// f exp(i u), of a line of shallow water the product of its parents'.
+/// f exp(i u), the nodal correction; for a shallow-water constituent the product of its parents' corrections.
 [[nodiscard]] std::complex<double> nodal_factor(Constituent constituent, const MeanLongitudes& longitudes);
 
 }  // namespace floeplan::tide

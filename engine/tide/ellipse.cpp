@@ -15,8 +15,8 @@ double within(double angle_deg, double turn_deg) {
 
 }  // namespace
 
-// The current is u + i v = w+ exp(i V) + w- exp(-i V), with w+ = (U + i V) / 2 and w- = conj(U - i V) / 2 for the
-// constants U and V of its components: one vector turns counter-clockwise, the other clockwise.
+// With the constants U and V of its components, the current is u + i v = w+ exp(i V) + w- exp(-i V), where w+
+// = (U + i V) / 2 and w- = conj(U - i V) / 2. One vector rotates counter-clockwise, the other clockwise.
 Ellipse ellipse_of(const CurrentConstants& constants) {
   constexpr std::complex<double> i{0.0, 1.0};
   const std::complex<double> counter_clockwise = 0.5 * (constants.east + i * constants.north);
@@ -29,7 +29,7 @@ Ellipse ellipse_of(const CurrentConstants& constants) {
   ellipse.minor = std::abs(counter_clockwise) - std::abs(clockwise);
   const double inclination_deg = core::radians_to_degrees(0.5 * (a + b));
   ellipse.inclination_deg = within(inclination_deg, 180.0);
-  // Naming the other end of the axis turns the phase by half a period.
+  // If the other end of the axis is named, the phase changes by half a period.
   const double turned_deg = within(inclination_deg, 360.0) - ellipse.inclination_deg;
   ellipse.phase_deg = within(core::radians_to_degrees(0.5 * (b - a)) + turned_deg, 360.0);
   return ellipse;

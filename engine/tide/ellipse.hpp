@@ -4,17 +4,18 @@
 
 namespace floeplan::tide {
 
-/// The ellipse that the tip of a tidal current draws, for one line.
-/// Units    speeds in m/s (or whatever the constants are in), angles in degrees
-/// Source   Foreman 1978, Manual for tidal currents analysis and prediction, Pacific Marine Science Report 78-6
+/// The ellipse that the tip of a tidal current's vector describes, for one constituent.
+/// Units    speeds in m/s (or the unit of the constants), angles in degrees
+/// Source   Foreman 1978, Manual for tidal currents analysis and prediction, Pacific Marine Science Report
+///          78-6
 struct Ellipse {
   double major{};            // semi-major axis, never negative
-  double minor{};            // semi-minor axis; negative: the current turns clockwise
+  double minor{};            // semi-minor axis; negative: the current rotates clockwise
   double inclination_deg{};  // of the northern semi-major axis, counter-clockwise from east, in [0, 180)
   double phase_deg{};        // Greenwich phase lag of the maximum along that axis, in [0, 360)
 };
 
-/// Harmonic constants A exp(-i g) of both components.
+/// Harmonic constants A exp(-i g) of the east and north components.
 struct CurrentConstants {
   std::complex<double> east;
   std::complex<double> north;

@@ -13,7 +13,7 @@ struct Inference {
   double second_weight;
 };
 
-/// M1 and L2 take the weights of their stronger line; the other one is part of their nodal factor here.
+/// M1 and L2 have the weights of their stronger line; the other line is part of their nodal factor here.
 constexpr std::array<Inference, 16> inferences{{
     {"2Q1", "Q1", 0.263, "O1", -0.0252},
     {"SIG1", "Q1", 0.297, "O1", -0.0264},

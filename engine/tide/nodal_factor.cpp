@@ -6,7 +6,7 @@
 namespace floeplan::tide {
 namespace {
 
-/// 1 + c1 cos N + c2 cos 2N + i (s1 sin N + s2 sin 2N).
+/// Coefficients of the series 1 + c1 cos N + c2 cos 2N + i (s1 sin N + s2 sin 2N).
 struct NodeSeries {
   double c1{};
   double c2{};

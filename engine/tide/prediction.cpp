@@ -8,7 +8,7 @@
 namespace floeplan::tide {
 namespace {
 
-/// Between two computations of the angles; small against the 18.6 years of the node.
+/// Time between two computations of the nodal corrections; short compared with the 18.6 years of the node.
 constexpr core::Seconds block{86'400.0};
 
 }  // namespace

@@ -9,26 +9,26 @@
 
 namespace floeplan::tide {
 
-/// The harmonic constant of one line at one place, of an elevation or of one component of a current.
+/// The harmonic constant of one constituent at one place, for an elevation or one component of a current.
 struct HarmonicConstant {
   Constituent constituent;
   std::complex<double>
       value;  // A exp(-i g): amplitude, and phase lag behind the equilibrium tide at Greenwich
 };
 
-/// A exp(-i g).
+/// The complex constant A exp(-i g).
 [[nodiscard]] std::complex<double> harmonic_value(double amplitude, double greenwich_phase_deg);
 
-/// The tide at one time: the sum of f A cos(V + u - g) over the lines. The slow way, every angle computed anew.
+/// The tide at one time: the sum of f A cos(V + u - g) over the constituents. Slow, because every angle is
+/// computed anew.
 /// Units    those of the amplitudes
 /// Errors   std::invalid_argument for a time that is not finite
 [[nodiscard]] double predict(std::span<const HarmonicConstant> constants, core::UtcTime time);
 
-/// What multiplies each line's constant at evenly spaced times, the same at every place: the tide there and then is
-/// the real part of the sum of the products. Laid out once, so that a place costs one multiplication a line.
-/// Accuracy nodal corrections stand still for a day at a time: within 3e-4 of the amplitude, 1e-3 for M1 and L2, which
-/// the
-///          perigee changes faster, and for lines of shallow water the sum over their parents
+/// Factors for each constituent at equally spaced times, the same for all places. The tide is the real part
+/// of the sum of factors times constants, so a place costs one multiplication per constituent.
+/// Accuracy nodal corrections are constant for a day at a time: within 3e-4 of the amplitude; 1e-3 for M1 and
+/// L2, which the perigee changes faster; for shallow-water constituents the sum over their parents
 /// Threads  const members may be called from several threads at once
 class PhasorTable {
  public:
@@ -37,7 +37,7 @@ class PhasorTable {
 
   [[nodiscard]] const std::vector<Constituent>& constituents() const { return constituents_; }
   [[nodiscard]] std::size_t size() const { return count_; }
-  /// f exp(i (V + u)) of each line at the time start + i step.
+  /// f exp(i (V + u)) of each constituent at the time start + i * step.
   [[nodiscard]] std::span<const std::complex<double>> at(std::size_t i) const {
     return std::span{phasors_}.subspan(i * constituents_.size(), constituents_.size());
   }

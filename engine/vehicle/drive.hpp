@@ -4,7 +4,7 @@
 
 namespace floeplan::vehicle {
 
-/// What drives the vehicle along a leg.
+/// The kinds of propulsion for a leg.
 enum class Drive : std::uint8_t { buoyancy, thruster };
 
 }  // namespace floeplan::vehicle

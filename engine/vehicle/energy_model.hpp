@@ -15,31 +15,32 @@ namespace floeplan::vehicle {
 ///         pressure at an efficiency of 0.82. Letting in: 0.179 J. Inflection: 540 J to shift the pitch
 ///         battery (its author calls the reading unsteady). Surfacing: 389 J and 5.55 W for a call of 637 s.
 struct EnergyModel {
-  core::Watts hotel{1.16};                            // all that is on under water, sensors included
-  double pump_efficiency{0.82};                       // work against the pressure over energy drawn for it
-  double pump_loss_j_cm3{2.49};                       // on top of it, at any depth
-  double intake_j_cm3{0.18};                          // to make the vehicle heavy at the top
-  core::Joules inflection{540.0};                     // of each turn, at top and bottom
+  core::Watts hotel{1.16};                            // power of all that is on under water, sensors included
+  double pump_efficiency{0.82};                       // work against the pressure per energy drawn for it
+  double pump_loss_j_cm3{2.49};                       // added per cm3 pumped out, at any depth
+  double intake_j_cm3{0.18};                          // per cm3 let in, to make the vehicle heavy at the top
+  core::Joules inflection{540.0};                     // of each turn, at the top and at the bottom
   core::Joules surfacing{3925.0};                     // air pump, position and telemetry of one surfacing
   std::optional<core::Seconds> surfacing_interval{};  // empty: surfacings are not counted
-  core::Joules battery{12'171'600.0};                 // when full: 3381 Wh, the same G3's lithium-ion packs
-  double battery_start_share{1.0};                    // of it, at the departure
-  double battery_reserve_share{0.1};  // of it, kept: the charge at which the vehicle gives up its mission
+  core::Joules battery{12'171'600.0};                 // full: 3381 Wh, the lithium-ion pack of the same G3
+  double battery_start_share{1.0};                    // share of it at the departure
+  double battery_reserve_share{0.1};  // of it, kept: at this charge the vehicle aborts its mission
                                       // (remaining_charge_min of the vendor's behavior abend)
 
-  /// What a mission may draw.
+  /// The energy that a mission may draw.
   [[nodiscard]] core::Joules usable() const {
     return (battery_start_share - battery_reserve_share) * battery;
   }
   friend bool operator==(const EnergyModel&, const EnergyModel&) = default;
 };
 
-/// One full saw-tooth, a dive and a climb with their two inflections: the pump moves twice `buoyancy` (from as
-/// much below neutral to as much above) out at the bottom and in at the top.
+/// Energy of one full saw-tooth: a dive and a climb with two inflections. The buoyancy changes from
+/// `buoyancy` below neutral to `buoyancy` above. So the pump moves twice this volume out at the bottom and in
+/// at the top.
 [[nodiscard]] core::Joules tooth_energy(const EnergyModel& model, core::CubicMetres buoyancy,
                                         const DiveBand& band);
 
-/// Mean power of pump and inflections while saw-toothing in the band with this vertical speed.
+/// Mean power of pump and inflections, for dives in the band with this vertical speed.
 [[nodiscard]] core::Watts pump_power(const EnergyModel& model, core::CubicMetres buoyancy,
                                      const DiveBand& band, core::MetresPerSecond vertical);
 

@@ -7,7 +7,8 @@
 
 namespace floeplan::vehicle {
 
-/// What a pilot sets from mission to mission, whatever the vehicle is; empty: as its profile has it.
+/// Settings that a pilot may change from mission to mission, for any vehicle; empty: as in the vehicle's
+/// profile.
 struct FlightChoices {
   std::optional<core::MetresPerSecond> speed_through_water{};
   std::optional<core::Radians> pitch{};
@@ -18,13 +19,13 @@ struct FlightChoices {
   std::optional<double> battery_start_share{};
 };
 
-/// The profile with these; its speed stays where the choices name none.
+/// The profile with these settings. Its speed through the water changes only if the choices give a speed.
 [[nodiscard]] GliderProfile with_choices(GliderProfile profile, const FlightChoices& choices);
 
-/// The profile at the speed of its steady glide; as it is where its pitch carries none.
+/// The profile with the speed of its steady glide; unchanged if its pitch allows no steady glide.
 [[nodiscard]] GliderProfile at_speed_of_glide(GliderProfile profile);
 
-/// Whether all but what may be chosen is as in the known profile of the same name.
+/// Whether the profile equals the known one of the same name, apart from what FlightChoices may change.
 [[nodiscard]] bool is_known_but_for_choices(const GliderProfile& profile);
 
 }  // namespace floeplan::vehicle

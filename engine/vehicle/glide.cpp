@@ -7,17 +7,17 @@
 namespace floeplan::vehicle {
 namespace {
 
-constexpr double steepest_path_rad = 1.5;  // short of the vertical, where the tangent ends
-constexpr double scan_step_rad = 0.002;    // a tenth of a degree, far finer than the function bends
-constexpr int bisections = 50;             // to the last digit
+constexpr double steepest_path_rad = 1.5;  // just below vertical, where the tangent becomes infinite
+constexpr double scan_step_rad = 0.002;    // a tenth of a degree, much finer than the function's features
+constexpr int bisections = 50;             // enough for all digits of a double
 
-/// Lift on the slope of the path less drag: negative while more angle of attack is needed.
+/// Lift along the path minus drag: negative if more angle of attack is needed.
 double excess_lift(const Hydrodynamics& h, double pitch_rad, double attack_rad) {
   return h.lift_slope * attack_rad * std::tan(pitch_rad + attack_rad) -
          (h.parasite_drag + h.induced_drag * attack_rad * attack_rad);
 }
 
-/// The least angle of attack in balance.
+/// The smallest angle of attack at which lift and drag balance; empty: none.
 std::optional<double> angle_of_attack(const Hydrodynamics& h, double pitch_rad) {
   double low = 0.0;
   double high = scan_step_rad;
@@ -49,7 +49,7 @@ std::optional<SteadyGlide> steady_glide(const Hydrodynamics& hydrodynamics, core
   const double attack_rad = path->value - pitch.value;
   const double drag_area_m2 = hydrodynamics.area_m2 * (hydrodynamics.parasite_drag +
                                                        hydrodynamics.induced_drag * attack_rad * attack_rad);
-  // Density cancels: the water displaced drives, and the same water resists.
+  // The density cancels: the weight of displaced water drives the vehicle, and the same water resists it.
   const double speed_m_s =
       std::sqrt(2.0 * gravity_m_s2 * buoyancy.value * std::sin(path->value) / drag_area_m2);
   return SteadyGlide{.angle_of_attack = {attack_rad},

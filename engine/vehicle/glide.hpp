@@ -25,21 +25,21 @@ struct Hydrodynamics {
 /// A straight glide at constant speed; climbs and dives are mirror images.
 struct SteadyGlide {
   core::Radians angle_of_attack;
-  core::Radians path_angle;  // below or above the horizontal: pitch and angle of attack together
+  core::Radians path_angle;  // from the horizontal: pitch plus angle of attack
   core::MetresPerSecond horizontal;
   core::MetresPerSecond vertical;
 };
 
-/// Angle of the path when the nose is pitched by `pitch` (positive). Empty when so flat a pitch carries no
-/// steady glide: the drag of the angle of attack grows faster than its lift.
+/// Angle of the path if the nose is pitched by `pitch` (positive). Empty if the pitch is too flat for a
+/// steady glide: the drag of the angle of attack then grows faster than its lift.
 [[nodiscard]] std::optional<core::Radians> glide_path_angle(const Hydrodynamics& hydrodynamics,
                                                             core::Radians pitch);
 
-/// The glide of a vehicle that is heavier or lighter than its water by `buoyancy` of it: lift and drag balance
-/// the weight of that water. The hull's compression and the trim are left out.
-/// Errors  empty when the pitch carries no steady glide
-/// Source  Merckelbach, Smeed and Griffiths 2010, Vertical water velocities from underwater gliders, J. Atmos.
-///         Oceanic Technol. 27, doi:10.1175/2009JTECHO710.1, the balance of forces in its section 2
+/// The steady glide of a vehicle whose displacement differs from neutral by `buoyancy`: lift and drag balance
+/// the weight of this volume of water. The hull's compression and the trim are left out.
+/// Errors  empty if the pitch allows no steady glide
+/// Source  Merckelbach, Smeed and Griffiths 2010, Vertical water velocities from underwater gliders, J.
+///         Atmos. Oceanic Technol. 27, doi:10.1175/2009JTECHO710.1, the balance of forces in its section 2
 [[nodiscard]] std::optional<SteadyGlide> steady_glide(const Hydrodynamics& hydrodynamics, core::Radians pitch,
                                                       core::CubicMetres buoyancy);
 

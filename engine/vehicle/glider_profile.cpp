@@ -9,7 +9,7 @@
 namespace floeplan::vehicle {
 namespace {
 
-/// "slocum-g3-thruster" of "slocum-g3-200-thruster".
+/// The name without its depth class: "slocum-g3-thruster" for "slocum-g3-200-thruster".
 std::string name_but_for_depth(const GliderProfile& profile) {
   const std::string rating = "-" + std::to_string(std::lround(profile.depth_rating.value));
   std::string name = profile.name;
@@ -34,7 +34,8 @@ core::Violations GliderProfile::violations() const {
   faults.require<"negative">(climb_to.value >= 0.0, "/climb_to_m");
   faults.require<"not-at-least">(!(dive_depth.value < climb_to.value + lowest_tooth.value), "/climb_to_m",
                                  "2 m above the depth of the dives");
-  faults.within(minimum_working_depth.value, 0.0, 11'000.0, "/vehicle/minimum_working_depth_m", "0", "11000 m");
+  faults.within(minimum_working_depth.value, 0.0, 11'000.0, "/vehicle/minimum_working_depth_m", "0",
+                "11000 m");
   faults.within(altimeter_margin.value, 0.0, 1000.0, "/altimeter_margin_m", "0", "1000 m");
   faults.within(energy.hotel.value, 0.0, 1000.0, "/vehicle/hotel_w", "0", "1000 W");
   faults.within(energy.pump_efficiency, 0.01, 1.0, "/vehicle/pump_efficiency", "0.01", "1");
@@ -43,7 +44,8 @@ core::Violations GliderProfile::violations() const {
   faults.within(energy.inflection.value, 0.0, 1e6, "/vehicle/inflection_j", "0", "1e6 J");
   faults.within(energy.surfacing.value, 0.0, 1e7, "/vehicle/surfacing_j", "0", "1e7 J");
   if (energy.surfacing_interval)
-    faults.within(energy.surfacing_interval->count(), 60.0, 1e7, "/vehicle/surfacing_interval_s", "60", "1e7 s");
+    faults.within(energy.surfacing_interval->count(), 60.0, 1e7, "/vehicle/surfacing_interval_s", "60",
+                  "1e7 s");
   faults.within(energy.battery.value, 1.0, 1e10, "/battery_j", "1", "1e10 J");
   faults.within(energy.battery_start_share, 0.0, 1.0, "/battery_start_share", "0", "1");
   faults.within(energy.battery_reserve_share, 0.0, 1.0, "/vehicle/battery_reserve_share", "0", "1");

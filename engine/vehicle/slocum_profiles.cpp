@@ -6,7 +6,7 @@
 namespace floeplan::vehicle {
 namespace {
 
-/// What the depth class of a Slocum decides.
+/// Values that depend on the depth class of a Slocum.
 /// Sources: depth ratings and 0.35 m/s on average: Teledyne Webb Research, Slocum glider data sheets. Pitch of
 /// 26 degrees, climbs to 3 m (deep vehicles 5 to 10 m) and 260 cm3 for the oil pump: defaults and comments of
 /// the vendor's data dictionary of firmware 10.5, behavior yo. 230 cm3 for the piston pump: what the shallow
@@ -54,9 +54,9 @@ GliderProfile slocum(int generation, const DepthClass& depth, bool with_thruster
                         .altimeter_margin = {depth.altimeter_margin_m},
                         .energy = energy_of(generation),
                         .thruster = {},
-                        .max_waypoints_per_list = 8};  // slots of goto_list in the same dictionary
+                        .max_waypoints_per_list = 8};  // slots of goto_list in the same data dictionary
   if (with_thruster) {
-    // One knot: half of what the data sheet gives as the most, at a quarter of the drag.
+    // One knot: half of the maximum in the data sheet, with a quarter of the drag.
     constexpr core::MetresPerSecond one_knot{1852.0 / 3600.0};
     profile.name += "-thruster";
     profile.title += ", with thruster";

@@ -11,7 +11,7 @@ namespace floeplan::support {
 
 /// A way from one bank of a river to the other.
 struct RiverCrossing {
-  double drift_m;  // along y from bank to bank
+  double drift_m;  // displacement along y on the way from bank to bank
   double duration_s;
 };
 
@@ -32,12 +32,12 @@ inline RiverCrossing cross(const planning::currents::RiverCurrent& river, double
   return {sum.drift_m * h / 3.0, sum.duration_s * h / 3.0};
 }
 
-/// Least time to cross the river to the point straight opposite, by optimal control. In a flow that runs
-/// along y and depends on x alone, Zermelo's equation keeps sin(phi) / (V + c sin(phi)) constant along an
-/// extremal, so its heading phi (from the x axis) obeys sin(phi) = k V / (1 - k c(x)). The constant k is the
-/// one that ends at the same y.
+/// Least time to cross the river to the point straight opposite, by optimal control. In a flow along y that
+/// depends on x alone, Zermelo's equation keeps sin(phi) / (V + c sin(phi)) constant along an extremal. V is
+/// the speed through the water, c(x) the current, and phi the heading from the x axis. So sin(phi) = k V / (1
+/// - k c(x)), with the constant k for which the vehicle ends at the same y.
 /// Accuracy 1e-9 s for the paper's river
-/// Errors   std::invalid_argument when the vehicle is not faster than the river's peak
+/// Errors   std::invalid_argument if the vehicle is not faster than the river's strongest current
 /// Source   Zermelo 1931, doi:10.1002/zamm.19310110205; Eichhorn 2009, equation (6)
 [[nodiscard]] inline core::Seconds river_crossing_by_optimal_control(
     const planning::currents::RiverCurrent& river, core::MetresPerSecond through_water) {

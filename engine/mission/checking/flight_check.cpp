@@ -28,7 +28,8 @@ void check_files(Document& mission, const std::vector<Document>& documents) {
   }
 }
 
-/// A list without a yo, or the reverse, leaves pitch or heading to nobody.
+/// Checks that a mission controls both pitch and heading: a list without a yo, or a yo without a list, leaves
+/// one of them open.
 void check_commands(Document& mission) {
   const bool steers =
       first_of(mission, "goto_list") || first_of(mission, "goto_wpt") || first_of(mission, "set_heading");
@@ -75,7 +76,7 @@ void note_timing(Document& document, const planning::Plan& timing) {
                                                         timing.departure, timing.arrival));
 }
 
-/// Lists of the route's files that it leaves out.
+/// Adds notes to recovery lists that are left out of the route.
 void note_recovery_lists(std::vector<Document>& documents, const FlightRoute& route) {
   for (std::size_t i = 0; i < documents.size(); ++i) {
     const bool is_flown =
@@ -85,7 +86,7 @@ void note_recovery_lists(std::vector<Document>& documents, const FlightRoute& ro
   }
 }
 
-/// What the answer rests on: data that are missing or stretched, a battery that falls short.
+/// Warns about the basis of the result: missing or extrapolated data, or a battery that does not suffice.
 void warn_of_grounds(Document& document, const std::vector<messages::Message>& grounds) {
   for (const std::string& ground : messages::sentences(grounds))
     report(document, 0, messages::mission_check_message<"sea_data">(ground));

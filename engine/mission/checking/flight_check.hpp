@@ -10,17 +10,19 @@
 
 namespace floeplan::mission {
 
-/// How the documents dive: the yo among them, or the one that a mission gives inline. Nothing without one.
+/// The dives that the documents order: by a yo file among them, or a yo given inline in a mission. Empty
+/// without a yo.
 [[nodiscard]] std::optional<DiveArguments> dive_of(const std::vector<Document>& documents);
 
-/// Judges files that are to fly together and adds to the messages of each.
-/// Together  argument files that a mission asks for and that are not among them; arguments that abort the mission
-///           (a target below `overdepth`, a leg beyond `max_wpt_distance`, a list without a yo and the reverse)
-/// Sea       every leg from `start` (or the first row) at the time at which the vehicle is on it: errors for what
-///           endangers the vehicle, warnings for what is not known and for data that are missing, a note with the times
-///           when all is clear
-/// `request` departure, vehicle and margins; the depths of a yo among the files and its use of the thruster replace the
-///           vehicle's
+/// Checks files that are to be flown together, and adds messages to each of them.
+/// Together  argument files that a mission names and that are missing; arguments that make the vehicle abort
+///           (a target below `overdepth`, a leg beyond `max_wpt_distance`, a list without a yo or a yo
+///           without a list)
+/// Sea       every leg from `start` (or the first row) at the times at which the vehicle is on it. Errors for
+///           what endangers the vehicle, warnings for unknowns and missing data; if all is clear, a note with
+///           the times
+/// `request` departure, vehicle and margins; the depths of a yo among the files and its use of the thruster
+/// replace the vehicle's
 void check_flight(std::vector<Document>& documents, const ocean::Environment& environment,
                   std::optional<geo::LonLat> start, planning::PlanRequest request);
 

@@ -23,14 +23,14 @@ std::size_t closest_of(const std::vector<WaypointRow>& rows, geo::LonLat from) {
   return static_cast<std::size_t>(closest - rows.begin());
 }
 
-/// How many places a list of a mission gives inline, whatever their units.
+/// Number of places that a mission gives inline for a list, whatever their units.
 std::size_t slots_of(const Behavior& list) {
   std::size_t slots = 0;
   while (list.find("wpt_x_" + std::to_string(slots)) != nullptr) ++slots;
   return slots;
 }
 
-/// Adds what the list flies of its rows.
+/// Adds the rows of the list that are flown to the route.
 void fly_list(const Behavior& list, const std::vector<WaypointRow>& rows, std::optional<geo::LonLat> from,
               FlownWaypoints& route) {
   if (rows.empty()) return;

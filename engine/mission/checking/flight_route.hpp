@@ -11,23 +11,24 @@
 
 namespace floeplan::mission {
 
-/// What the vehicle flies of a file's waypoints.
+/// The waypoints of a file in the order in which the vehicle flies them.
 struct FlownWaypoints {
-  std::vector<WaypointRow> rows;  // in the order in which they are flown; of a list without end, one round
-  bool goes_round{false};         // the list goes round for ever
+  std::vector<WaypointRow> rows;  // in flown order; of a list without end, one round
+  bool goes_round{false};         // the list repeats without end
   std::vector<std::string>
-      notes;  // where that is not each row once, from the first to the last: for the pilot
+      notes;  // for the pilot: what differs from flying each row once, from the first to the last
   core::Violations
-      faults;  // why it is not known which rows are flown; they are all there then, as in the file
+      faults;  // why it is unknown which rows are flown; `rows` then holds all rows, as in the file
 };
 
-/// The rows of a goto list by `flown_rows`; of a mission those of each list that it gives inline; of other files all.
-/// `from`   where the vehicle is, which decides where a list begins that asks for the closest row: on the ellipsoid,
-///          the first of equal ones; with none given at its first row
+/// The rows that the vehicle flies. Of a goto list those that `flown_rows` gives; of a mission those of each
+/// inline list; of other files all rows.
+/// `from`   place of the vehicle. It decides where a list begins that asks for the closest row: closest on
+/// the ellipsoid, the first of equals. Empty: such a list begins at its first row
 [[nodiscard]] FlownWaypoints flown_waypoints(const Document& document, std::optional<geo::LonLat> from);
 
-/// The flown rows of the documents' lists as one route: lists are flown one after the other, in the order of the
-/// documents, and a list of three rows or more that goes round for ever returns once to the row that it began with.
+/// All flown rows of the documents' lists as one route. Lists are flown in the order of the documents. A list
+/// of three rows or more that repeats without end returns once to the row that it began with.
 struct FlightRoute {
   struct Stop {
     geo::LonLat place;
@@ -39,11 +40,12 @@ struct FlightRoute {
   [[nodiscard]] std::vector<geo::LonLat> places() const;
 };
 
-/// Whether the firmware flies the document's list to recover, and no mission of a pilot does: goto_l98.ma, goto_l99.ma.
+/// Whether the document is goto_l98.ma or goto_l99.ma, which the firmware flies to recover the vehicle; no
+/// pilot's mission does.
 [[nodiscard]] bool is_recovery_list(const Document& document);
 
-/// Rejected documents have no part in it, nor have lists to recover by where there are others.
-/// `start`: where the vehicle is. Where it is not known which rows a list flies, every row is taken once.
+/// The route of the documents, without rejected ones, and without recovery lists if there are other lists.
+/// `start`: place of the vehicle. If the flown rows of a list are unknown, every row is taken once.
 [[nodiscard]] FlightRoute route_of(const std::vector<Document>& documents,
                                    std::optional<geo::LonLat> start = std::nullopt);
 

@@ -16,10 +16,10 @@
 namespace floeplan::mission {
 namespace {
 
-/// Files hold places to a fifth of a metre and depths in whole metres: what differs by less is the same turn.
+/// Files store places to a fifth of a metre and depths in whole metres. Smaller differences do not count.
 constexpr core::Metres rounding{0.1};
 
-/// Waypoints of the route that stand in one document.
+/// The waypoints of the route that come from one document.
 struct FlownList {
   std::size_t document{};
   ListPart part;
@@ -27,7 +27,7 @@ struct FlownList {
   bool ends{};
 };
 
-/// The behavior that a document's waypoints belong to; null for the targets of a Seaglider.
+/// The behavior to which a document's waypoints belong; null for the targets of a Seaglider.
 const Behavior* steering_of(const Document& document) {
   const auto found = std::ranges::find_if(document.behaviors, [](const Behavior& behavior) {
     return behavior.name == "goto_list" || behavior.name == "goto_wpt";
@@ -65,7 +65,7 @@ struct SurfaceOrders {
   core::Metres distance{};
 };
 
-/// Codes of `start_when` after the vendor's data dictionary of firmware 10.5.
+/// Codes of `start_when` in the vendor's data dictionary of firmware 10.5.
 enum StartWhen : int {
   when_secs = 6,
   when_waypoint_near = 7,
@@ -152,7 +152,7 @@ class IceCheck {
         case science_asks:
         case utc_time:
         case inflections: at_any_time(orders); break;
-        default: break;  // at the end of a list or yo, which others judge
+        default: break;  // end of a list or yo: checked elsewhere
       }
     }
   }
@@ -184,7 +184,7 @@ class IceCheck {
     add(orders.document, start_when == nullptr ? orders.behavior->line : start_when->line, message);
   }
 
-  /// By ice or an iceberg above the leg to the waypoint.
+  /// The upper turn needed below ice or icebergs on the leg to the waypoint.
   [[nodiscard]] core::Metres needed_turn(std::size_t waypoint) const {
     const planning::SurfacingState& state = plan_.surfacing->waypoints[waypoint];
     core::Metres turn = std::max(state.least_upper_turn, state.leg_upper_turn.value_or(core::Metres{0.0}));
@@ -195,7 +195,7 @@ class IceCheck {
     return turn;
   }
 
-  /// "legs 2 to 4 of the route", counted from 1.
+  /// Text such as "legs 2 to 4 of the route", counted from 1.
   [[nodiscard]] std::string legs_below(const ListPart& part) const {
     return "legs " +
            waypoint_ranges(part.last + 1,
@@ -232,7 +232,7 @@ class IceCheck {
               messages::mission_check_message<"surfaces_below_ice/any-time">(legs_below(whole_way())));
   }
 
-  /// Whether the vehicle comes up at the waypoint by its files.
+  /// Whether the files make the vehicle surface at the waypoint, and it may surface there.
   [[nodiscard]] bool has_contact_at(std::size_t waypoint) const {
     if (overhead(plan_, waypoint) != Overhead::open) return false;
     const bool hits = std::ranges::find(surfacings_, static_cast<int>(when_waypoint_hit),

@@ -24,7 +24,7 @@ std::string span_of_waypoints(std::size_t first, std::size_t last) {
   return first == last ? print("waypoint %zu", first) : print("waypoints %zu to %zu", first, last);
 }
 
-/// Goes through the lists beside the plan.
+/// Compares the lists with the plan, row by row.
 class Comparison {
  public:
   Comparison(const planning::Plan& plan, const HoldOptions& holds)
@@ -36,7 +36,7 @@ class Comparison {
     for (const WaypointRow& row : flown_waypoints(list, from).rows) compare_row(list, row);
   }
 
-  /// `last`  of the lists
+  /// Reports the plan's remaining waypoints as left out. `last`: the last of the lists.
   void finish(Document& last) {
     leave_out(last, 0, plan_.waypoints.size());
     for (std::size_t i = 0; i < plan_.waypoints.size(); ++i) {
@@ -53,7 +53,7 @@ class Comparison {
     report(list, line, difference);
   }
 
-  /// The plan's waypoints from the next one on, before `end`.
+  /// Reports the plan's waypoints from the next one up to `end` as left out.
   void leave_out(Document& list, int line, std::size_t end) {
     if (next_ < end)
       differ(list, line,
@@ -110,7 +110,7 @@ class Comparison {
   const planning::Plan& plan_;
   const HoldOptions& holds_;
   std::vector<bool> is_held_;
-  std::size_t next_{1};  // waypoint that no list has led to yet
+  std::size_t next_{1};  // next waypoint that no list has reached yet
   bool is_same_{true};
 };
 

@@ -17,8 +17,8 @@ namespace floeplan::mission {
 namespace {
 
 constexpr int most_findings = 20;
-constexpr double same_place_m = 1.0;   // shorter legs are none to the planner
-constexpr double longest_leg_m = 5e6;  // longer ones it does not take
+constexpr double same_place_m = 1.0;   // shorter legs do not count for the planner
+constexpr double longest_leg_m = 5e6;  // the planner takes no longer ones
 constexpr double sample_step_m = 250.0;
 
 using planning::Infeasible;
@@ -26,7 +26,7 @@ using planning::Reason;
 
 double length_m(geo::LonLat a, geo::LonLat b) { return geo::geodesic_between(a, b).length.value; }
 
-/// The part of the route that is still to be looked at, without places that repeat the one before them.
+/// The part of the route that is not checked yet, without places that repeat the one before.
 struct Rest {
   std::vector<std::size_t> places;  // indices into the route
   core::UtcTime depart;
@@ -52,12 +52,12 @@ bool concerns_goal(Reason reason) {
          reason == Reason::goal_near_iceberg || reason == Reason::goal_in_zone;
 }
 
-/// What is unknown is no danger by itself.
+/// Unknown conditions alone are no danger.
 bool is_dangerous(Reason reason) {
   return reason != Reason::outside_data && reason != Reason::too_large && reason != Reason::cancelled;
 }
 
-/// Which of the legs a place lies on: the one on which it makes the smallest detour.
+/// The leg on which a place lies: the one to which it adds the smallest detour.
 std::size_t leg_at(const std::vector<geo::LonLat>& places, geo::LonLat at) {
   std::size_t nearest = 1;
   double least_m = std::numeric_limits<double>::infinity();
@@ -82,17 +82,17 @@ RouteFinding finding_of(const Infeasible& closed, std::size_t place) {
   return {place, dangerous, planning::reason_name(closed.reason), messages::whole_text(told)};
 }
 
-/// A danger that the catalogue words.
+/// A dangerous finding with the text of a message of the catalogue.
 RouteFinding danger(std::size_t place, const messages::Message& told) {
   return {place, true, told.code, messages::whole_text(told)};
 }
 
-/// What is wrong with the dives on a leg that leads to `place`, over its shoalest bed.
+/// The fault of the dives on the leg to `place`, over its shoalest bed; empty: none.
 std::optional<RouteFinding> finding_of(const DiveArguments& dive, core::Metres bed, std::size_t place) {
   if (!dive.altimeter && bed <= dive.target_depth)
     return danger(place,
                   messages::mission_check_message<"bottom_above_target">(dive.target_depth.value, bed.value));
-  const bool on_land = bed.value <= 0.0;  // which check_route finds
+  const bool on_land = bed.value <= 0.0;  // check_route reports land
   if (on_land || bed >= dive.climb_to + vehicle::lowest_tooth + dive.altitude) return std::nullopt;
   return danger(place, messages::mission_check_message<"bottom_above_climb">(dive.climb_to.value,
                                                                              dive.altitude.value, bed.value));
@@ -131,7 +131,7 @@ RouteCheck check_route(const ocean::Environment& environment, const std::vector<
     const bool at_goal = concerns_goal(closed.reason);
     const std::size_t leg = at_start ? 1 : at_goal ? places.size() - 1 : leg_at(places, closed.at);
     check.findings.push_back(finding_of(closed, rest.places[at_start ? 0 : leg]));
-    if (!is_dangerous(closed.reason)) break;  // from here on nothing is known
+    if (!is_dangerous(closed.reason)) break;  // beyond this the data tell nothing
     if (at_goal) {
       rest.places.pop_back();
       continue;

@@ -29,18 +29,18 @@ bool has_leg_on_thruster(const planning::Plan& plan) {
   });
 }
 
-/// Whether the yo leaves the thruster off that legs of the plan run on.
+/// Whether the yo runs without thruster although the plan has legs with it.
 bool leaves_thruster_off(const planning::Plan& plan, const YoDives& yo) {
   return !yo.on_thruster && has_leg_on_thruster(plan);
 }
 
-/// "which turns between 90 m and 196 m on the whole route and leaves the thruster off".
+/// Text such as "which turns between 90 m and 196 m on the whole route and leaves the thruster off".
 std::string text_of(const planning::Plan& plan, const YoDives& yo) {
   return "which turns between " + whole(yo.climb_to.value) + " m and " + whole(yo.dive_depth.value) +
          " m on the whole route" + (leaves_thruster_off(plan, yo) ? " and leaves the thruster off" : "");
 }
 
-/// How to come by a plan that one yo flies as it was made.
+/// How to get a plan that one yo flies exactly as planned.
 std::string way_out(const planning::Plan& plan, const vehicle::GliderProfile& vehicle, const YoDives& yo) {
   std::vector<std::string> changes;
   if (yo.climb_to > vehicle.climb_to) changes.push_back("a climb_to_m of " + whole(yo.climb_to.value));
@@ -53,9 +53,9 @@ std::string way_out(const planning::Plan& plan, const vehicle::GliderProfile& ve
   return text;
 }
 
-/// What the pilot must know of times and battery that are not the plan's; empty where they are nearly.
+/// Text for the pilot if times or battery differ from the plan; empty if they hardly do.
 std::string difference(const planning::Plan& plan, const planning::Plan& flown) {
-  // Judgements: what the currents of a forecast leave open anyway.
+  // Judgements: differences within the uncertainty of current forecasts.
   constexpr double same_time = 0.01;
   constexpr double same_energy = 0.05;
   const core::Seconds later = flown.arrival - plan.arrival;
@@ -72,7 +72,8 @@ std::string difference(const planning::Plan& plan, const planning::Plan& flown) 
   return text;
 }
 
-/// Where the battery carries the plan it must carry the flight: below ice the vehicle cannot come up once it is empty.
+/// Whether the battery suffices for the plan. If so it must also suffice for the flight: below ice an empty
+/// vehicle is lost.
 bool battery_carries(const planning::Plan& plan) {
   return plan.energy && plan.energy->use.total() <= plan.energy->usable;
 }
@@ -93,7 +94,7 @@ planning::PlanRequest flown_with(planning::PlanRequest request, const YoDives& y
 }
 
 bool flies_otherwise(const planning::Plan& plan, const vehicle::GliderProfile& vehicle) {
-  constexpr double nearly = 0.9;  // of the depth: a tenth less is kept from a shallow rating
+  constexpr double nearly = 0.9;  // of the depth: the target of a shallow vehicle is a tenth above its rating
   const YoDives yo = yo_of(plan, vehicle);
   return least_upper_turn(plan) > vehicle.climb_to || yo.dive_depth < nearly * vehicle.dive_depth ||
          leaves_thruster_off(plan, yo);

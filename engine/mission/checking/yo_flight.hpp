@@ -12,31 +12,31 @@
 
 namespace floeplan::mission {
 
-/// How a yo dives and drives, all the way alike.
+/// Depths and propulsion of a yo, equal on the whole route.
 struct YoDives {
   core::Metres climb_to{};
   core::Metres dive_depth{};
   bool on_thruster{false};
 };
 
-/// The request for a vehicle that dives and drives as the yo does. Depths between which there is no room for a dive
-/// leave those of the vehicle.
+/// The request for a vehicle with the dives and propulsion of the yo. If the yo's depths leave no room for a
+/// dive, the vehicle's depths stay.
 [[nodiscard]] planning::PlanRequest flown_with(planning::PlanRequest request, const YoDives& yo);
 
-/// Whether the one yo of a plan's mission flies in other water than the plan was made in, or on another drive: it
-/// keeps below the deepest ice of any leg on all of them, and runs the thruster on all or on none.
+/// Whether the single yo of a plan's mission dives to other depths, or with other propulsion, than the plan.
+/// A yo stays below the deepest ice of any leg on all legs, and runs the thruster on all legs or on none.
 [[nodiscard]] bool flies_otherwise(const planning::Plan& plan, const vehicle::GliderProfile& vehicle);
 
-/// What becomes of a plan that is flown by one yo.
+/// Result of flying a plan with one yo.
 struct YoFlight {
-  core::Violations violations;  // the vehicle does not come through
+  core::Violations violations;  // reasons why the vehicle does not reach the goal
   std::vector<messages::Message>
-      messages;  // it comes through, at other times or with another draw on the battery
+      messages;  // it reaches the goal, but at other times or with another use of the battery
 };
 
-/// Follows the way of a plan by the dives and the drive of its mission's yo.
-/// `route`    the plan's waypoints with all their digits
-/// `request`  that the plan was made by
+/// Follows the route of a plan with the dives and propulsion of its mission's yo.
+/// `route`    the plan's waypoints in full precision
+/// `request`  the one of the plan
 /// Errors     as check_route
 [[nodiscard]] YoFlight fly_by_yo(const ocean::Environment& environment, const std::vector<geo::LonLat>& route,
                                  const planning::PlanRequest& request, const planning::Plan& plan);

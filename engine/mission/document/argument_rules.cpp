@@ -14,7 +14,7 @@
 namespace floeplan::mission {
 namespace {
 
-constexpr int largest_file_number = 99;  // names are 8.3, so two digits are left for the number
+constexpr int largest_file_number = 99;  // file names are 8.3, so the number has two digits
 
 void report(Messages& messages, int line, const messages::Message& message) {
   messages.push_back(finding(line, message));
@@ -49,7 +49,7 @@ void check_known(const Argument& argument, const ArgumentRule& rule, Messages& m
   }
 }
 
-/// What a thruster's value means, and so its range, its mode says, which stands beside it.
+/// Checks a thruster's value. Its meaning, and so its range, depends on the mode in the argument beside it.
 void check_thruster_value(const Behavior& behavior, const Argument& argument, Messages& messages) {
   constexpr std::string_view suffix = "thruster_value";
   if (!argument.name.ends_with(suffix) || is_mission_parameter(argument.value)) return;
@@ -89,7 +89,7 @@ constexpr std::uint32_t codes(std::initializer_list<int> allowed) {
 struct CodeRule {
   std::string_view behavior;
   std::string_view argument;
-  std::uint32_t allowed;  // a bit for each code
+  std::uint32_t allowed;  // one bit for each allowed code
 };
 
 constexpr std::array code_rules{
@@ -109,10 +109,10 @@ bool holds_code(std::string_view argument) {
          argument == "primary_stop_when";
 }
 
-/// Notes codes of start_when, stop_when and their like that firmware 10.5 does not have, or not for this behavior.
-/// Codes above 14 differ between firmwares, so that none is more than noted.
-/// Source   facts from the vendor's data dictionary of firmware 10.5: codes 0 to 18, and which of them each behavior
-///          takes
+/// Notes codes of start_when, stop_when and similar arguments that firmware 10.5 does not have, or not for
+/// this behavior. Codes above 14 differ between firmware versions, so they get at most a note.
+/// Source   facts from the vendor's data dictionary of firmware 10.5: codes 0 to 18, and which of them each
+///          behavior takes
 void check_code(std::string_view behavior, const Argument& argument, Messages& messages) {
   if (!holds_code(argument.name) || is_mission_parameter(argument.value)) return;
   const bool exists =
@@ -126,7 +126,7 @@ void check_code(std::string_view behavior, const Argument& argument, Messages& m
          messages::mission_file_message<"unknown_code">(argument.name, argument.raw, behavior));
 }
 
-/// `conflicts`  whether two values of it are an error: of a b_arg nobody knows which one counts
+/// `conflicts`: different values are an error. For a b_arg it is unknown which of two values counts.
 messages::Message duplicate(const Argument& setting, const Argument& first, bool conflicts) {
   const auto told = [&]<messages::Code other, messages::Code same>() {
     return first.value == setting.value ? messages::mission_file_message<same>(setting.name, first.line)

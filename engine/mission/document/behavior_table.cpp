@@ -163,7 +163,7 @@ constexpr ArgumentRule yo[] = {
     {"c_thruster_value", "X", 0},
 };
 
-// The arguments of dive_to and climb_to: those of a yo without their prefix.
+// Arguments of dive_to and climb_to: those of a yo without their prefix.
 constexpr ArgumentRule dive_to[] = {
     {"target_depth", "m"},
     {"target_altitude", "m"},
@@ -231,7 +231,7 @@ constexpr ArgumentRule sample[] = {
     {"intersample_depth", "m", -1},
     {"min_depth", "m", -5},
     {"max_depth", "m", 2000},
-    {"tod_start", "hhmm"},  // later than firmware 10.5
+    {"tod_start", "hhmm"},  // newer than firmware 10.5
     {"tod_stop", "hhmm"},
 };
 

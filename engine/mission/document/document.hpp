@@ -11,16 +11,16 @@
 
 namespace floeplan::mission {
 
-/// A mission (`.mi`) lists behaviors; an argument file (`.ma`) holds the arguments of one. A Seaglider has targets, a
-/// science file with depth bands and a cmdfile with parameters.
+/// Kinds of files. Slocum: a mission (`.mi`) lists behaviors; an argument file (`.ma`) has the arguments of
+/// one behavior. Seaglider: targets, a science file with depth bands, and a cmdfile with parameters.
 enum class DocumentKind { mission, arguments, targets, science, cmdfile };
 
-/// A b_arg or a sensor setting, as `name(unit) value`.
+/// A b_arg or a sensor setting, in the form `name(unit) value`.
 struct Argument {
-  std::string name;     // of a b_arg in lower case, as the firmware's dictionary has it
-  std::string written;  // as the file has it
+  std::string name;     // of a b_arg in lower case, as in the firmware's dictionary
+  std::string written;  // as in the file
   std::string unit;
-  std::string raw;  // the value as it was written
+  std::string raw;  // the value as in the file
   double value{};
   int line{};
 };
@@ -32,32 +32,32 @@ struct WaypointRow {
   int line{};
 };
 
-/// How often a Seaglider samples down to a depth.
+/// Sampling of a Seaglider down to a depth.
 struct ScienceBand {
-  std::optional<core::Metres> depth;  // empty while it loiters
-  double seconds{};                   // between samples
-  std::string sensors;                // a digit for each sensor
-  double guidance_seconds{};          // between looks at its course
+  std::optional<core::Metres> depth;  // empty: while the vehicle loiters
+  double seconds{};                   // time between samples
+  std::string sensors;                // one digit per sensor
+  double guidance_seconds{};          // time between corrections of the course
   int line{};
 };
 
 struct Behavior {
-  std::string name;     // lower case, as the firmware's dictionary has it
-  std::string written;  // as the file has it
+  std::string name;     // lower case, as in the firmware's dictionary
+  std::string written;  // as in the file
   int line{};
   std::vector<Argument> arguments;
 
-  /// The first of that name; nothing when there is none.
+  /// The first argument with this name; null if there is none.
   [[nodiscard]] const Argument* find(std::string_view argument_name) const;
 };
 
-/// A line of the file, kept so that it can be written again.
+/// A line of the file, stored so that the file can be written again.
 struct SourceLine {
-  std::string content;  // what the vehicle reads, with blanks as this program writes them; often empty
-  std::string comment;  // from its '#', UTF-8
+  std::string content;  // what the vehicle reads, with blanks normalised; often empty
+  std::string comment;  // from its '#' on, UTF-8
 };
 
-/// How the bytes were laid out.
+/// Encoding and line ends of the file.
 struct FileFormat {
   std::size_t bytes{};
   std::string encoding;      // "ascii", "utf-8" or "iso-8859-1"
@@ -65,16 +65,16 @@ struct FileFormat {
   bool ends_with_newline{};
 };
 
-/// A mission file as it was understood, with all that was noticed. Only a document whose verdict is not
-/// `reject` may be used for anything but showing it.
+/// A mission file as understood, with all messages about it. A document with the verdict `reject` may only be
+/// shown.
 struct Document {
-  std::string name;  // of the file, without its folder
+  std::string name;  // of the file, without folder
   DocumentKind kind{};
   FileFormat format;
-  std::vector<Argument> sensors;  // of a cmdfile its parameters
+  std::vector<Argument> sensors;  // of a cmdfile: its parameters
   std::vector<Behavior>
-      behaviors;  // in order of priority; of an argument file exactly one, or none if broken
-  std::vector<WaypointRow> waypoints;     // rows of a list, places given inline, or targets in flown order
+      behaviors;  // in order of priority; an argument file has exactly one, or none if it is broken
+  std::vector<WaypointRow> waypoints;     // rows of a list, inline places, or targets in flown order
   std::vector<ScienceBand> bands;         // of a science file
   std::optional<int> waypoints_declared;  // num_waypoints of a list
   std::vector<SourceLine> lines;
@@ -83,7 +83,7 @@ struct Document {
   [[nodiscard]] Verdict verdict() const { return verdict_of(messages); }
 };
 
-/// Adds what was noticed on a line; line 0 is the file as a whole.
+/// Adds a message about a line; line 0 is the whole file.
 void report(Document& document, int line, const messages::Message& message);
 
 }  // namespace floeplan::mission

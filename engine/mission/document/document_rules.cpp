@@ -13,10 +13,10 @@
 namespace floeplan::mission {
 namespace {
 
-/// More rows than any file has; a greater number, or a name of a mission parameter, is no count.
+/// No file has more rows. A larger number, or the number of a mission parameter, is not a count.
 constexpr double most_declared = 999'999.0;
 
-/// A file named like another behavior's argument file. Names that are no vehicle's ("Line 90.ma") pass.
+/// Warns of a file name that belongs to another behavior's argument file. Other names ("Line 90.ma") pass.
 void check_file_name(const Document& document, const Behavior& behavior, Messages& messages) {
   const std::string lower = core::lower_case(document.name);
   const std::string stem = lower.substr(0, lower.rfind('.'));

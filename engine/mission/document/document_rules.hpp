@@ -4,9 +4,9 @@
 
 namespace floeplan::mission {
 
-/// Judges what the lines of a document say together, and adds to its messages: counts, duplicates, names and
-/// codes that the dictionary does not know, places given inline, the file's own name. Fills
-/// `waypoints_declared`, and `waypoints` of a mission.
+/// Checks the lines of a document together, and adds messages: counts, duplicates, names and codes that the
+/// dictionary does not have, inline places, the file's own name. Fills `waypoints_declared`, and `waypoints`
+/// of a mission.
 void check_document(Document& document);
 
 }  // namespace floeplan::mission

@@ -10,7 +10,7 @@
 namespace floeplan::mission {
 namespace {
 
-/// One '?' for each character beyond ASCII and for control characters.
+/// The text with one '?' for each character outside ASCII and each control character.
 std::string ascii(const std::string& utf8) {
   std::string text;
   for (const char c : utf8) {

@@ -15,7 +15,7 @@ bool is_ascii(std::string_view bytes) {
   return std::ranges::all_of(bytes, [](char c) { return static_cast<unsigned char>(c) < 0x80; });
 }
 
-/// Bytes of the well-formed UTF-8 sequence at the start of `bytes`; 0 when there is none.
+/// Length in bytes of the well-formed UTF-8 sequence at the start of `bytes`; 0 if there is none.
 /// Source   The Unicode Standard 15.0, table 3-7
 std::size_t utf8_sequence(std::string_view bytes) {
   const auto byte = [&](std::size_t i) { return static_cast<std::uint8_t>(bytes[i]); };
@@ -67,14 +67,14 @@ std::string from_latin1(std::string_view bytes) {
   return text;
 }
 
-/// The text before the control-Z characters at the end, which may have line ends among them.
+/// The text without the control-Z characters at its end, which may be mixed with line ends.
 std::string_view without_end_of_file(std::string_view bytes) {
   const std::size_t last = bytes.find_last_not_of("\x1A\r\n");
   const std::size_t mark = bytes.find(dos_end_of_file, last == std::string_view::npos ? 0 : last);
   return bytes.substr(0, mark);
 }
 
-/// Splits at every kind of line end and names the kinds found.
+/// Splits at every kind of line end, and records the kinds found.
 void split_lines(std::string_view text, FileText& file) {
   bool lf = false;
   bool crlf = false;

@@ -8,7 +8,7 @@
 namespace floeplan::mission {
 namespace {
 
-constexpr std::size_t most_named = 12;  // rows that a note names
+constexpr std::size_t most_named = 12;  // largest number of rows in a note
 
 bool is_whole_within(double value, double low, double high) {
   return value == std::floor(value) && value >= low && value <= high;
@@ -18,7 +18,7 @@ core::Violation of_another_program(const char* argument) {
   return messages::mission_fault<"legs-of-another-program">(argument);
 }
 
-/// "row 2", "rows 0, 1 and 2".
+/// Text such as "row 2" or "rows 0, 1 and 2".
 std::string named(const std::vector<std::size_t>& rows) {
   const std::size_t shown = std::min(rows.size(), most_named);
   std::string text = rows.size() == 1 ? "row " : "rows ";

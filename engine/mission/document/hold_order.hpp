@@ -19,28 +19,29 @@ struct HoldTimes {
   friend bool operator==(const HoldTimes&, const HoldTimes&) = default;
 };
 
-/// The comment line of a list that holds station: "# hold from 2026-11-22T09:10:00Z until 2026-11-22T11:50:00Z".
+/// Comment line of a list for a hold: "# hold from 2026-11-22T09:10:00Z until 2026-11-22T11:50:00Z".
 [[nodiscard]] std::string hold_comment(const HoldTimes& times);
 
-/// What a goto list orders that keeps the vehicle at a place.
+/// The hold that a goto list of two rows orders.
 struct HoldOrder {
-  geo::LonLat place;                              // in the middle of its rows
+  geo::LonLat place;                              // half-way between the two rows
   geo::Bearing axis{geo::Bearing::degrees(0.0)};  // from the first row to the second
-  core::Metres apart{};                           // the rows
-  core::Metres radius{};                          // in which one is reached
+  core::Metres apart{};                           // distance of the rows
+  core::Metres radius{};                          // within which a row counts as reached
   int legs{};                                     // -1: without end
-  std::optional<HoldTimes> planned{};             // as its comment says
+  std::optional<HoldTimes> planned{};             // from the list's comment
 };
 
-/// Rows of a list without such a comment are no further apart, else it is a line that is flown to and fro: twice the
-/// usual circle of a hold, and as much again. A judgement.
+/// Largest distance of two rows that count as a hold, if the list has no such comment; further apart they are
+/// a line that is flown to and fro. Twice the diameter of the usual hold circle. A judgement.
 inline constexpr core::Metres widest_hold{2000.0};
 
-/// "holds station: 5 legs between rows 980 m apart, planned from 2026-11-22T09:10:00Z until 2026-11-22T11:50:00Z"
+/// Text such as "holds station: 5 legs between rows 980 m apart, planned from 2026-11-22T09:10:00Z until
+/// 2026-11-22T11:50:00Z".
 [[nodiscard]] std::string hold_text(const HoldOrder& hold);
 
-/// The hold that a goto list orders: two rows between which the vehicle goes to and fro, for more legs than there are
-/// rows or without end. Empty for every other document.
+/// The hold that a goto list orders: the vehicle goes to and fro between two rows, for more than two legs or
+/// without end. Empty for every other document.
 [[nodiscard]] std::optional<HoldOrder> hold_order(const Document& document);
 
 }  // namespace floeplan::mission

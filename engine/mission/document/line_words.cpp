@@ -41,7 +41,7 @@ std::optional<double> parse_number(std::string_view word) {
     word.remove_prefix(1);
     if (word.starts_with('-')) return std::nullopt;
   }
-  // from_chars also takes "inf" and "nan"; a number of ours begins with a digit or a point.
+  // from_chars also accepts "inf" and "nan", so a number must begin with a digit or a point.
   const std::string_view unsigned_part = word.starts_with('-') ? word.substr(1) : word;
   if (unsigned_part.empty() || !(is_digit(unsigned_part.front()) || unsigned_part.front() == '.'))
     return std::nullopt;

@@ -14,14 +14,14 @@ struct SplitLine {
 };
 [[nodiscard]] SplitLine split_comment(std::string_view line);
 
-/// The parts between blanks and tabs.
+/// The parts of a text between blanks and tabs.
 [[nodiscard]] std::vector<std::string_view> words_of(std::string_view content);
 
-/// A decimal number as the vehicle's files have them: "7", "007", "-1", "10.", "-.43", "+2", "1e3".
-/// Outside  nothing for anything else: words, NaN, infinity, hexadecimal, numbers beyond a double
+/// Parses a decimal number as in the vehicle's files: "7", "007", "-1", "10.", "-.43", "+2", "1e3".
+/// Outside  empty for all else: words, NaN, infinity, hexadecimal, numbers beyond a double
 [[nodiscard]] std::optional<double> parse_number(std::string_view word);
 
-/// Letters, digits and underscores, at least one and at most 64.
+/// Whether the word consists of 1 to 64 letters, digits and underscores.
 [[nodiscard]] bool is_name(std::string_view word);
 
 [[nodiscard]] inline bool is_digit(char c) { return c >= '0' && c <= '9'; }

@@ -36,7 +36,7 @@ void check_legs(const Behavior& list, Messages& messages) {
   }
 }
 
-/// `rows`: how many there are, where that is known.
+/// Checks initial_wpt. `rows`: number of rows; empty: unknown.
 void check_initial(const Behavior& list, std::optional<std::size_t> rows, Messages& messages) {
   const Argument* initial = list.find("initial_wpt");
   if (initial == nullptr || is_parameter(initial)) return;

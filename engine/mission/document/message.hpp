@@ -9,7 +9,8 @@ namespace floeplan::mission {
 
 enum class Severity { note, warning, error };
 
-/// What a reader noticed. `line` counts from 1; 0 means the file as a whole. `code` is stable, for scripts.
+/// A message about a line of a file. `line` counts from 1; 0 is the whole file. `code` is stable, for
+/// scripts.
 struct Message {
   int line{};
   Severity severity{};
@@ -21,11 +22,12 @@ struct Message {
 
 using Messages = std::vector<Message>;
 
-/// What the catalogue says of a line: a danger is an error, a caution a warning. A code ends before the slash that tells
-/// rows of the same code apart.
+/// The message of the catalogue for a line: a danger becomes an error, a caution a warning. The code is cut
+/// at the slash, which only distinguishes variants of one message.
 [[nodiscard]] Message finding(int line, const messages::Message& message);
 
-/// Whether a file may become a plan: notes alone leave it `ok`, a warning makes it `warn`, an error `reject`.
+/// Whether a file may be used for a plan: notes alone leave it `ok`, a warning makes it `warn`, an error
+/// `reject`.
 enum class Verdict { ok, warn, reject };
 
 [[nodiscard]] Verdict verdict_of(const Messages& messages);

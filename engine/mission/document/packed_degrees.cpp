@@ -18,7 +18,7 @@ std::string packed_degrees(double angle_deg) {
   if (!(std::abs(angle_deg) <= 180.0))
     throw std::invalid_argument{"packed_degrees: angle beyond 180 degrees"};
 
-  // Rounded once, to whole units; from there on integers carry over from minutes to degrees by themselves.
+  // Rounded once, to whole units. After that, integer arithmetic carries from minutes to degrees.
   const long long units = std::llround(std::abs(angle_deg) * static_cast<double>(units_per_degree));
   const long long degrees = units / units_per_degree;
   const long long minute_units = units % units_per_degree;

@@ -7,24 +7,24 @@
 
 namespace floeplan::mission {
 
-/// Angle as GliderDOS reads it: sign x (100 x whole degrees + minutes) with four decimals of a minute
-/// (0.19 m in latitude), e.g. -73.8 as "-7348.0000". At least four digits stand before the point, so -0.5 is
-/// "-0030.0000".
-/// Edges    the minutes never read 60; zero has no sign; what rounds to -180 is written as "18000.0000"
+/// An angle in the form of GliderDOS: sign x (100 x whole degrees + minutes) with four decimals of a minute
+/// (0.19 m in latitude), for example -73.8 as "-7348.0000". At least four digits stand before the point, so
+/// -0.5 is "-0030.0000".
+/// Edges    minutes never read 60; zero has no sign; values that round to -180 are written as "18000.0000"
 /// Errors   std::invalid_argument unless `angle_deg` is finite and within [-180, 180]
 [[nodiscard]] std::string packed_degrees(double angle_deg);
 
-/// A packed angle that was read.
+/// A packed angle after reading.
 struct UnpackedAngle {
   double degrees{};
-  bool sixty_minutes{};  // the minutes were 60 or more: defined, yet no writer should produce it
+  bool sixty_minutes{};  // minutes were 60 or more: defined, but no writer should produce it
 };
 
-/// The angle of a packed number; the sign belongs to all of it, so -30.5 is half a degree and a bit west.
+/// The angle of a packed number. The sign applies to the whole: -30.5 is 30.5 minutes west.
 [[nodiscard]] UnpackedAngle unpack_degrees(double packed);
 
-/// The place of two packed angles.
-/// Outside  nullopt for what is no place: a Slocum that has no fix logs 69696969 or 69697000
+/// The place with two packed coordinates.
+/// Outside  nullopt for invalid places: a Slocum without a fix logs 69696969 or 69697000
 [[nodiscard]] std::optional<geo::LonLat> unpack_place(double packed_lon, double packed_lat);
 
 }  // namespace floeplan::mission

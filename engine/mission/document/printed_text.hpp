@@ -6,7 +6,7 @@
 
 namespace floeplan::mission {
 
-/// A sentence as `std::printf` writes it, at most 299 bytes of it.
+/// Text formatted by `std::printf` rules, at most 299 bytes.
 template <class... Values>
 [[nodiscard]] std::string print(const char* format, Values... values) {
   std::array<char, 300> text{};

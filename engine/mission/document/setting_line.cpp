@@ -18,7 +18,7 @@ std::string quoted(std::string_view text) {
   return '"' + std::string{text.substr(0, max_quote_length)} + (cut ? "...\"" : "\"");
 }
 
-/// A setting cut into its parts, none of them judged yet.
+/// The parts of a setting, not checked yet.
 struct Parts {
   std::string_view name;
   std::string_view unit;
@@ -38,7 +38,7 @@ std::optional<Parts> cut_with_unit(std::string_view text, std::size_t open, int 
                words_of(text.substr(close + 1))};
 }
 
-/// `name value` without a unit: readable, but not what the grammar has.
+/// Splits `name value` without a unit: accepted, but against the grammar.
 std::optional<Parts> cut_without_unit(std::string_view text, int line, Messages& messages) {
   auto words = words_of(text);
   if (words.empty()) return std::nullopt;

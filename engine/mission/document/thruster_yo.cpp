@@ -6,7 +6,7 @@
 namespace floeplan::mission {
 
 std::optional<core::Watts> thruster_of_yo(const planning::Plan& plan, const vehicle::GliderProfile& vehicle) {
-  constexpr double same_speed_m_s = 1e-3;  // far below what a thruster can hold
+  constexpr double same_speed_m_s = 1e-3;  // smaller than a thruster can control
   if (!vehicle.thruster || plan.waypoints.size() < 2) return std::nullopt;
   const bool as_planned =
       std::all_of(plan.waypoints.begin() + 1, plan.waypoints.end(), [&](const planning::Waypoint& waypoint) {

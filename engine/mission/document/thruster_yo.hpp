@@ -8,17 +8,17 @@
 
 namespace floeplan::mission {
 
-/// The `use_thruster` that holds an input power in W, and the powers that it takes.
-/// Source   comments of the vendor's argument files as fisheries scientists fly them (SWFSC/standard-glider-files,
-///          drift_20.ma and yo20_processor.ma): "4 Command input power", "watt, desired input power, between [1, 9]
-///          Watts"
+/// Value of `use_thruster` for a constant input power in W, and the range of that power.
+/// Source   comments of the vendor's argument files as fisheries scientists fly them
+///          (SWFSC/standard-glider-files, drift_20.ma and yo20_processor.ma): "4 Command input power", "watt,
+///          desired input power, between [1, 9] Watts"
 inline constexpr int thruster_by_power = 4;
 inline constexpr core::Watts least_thruster_power{1.0};
 inline constexpr core::Watts most_thruster_power{9.0};
 
-/// The input power of the thruster with which one yo flies all of the plan: that of the vehicle, which holds the
-/// planned speed. Empty where not every leg is on the thruster, where the vehicle has none or one of another speed than
-/// planned, and where the firmware takes no such power.
+/// The input power with which one yo flies all of the plan on the thruster: the vehicle's own, which keeps
+/// the planned speed. Empty if some leg is not on the thruster, if the vehicle has no thruster or one of
+/// another speed, or if the firmware does not accept this power.
 /// Threads  may be called from several threads at once
 [[nodiscard]] std::optional<core::Watts> thruster_of_yo(const planning::Plan& plan,
                                                         const vehicle::GliderProfile& vehicle);

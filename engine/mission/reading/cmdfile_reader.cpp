@@ -10,13 +10,13 @@
 namespace floeplan::mission {
 namespace {
 
-/// What a vehicle takes for a parameter.
+/// Range of a parameter that a vehicle accepts.
 struct ParameterRule {
   std::string_view name;
   double least;
   double most;
   bool whole{false};
-  bool advice{false};  // values outside are taken, against advice
+  bool advice{false};  // true: values outside are accepted, but not advised
 };
 
 /// The parameters that pilots set to fly a route. Source: basestation3 parmdata.py.
@@ -88,7 +88,8 @@ void read_parameter(std::string_view word, int line, Document& document) {
   document.sensors.push_back(std::move(parameter));
 }
 
-/// A dive must be over before it is given up, and turn before it is given up.
+/// Checks the limits against each other: a dive must be shorter and shallower than the limits at which it is
+/// aborted.
 void check_limits(Document& document) {
   const auto require_less = [&](const char* less, const char* more) {
     const auto low = std::ranges::find(document.sensors, less, &Argument::name);

@@ -17,7 +17,7 @@ namespace {
 constexpr std::size_t max_waypoint_rows = 1000;  // the longest real list seen has 71
 constexpr std::ptrdiff_t max_errors = 100;
 
-/// What follows `keyword` at the start of the line, in any case of letters.
+/// The rest of the line after `keyword`, if the line begins with it in any case of letters.
 std::optional<std::string_view> after(std::string_view content, std::string_view keyword) {
   if (content.size() < keyword.size() || core::lower_case(content.substr(0, keyword.size())) != keyword)
     return std::nullopt;
@@ -28,7 +28,7 @@ std::string setting_text(const char* keyword, const Argument& setting) {
   return std::string{keyword} + setting.written + "(" + setting.unit + ") " + setting.raw;
 }
 
-/// What both kinds of file have in common.
+/// Common parts of the readers of both kinds of Slocum files.
 class Reader {
  public:
   explicit Reader(Document& document) : document_{document} {}
@@ -41,7 +41,7 @@ class Reader {
 
   void keep(std::string content) { document_.lines.back().content = std::move(content); }
 
-  /// Words that are left over on a line that is understood without them.
+  /// Warns of surplus words on a line that is understood without them.
   void warn_of_extra(const std::vector<std::string_view>& words) {
     if (words.size() > 1) report<"extra_tokens">();
   }
@@ -98,7 +98,7 @@ class MissionReader : private Reader {
     begin_behavior(words.front());
   }
 
-  /// Lines of a vehicle's autoexec.mi; anything else is nothing that a vehicle reads.
+  /// Reads a line that only a vehicle's autoexec.mi has; other lines are errors.
   void read_configuration(std::string_view content) {
     const auto words = words_of(content);
     if (words.size() == 2 && (words[0] == "name" || words[0] == "installed")) {
@@ -221,7 +221,7 @@ class ArgumentsReader : private Reader {
   bool too_many_{false};
 };
 
-/// What a line of a Seaglider's file gives away; nothing for one that any file could have.
+/// The kind of Seaglider file that a line shows; empty if any file could have this line.
 std::optional<DocumentKind> seaglider_kind(std::string_view line) {
   if (line.find("goto=") != std::string_view::npos) return DocumentKind::targets;
   if (line.find("sensors=") != std::string_view::npos) return DocumentKind::science;

@@ -12,7 +12,7 @@ namespace {
 
 using Fields = std::map<std::string, std::string_view, std::less<>>;
 
-/// The fields of a band by name, whichever way they are written.
+/// The fields of a band by name, from either form of line.
 Fields fields_of(const SeagliderLine& line, Document& document) {
   Fields fields;
   const bool named = std::ranges::any_of(

@@ -11,19 +11,20 @@
 
 namespace floeplan::mission {
 
-/// A line of a Seaglider's file that is no comment.
+/// A line of a Seaglider's file that is not a comment.
 struct SeagliderLine {
   int number{};
   std::vector<std::string_view> words;
 
-  /// "lat=4807.5" as its two parts; nothing for a word without one equals sign and something on either side.
+  /// The two parts of a word such as "lat=4807.5"; empty unless it has exactly one equals sign and text on
+  /// both sides.
   [[nodiscard]] static std::optional<std::pair<std::string_view, std::string_view>> field(
       std::string_view word);
 };
 
-/// The lines of a file of the shore station that say something, in their order. Comments begin with '/' at the start
-/// of a line. Keeps all lines in the document; characters beyond ASCII are errors, in comments warnings.
-/// `text`    is borrowed by the lines
+/// The lines of a file of the shore station that are not empty or comments, in order. Comment lines begin
+/// with '/'. Stores all lines in the document. Characters outside ASCII give errors, in comments warnings.
+/// `text`    borrowed by the lines
 /// Source    iop-apl-uw/basestation3 validate.py
 [[nodiscard]] std::vector<SeagliderLine> seaglider_lines(const FileText& text, Document& document);
 

@@ -16,7 +16,7 @@
 namespace floeplan::mission {
 namespace {
 
-constexpr std::size_t max_targets = 1000;  // as the rows of a goto list
+constexpr std::size_t max_targets = 1000;  // the same limit as for rows of a goto list
 
 struct Target {
   std::map<std::string, std::string_view, std::less<>> fields;
@@ -61,7 +61,7 @@ double number_in(const Target& target, std::string_view field) {
   return found == target.fields.end() ? 0.0 : parse_number(found->second).value_or(0.0);
 }
 
-/// The place of lat and lon in packed degrees and minutes.
+/// Reads the place of a target from lat and lon in packed degrees and minutes.
 void read_place(Target& target, Document& document) {
   const UnpackedAngle lat = unpack_degrees(number_in(target, "lat"));
   const UnpackedAngle lon = unpack_degrees(number_in(target, "lon"));
@@ -102,7 +102,7 @@ Targets::const_iterator next_of(const Targets& targets, Targets::const_iterator 
   return targets.find(at->second.fields.find("goto")->second);
 }
 
-/// Follows the targets from one to the next until one comes again.
+/// Follows the targets from one to the next until one repeats.
 void follow(const Targets& targets, std::string_view first, Document& document) {
   std::set<std::string_view> visited;
   std::string_view last;

@@ -11,16 +11,17 @@
 namespace floeplan::mission {
 namespace {
 
-/// Whether the vehicle cannot surface anywhere on the leg, its end included.
+/// Whether the vehicle can surface nowhere on the leg, its end included.
 bool has_no_opening(const planning::Plan& plan, std::size_t waypoint) {
-  constexpr core::Seconds rounding{1.0};  // of times that were stored
+  constexpr core::Seconds rounding{1.0};  // rounding of stored times
   const planning::SurfacingState& state = plan.surfacing->waypoints[waypoint];
   const planning::Waypoint& from = plan.waypoints[waypoint - 1];
   const core::Seconds under_way = plan.waypoints[waypoint].eta - (from.eta + from.wait);
   return !state.may_surface && state.since_surfacing + rounding >= under_way;
 }
 
-/// Whether ice may be what makes the dives turn where they do on the leg to this waypoint: the plan knows of ice, or
+/// Whether ice may be the reason for the upper turn on the leg to this waypoint: the plan has ice data, or
+/// the leg passes under no iceberg.
 /// passes under no iceberg there.
 bool may_be_below_ice(const planning::Plan& plan, std::size_t waypoint) {
   const core::UtcTime from = plan.waypoints[waypoint == 0 ? 0 : waypoint - 1].eta;

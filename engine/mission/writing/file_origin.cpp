@@ -7,7 +7,7 @@ namespace floeplan::mission {
 
 namespace {
 
-/// A comment line of a label and a user's text; none when nothing of the text is left.
+/// A comment line with a label and a user's text; empty if no safe text is left.
 std::string comment_line(const std::string& label, const std::string& text, std::size_t max_length) {
   const std::string safe = comment_text(text, max_length);
   return safe.empty() ? "" : "# " + label + " " + safe + "\n";

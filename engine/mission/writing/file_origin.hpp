@@ -7,7 +7,7 @@
 
 namespace floeplan::mission {
 
-/// Where a mission file comes from, as its comments say it.
+/// The origin of a mission file, as stated in its comments.
 struct FileOrigin {
   std::string plan_id{};
   std::string plan_name{};
@@ -15,8 +15,8 @@ struct FileOrigin {
   std::string written_by{"floeplan"};  // program and version
 };
 
-/// Comment lines that tell whoever finds the file what it is: plan, vehicle, times, data and their hashes. Text of
-/// users is made safe and cut, so that every line stays below 100 characters.
+/// Comment lines that say what the file is: plan, vehicle, times, data and their hashes. User text is made
+/// safe and cut, so that every line stays below 100 characters.
 [[nodiscard]] std::string origin_comments(const planning::Plan& plan, const FileOrigin& origin);
 
 }  // namespace floeplan::mission

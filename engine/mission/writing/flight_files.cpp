@@ -11,34 +11,36 @@
 namespace floeplan::mission {
 namespace {
 
-// start_when, from the vendor's data dictionary of firmware 10.5.
+// Codes of start_when in the vendor's data dictionary of firmware 10.5.
 constexpr std::string_view start_when_pitch_idle = "2";
 constexpr std::string_view start_when_heading_idle = "3";
 constexpr std::string_view start_when_waypoint_hit = "8";
 constexpr std::string_view start_when_every = "9";
 constexpr std::string_view start_when_silent = "12";
 
-// A glider overshoots its target and aborts at its overdepth. Operators of shallow vehicles set that 10 to 15 % below the
-// target, those of 1000 m vehicles dive to 980 m (missions of the Southwest Fisheries Science Center).
+// A glider overshoots its target and aborts at its overdepth. Operators of shallow vehicles set the overdepth
+// 10 to 15 % below the target. Those of 1000 m vehicles dive to 980 m (missions of the Southwest Fisheries
+// Science Center).
 constexpr double overshoot_of_shallow = 1.10;
 constexpr double deep_share_of_rating = 0.98;
 constexpr double usual_overdepth = 1.15;
-/// A turn takes metres at every depth; the slow oil pump of a deep vehicle as many as its altitude allows for.
+/// A turn takes some metres at every depth. With the slow oil pump of a deep vehicle it takes as many as its
+/// altitude allows.
 constexpr double least_overshoot_shallow_m = 3.0;
 constexpr double least_overshoot_deep_m = 20.0;
 constexpr double shallow_vehicle_m = 350.0;
 constexpr double silence_shallow_s =
-    10'800.0;                                // between the stock mission's 20 minutes and operators' 8 hours
-constexpr double silence_deep_s = 28'800.0;  // of operators' 1000 m missions
-constexpr double regular_shallow_s = 10'800.0;  // of the stock missions
-constexpr double regular_deep_s = 21'600.0;     // the longest of operators' 1000 m missions
+    10'800.0;  // between the 20 minutes of the stock mission and the 8 hours of operators
+constexpr double silence_deep_s = 28'800.0;     // 1000 m missions of operators
+constexpr double regular_shallow_s = 10'800.0;  // stock missions
+constexpr double regular_deep_s = 21'600.0;     // longest in 1000 m missions of operators
 constexpr double least_climb_m = 3.0;           // minimum of c_target_depth in the same dictionary
 constexpr double silence_under_ice_share = 1.25;
 
 struct SurfacingKind {
   std::string_view why;
   std::string_view start_when;
-  std::string_view end_action;  // 0: ends the mission, 1: waits for the pilot and then goes on
+  std::string_view end_action;  // 0: ends the mission; 1: waits for the pilot, then continues
 };
 
 constexpr SurfacingKind silent{"no contact for too long", start_when_silent, "1"};
@@ -88,7 +90,7 @@ MissionFile yo_file(const planning::Plan& plan, const MissionSetOptions& options
       {"d_target_altitude", whole(std::ceil(vehicle.altimeter_margin.value))},
       {"d_use_bpump", "2"},  // absolute, in cm3
       {"d_bpump_value", "-" + pump_cc},
-      {"d_use_pitch", "3"},  // held by the battery's servo, in radians, down is negative
+      {"d_use_pitch", "3"},  // held by the battery's servo; radians, nose down is negative
       {"d_pitch_value", "-" + pitch_rad},
       {"c_target_depth", whole(climb_target(plan, vehicle).value)},
       {"c_use_bpump", "2"},
@@ -132,8 +134,8 @@ core::Seconds longest_silence(const planning::Plan& plan, const MissionSetOption
     const core::Seconds usual{in_the_open_s};
     return std::min(usual, options.surfacing_interval.value_or(usual));
   }
-  // Under ice there is no contact to be had on the way, and a list may go on from another without it; whole hours above
-  // the time that the plan takes.
+  // Under ice no contact is possible on the route, and several lists may be flown without contact. So the
+  // time is whole hours above the plan's duration.
   const double planned_s = silence_under_ice_share * plan.travel_time().count();
   return core::Seconds{std::max(in_the_open_s, 3600.0 * std::ceil(planned_s / 3600.0))};
 }

@@ -8,7 +8,7 @@
 
 namespace floeplan::mission {
 
-/// A surfacing of the mission: what causes it, and its own argument file.
+/// A surfacing of the mission: its cause, and its own argument file.
 struct Surfacing {
   int number{};  // NN of surfacNN.ma
   std::string why;
@@ -22,22 +22,23 @@ struct Surfacing {
 [[nodiscard]] std::vector<Surfacing> surfacings_of(const planning::Plan& plan,
                                                    const MissionSetOptions& options);
 
-/// The depth that a yo turns at, so far above the rating that an overshoot does not reach it.
+/// Target depth of a yo: above the rating by as much as a dive may overshoot.
 [[nodiscard]] core::Metres target_depth(const vehicle::GliderProfile& vehicle);
 
-/// The depth at which the vehicle aborts: below the target by what a turn may overshoot, and no deeper than its rating.
+/// Depth at which the vehicle aborts: below the target by what a turn may overshoot, at most its rating.
 [[nodiscard]] core::Metres overdepth(const vehicle::GliderProfile& vehicle);
 
-/// The depth that a yo climbs to: below everything that the plan passes under, all the way, for a yo knows no places.
+/// Upper turn of a yo: below everything that the plan passes under, on the whole route, because a yo is the
+/// same everywhere.
 [[nodiscard]] core::Metres climb_target(const planning::Plan& plan, const vehicle::GliderProfile& vehicle);
 
-/// How long the vehicle goes without contact before it comes up to seek it.
+/// The time without contact after which the vehicle surfaces to make contact.
 [[nodiscard]] core::Seconds longest_silence(const planning::Plan& plan, const MissionSetOptions& options);
 
-/// How often a vehicle of this rating comes up in open water, unless a plan was asked to surface at another interval.
+/// Interval of surfacings in open water for a vehicle of this rating, unless the plan has its own interval.
 [[nodiscard]] core::Seconds usual_surfacing_interval(const vehicle::GliderProfile& vehicle);
 
-/// How often the vehicle comes up in open water, whatever else happens.
+/// Interval of surfacings in open water, whatever other surfacings there are.
 [[nodiscard]] core::Seconds time_between_surfacings(const MissionSetOptions& options);
 
 /// The lists of the set, its holds flown by the vehicle and the surfacings of the mission. The plan's route is one with fixes

@@ -21,13 +21,14 @@ namespace floeplan::mission {
 namespace {
 
 constexpr int documented_max_waypoints = 8;
-constexpr double max_latitude_deg = 89.0;   // closer to a pole the vehicle's UTM-based metres mean nothing
+constexpr double max_latitude_deg = 89.0;   // nearer to a pole the vehicle's UTM-based metres are useless
 constexpr double utm_north_end_deg = 84.0;  // UTM is defined between these parallels
 constexpr double utm_south_end_deg = -80.0;
 constexpr double smallest_radius_m = 10.0;  // minimum of list_when_wpt_dist in the vehicle's data dictionary
 constexpr double largest_default_radius_m = 500.0;
 constexpr double long_leg_m = 100'000.0;
-// Judgements: beyond what pilots expect of dead reckoning, and may still find by what a plan knows of the ice around it.
+// Judgements: such an error is beyond what pilots expect of dead reckoning, but within what a plan knows of
+// the ice nearby.
 constexpr core::Metres far_off{5000.0};
 constexpr core::Seconds far_later{2.0 * 3600.0};
 
@@ -39,7 +40,8 @@ std::vector<core::Metres> leg_lengths(const planning::Plan& plan) {
   return lengths;
 }
 
-/// A list that ends near ice gets a smaller radius than the usual one, if none is asked for.
+/// The rules for dividing a plan into lists. A list that ends near ice gets a smaller radius, unless one is
+/// requested.
 ListRules rules_of(const GotoListOptions& options) {
   return {static_cast<std::size_t>(options.max_waypoints),
           options.radius.value_or(core::Metres{smallest_radius_m}), options.between_fixes};
@@ -57,8 +59,7 @@ core::Metres radius_of(const planning::Plan& plan, const ListPart& part, const G
   return {std::clamp(std::ceil(room.value) - 1.0, smallest_radius_m, usual.value)};
 }
 
-/// A file of the set: some of the plan's waypoints and the radius in which one is reached, or what keeps the vehicle at
-/// the last of them.
+/// A file of the set: some of the plan's waypoints with their radius, or the hold at the last of them.
 struct List {
   std::string file_name;
   ListPart part;
@@ -66,7 +67,7 @@ struct List {
   std::optional<HoldLegs> hold{};
 };
 
-/// Where a plan of several lists begins.
+/// The first list that has waypoints; a hold at the start comes before it.
 const List& first_with_waypoints(const std::vector<List>& lists) {
   return lists.front().hold ? lists[1] : lists.front();
 }
@@ -108,7 +109,7 @@ core::Violations violations_of_options(const planning::Plan& plan, const GotoLis
   return found;
 }
 
-/// What is wrong with the numbers of the lists.
+/// Violations of the rules for file numbers.
 core::Violations violations_of_numbers(const std::vector<List>& lists, const GotoListOptions& options) {
   core::Violations found;
   const auto count = static_cast<int>(lists.size());
@@ -122,14 +123,14 @@ core::Violations violations_of_numbers(const std::vector<List>& lists, const Got
   return found;
 }
 
-/// Whether the plan passes below ice or icebergs, or knows of ice near one of its waypoints.
+/// Whether the plan passes below ice or icebergs, or has ice near one of its waypoints.
 bool is_beside_ice(const planning::Plan& plan) {
   const auto is_near = [](const planning::SurfacingState& state) { return state.nearest_ice.has_value(); };
   return passes_below(plan, {1, plan.waypoints.size() - 1}) ||
          (plan.surfacing && std::ranges::any_of(plan.surfacing->waypoints, is_near));
 }
 
-/// Why the vehicle may not be able to surface where the list is flown; empty: it can.
+/// The message if the vehicle may be unable to surface at the end of the list; empty: it can.
 std::optional<messages::Message> message_of_end(const planning::Plan& plan, const List& list) {
   const std::size_t last = list.part.last;
   const auto told = [&]() -> std::optional<messages::Message> {
@@ -156,7 +157,8 @@ std::optional<messages::Message> message_of_end(const planning::Plan& plan, cons
   return message;
 }
 
-/// The message of a list that takes longer than planned, so that its end may be under ice; empty if it does not.
+/// The message if the list takes longer than planned, so that its end may be under ice by then; empty: it
+/// does not.
 std::optional<messages::Message> message_of_delay(const planning::Plan& plan, const List& list) {
   const core::Seconds late = late_by(plan, list.part);
   if (!plan.surfacing || late <= far_later) return std::nullopt;
@@ -164,7 +166,7 @@ std::optional<messages::Message> message_of_delay(const planning::Plan& plan, co
       .at(plan.waypoints[list.part.last].place);
 }
 
-/// The message of legs that are planned on the thruster although no file turns it on; empty if there are none.
+/// The message if legs are planned on the thruster but no file turns it on; empty: none are.
 std::optional<messages::Message> message_of_thruster(const planning::Plan& plan,
                                                      const GotoListOptions& options) {
   if (options.thruster_in_yo) return std::nullopt;
@@ -175,7 +177,7 @@ std::optional<messages::Message> message_of_thruster(const planning::Plan& plan,
   return messages::export_message<"thruster-not-in-files">(on_thruster);
 }
 
-/// The message of a plan that was stored without the currents of its legs, if the lists need them; empty otherwise.
+/// The message if a stored plan lacks the currents of its legs and the lists need them; empty otherwise.
 std::optional<messages::Message> message_of_unknown_currents(const planning::Plan& plan) {
   const auto is_water = [](const ocean::DatasetRef& dataset) {
     return dataset.kind == "currents" || dataset.kind == "tides";
@@ -186,7 +188,8 @@ std::optional<messages::Message> message_of_unknown_currents(const planning::Pla
   return messages::export_message<"currents-of-legs-not-told">();
 }
 
-/// Before it has come up once a vehicle knows nothing of the current; empty where it passes below no ice.
+/// The message about the first dives: before its first surfacing a vehicle has no estimate of the current.
+/// Empty if the plan passes below no ice.
 std::optional<messages::Message> message_of_first_dives(const planning::Plan& plan, const List& first) {
   if (!passes_below(plan, {1, plan.waypoints.size() - 1})) return std::nullopt;
   const planning::Waypoint& start = plan.waypoints.front();
@@ -195,7 +198,8 @@ std::optional<messages::Message> message_of_first_dives(const planning::Plan& pl
                                                                  0.1 * time.count() / 1000.0);
 }
 
-/// How the hold at a waypoint is flown, and what the pilot has to do for it; empty: there is none to speak of.
+/// The message on how the hold at a waypoint is flown and what the pilot must do; empty: no hold worth
+/// mentioning.
 std::optional<messages::Message> message_of_hold(const planning::Plan& plan, const std::vector<List>& lists,
                                                  std::size_t waypoint) {
   const planning::Waypoint& place = plan.waypoints[waypoint];
@@ -277,7 +281,7 @@ std::vector<messages::Message> messages_for(const planning::Plan& plan, const Go
   return told;
 }
 
-/// Without the hold before it, in which the pilot has contact.
+/// Duration of the list without the hold before it, during which the pilot has contact.
 core::Seconds time_of(const planning::Plan& plan, const ListPart& part) {
   const planning::Waypoint& from = plan.waypoints[part.first - 1];
   return plan.waypoints[part.last].eta - (from.eta + from.wait);
@@ -350,7 +354,7 @@ tl::expected<MissionFiles, core::Violations> write_goto_lists(const planning::Pl
   const std::vector<core::Metres> legs = leg_lengths(plan);
 
   MissionFiles written;
-  int initial = options.initial_waypoint;  // of the first list with waypoints
+  int initial = options.initial_waypoint;  // for the first list with waypoints
   for (std::size_t i = 0; i < lists.size(); ++i) {
     const List& list = lists[i];
     const std::string head = print("# %s, list %zu of %zu: ", list.file_name.c_str(), i + 1, lists.size());

@@ -12,10 +12,11 @@
 
 namespace floeplan::mission {
 
-/// The firmware writes goto_l99, and its recovery under ice uses goto_l98.
+/// Largest number for our lists: the firmware writes goto_l99, and its recovery under ice uses goto_l98.
 inline constexpr int last_free_number = 97;
 
-/// How a plan becomes lists. What is named here and not in the plan goes into the comments of each file.
+/// Options for writing a plan as lists. Values that are not in the plan are stated in the comments of each
+/// file.
 struct GotoListOptions {
   int first_number{10};                  // NN of the first goto_lNN.ma, 0 to 97
   int max_waypoints{8};                  // of one list: GliderProfile::max_waypoints_per_list
@@ -29,13 +30,14 @@ struct GotoListOptions {
   FileOrigin origin{};
 };
 
-/// Within which a waypoint counts as reached unless told otherwise: the largest whole number of metres below half
-/// of the shortest leg, in 10 to 500 m, so that no waypoint is skipped.
+/// Default radius within which a waypoint counts as reached: the largest whole number of metres below half of
+/// the shortest leg, from 10 to 500 m, so that no waypoint is skipped.
 /// Precondition  two waypoints or more
 [[nodiscard]] core::Metres default_waypoint_radius(const planning::Plan& plan);
 
-/// The longest time that one of the lists of write_goto_lists takes: below ice there is no contact before it ends.
-/// Precondition  the options are free of violations
+/// The longest duration of one of the lists of write_goto_lists: below ice there is no contact before a list
+/// ends.
+/// Precondition  the options have no violations
 [[nodiscard]] core::Seconds longest_list_time(const planning::Plan& plan, const GotoListOptions& options);
 
 /// Writes the plan as GliderDOS goto lists (`goto_lNN.ma`), each to be flown once, from first row to last.
@@ -53,8 +55,8 @@ struct GotoListOptions {
 ///          that keeps it near the place by hold_legs, with a warning that says when the next one is to be sent. Where
 ///          no such list is as short as the hold, the warning alone
 /// Errors   every violation at once: a place beyond 89 degrees of latitude, fewer than two waypoints, more
-///          waypoints in a row below ice or icebergs than a list holds beside its end, a plan or a list that ends
-///          below them or too near to them, options out of range
+///          consecutive waypoints below ice or icebergs than a list holds, a plan or a list that ends below
+///          them or too near to them, options out of range
 /// Threads  may be called from several threads at once
 [[nodiscard]] tl::expected<MissionFiles, core::Violations> write_goto_lists(const planning::Plan& plan,
                                                                             const GotoListOptions& options);

@@ -9,24 +9,25 @@
 namespace floeplan::mission {
 namespace {
 
-/// Time at the surface, from surfacing to the next dive: a minute to the first fix, and keystroke_wait_time of the
-/// surfacings that flight_files writes, which are those of the vendor's stock missions.
+/// Time from surfacing to the next dive: a minute to the first fix, and keystroke_wait_time of the surfacings
+/// that flight_files writes, which is that of the vendor's stock missions.
 constexpr double at_surface_s = 360.0;
 constexpr double step_s = 5.0;
-/// Without way at every turn of the saw-tooth: 13 s for the piston of a shallow vehicle to move twice 230 cm3 at 36 cm3/s,
-/// and 11 s until the hull has pitched over (logs of comet, 21 August 2019, and amadeus, 24 July 2014).
+/// Time without headway at every turn of the saw-tooth. It takes 13 s to move the piston of a shallow vehicle
+/// by twice 230 cm3 at 36 cm3/s, and 11 s until the hull has pitched over (logs of comet, 21 August 2019, and
+/// amadeus, 24 July 2014).
 constexpr double turn_s = 24.0;
-constexpr int spacings = 30;               // of rows that are tried
-constexpr double longer_s = 6.0 * 3600.0;  // for the shortest list of a hold that is shorter
+constexpr int spacings = 30;               // number of row distances tried
+constexpr double longer_s = 6.0 * 3600.0;  // the shortest list may exceed a hold by this
 constexpr double near_wait = 0.01;
 constexpr double far_from_wait = 0.05;
 constexpr double least_radius_m = 10.0;  // minimum of list_when_wpt_dist in the vehicle's data dictionary
 constexpr double usual_radius_m = 100.0;
-constexpr double still_m2_s2 = 1e-6;  // sum of squares below which there is no current to speak of
+constexpr double still_m2_s2 = 1e-6;  // a smaller sum of squares counts as no current
 constexpr std::size_t fewest_legs = 3;
-constexpr int enough_legs = 8;  // a turn is never farther from the end of the hold than a sixteenth of it
+constexpr int enough_legs = 8;  // then a turn is within a sixteenth of the hold from its end
 
-/// Linear between the samples.
+/// The current at a time; linear between the samples.
 geo::VelocityEn current_at(const HoldFlight& flight, double time_s) {
   const auto& samples = flight.currents;
   if (samples.empty()) return {};
@@ -41,7 +42,7 @@ geo::VelocityEn current_at(const HoldFlight& flight, double time_s) {
   return {mean(samples[before].east, samples[after].east), mean(samples[before].north, samples[after].north)};
 }
 
-/// Across the main axis of the currents: that of the greatest sum of squares along it.
+/// Axis of the rows: across the main axis of the currents, along which their sum of squares is largest.
 geo::Bearing axis_of(const HoldFlight& flight) {
   double ee = 0.0;
   double nn = 0.0;
@@ -56,17 +57,17 @@ geo::Bearing axis_of(const HoldFlight& flight) {
   return geo::Bearing::towards(std::sin(from_east_rad), -std::cos(from_east_rad));
 }
 
-/// The vehicle between its two rows, as its own computer flies it.
+/// Simulates the vehicle between its two rows, steered as by its own computer.
 class Shuttle {
  public:
   Shuttle(const HoldFlight& flight, geo::Bearing axis, core::Metres apart, core::Metres radius)
       : flight_{flight}, axis_{axis}, half_m_{0.5 * apart.value}, radius_m_{radius.value} {}
 
-  /// For one leg, two and so on, when the vehicle leaves again after it, in seconds from the arrival: as many as there
-  /// are before twice the wait and a day.
+  /// For one leg, two legs and so on: the time in seconds from the arrival until the vehicle leaves after
+  /// them. Ends at twice the wait plus a day.
   std::vector<double> ends() {
     std::vector<double> ends;
-    // Where in its dives it arrives is not known: on the average halfway down.
+    // The phase of its dives at the arrival is unknown; half-way down is the average.
     time_s_ = 0.5 * flight_.band.bottom.value / flight_.vertical.value;
     stay_at_surface();
     bool comes_up = false;
@@ -113,7 +114,7 @@ class Shuttle {
     drift(current_at(flight_, time_s_), at_surface_s);
   }
 
-  /// In the saw-tooth, up or down.
+  /// Turns in the saw-tooth, upwards or downwards.
   void turn(bool up) {
     if (std::exchange(rises_, up) != up) drift(current_at(flight_, time_s_), turn_s);
   }
@@ -140,7 +141,7 @@ class Shuttle {
   bool rises_{true};
 };
 
-/// All lists that may be flown, the longest legs first.
+/// All lists that are candidates, those with the longest legs first.
 std::vector<HoldLegs> tried_lists(const HoldFlight& flight) {
   const geo::Bearing axis = axis_of(flight);
   const core::Metres radius = turning_radius(flight.circle);

@@ -12,7 +12,7 @@ namespace {
 constexpr double step_of_currents_s = 1800.0;
 constexpr int depths_of_mean = 8;
 
-/// Mean over the depths flown, as far down as there is water.
+/// Mean current over the depths flown, as far down as there is water.
 std::optional<geo::VelocityEn> mean_over_band(const ocean::CurrentGrid& currents, geo::LonLat place,
                                               const vehicle::DiveBand& band, core::UtcTime time) {
   geo::VelocityEn sum;

@@ -14,12 +14,12 @@
 namespace floeplan::mission {
 namespace {
 
-constexpr int recovery_list = 98;            // read by the stock mission recov.mi
+constexpr int recovery_list = 98;            // flown by the stock mission recov.mi
 constexpr std::size_t most_safe_places = 8;  // slots of a goto list in the vendor's data dictionary
 constexpr const char* recovery_radius_m = "500";
 constexpr double max_latitude_deg = 89.0;
-constexpr double watchdog_s = 48'600.0;            // no_cop_tickle_for, the dictionary's default
-constexpr core::Metres stock_iceberg_depth{20.0};  // of the vendor's stock settings
+constexpr double watchdog_s = 48'600.0;            // no_cop_tickle_for, default in the dictionary
+constexpr core::Metres stock_iceberg_depth{20.0};  // the vendor's stock settings
 constexpr Firmware first_with_ice{10, 0};          // the stock ice missions date from 2018
 
 bool knows_of_ice(const planning::Plan& plan) {

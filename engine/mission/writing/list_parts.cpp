@@ -25,8 +25,8 @@ core::Metres length_of(const planning::Plan& plan, const ListPart& part) {
   return length;
 }
 
-/// Distance along the list's route from the last iceberg that it passes under to its end; empty if it passes under
-/// none.
+/// Distance along the list's route from the last iceberg that it passes under to the list's end; empty if
+/// there is none.
 std::optional<core::Metres> beyond_iceberg(const planning::Plan& plan, const ListPart& part) {
   std::optional<core::Metres> least;
   const core::UtcTime begins = plan.waypoints[part.first - 1].eta;
@@ -50,7 +50,7 @@ core::Seconds planned_time(const planning::Plan& plan, std::size_t leg) {
   return plan.waypoints[leg].eta - (from.eta + from.wait);
 }
 
-/// How long the vehicle is under way on a leg, at least as the plan has it, by its own reckoning if that is longer.
+/// Time under way on a leg: the planned time, or that with the assumed current if it is longer.
 core::Seconds time_under_way(const planning::Plan& plan, std::size_t number, geo::VelocityEn reckoned) {
   const core::Seconds planned = planned_time(plan, number);
   const planning::Waypoint& leg = plan.waypoints[number];
@@ -157,7 +157,7 @@ bool has_room(const planning::Plan& plan, const ListPart& part, core::Metres (Li
   return !end || ((*end).*room)() > radius;
 }
 
-/// The last waypoint of the list that begins with waypoint `first`.
+/// The last waypoint of the list that begins at waypoint `first`.
 std::size_t last_of_list(const planning::Plan& plan, std::size_t first, std::size_t before,
                          const ListRules& rules) {
   const std::size_t longest = std::min(first + rules.max_waypoints, plan.waypoints.size()) - 1;
@@ -184,7 +184,7 @@ std::size_t last_of_list(const planning::Plan& plan, std::size_t first, std::siz
   return farthest;
 }
 
-/// `is_end`  of the plan
+/// `is_end`: the end of the plan.
 core::Violation end_too_near(const std::string& place, const ListEnd& end, core::Metres radius, bool is_end) {
   const std::string room = text_of(end, radius);
   const double beyond_m = std::ceil(radius.value);
@@ -248,7 +248,8 @@ std::optional<ListEnd> end_of(const planning::Plan& plan, const ListPart& part) 
   ListEnd end{.beyond_iceberg = beyond_iceberg(plan, part),
               .from_ice = last.nearest_ice,
               .error = error_of(plan, part)};
-  // What is free of ice as far back as the list goes was summed up in the plane, its legs on the ellipsoid.
+  // The ice-free length before the end was summed up in the plane, the legs' lengths on the ellipsoid. Hence
+  // a tolerance.
   constexpr double as_long = 1.001;
   if (as_long * *last.ice_free_before < length_of(plan, part)) end.beyond_ice = *last.ice_free_before;
   return end;
@@ -286,7 +287,7 @@ std::vector<ListPart> part_into_lists(const planning::Plan& plan, const ListRule
 core::Violations list_end_violations(const planning::Plan& plan, const ListRules& rules) {
   core::Violations found;
   const std::size_t count = plan.waypoints.size();
-  std::size_t told = 0;  // the last waypoint below ice that a rule names
+  std::size_t told = 0;  // last waypoint below ice that a violation names
   for (const ListPart& part : part_into_lists(plan, rules)) {
     const bool is_end = part.last + 1 == count;
     const Overhead above = overhead(plan, part.last);

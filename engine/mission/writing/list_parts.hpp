@@ -11,7 +11,7 @@
 
 namespace floeplan::mission {
 
-/// The rows of one goto list: waypoints of the plan, the first and the last one.
+/// The rows of one goto list: first and last waypoint of the plan in it.
 struct ListPart {
   std::size_t first{};
   std::size_t last{};
@@ -28,23 +28,23 @@ struct ListRules {
   std::optional<core::Seconds> between_fixes{};  // on the way of a list; empty: none
 };
 
-/// Whether ice or an iceberg is above somewhere on the way of the list.
+/// Whether ice or an iceberg is above somewhere on the list's route.
 [[nodiscard]] bool passes_below(const planning::Plan& plan, const ListPart& part);
 
-/// How far from ice and icebergs a list ends whose way passes below them or that ends near ice. The vehicle comes up as
-/// soon as it takes itself to be within the radius of the last row, which it may be before it. Of ice, which lies
-/// there, its error of position may take as much again; what is uncertain of an iceberg is in its disc, and where the
-/// vehicle is off its way it is as likely to be farther from it.
+/// Distance of a list's end from ice and icebergs, if its route passes below them or ends near ice. The
+/// vehicle surfaces when it believes to be within the radius of the last row, possibly before the row. The
+/// position error reduces the distance to ice further. For an iceberg its disc already contains the
+/// uncertainty, and an error of the vehicle is as likely to increase the distance.
 struct ListEnd {
-  std::optional<core::Metres> beyond_ice{};      // along the way; empty: the way passes below none
-  std::optional<core::Metres> beyond_iceberg{};  // the same
-  /// To any side; empty: it is farther than any error, nothing is known of it, or the plan is older than this.
+  std::optional<core::Metres> beyond_ice{};      // along the route; empty: it passes below no ice
+  std::optional<core::Metres> beyond_iceberg{};  // along the route; empty: it passes below no iceberg
+  /// In any direction; empty: farther than any error, unknown, or the plan was stored by an older version.
   std::optional<core::Metres> from_ice{};
-  core::Metres error{};  // of the list, as error_of tells
+  core::Metres error{};  // position error at the end of the list: error_of
 
-  /// For the radius, of a vehicle that knows where it is and comes along its way.
+  /// Room for the radius, if the vehicle is exactly on its route.
   [[nodiscard]] core::Metres room() const;
-  [[nodiscard]] core::Metres sure_room() const;  // the same, however far it is off; may be negative
+  [[nodiscard]] core::Metres sure_room() const;  // room that remains with the position error; may be negative
 };
 
 /// Position error where a list ends: the growth since the last fix, and how far the currents of the plan carry the vehicle
@@ -58,21 +58,22 @@ struct ListEnd {
 /// meet there; with `between_fixes` until the first fix. The ice at its end is judged for the planned time alone.
 [[nodiscard]] core::Seconds late_by(const planning::Plan& plan, const ListPart& part);
 
-/// Empty where the list's way passes below nothing and no ice is near its end, and in plans stored before it was kept.
+/// Empty if the list's route passes below nothing and no ice is near its end, and for plans of older
+/// versions.
 [[nodiscard]] std::optional<ListEnd> end_of(const planning::Plan& plan, const ListPart& part);
 
-/// "45 m beyond the ice (waypoint radius 500 m, position error 1650 m)"
+/// Text such as "45 m beyond the ice (waypoint radius 500 m, position error 1650 m)".
 [[nodiscard]] std::string text_of(const ListEnd& end, core::Metres radius);
 
-/// The plan's waypoints after the start in lists of at most `max_waypoints` rows, each as long as it can be and still
-/// end where the vehicle may surface: there the list is flown, and the mission brings the vehicle up. Farther from ice
-/// and icebergs than it may be off where such a waypoint is within reach, else farther than the radius; else where
-/// nothing is known of the ice, and nearer to it or below it only where list_end_violations says so. Where the vehicle
-/// holds and may come up, a list ends, too.
+/// Divides the plan's waypoints after the start into lists of at most `max_waypoints` rows. Each is as long
+/// as possible but ends where the vehicle may surface, because the mission surfaces it there. The end is
+/// farther from ice and icebergs than the position error if there is such a waypoint; otherwise farther than
+/// the radius; otherwise where the ice is unknown. It is nearer or below them only in the cases of
+/// list_end_violations. A list also ends at a hold where the vehicle may surface.
 [[nodiscard]] std::vector<ListPart> part_into_lists(const planning::Plan& plan, const ListRules& rules);
 
-/// Where the plan cannot be parted so: more waypoints in a row below ice or icebergs than a list holds beside its end,
-/// an end of the plan below them, and an end of a list within the radius of them.
+/// The violations if the plan cannot be divided in this way: more consecutive waypoints below ice or icebergs
+/// than a list holds, an end of the plan below them, or an end of a list within the radius of them.
 [[nodiscard]] core::Violations list_end_violations(const planning::Plan& plan, const ListRules& rules);
 
 }  // namespace floeplan::mission

@@ -7,7 +7,7 @@
 
 namespace floeplan::mission {
 
-/// A text file for the vehicle, not yet written anywhere. ASCII, LF, a newline at the end.
+/// A text file for the vehicle, in memory. ASCII, LF, ends with a newline.
 struct MissionFile {
   std::string name;  // 8.3, lower case: "goto_l10.ma"
   std::string text;
@@ -15,7 +15,7 @@ struct MissionFile {
   friend bool operator==(const MissionFile&, const MissionFile&) = default;
 };
 
-/// Files for a vehicle and what the pilot has to know about them.
+/// Files for a vehicle, and messages about them for the pilot.
 struct MissionFiles {
   std::vector<MissionFile> files;  // in the order in which the vehicle needs them
   std::vector<messages::Message> messages;

@@ -20,9 +20,9 @@ namespace {
 
 constexpr Firmware oldest{7, 0};  // older documents describe other behaviors
 constexpr Firmware newest{11, 99};
-constexpr double room_for_detours = 1.5;  // of max_wpt_distance over the longest leg
+constexpr double room_for_detours = 1.5;  // ratio of max_wpt_distance to the longest leg
 
-/// Names that come with every vehicle, and must not be replaced by a plan.
+/// Whether the name is one of the missions that are on every vehicle. A plan must not replace them.
 /// Source   the vendor's release 10.5, missions of the 200 m and 1000 m vehicles
 bool is_stock_mission(const std::string& name) {
   static constexpr const char* stock[] = {
@@ -47,7 +47,7 @@ core::Violations violations_of(const planning::Plan& plan, const MissionSetOptio
   return found;
 }
 
-/// The most that the position may be off at a fix that ends a list.
+/// The largest position error at a fix at the end of a list.
 core::Metres largest_error(const planning::Plan& plan, const GotoListOptions& options) {
   core::Metres largest{0.0};
   const ListRules rules{.max_waypoints = static_cast<std::size_t>(options.max_waypoints),
@@ -56,8 +56,8 @@ core::Metres largest_error(const planning::Plan& plan, const GotoListOptions& op
   return largest;
 }
 
-/// Farthest that a waypoint may lie from where the vehicle is when it turns to it, before it aborts. After a fix it is
-/// farther away by what the position was off, here twice as much as is expected.
+/// Largest distance of a waypoint, in metres, at which the vehicle does not abort. After a fix the waypoint
+/// may be farther away by the position error; twice the expected error is allowed for.
 double max_waypoint_distance_m(const planning::Plan& plan, const GotoListOptions& options) {
   double longest_m = 0.0;
   for (const planning::Waypoint& waypoint : plan.waypoints) {
@@ -100,7 +100,7 @@ std::string mission_text(const planning::Plan& plan, const MissionSetOptions& op
   return text + "\nbehavior: sensors_in\n";
 }
 
-/// What keeps a mission from being flown below ice safely.
+/// Violations that make the mission unsafe below ice.
 core::Violations violations_below_ice(const planning::Plan& plan, const MissionSetOptions& options) {
   core::Violations found;
   if (!tells_upper_turns(plan)) {
@@ -112,7 +112,7 @@ core::Violations violations_below_ice(const planning::Plan& plan, const MissionS
   return found;
 }
 
-/// Whether the yo turns where it does because of what the plan passes below.
+/// Whether the yo's upper turn follows from what the plan passes below.
 bool is_below_ice(const planning::Plan& plan, const vehicle::GliderProfile& vehicle) {
   return climb_target(plan, vehicle).value <= std::ceil(least_upper_turn(plan).value);
 }
@@ -122,7 +122,7 @@ std::string climb_text(const planning::Plan& plan, const vehicle::GliderProfile&
          (is_below_ice(plan, vehicle) ? " m because of ice or icebergs" : " m");
 }
 
-/// The yo turns at both its depths everywhere on the way.
+/// Violations at shoals: the yo turns at the same two depths on the whole route.
 core::Violations violations_of_yo(const planning::Plan& plan, const MissionSetOptions& options) {
   core::Violations found;
   const vehicle::GliderProfile& vehicle = options.vehicle;
@@ -143,7 +143,7 @@ core::Violations violations_of_yo(const planning::Plan& plan, const MissionSetOp
   return found;
 }
 
-/// Whether the depth of the sea bed is known somewhere on each leg.
+/// Whether the depth of the sea bed is known at some place of each leg.
 bool knows_bed(const planning::Plan& plan, const MissionSetOptions& options) {
   return options.shoals.size() == plan.waypoints.size() &&
          std::all_of(options.shoals.begin() + 1, options.shoals.end(),

@@ -14,7 +14,7 @@
 
 namespace floeplan::mission {
 
-/// Version of the firmware that shall read the files.
+/// Version of the firmware that will read the files.
 struct Firmware {
   int major{10};
   int minor{5};
@@ -22,23 +22,23 @@ struct Firmware {
   friend auto operator<=>(const Firmware&, const Firmware&) = default;
 };
 
-/// What work under ice needs besides the plan.
+/// Data for work under ice that are not in the plan.
 struct UnderIce {
-  std::vector<geo::LonLat> safe_places;  // open water to head for in an emergency, one to eight
-  /// Default: as deep as what the plan passes below, or as in the vendor's stock settings where that is deeper.
+  std::vector<geo::LonLat> safe_places;  // open water to head for in an emergency; one to eight places
+  /// Default: the depth of what the plan passes below, but at least that of the vendor's stock settings.
   std::optional<core::Metres> deepest_expected_iceberg{};
-  core::Metres margin_below_ice{planning::UnderIceRules{}.margin_below_ice};  // that the plan was made with
+  core::Metres margin_below_ice{planning::UnderIceRules{}.margin_below_ice};  // that of the plan's request
 };
 
 struct MissionSetOptions {
-  GotoListOptions lists{};           // `first_number` numbers the other files too
-  std::string name{"plan"};          // of the mission, without its ending
-  vehicle::GliderProfile vehicle{};  // with the depth to dive to
+  GotoListOptions lists{};           // `first_number` also numbers the other files
+  std::string name{"plan"};          // of the mission, without extension
+  vehicle::GliderProfile vehicle{};  // with the dive depth
   Firmware firmware{};
   std::optional<UnderIce> under_ice{};
-  /// The interval at which the plan was asked to surface; in open water the mission surfaces as often.
+  /// The interval of surfacings in the plan's request; in open water the mission uses the same.
   std::optional<core::Seconds> surfacing_interval{};
-  std::vector<std::optional<Shoal>> shoals{};  // of each leg, as shoals_along gives them; empty: not known
+  std::vector<std::optional<Shoal>> shoals{};  // for each leg, from shoals_along; empty: unknown
 };
 
 }  // namespace floeplan::mission

@@ -22,7 +22,7 @@ std::string sentence(const std::string& body) {
   return "$" + body + ending.data();
 }
 
-/// "6912.3456,N": rounded once, so that minutes never read 60.
+/// Text such as "6912.3456,N". Rounded once, so that minutes never read 60.
 std::string angle(double degrees, int degree_digits, char positive, char negative) {
   constexpr long long per_degree = 600'000;
   const long long units = std::llround(std::abs(degrees) * per_degree);
@@ -33,10 +33,10 @@ std::string angle(double degrees, int degree_digits, char positive, char negativ
   return text.data();
 }
 
-/// Name of a waypoint, as on the map and in every other format: S for the start, then 1, 2, ...
+/// Name of a waypoint, as on the map and in all other formats: S for the start, then 1, 2, ...
 std::string name_of(std::size_t index) { return index == 0 ? "S" : std::to_string(index); }
 
-/// Letters and digits alone: anything else could end a field.
+/// Letters and digits of the plan's id; other characters could end a field.
 std::string route_name(const std::string& plan_id) {
   std::string name;
   for (const char c : plan_id) {

@@ -22,11 +22,12 @@ bool is_on_land(const SafePlace& safe, const std::optional<core::Metres>& bed) {
 }
 
 struct IceThere {
-  double densest{};   // during the plan, as far as it is known
-  bool known{false};  // all the time
+  double densest{};   // during the plan, as far as known
+  bool known{false};  // known all the time
 };
 
-/// The concentration at a time: between the steps around it, or that of the step which is held at that time.
+/// The concentration at a time: interpolated between the steps around it, or that of the step that is held
+/// then.
 std::optional<double> concentration_then(const ocean::IceField& product, geo::LonLat place, double time_s) {
   const ocean::Axis& steps_s = product.samples().times_s;
   const ocean::IceMoment when = ocean::ice_moment(steps_s.nodes(), time_s);
@@ -38,7 +39,7 @@ std::optional<double> concentration_then(const ocean::IceField& product, geo::Lo
   return first->concentration + when.share * (second->concentration - first->concentration);
 }
 
-/// Whether two steps are so far apart that nothing is known of some time between these two.
+/// Whether two steps are so far apart that the ice is unknown for some time in this period.
 bool has_wide_gap(const std::vector<double>& steps_s, double from_s, double until_s) {
   const double hold_s = ocean::longest_ice_hold.count();
   const auto gap = std::ranges::adjacent_find(steps_s, [&](double before_s, double after_s) {
@@ -52,7 +53,7 @@ IceThere ice_of(const ocean::IceField& product, const planning::Plan& plan, geo:
   const std::vector<double>& steps_s = product.samples().times_s.nodes();
   const double from_s = core::unix_seconds(plan.departure);
   const double until_s = core::unix_seconds(plan.arrival);
-  std::vector<double> times_s{from_s, until_s};  // the ice is linear between its steps, or held
+  std::vector<double> times_s{from_s, until_s};  // ice is linear between steps, or held
   for (const double step_s : steps_s)
     if (step_s > from_s && step_s < until_s) times_s.push_back(step_s);
 
@@ -65,7 +66,7 @@ IceThere ice_of(const ocean::IceField& product, const planning::Plan& plan, geo:
   return found;
 }
 
-/// The densest that any product tells of.
+/// The densest ice of all products at the place.
 IceThere ice_at(const planning::Plan& plan, const SafePlace& safe) {
   if (!safe.sea.ice) return {};
   IceThere found = ice_of(*safe.sea.ice, plan, safe.place);
@@ -76,7 +77,7 @@ IceThere ice_at(const planning::Plan& plan, const SafePlace& safe) {
   return found;
 }
 
-/// Whether the battery carries the vehicle there from some waypoint; true where the plan does not tell.
+/// Whether the battery suffices to reach the place from some waypoint; true if the plan has no energy.
 bool is_within_battery(const planning::Plan& plan, const vehicle::GliderProfile& vehicle, geo::LonLat place) {
   const double power_w = plan.energy ? plan.energy->use.total().value / plan.travel_time().count() : 0.0;
   if (!(power_w > 0.0)) return true;  // not known
@@ -94,7 +95,7 @@ double distance_km(const planning::Plan& plan, geo::LonLat place) {
   return least_m / 1000.0;
 }
 
-/// The no-go area round the place that is in force at some time after the departure; null: none.
+/// A no-go area around the place that is in force at some time after the departure; null: none.
 const ocean::Zone* zone_round(const planning::Plan& plan, const SafePlace& safe) {
   const auto found = std::ranges::find_if(safe.sea.zones, [&](const ocean::Zone& zone) {
     const bool is_over = zone.until && *zone.until < plan.departure;
@@ -111,7 +112,7 @@ bool covers(const ocean::Iceberg& berg, geo::LonLat place) {
   return away(berg, place).value <= 0.5 * ocean::safe_length(berg).value;
 }
 
-/// What refuses the place.
+/// The reason to refuse the place; empty: none.
 std::optional<core::Violation> fault_of(const planning::Plan& plan, const vehicle::GliderProfile& vehicle,
                                         double max_concentration, const SafePlace& safe,
                                         const std::optional<core::Metres>& bed, const IceThere& ice,

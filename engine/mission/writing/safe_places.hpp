@@ -12,8 +12,7 @@
 
 namespace floeplan::mission {
 
-/// A place to recover to, and what is known of the sea there; of its parts bathymetry, land, ice, icebergs and zones
-/// are looked at.
+/// A recovery place, and the environment there; bathymetry, land, ice, icebergs and zones are used.
 struct SafePlace {
   geo::LonLat place;
   ocean::Environment sea;
@@ -21,17 +20,17 @@ struct SafePlace {
 
 struct SafePlaceFindings {
   core::Violations violations;              // "/safe/0" and so on
-  std::vector<messages::Message> messages;  // what the data do not tell
+  std::vector<messages::Message> messages;  // missing data
 };
 
-/// Judges the places that a vehicle shall recover to from under ice.
-/// Refused   land and water too shallow for the vehicle; ice denser than `max_concentration_to_surface` at some time of
-///           the plan, the first and last step of the ice holding for ocean::longest_ice_hold; what the rest of the
-///           battery does not reach in still water from any waypoint, at the plan's mean power; a no-go area, at
-///           whatever depths and at some time of the plan or after it; a place that an iceberg covered when it was seen
-///           last
-/// Warned    where nothing is known of the bed or the ice, and of each iceberg that is known near the place
-/// Errors    std::invalid_argument for places off the Earth
+/// Checks the places to which a vehicle shall recover from under ice.
+/// Refused   land and water too shallow for the vehicle; ice denser than `max_concentration_to_surface` at
+///           some time of the plan, where first and last step of the ice are held for
+///           ocean::longest_ice_hold; places that the remaining battery reaches from no waypoint, in still
+///           water at the plan's mean power; a no-go area of any depths that is in force during the plan or
+///           after it; places that an iceberg covered when it was last seen
+/// Warned    if the bed or the ice is unknown, and of each known iceberg near the place
+/// Errors    std::invalid_argument for invalid places
 [[nodiscard]] SafePlaceFindings check_safe_places(const planning::Plan& plan,
                                                   const vehicle::GliderProfile& vehicle,
                                                   double max_concentration_to_surface,

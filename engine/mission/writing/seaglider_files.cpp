@@ -25,7 +25,7 @@ constexpr double longest_dive_min = 2880.0;
 
 std::string target_name(std::size_t index) { return "WP" + std::to_string(index); }
 
-/// Files of a Seaglider begin their comments with '/'.
+/// Changes comment lines to begin with '/', as in files of a Seaglider.
 std::string comments(std::string text) {
   for (std::size_t i = 0; i < text.size(); ++i) {
     if (text[i] == '#' && (i == 0 || text[i - 1] == '\n')) text[i] = '/';
@@ -35,7 +35,7 @@ std::string comments(std::string text) {
 
 double dive_depth_m(const vehicle::GliderProfile& vehicle) { return std::ceil(vehicle.dive_depth.value); }
 
-/// Down and up again.
+/// Duration of a dive and climb in minutes.
 double dive_minutes(const vehicle::GliderProfile& vehicle) {
   const double rate_m_s = vehicle.vertical_speed(vehicle.speed_through_water).value;
   return std::ceil(2.0 * dive_depth_m(vehicle) / rate_m_s / 60.0);
@@ -56,7 +56,7 @@ std::string science_text(const SeagliderOptions& options, const std::string& hea
   return text;
 }
 
-/// What the strict reader has against the bands as they would be written.
+/// Adds what our own strict reader reports about the bands as they would be written.
 void check_bands(const SeagliderOptions& options, core::Violations& found) {
   if (options.bands.empty()) return;
   const Document science = read_document("science", science_text(options, ""));
@@ -80,7 +80,7 @@ core::Violations violations_of(const planning::Plan& plan, const SeagliderOption
   return found;
 }
 
-/// Where the vehicle does not turn before the bed unless it is told of it.
+/// The warning where the sea bed is above the depth at which the vehicle turns unless told otherwise.
 std::optional<messages::Message> shoal_warning(const planning::Plan& plan, const SeagliderOptions& options) {
   const auto shoal = shoalest_of(plan, options.shoals);
   const core::Metres margin = options.vehicle.altimeter_margin;

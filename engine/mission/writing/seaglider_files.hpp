@@ -16,12 +16,13 @@
 
 namespace floeplan::mission {
 
-/// Why no Seaglider may fly the plan: it comes up after every dive, and the plan passes below ice or icebergs, or does
-/// not tell whether it does.
+/// Why a Seaglider must not fly the plan: it surfaces after every dive, and the plan passes below ice or
+/// icebergs, or does not say whether it does. Empty: it may.
 [[nodiscard]] std::optional<core::Violation> closed_to_seagliders(const planning::Plan& plan);
 
-/// The plan as a Seaglider `targets` file: every place but the start, each leading to the next, the last to itself.
-/// `radius`  within which a target is reached
+/// The plan as a Seaglider `targets` file: every place except the start. Each leads to the next, the last to
+/// itself.
+/// `radius`  within which a target counts as reached
 /// Frame     packed degrees and minutes, latitude first, WGS84
 /// Source    iop-apl-uw/basestation3 validate.py, the checks of a targets file
 /// Errors    std::invalid_argument for a plan of fewer than two waypoints
@@ -29,26 +30,27 @@ namespace floeplan::mission {
                                         const FileOrigin& origin);
 
 struct SeagliderOptions {
-  vehicle::GliderProfile vehicle{};  // with the depth to dive to
-  std::vector<ScienceBand> bands{};  // from the surface down; none: no science file
+  vehicle::GliderProfile vehicle{};  // with the dive depth
+  std::vector<ScienceBand> bands{};  // from the surface down; empty: no science file
   FileOrigin origin{};
-  std::vector<std::optional<Shoal>> shoals{};  // of each leg, as shoals_along gives them; empty: not known
+  std::vector<std::optional<Shoal>> shoals{};  // for each leg, from shoals_along; empty: unknown
 };
 
-/// What a Seaglider needs to fly the plan: `targets`; a `cmdfile` with the depth and the time of a dive and the
-/// directive to carry on as before; and a `science` file where bands are given, since which sensors a vehicle has is
-/// known to its pilot alone.
-/// Values    $D_TGT is the depth of the plan's dives, $T_DIVE how long one takes at the vehicle's rate of depth, both
-///           rounded up to whole metres and minutes. Nothing else is set. A warning names the shoalest water where it
-///           is shoaler than $D_TGT and the altimeter's margin
+/// The files that a Seaglider needs to fly the plan: `targets`; a `cmdfile` with depth and duration of a dive
+/// and the directive to resume; and a `science` file if bands are given, because only the pilot knows the
+/// vehicle's sensors.
+/// Values    $D_TGT is the depth of the plan's dives, $T_DIVE the duration of one at the vehicle's vertical
+///           speed, both rounded up to whole metres and minutes. Nothing else is set. A warning names the
+///           shoalest water if it is shoaler than $D_TGT plus the altimeter's margin
 /// Source    iop-apl-uw/basestation3 validate.py and parmdata.py
-/// Errors    every violation at once: a plan without a leg, or that passes below ice or icebergs, a depth or time that
-///           no Seaglider takes, faulty bands
+/// Errors    every violation at once: a plan without a leg, or one that passes below ice or icebergs, a depth
+///           or duration that no Seaglider accepts, invalid bands
 [[nodiscard]] tl::expected<MissionFiles, core::Violations> write_seaglider_set(
     const planning::Plan& plan, const SeagliderOptions& options);
 
-/// "200:10:1110:120", a band of a science file: depth in metres (or the word loiter), seconds between samples, a digit
-/// for each sensor, seconds between looks at the course. Nothing for any other text.
+/// Parses a band of a science file such as "200:10:1110:120": depth in metres (or the word loiter), seconds
+/// between samples, one digit per sensor, seconds between corrections of the course. Empty for any other
+/// text.
 [[nodiscard]] std::optional<ScienceBand> parse_science_band(std::string_view text);
 
 }  // namespace floeplan::mission

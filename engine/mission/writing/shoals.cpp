@@ -10,7 +10,8 @@
 namespace floeplan::mission {
 namespace {
 
-/// Steep banks rise by a third: what lies between two looks is shoaler by 4 m at most.
+/// Distance between samples. Steep banks rise by a third, so between two samples the bed is shoaler by at
+/// most 4 m.
 constexpr double step_m = 25.0;
 
 void take(std::optional<Shoal>& least, const Shoal& found) {

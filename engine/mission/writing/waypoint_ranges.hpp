@@ -5,7 +5,8 @@
 
 namespace floeplan::mission {
 
-/// The numbers of the waypoints after the start that are so, as "2, 4 to 7"; empty: none. `count`: with the start.
+/// The numbers of the waypoints after the start for which `is_so` is true, such as "2, 4 to 7"; empty: none.
+/// `count`: number of waypoints, start included.
 template <class IsSo>
 [[nodiscard]] std::string waypoint_ranges(std::size_t count, const IsSo& is_so) {
   std::string text;

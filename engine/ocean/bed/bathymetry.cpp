@@ -36,7 +36,7 @@ std::optional<core::Metres> Bathymetry::shoalest_at(geo::GridPoint point) const 
   for (const std::size_t iy : {position->y.lower, position->y.upper}) {
     for (const std::size_t ix : {position->x.lower, position->x.upper}) {
       const auto node_m = static_cast<double>(shoalest_m_[iy * nx + ix]);
-      if (node_m < least_m) least_m = node_m;  // of missing nodes nothing is known: they compare as false
+      if (node_m < least_m) least_m = node_m;  // a missing node (NaN) compares as false
     }
   }
   return core::Metres{least_m};

@@ -9,10 +9,11 @@
 namespace floeplan::ocean {
 namespace {
 
-/// A side of a cell: twice the number of its lower or left node, and one more when it runs upwards.
+/// A side of a cell: twice the number of its lower or left node, plus one if it runs upwards.
 using Side = std::size_t;
 
-/// Line pieces from side to side. A side lies between two cells, so at most one piece begins at it and one ends.
+/// Line pieces between sides. A side lies between two cells, so at most one piece begins there and one ends
+/// there.
 class Pieces {
  public:
   void add(Side from, Side to) {
@@ -20,7 +21,7 @@ class Pieces {
     ends_.insert(to);
   }
 
-  /// The pieces put together; none is left.
+  /// Joins the pieces to lines. No piece remains.
   std::vector<std::vector<Side>> take_lines() {
     std::vector<Side> beginnings;
     for (const auto& [from, to] : next_)
@@ -81,13 +82,13 @@ class Tracer {
     }
     if (deep == 0 || deep == 15) return;
 
-    // With deeper water on the left, the line comes in where the way round goes from deep to shallow and leaves where
-    // it goes back.
+    // Deeper water lies on the left of the line. So going round the cell counter-clockwise, the line enters
+    // at a side from deep to shallow, and leaves at one from shallow to deep.
     const bool joined = sum_m / 4.0 >= level_;
     for (unsigned in = 0; in < 4; ++in) {
       if (!turns_shallow(deep, in)) continue;
-      // Parted deep corners are each cut off by themselves, which is the way back; joined ones leave the shallow
-      // corner.
+      // Separate deep corners are each cut off alone: the line turns back to the side before. Joined ones
+      // leave the shallow corner.
       const unsigned step = is_saddle(deep) && !joined ? 3 : 1;
       unsigned out = (in + step) % 4;
       while (!turns_deep(deep, out)) out = (out + step) % 4;

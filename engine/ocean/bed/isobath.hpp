@@ -8,15 +8,15 @@
 
 namespace floeplan::ocean {
 
-/// A line of one depth; a closed one ends where it begins.
+/// A line of equal depth; a closed line ends where it begins.
 using Isobath = std::vector<geo::LonLat>;
 
-/// Every line on which the sea bed is `depth` deep, by marching squares: straight in each cell, between the places on
-/// its sides where the depth, linear from node to node, is that. Deeper water is on the left.
-/// Edges    a line ends at the rim of the grid, and at cells of which a corner is missing; a node that is exactly so
-///          deep counts as deeper; where two opposite corners are deeper, the mean of all four says whether the deep
-///          parts are joined; no line runs across the seam of a grid that goes round the globe
-/// Returns  open lines first, then closed ones, each by its lowest, then leftmost side of a cell
+/// All lines on which the sea bed has this depth, by marching squares: straight in each cell, between places
+/// on its sides. Along a side the depth is linear from node to node. Deeper water lies on the left.
+/// Edges    A line ends at the rim of the grid, and at cells with a missing corner. A node of exactly this
+///          depth counts as deeper. If two opposite corners are deeper, the mean of all four decides whether
+///          the deep parts are joined. No line crosses the seam of a grid that goes round the globe
+/// Returns  open lines first, then closed ones, each kind by its lowest, then leftmost side of a cell
 /// Source   Lorensen and Cline 1987, Marching cubes, doi:10.1145/37401.37422, in two dimensions
 [[nodiscard]] std::vector<Isobath> isobaths(const Bathymetry& bathymetry, core::Metres depth);
 

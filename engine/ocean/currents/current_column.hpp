@@ -8,18 +8,19 @@
 
 namespace floeplan::ocean {
 
-/// Horizontal currents down one column of water at one time: linear between levels, above the first level as
-/// at it, nothing below the last.
+/// Horizontal currents in one column of water at one time. Linear between levels; above the first level the
+/// value of that level; no current below the last.
 /// Threads  const members may be called from several threads at once
 class CurrentColumn {
  public:
-  /// A column that begins with its highest level with water. `levels`: how many are to come, this one included.
+  /// A column that begins with its uppermost level with water. `levels`: total number of levels that will be
+  /// added.
   CurrentColumn(core::Metres depth, const geo::VelocityEn& velocity, std::size_t levels);
-  /// The next level with water below those before.
+  /// Adds the next lower level with water.
   void add(core::Metres depth, const geo::VelocityEn& velocity);
 
-  /// Mean over the depths from top to bottom, as far down as there is water; the lowest water where that is all
-  /// above `top`. A band without thickness gives the current there.
+  /// Mean over the depths from top to bottom, as far down as there is water. If all water is above `top`, the
+  /// current of the lowest level. If top equals bottom, the current there.
   [[nodiscard]] geo::VelocityEn mean(core::Metres top, core::Metres bottom) const;
 
  private:
@@ -32,7 +33,7 @@ class CurrentColumn {
   };
   [[nodiscard]] Knot at(double depth_m) const;
 
-  std::vector<Knot> knots_;  // the surface and the levels
+  std::vector<Knot> knots_;  // the surface and all levels
 };
 
 }  // namespace floeplan::ocean

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t wave_count = 64;
 constexpr double metres_per_degree =
-    111'195.0;  // of a sphere of 6371 km: the error's own scale needs no more
+    111'195.0;  // metres per degree on a sphere of 6371 km; accurate enough here
 
 struct Wave {
   double k_east;  // radians per metre
@@ -57,7 +57,8 @@ CurrentGrid with_error(const CurrentGrid& currents, const CurrentErrorModel& mod
   const geo::LonLat middle = grid.place(nx / 2, ny / 2);
   const double east_scale = metres_per_degree * std::cos(middle.lat_deg * std::numbers::pi / 180.0);
 
-  // psi = sigma L sqrt(2/n) sum cos(k.x + omega t + phase); u = -dpsi/dy, v = dpsi/dx then have the deviation sigma.
+  // psi = sigma L sqrt(2/n) sum cos(k.x + omega t + phase). u = -dpsi/dy and v = dpsi/dx have the standard
+  // deviation sigma.
   const std::vector<Wave> waves = draw_waves(model, rng);
   const double amplitude = model.standard_deviation.value * model.length_scale.value *
                            std::sqrt(2.0 / static_cast<double>(wave_count));

@@ -20,7 +20,7 @@ std::size_t depth_count(const CurrentGrid::Samples& samples) {
   return samples.depths_m ? samples.depths_m->size() : 1;
 }
 
-/// The first level stands for the water above it too: it is the middle of a model's uppermost layer.
+/// The first level also counts for the water above it: it is the middle of a model's uppermost layer.
 std::optional<AxisPosition> located(const Axis& levels_m, core::Metres depth) {
   if (depth.value >= 0.0 && depth.value < levels_m[0]) return levels_m.locate(levels_m[0]);
   return levels_m.locate(depth.value);
@@ -152,7 +152,7 @@ bool CurrentGrid::look_for_steady_gaps() const {
   if (tide_) return false;
   const std::size_t slice = samples_.u.size() / samples_.times_s.size();
   const auto changes = [&](std::size_t begin) {
-    // Without a branch: the compiler takes several samples at once.
+    // Without branches, so that the compiler vectorises the loop.
     std::uint32_t differ = 0;
     for (std::size_t i = 0; i < slice; ++i) {
       const float first = samples_.u[i] + samples_.v[i];

@@ -14,16 +14,17 @@
 namespace floeplan::ocean {
 
 /// Currents of a model or a measurement on a grid; bilinear in place, linear in depth and in time.
-/// Shape    u and v are [time][depth][y][x], last index fastest, m/s towards true east and true north (never along
-///          the axes of a projected grid). NaN marks a missing sample inside the arrays; it never leaves the class
-/// Outside  nullopt where any of the nodes needed is missing, beyond the grid, its depths and its times. From the
-///          surface to the first level the current is that level's, as in a CurrentColumn. Data without a depth axis
-///          (`depths` empty) answer for every depth: they say nothing of depth
-/// Tide     where tidal currents are added, the steps of time are theirs: the data, linear between their own times
-///          (steady when they have one), and the tide at each of its steps; nullopt also where the tide is missing
+/// Shape    u and v are [time][depth][y][x], last index fastest, m/s towards true east and true north (never
+///          along the axes of a projected grid). NaN marks a missing sample inside the arrays; no function
+///          returns it
+/// Outside  nullopt if a needed node is missing, and outside the grid, its depths and its times. From the
+///          surface to the first level the current is that of this level, as in a CurrentColumn. Data without
+///          a depth axis (`depths` empty) are valid at every depth
+/// Tide     with a tide, the time steps are those of the tide. The current is the data, linear between their
+///          own times (steady if they have one), plus the tide; nullopt also where the tide is missing
 /// Threads  const members may be called from several threads at once
-/// Errors   std::invalid_argument from the constructor when the sizes do not agree, or when the tide begins before or
-///          ends after data of several times
+/// Errors   std::invalid_argument from the constructor if the sizes of the arrays differ, or if data have
+///          several times and the tide begins before or ends after them
 class CurrentGrid : public CurrentField {
  public:
   struct Samples {
@@ -35,28 +36,28 @@ class CurrentGrid : public CurrentField {
   };
 
   explicit CurrentGrid(Samples samples);
-  /// `tide` is on the nodes of the samples' grid; null: none.
+  /// `tide` has the nodes of the samples' grid; null: no tide.
   CurrentGrid(Samples samples, std::shared_ptr<const TidalCurrents> tide);
 
   [[nodiscard]] std::optional<geo::VelocityEn> at(geo::LonLat place, core::Metres depth,
                                                   core::UtcTime time) const override;
-  /// Mean over the depths from the surface to `dive_depth`, by trapezoids over the levels that have water;
-  /// levels below the bottom are left out. Data with one level or none answer with that level.
+  /// Mean over the depths from the surface to `dive_depth`, by the trapezoidal rule over the levels with
+  /// water. For data with one level or without levels, the value of that level.
   [[nodiscard]] std::optional<geo::VelocityEn> depth_average(geo::LonLat place, core::Metres dive_depth,
                                                              std::size_t time_index) const;
-  /// All levels with water at a node of the grid, down to the first one without; empty over land. Data without
-  /// a depth axis give a column that is the same at every depth.
+  /// All levels with water at a node of the grid, down to the first level without; empty over land. For data
+  /// without a depth axis the column is the same at every depth.
   [[nodiscard]] std::optional<CurrentColumn> column_at_node(std::size_t ix, std::size_t iy,
                                                             std::size_t time_index) const;
   [[nodiscard]] const Samples& samples() const { return samples_; }
-  /// The steps of time that a `time_index` counts.
+  /// The time steps to which a `time_index` refers.
   [[nodiscard]] const Axis& times_s() const { return tide_ ? tide_->times_s() : samples_.times_s; }
   [[nodiscard]] const std::shared_ptr<const TidalCurrents>& tide() const { return tide_; }
-  /// Whether the same samples are missing at every time; not told of grids with a tide. The first to ask has all
-  /// samples looked at.
+  /// Whether the same samples are missing at every time; false for grids with a tide. The first call checks
+  /// all samples.
   [[nodiscard]] bool has_steady_gaps() const;
-  /// The mean over all times, without the tide, as a field with a single time; a node is missing where it is missing
-  /// at any time.
+  /// The mean over all times, without the tide, as a grid with a single time. A node is missing if it is
+  /// missing at any time.
   [[nodiscard]] CurrentGrid time_mean() const;
 
  private:
@@ -64,7 +65,7 @@ class CurrentGrid : public CurrentField {
                                                        std::size_t depth_index) const;
   [[nodiscard]] std::optional<geo::VelocityEn> level(const GridPosition& at, std::size_t time_index,
                                                      std::size_t depth_index) const;
-  /// Still where there is no tide.
+  /// Zero if the grid has no tide.
   [[nodiscard]] std::optional<geo::VelocityEn> tide_at(const GridPosition& at, std::size_t time_index) const;
   [[nodiscard]] std::optional<CurrentColumn> column(const GridPosition& at, std::size_t time_index) const;
 
@@ -76,9 +77,9 @@ class CurrentGrid : public CurrentField {
   };
 
   Samples samples_;
-  std::shared_ptr<Gaps> gaps_;  // of copies too: they have the same samples
+  std::shared_ptr<Gaps> gaps_;  // shared by copies, which have the same samples
   std::shared_ptr<const TidalCurrents> tide_;
-  std::vector<AxisPosition> sample_times_;  // where each step of the tide lies among the samples' times
+  std::vector<AxisPosition> sample_times_;  // position of each tidal time step among the times of the samples
 };
 
 }  // namespace floeplan::ocean

@@ -7,13 +7,13 @@ namespace {
 
 constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 
-/// The samples of some rows, from the first at the uppermost level to the last at the lowest level.
+/// The samples of some rows, from the first one at the uppermost level to the last one at the lowest level.
 std::span<const float> part(const std::vector<float>& samples, std::size_t begin, std::size_t slice,
                             std::size_t levels, std::size_t row_samples) {
   return std::span{samples}.subspan(begin, (levels - 1) * slice + row_samples);
 }
 
-/// Where a step of the tide lies among the times of the samples, which hold it; steady samples are the same at all.
+/// Position of a tidal time step among the times of the samples. Steady samples have a single time.
 AxisPosition sample_time(const CurrentGrid& currents, std::size_t time_index) {
   const Axis& times_s = currents.samples().times_s;
   if (times_s.size() == 1) return {};

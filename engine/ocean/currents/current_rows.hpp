@@ -8,13 +8,13 @@
 
 namespace floeplan::ocean {
 
-/// Some rows of a grid of currents at one of its steps of time, at every level, with the tide where there is one.
-/// Shape    u and v are [level][row][column], m/s towards true east and true north; the levels begin `level_stride`
-///          samples apart. NaN where a sample or the tide is missing
+/// Some rows of a grid of currents at one time step, at all levels, with the tide if the grid has one.
+/// Shape    u and v are [level][row][column], m/s towards true east and true north; the levels begin
+///          `level_stride` samples apart. NaN if a sample or the tide is missing
 /// Threads  const members may be called from several threads at once
 class CurrentRows {
  public:
-  /// `currents` is borrowed and outlives the rows. Precondition: the grid has all of them.
+  /// `currents` is borrowed and must outlive the rows. Precondition: the grid has all these rows.
   CurrentRows(const CurrentGrid& currents, std::size_t time_index, std::size_t first_row, std::size_t rows);
   CurrentRows(const CurrentRows&) = delete;
   CurrentRows& operator=(const CurrentRows&) = delete;
@@ -31,7 +31,7 @@ class CurrentRows {
   std::size_t levels_;
   std::size_t columns_;
   std::size_t level_stride_;
-  std::vector<float> summed_u_;  // with the tide; empty where there is none
+  std::vector<float> summed_u_;  // with the tide; empty if the grid has none
   std::vector<float> summed_v_;
   std::span<const float> u_;
   std::span<const float> v_;

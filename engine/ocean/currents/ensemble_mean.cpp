@@ -15,7 +15,7 @@ bool same_nodes(const std::optional<Axis>& a, const std::optional<Axis>& b) {
   return a.has_value() == b.has_value() && (!a || same_nodes(*a, *b));
 }
 
-/// The frames are the same where the places of the outermost nodes are.
+/// Two frames are equal if the outermost nodes lie at the same places.
 bool same_places(const HorizontalGrid& a, const HorizontalGrid& b) {
   if (!same_nodes(a.x(), b.x()) || !same_nodes(a.y(), b.y())) return false;
   const std::size_t last_x = a.x().size() - 1;

@@ -8,10 +8,10 @@
 
 namespace floeplan::ocean {
 
-/// The mean of several realisations of the same currents, sample by sample; a sample that one of them misses is
-/// missing.
-/// Returns  empty where they are not on the same nodes of place, depth and time, or carry tides of their own
-/// Errors   std::invalid_argument for none
+/// The mean of the members of an ensemble of currents, sample by sample. A sample that is missing in one
+/// member is missing.
+/// Returns  empty if their nodes in place, depth and time differ, or if a member has a tide
+/// Errors   std::invalid_argument for no members
 [[nodiscard]] std::optional<CurrentGrid> ensemble_mean(
     const std::vector<std::shared_ptr<const CurrentGrid>>& members);
 

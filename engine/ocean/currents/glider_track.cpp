@@ -9,7 +9,7 @@ namespace {
 
 double depth_or_surface(const TrackPoint& point) { return point.depth.value_or(core::Metres{0.0}).value; }
 
-/// A place at a share of the way between two: longitudes the short way round.
+/// The place at a share of the line between two places; longitudes take the short way round.
 geo::LonLat between(geo::LonLat from, geo::LonLat to, double share) {
   const double step_deg = geo::longitude_difference(from.lon_deg, to.lon_deg);
   return {geo::wrap_longitude(from.lon_deg + share * step_deg),

@@ -14,17 +14,17 @@
 
 namespace floeplan::ocean {
 
-/// Where a glider was at a moment.
+/// The position of a glider at one time.
 struct TrackPoint {
   core::UtcTime time;
   geo::LonLat place;
-  std::optional<core::Metres> depth{};  // below the surface; empty: not known
-  bool fixed{true};  // measured; false: reckoned by the vehicle, or between two other places
+  std::optional<core::Metres> depth{};  // below the surface; empty: unknown
+  bool fixed{true};                     // true: measured; false: dead reckoning, or interpolated
 
   friend bool operator==(const TrackPoint&, const TrackPoint&) = default;
 };
 
-/// Mean current over the depths of one dive, at the middle of the dive.
+/// Mean current over the depths of one dive. Place and time are the middle of the dive.
 struct DepthAveragedCurrent {
   core::UtcTime time;
   geo::LonLat place;
@@ -33,50 +33,51 @@ struct DepthAveragedCurrent {
   friend bool operator==(const DepthAveragedCurrent&, const DepthAveragedCurrent&) = default;
 };
 
-/// In which frame the currents of a track are.
+/// The frame of the currents of a track.
 enum class CurrentFrame {
-  stated,  // east and north as their file calls them; not every producer turned them from the vehicle's own axes
-  turned,   // true east and north: turned from the vehicle's own axes
-  vehicle,  // the vehicle's own axes, under the names of east and north: stored before they were turned
+  stated,   // east and north by name; not every producer has rotated them from the vehicle's axes
+  turned,   // true east and north, rotated by us from the vehicle's axes
+  vehicle,  // the vehicle's axes, although named east and north; data stored before they were rotated
 };
 
-/// "stated", "true" or "vehicle".
+/// Names in files: "stated", "true" or "vehicle".
 [[nodiscard]] std::string_view frame_name(CurrentFrame frame);
 [[nodiscard]] std::optional<CurrentFrame> parse_current_frame(std::string_view name);
 
-/// What a glider's data tell of its way: points and currents, each oldest first.
+/// The data of a glider's route: points and currents, each oldest first.
 struct GliderTrack {
-  std::string glider;  // the name that its file gives it, or its deployment
+  std::string glider;  // name in its file, or that of its deployment
   std::vector<TrackPoint> points;
   std::vector<DepthAveragedCurrent> currents;
   CurrentFrame frame{CurrentFrame::stated};
-  std::optional<VehicleAxes> turned_from{};  // of the first current; empty unless turned
+  std::optional<VehicleAxes> turned_from{};  // axes of the first current; empty unless `turned`
 
   friend bool operator==(const GliderTrack&, const GliderTrack&) = default;
 };
 
-/// The greatest depth of all points; empty where none has one.
+/// The greatest depth of all points; empty if no point has a depth.
 [[nodiscard]] std::optional<core::Metres> deepest(const std::vector<TrackPoint>& points);
 
-/// Mean of the currents, each counting the same; empty of none.
+/// Mean of the currents with equal weights; empty for none.
 [[nodiscard]] std::optional<geo::VelocityEn> mean_current(const std::vector<DepthAveragedCurrent>& currents);
 
-/// Smallest box around the points and the places of the currents.
-/// Errors   std::invalid_argument for a track without any
+/// Smallest box around all points and all places of currents.
+/// Errors   std::invalid_argument for a track without either
 [[nodiscard]] geo::BoundingBox bounding_box(const GliderTrack& track);
 
-/// At most `most` of the points: the first and the last, and of each of as many equal parts as fit the shallowest and
-/// the deepest, so that the dives keep their depth.
-/// Edges    a point without a depth counts as shallow; `most` below 4 gives the ends alone
+/// At most `most` of the points: the first and the last. The rest is divided into as many equal parts as fit,
+/// and of each part the shallowest and the deepest point are kept. So the dives keep their depth.
+/// Edges    a point without a depth counts as shallow; `most` below 4 gives only the first and the last point
 [[nodiscard]] std::vector<TrackPoint> thinned(const std::vector<TrackPoint>& points, std::size_t most);
 
-/// Depths of all points in metres: those that are not known in proportion to time between the two that are, or as the
-/// only one beside them.
-/// Outside  empty where no depth is known
+/// Depths of all points in metres. Unknown ones are interpolated in time between the known ones before and
+/// after, or take the value of the only known neighbour.
+/// Outside  empty if no depth is known
 [[nodiscard]] std::vector<double> depths_along(const std::vector<TrackPoint>& points);
 
-/// Where a vehicle is at a time, going straight from point to point; at an end before the first and after the last.
-/// Errors   std::invalid_argument without any point
+/// Place of a vehicle at a time, on straight lines from point to point. Before the first point and after the
+/// last it stays there.
+/// Errors   std::invalid_argument for no points
 [[nodiscard]] geo::LonLat place_at(const std::vector<TrackPoint>& points, core::UtcTime time);
 
 }  // namespace floeplan::ocean

@@ -19,7 +19,8 @@ Axis axis_of(const TidalCurrents::Times& times) {
   return Axis{std::move(nodes)};
 }
 
-/// The lines that the constants of any node can be of: with the same models they are the same everywhere.
+/// The tidal constituents for which any node may have constants. With the same models they are the same at
+/// all nodes.
 std::vector<tide::Constituent> lines_of(const std::vector<tide::HarmonicConstant>& constants) {
   std::vector<tide::Constituent> lines;
   lines.reserve(constants.size());
@@ -87,7 +88,7 @@ core::Seconds straight_step(const std::vector<TideGrid>& models) {
   constexpr double most_missed_m_s = 0.005;
   constexpr double shortest_s = 300.0;
   constexpr double longest_s = 3600.0;
-  double bend_m_s3 = 0.0;  // most that any current bends in time
+  double bend_m_s3 = 0.0;  // largest second derivative in time of any current
   for (const TideGrid& model : models) {
     std::vector<double> bends(model.samples().grid.size(), 0.0);
     for (const TideGrid::Line& line : model.samples().lines) {

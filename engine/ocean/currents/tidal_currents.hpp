@@ -13,28 +13,29 @@
 
 namespace floeplan::ocean {
 
-/// Tidal currents at the nodes of a grid and at evenly spaced times, the same at every depth. What depends on the time
-/// alone is reckoned once for all nodes, so that a node and a time cost one product for each line.
+/// Tidal currents at the nodes of a grid at equally spaced times, the same at every depth. Factors that
+/// depend only on the time are computed once for all nodes. So a node at one time costs one product per
+/// constituent.
 /// Frame    towards true east and north
-/// Outside  nullopt at a node where the tide has no constants
+/// Outside  nullopt at a node without tidal constants
 /// Threads  const members may be called from several threads at once
 class TidalCurrents {
  public:
-  /// Evenly spaced times, both ends included.
+  /// Equally spaced times, both ends included.
   struct Times {
     core::UtcTime from;
     core::Seconds step{};
     std::size_t count{};
   };
 
-  /// Errors  std::invalid_argument for no times, or a step that is not above zero
+  /// Errors  std::invalid_argument for no times, or a step that is not positive
   TidalCurrents(const HorizontalGrid& grid, const std::vector<TideGrid>& models, const Times& times);
 
   [[nodiscard]] const Axis& times_s() const { return times_s_; }
   [[nodiscard]] std::optional<geo::VelocityEn> at_node(std::size_t ix, std::size_t iy,
                                                        std::size_t time_index) const;
   [[nodiscard]] std::size_t known_nodes() const { return known_nodes_; }
-  /// The names of the lines in use, inferred ones at the end.
+  /// The constituents in use; inferred ones come last.
   [[nodiscard]] const std::vector<tide::Constituent>& lines() const { return phasors_.constituents(); }
 
  private:
@@ -44,7 +45,7 @@ class TidalCurrents {
   };
   struct Nodes {
     std::vector<tide::Constituent> lines;
-    std::vector<Constant> constants;  // [y][x][line]; NaN where the tide has none
+    std::vector<Constant> constants;  // [y][x][line]; NaN where there are no constants
     std::size_t known{};
   };
   TidalCurrents(std::size_t columns, Nodes nodes, const Times& times);
@@ -57,8 +58,9 @@ class TidalCurrents {
   Axis times_s_;
 };
 
-/// The longest step of time, between five minutes and an hour, over which a straight line misses no tidal current of
-/// the models by more than half a centimetre a second: a chord of length h misses A cos(w t) by at most A (w h)^2 / 8.
+/// The longest time step, between five minutes and an hour, for which linear interpolation errs by at most
+/// 0.005 m/s in every tidal current of the models: a chord of length h misses A cos(w t) by at most A (w h)^2
+/// / 8.
 [[nodiscard]] core::Seconds straight_step(const std::vector<TideGrid>& models);
 
 }  // namespace floeplan::ocean

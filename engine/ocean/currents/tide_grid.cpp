@@ -20,7 +20,7 @@ const TideGrid::Field& field_of(const TideGrid::Line& line, TideQuantity quantit
   throw std::logic_error{"TideQuantity without a field"};
 }
 
-/// Bilinear over the nodes that have a value.
+/// Bilinear interpolation over those nodes that have a value.
 std::optional<std::complex<double>> at_position(const TideGrid::Field& field, std::size_t nx,
                                                 const GridPosition& at) {
   const std::array corners{

@@ -10,7 +10,7 @@
 
 namespace floeplan::ocean {
 
-/// What a harmonic constant is one of.
+/// The quantity that a harmonic constant describes.
 enum class TideQuantity {
   elevation,  // of the sea surface over its mean, metres
   east,       // of the current, mean over the depth, m/s
@@ -18,19 +18,19 @@ enum class TideQuantity {
 };
 
 /// Harmonic constants of a tide model on a grid.
-/// Shape    each field is [y][x], last index fastest, A exp(-i g) with the Greenwich phase lag g; NaN marks a missing
-///          node inside the arrays; it never leaves the class
-/// Outside  nullopt beyond the grid, and where no node around the place has a value. At a coast the nodes that have one
-///          stand for those that have none
-/// Errors   std::invalid_argument from the constructor when the sizes do not agree
+/// Shape    each field is [y][x], last index fastest, A exp(-i g) with the Greenwich phase lag g; NaN marks a
+///          missing node inside the arrays; no function returns it
+/// Outside  nullopt outside the grid, and if no node around the place has a value. At a coast the nodes with
+///          a value also count for those without
+/// Errors   std::invalid_argument from the constructor if the sizes of the arrays differ
 /// Threads  const members may be called from several threads at once
 class TideGrid {
  public:
   using Field = std::vector<std::complex<float>>;
   struct Line {
     tide::Constituent constituent;
-    Field elevation;  // empty: the model has none
-    Field east;       // the same; both components or none
+    Field elevation;  // empty: the model has no elevations
+    Field east;       // empty: the model has no currents; both components or none
     Field north;
   };
   struct Samples {
@@ -41,7 +41,7 @@ class TideGrid {
   explicit TideGrid(Samples samples);
 
   [[nodiscard]] bool has(TideQuantity quantity) const;
-  /// The constants of every constituent that has the quantity, in the order of the constituents.
+  /// The constants at a place for every constituent with this quantity, in the order of the constituents.
   [[nodiscard]] std::optional<std::vector<tide::HarmonicConstant>> constants(TideQuantity quantity,
                                                                              geo::LonLat place) const;
   [[nodiscard]] const Samples& samples() const { return samples_; }
@@ -50,9 +50,10 @@ class TideGrid {
   Samples samples_;
 };
 
-/// The constants at a place from several models, each line from the first that has it, in the order of the lines'
-/// names in the catalogue, and the minor lines that follow from them.
-/// Outside  nullopt where no model has the quantity there, or one has a line of it that has no value there
+/// The constants at a place from several models: each constituent from the first model that has it, in the
+/// order of the catalogue of constituents, then the minor constituents inferred from them.
+/// Outside  nullopt if no model has the quantity there, or if one has a constituent of it without a value
+///          there
 [[nodiscard]] std::optional<std::vector<tide::HarmonicConstant>> joined_constants(
     const std::vector<TideGrid>& models, TideQuantity quantity, geo::LonLat place);
 

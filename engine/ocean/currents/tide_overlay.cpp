@@ -9,10 +9,10 @@
 namespace floeplan::ocean {
 namespace {
 
-constexpr double most_samples = 16e6;  // two floats each in a planning area: 128 MB
+constexpr double most_samples = 16e6;  // of two floats each in a planning area: 128 MB
 constexpr core::Seconds longest_step{3600.0};
 
-/// Steps that divide `whole` (the data's own step, or the period) into equal parts.
+/// Time steps that divide `whole` (the data's own step, or the period) into equal parts.
 TidalCurrents::Times times_of(const TidePeriod& period, core::Seconds whole, core::Seconds wanted,
                               std::size_t nodes) {
   const core::Seconds span = period.to - period.from;

@@ -8,20 +8,21 @@
 
 namespace floeplan::ocean {
 
-/// A period, both ends included.
+/// A period that includes both its ends.
 struct TidePeriod {
   core::UtcTime from;
   core::UtcTime to;
 };
 
-/// The currents with the tide added: over their own period, or, when they have one time, over `period`.
-/// Time     in steps of `straight_step` or a little less, so that they meet the data's own; where that would be more
-///          than 16 million samples the steps grow up to an hour, and then the period ends earlier
+/// The currents with the tide added, over their own period; if they have a single time, over `period`.
+/// Time     in steps of at most `straight_step` that include the data's own times. If that exceeds 16 million
+///          samples, the steps grow up to an hour; after that the period is cut short
 [[nodiscard]] CurrentGrid with_tide(const CurrentGrid& currents, const std::vector<TideGrid>& models,
                                     const TidePeriod& period);
 
-/// The tidal currents alone, at the nodes of the first model that has currents, over `period`, as above.
-/// Errors  std::invalid_argument when no model has currents
+/// Only the tidal currents, over `period`, at the nodes of the first model with currents. Time as for
+/// `with_tide`.
+/// Errors  std::invalid_argument if no model has currents
 [[nodiscard]] CurrentGrid tide_alone(const std::vector<TideGrid>& models, const TidePeriod& period);
 
 }  // namespace floeplan::ocean

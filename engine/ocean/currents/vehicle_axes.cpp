@@ -17,14 +17,15 @@ constexpr std::array source_names{
     std::pair{VariationSource::log_variation, std::string_view{"m_gps_mag_var"}},
     std::pair{VariationSource::magnetic_model, std::string_view{"world-magnetic-model"}}};
 
-/// The matrix is logged in single precision.
+/// Tolerance for the matrix in a log, which has single precision.
 constexpr double rounding_of_matrix = 1e-3;
-/// Axes that differ by less are the same.
+/// Axes that differ by a smaller angle are the same.
 constexpr double same_turn_rad = 1e-5;
-/// A receiver's table of variations is coarse and old; what differs by more is a fault.
+/// The receiver's table of variations is coarse and old. A larger difference from the model is a fault.
 constexpr double usual_difference_deg = 3.0;
 
-/// The variation that a matrix turns by; empty where it turns by nothing that can be told, as before it is set.
+/// The magnetic variation in a rotation matrix; empty if the matrix is not a rotation, for example before it
+/// is set.
 std::optional<double> turn_of(std::optional<double> cosine, std::optional<double> sine) {
   if (!cosine || !sine || !(std::abs(std::hypot(*cosine, *sine) - 1.0) < rounding_of_matrix))
     return std::nullopt;
@@ -33,7 +34,7 @@ std::optional<double> turn_of(std::optional<double> cosine, std::optional<double
 
 bool is_angle(double angle_rad) { return std::abs(angle_rad) <= std::numbers::pi; }
 
-/// A vehicle that has had no fix yet logs zeros.
+/// Whether the place is logged: a vehicle without a fix so far logs zeros.
 bool is_told(const std::optional<geo::LonLat>& place) {
   return place && geo::is_valid(*place) && *place != geo::LonLat{0.0, 0.0};
 }
@@ -50,12 +51,13 @@ std::string tenths(double value) {
   return text;
 }
 
-/// How far from its start a mission may lead: a vehicle makes 25 km a day (0.3 m/s), and about a week passes until
-/// its pilots start another mission.
+/// A mission leads at most this far from its start: a vehicle makes 25 km a day (0.3 m/s), and pilots start
+/// another mission after about a week.
 constexpr double reach_of_mission_m = 200'000.0;
 constexpr double metres_per_degree = 111'195.0;  // of the equator, on a sphere of 6371 km
 
-/// The zone beyond the nearer edge of a zone in which a place lies, and the distance to that edge along its parallel.
+/// The zone next to the nearer edge of a zone that contains the place, and the distance along the parallel to
+/// that edge.
 std::pair<int, double> nearest_zone_beside(int zone, geo::LonLat place) {
   const double from_meridian_deg = geo::longitude_difference(6.0 * zone - 183.0, place.lon_deg);
   const double to_edge_deg = std::max(0.0, 3.0 - std::abs(from_meridian_deg));
@@ -63,7 +65,7 @@ std::pair<int, double> nearest_zone_beside(int zone, geo::LonLat place) {
   return {beside, to_edge_deg * metres_per_degree * std::cos(core::degrees_to_radians(place.lat_deg))};
 }
 
-/// "27.2 degrees west".
+/// Text such as "27.2 degrees west".
 std::string degrees_west(double variation_rad) {
   const double deg = core::radians_to_degrees(variation_rad);
   return tenths(std::abs(deg)) + (deg < 0.0 ? " degrees east" : " degrees west");
@@ -115,7 +117,7 @@ std::size_t LoggedAxes::note(const AxesRow& row) {
 std::optional<geo::LonLat> LoggedAxes::origin(std::size_t number) const {
   const auto of = [](const Mission& mission) { return mission.fix ? mission.fix : mission.place; };
   if (const auto own = of(missions_.at(number))) return own;
-  for (std::size_t i = 0; i < missions_.size(); ++i)  // the next ones, then those before
+  for (std::size_t i = 0; i < missions_.size(); ++i)  // the following missions, then those before
     if (const auto other = of(missions_[(number + i) % missions_.size()])) return other;
   return std::nullopt;
 }

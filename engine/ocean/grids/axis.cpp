@@ -39,8 +39,8 @@ std::optional<AxisPosition> Axis::locate(double value) const {
 
   std::size_t lower = 0;
   if (uniform_) {
-    // The nearest guess by division; the true interval is at most one further because nodes stray less than 1
-    // %.
+    // First guess by division. The true interval is at most one further, because nodes deviate from even
+    // steps by less than 1 %.
     const double guess = (value - nodes_.front()) / mean_step();
     lower = static_cast<std::size_t>(std::clamp(guess, 0.0, static_cast<double>(last)));
     if (lower > 0 && value < nodes_[lower]) --lower;

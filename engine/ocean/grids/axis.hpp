@@ -6,11 +6,11 @@
 
 namespace floeplan::ocean {
 
-/// Where a value lies between two neighbouring nodes: `lower + fraction`, fraction in [0, 1).
+/// Position of a value between two neighbouring nodes: `lower + fraction`, fraction in [0, 1).
 struct AxisPosition {
   std::size_t lower{};
-  std::size_t upper{};  // equals lower exactly on a node
-  double fraction{};    // share of the way from lower to upper
+  std::size_t upper{};  // equals lower if the value is exactly a node
+  double fraction{};    // position from lower to upper, as a share
 };
 
 /// Coordinates of the nodes along one dimension of a grid, strictly ascending; steps may differ.
@@ -25,11 +25,11 @@ class Axis {
   [[nodiscard]] double back() const { return nodes_.back(); }
   [[nodiscard]] double operator[](std::size_t i) const { return nodes_[i]; }
   [[nodiscard]] const std::vector<double>& nodes() const { return nodes_; }
-  /// Mean distance between neighbours; 0 for a single node.
+  /// Mean distance between neighbouring nodes; 0 for a single node.
   [[nodiscard]] double mean_step() const;
 
-  /// Outside  nullopt below the first and above the last node. A value within 1e-6 of a step from a node is
-  /// that node
+  /// Outside  nullopt below the first and above the last node. A value within 1e-6 of a step from a node
+  ///          counts as that node
   [[nodiscard]] std::optional<AxisPosition> locate(double value) const;
 
  private:

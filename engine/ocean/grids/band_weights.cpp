@@ -22,7 +22,7 @@ std::vector<double> band_weights(const std::optional<Axis>& levels_m, std::size_
   const bool is_thin = !(thickness_m > 0.0);
 
   std::vector<double> weights(wet, 0.0);
-  // Above the first level the water is as at it.
+  // Above the first level the value of that level counts.
   const double uppermost_m = depth_of(0);
   if (is_thin && top_m <= uppermost_m) return {1.0};
   if (!is_thin && top_m < uppermost_m) weights[0] = (std::min(bottom_m, uppermost_m) - top_m) / thickness_m;

@@ -8,8 +8,8 @@
 
 namespace floeplan::ocean {
 
-/// Bilinear interpolation in one horizontal slice [y][x] of `nx` nodes a row, NaN where missing.
-/// Outside  nullopt where a node that counts (its weight is not zero) is missing
+/// Bilinear interpolation in one horizontal slice [y][x] with `nx` nodes per row; NaN marks missing nodes.
+/// Outside  nullopt if a node with a weight above zero is missing
 [[nodiscard]] inline std::optional<double> bilinear(std::span<const float> slice, std::size_t nx,
                                                     const GridPosition& at) {
   const auto node = [&](std::size_t ix, std::size_t iy) { return static_cast<double>(slice[iy * nx + ix]); };

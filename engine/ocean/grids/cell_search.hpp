@@ -12,7 +12,7 @@
 
 namespace floeplan::ocean {
 
-/// A place on the sphere, and what turns its east and north into those of another.
+/// A place on the sphere, with the sines and cosines that a change of axes to another place needs.
 struct SpherePlace {
   double sin_lon{};
   double cos_lon{};
@@ -27,24 +27,25 @@ struct Turn {
   double sine{};
 };
 
-/// By which a direction's bearing grows, clockwise, when it is carried along the great circle; as geo::convergence, of
-/// places whose sines and cosines are known. The two pairs of axes differ by that turn and by the tilt from one tangent
-/// plane to the other, which acts on sum and difference of their products alike.
+/// The angle, clockwise, by which the bearing of a direction grows when it is carried along the great circle
+/// from one place to the other. As geo::convergence, for places whose sines and cosines are known. The two
+/// tangent planes differ by this rotation and by a tilt, which changes sum and difference of the axes'
+/// products alike.
 [[nodiscard]] Turn turn_between(const SpherePlace& from, const SpherePlace& to);
 
-/// Finds the cells of a mesh in which the nodes of a grid lie. The mesh is borrowed and outlives this.
-/// Precondition  the steps of either axis of the grid are equal, but for a last one that is shorter
+/// Finds the cells of a mesh that contain the nodes of a grid. The mesh is borrowed and must outlive this.
+/// Precondition  on both axes of the grid the steps are equal; only the last may be shorter
 class CellSearch {
  public:
   CellSearch(const Mesh& mesh, const HorizontalGrid& grid);
 
   [[nodiscard]] std::size_t nodes() const { return columns_ * rows_; }
-  /// Of a point of the mesh.
+  /// The sphere place of a point of the mesh.
   [[nodiscard]] const SpherePlace& point(std::uint32_t number) const { return points_[number]; }
 
-  /// Calls `found(cell, weights, node, place)` with the weights of the corners for each node in a cell, if
-  /// `is_wanted(cell, node)`. Cells come in their order.
-  /// Returns  false where cells lie over one another many times over, as only damaged positions do; it ends early then
+  /// Calls `found(cell, weights, node, place)` for each node that lies in a cell, with the weights of the
+  /// corners, if `is_wanted(cell, node)`. Cells come in their order.
+  /// Returns  false if many cells overlap, as only damaged positions do; the search then ends early
   template <class IsWanted, class Found>
   [[nodiscard]] bool visit(const IsWanted& is_wanted, const Found& found) const {
     const std::size_t affordable = fair_candidates + candidates_per_node * (nodes() + mesh_.cells.size());
@@ -61,9 +62,9 @@ class CellSearch {
 
  private:
   static constexpr std::size_t fair_candidates =
-      10'000'000;  // nodes looked at whatever the size: a fraction of a second
+      10'000'000;  // nodes tested whatever the size: a fraction of a second
   static constexpr std::size_t candidates_per_node =
-      30;  // real meshes need 2 to 6, slender cells athwart the grid more
+      30;  // real meshes need 2 to 6; slender cells oblique to the grid need more
 
   template <class IsWanted, class Found>
   void visit_box(const Mesh::Cell& cell, const NodeBox& box, const IsWanted& is_wanted,
@@ -92,9 +93,9 @@ class CellSearch {
   std::size_t columns_;
   std::size_t rows_;
   std::vector<SpherePlace> points_;
-  std::vector<SpherePlace> by_column_;  // of a geographic grid
+  std::vector<SpherePlace> by_column_;  // if the grid is geographic
   std::vector<SpherePlace> by_row_;
-  std::vector<SpherePlace> nodes_;  // [y][x] of any other
+  std::vector<SpherePlace> nodes_;  // [y][x], if it is not
 };
 
 }  // namespace floeplan::ocean

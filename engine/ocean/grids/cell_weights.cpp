@@ -7,8 +7,8 @@
 namespace floeplan::ocean {
 namespace {
 
-constexpr double hair = 1e-6;       // of a cell
-constexpr int max_iterations = 12;  // Newton's method doubles its digits each time
+constexpr double hair = 1e-6;       // tolerance, as a share of a cell
+constexpr int max_iterations = 12;  // Newton's method doubles the number of digits each time
 
 geo::UnitVector centre_of(const CellWeights::Corners& corners) {
   geo::UnitVector sum;

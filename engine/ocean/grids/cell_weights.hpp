@@ -7,16 +7,17 @@
 
 namespace floeplan::ocean {
 
-/// Weights of a cell's corners at places inside it: bilinear between four corners, linear between three (barycentric), in
-/// the plane that touches the Earth at the cell's centre. The weights sum to one.
+/// Weights of a cell's corners at places inside: bilinear between four corners, linear (barycentric) between
+/// three, in the plane that touches the Earth at the cell's centre. The weights add up to one.
 class CellWeights {
  public:
   using Corners = std::array<geo::UnitVector, 4>;
 
-  /// `corners`      in turn round the cell
+  /// `corners`      in order around the cell
   /// `is_triangle`  the fourth corner repeats the third
   CellWeights(const Corners& corners, bool is_triangle);
-  /// Outside  nullopt beyond the cell; a hair's breadth outside counts as inside, so that no place falls between
+  /// Outside  nullopt outside the cell. Places outside by only a rounding error count as inside, so that none
+  ///          is lost
   [[nodiscard]] std::optional<std::array<double, 4>> at(geo::UnitVector place) const;
 
  private:

@@ -9,8 +9,8 @@
 namespace floeplan::ocean {
 namespace {
 
-/// Whether geographic longitudes leave a gap of no more than a step (and a little for rounding) round the
-/// globe.
+/// Whether the gap between the last and the first geographic longitude is at most a step (with room for
+/// rounding).
 bool goes_all_the_way_round(const geo::GridFrame& frame, const Axis& x) {
   if (!std::holds_alternative<geo::GeographicFrame>(frame) || x.size() < 3) return false;
   const double gap = 360.0 - (x.back() - x.front());
@@ -32,8 +32,7 @@ std::optional<GridPosition> HorizontalGrid::locate(geo::LonLat place) const {
 
 std::optional<GridPosition> HorizontalGrid::locate_point(geo::GridPoint point) const {
   if (std::holds_alternative<geo::GeographicFrame>(frame_)) {
-    // Longitudes count eastwards from the first node; a hair west of it is that node, not a whole turn
-    // further.
+    // Longitudes count eastwards from the first node. A point west of it by a rounding error is that node.
     const double turns = std::floor((point.x - x_.front()) / 360.0 + 1e-9);
     point.x = std::max(point.x - 360.0 * turns, x_.front());
   }

@@ -10,14 +10,15 @@
 
 namespace floeplan::ocean {
 
-/// Position of a place in a grid, for bilinear interpolation.
+/// The position of a place in a grid, for bilinear interpolation.
 struct GridPosition {
   AxisPosition x;
   AxisPosition y;
 };
 
-/// Nodes x[i], y[j] in a frame; arrays over it have the shape [y][x], last index fastest, y ascending.
-/// Edges    a geographic grid whose longitudes go all the way round also interpolates across its seam
+/// A grid of nodes x[i], y[j] in a frame. Arrays over it have the shape [y][x], last index fastest, y
+/// ascending.
+/// Edges    a geographic grid all round the globe also interpolates across its seam
 /// Threads  const members may be called from several threads at once
 class HorizontalGrid {
  public:
@@ -30,14 +31,14 @@ class HorizontalGrid {
   [[nodiscard]] bool wraps() const { return wraps_; }
 
   [[nodiscard]] geo::LonLat place(std::size_t ix, std::size_t iy) const;
-  /// Outside  nullopt beyond the outermost nodes
+  /// Outside  nullopt outside the outermost nodes
   [[nodiscard]] std::optional<GridPosition> locate(geo::LonLat place) const;
-  /// `point`  in the grid's own frame
+  /// `point`  in the grid's own coordinates
   [[nodiscard]] std::optional<GridPosition> locate_point(geo::GridPoint point) const;
-  /// Smallest box of longitudes and latitudes that holds every node.
+  /// Smallest box of longitudes and latitudes that contains every node.
   [[nodiscard]] geo::BoundingBox bounds() const;
-  /// Typical distance on the ground between neighbouring nodes: the smaller of the two directions at the
-  /// centre.
+  /// Typical distance on the ground between neighbouring nodes, measured at the centre; the smaller of the
+  /// two directions.
   [[nodiscard]] core::Metres spacing() const;
 
  private:

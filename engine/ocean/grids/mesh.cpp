@@ -45,7 +45,8 @@ std::size_t points_with_values(const Mesh& mesh) {
 }
 
 void fill_nodes_from_faces(const Mesh& mesh, std::vector<float>& values) {
-  // Each side of a face is one cell: every node of it meets its middle in two of them, so that all faces count alike.
+  // In the mesh each side of a face is one cell. So every node meets a face's middle in two cells, and all
+  // faces count equally.
   std::vector<double> sums(values.size(), 0.0);
   std::vector<std::uint32_t> counts(values.size(), 0);
   std::vector<bool> is_middle(values.size());

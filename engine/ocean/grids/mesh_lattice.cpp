@@ -8,14 +8,14 @@
 namespace floeplan::ocean {
 namespace {
 
-constexpr double max_lattice_nodes = 4e6;  // weights take 48 bytes a node: 200 MB
-constexpr double half = 0.5;               // of the mesh's spacing: interpolating twice loses little then
-constexpr double max_fine_nodes = 1e6;     // from here on a finer grid is not worth its size
-constexpr double nodes_per_point = 4.0;    // of half the spacing of a mesh of squares
+constexpr double max_lattice_nodes = 4e6;  // weights take 48 bytes per node: 200 MB
+constexpr double half = 0.5;               // of the mesh's spacing; interpolating twice then loses little
+constexpr double max_fine_nodes = 1e6;     // above this a finer grid is not worth its size
+constexpr double nodes_per_point = 4.0;    // for half the spacing, on a mesh of squares
 constexpr double share_of_fine_sides = 0.25;
-constexpr double metres_per_lat_degree = 111'195.0;  // of a sphere with the Earth's mean radius
-constexpr double polar_from_lat_deg = 78.0;   // where a degree of longitude is a fifth of one of latitude
-constexpr double polar_above_lat_deg = 45.0;  // the whole mesh must lie beyond, so that the plane stays true
+constexpr double metres_per_lat_degree = 111'195.0;  // on a sphere with the Earth's mean radius
+constexpr double polar_from_lat_deg = 78.0;   // a degree of longitude is here a fifth of one of latitude
+constexpr double polar_above_lat_deg = 45.0;  // the whole mesh must lie poleward; else scales differ too much
 
 std::vector<geo::LonLat> used_points(const Mesh& mesh) {
   std::vector<bool> used(mesh.points.size());
@@ -35,13 +35,13 @@ std::vector<double> nodes_between(double from, double to, double step) {
   return nodes;
 }
 
-/// A step of half the mesh's own, or more where that would take too many nodes.
+/// Half the spacing of the mesh; more if that would take too many nodes.
 double affordable_step(double spacing, double area) {
   return std::max({half * spacing, std::min(spacing, std::sqrt(area / max_fine_nodes)),
                    std::sqrt(area / max_lattice_nodes)});
 }
 
-/// Rounded down to two digits, so that the nodes have short numbers.
+/// Rounded down to two digits, so that coordinates of nodes have few digits.
 double rounded(double step) {
   const double digit = std::pow(10.0, std::floor(std::log10(step)) - 1.0);
   return std::max(std::floor(step / digit + 1e-9), 1.0) * digit;
@@ -73,7 +73,7 @@ HorizontalGrid polar_grid(const std::vector<geo::LonLat>& points, double spacing
           Axis{nodes_between(start_before(least_y, step), most_y, step)}};
 }
 
-/// Whether cells lie across the meridians on which there is no point: such a mesh goes all the way round.
+/// Whether cells cross the gap of longitudes without points: then the mesh goes all the way round.
 bool closes_round(const Mesh& mesh, const geo::BoundingBox& box) {
   const auto east_of_west = [&](std::uint32_t corner) {
     const double turn = std::fmod(mesh.points[corner].lon_deg - box.west_deg, 360.0);
@@ -110,7 +110,7 @@ HorizontalGrid geographic_grid(const Mesh& mesh, const std::vector<geo::LonLat>&
   return {geo::GeographicFrame{}, Axis{std::move(lons)}, Axis{std::move(lats)}};
 }
 
-/// Each step in as many equal parts.
+/// The axis with each step divided into equal parts.
 Axis divided(const Axis& axis, std::size_t parts) {
   std::vector<double> nodes;
   for (std::size_t i = 0; i + 1 < axis.size(); ++i)
@@ -145,7 +145,7 @@ std::size_t most_nodes_refined(const HorizontalGrid& lattice, std::size_t points
 }
 
 HorizontalGrid refined(const HorizontalGrid& lattice, const Mesh& part) {
-  if (lattice.wraps()) return lattice;  // its seam is a step, too, which no axis has
+  if (lattice.wraps()) return lattice;  // the seam is a step, too, but on no axis
   const double wanted_m = half * quantile_of_sides_m(part, share_of_fine_sides);
   const double spacing_m = lattice.spacing().value;
   if (!(wanted_m > 0.0) || !(spacing_m > wanted_m)) return lattice;

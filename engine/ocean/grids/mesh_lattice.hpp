@@ -8,17 +8,17 @@
 
 namespace floeplan::ocean {
 
-/// The regular grid onto which the values of a whole mesh are interpolated: about as fine as the mesh where it is fine,
-/// as long as the grid stays within what a job can hold. In longitude and latitude; polar stereographic where the mesh
-/// lies round or near a pole, because meridians crowd there.
-/// Outside  nullopt for a mesh of no extent
+/// The regular grid to which the values of a whole mesh are interpolated: about as fine as the finest part of
+/// the mesh, within the memory of a job. In longitude and latitude; polar stereographic if the mesh lies
+/// around or near a pole, because meridians converge there.
+/// Outside  nullopt for a mesh without extent
 [[nodiscard]] std::optional<HorizontalGrid> lattice_for(const Mesh& mesh);
 
-/// Part of such a grid, its steps divided evenly so that they are half as long as the fine sides of the part of the mesh
-/// that lies there; with at most four nodes for each of the part's points and a million, or none more than `lattice` has.
-/// A lattice all round the globe stays as it is.
+/// Part of such a grid with divided steps, so that they are half as long as the fine sides in this part of
+/// the mesh. It has at most four nodes per point of the part and a million in all, or no more than `lattice`.
+/// A lattice all round the globe stays unchanged.
 [[nodiscard]] HorizontalGrid refined(const HorizontalGrid& lattice, const Mesh& part);
-/// Nodes that such a part has at most, of so many points.
+/// Largest number of nodes of such a part with this number of points.
 [[nodiscard]] std::size_t most_nodes_refined(const HorizontalGrid& lattice, std::size_t points);
 
 }  // namespace floeplan::ocean

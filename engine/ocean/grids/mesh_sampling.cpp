@@ -8,7 +8,7 @@
 namespace floeplan::ocean {
 namespace {
 
-constexpr double least_weight = 1e-6;  // below it a point does not count, also when it is missing
+constexpr double least_weight = 1e-6;  // a point with a smaller weight does not count, even if it is missing
 constexpr float least_share_of_water = 0.5F;
 
 }  // namespace

@@ -31,7 +31,7 @@ Run nodes_within(const Axis& axis, double from, double to) {
   return {static_cast<std::size_t>(first - nodes.begin()), static_cast<std::size_t>(end - first)};
 }
 
-/// Columns between two meridians, going on at the first column where the range passes the last.
+/// Columns between two meridians; after the last column the range continues at the first.
 Run columns_within(const Axis& lons, double from, double width) {
   const double start = from - 360.0 * std::floor((from - lons.front()) / 360.0);
   Run run = nodes_within(lons, start, start + width);
@@ -41,8 +41,8 @@ Run columns_within(const Axis& lons, double from, double width) {
   return run;
 }
 
-/// Sides are great circles: between two corners so many degrees of longitude apart they come so much nearer to the pole
-/// than the corners do, at most.
+/// Sides are great circles. Between two corners this many degrees of longitude apart, a side may come nearer
+/// to the pole than the corners, by at most this many degrees.
 double bulge_deg(double width_deg) { return width_deg * width_deg * std::numbers::pi / 180.0 / 8.0; }
 
 /// By longitudes and latitudes: of cells across the meridian from which positions count, and near a pole.
@@ -50,7 +50,7 @@ NodeBox geographic_box(const HorizontalGrid& grid, const Mesh& mesh, const Mesh:
                        double beside_lon_deg, double beside_lat_deg) {
   Extremes lon;
   Extremes lat;
-  double turned = 0.0;  // the way round the cell, by longitude
+  double turned = 0.0;  // sum of longitude changes around the cell
   const geo::LonLat first = mesh.points[cell[0]];
   for (std::size_t i = 0; i < cell.size(); ++i) {
     const geo::LonLat corner = mesh.points[cell[i]];
@@ -73,10 +73,10 @@ NodeBox geographic_box(const HorizontalGrid& grid, const Mesh& mesh, const Mesh:
   return {x.first, x.count, y.first, y.count};
 }
 
-/// Between two neighbouring nodes; of a single one, a step of one.
+/// Distance of neighbouring nodes; 1 for a single node.
 double step_of(const Axis& axis) { return axis.size() > 1 ? axis[1] - axis[0] : 1.0; }
 
-/// Nodes from one position to another.
+/// The nodes between two positions.
 Run nodes_between(const Axis& axis, double from, double to) {
   const double last = static_cast<double>(axis.size() - 1);
   if (!(to >= 0.0 && from <= last)) return {};
@@ -131,7 +131,7 @@ NodeBox NodeBoxes::within(const Mesh::Cell& cell, double steps) const {
     if (width_deg > 180.0 || farthest_deg > near_pole_deg)
       return geographic_box(grid_, mesh_, cell, steps * step_x_, steps * step_y_);
     beside_y += bulge_deg(width_deg) / step_y_;
-  } else {  // straight sides are slightly bent on the plane
+  } else {  // sides that are straight on the sphere bend slightly on the plane
     const double bent = 0.1 * std::max(x.width() * step_x_, y.width() * step_y_);
     beside_x += bent / step_x_;
     beside_y += bent / step_y_;

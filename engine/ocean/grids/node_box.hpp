@@ -8,7 +8,7 @@
 
 namespace floeplan::ocean {
 
-/// A rectangle of nodes of a grid. Columns count on past the last one to the first.
+/// A rectangle of nodes of a grid. Column numbers past the last one continue at the first.
 struct NodeBox {
   std::size_t first_x{};
   std::size_t count_x{};
@@ -16,8 +16,8 @@ struct NodeBox {
   std::size_t count_y{};
 };
 
-/// Which nodes of a grid lie near the cells of a mesh. Both are borrowed and outlive this.
-/// Precondition  as of MeshSampling
+/// Finds which nodes of a grid lie near the cells of a mesh. Both are borrowed and must outlive this.
+/// Precondition  as for MeshSampling
 class NodeBoxes {
  public:
   NodeBoxes(const HorizontalGrid& grid, const Mesh& mesh);
@@ -29,7 +29,7 @@ class NodeBoxes {
   [[nodiscard]] NodeBox near_or_beside(const Mesh::Cell& cell) const;
 
  private:
-  /// Where a point of the mesh lies among the nodes: 2.5 is half-way from the third to the fourth.
+  /// Position of a point of the mesh among the nodes: 2.5 is half-way from the third to the fourth node.
   struct Position {
     double x{};
     double y{};

@@ -8,10 +8,10 @@
 namespace floeplan::ocean {
 namespace {
 
-constexpr double at_a_point = 1e-6;  // of a side: nearer than this a node lies on it
-constexpr float half_way = 1e-3F;    // of a side: so near to the middle neither end is the nearer one
+constexpr double at_a_point = 1e-6;  // of a side: a node nearer than this lies on the side's end
+constexpr float half_way = 1e-3F;    // of a side: this near to the middle both ends are equally near
 
-/// So far from the first end of a side; at an end exactly there.
+/// Distance from the first end of a side, as a share; rounded to 0 or 1 at the ends.
 float share_of(double share) {
   if (share < at_a_point) return 0.0F;
   return share > 1.0 - at_a_point ? 1.0F : static_cast<float>(share);
@@ -19,7 +19,7 @@ float share_of(double share) {
 
 bool is_open(float value) { return value != 0.0F && !std::isnan(value); }
 
-/// Between two faces beside each other, across the axis.
+/// Interpolates between two neighbouring faces side by side, across the component's axis.
 float across_axis(float near, float far, float share) {
   if (share == 0.0F) return near;
   if (share == 1.0F) return far;
@@ -29,7 +29,7 @@ float across_axis(float near, float far, float share) {
   return std::isnan(far) ? near : 0.5F * (near + far);
 }
 
-/// Between two faces behind each other, along the axis.
+/// Interpolates between two faces one behind the other, along the component's axis.
 float along_axis(float behind, float ahead, float share) {
   if (share == 0.0F) return behind;
   if (share == 1.0F) return ahead;
@@ -92,7 +92,8 @@ class StaggeredSampling::Builder {
       sum.sine += shares[corner] * sign * axis.sine;
     }
     const double length = std::hypot(sum.cosine, sum.sine);
-    // Of a current that is the same all round, the mean of its parts along axes that differ falls short by that length.
+    // The axes at the points differ in direction. Averaging their components shortens a uniform current by
+    // this length.
     stencil.stretch = static_cast<float>(1.0 / length);
     stencil.cosine = static_cast<float>(sum.cosine / length);
     stencil.sine = static_cast<float>(sum.sine / length);
@@ -138,8 +139,8 @@ PointVelocities StaggeredSampling::apply(std::span<const float> components) cons
     const Flow v = flow(v_at, components);
     if (std::isnan(u.value) || std::isnan(v.value)) continue;
     if (u.closed && v.closed && (u.moves_beside || v.moves_beside)) continue;
-    // What each component says is the part of the current along its axis; the axes need not be square to each other.
-    constexpr float nearly_parallel = 0.5F;  // the sine of 30 degrees, by which no model's axes differ
+    // Each component is the projection of the current on its axis. The two axes need not be perpendicular.
+    constexpr float nearly_parallel = 0.5F;  // sine of 30 degrees; no model's axes are as close
     const float square = u_at.cosine * v_at.sine - u_at.sine * v_at.cosine;
     if (std::abs(square) < nearly_parallel) continue;
     out.east[node] = (u.value * v_at.sine - v.value * u_at.sine) / square;

@@ -13,56 +13,60 @@
 
 namespace floeplan::ocean {
 
-/// Along what each point of a mesh knows the current, where every point knows one of its two components.
+/// Direction of the current component that each point of a mesh carries. Each point carries one of the two
+/// components.
 /// Units  radians counterclockwise from east
-/// Shape  as the points; NaN at those of the other component
+/// Shape  as the points; NaN at points of the other component
 struct ComponentAxes {
   std::vector<float> first_rad;
   std::vector<float> second_rad;
 };
 
-/// Interpolates the currents of an Arakawa C grid at the nodes of a grid. Each component is known at points of its own,
-/// in the faces between the cells of the model, and is interpolated between these alone; only then both are turned to
-/// true east and true north, by the axes at the node. At a point of the model its component is the model's own.
-/// Between  linear along the component's own axis from one face of a model cell to the next, so that nothing flows
-///          through a closed face; linear across it between two open faces
-/// Coast    a closed face has the value 0. Across the axis a closed or unknown face and an open one are not mixed: the
-///          nearer one counts, so that water flows along a coast without being slowed down. Along the axis the known one
-///          of two counts up to half-way to the other. A model cell without an open face amid water is land
-/// Outside  no value where either component has none
+/// Interpolates the currents of an Arakawa C grid to the nodes of a regular grid. There each component is
+/// given at its own points, on the faces between the model's cells. It is interpolated between these points
+/// alone. Then both components are rotated to true east and north, by the axes at the node. At a point of the
+/// model its component is the model's own.
+/// Between  along the component's own axis linear from one face of a model cell to the next, so that nothing
+///          flows through a closed face; across the axis linear between two open faces
+/// Coast    A closed face has the value 0. Across the axis a closed or unknown face is not mixed with an open
+///          one: the nearer one counts, so that a coast does not slow the water beside it. Along the axis, if
+///          only one face is known, it counts up to half-way. A model cell without an open face inside water
+///          is land
+/// Outside  no value if either component has none
 /// Threads  const members may be called from several threads at once
-/// Source   Arakawa and Lamb 1977, Methods in Computational Physics 17, grid C; the way between the faces: Döös et al.
-///          2017, Geosci. Model Dev. 10, section 2.1, and Delandmeter and van Sebille 2019, Geosci. Model Dev. 12,
-///          section 2.1.2, where a component is constant across its axis. Here it is linear between open faces, as the
-///          currents of other grids are
+/// Source   Arakawa and Lamb 1977, Methods in Computational Physics 17, grid C; interpolation between faces:
+///          Döös et al. 2017, Geosci. Model Dev. 10, section 2.1, and Delandmeter and van Sebille 2019,
+///          Geosci. Model Dev. 12, section 2.1.2, where a component is constant across its axis. Here it is
+///          linear between open faces, as the currents of other grids are
 class StaggeredSampling {
  public:
-  /// `mesh`        each cell has points of one component, its first side along that component's axis
-  /// Precondition  as of MeshSampling
-  /// Outside       nullopt as of MeshSampling
+  /// `mesh`        each cell has points of one component; its first side lies along that component's axis
+  /// Precondition  as for MeshSampling
+  /// Outside       nullopt as for MeshSampling
   [[nodiscard]] static std::optional<StaggeredSampling> of(const Mesh& mesh, const ComponentAxes& axes,
                                                            const HorizontalGrid& grid);
 
-  /// Shape  input: as the points; output: the grid [y][x]
+  /// Shape  input: as the points of the mesh; output: the grid [y][x]
   [[nodiscard]] PointVelocities apply(std::span<const float> components) const;
-  /// What has no direction, at each node between the points of the first and of the second component.
+  /// Interpolates scalars to each node, separately from the points of the first and of the second component.
   [[nodiscard]] std::pair<std::vector<float>, std::vector<float>> apply_to_numbers(
       std::span<const float> values) const;
 
  private:
-  /// One node among four points of a component: how far it lies along the first side of the cell and across it, and the
-  /// direction of the axis there.
+  /// One node among four points of a component: its position along the first side of the cell and across it,
+  /// and the direction of the axis there.
   struct Stencil {
     std::array<std::uint32_t, 4> point{};
     std::array<float, 4>
-        sign{};  // -1: the axis there points the other way, as beyond the fold of a tripolar grid
+        sign{};  // -1: the axis there points the opposite way, as beyond the fold of a tripolar grid
     float along{};
     float across{};
     float stretch{1.0F};
-    float cosine{};  // both 0: in no cell
+    float cosine{};  // both 0: the node lies in no cell
     float sine{};
   };
-  /// A component, and whether the model cell round the node is closed on that axis while water moves beside it.
+  /// A component at a node. `closed`: the model cell around it is closed on this axis; `moves_beside`: water
+  /// moves next to it.
   struct Flow {
     float value{missing_sample};
     bool closed{false};

@@ -13,20 +13,20 @@ namespace floeplan::ocean {
 
 /// Sea ice at one place and one time.
 struct IceState {
-  double concentration{};                 // share of the sea surface that is covered, 0 to 1
-  std::optional<core::Metres> thickness;  // of level ice, from its top to its underside; empty where the data
-                                          // do not tell
+  double concentration{};                 // share of the sea surface covered, 0 to 1
+  std::optional<core::Metres> thickness;  // of level ice, from its top to its underside; empty if the data
+                                          // have none
 };
 
 /// Sea ice of a model or an analysis on a grid; bilinear in place, linear in time.
 /// Shape    concentration and thickness_m are [time][y][x], last index fastest; thickness_m may be empty: the
-///          data have none. NaN marks a missing sample inside the arrays; it never leaves the class
+///          data have none. NaN marks a missing sample inside the arrays; no function returns it
 /// Units    concentration from 0 to 1, thickness in metres
-/// Outside  nullopt where a concentration needed is missing (land, the hole of a satellite's orbit round the
-///          pole), beyond the grid, beyond the times and between two that are further apart than longest_ice_gap;
-///          never extrapolates
-/// Errors   std::invalid_argument from the constructor when the sizes do not agree, and for a question that is
-///          not finite
+/// Outside  nullopt if a needed concentration is missing (land, the gap around the pole in a satellite's
+///          orbit), outside the grid, outside the times and between two times that are further apart than
+///          longest_ice_gap; never extrapolates
+/// Errors   std::invalid_argument from the constructor if the sizes of the arrays differ, and for arguments
+///          that are not finite
 /// Threads  const members may be called from several threads at once
 class IceField {
  public:

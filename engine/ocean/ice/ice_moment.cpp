@@ -6,7 +6,7 @@
 namespace floeplan::ocean {
 namespace {
 
-constexpr core::Seconds at_a_step{1e-3};  // rounding of times
+constexpr core::Seconds at_a_step{1e-3};  // rounding error of times
 
 IceStanding standing_before_all(core::Seconds until) {
   if (until <= at_a_step) return IceStanding::own;

@@ -25,10 +25,10 @@ core::Metres safe_length(const Iceberg& iceberg) {
     case growler: return {5.0};
     case bergy_bit: return {15.0};
     case small: return {60.0};
-    case medium: return {122.0};  // the International Ice Patrol's upper limit, the larger of the two
+    case medium: return {122.0};  // upper limit of the International Ice Patrol, the larger of the two
     case large:
-      return {213.0};  // the same
-    // Half as much again as the lower limit of the class, the longest of the ordinary bergs off Newfoundland.
+      return {213.0};  // likewise
+    // 1.5 times the lower limit of the class: the longest of the usual bergs off Newfoundland.
     case very_large:
     case unknown:
     case radar_target: return {300.0};

@@ -15,7 +15,7 @@ namespace floeplan::ocean {
 ///         large 121-200 m, very large > 200 m
 enum class IcebergSize { growler, bergy_bit, small, medium, large, very_large, unknown, radar_target };
 
-/// Where an iceberg was, and when.
+/// The place of an iceberg at a time.
 struct IcebergFix {
   geo::LonLat place;
   core::UtcTime time;
@@ -23,28 +23,27 @@ struct IcebergFix {
 
 /// One sighting of an iceberg.
 struct Iceberg {
-  std::string id;  // the berg's name or number in its source; sightings of one berg share it
+  std::string id;  // name or number in its source; all sightings of one berg have the same
   geo::LonLat place;
   core::UtcTime observed;
   IcebergSize size{IcebergSize::unknown};
-  std::optional<core::Metres> length;                // at the waterline, where the source states it
-  std::optional<core::Metres> draft;                 // where the source states it
-  std::optional<core::Metres> position_uncertainty;  // where the source states it
-  std::string shape;                            // the source's own code ("TAB", "DOM"), empty when not given
-  std::string method;                           // how it was seen ("R/V", "SAT-HIGH"), empty when not given
-  std::vector<IcebergFix> earlier{};            // sightings of the same berg before this one, oldest first
-  std::optional<core::UtcTime> too_old_from{};  // to a vehicle that leaves then or later; empty: never
+  std::optional<core::Metres> length;                // at the waterline; empty: not in the source
+  std::optional<core::Metres> draft;                 // empty: not in the source
+  std::optional<core::Metres> position_uncertainty;  // empty: not in the source
+  std::string shape;                                 // code of the source ("TAB", "DOM"); empty: not given
+  std::string method;                                // how it was seen ("R/V", "SAT-HIGH"); empty: not given
+  std::vector<IcebergFix> earlier{};                 // earlier sightings of this berg, oldest first
+  std::optional<core::UtcTime> too_old_from{};  // too old for departures from then on; empty: never too old
 };
 
-/// Length to keep clear of: the stated one, else the upper end of the size class. A size that is not known
-/// (also a radar target) counts as very large, never as small. Very large without a stated length counts as
-/// 300 m.
+/// The length assumed for safety: the stated one, otherwise the upper end of the size class. An unknown size
+/// (also a radar target) counts as very large. Very large without a stated length counts as 300 m.
 [[nodiscard]] core::Metres safe_length(const Iceberg& iceberg);
 
-/// Whether the sighting is too old to count for a vehicle that leaves then.
+/// Whether the sighting is too old for a departure at this time.
 [[nodiscard]] bool is_too_old(const Iceberg& iceberg, core::UtcTime depart);
 
-/// The class's name in messages and files: "growler", "bergy_bit", ..., and back.
+/// Name of the class in messages and files ("growler", "bergy_bit", ...), and the class of a name.
 [[nodiscard]] std::string size_name(IcebergSize size);
 [[nodiscard]] std::optional<IcebergSize> parse_size(const std::string& name);
 

@@ -6,8 +6,8 @@
 namespace floeplan::ocean {
 namespace {
 
-/// Speed through the water over that of the wind where the Coriolis force plays no part: sqrt(rho_a (rho_w - rho_i) /
-/// (rho_w rho_i) C_a / C_w) with C_a = 1.3 and C_w = 0.9, as the source has it.
+/// Ratio of the speed through the water to the wind speed if the Coriolis force is negligible: sqrt(rho_a
+/// (rho_w - rho_i) / (rho_w rho_i) C_a / C_w) with C_a = 1.3 and C_w = 0.9, as in the source.
 constexpr double windage = 0.0187;
 constexpr double drag_of_water = 0.9;
 constexpr double length_over_width = 1.62;
@@ -21,7 +21,7 @@ geo::VelocityEn moved_by_wind(geo::VelocityEn wind, core::Metres length, double 
   const double coriolis_rad_s =
       2.0 * earth_rotation_rad_s * std::sin(latitude_deg * std::numbers::pi / 180.0);
   const double harmonic_length_m = length.value / (1.0 + length_over_width);
-  // The Coriolis force over the drag: one over the source's Lambda.
+  // Ratio of the Coriolis force to the drag: the inverse of the source's Lambda.
   const double turning =
       std::numbers::pi * std::abs(coriolis_rad_s) * harmonic_length_m / (windage * drag_of_water * speed_m_s);
   const double square = 2.0 / (turning * turning + std::sqrt(std::pow(turning, 4) + 4.0));

@@ -18,16 +18,16 @@
 
 namespace floeplan::planning::cost {
 
-/// Cache of the gridded currents of one environment. It keeps the two grids that were used last, because a request
-/// may use a smaller and a larger grid, and returns one of them to a request with the same key.
+/// Cache of the gridded currents of one environment. It keeps the two grids that were used last, because a
+/// request may use a smaller and a larger one. Requests with the same key share a grid.
 /// Threads  one at a time
 class CurrentsShelf {
  public:
   /// `environment` is borrowed and must outlive the cache.
   explicit CurrentsShelf(const ocean::Environment& environment) : environment_{environment} {}
 
-  /// The currents that `lay_out_currents` makes in the environment of the cache, kept from an earlier call if there
-  /// was one.
+  /// The currents that `lay_out_currents` makes for these arguments in the environment of the cache; from the
+  /// cache if they are there. Once `stop` is requested they are incomplete, and not cached.
   [[nodiscard]] std::shared_ptr<const currents::PlaneCurrents> take(
       const PlanRequest& request, const currents::FlownDepths& depths, const ice::UnderIce* ice,
       const geo::LocalProjection& projection, const plane::PlaneBox& area, const std::stop_token& stop);
@@ -36,7 +36,7 @@ class CurrentsShelf {
                            const plane::PlaneBox& area) const;
 
  private:
-  /// Upper turn of the dives below ice.
+  /// What limits the upper turn of the dives below ice.
   struct BelowIce {
     double max_concentration_to_surface;
     core::Metres margin;
@@ -50,7 +50,7 @@ class CurrentsShelf {
     plane::PlaneBox area;
     core::UtcTime epoch;
     vehicle::DiveLimits limits;
-    std::optional<BelowIce> below_ice;  // empty: nothing is known of ice
+    std::optional<BelowIce> below_ice;  // empty: no ice data
 
     friend bool operator==(const Key&, const Key&) = default;
   };

@@ -11,11 +11,11 @@
 namespace floeplan::planning::cost {
 namespace {
 
-/// How much of its cost a route may seem to lose with a point that makes no difference: integrals over one leg and
-/// over its two halves differ by this much, a hundredth of their own tolerance.
+/// Removing a point that changes nothing may seem to change the cost by this share: the integral over one leg
+/// and those over its two halves differ by a hundredth of their own tolerance.
 constexpr double rounding = 1e-6;
 
-/// A route with one point less and what it costs.
+/// A route after one point was removed, and its cost.
 struct Shorter {
   DrivenRoute route;
   double cost{};
@@ -39,7 +39,7 @@ std::optional<Shorter> without(const Sea& sea, const DrivenRoute& route, std::si
   return best;
 }
 
-/// The route without the free point that costs least; empty where none can go.
+/// The route after the removal of the point that costs least; empty if none can be. Fixed points stay.
 std::optional<Shorter> without_cheapest(const Sea& sea, const DrivenRoute& route, const Objective& objective,
                                         core::Seconds depart, const std::stop_token& stop) {
   std::optional<Shorter> cheapest;

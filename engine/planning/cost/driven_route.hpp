@@ -15,7 +15,7 @@ namespace floeplan::planning::cost {
 /// A route with the propulsion of each leg.
 struct DrivenRoute {
   std::vector<geo::PlanePoint> points;
-  std::vector<bool> fixed;             // start, goal and via points
+  std::vector<bool> fixed;             // true for start, goal and via points
   std::vector<vehicle::Drive> drives;  // one for each leg
 };
 
@@ -23,28 +23,30 @@ struct DrivenRoute {
 struct DrivenTimes {
   std::vector<core::Seconds> arrivals;  // one for each point; the departure is the first
   EnergyUse energy;
-  double encounters{};              // with icebergs; zero if the objective does not weigh them
-  core::Seconds since_surfacing{};  // at the end of a drive without holds
+  double encounters{};              // expected, with icebergs; zero if the objective does not weigh them
+  core::Seconds since_surfacing{};  // at the last point, for a route without holds
 
   [[nodiscard]] double cost(const Objective& objective) const {
     return objective.cost(arrivals.back() - arrivals.front(), energy.total(), encounters);
   }
 };
 
-/// Times a route without holds. The limit of the request on the time without surfacing applies.
+/// Times of a route without holds. The request's limit on the time without surfacing applies.
+/// `depart` counts from the departure of the request. `since_surfacing`: at the first point.
 /// Errors   why the route is closed
 [[nodiscard]] tl::expected<DrivenTimes, motion::EdgeClosed> drive_along(
     const Sea& sea, const DrivenRoute& route, core::Seconds depart,
     core::Seconds since_surfacing = core::Seconds{0.0}, Dives dives = Dives::over_bed);
 
-/// The same, with holds where the request allows them and they help. Holds need the first propulsion of the model on
-/// every leg.
+/// Times of a route with holds where the request allows them and they make the arrival possible or earlier.
+/// Every leg must use the first propulsion of the model.
+/// Errors   why the route is closed
 [[nodiscard]] tl::expected<DrivenTimes, motion::EdgeClosed> drive_in_time(const Sea& sea,
                                                                           const DrivenRoute& route,
                                                                           core::Seconds depart);
 
-/// Removes points while the total cost stays the same, apart from rounding. Each merged leg uses its best propulsion.
-/// Stops when `stop` is requested.
+/// Removes points whose removal does not change the total cost, apart from rounding. Each merged leg gets its
+/// cheapest propulsion. Stops when `stop` is requested.
 [[nodiscard]] DrivenRoute drop_costless_points(const Sea& sea, const DrivenRoute& route,
                                                const Objective& objective, core::Seconds depart,
                                                const std::stop_token& stop);

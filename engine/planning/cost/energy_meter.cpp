@@ -14,7 +14,8 @@ std::optional<energy::DiveLine> dives_by(Dives dives, const energy::EnergyMap& e
   return energy.dives_along(edge.from, edge.to);
 }
 
-/// Largest error in the position of the vehicle.
+/// Largest allowed error in the position of the vehicle along the edge: 1/500 of a cell of the data for the
+/// dives.
 core::Metres most_deviation(const energy::EnergyMap& energy, Dives dives) {
   constexpr double of_cell = 0.002;
   const core::Metres cell = energy.cell();

@@ -9,7 +9,8 @@
 namespace floeplan::planning::cost {
 namespace {
 
-/// The points of a route as a graph: each is joined with the next.
+/// The route as a graph for `graph::find_earliest_among_intervals`: its points are vertices, each joined with
+/// the next.
 class Chain {
  public:
   Chain(const Sea& sea, const std::vector<geo::PlanePoint>& route, TimeSpan within)
@@ -35,8 +36,8 @@ class Chain {
 
  private:
   const std::vector<geo::PlanePoint>& route_;
-  std::vector<core::Seconds> remaining_;  // lower bound of the time to the end
-  std::vector<core::Seconds> soonest_;    // earliest possible arrival
+  std::vector<core::Seconds> remaining_;  // lower bound of the time to the end, for each point
+  std::vector<core::Seconds> soonest_;    // lower bound of the arrival at each point
   core::Seconds until_;
 };
 
@@ -47,7 +48,8 @@ core::Metres length_of(const std::vector<geo::PlanePoint>& route) {
   return length;
 }
 
-/// The schedule of a vehicle that leaves each point at the time of its visit, or at its arrival if that is later.
+/// The schedule for the visits that the search found. A vehicle that arrives after the departure of its visit
+/// leaves at once.
 std::optional<Schedule> timed(const Sea& sea, const std::vector<geo::PlanePoint>& route,
                               const std::vector<graph::Visit>& visits) {
   Schedule schedule{{core::Seconds{visits.front().arrive_s}}, {}};
@@ -97,7 +99,7 @@ std::optional<Schedule> held_schedule(const Sea& sea, const std::vector<geo::Pla
 }
 
 Schedule departing_later(const Sea& sea, const std::vector<geo::PlanePoint>& route, Schedule schedule) {
-  constexpr double as_early = 1e-4;  // share of the travel time: the tolerance of waits
+  constexpr double as_early = 1e-4;  // allowed delay as a share of the travel time: the tolerance of waits
   constexpr core::Seconds fine{60.0};
   const core::Seconds depart = schedule.arrivals.front();
   const core::Seconds latest = schedule.arrivals.back() + as_early * (schedule.arrivals.back() - depart);

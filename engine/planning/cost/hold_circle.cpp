@@ -15,7 +15,7 @@ geo::PlanePoint beside(geo::PlanePoint centre, double x_m, double y_m) {
   return {centre.x_m + x_m, centre.y_m + y_m};
 }
 
-/// Whether all straight lines from the centre to the rim are free of permanent closures.
+/// Whether no permanent closure cuts a straight line from the centre to one of the checked points of the rim.
 bool is_open_to_rim(const Sea& sea, geo::PlanePoint centre, core::Metres radius) {
   if (sea.domain().closures().open_about(centre, radius)) return true;
   const double r_m = radius.value;

@@ -10,11 +10,13 @@
 
 namespace floeplan::planning::cost {
 
-/// The circle within which a vehicle holds station. A glider cannot stand still: it drifts away while it dives, makes
-/// way against the current and comes back.
-/// Below ice the vehicle has no fix. The radius grows by the dead-reckoning error until its next surfacing. If that
-/// time is not bounded, the vehicle does not hold below ice.
-/// Accuracy  currents, timed zones, land and depths are checked at the centre and at four or eight points of the rim
+/// The circle within which a vehicle holds station. A glider cannot stand still: it drifts away while it
+/// dives, makes way against the current and comes back.
+/// Below ice the vehicle has no fix. The radius then grows by the dead-reckoning error until the next
+/// surfacing. If the time without surfacing is not limited, this error has no bound, so the vehicle does not
+/// hold below ice.
+/// Accuracy  currents, timed zones, land and depths are checked at the centre and at four or eight points of
+///           the rim
 class HoldCircle {
  public:
   /// `sea` is borrowed and must outlive the circle.
@@ -22,10 +24,12 @@ class HoldCircle {
 
   /// Whether no permanent closure touches the circle: land, depth, standing zones and icebergs, permanent ice.
   [[nodiscard]] bool is_open() const { return is_open_; }
-  /// Whether the vehicle can stay within the circle at `time`: everywhere the current is known and at most
-  /// `hold_share` of its speed, and there is room below the ice.
+  /// Whether the vehicle can stay within the circle at `time`: the current is known everywhere in it and at
+  /// most
+  /// `hold_share` of the vehicle's speed, and there is room below the ice.
   [[nodiscard]] bool is_kept(core::Seconds time) const;
-  /// Whether the vehicle can do so whenever the currents are known. Precomputed: true is certain, false is unknown.
+  /// Whether `is_kept` is true at all times with known currents. Precomputed: true is certain, false means
+  /// unknown.
   [[nodiscard]] bool is_always_kept() const;
   /// When a timed zone or a moving iceberg touches the circle: ascending, disjoint.
   [[nodiscard]] std::vector<TimeSpan> closed_times() const;

@@ -11,8 +11,8 @@ namespace {
 
 constexpr core::Seconds between_looks{900.0};
 constexpr core::Seconds fineness_of_clear{5.0};  // tolerance of `Closures::first_clear_departure`
-constexpr int most_tries = 8;  // departures of a leg at which the straight drive at constant speed is clear
-constexpr int tries_in_currents = 48;  // a tidal cycle in quarters of an hour
+constexpr int most_tries = 8;          // of departures at which a straight drive at constant speed is clear
+constexpr int tries_in_currents = 48;  // in the time of a hold: quarters of an hour in 12 h, a tidal cycle
 constexpr double tries_per_time_step = 4.0;
 constexpr core::Seconds least_delay{30.0};
 constexpr double least_delay_share = 0.02;  // share of the leg's time
@@ -21,18 +21,19 @@ bool opens_again(motion::EdgeClosed closed) {
   return closed == motion::EdgeClosed::obstacle || closed == motion::EdgeClosed::in_zone;
 }
 
-/// The end of the currents, at most `until`.
+/// The end of the period with known currents, but at most `until`.
 core::Seconds known_until(const Sea& sea, core::Seconds until) {
   return sea.domain().currents() ? std::min(until, sea.domain().currents()->end().value_or(until)) : until;
 }
 
-/// The next time to check. Between two steps of the data a current changes linearly, so it is strongest at one of
-/// them.
+/// The next time at which to check the current. Between two steps of the data a current changes linearly, so
+/// its strongest values are at the steps.
 core::Seconds next_look(const Sea& sea, core::Seconds now, core::Seconds until) {
   return sea.domain().currents() ? std::min(until, sea.domain().currents()->next_step(now)) : until;
 }
 
-/// Last checked time until which the vehicle stays within the circle. Before `from`: the vehicle cannot hold at all.
+/// The last checked time until which the vehicle stays within the circle. Earlier than `from`: it cannot hold
+/// at all.
 core::Seconds held_until(const Sea& sea, const HoldCircle& circle, core::Seconds from, core::Seconds until) {
   core::Seconds held = from - between_looks;
   if (!circle.is_open() || !circle.is_kept(from)) return held;
@@ -44,12 +45,12 @@ core::Seconds held_until(const Sea& sea, const HoldCircle& circle, core::Seconds
   }
 }
 
-/// When the vehicle can hold, within a span, if timed closures are ignored.
+/// The parts of `within` in which the vehicle can hold in the current; timed closures are ignored.
 std::vector<TimeSpan> times_to_hold(const Sea& sea, const HoldCircle& circle, TimeSpan within) {
   constexpr core::Seconds to_a_second{1.0};
   if (!circle.is_open()) return {};
   if (circle.is_always_kept()) {
-    if (!circle.is_kept(within.from)) return {};  // the current is unknown there
+    if (!circle.is_kept(within.from)) return {};  // at the beginning the current is unknown or too strong
     return {{within.from, known_until(sea, within.until)}};
   }
   std::vector<TimeSpan> result;
@@ -80,7 +81,7 @@ std::vector<TimeSpan> times_to_hold(const Sea& sea, const HoldCircle& circle, Ti
   return result;
 }
 
-/// The same, but without the times when a timed closure touches the circle.
+/// The parts of `within` in which the vehicle can hold and no timed closure touches the circle.
 std::vector<TimeSpan> clear_times_to_hold(const Sea& sea, const HoldCircle& circle, TimeSpan within) {
   std::vector<TimeSpan> result;
   const std::vector<TimeSpan> closures = circle.closed_times();
@@ -132,7 +133,7 @@ std::optional<core::Seconds> departure_after(const Sea& sea, geo::PlanePoint a, 
   return depart + std::max(between_looks, *sea.domain().currents()->time_step() / tries_per_time_step);
 }
 
-/// The leg with the shortest wait, to within `punctual`, that is open after a refused departure.
+/// Shortens the wait of `open` between the departure that was refused and the open one, to within `punctual`.
 WaitedLeg soonest(const Sea& sea, geo::PlanePoint a, geo::PlanePoint b, core::Seconds arrive,
                   core::Seconds latest, std::optional<core::Seconds> refused, WaitedLeg open) {
   if (!refused) return open;
@@ -149,7 +150,7 @@ WaitedLeg soonest(const Sea& sea, geo::PlanePoint a, geo::PlanePoint b, core::Se
   return open;
 }
 
-/// The leg once the current that closes it at the arrival has slackened.
+/// The leg at the first tried departure at which the current no longer closes it.
 tl::expected<WaitedLeg, motion::EdgeClosed> leg_when_slack(const Sea& sea, geo::PlanePoint a,
                                                            geo::PlanePoint b, core::Seconds arrive,
                                                            core::Seconds latest, core::Seconds not_before) {
@@ -244,7 +245,7 @@ OpenLegLook next_open_leg(const Sea& sea, geo::PlanePoint a, geo::PlanePoint b, 
   };
   core::Seconds depart = departure_for(sea, a, b, departures.from, not_before);
   std::optional<core::Seconds> refused;
-  bool even_is_closed_until = false;  // the departure that is tried next
+  bool even_is_closed_until = false;  // for the next departure and a drive at constant speed
   for (int i = 0; i < most_tries; ++i) {
     if (depart > departures.until) {
       if (!refused || *refused >= departures.until) return none;
@@ -253,7 +254,7 @@ OpenLegLook next_open_leg(const Sea& sea, geo::PlanePoint a, geo::PlanePoint b, 
     const auto time = sea.leg_time(a, b, depart);
     if (time && depart + *time >= not_before) {
       OpenLeg open{depart, *time};
-      // The clear departure of a drive at constant speed differs from that of the exact drive by a few seconds.
+      // The exact drive becomes clear a few seconds before or after a drive at constant speed.
       for (core::Seconds step = fineness_of_clear; even_is_closed_until && refused; step *= 2.0) {
         const core::Seconds before = std::max(*refused, depart - step);
         const auto earlier = before > *refused ? open_at(before) : std::nullopt;
@@ -353,7 +354,7 @@ std::vector<graph::SafeInterval> safe_intervals(const Sea& sea, geo::PlanePoint 
 core::Seconds end_of_looks(const Sea& sea, core::Seconds depart, core::Metres way) {
   constexpr core::Seconds longest_look{10.0 * 86'400.0};
   constexpr double slowest_share =
-      0.25;  // share of the speed through water: slowest average speed of a route
+      0.25;  // lower limit of a route's average speed, as a share of the speed through water
   const core::Seconds end = depart + longest_look + way / (slowest_share * sea.through_water());
   if (!sea.domain().currents()) return end;
   return std::min(end, sea.domain().currents()->end().value_or(end));

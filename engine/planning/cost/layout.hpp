@@ -10,12 +10,12 @@
 
 namespace floeplan::planning::cost {
 
-/// How far the first grids extend beyond start and goal.
+/// Extent of the first grids beyond start and goal; see `GridReach`.
 inline constexpr GridReach first_reach{0.5, 0.25};
-/// Tried if the first grids hold no route, or if the route runs along their rim.
+/// Extent of the second grids. They are tried if the first hold no route, or if the route follows their rim.
 inline constexpr GridReach second_reach{1.0, 0.75, core::Metres{15'000.0}};
 
-/// The extents of a request's grids, in the order in which they are tried: the two above, or the single one that the
+/// The grid extents to try for a request, in order: the first and the second one, or only the one that the
 /// request names.
 [[nodiscard]] std::vector<GridReach> reaches(const PlanRequest& request);
 
@@ -30,21 +30,22 @@ struct Layout {
   [[nodiscard]] double most_vertices() const;    // of the largest grid
   [[nodiscard]] core::Metres map_cell() const;   // step of the safety map
   [[nodiscard]] plane::PlaneBox area()
-      const;  // of the leg cost model: the grids and two cells of the map around them
+      const;  // area of the leg cost model: all grids with a margin of two cells of the safety map
 };
 
-/// In a plane around the middle of the stops.
+/// The layout in a local plane whose origin is the middle of the stops.
 /// Precondition  the request is valid
 [[nodiscard]] Layout lay_out(const PlanRequest& request, GridReach reach);
-/// The same in a given plane.
+/// The layout in the plane of `projection`.
 [[nodiscard]] Layout lay_out(const PlanRequest& request, GridReach reach,
                              const geo::LocalProjection& projection);
 
 /// The centre of the bounding box of start, via points and goal.
 [[nodiscard]] geo::LonLat middle_of_stops(const PlanRequest& request);
 
-/// Grid steps for a route of this length: as the request says, or distance/200 between 250 m and 5 km. If the request
-/// names the extent of the grid, the steps are large enough to keep the grid at its usual size.
+/// Grid steps for a route of this length: those of the request, otherwise distance/200 between 250 m and 5
+/// km. If the request names the extent of the grid, the steps grow so that the grid keeps its usual number of
+/// vertices.
 [[nodiscard]] GridSpacing spacing_for(const PlanRequest& request, core::Metres distance);
 
 /// The request with larger grid steps, for searches that do not finish on its own grids.

@@ -10,10 +10,10 @@ namespace floeplan::planning::cost {
 /// Time and cost of a straight leg.
 struct LegCost {
   core::Seconds time{};
-  double cost{};  // by the objective, in its own unit
+  double cost{};  // in the unit of the objective
 };
 
-/// Cost of a leg if the objective is time alone.
+/// Cost of a leg if the objective is time alone: one unit per second.
 [[nodiscard]] inline LegCost cost_of_leg(core::Seconds time) { return {time, time.count()}; }
 [[nodiscard]] inline LegCost cost_of_leg(const LegCost& leg) { return leg; }
 

@@ -11,12 +11,12 @@
 
 namespace floeplan::planning::cost {
 
-/// How far the current carries the vehicle between two passages, with the current at the middle; zero where it is
-/// unknown.
+/// Displacement by the current between two passages. It uses the current half-way between them; zero where
+/// the current is unknown.
 [[nodiscard]] CarriedWay carried_between(const Sea& sea, const Sea::Passage& from, const Sea::Passage& to);
 
-/// Mean of the currents that the vehicle meets on each leg, averaged over the depths of its dives. One value for each
-/// point of the route; empty for the start, and where no currents are known.
+/// Mean current on each leg, averaged over the time of the leg and the depths of its dives. One value for
+/// each point of the route, for the leg that ends there; empty for the start and where currents are unknown.
 [[nodiscard]] std::vector<std::optional<geo::VelocityEn>> leg_currents(
     const Sea& sea, const std::vector<geo::PlanePoint>& route, const Schedule& schedule,
     const std::vector<vehicle::Drive>& drives);

@@ -11,12 +11,12 @@
 
 namespace floeplan::planning::cost {
 
-/// Ice and icebergs above the vehicle: whether it may surface, how deep its dives must turn, and how long it may stay
-/// below.
+/// Ice and icebergs above the vehicle: whether it may surface, how deep its dives must turn, and how long it
+/// may stay under water.
 /// Threads  const members may be called from several threads at once
 class Overhead {
  public:
-  /// `ice`: empty if nothing is known of ice in the whole area. `longest_without_surfacing`: empty means no limit.
+  /// `ice`: empty if the whole area has no ice data. `longest_without_surfacing`: empty means no limit.
   Overhead(std::optional<ice::UnderIce> ice, obstacles::IcebergDiscs icebergs,
            std::optional<core::Seconds> longest_without_surfacing)
       : ice_{std::move(ice)},
@@ -26,12 +26,13 @@ class Overhead {
   [[nodiscard]] const std::optional<ice::UnderIce>& ice() const { return ice_; }
   [[nodiscard]] const obstacles::IcebergDiscs& icebergs() const { return icebergs_; }
 
-  /// Whether the vehicle may surface. True everywhere if nothing is known of ice in the whole area.
+  /// Whether the vehicle may surface. True everywhere if the whole area has no ice data.
   [[nodiscard]] bool may_surface(geo::PlanePoint point, core::Seconds time) const {
     return (!ice_ || ice_->may_surface(point, time)) && !icebergs_.least_upper_turn(point, time);
   }
-  /// The same, and whether there has been room below the ice since the last check. `watch` is empty if nothing is
-  /// known of ice.
+  /// Whether the vehicle may surface, and whether there was room below the ice since the last check of
+  /// `watch`. An empty
+  /// `watch` means that there are no ice data.
   [[nodiscard]] ice::UnderIce::Leave leave(std::optional<ice::IceWatch>& watch, geo::PlanePoint point,
                                            core::Seconds time) const;
   /// Distance between checks of the ice above.
@@ -42,12 +43,12 @@ class Overhead {
     const core::Metres of_ice = ice_ ? ice_->least_upper_turn(point, time) : core::Metres{0.0};
     return std::max(of_ice, icebergs_.least_upper_turn(point, time).value_or(core::Metres{0.0}));
   }
-  /// Whether dives may have to turn deeper somewhere on the straight line.
+  /// Whether ice or an iceberg may force dives to turn deeper somewhere on the straight line.
   [[nodiscard]] bool may_be_above(geo::PlanePoint a, geo::PlanePoint b) const {
     return (ice_ && ice_->may_be_dense_along(a, b)) || icebergs_.may_pass_under();
   }
-  /// Whether the time without surfacing is limited while something may be above the vehicle. A leg then depends on
-  /// the legs before it.
+  /// Whether the time without surfacing is limited and something may be above the vehicle. If so, whether a
+  /// leg is open depends on the legs before it.
   [[nodiscard]] bool bounds_surfacing() const {
     return longest_without_surfacing_ && (ice_ || icebergs_.may_pass_under());
   }

@@ -14,12 +14,12 @@ namespace floeplan::planning::cost {
 /// A route of straight legs, and which of its points are fixed.
 struct Route {
   std::vector<geo::PlanePoint> points;
-  std::vector<bool> fixed;  // start, goal and via points
+  std::vector<bool> fixed;  // true for start, goal and via points
 
   [[nodiscard]] std::size_t legs() const { return points.size() - 1; }
 };
 
-/// Times count from the departure.
+/// Times along a route count from its departure.
 inline constexpr core::Seconds at_departure{0.0};
 
 /// A route with all points fixed.
@@ -28,13 +28,14 @@ inline constexpr core::Seconds at_departure{0.0};
   return {std::move(points), std::vector<bool>(count, true)};
 }
 
-/// An open route with the time and the cost so far at each point. The departure is the first.
+/// A route that is open, with the time and the cost so far at each point. The first entry belongs to the
+/// departure.
 struct Itinerary {
   Route route;
   std::vector<core::Seconds> times;
   std::vector<double> costs;
 
-  /// Adds a leg.
+  /// Adds the time and cost of the next leg.
   void append(const LegCost& leg) {
     times.push_back(times.back() + leg.time);
     costs.push_back(costs.back() + leg.cost);
@@ -44,8 +45,8 @@ struct Itinerary {
   [[nodiscard]] core::Seconds travel_time() const { return times.back() - times.front(); }
 };
 
-/// Removes points within `nearby` of the point before them, because a leg without length has no course. Fixed points
-/// stay.
+/// Removes points closer than `nearby` to the point before them: a leg without length has no course. Fixed
+/// points stay.
 [[nodiscard]] inline Route without_repeats(const Route& route, core::Metres nearby) {
   Route result;
   for (std::size_t i = 0; i < route.points.size(); ++i) {

@@ -11,7 +11,7 @@
 namespace floeplan::planning::cost {
 namespace {
 
-constexpr int pieces_to_locate = 256;  // to tell the pilot where on a closed leg the trouble begins
+constexpr int pieces_to_locate = 256;  // of a closed leg: the first closed piece is reported
 
 RouteClosed locate(const Sea& sea, geo::PlanePoint from, geo::PlanePoint to, core::Seconds depart,
                    core::Seconds since_surfacing, motion::EdgeClosed reason) {
@@ -50,15 +50,16 @@ tl::expected<Schedule, RouteClosed> without_waits(const Sea& sea, const std::vec
   return Schedule{std::move(arrivals), std::vector<core::Seconds>(route.size())};
 }
 
-/// One possible arrival at a point of the route.
+/// One possible arrival at a point of the route; with holds there may be several.
 struct Stage {
   core::Seconds arrival;
   core::Seconds since_surfacing;
-  core::Seconds waited{};  // at the point before
+  core::Seconds waited{};  // hold at the point before
   std::size_t before{};    // index among the stages of the point before
 };
 
-/// Whether the earlier vehicle can do all that the later one can, by waiting until the later one arrives.
+/// Whether stage `other` is needless: a vehicle at stage `first` can hold until `other` arrives and then do
+/// the same.
 bool replaces(const Sea& sea, geo::PlanePoint point, const std::vector<TimeSpan>& closed, const Stage& first,
               const Stage& other) {
   if (first.arrival > other.arrival || other.arrival - first.arrival > sea.holding().longest) return false;
@@ -69,8 +70,8 @@ bool replaces(const Sea& sea, geo::PlanePoint point, const std::vector<TimeSpan>
   return since_surfacing && *since_surfacing <= other.since_surfacing;
 }
 
-/// The stage at the end of a leg from a stage at its beginning. Empty if the time without surfacing would exceed its
-/// limit.
+/// The stage at the end of a leg. `stage`: at its beginning. Empty if the time without surfacing would exceed
+/// its limit.
 std::optional<Stage> stage_after(const Sea& sea, geo::PlanePoint from, geo::PlanePoint to, const Stage& stage,
                                  const WaitedLeg& leg) {
   Stage next{.arrival = stage.arrival + leg.total(), .since_surfacing = {}, .waited = leg.wait};
@@ -85,8 +86,9 @@ std::optional<Stage> stage_after(const Sea& sea, geo::PlanePoint from, geo::Plan
   return next;
 }
 
-/// Safe intervals along the route. An earlier arrival is not always better, because the place may close before the
-/// next leg opens.
+/// The earliest schedule with holds. Each point keeps several arrivals, one for each interval between its
+/// closures: the earliest arrival is not always best, because the place may close before the next leg opens
+/// (safe intervals).
 std::optional<Schedule> with_waits(const Sea& sea, const std::vector<geo::PlanePoint>& route,
                                    core::Seconds depart, core::Seconds since_surfacing) {
   constexpr std::size_t most_stages = 16;
@@ -148,7 +150,7 @@ core::Seconds earliest_arrival(const Sea& sea, const std::vector<geo::PlanePoint
 std::optional<core::Seconds> since_surfacing_at_end(const Sea& sea, const std::vector<geo::PlanePoint>& route,
                                                     core::Seconds depart, core::Seconds since_surfacing,
                                                     core::Seconds latest) {
-  constexpr core::Seconds rounding{1e-3};  // of sums of times
+  constexpr core::Seconds rounding{1e-3};  // rounding error of sums of times
   const auto schedule = schedule_along(sea, route, depart, since_surfacing);
   if (!schedule || schedule->arrivals.back() > latest + rounding) return std::nullopt;
   std::optional<core::Seconds> since = since_surfacing;

@@ -7,7 +7,7 @@ namespace floeplan::planning::cost {
 namespace {
 
 constexpr double fewest_steps =
-    10.0;  // cells of room on each side, so that short routes can make detours too
+    10.0;  // grid steps of room on each side, so that short routes can make detours too
 
 int steps_of_room(double room_m, double step_m, core::Metres at_least) {
   const double least = std::min(at_least.value / step_m, GridReach::most_steps_of_least);

@@ -7,12 +7,12 @@
 
 namespace floeplan::planning::cost {
 
-/// How far a grid extends beyond start and goal, as shares of their distance.
+/// How far a grid extends beyond start and goal, as shares of the distance between them.
 struct GridReach {
   double across{0.5};   // on each side of the straight line
   double beyond{0.25};  // behind the start and past the goal
-  /// Least extent on every side. Obstacles on a short route are no smaller than on a long one.
-  /// A fine grid extends at most `most_steps_of_least` steps for this reason.
+  /// Least extent on every side: obstacles on a short route are as large as on a long one. To keep the grid
+  /// small, this rule adds at most `most_steps_of_least` steps.
   core::Metres at_least{0.0};
 
   static constexpr double most_steps_of_least = 200.0;
@@ -43,14 +43,15 @@ struct RouteGrid {
   [[nodiscard]] double vertex_count() const { return static_cast<double>(nx) * ny; }
 };
 
-/// Grid steps for a leg of this length: as the request says, or distance/200 between 250 m and 5 km.
+/// Grid steps for a leg: along the line from start to goal, and across it.
 struct GridSpacing {
   core::Metres along;
   core::Metres across;
 };
 
-/// The step along the line is adjusted so that the goal is a vertex. If start and goal are the same place, the grid
-/// lies around it and its columns run along the x axis.
+/// Makes the grid between two points of the plane. The step along the line is adjusted so that the goal is a
+/// vertex. If start and goal are the same place, the grid lies around it and its columns run along the x
+/// axis.
 [[nodiscard]] RouteGrid lay_grid(geo::PlanePoint start, geo::PlanePoint goal, GridSpacing spacing,
                                  GridReach reach);
 

@@ -14,8 +14,8 @@
 namespace floeplan::planning::cost {
 namespace {
 
-/// `fastest`: of all propulsion, because the dead-reckoning error grows with speed. `scale`: metres of the plane per
-/// metre on the ground.
+/// `fastest`: speed of the fastest propulsion, because the dead-reckoning error grows with speed. `scale`:
+/// metres of the plane per metre on the ground.
 Sea::Holding holding_of(const PlanRequest& request, core::MetresPerSecond fastest, double scale,
                         const currents::PlaneCurrents* currents) {
   Sea::Holding holding{.longest = request.holds.longest, .radius = scale * request.holds.radius};

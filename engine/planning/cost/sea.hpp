@@ -26,19 +26,21 @@ namespace floeplan::planning::cost {
 /// Threads  const members may be called from several threads at once
 class Sea {
  public:
-  /// `cell`: step of the safety map. If `stop` is requested, the object stays incomplete and must not be used.
+  /// `cell`: step of the safety map. Once `stop` is requested, the object stays incomplete and must not be
+  /// used.
   /// `environment` and `request` are borrowed and must outlive the object.
   /// `shelf`: cache of currents of the same environment, or null; needed only during construction.
   Sea(const ocean::Environment& environment, const PlanRequest& request,
       const geo::LocalProjection& projection, const plane::PlaneBox& area, core::Metres cell,
       const std::stop_token& stop = {}, CurrentsShelf* shelf = nullptr);
 
-  /// Travel time of a straight leg, or the reason why it is closed. too_late: it would certainly end after `latest`.
+  /// Travel time of a straight leg with the first propulsion of the model, or the reason why the leg is
+  /// closed. too_late: it would certainly end after `latest`.
   [[nodiscard]] tl::expected<core::Seconds, motion::EdgeClosed> leg_time(geo::PlanePoint a, geo::PlanePoint b,
                                                                          core::Seconds depart,
                                                                          core::Seconds latest = core::Seconds{
                                                                              INFINITY}) const;
-  /// The same with the given propulsion of the request. The overload without it uses the first one.
+  /// Travel time of a straight leg with the given propulsion, which the request must allow.
   [[nodiscard]] tl::expected<core::Seconds, motion::EdgeClosed> leg_time(geo::PlanePoint a, geo::PlanePoint b,
                                                                          core::Seconds depart,
                                                                          core::Seconds latest,
@@ -49,9 +51,10 @@ class Sea {
     return drive == vehicle::Drive::thruster ? thruster_speed_ : buoyancy_speed_;
   }
   [[nodiscard]] const energy::EnergyMap& energy() const { return energy_; }
-  /// Energy of a straight leg that starts at `depart` and takes `time`, or of a wait: the power at each place times
-  /// the time spent there. Below ice and icebergs the dives turn deeper, so the vehicle turns more often.
-  /// If the vehicle makes no way, it covers the rest of the leg evenly in the rest of the time.
+  /// Energy of a straight leg that starts at `depart` and takes `time`, or of a hold: the power at each place
+  /// times the time spent there. Below ice and icebergs the dives turn deeper, so they are shorter and more
+  /// of them are needed. If the current stops the vehicle, it covers the rest of the leg at constant speed in
+  /// the rest of the time.
   /// Accuracy  as `EnergyMeter`, over the sea bed
   [[nodiscard]] EnergyUse energy_along(geo::PlanePoint a, geo::PlanePoint b, core::Seconds depart,
                                        core::Seconds time, vehicle::Drive drive) const;
@@ -60,7 +63,8 @@ class Sea {
     return energy_.is_even() && !(domain_.ice() && domain_.ice()->has_dense_ice()) &&
            !domain_.icebergs().may_pass_under();
   }
-  /// The same without closures that last for a while. Never more than `leg_time`, because the drive is the same.
+  /// Travel time of a straight leg if closures that end are ignored. Never more than `leg_time`: the drive is
+  /// the same.
   [[nodiscard]] tl::expected<core::Seconds, motion::EdgeClosed> leg_time_without_timed_closures(
       geo::PlanePoint a, geo::PlanePoint b, core::Seconds depart, core::Seconds latest) const;
   /// How the vehicle may hold station; lengths in metres of the plane. See hold_circle.hpp.
@@ -72,20 +76,22 @@ class Sea {
         calm{};  // strongest current within a circle; null: not precomputed
   };
   [[nodiscard]] const Holding& holding() const { return holding_; }
-  /// The drive along an open leg as moves of constant speed, in order, each within a metre of the real drive.
+  /// The drive along an open leg as moves at constant speed, in order. Each stays within a metre of the true
+  /// drive.
   [[nodiscard]] std::vector<motion::EvenMove> drive(geo::PlanePoint a, geo::PlanePoint b,
                                                     core::Seconds depart, vehicle::Drive drive) const;
-  /// Travel time of the straight leg for a vehicle that must arrive at `arrive`; its departure follows. Closed if the
-  /// leg is closed at that departure. too_late: the vehicle would certainly have to leave before `earliest`.
+  /// Travel time of the straight leg for a vehicle that must arrive at `arrive`; so its departure is `arrive`
+  /// minus that time. Closed if the leg is closed for this departure. too_late: the departure would certainly
+  /// be before `earliest`.
   [[nodiscard]] tl::expected<core::Seconds, motion::EdgeClosed> leg_time_back(geo::PlanePoint a,
                                                                               geo::PlanePoint b,
                                                                               core::Seconds arrive,
                                                                               core::Seconds earliest) const;
-  /// The same without closures that last for a while.
+  /// `leg_time_back` if closures that end are ignored.
   [[nodiscard]] tl::expected<core::Seconds, motion::EdgeClosed> leg_time_back_without_timed_closures(
       geo::PlanePoint a, geo::PlanePoint b, core::Seconds arrive, core::Seconds earliest) const;
-  /// Travel time of a leg with the time since the vehicle could last surface. `since_surfacing`: that time at the
-  /// departure. no_surfacing: somewhere on the leg it exceeds the limit of the request.
+  /// Travel time of a leg, and the time since the last possible surfacing. `since_surfacing`: that time at
+  /// the departure. no_surfacing: somewhere on the leg that time exceeds the limit of the request.
   struct Leg {
     core::Seconds time;
     core::Seconds since_surfacing;  // at the end of the leg; zero where nothing is above the vehicle
@@ -93,12 +99,13 @@ class Sea {
   [[nodiscard]] tl::expected<Leg, motion::EdgeClosed> leg(geo::PlanePoint a, geo::PlanePoint b,
                                                           core::Seconds depart,
                                                           core::Seconds since_surfacing) const;
-  /// The same with the given propulsion of the request. The overload without it uses the first one.
+  /// `leg` with the given propulsion, which the request must allow. The overload without it uses the first
+  /// one.
   [[nodiscard]] tl::expected<Leg, motion::EdgeClosed> leg(geo::PlanePoint a, geo::PlanePoint b,
                                                           core::Seconds depart, core::Seconds since_surfacing,
                                                           vehicle::Drive drive) const;
-  /// A leg that must end by `latest`, with its energy, from one integration. Where the time without surfacing is
-  /// bounded it equals `leg`, elsewhere `leg_time`, and `since_surfacing` is zero.
+  /// A leg that must end by `latest`, with its energy, from one integration. If the time without surfacing is
+  /// limited, the result equals that of `leg`; otherwise that of `leg_time`, and `since_surfacing` is zero.
   struct MeteredLeg {
     Leg leg;
     EnergyUse energy;
@@ -106,9 +113,9 @@ class Sea {
   [[nodiscard]] tl::expected<MeteredLeg, motion::EdgeClosed> metered_leg(
       geo::PlanePoint a, geo::PlanePoint b, core::Seconds depart, core::Seconds since_surfacing,
       core::Seconds latest, vehicle::Drive drive, Dives dives = Dives::over_bed) const;
-  /// As `leg`, backwards: the vehicle must arrive at `arrive` and may surface `until_surfacing` later. Returns the
-  /// time from the beginning of the leg to that surfacing. too_late: the vehicle would certainly have to leave before
-  /// `earliest`.
+  /// `leg` backwards: the vehicle must arrive at `arrive` and may surface `until_surfacing` later. Returns
+  /// the travel time and the time from the beginning of the leg to that surfacing. too_late: the departure
+  /// would certainly be before `earliest`.
   struct LegBack {
     core::Seconds time;
     core::Seconds until_surfacing;
@@ -126,33 +133,33 @@ class Sea {
   /// not.
   [[nodiscard]] std::vector<Passage> passages(geo::PlanePoint a, geo::PlanePoint b, core::Seconds depart,
                                               core::Metres step, vehicle::Drive drive) const;
-  /// Lower bound, for every time, of the time to a place where the vehicle may surface. Infinite if there is no such
-  /// place.
+  /// Lower bound, at all times, of the travel time to a place where the vehicle may surface. Infinite if
+  /// there is none.
   [[nodiscard]] core::Seconds least_time_to_opening(geo::PlanePoint point) const;
-  /// The same for each point, for places where the vehicle may surface at some time between `from` and `until`;
-  /// seconds.
+  /// The bound of `least_time_to_opening` in seconds for each point, for places where the vehicle may surface
+  /// at some time between `from` and `until`.
   [[nodiscard]] std::vector<double> least_times_to_opening_s(const std::vector<geo::PlanePoint>& points,
                                                              core::Seconds from, core::Seconds until) const;
-  /// Expected encounters with icebergs on the straight leg, for objectives that weigh them. Zero if the objective
-  /// does not.
+  /// Expected number of encounters with icebergs on the straight leg, if the objective weighs them; otherwise
+  /// zero.
   [[nodiscard]] double encounters(geo::PlanePoint a, geo::PlanePoint b, core::Seconds depart,
                                   core::Seconds time) const {
     return encounters_ ? encounters_->along(a, b, depart, time) : 0.0;
   }
-  /// What of the request another model leaves out.
+  /// Which parts of the request another model leaves out.
   struct Variant {
     std::optional<vehicle::Drive> drive{};  // this propulsion alone; empty: all of the request
     bool holds{true};                       // false: the vehicle never holds
     bool bounds_surfacing{true};            // false: without a limit on the time without surfacing
   };
-  /// The same model in a variant.
+  /// A copy of this model with those parts left out.
   [[nodiscard]] Sea with(const Variant& variant) const;
 
   /// Lower bound of the time of any straight leg between the two points.
   [[nodiscard]] core::Seconds least_time(geo::PlanePoint a, geo::PlanePoint b) const;
-  /// The same with this propulsion.
+  /// Lower bound of the time of any straight leg between the two points, with this propulsion.
   [[nodiscard]] core::Seconds least_time(geo::PlanePoint a, geo::PlanePoint b, vehicle::Drive drive) const;
-  /// Lower bound of the time of a straight leg of this length in the plane, where no current along it exceeds
+  /// Lower bound of the time of a straight leg of this length in the plane, if no current along it exceeds
   /// `astern`.
   [[nodiscard]] core::Seconds least_time(core::Metres length, core::MetresPerSecond astern) const;
   [[nodiscard]] core::MetresPerSecond through_water() const { return speed(drives_.front()); }
@@ -161,7 +168,7 @@ class Sea {
   [[nodiscard]] PlanningDomain& domain() { return domain_; }
   [[nodiscard]] double edge_tolerance() const { return edge_tolerance_; }
 
-  /// Memory of the precomputed grids, without their sources.
+  /// Memory of the precomputed grids in bytes, without the data they were made from.
   [[nodiscard]] std::size_t bytes() const;
 
  private:
@@ -184,7 +191,7 @@ class Sea {
   energy::EnergyMap energy_;
   Holding holding_;
   core::MetresPerSecond fastest_through_water_;
-  double least_slowness_s_m_;  // per metre on the ground, with the strongest current astern
+  double least_slowness_s_m_;  // s per metre on the ground, with the strongest current from astern
 };
 
 }  // namespace floeplan::planning::cost

@@ -8,11 +8,11 @@
 
 namespace floeplan::planning::cost {
 
-/// The edge times between the vertices of a graph for a vehicle that may hold: the model of
+/// Edge times between the vertices of a graph for a vehicle that may hold: the model of
 /// `graph::find_earliest_among_intervals`.
-/// `Places`  point(vertex)
-/// `Bound`   least_time(edge, depart) and remaining(vertex), as graph::TravelTimeBound. of_use(vertex): outside this
-///           span no vehicle can be there and still reach the goal in time
+/// `Places`  point(vertex): the vertex's place in the plane
+/// `Bound`   least_time(edge, depart) and remaining(vertex), as graph::TravelTimeBound. of_use(vertex): the
+/// span outside which no vehicle can be at the vertex and still reach the goal in time
 template <class Places, class Bound>
 class SeaIntervals {
  public:

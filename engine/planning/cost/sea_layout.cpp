@@ -10,19 +10,20 @@ namespace {
 
 constexpr core::Seconds day{86'400.0};
 
-/// The International Ice Patrol drops a berg that was not seen for this time.
+/// The International Ice Patrol drops a berg from its list when it was not seen for this time.
 constexpr core::Seconds longest_drift = 30.0 * day;
 
-/// The last time at which the vehicle may depart.
+/// The last time at which the request allows a departure.
 core::UtcTime last_departure(const PlanRequest& request) {
   const DepartureRules& rules = request.departures;
   return std::max(
       {request.depart, rules.until.value_or(request.depart), rules.arrive_by.value_or(request.depart)});
 }
 
-/// How long after the first departure drift matters. The last departure of a window must have the drift that it would
-/// have alone, so that a comparison with other departures does not change it: no less than the route needs, and to
-/// the end of the currents, but at most the longest drift.
+/// The time after the first departure until which the drift of icebergs matters: what the route needs from
+/// the last departure on, or the end of the currents if later, but at most `longest_drift`. All departures of
+/// a window get the drift that the last one would have alone, so comparing departures does not change their
+/// results.
 core::Seconds forecast_horizon(const ocean::Environment& environment, const PlanRequest& request) {
   const core::UtcTime last = last_departure(request);
   core::Seconds under_way = drift_for_the_way(request);
@@ -39,14 +40,14 @@ std::optional<obstacles::PassUnder> lay_out_under(const PlanRequest& request,
   return obstacles::PassUnder{request.icebergs, request.vehicle, std::move(bed)};
 }
 
-/// Extra distance from the rims of icebergs and zones in a search. The route is judged again from written positions,
-/// in another plane, and must not touch them there. Mission files round to 1/10000 minute, 0.19 m.
+/// Extra distance in a search from the edges of icebergs and zones. The route is checked again from written
+/// positions, in another plane, and must stay clear there. Mission files round to 1/10000 minute, 0.19 m.
 core::Metres kept_for_rounding(const PlanRequest& request) {
   return core::Metres{request.method == Method::direct ? 0.0 : 0.3};
 }
 
-/// Places where the vehicle surfaces on every route. The inner points of a given route are turns, and the vehicle may
-/// pass them below icebergs.
+/// The places where the vehicle surfaces on every route. The inner points of a given route are only turns:
+/// the vehicle may pass them below icebergs.
 std::vector<geo::PlanePoint> stops_in_plane(const PlanRequest& request,
                                             const geo::LocalProjection& projection) {
   std::vector<geo::PlanePoint> stops{projection.to_plane(request.from), projection.to_plane(request.to)};
@@ -59,7 +60,7 @@ std::vector<geo::PlanePoint> stops_in_plane(const PlanRequest& request,
 
 core::Seconds drift_for_the_way(const PlanRequest& request) {
   constexpr double detours = 6.0;
-  // It may hold at any number of places.
+  // With holds a route may take any time.
   if (request.holds.longest.count() > 0.0) return longest_drift;
   core::Metres way{0.0};
   geo::LonLat last = request.from;
@@ -73,7 +74,7 @@ core::Seconds drift_for_the_way(const PlanRequest& request) {
   return std::ceil(longest / day) * day;
 }
 
-/// A glider surfaces between its dives.
+/// Zones count from the surface down to the dive depth, because a glider surfaces between its dives.
 obstacles::ZoneRules lay_out_zones(const ocean::Environment& environment, const PlanRequest& request) {
   std::vector<ocean::Zone> zones = environment.zones;
   zones.insert(zones.end(), request.zones.begin(), request.zones.end());
@@ -84,8 +85,8 @@ obstacles::TimedZones lay_out_timed_zones(const std::vector<ocean::Zone>& timed,
                                           const geo::LocalProjection& projection,
                                           const plane::PlaneBox& area) {
   if (request.method == Method::direct) return {timed, projection, area, request.depart};
-  // Times over ground of one route agree in two planes to a few parts in a million; the rest covers the rounding of
-  // positions.
+  // Arrival times of one route in two planes agree to a few parts in a million. This share also covers the
+  // rounding of positions.
   constexpr double of_the_way = 1e-5;
   constexpr core::Seconds of_rounding{1.0};
   constexpr core::Seconds most{60.0};

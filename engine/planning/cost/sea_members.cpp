@@ -25,7 +25,7 @@ ocean::Environment SeaMembers::environment(std::size_t member) const {
     std::mt19937_64 rng{seeds};
     result.currents = std::make_shared<const ocean::CurrentGrid>(
         ocean::with_error(*environment_.currents, rules_.error, rng));
-    // The discs already include the position errors of icebergs.
+    // The icebergs keep the undisturbed currents: their discs already include their position errors.
     if (!result.drift_currents) result.drift_currents = environment_.currents;
   } else {
     result.currents = environment_.members[member];

@@ -10,17 +10,17 @@ namespace floeplan::planning::cost {
 /// Whether there are several currents to plan for: members of an ensemble or an error model.
 [[nodiscard]] bool has_uncertain_currents(const ocean::Environment& environment, const PlanRequest& request);
 
-/// The environments of an ensemble's members, or of an error model's, drawn one at a time: only those that are asked
-/// for are in memory.
+/// The environments of an ensemble's members, or of draws from an error model. Each is made when it is asked
+/// for, so that only those in use take memory.
 /// Threads  const members may be called from several threads at once
 class SeaMembers {
  public:
-  /// Both are borrowed and outlive this. Precondition: the currents are uncertain.
+  /// `environment` and `rules` are borrowed and must outlive this. Precondition: the currents are uncertain.
   SeaMembers(const ocean::Environment& environment, const UncertaintyRules& rules)
       : environment_{environment}, rules_{rules} {}
 
   [[nodiscard]] std::size_t size() const;
-  /// The same member is the same sea whenever it is asked for.
+  /// Calls with the same `member` give the same environment.
   [[nodiscard]] ocean::Environment environment(std::size_t member) const;
 
  private:

@@ -10,7 +10,8 @@
 namespace floeplan::planning::cost {
 namespace {
 
-/// Arrival at the point after `i` without point `i`, with departure from the point before at `depart`.
+/// Arrival at the point after `i` if point `i` is left out, for a departure at `depart` from the point before
+/// `i`.
 std::optional<core::Seconds> arrival_without(const Sea& sea, const Route& route, std::size_t i,
                                              core::Seconds depart) {
   const auto time = time_with_wait(sea, route.points[i - 1], route.points[i + 1], depart);
@@ -23,8 +24,9 @@ void erase(Route& route, std::size_t i) {
   route.fixed.erase(route.fixed.begin() + static_cast<std::ptrdiff_t>(i));
 }
 
-/// Whether the route stays open without point `i`. An earlier arrival may meet a closure that the vehicle had been
-/// late enough to miss, and if the time without surfacing is bounded a leg depends on those before it.
+/// Whether the rest of the route stays open without point `i`. An earlier arrival may meet a closure that the
+/// vehicle was late enough to miss. If the time without surfacing is limited, whether a leg is open depends
+/// on the legs before it.
 bool still_passable(const Sea& sea, const Route& route, std::size_t i, core::Seconds depart) {
   Route shorter = route;
   erase(shorter, i);
@@ -35,7 +37,7 @@ bool still_passable(const Sea& sea, const Route& route, std::size_t i, core::Sec
 
 Route join_collinear(const Route& route, std::size_t most) {
   constexpr double straight =
-      1e-9;  // sine of the turn: rounding of grid coordinates, far smaller than any change of course
+      1e-9;  // sine of a turn that counts as none: only rounding of grid coordinates is smaller
   Route result;
   std::size_t joined = 1;
   for (std::size_t i = 0; i < route.points.size(); ++i) {
@@ -72,7 +74,7 @@ Route drop_needless_points(const Sea& sea, const Route& route, core::Seconds dep
       const auto to_here = time_with_wait(sea, result.points[i - 1], result.points[i], now);
       const auto onward =
           to_here ? time_with_wait(sea, result.points[i], result.points[i + 1], now + *to_here) : to_here;
-      if (!onward) return result;  // a closed route is not changed
+      if (!onward) return result;  // a closed route is returned unchanged
       const auto without = result.fixed[i] ? std::nullopt : arrival_without(sea, result, i, now);
       if (without && *without <= now + *to_here + *onward && still_passable(sea, result, i, depart)) {
         erase(result, i);
@@ -91,7 +93,8 @@ Route part_long_legs(const PlanningDomain& domain, const Route& route, core::Met
   for (std::size_t i = 1; i < route.points.size(); ++i) {
     const geo::PlanePoint from = route.points[i - 1];
     const geo::PlanePoint to = route.points[i];
-    // The scale of the plane varies along a leg, so equal parts in the plane differ slightly on the ground.
+    // The scale of the plane varies along a leg, so equal parts in the plane differ slightly on the ground:
+    // one part more may be needed.
     int parts =
         std::max(1, static_cast<int>(std::ceil(domain.lengths().between(from, to).value / longest.value)));
     const auto at = [&](int part) {

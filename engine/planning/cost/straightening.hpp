@@ -9,11 +9,12 @@
 
 namespace floeplan::planning::cost {
 
-/// Joins consecutive legs of the same direction, at most this number to one. The line of the route does not change.
+/// Joins consecutive legs of the same direction, at most `most` to one leg. The line of the route does not
+/// change.
 [[nodiscard]] Route join_collinear(const Route& route,
                                    std::size_t most = std::numeric_limits<std::size_t>::max());
 
-/// Removes points while the arrival does not become later, until `stop` is requested.
+/// Removes points whose removal does not make the arrival later. Stops early once `stop` is requested.
 [[nodiscard]] Route drop_needless_points(const Sea& sea, const Route& route, core::Seconds depart,
                                          const std::stop_token& stop = {});
 

@@ -14,7 +14,7 @@
 namespace floeplan::planning::cost {
 namespace {
 
-/// Follows the vehicle from check to check.
+/// Follows the vehicle from one check of the ice above to the next, and records the surfacing plan.
 class Log {
  public:
   Log(const Sea& sea, const PlanRequest& request, geo::PlanePoint start)
@@ -27,7 +27,7 @@ class Log {
     plan.below_ice.emplace();
   }
 
-  /// The next check. Until then the vehicle travels with this propulsion.
+  /// Takes the next check. Since the last one the vehicle used this propulsion.
   void look(const Sea::Passage& now, vehicle::Drive drive) {
     const Look last = here_;
     here_ = {now, last.error + grown_error(request_.under_ice, sea_.speed(drive), now.time - last.at.time),
@@ -63,7 +63,7 @@ class Log {
     look_beside();
   }
 
-  /// The last check was at a waypoint: the end of a leg or the start.
+  /// Notes that the last check was at a waypoint: the end of a leg or the start.
   void reach_waypoint() {
     if (below_since_) {
       end_stretch(here_.at);
@@ -80,10 +80,10 @@ class Log {
  private:
   struct Look {
     Sea::Passage at;
-    core::Metres error{};  // since the start, as if there were no fix
-    CarriedWay carried{};  // by the currents since the start
+    core::Metres error{};  // position error since the start, as if there were no fix
+    CarriedWay carried{};  // displacement by the currents since the start
   };
-  /// A fix, and the current that the vehicle assumes from then on.
+  /// A position fix, and the current that the vehicle assumes after it.
   struct Fix {
     Look look;
     motion::CurrentXy assumed{};  // zero until the first dive is over
@@ -91,8 +91,8 @@ class Log {
   /// A place where the vehicle could have surfaced.
   struct Opening {
     Look look;
-    std::optional<core::Metres> nearest_ice;  // within the position error at that time
-    core::Metres room;  // distance to the ice less the position error; negative; ignored if there is no ice
+    std::optional<core::Metres> nearest_ice;  // only if within the position error at that time
+    core::Metres room;  // distance to the ice minus the position error, negative; unused if no ice is near
 
     [[nodiscard]] bool is_clear() const { return !nearest_ice; }
     [[nodiscard]] bool is_as_good_as(const Opening& other) const {
@@ -100,7 +100,7 @@ class Log {
     }
   };
 
-  /// State at the last check.
+  /// Values for the plan at the last check.
   [[nodiscard]] SurfacingState state() const {
     const auto [point, time] = here_.at;
     SurfacingState state{.may_surface = sea_.domain().overhead().may_surface(point, time),
@@ -114,7 +114,7 @@ class Log {
     return state;
   }
 
-  /// Distance to the nearest ice at the last check, on the ground.
+  /// Distance on the ground to the nearest ice at the last check; empty if it exceeds `distance`.
   [[nodiscard]] std::optional<core::Metres> ice_within(core::Metres distance) const {
     if (!sea_.domain().ice()) return std::nullopt;
     const auto& [point, time] = here_.at;
@@ -153,7 +153,8 @@ class Log {
       plan.ice_beside = {turn, error, sea_.domain().projection().to_lon_lat(point)};
   }
 
-  /// Position error since a fix, and how far the currents carried the vehicle in addition to the assumed current.
+  /// Position error since a fix: dead-reckoning error, and displacement by currents beyond the assumed
+  /// current.
   [[nodiscard]] static core::Metres error_since(const Fix& fix, const Look& look) {
     return look.error - fix.look.error + carried_off(fix, look).length();
   }
@@ -161,7 +162,7 @@ class Log {
     return look.carried - fix.look.carried - fix.assumed * (look.at.time - fix.look.at.time);
   }
 
-  /// A fix tells the current since the fix before.
+  /// The fix at `look`. It tells the vehicle the mean current since the fix before.
   [[nodiscard]] static Fix next_fix(const Fix& before, const Look& look) {
     const core::Seconds under_water = look.at.time - before.look.at.time;
     if (under_water.count() <= 0.0) return {look, before.assumed};
@@ -180,7 +181,8 @@ class Log {
     return {here_, ice, ice.value_or(error) - error};
   }
 
-  /// Surfaces at the best place since the last fix, once the interval is over and no better place follows.
+  /// Plans a surfacing at the best place since the last fix, once the interval is over and no better place
+  /// follows.
   void surface_when_due(bool open) {
     std::optional<Opening> now = open ? std::optional{opening_here()} : std::nullopt;
     const auto comes_no_better = [&] {
@@ -207,8 +209,8 @@ class Log {
   Look here_;
   Fix fix_;
   Look last_open_;
-  Fix last_sure_;  // the last place where no ice lies within the position error since the one before
-  std::optional<Opening> best_opening_{};  // since the last fix; of equal places the last
+  Fix last_sure_;  // last place where no ice lies within the position error since such a place before
+  std::optional<Opening> best_opening_{};  // since the last fix; of equally good places the last
   bool was_open_{true};                    // the vehicle starts at the surface
   bool was_sure_{true};
   /// Stretches where it may not surface; between two of them lies a lead that it could miss.

@@ -10,15 +10,17 @@
 
 namespace floeplan::planning::cost {
 
-/// Follows an open route below ice: where the vehicle may surface, when it does, and how its position error grows
-/// between fixes.
+/// Follows an open route below ice: where the vehicle may surface, when it does, and how its position error
+/// grows between fixes.
 /// Fixes    at the planned surfacings if an interval is requested, otherwise wherever the vehicle may surface
-/// Surfacings  at the last place before the interval is over that has no ice within the position error. If there is
-///             none, at the place with the most room, also a little later while the room grows. The time at the
-///             surface is not counted
-/// Turns    the upper turns of a leg are checked as its closures are, every `surfacing_look()` of the model
-/// Error    share of the distance through water + uncertainty of the currents times the time, since the last fix
-/// Precondition  `schedule` is that of the route, with one of `drives` for each leg
+/// Surfacings  at the last place before the interval is over that has no ice within the position error. If
+///             there is none, at the place with the most room, even a little later if the room grows. The
+///             time at the surface is not counted
+/// Turns    the upper turns of a leg are checked in steps of `surfacing_look()` of the model, as its closures
+///          are
+/// Error    share of the distance through water + uncertainty of the currents times the time, both since the
+///          last fix
+/// Precondition  `schedule` belongs to the route, with one of `drives` for each leg
 [[nodiscard]] SurfacingPlan plan_surfacings(const Sea& sea, const PlanRequest& request,
                                             const std::vector<geo::PlanePoint>& route,
                                             const Schedule& schedule,

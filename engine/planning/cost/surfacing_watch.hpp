@@ -10,11 +10,11 @@
 
 namespace floeplan::planning::cost {
 
-/// Watches a drive for ice above it. Closes it where there is no room below the ice, and where the last possible
-/// surfacing is too long ago. A visitor of the pieces of an edge.
-/// Accuracy  the ice is checked at every `look()` of the overhead. The time between two checks counts as without
-///           surfacing unless the vehicle may surface at both. The counted time is never too short, except for ice or
-///           an iceberg narrower than that distance
+/// Watches a drive for ice above it. Closes it where there is no room below the ice, and where the last
+/// possible surfacing is too long ago. Called with each piece of an edge in order.
+/// Accuracy  the ice is checked every `Overhead::look()` metres. The time between two checks counts as time
+///           without surfacing unless the vehicle may surface at both. So the counted time is never too
+///           short, except for ice or an iceberg narrower than that distance
 class SurfacingWatch {
  public:
   /// `overhead` and `edge` are borrowed.
@@ -31,16 +31,16 @@ class SurfacingWatch {
   double since_s_;
 };
 
-/// The same drive from its end backwards: the time from its beginning to the next possible surfacing. A vehicle
-/// watched in the other direction finds the same times without surfacing.
+/// Watches a drive from its end backwards: the time from its beginning to the next possible surfacing. The
+/// times without surfacing equal those that `SurfacingWatch` finds forwards.
 class SurfacingOutlook {
  public:
   /// `overhead` and `edge` are borrowed.
   SurfacingOutlook(const Overhead& overhead, const motion::PlaneEdge& edge, core::Seconds depart);
 
   std::optional<motion::EdgeClosed> operator()(const motion::EdgePiece& piece);
-  /// For a vehicle that may surface `until_surfacing` after the end of the drive. no_surfacing: the time without
-  /// surfacing exceeds the limit of the overhead.
+  /// The time from the beginning of the drive to the next possible surfacing. `at_end`: that time at the end
+  /// of the drive. no_surfacing: the time without surfacing exceeds the limit of the overhead.
   [[nodiscard]] tl::expected<core::Seconds, motion::EdgeClosed> until_surfacing(core::Seconds at_end) const;
 
  private:
@@ -55,8 +55,8 @@ class SurfacingOutlook {
   std::vector<Look> looks_;             // from the beginning of the drive to its end
 };
 
-/// Time since the vehicle could last surface, at the end of a hold at one place. Empty if it exceeds the limit of the
-/// request meanwhile. Zero if nothing is known of ice, or without a limit.
+/// Time since the last possible surfacing, at the end of a hold at one place. Empty if it exceeds the limit
+/// of the request during the hold. Zero without ice data or without a limit.
 /// `since_surfacing`: at the beginning of the hold
 /// Accuracy  the ice is checked every quarter of an hour, and at the end
 [[nodiscard]] std::optional<core::Seconds> since_surfacing_after_wait(const Overhead& overhead,

@@ -5,8 +5,8 @@
 namespace floeplan::planning::currents {
 namespace {
 
-/// The argument q = n / sqrt(d) of the jet's stream function phi = 1 - tanh(q), and its derivatives:
-/// n = y - B cos(p), d = 1 + k^2 B^2 sin^2(p), p = k (x - c t). The second one along y is zero.
+/// The argument q = n / sqrt(d) of the jet's stream function phi = 1 - tanh(q), and its derivatives, where n
+/// = y - B cos(p), d = 1 + k^2 B^2 sin^2(p), p = k (x - c t). The second derivative along y is zero.
 struct JetArgument {
   double q;
   double x;

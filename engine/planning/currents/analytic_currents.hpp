@@ -7,8 +7,8 @@
 namespace floeplan::planning::currents {
 
 /// The river of the paper: a parabolic profile across x in [0, width], flowing along y. Steady.
-/// Outside  empty beyond the banks; the slopes go on for a hundredth of the width, because a trial of an
-///          extremal may end a little beyond the bank
+/// Outside  empty beyond the banks. The derivatives continue for a hundredth of the width, because an
+///          iterated extremal may end slightly beyond the bank
 /// Source   Eichhorn 2009, equation (1)
 struct RiverCurrent {
   double width_m{300.0};

@@ -7,11 +7,12 @@
 namespace floeplan::planning::currents {
 namespace {
 
-/// Into how many parts a side of a cell is cut: usually, and at most. Memory and time grow with them.
+/// Number of parts into which a side of a cell is cut: the usual and the largest one. Memory and time grow
+/// with it.
 constexpr int usual_parts = 4;
 constexpr int most_parts = 16;
-constexpr std::size_t most_nodes = 1 << 22;        // over all times: 32 MB
-constexpr std::size_t most_trial_nodes = 1 << 18;  // at one time: some tens of milliseconds
+constexpr std::size_t most_nodes = 1 << 22;        // limit over all times: 32 MB
+constexpr std::size_t most_trial_nodes = 1 << 18;  // limit at one time: some tens of milliseconds
 
 std::vector<vehicle::DiveBand> bands_over(const FlownDepths& depths, const geo::GridFrame& frame,
                                           const plane::NodeWindow& window, int parts) {
@@ -23,7 +24,7 @@ std::vector<vehicle::DiveBand> bands_over(const FlownDepths& depths, const geo::
   return bands;
 }
 
-/// Mean currents at all nodes of a cut at one time.
+/// Mean currents at all nodes of a finer lattice, at one time.
 class Lattice {
  public:
   Lattice(const ocean::CurrentGrid& currents, const plane::NodeWindow& window,
@@ -44,14 +45,14 @@ class Lattice {
     }
   }
 
-  /// The most that a bilinear current between every `step`-th node along either side misses at the others.
+  /// The largest error of a bilinear interpolation between every `step`-th node, at the nodes between.
   [[nodiscard]] double most_missed_m_s(std::size_t step) const {
     const std::size_t ny = means_.size() / nx_;
     double most = 0.0;
     for (std::size_t iy = 0; iy < ny; ++iy) {
       for (std::size_t ix = 0; ix < nx_; ++ix) {
         const double missed = missed_m_s(ix, iy, step);
-        if (missed > most) most = missed;  // not where there is no water
+        if (missed > most) most = missed;  // false for NaN, where there is no water
       }
     }
     return most;
@@ -75,7 +76,7 @@ class Lattice {
   }
 
   std::size_t nx_;
-  std::vector<motion::CurrentXy> means_;  // [y][x]; NaN where there is no water
+  std::vector<motion::CurrentXy> means_;  // [y][x]; NaN: no water
 };
 
 }  // namespace

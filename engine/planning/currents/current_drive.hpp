@@ -8,8 +8,8 @@
 
 namespace floeplan::planning::currents {
 
-/// How exactly to drive through the currents: with a step no longer than a cell of the data, nor than the time
-/// between two of its slices. Null: still water.
+/// Accuracy of a drive through the currents: its step is no longer than a cell of the data, nor than the time
+/// between two slices. Null: still water.
 [[nodiscard]] inline motion::EdgeAccuracy drive_accuracy(const PlaneCurrents* currents,
                                                          double relative_tolerance) {
   motion::EdgeAccuracy accuracy{.relative_tolerance = relative_tolerance};
@@ -19,9 +19,9 @@ namespace floeplan::planning::currents {
   return accuracy;
 }
 
-/// Travel time along an edge in the currents, or in still water where they are null: the one integration, whoever looks
-/// at its pieces.
-/// Errors   as `motion::edge_time`; in still water only what `visit` answers
+/// Travel time along an edge in the currents; null: still water. All travel times come from this integration.
+/// `visit`  is called with each piece of the drive and may close the edge
+/// Errors   as `motion::edge_time`; in still water only what `visit` returns
 template <motion::EdgePieceVisitor VisitPiece = motion::VisitNoPiece>
 [[nodiscard]] tl::expected<core::Seconds, motion::EdgeClosed> drive_time(
     const PlaneCurrents* currents, const motion::PlaneEdge& edge, core::Seconds depart,

@@ -11,7 +11,8 @@ using Box = CurrentEnvelope::Box;
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
 constexpr Box nothing{infinity, -infinity, infinity, -infinity};
-/// How far lines of currents may lie off the data's coordinates, as a share of a cell, with room to spare.
+/// Straight lines of the plane may bend in the data's coordinates by this share of a cell, with room to
+/// spare.
 constexpr double beside_cell = 1e-3;
 
 void include(Box& box, const Box& more) {
@@ -21,7 +22,7 @@ void include(Box& box, const Box& more) {
   box.high_y_m_s = std::max(box.high_y_m_s, more.high_y_m_s);
 }
 
-/// How many cells a neighbourhood reaches beyond the one it is about.
+/// Number of cells on each side of a cell that its neighbourhood includes.
 std::size_t cells_within(double coordinate_reach, const plane::FastAxis& axis) {
   double narrowest = std::numeric_limits<double>::infinity();
   for (std::size_t i = 1; i < axis.size(); ++i)
@@ -30,7 +31,8 @@ std::size_t cells_within(double coordinate_reach, const plane::FastAxis& axis) {
   return static_cast<std::size_t>(std::min(cells, static_cast<double>(axis.size())));
 }
 
-/// For each cell of a row of nodes, what encloses its two nodes and those within reach of them.
+/// For each cell of a row of nodes: the box that encloses the values of its two nodes and of those within
+/// `reach` nodes.
 void enclose_row(const Box* nodes, std::size_t stride, std::size_t count, std::size_t reach, Box* cells,
                  std::size_t cell_stride) {
   for (std::size_t cell = 0; cell + 1 < count; ++cell) {

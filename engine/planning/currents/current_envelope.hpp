@@ -7,23 +7,24 @@
 
 namespace floeplan::planning::currents {
 
-/// Between which values the components of the current lie in the neighbourhood of a point, at whatever hour.
-/// Accuracy encloses all that the currents answer there; where they answer nothing, as much as anywhere
+/// Bounds of the current's components in the neighbourhood of a point, over all times.
+/// Accuracy encloses all currents there; where currents are unknown, the bounds of the whole area
 /// Threads  const members may be called from several threads at once
 class CurrentEnvelope {
  public:
-  /// Along the axes of the plane.
+  /// Bounds of the components along the axes of the plane, in m/s.
   struct Box {
     float low_x_m_s{};
     float high_x_m_s{};
     float low_y_m_s{};
     float high_y_m_s{};
 
-    /// The most of it that sets in a direction, given by its unit vector.
+    /// The largest component in the direction of this unit vector.
     [[nodiscard]] core::MetresPerSecond most_along(geo::PlanePoint direction) const;
   };
 
-  /// `currents` is borrowed and outlives this. `reach`: of the neighbourhood, in metres of the plane.
+  /// `currents` is borrowed and must outlive this. `reach`: radius of the neighbourhood, in metres of the
+  /// plane.
   CurrentEnvelope(const PlaneCurrents& currents, core::Metres reach);
 
   [[nodiscard]] Box about(geo::PlanePoint point) const;
@@ -33,7 +34,7 @@ class CurrentEnvelope {
 
   const PlaneCurrents& currents_;
   Box anywhere_;
-  std::vector<Box> boxes_;  // of each cell of the data, [y][x]; none where nothing can be told of places
+  std::vector<Box> boxes_;  // for each cell of the data, [y][x]; empty if places cannot be told apart
 };
 
 }  // namespace floeplan::planning::currents

@@ -9,7 +9,7 @@ namespace floeplan::planning::currents {
 namespace {
 
 constexpr double never_m = std::numeric_limits<double>::infinity();
-constexpr double sliver = 1e-9;  // of the edge: what is left of a cell is not entered for less
+constexpr double sliver = 1e-9;  // share of the edge: a shorter rest of a cell is skipped
 
 motion::WayQuadratic rate(const motion::WayQuadratic& before, const motion::WayQuadratic& after,
                           double per_second) {
@@ -125,7 +125,8 @@ bool CurrentLine::sample(std::size_t slice, motion::WayQuadratic& result) const 
       currents_.nodes_.data() + (slice * currents_.y_.size() + y_.cell) * nx + x_.cell;
   const PlaneCurrents::Node* north = south + nx;
 
-  // Shares of the way through the cell, p0 + p1 * way and q0 + q1 * way.
+  // Position in the cell as shares of its sides: p0 + p1 * way and q0 + q1 * way, where way is the distance
+  // covered.
   const double x_scale = currents_.x_.inverse_width(x_.cell);
   const double y_scale = currents_.y_.inverse_width(y_.cell);
   const double p1 = x_.per_metre * x_scale;
@@ -133,7 +134,7 @@ bool CurrentLine::sample(std::size_t slice, motion::WayQuadratic& result) const 
   const double p0 = (x_.start - currents_.x_.nodes()[x_.cell]) * x_scale - p1 * part_start_m_;
   const double q0 = (y_.start - currents_.y_.nodes()[y_.cell]) * y_scale - q1 * part_start_m_;
 
-  // f = sw + p * eastward + q * northward + p * q * twist
+  // Bilinear interpolation: f = sw + p * eastward + q * northward + p * q * twist
   const auto quadratic = [&](float sw, float se, float nw, float ne) {
     const auto origin = static_cast<double>(sw);
     const double eastward = static_cast<double>(se) - origin;

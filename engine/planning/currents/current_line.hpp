@@ -12,29 +12,30 @@
 
 namespace floeplan::planning::currents {
 
-/// The current along one edge, as a vehicle on it meets it: in each cell of the data and each step of their
-/// time it is a quadratic in the way and linear in time, exactly.
-/// Accuracy the line is taken as straight in the data's coordinates, in parts so short that it is nowhere
-///          further from them than a four thousandth of a cell
+/// The current that a vehicle meets along one edge. Within each cell of the data and each of their time steps
+/// it is exactly a quadratic of the distance covered, and linear in time.
+/// Accuracy the edge is taken as straight in the data's coordinates, in parts short enough that the error is
+/// at most a four thousandth of a cell
 class CurrentLine {
  public:
-  /// Both are borrowed and outlive the line.
+  /// `currents` and `edge` are borrowed and must outlive the line.
   CurrentLine(const PlaneCurrents& currents, const motion::PlaneEdge& edge);
 
-  /// Puts the vehicle on the edge's start; false where there are no data then.
+  /// Puts the vehicle at the edge's start at `depart`; false if there are no data at that time.
   bool begin(core::Seconds depart);
   [[nodiscard]] const motion::QuadraticStretch& stretch() const { return stretch_; }
-  /// The vehicle goes on beyond the end of the stretch in place, or in time; false where there are no data.
+  /// `pass_way` moves on to the next stretch in space, `pass_time` to the next in time; false if there are no
+  /// data.
   bool pass_way();
   bool pass_time();
 
  private:
-  /// One coordinate of the data along the part of the line, and the cell that the vehicle is in.
+  /// One data coordinate along the current part of the line, and the cell that the vehicle is in.
   struct Course {
     double start{};
     double per_metre{};
     std::size_t cell{};
-    double exit_way_m{};  // infinite when it does not leave the cell before the part's end
+    double exit_way_m{};  // infinite if the vehicle stays in the cell to the part's end
   };
 
   bool begin_part(std::size_t part);
@@ -56,7 +57,7 @@ class CurrentLine {
   Course x_;
   Course y_;
   std::size_t slice_{};
-  motion::WayQuadratic later_;  // at the end of the step of time
+  motion::WayQuadratic later_;  // at the end of the time step
   motion::QuadraticStretch stretch_;
 };
 

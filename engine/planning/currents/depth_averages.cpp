@@ -9,14 +9,14 @@ namespace floeplan::planning::currents {
 
 namespace {
 
-/// Columns of a window that lie side by side in the data, too.
+/// Columns of a window that are also adjacent in the data.
 struct Stretch {
-  std::size_t first;  // of the window
+  std::size_t first;  // index in the window
   std::size_t end;
   std::size_t data_first;
 };
 
-/// One, or two where the window lies over the seam of the data's longitudes.
+/// The window's columns as one stretch, or two if the window crosses the seam of the data's longitudes.
 std::vector<Stretch> stretches_of(const std::vector<std::size_t>& columns) {
   std::vector<Stretch> stretches;
   for (std::size_t ix = 0; ix < columns.size(); ++ix) {
@@ -26,11 +26,12 @@ std::vector<Stretch> stretches_of(const std::vector<std::size_t>& columns) {
   return stretches;
 }
 
-/// Counts a level in for the columns that have water in it and in all above. Returns how many.
+/// Adds one to `counts` for each column with water at this level and at all above. Returns the number of such
+/// columns.
 std::uint32_t count_wet(std::uint32_t level, const float* u, const float* v, std::uint32_t* counts,
                         std::size_t columns) {
   std::uint32_t wet = 0;
-  // Without a branch, and in numbers as wide as the samples: the compiler takes several columns at once.
+  // Without branches, and with counts as wide as the samples, so that the compiler vectorises the loop.
   const auto count = [&](std::size_t i) {
     const float sum = u[i] + v[i];
     const auto is_known = static_cast<std::uint32_t>(sum == sum);
@@ -66,7 +67,7 @@ WetLevels::WetLevels(const plane::NodeWindow& window, std::size_t first_row, std
   }
 }
 
-/// Writes down which columns count how much.
+/// Records which columns enter each mean, and their weights.
 class DepthAverages::Builder {
  public:
   Builder(DepthAverages& means, const std::optional<ocean::Axis>& levels_m, const plane::NodeWindow& window,
@@ -118,7 +119,7 @@ class DepthAverages::Builder {
 
   void add_column(std::size_t ix, std::size_t iy, double share, const vehicle::DiveBand& band) {
     const std::size_t wet = wet_.at(ix, iy);
-    // Places beside each other mostly have the same band and the same number of levels.
+    // Adjacent places mostly have the same band and the same number of levels, so the weights are reused.
     if (wet != last_wet_ || band != last_band_) {
       const std::vector<double> weights = ocean::band_weights(levels_m_, wet, band.top, band.bottom);
       last_wet_ = wet;

@@ -14,20 +14,20 @@
 
 namespace floeplan::planning::currents {
 
-/// Turns vectors from east and north into the axes of the plane, at one node.
+/// Rotates vectors from east-north to the axes of the plane, at one node.
 struct NodeTurn {
   double cosine{1.0};
   double sine{};
 };
 
-/// Where a window of nodes has water, in some of its rows and at one time.
+/// Number of levels with water at the nodes of a window, in some of its rows and at one time.
 class WetLevels {
  public:
-  /// `first_row`, `rows`  of the window, the rows that `water` holds
+  /// `first_row`, `rows`  the rows of the window that `water` holds
   WetLevels(const plane::NodeWindow& window, std::size_t first_row, std::size_t rows,
             const ocean::CurrentRows& water);
 
-  /// How many levels have water, from the first one down.
+  /// The number of levels with water at a node, counted from the first level down.
   [[nodiscard]] std::size_t at(std::size_t ix, std::size_t iy) const {
     return counts_[(iy - first_row_) * columns_ + ix];
   }
@@ -40,8 +40,8 @@ class WetLevels {
   std::vector<std::uint32_t> counts_;  // [y][x]
 };
 
-/// Mean currents over the depths flown at places, each a weighted sum of samples: each node's column by itself,
-/// bilinear between the nodes. As long as the same levels have water, the sums are the same at every time.
+/// Mean currents over the flown depths at places. Each is a weighted sum of samples: first over each node's
+/// column, then bilinear between the nodes. The weights stay the same as long as the same levels have water.
 /// Coast  a node without water takes the mean of its neighbours with water, one ring deep, because a model's
 ///        land mask is coarser than the coast
 class DepthAverages {
@@ -53,26 +53,28 @@ class DepthAverages {
   };
   struct Mean {
     motion::CurrentXy current;
-    bool extended{false};  // it rests on a node beyond the data's own coast
+    bool extended{false};  // its value uses a node without water of its own (see Coast)
   };
 
   /// `turns`  one for each node of the window, [y][x]
-  /// `wet`    its rows hold those of the places' cells and those beside them, as far as the window has them
-  /// `water`  as those the means are asked for; its values do not matter
+  /// `wet`    its rows include the cells of the places and the cells next to them, as far as the window
+  /// reaches
+  /// `water`  a slice with the same rows as in later calls of `at`; its values do not matter
   DepthAverages(const std::vector<Place>& places, const std::optional<ocean::Axis>& levels_m,
                 const plane::NodeWindow& window, const std::vector<NodeTurn>& turns, const WetLevels& wet,
                 const ocean::CurrentRows& water);
 
-  /// Empty where there is no water. `water`: of a time at which the same levels have water.
+  /// Empty if there is no water. `water`: a slice in which the same levels have water as in the
+  /// constructor's.
   [[nodiscard]] std::optional<Mean> at(std::size_t place, const ocean::CurrentRows& water) const;
 
  private:
-  /// What one node's column counts in the mean at one place.
+  /// Weight of one node's column in the mean at one place.
   struct Column {
     std::size_t first_sample;
     std::size_t first_weight;
     std::size_t levels;
-    NodeTurn turn;  // times the node's share
+    NodeTurn turn;  // rotation times the node's weight
   };
   struct Sum {
     std::size_t first_column;
@@ -83,7 +85,7 @@ class DepthAverages {
   std::size_t level_stride_;
   std::vector<double> weights_;
   std::vector<Column> columns_;
-  std::vector<Sum> sums_;  // one for each place, and the end of the last one
+  std::vector<Sum> sums_;  // one for each place, then an end marker
 };
 
 }  // namespace floeplan::planning::currents

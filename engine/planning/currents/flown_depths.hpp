@@ -7,11 +7,11 @@
 
 namespace floeplan::planning::currents {
 
-/// The depths between which a glider saw-tooths at each place.
+/// The depths between which a glider dives (saw-tooth) at each place.
 /// Threads  const members may be called from several threads at once
 class FlownDepths {
  public:
-  /// No bathymetry: everywhere as deep as asked.
+  /// Without bathymetry (null) the vehicle dives to the requested depth everywhere.
   FlownDepths(const vehicle::DiveLimits& limits, std::shared_ptr<const ocean::Bathymetry> bathymetry);
 
   /// The depths between which the vehicle dives at a place. Where the sea bed is not known it dives as deep as

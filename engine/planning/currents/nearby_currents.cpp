@@ -8,9 +8,9 @@ namespace floeplan::planning::currents {
 namespace {
 
 constexpr std::size_t most_reach = 16;  // in cells
-constexpr std::size_t tile_side = 16;   // in cells, chosen: a search meets a few per cent of the data
-constexpr std::size_t most_boxed_nodes = 1U << 23U;  // 256 MB of boxes for a voyage as long as the data
-constexpr double beside_chord = 2.5e-4;  // of a cell: how far CurrentLine strays from the data's coordinates
+constexpr std::size_t tile_side = 16;   // in cells; a choice: one search needs a few per cent of the data
+constexpr std::size_t most_boxed_nodes = 1U << 23U;  // 256 MB of boxes
+constexpr double beside_chord = 2.5e-4;  // of a cell: error of CurrentLine in the data's coordinates
 constexpr float infinite = std::numeric_limits<float>::infinity();
 
 double narrowest(const plane::FastAxis& axis) {
@@ -33,7 +33,8 @@ NearbyCurrents::NearbyCurrents(const PlaneCurrents& currents, core::Metres longe
   cells_x_ = x.size() - 1;
   cells_y_ = y.size() - 1;
 
-  // The table's slopes change by its bend over an edge and the steps of the table that the edge begins and ends in.
+  // The slopes of the lookup table change by its bend, over the edge's length and the table steps at its two
+  // ends.
   const double edge_m = longest_edge.value;
   const geo::GridPoint bend = currents.lookup_.bend();
   const double bent_m2 = edge_m * (edge_m + currents.lookup_.step_m());
@@ -113,7 +114,7 @@ std::size_t NearbyCurrents::slices_met() const {
     while (end < times_s.size() && times_s[end] - times_s[first] < longest_s_) ++end;
     most_inside = std::max(most_inside, end - first);
   }
-  return most_inside + 2;  // the one before and the one after
+  return most_inside + 2;  // one more slice before and one after
 }
 
 std::vector<NearbyCurrents::Box> NearbyCurrents::boxes_of_tile(Cell first, std::size_t first_slice) const {
@@ -257,7 +258,7 @@ std::optional<motion::NearbyCurrent> NearbyCurrents::on_film(geo::PlanePoint poi
   const auto when = times.locate(time.count());
   if (!when) return std::nullopt;
 
-  // Steps of time as the film shows them: `slice` lies at the step's beginning, `next` at its end.
+  // Time steps as on the film: `slice` lies at the step's beginning, `next` at its end.
   const bool forwards = film == Film::forwards;
   const std::size_t first = forwards ? when->cell : when->cell + 1;
   const std::size_t end = forwards ? times.size() - 1 : 0;

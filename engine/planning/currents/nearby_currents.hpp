@@ -11,26 +11,26 @@
 
 namespace floeplan::planning::currents {
 
-/// What a vehicle can meet of the currents on edges of bounded length that leave a point: the water at the point
-/// itself as it changes with time, and enclosures of how much it may differ elsewhere, taken from the data's nodes.
-/// Accuracy encloses all that the currents answer on edges that the data cover throughout; elsewhere no vehicle
-///          gets through
-/// Threads  one at a time: enclosures are worked out when they are first needed
+/// The currents that a vehicle can meet on edges of bounded length from a point: the current at the point as
+/// it changes with time, and bounds of the difference elsewhere, from the nodes of the data.
+/// Accuracy the bounds hold on all edges that the data cover throughout; other edges are closed anyway
+/// Threads  one at a time: bounds are computed when they are first needed
 class NearbyCurrents {
  public:
-  /// `currents` is borrowed and outlives this. `longest_edge`: in metres of the plane; `longest_drive`: along one.
+  /// `currents` is borrowed and must outlive this. `longest_edge`: metres of the plane; `longest_drive`: time
+  /// along it.
   NearbyCurrents(const PlaneCurrents& currents, core::Metres longest_edge, core::Seconds longest_drive);
 
-  /// Whether there is something to be gained: not where the data's longitudes jump, nor where edges reach over so
-  /// many cells of the data that an enclosure would say little, nor with so many data that it would cost too much.
+  /// Whether the bounds help. They do not where the data's longitudes jump, where edges cross so many cells
+  /// that the bounds would be wide, or where the data are so many that the bounds would take too long.
   [[nodiscard]] bool is_useful() const { return useful_; }
 
   enum class Film {
     forwards,
-    backwards  // its clock shows -t, and the water flows the other way
+    backwards  // time-reversed: the clock shows -t, and currents are reversed
   };
-  /// The water about a point from a time on, as the film shows it. Empty where nothing is known. Precondition:
-  /// `is_useful()`.
+  /// The current around a point from `time` on, forwards or reversed. Empty where it is unknown.
+  /// Precondition: `is_useful()`.
   [[nodiscard]] std::optional<motion::NearbyCurrent> on_film(geo::PlanePoint point, core::Seconds time,
                                                              Film film);
 
@@ -38,9 +38,9 @@ class NearbyCurrents {
   enum class Cover : std::uint8_t {
     never,
     always,
-    sometimes  // nothing can be said of it
+    sometimes  // the data have gaps, so no bound is known
   };
-  /// Between which values the current's changes lie: of x and y for each unit of u, of x and y for each of v.
+  /// Bounds of the current's slopes: the changes of x and y per unit of u, then of x and y per unit of v.
   struct Box {
     std::array<float, 4> low;
     std::array<float, 4> high;
@@ -58,12 +58,12 @@ class NearbyCurrents {
     double fx;
     double fy;
   };
-  /// Cells along an axis of the data that edges can come to, both ends included.
+  /// Range of cells along a data axis that edges can reach, both ends included.
   struct Span {
     std::size_t from;
     std::size_t to;
   };
-  /// One span for the edges that go up the axis and one for those that go down.
+  /// The ranges for edges up the axis and for edges down the axis.
   struct Spans {
     Span up;
     Span down;
@@ -74,16 +74,16 @@ class NearbyCurrents {
   void judge_cells();
   [[nodiscard]] static Spans spans(const plane::FastAxis& axis, std::size_t cell, double share, double reach,
                                    double off_line, double narrowest);
-  /// Slices that an edge can meet at most, from the first one on.
+  /// Largest number of slices that an edge can meet.
   [[nodiscard]] std::size_t slices_met() const;
-  /// Box of the currents of a cell in all slices that an edge can meet from the first one on; it is kept.
+  /// Bounds for a cell over all slices that an edge can meet from `first_slice` on; cached.
   [[nodiscard]] const Box& box_from(Cell cell, std::size_t first_slice);
   [[nodiscard]] std::vector<Box> boxes_of_tile(Cell first, std::size_t first_slice) const;
-  /// Box of the currents of one cell in one slice.
+  /// Bounds for one cell in one slice.
   [[nodiscard]] Box box_of(Cell cell, std::size_t slice) const;
-  /// What edges into each quarter can meet from a slice on.
+  /// Bounds for edges into each quarter, from `first_slice` on.
   [[nodiscard]] Quarters boxes_about(const Place& place, std::size_t first_slice);
-  /// Adds what encloses the water from a slice on; false where nothing can be said.
+  /// Adds the bounds from `first_slice` on to `near`; false if none are known.
   bool enclose(motion::NearbyCurrent& near, const Place& place, std::size_t first_slice, float sign);
 
   const PlaneCurrents& currents_;
@@ -91,15 +91,15 @@ class NearbyCurrents {
   bool useful_{false};
   std::size_t cells_x_{};
   std::size_t cells_y_{};
-  // In the data's coordinates:
-  geo::GridPoint reach_;       // of an edge, from where it begins
-  geo::GridPoint off_line_;    // how far an edge may lie beside a straight line
-  geo::GridPoint narrowest_;   // cell
+  // In units of the data's coordinates:
+  geo::GridPoint reach_;       // largest extent of an edge
+  geo::GridPoint off_line_;    // deviation of an edge from a straight line
+  geo::GridPoint narrowest_;   // narrowest cell
   std::vector<Cover> covers_;  // [y][x]
   std::size_t slices_met_{1};
   std::size_t tiles_x_{};
   std::size_t tiles_y_{};
-  std::vector<std::vector<Box>> tiles_;  // [first slice][y][x]; empty before they are needed
+  std::vector<std::vector<Box>> tiles_;  // [first slice][y][x]; empty until needed
 };
 
 }  // namespace floeplan::planning::currents

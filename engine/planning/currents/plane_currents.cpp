@@ -13,8 +13,9 @@ namespace floeplan::planning::currents {
 namespace {
 
 constexpr double most_beside_chord =
-    2.5e-4;  // of a cell: so small a share of what the current changes over the cell goes unseen
-/// Rows of the data that are read together: so few that their values of one time fit into the processor's cache.
+    2.5e-4;  // share of a cell: the current hardly changes over this distance
+/// Rows of the data that are read together: few enough that their values at one time fit into the processor's
+/// cache.
 constexpr std::size_t rows_together = 16;
 
 std::vector<NodeTurn> turns_of(const ocean::HorizontalGrid& grid, const plane::NodeWindow& window,
@@ -39,12 +40,12 @@ std::vector<geo::PlanePoint> points_of(const ocean::HorizontalGrid& grid, const 
   return points;
 }
 
-/// Some rows of the data's nodes, and those of the cut nodes that lie from the first of them up to the end.
+/// Some rows of the data's nodes, and the rows of the finer lattice from the first of them on.
 struct RowBlock {
   std::size_t first_cut{};
   std::size_t end_cut{};
   std::size_t
-      first_needed{};  // of the data: the last cells end at the next row, and a coast reaches one row further
+      first_needed{};  // row of the data; the last cells need the next row, and the coast rule one row more
   std::size_t needed{};
 };
 
@@ -72,10 +73,10 @@ std::vector<DepthAverages::Place> places_in(const RowBlock& block, std::size_t c
   return places;
 }
 
-/// The same places below the ice of one time after the other.
+/// The dives at a set of places below ice, one time after another.
 class PlacesBelowIce {
  public:
-  /// Everything is borrowed and outlives this.
+  /// All references are borrowed and must outlive this.
   PlacesBelowIce(const std::vector<DepthAverages::Place>& places, std::size_t columns,
                  const UpperTurns& turns)
       : places_{places}, turns_{turns}, deeper_{places} {
@@ -86,13 +87,13 @@ class PlacesBelowIce {
     }
   }
 
-  /// Whether any of them lies below ice at some time.
+  /// Whether any place lies below ice at some time.
   [[nodiscard]] bool ever() const { return ever_; }
-  /// Whether one of them lies below ice at that time.
+  /// Whether this place lies below ice at this time.
   [[nodiscard]] bool is_below(std::size_t time, std::size_t place) const {
     return turns_.at(time, nodes_[place]) > places_[place].band.top;
   }
-  /// Answers whether the dives turn elsewhere at one of those that lie below ice at that time than when they last did.
+  /// Sets the dives of the places below ice to this time. Returns whether any band changed.
   bool turn_at(std::size_t time) {
     bool changed = false;
     for (std::size_t i = 0; i < places_.size(); ++i) {
@@ -104,14 +105,14 @@ class PlacesBelowIce {
     }
     return changed;
   }
-  /// With the bands that they had when they last lay below ice.
+  /// The places with the bands that they had when they were last below ice.
   [[nodiscard]] const std::vector<DepthAverages::Place>& deeper() const { return deeper_; }
 
  private:
   const std::vector<DepthAverages::Place>& places_;
   const UpperTurns& turns_;
   std::vector<DepthAverages::Place> deeper_;
-  std::vector<std::size_t> nodes_;  // nearest to each place
+  std::vector<std::size_t> nodes_;  // data node nearest to each place
   bool ever_{false};
 };
 
@@ -137,7 +138,7 @@ PlaneCurrents::PlaneCurrents(const ocean::CurrentGrid& currents, bool steady, co
   y_ = plane::FastAxis{cut_axis(window.y, parts)};
   spacing_ = (1.0 / parts) * grid.spacing();
   const geo::GridPoint bend = lookup_.bend();
-  // A chord of length h misses a curve by h^2 / 8 of its bend.
+  // A chord of length h deviates from a curve by h^2 / 8 times its second derivative.
   straight_parts_per_metre_ =
       std::sqrt(std::max(bend.x / x_.mean_step(), bend.y / y_.mean_step()) / (8.0 * most_beside_chord));
   UpperTurns upper_turns;
@@ -193,7 +194,7 @@ void PlaneCurrents::fill(const ocean::CurrentGrid& currents, const plane::NodeWi
       }
     }
   }
-  // Rounding to float may lengthen a vector by 1e-7 of itself; a bound must not be below it.
+  // Rounding to float may lengthen a vector by 1e-7 of itself, and a bound must not be too low.
   strongest_ = core::MetresPerSecond{std::sqrt(strongest2) * (1.0 + 1e-6)};
 }
 

@@ -24,45 +24,46 @@ class CurrentLine;
 struct NodeTurn;
 class UpperTurns;
 
-/// The currents of a planning area, averaged over the depths that the glider flies at each place, turned into
-/// the axes of the plane: what the inner loop asks. A steady saw-tooth spends the same time at every depth of
-/// its band, so the mean over depth is the mean over its time.
-/// Depths   each column of the data is averaged over the band that is flown at the place asked for, not at the
-///          column, so that a bank inside a cell of the data changes the field. Where the bands differ, a cell
-///          is cut as `cut_cells` has it; in between, linear
-/// Ice      under ice through which the vehicle may not surface the band begins where the dives must turn there and
-///          then, as at the nearest node of the data; in currents that are steady, as at `epoch`
-/// Interpolation
-///          the data's own: bilinear between its nodes, linear between its times
-/// Coast    a node without water takes the mean of its neighbours with water, one ring deep, because a model's
-///          land mask is coarser than the coast; `is_extended` tells where
-/// Time     counted from `epoch`; steady currents answer for every time
+/// The currents of a planning area, averaged over the depths that the glider flies at each place, along the
+/// axes of the plane. A steady saw-tooth spends the same time at every depth of its band, so the mean over
+/// depth is the mean over time.
+/// Depths   each column of the data is averaged over the band that is flown at the place asked for, not at
+///          the column's own place. So a bank inside a cell of the data changes the field. Where the bands
+///          differ, cells are divided by `cut_cells`; in between, linear
+/// Ice      under ice through which the vehicle may not surface, the band begins at the upper turn needed
+///          there at that time, taken at the nearest node of the data; in steady currents at `epoch`
+///          Interpolation as the data: bilinear between nodes, linear between times
+/// Coast    a node without water takes the mean of its neighbours with water, one ring deep, because a
+///          model's land mask is coarser than the coast; `is_extended` tells where
+/// Time     counted from `epoch`; steady currents are valid at every time
 /// Outside  empty beyond the nodes with water (and that ring) and beyond the data's period
 /// Threads  const members may be called from several threads at once
 class PlaneCurrents {
  public:
-  /// Once `stop` is requested the currents stay incomplete and must not be used. `ice`: null where it is open water.
+  /// Once `stop` is requested the currents stay incomplete and must not be used. `ice`: null without ice
+  /// data.
   PlaneCurrents(const ocean::CurrentGrid& currents, bool steady, const FlownDepths& depths,
                 const geo::LocalProjection& projection, const plane::PlaneBox& area, core::UtcTime epoch,
                 const std::stop_token& stop = {}, const ice::UnderIce* ice = nullptr);
 
   [[nodiscard]] std::optional<motion::CurrentXy> operator()(geo::PlanePoint point, core::Seconds time) const;
-  /// The current along an edge, cell by cell. Callers include current_line.hpp, too. Precondition: `has_lines()`.
+  /// The current along an edge, cell by cell. Callers must also include current_line.hpp. Precondition:
+  /// `has_lines()`.
   [[nodiscard]] CurrentLine line(const motion::PlaneEdge& edge) const;
-  /// False where the data's longitudes jump inside the area.
+  /// Whether `line` may be used: false if the data's longitudes jump inside the area.
   [[nodiscard]] bool has_lines() const { return !lookup_.has_jump(); }
-  /// Whether the current at this point rests on a node beyond the data's own coast.
+  /// Whether the current at this point uses a node without water of its own (see Coast).
   [[nodiscard]] bool is_extended(geo::PlanePoint point) const;
 
   [[nodiscard]] core::MetresPerSecond strongest() const { return strongest_; }
   /// Distance between the nodes: the scale on which the current changes.
   [[nodiscard]] core::Metres spacing() const { return spacing_; }
-  /// Least time between two steps of the data; empty when there is one step only.
+  /// Shortest time between two steps of the data; empty if there is only one step.
   [[nodiscard]] std::optional<core::Seconds> time_step() const;
-  /// First step of the data that is later; infinite where there is none.
+  /// The first step of the data after `time`; infinite if there is none.
   [[nodiscard]] core::Seconds next_step(core::Seconds time) const;
   [[nodiscard]] std::size_t bytes() const { return nodes_.size() * sizeof(Node) + extended_.size(); }
-  /// Last time that is covered; empty when steady.
+  /// Last time with data; empty if steady.
   [[nodiscard]] std::optional<core::Seconds> end() const;
 
  private:
@@ -85,14 +86,14 @@ class PlaneCurrents {
             const std::vector<NodeTurn>& turns, const std::stop_token& stop);
 
   plane::GridLookup lookup_;
-  plane::FastAxis x_;  // of the data's window, cut; longitudes continuous, also across the data's seam
+  plane::FastAxis x_;  // of the data's window, divided; longitudes run on across the data's seam
   plane::FastAxis y_;
-  std::optional<plane::FastAxis> times_s_;  // since epoch; empty when steady
-  std::vector<Node> nodes_;                 // [time][y][x]; NaN where there is no water
+  std::optional<plane::FastAxis> times_s_;  // since epoch; empty: steady
+  std::vector<Node> nodes_;                 // [time][y][x]; NaN: no water
   std::vector<std::uint8_t> extended_;      // [y][x]
   core::MetresPerSecond strongest_{};
   core::Metres spacing_{};
-  double straight_parts_per_metre_{};  // of a line: so many are straight in the data's coordinates, too
+  double straight_parts_per_metre_{};  // of a line: parts that count as straight in the data's coordinates
 };
 
 }  // namespace floeplan::planning::currents

@@ -10,18 +10,18 @@
 
 namespace floeplan::planning::currents {
 
-/// How deep dives must turn below the ice at some places, time after time; in whole metres, so that ice which hardly
-/// changes makes no difference.
+/// The upper turns that dives need below ice at some places, at a series of times. Rounded to whole metres,
+/// so that small changes of the ice make no difference.
 /// Threads  const members may be called from several threads at once
 class UpperTurns {
  public:
-  /// Nowhere below ice.
+  /// No ice anywhere.
   UpperTurns() = default;
-  /// Once `stop` is requested they stay incomplete and must not be used.
+  /// Once `stop` is requested the object stays incomplete and must not be used.
   UpperTurns(const ice::UnderIce& ice, const std::vector<geo::PlanePoint>& places,
              const std::vector<core::Seconds>& times, const std::stop_token& stop);
 
-  /// Zero where the vehicle may surface, and where nothing is known of the ice.
+  /// Zero if the vehicle may surface or the ice is unknown. `time` and `place` are indices.
   [[nodiscard]] core::Metres at(std::size_t time, std::size_t place) const {
     return core::Metres{metres_.empty() ? 0.0 : static_cast<double>(metres_[time * places_ + place])};
   }

@@ -15,7 +15,7 @@
 namespace floeplan::planning::diagnosis {
 namespace {
 
-constexpr std::size_t most_zones = 10;  // largest number of zones that are left out, each alone
+constexpr std::size_t most_zones = 10;  // zones that are left out one at a time, at most
 constexpr core::Seconds an_hour = InputTrials::an_hour;
 constexpr core::Seconds a_day{86'400.0};
 constexpr core::Seconds two_days{172'800.0};  // latest departure that is tried
@@ -297,7 +297,7 @@ void InputChanges::refine_the_grid() {
   if (!request_.spacing_along) return;
   const double now = request_.spacing_along->value;
   for (const double share : {0.5, 0.25}) {
-    // With few and very long steps, a finer grid that covers less may take less work.
+    // A request with few but very long steps may take less work on a finer grid that covers a smaller area.
     trials_.begin_input();
     PlanRequest changed = request_;
     changed.spacing_along = core::Metres{share * now};
@@ -362,7 +362,7 @@ void InputChanges::depart_after(core::Seconds delay) {
   trials_.begin_input();
   const double whole_hours = std::ceil(delay / an_hour);
   double too_early = whole_hours - 1.0;
-  // Icebergs and ice move on while the vehicle does.
+  // Later departures are tried, too, because icebergs and ice move on.
   for (const double more : {0.0, 2.0, 5.0, 12.0}) {
     const double hours = whole_hours + more;
     if (trials_.is_over()) return;

@@ -13,18 +13,19 @@
 
 namespace floeplan::planning::diagnosis {
 
-/// Factor up to which a higher speed than `now` is tried, of the vehicle or of its thruster.
+/// The highest speed that is tried instead of `now`, for the vehicle or its thruster.
 [[nodiscard]] core::MetresPerSecond fastest_tried(core::MetresPerSecond now);
 
 struct FoundChanges {
   std::vector<Change> changes;  // the smallest change first
-  bool cut_short{false};        // a trial gave no answer: smaller or other changes may help too
+  bool cut_short{false};        // a trial gave no answer, so smaller or other changes may help, too
   std::optional<PlanRequest>
       changed{};  // the request with the first change; empty if a request cannot state it
 };
 
-/// Changes one input of a request at a time and keeps the smallest change that makes the request possible, found by
-/// trials. Each function tries one input; it keeps nothing if no value helps or the input does not apply.
+/// Changes one input of a request at a time. Trials find the smallest change that makes the request possible.
+/// Each function tries one input and keeps the change; it keeps nothing if no value helps or the input does
+/// not apply.
 /// Threads  one at a time
 class InputChanges {
  public:
@@ -39,40 +40,41 @@ class InputChanges {
   void leave_the_thruster_off();
 
   void shrink_margin();
-  /// The allowance for the position errors of icebergs.
+  /// Tries a lower limit on the position errors of icebergs (`max_inflation`).
   void allow_for_less_error();
 
   void stay_longer_under_ice();
   void keep_less_from_ice();
 
   void dive_deeper();
-  /// A dive depth above zones that close only some depths; other zones close all depths.
+  /// Tries dives above zones that close only some depths. Other zones close all depths.
   void dive_less_deep();
   void keep_less_above_the_bed();
   void work_in_shallower_water();
   void climb_higher();
-  /// The profile of the same make for shallower water, with the values that the request states itself.
+  /// Tries the profile of the same make for shallower water, with the values that the request states itself.
   void take_another_vehicle();
 
   void charge_the_battery();
   void take_a_larger_battery();
 
-  /// One of the request's zones; if no single one helps, all of them.
+  /// Tries without one of the request's zones; if no single one helps, without all of them.
   void leave_out_zones();
-  /// All stored zones at once: the inputs name datasets, not the zones in them.
-  /// `without`  the answer for the request without the stored zones, in the same waters; empty: not tried
+  /// Tries without all stored zones at once: a request can name datasets, but not single zones in them.
+  /// `without`  trial without the stored zones, on the same data; empty: not tried
   void leave_out_stored_zones(const Trial& without);
 
   void refine_the_grid();
 
-  /// A later departure within the period of the data. Nearer ones come first: half a tide, then whole tides and days.
+  /// Tries later departures within the period of the data. Nearer ones come first: half a tide, then whole
+  /// tides and days.
   void depart_later();
-  /// The first whole hour after the closure ends.
+  /// Tries a departure at the first whole hour after a closure that ends `delay` later.
   void depart_after(core::Seconds delay);
-  /// A hold of any length, if the request allows none or short ones only.
+  /// Tries holds of any length, if the request allows none or only short ones.
   void allow_holds();
 
-  /// A move of a stop that was already found to help.
+  /// Takes over a move of a stop that is known to help.
   void take_move(const Change& move);
 
   [[nodiscard]] FoundChanges found() &&;
@@ -93,9 +95,9 @@ class InputChanges {
   /// The limit that the vehicle's profile sets: values below it are not proposed.
   [[nodiscard]] double standard_margin_m() const;
   [[nodiscard]] PlanRequest leaving(double hours_later) const;
-  /// In whole hours, above `fails` and up to `helps`.
+  /// The least delay that helps, in whole hours: above `fails` and at most `helps`.
   double least_delay(double fails, double helps);
-  /// Returns  whether one of them helps
+  /// Returns  whether leaving out one of the zones helps
   bool leave_out_a_zone();
   void leave_out_all_zones();
   void add_departure(double hours);

@@ -10,7 +10,7 @@
 
 namespace floeplan::planning::diagnosis {
 
-/// The answer of a trial for another request in the same waters.
+/// The result of a trial: whether another request on the same data has a route.
 enum class TrialOutcome {
   possible,
   impossible,
@@ -28,7 +28,7 @@ class InputTrials {
   InputTrials(const Trial& trial, const std::stop_token& stop) : trial_{trial}, stop_{stop} {}
 
   void begin_input() { told_nothing_ = false; }
-  /// Whether no more values of the present input are to be tried.
+  /// Whether the search for a value of the present input has to end.
   [[nodiscard]] bool is_over() const { return told_nothing_ || stop_.stop_requested(); }
   /// Whether some trial gave no answer.
   [[nodiscard]] bool told_too_little() const { return told_too_little_; }
@@ -36,18 +36,18 @@ class InputTrials {
   [[nodiscard]] const std::optional<PlanRequest>& last_possible() const { return last_possible_; }
 
   bool works(const PlanRequest& request) { return works_by(trial_, request); }
-  /// The same by another trial, in other waters.
+  /// As `works`, with another trial, on other data.
   bool works_by(const Trial& trial, const PlanRequest& request) {
     const TrialOutcome outcome = outcome_of(trial, request);
     if (outcome == TrialOutcome::not_known) told_nothing_ = true;
     return outcome == TrialOutcome::possible;
   }
 
-  /// The value nearest to `now` that helps, between `now` and `extreme`, as a multiple of `unit`. `with`: the request
-  /// with a value.
+  /// The value nearest to `now` that helps, between `now` and `extreme`, rounded to `unit`. `with(value)`:
+  /// the request with this value.
   template <class With>
   std::optional<double> nearest_that_helps(double now, double extreme, double unit, const With& with) {
-    // Rounded towards the generous end, so that the proposed value is one that was tried.
+    // Rounded towards `extreme`, so that the proposed value was itself tried.
     const auto between = [&](double a, double b) {
       const double middle = 0.5 * (a + b);
       return unit * (extreme > now ? std::ceil(middle / unit) : std::floor(middle / unit));
@@ -71,7 +71,7 @@ class InputTrials {
   }
 
  private:
-  static constexpr int halvings = 7;  // to a hundredth; a speed or margin is rounded to what one would type
+  static constexpr int halvings = 7;  // to a hundredth of the interval; typed values are no finer
   static constexpr int most_beginnings =
       3;  // values that are tried first when the most generous one gives no answer
 
@@ -86,7 +86,7 @@ class InputTrials {
   const Trial& trial_;
   const std::stop_token& stop_;
   bool told_nothing_{false};     // a trial of the present input gave no answer
-  bool told_too_little_{false};  // the same for any input
+  bool told_too_little_{false};  // a trial of some input gave no answer
   std::optional<PlanRequest> last_possible_{};
 };
 

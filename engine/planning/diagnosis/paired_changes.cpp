@@ -91,7 +91,8 @@ constexpr std::array all_inputs{
 
 bool is_speed(const Change& change) { return change.input == "speed_m_s"; }
 
-/// `why` with another constraint. Nothing else is known of the requests that this constraint closes.
+/// `why` with another constraint. All other details are left out, because they are unknown for this
+/// constraint.
 Infeasible bound_by(Constraint binding, const Infeasible& why) {
   return {.reason = why.reason, .at = why.at, .when = why.when, .binding = binding};
 }

@@ -8,7 +8,8 @@
 namespace floeplan::planning::diagnosis {
 namespace {
 
-/// How long after the vehicle's arrival the zone ends that stopped the search; empty if no end is known.
+/// How long after the vehicle's arrival at the zone that stopped the search this zone ends; empty if no end
+/// is known.
 std::optional<core::Seconds> until_a_zone_ends(const ocean::Environment& environment,
                                                const PlanRequest& request, const Infeasible& why) {
   if (why.binding != Constraint::zone) return std::nullopt;
@@ -23,7 +24,7 @@ std::optional<core::Seconds> until_a_zone_ends(const ocean::Environment& environ
   return soonest;
 }
 
-/// Whether a zone closes after the departure: a faster vehicle may pass it before.
+/// Whether some zone closes after the departure, so that a faster vehicle may pass before.
 bool may_be_passed_in_time(const ocean::Environment& environment, const PlanRequest& request) {
   const auto closes_later = [&](const ocean::Zone& zone) {
     const auto& closes = zone.kind == ocean::ZoneKind::stay_in && zone.until ? zone.until : zone.from;

@@ -22,11 +22,11 @@ namespace {
 
 // Work of each item in units of a timed leg, measured on the demonstration data.
 constexpr std::int64_t work_of_a_leg = 6;
-constexpr std::int64_t work_of_a_label = 600;   // all legs from it
-constexpr std::int64_t work_of_a_berg = 2000;   // its forecast
-constexpr double work_of_a_vertex = 10.0;       // its part of the maps, and which of its edges are open
-constexpr double work_of_a_value = 1.0 / 50.0;  // of the currents, to average them over the dive depths
-constexpr double work_of_a_node = 2.0;          // of a lookup table of the data
+constexpr std::int64_t work_of_a_label = 600;   // all legs out of it
+constexpr std::int64_t work_of_a_berg = 2000;   // forecast of its drift
+constexpr double work_of_a_vertex = 10.0;       // its share of the maps, and the test of its edges
+constexpr double work_of_a_value = 1.0 / 50.0;  // one value of the currents, averaged over the dive depths
+constexpr double work_of_a_node = 2.0;          // one node of a lookup table of the data
 constexpr std::size_t most_labels_of_a_trial = 100'000;
 
 /// Bound by the least possible remaining time: the search finds the earliest route.
@@ -47,7 +47,7 @@ struct TowardsAnyWay : TowardsEarliestWay {
   [[nodiscard]] core::Seconds remaining(graph::Vertex v) const { return arrive - latest_use(v); }
 };
 
-/// Where a route reaches the goal of a grid.
+/// Result of the search over one grid: the route and its arrival at the goal.
 struct Reached {
   std::vector<geo::PlanePoint> path;  // empty: no route was found
   core::Seconds since_surfacing{};
@@ -56,7 +56,7 @@ struct Reached {
 /// The search for any route over one grid, with the same steps by which the planner looks for the best one.
 class GridTrial {
  public:
-  /// `left`: work that is left; below zero once it is used up. Everything is borrowed and must outlive the trial.
+  /// `left`: remaining work; below zero once used up. All references are borrowed and must outlive the trial.
   GridTrial(const cost::Sea& sea, const search::OpenGrid& open, std::int64_t& left,
             const std::stop_token& stop)
       : sea_{sea}, open_{open}, left_{left}, stop_{stop}, foresight_{sea, open} {}
@@ -71,7 +71,7 @@ class GridTrial {
   }
 
  private:
-  /// Ignores the limit on the time without surfacing.
+  /// Finds a route without regard to the limit on the time without surfacing.
   std::vector<geo::PlanePoint> unbounded_way(core::Seconds depart) {
     const auto untimed = [this](const graph::Edge& edge, core::Seconds leaves, core::Seconds latest) {
       return sea_.leg_time_without_timed_closures(open_.grid.point(edge.tail), open_.grid.point(edge.head),
@@ -83,8 +83,8 @@ class GridTrial {
 
     Way way = likely_or_earliest_way(depart, untimed);
     if (way.path.empty() || cost::schedule_along(sea_, way.path, depart)) return std::move(way.path);
-    // Detours round an obstacle are seldom much longer, and places that cannot be reached in that time need not be
-    // checked.
+    // Detours round an obstacle are seldom longer than this factor. Places that cannot be on such a detour
+    // are not checked.
     constexpr double detour = 1.25;
     const core::Seconds soon = depart + detour * (way.arrival - depart);
     way = way_by<TowardsAnyWay>(depart, soon, timed);
@@ -107,12 +107,12 @@ class GridTrial {
   }
 
   struct Way {
-    std::vector<geo::PlanePoint> path;  // empty: there is none
+    std::vector<geo::PlanePoint> path;  // empty: no route
     core::Seconds arrival{};
   };
   static constexpr core::Seconds whenever{INFINITY};
 
-  /// Times a leg while work is left. After that every leg counts as closed, so the search ends.
+  /// Times legs while work is left. After that every leg counts as closed, so the search ends.
   template <class LegTimes>
   auto rationed(const LegTimes& leg_times) {
     return [this, &leg_times](const graph::Edge& edge, core::Seconds leaves,
@@ -123,7 +123,7 @@ class GridTrial {
     };
   }
 
-  /// The route that is probably close to the best if it is open, otherwise the earliest one.
+  /// The probably best route if it is open, otherwise the earliest one.
   template <class LegTimes>
   Way likely_or_earliest_way(core::Seconds depart, const LegTimes& leg_times) {
     if (foresight_.is_useful()) {
@@ -147,7 +147,7 @@ class GridTrial {
     return edges.empty() ? Way{} : way;
   }
 
-  /// A route that is at the goal by `latest`.
+  /// A route that reaches the goal by `latest`.
   template <class Bound, class LegTimes>
   Way way_by(core::Seconds depart, core::Seconds latest, const LegTimes& leg_times) {
     const graph::SearchTree tree = arrivals_by<Bound>(depart, latest, rationed(leg_times));
@@ -174,7 +174,7 @@ class GridTrial {
     return graph::find_earliest_arrivals(open_.graph, query, travel_time, stop_, bound);
   }
 
-  /// For a vehicle that may hold; without holds if one of them would be too long.
+  /// A route with holds; without them if one would be longer than allowed.
   template <class LegTimes>
   std::vector<geo::PlanePoint> way_with_holds(core::Seconds depart, const LegTimes& untimed) {
     Way at_once = likely_or_earliest_way(depart, untimed);
@@ -225,7 +225,7 @@ std::optional<cost::Route> search_all(const cost::Sea& sea, const std::vector<co
   return route;
 }
 
-/// About the number of nodes that a GridLookup has over the area.
+/// Approximate number of nodes of a GridLookup over the area.
 double nodes_of_a_table(const plane::PlaneBox& area) {
   constexpr double step_m = 2000.0;
   constexpr double most_a_side = 1000.0;
@@ -262,7 +262,7 @@ std::int64_t WayTrials::work_of_a_chart(const PlanRequest& request, const cost::
   double work = static_cast<double>(environment_.icebergs.size()) * static_cast<double>(work_of_a_berg);
   for (const cost::RouteGrid& grid : layout.grids) work += work_of_a_vertex * grid.vertex_count();
   double tables = 0.0;
-  if (environment_.bathymetry) tables += 2.0;  // closed cells, and dive depths
+  if (environment_.bathymetry) tables += 2.0;  // one for closed cells, one for dive depths
   if (environment_.ice) tables += 1.0 + static_cast<double>(environment_.further_ice.size());
   if (environment_.currents && !shelf_.holds(request, layout.projection, layout.area())) {
     work += work_of_a_value * static_cast<double>(environment_.currents->samples().u.size());

@@ -11,15 +11,16 @@
 
 namespace floeplan::planning::diagnosis {
 
-/// The request as a trial sees it: whether there is any route. Inputs that only make a route better are dropped.
+/// The request for a trial, which asks only whether any route exists. Inputs that only make a route better
+/// are dropped.
 [[nodiscard]] PlanRequest for_any_way(const PlanRequest& request);
 
-/// Finds out whether each of several requests in the same waters has a plan at all, with a limit on the work for all
-/// of them together. Each may use a quarter of the work that is left, so a request that is hard to decide does not
-/// prevent the others from being tried.
-/// Law      if the answer is `possible`, `plan_route` finds a plan too
-/// Work     counted in timed legs and gridded data, half a microsecond per unit, and not by a clock: the same trials
-///          give the same answers on every machine
+/// Tests whether requests on the same data have a plan at all. One limit on the work holds for all of them
+/// together. Each may use a quarter of the remaining work, so a request that is hard to decide leaves work
+/// for the others.
+/// Law      if the answer is `possible`, `plan_route` finds a plan, too
+/// Work     counted in timed legs and gridded data, about half a microsecond per unit. It is not measured by
+///          a clock, so the same trials give the same answers on every machine
 /// Threads  one at a time
 class WayTrials {
  public:
@@ -30,10 +31,10 @@ class WayTrials {
             std::int64_t most_work = standard_work)
       : environment_{environment}, stop_{stop}, left_{most_work}, shelf_{environment} {}
 
-  /// The answer is `not_known`, too, once `stop` is requested.
+  /// Tests a request. Once `stop` is requested the answer is `not_known`.
   [[nodiscard]] TrialOutcome operator()(const PlanRequest& request);
 
-  /// Work that is left; below zero by no more than the smallest search takes.
+  /// Remaining work. At the end it may be below zero by the work of the smallest search.
   [[nodiscard]] std::int64_t left() const { return left_; }
 
  private:
@@ -43,7 +44,7 @@ class WayTrials {
   const ocean::Environment& environment_;
   std::stop_token stop_;
   std::int64_t left_;
-  cost::CurrentsShelf shelf_;  // most trials change what is above or in the way, not the water
+  cost::CurrentsShelf shelf_;  // most trials change obstacles or ice, so the currents are reused
 };
 
 }  // namespace floeplan::planning::diagnosis

@@ -16,8 +16,8 @@
 namespace floeplan::planning::diagnosis {
 namespace {
 
-/// The first of the moves that helps. Where none helps, the goal is moved to the place nearest to it that the search
-/// reached. Each move is tried by a whole plan, which tells for certain whether it helps; there are only a few moves.
+/// The first of the moves that helps. If none helps, the goal is moved to the nearest place that the search
+/// reached. Each move is tested by a complete plan, so the answer is certain; there are only a few moves.
 std::optional<Change> move_that_helps(const ocean::Environment& environment, const PlanRequest& request,
                                       const std::vector<Change>& moves, const std::stop_token& stop) {
   const auto arrives = [&](const Result<Plan>& plan) {
@@ -39,7 +39,7 @@ std::optional<Change> move_that_helps(const ocean::Environment& environment, con
   return search::move_of("to", request.to, *nearest);
 }
 
-/// Whether the sea or the request holds anything of this kind that may close the route and can be left out for a trial.
+/// Whether the data or the request contain this kind of obstacle, and a trial can leave it out.
 bool holds_any(Constraint constraint, const ocean::Environment& environment, const PlanRequest& request,
                const std::stop_token& stop) {
   switch (constraint) {
@@ -52,7 +52,8 @@ bool holds_any(Constraint constraint, const ocean::Environment& environment, con
   }
 }
 
-/// The outcome of a trial without anything of this kind. `left` is the work that may still be spent; it is reduced.
+/// The result of a trial without this kind of obstacle. `left`: remaining work, reduced by the work of the
+/// trial.
 TrialOutcome outcome_without(Constraint constraint, const ocean::Environment& environment,
                              const PlanRequest& request, std::int64_t& left, const std::stop_token& stop) {
   ocean::Environment open = environment;
@@ -67,7 +68,7 @@ TrialOutcome outcome_without(Constraint constraint, const ocean::Environment& en
     open.further_ice.clear();
   }
   if (constraint == Constraint::current) {
-    // The icebergs drift with these currents in this trial, too.
+    // The trial without currents keeps the drift of the icebergs, which uses them.
     if (!open.drift_currents) open.drift_currents = open.currents;
     open.currents.reset();
     open.members.clear();
@@ -79,7 +80,7 @@ TrialOutcome outcome_without(Constraint constraint, const ocean::Environment& en
   return outcome;
 }
 
-/// Whether a search over all routes found none. The constraint that it met last need not be the only one then.
+/// Whether a search over all routes found none. Then the constraint that stopped it need not be the only one.
 bool is_of_a_search(const Infeasible& why, const PlanRequest& request) {
   switch (why.reason) {
     case Reason::goal_unreachable:
@@ -120,7 +121,7 @@ Infeasible with_what_would_help(const ocean::Environment& environment, const Pla
   if (why.reason == Reason::cancelled || !why.changes.empty()) return why;
   why = search::with_missing_data(std::move(why), environment, request);
   if (progress) progress("not possible as asked: " + why.explanation(), 0.95);
-  // Only the nearest places that a stop could be moved to are tried.
+  // Only the nearest of the possible new places for a stop are tested.
   const bool has_moves = !why.moves.empty();
   if (has_moves) {
     auto move = move_that_helps(environment, request, why.moves, stop);
@@ -133,7 +134,7 @@ Infeasible with_what_would_help(const ocean::Environment& environment, const Pla
     return why;
   }
   WayTrials trials{environment, stop};
-  // Where a trial finds a route for the unchanged request already, trials cannot tell what closes it.
+  // If a trial finds a route for the unchanged request, trials cannot tell what closes it.
   if (trials(request) == TrialOutcome::possible) return why;
   const auto without_stored_zones = [&](const PlanRequest& asked) {
     ocean::Environment open = environment;

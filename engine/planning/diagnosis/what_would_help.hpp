@@ -9,14 +9,14 @@
 
 namespace floeplan::planning::diagnosis {
 
-/// `why`, with changes of single inputs that make a plan possible. Each change has been tried. With a wanted arrival a
-/// trial leaves at the request's departure and must arrive in time.
-/// Where no value of any input helps, the sea is tried without its icebergs, without its zones, without its ice and
-/// without its currents. The first of these without which there is a route becomes the binding constraint.
-/// A refusal for want of data names the data that end, too.
-/// There are no changes where one plan at the request's departure, in the given order of via points, is possible.
-/// `why`    why the request has no plan; changes that it has already are kept. Its explanation is told as the stage of
-///          the work before anything is tried
+/// Adds to `why` changes of single inputs that make a plan possible. Each change has been tested. With a
+/// wanted arrival a trial departs at `request.depart` and must arrive in time.
+/// If no value of any input helps, trials leave out the icebergs, the zones, the ice and the currents, one
+/// kind at a time. The first kind without which a route exists becomes the binding constraint.
+/// For a refusal due to missing data the result also names the data that end.
+/// Nothing is added if a plan at the request's departure, with via points in the given order, is possible.
+/// `why`    why the request has no plan; its changes are kept. Its explanation is reported as a stage of
+/// progress first
 /// Stops    with Reason::cancelled once `stop` is requested
 [[nodiscard]] Infeasible with_what_would_help(const ocean::Environment& environment,
                                               const PlanRequest& request, Infeasible why,

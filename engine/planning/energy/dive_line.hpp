@@ -17,7 +17,7 @@ class DiveLine {
   DiveLine(const vehicle::DiveLimits& limits, const obstacles::PlaneBed* bed, core::Metres look,
            geo::PlanePoint a, geo::PlanePoint b);
 
-  /// Whether the dives are the same all along.
+  /// Whether all dives along the line are equal.
   [[nodiscard]] bool is_even() const { return stretches_.size() == 1; }
   /// The band of depths in which a vehicle turns as often as on the average between two shares of the line. It then uses the
   /// same energy: of bands with the same top, the pump energy per metre of depth differs only by a part that is inverse to
@@ -45,7 +45,8 @@ class DiveLine {
   };
   /// Adds a part between two shares of the line, on a parabola: the shape of the bed within a cell.
   void add_bend(double from, double until, const Bend& bend, const Bounds& bounds);
-  /// The same on a straight line.
+  /// Adds a part of the line between two shares, with a straight slope of the lower turn from `first` to
+  /// `last`.
   void add_slope(double from, double until, core::Metres first, core::Metres last, const Bounds& bounds);
   /// Adds a stretch, unless its length is zero.
   void add_stretch(const Stretch& stretch);

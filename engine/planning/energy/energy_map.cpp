@@ -8,10 +8,10 @@ namespace {
 
 constexpr double most_cells_a_side = 256.0;
 constexpr core::Metres least_look{
-    1.0};  // between samples along a line; smaller cells of a bathymetry are not resolved
-constexpr double looks_in_cell[] = {0.25, 0.75};  // of the raster, along either axis
+    1.0};  // distance between samples along a line; smaller cells of a bathymetry are not resolved
+constexpr double looks_in_cell[] = {0.25, 0.75};  // sample positions in a raster cell, along either axis
 
-/// One cell where no sea bed is known.
+/// Cell size of the raster. Without bathymetry one cell covers the area.
 core::Metres cell_of(const currents::FlownDepths& depths, const plane::PlaneBox& area) {
   const double extent_m = std::max(area.width_m(), area.height_m());
   if (!depths.bathymetry()) return {extent_m};

@@ -16,10 +16,12 @@
 
 namespace floeplan::planning::energy {
 
-/// The power that a glider needs at each place: over a shallow bank it turns more often, in deep water it pumps against
-/// more pressure. There are two answers. One is computed over the sea bed itself, and does not depend on the area of the
-/// map. The other comes from a raster of the sea bed, for searches, which ask very often.
-/// Accuracy  of the raster: cells no smaller than those of the bathymetry, at most 256 a side; along a line exact
+/// The power that a glider needs at each place: over a shallow bank it turns more often, in deep water it
+/// pumps against more pressure. There are two ways to ask. `dives_along` uses the sea bed itself, and does
+/// not depend on the area of the map. `use` between two points uses a raster of the sea bed; searches need
+/// it, because they ask very often.
+/// Accuracy  of the raster: cells no smaller than those of the bathymetry, at most 256 a side; along a line
+///           exact
 /// Threads   const members may be called from several threads at once
 class EnergyMap {
  public:
@@ -27,12 +29,13 @@ class EnergyMap {
   EnergyMap(const vehicle::GliderProfile& profile, const currents::FlownDepths& depths,
             const geo::LocalProjection& projection, const plane::PlaneBox& area, const std::stop_token& stop);
 
-  /// The energy of a straight and even move from a to b in this time, by the raster. A drive in currents consists of many
-  /// such moves.
-  /// `upper_turn`: no dive turns above it. Where that leaves no room for a dive, the lowest possible dive counts.
+  /// The energy of a straight move from a to b at constant speed in this time, from the raster. A drive in
+  /// currents consists of many such moves.
+  /// `upper_turn`: no dive turns above it. If that leaves no room, the smallest saw-tooth above the
+  /// lower turn counts.
   [[nodiscard]] EnergyUse use(geo::PlanePoint a, geo::PlanePoint b, core::Seconds time, vehicle::Drive drive,
                               core::Metres upper_turn = {}) const;
-  /// The energy of a move on which the vehicle turns as often as in this band.
+  /// The energy of a move in `time` with dives in this band.
   [[nodiscard]] EnergyUse use(const vehicle::DiveBand& band, core::Seconds time, vehicle::Drive drive) const;
   /// The dives over the sea bed itself from a to b.
   [[nodiscard]] DiveLine dives_along(geo::PlanePoint a, geo::PlanePoint b) const;
@@ -52,20 +55,20 @@ class EnergyMap {
  private:
   struct Place {
     float pump_j_m;       // per metre of depth climbed or dived
-    float inflections_m;  // likewise
+    float inflections_m;  // inflections per metre of depth climbed or dived
     float top_m;
     float bottom_m;
   };
   struct DriveCost {
     core::MetresPerSecond vertical;
-    core::Watts power;  // besides the pump
+    core::Watts power;  // power of everything but the pump
     core::Watts thruster;
   };
   /// The place for a cell: a band with the mean number of turns of the samples in the cell.
   [[nodiscard]] Place place_of_cell(std::int64_t ix, std::int64_t iy) const;
   /// The place of a cell; beyond the raster that of the nearest cell.
   [[nodiscard]] const Place& place(std::int64_t ix, std::int64_t iy) const;
-  /// The same place with dives that turn no higher.
+  /// A copy of the place whose dives turn no higher than `upper_turn`.
   [[nodiscard]] Place below(const Place& place, core::Metres upper_turn) const;
   [[nodiscard]] const DriveCost& cost(vehicle::Drive drive) const {
     return drive == vehicle::Drive::thruster ? thruster_ : buoyancy_;
@@ -85,7 +88,7 @@ class EnergyMap {
   double least_pump_j_m_;
   bool is_even_{true};
   DriveCost buoyancy_;
-  DriveCost thruster_;  // that of the buoyancy drive where there is no thruster
+  DriveCost thruster_;  // equal to that of the buoyancy engine if there is no thruster
 };
 
 }  // namespace floeplan::planning::energy

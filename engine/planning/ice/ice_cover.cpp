@@ -10,9 +10,9 @@ namespace {
 
 constexpr float missing = std::numeric_limits<float>::quiet_NaN();
 
-/// Whether there is ice and the data do not tell how thick it is.
+/// Whether there is ice of unknown thickness.
 bool is_thickness_missing(float concentration, float thickness_m, const UnderIceRules& rules) {
-  // Dense ice without any thickness is a product that has none for it, not a cover without keels.
+  // Dense ice with thickness zero means a product without values there, not ice without keels.
   const bool contradicts =
       thickness_m <= 0.0F && static_cast<double>(concentration) > rules.max_concentration_to_surface;
   return concentration > 0.0F && (std::isnan(thickness_m) || contradicts);
@@ -54,7 +54,8 @@ IceCover::IceCover(const ocean::IceField& ice, const UnderIceRules& rules,
   measure_distances();
 }
 
-/// Between nodes the ice is never less than at the least of them nor more than at the densest.
+/// Between nodes the concentration lies between the values of the surrounding nodes, so distances between
+/// cells suffice.
 void IceCover::measure_distances() {
   std::vector<bool> opens(grid_.size(), false);
   std::vector<bool> dense(grid_.size(), false);
@@ -67,7 +68,7 @@ void IceCover::measure_distances() {
   to_dense_ice_ = distances_to(dense);
 }
 
-/// Cells are numbered by their first node; those after the last node of a row or column are none.
+/// A cell has the number of its first node. The last node of a row or column begins no cell.
 obstacles::CellDistances IceCover::distances_to(const std::vector<bool>& marked_nodes) const {
   const std::size_t nx = grid_.nx();
   std::vector<bool> marked(marked_nodes.size(), false);
@@ -110,7 +111,7 @@ core::Metres IceCover::least_way_to_dense_ice(geo::PlanePoint point) const {
   return cell ? to_dense_ice_.from(cell->first) : core::Metres{0.0};
 }
 
-/// Ice through which the vehicle may not surface, or the keels of such ice that were known last.
+/// Whether the node has ice through which the vehicle may not surface, or had it when last known.
 bool IceCover::is_dense(const Node& node) const {
   return std::isnan(node.concentration) ? node.draft_m > 0.0F
                                         : static_cast<double>(node.concentration) > limit_;
@@ -190,7 +191,7 @@ IceAbove IceCover::above(geo::PlanePoint point, core::Seconds time) const {
 
   const std::size_t nx = grid_.nx();
   double draft_m = 0.0;
-  double last_draft_m = 0.0;  // of nodes that were dense when last known
+  double last_draft_m = 0.0;  // draft of the node when it was last known to be dense
   const auto concentration_at = [&](std::size_t step) {
     const Node* south = nodes_.data() + step * grid_.size() + cell->first;
     const Node* north = south + nx;

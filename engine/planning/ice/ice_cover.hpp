@@ -14,19 +14,20 @@ namespace floeplan::planning::ice {
 
 /// The ice above a vehicle at one place and time.
 struct IceAbove {
-  bool known{false};        // the data know the ice at this place and time
+  bool known{false};        // the data cover this place and time
   bool may_surface{false};  // the ice is known, and no denser than the request allows
-  double draft_m{};         // of the deepest keel; 0 where the vehicle may surface or no ice was ever known
+  double draft_m{};         // of the deepest keel; 0 if the vehicle may surface or ice was never known
 };
 
-/// The sea ice of a planning area at the time of passage, laid out for the inner loop of a search.
-/// Interpolation  concentration: bilinear between the nodes of the data and linear between their times. Draft: the
-///                deepest one of the nodes and times around
-/// Coast    a node without data takes the most ice of its neighbours, one ring deep, because land masks are coarse
+/// The sea ice of a planning area at the time of passage, prepared for the inner loop of a search.
+/// Interpolation  concentration: bilinear between the nodes of the data and linear between their times.
+///                Draft: the deepest of the surrounding nodes and times
+/// Coast    a node without data takes the most ice of its neighbours, one ring deep, because land masks are
+///          coarse
 /// Time     counted from `epoch`; ocean::ice_moment says which steps of the data count for a time
-/// Outside  the ice is unknown beyond the nodes with data and their ring, before and after the period of the data, and
-///          in its long gaps. Dives keep below the keels of dense ice that were known last, because missing data are no
-///          evidence that the ice has gone
+/// Outside  the ice is unknown beyond the nodes with data and their ring, before and after the period of the
+///          data, and in its long gaps. Dives then keep below the keels of dense ice that were known last,
+///          because missing data are no evidence that the ice has gone
 /// Threads  const members may be called from several threads at once
 class IceCover {
  public:
@@ -35,16 +36,16 @@ class IceCover {
            const plane::PlaneBox& area, core::UtcTime epoch, const std::stop_token& stop = {});
 
   [[nodiscard]] IceAbove above(geo::PlanePoint point, core::Seconds time) const;
-  /// The steps of the data that count for this time.
+  /// The steps of the data that count for `time`.
   [[nodiscard]] ocean::IceMoment moment(core::Seconds time) const {
     return ocean::ice_moment(times_s_, time.count());
   }
   /// Whether the ice above comes from a node without data, which took the ice of its neighbours.
   [[nodiscard]] bool is_extended(geo::PlanePoint point, core::Seconds time) const;
-  /// The deepest keel above a place.
+  /// The keels above a place.
   struct Keels {
-    double told_m{};      // its draft, by the thickness in the data
-    bool all_told{true};  // whether no draft there is assumed
+    double told_m{};      // deepest draft by the thickness in the data
+    bool all_told{true};  // no draft there had to be assumed
   };
   [[nodiscard]] Keels keels(geo::PlanePoint point, core::Seconds time) const;
   /// First step of the data.
@@ -56,7 +57,8 @@ class IceCover {
   /// A lower bound of the distance in the plane to any place where the vehicle may surface at any time. Zero beyond the
   /// nodes; infinite where there is no such place.
   [[nodiscard]] core::Metres least_way_to_opening(geo::PlanePoint point) const;
-  /// The same bound for each point, to places where the vehicle may surface at some time from `from` to `until`.
+  /// As `least_way_to_opening`, for each point, to places where the vehicle may surface at some time from
+  /// `from` to `until`.
   [[nodiscard]] std::vector<core::Metres> least_ways_to_opening(const std::vector<geo::PlanePoint>& points,
                                                                 core::Seconds from,
                                                                 core::Seconds until) const;
@@ -73,8 +75,8 @@ class IceCover {
 
  private:
   struct Node {
-    float concentration;  // NaN where nothing is known
-    float draft_m;        // of its keels; where nothing is known, of the dense ice known last, or 0
+    float concentration;  // NaN: unknown
+    float draft_m;        // of its keels; if unknown, of the last known dense ice, or 0
   };
   [[nodiscard]] bool is_dense(const Node& node) const;
   void keep_last_keels();

@@ -22,7 +22,7 @@ std::optional<IceCovers::Answer> IceCovers::first_of(geo::PlanePoint point, core
   using ocean::IceStanding;
   for (const IceStanding standing : {IceStanding::own, IceStanding::speaks, IceStanding::held}) {
     std::optional<Answer> first;
-    std::pair<bool, core::Seconds> least{};  // whether it is extended, and how far away
+    std::pair<bool, core::Seconds> least{};  // whether the data are extended, and the time to their step
     for (const IceCover& cover : covers_) {
       const ocean::IceMoment moment = cover.moment(time);
       if (moment.standing != standing) continue;

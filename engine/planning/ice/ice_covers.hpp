@@ -10,16 +10,16 @@
 
 namespace floeplan::planning::ice {
 
-/// The sea ice of all products that an environment holds.
-/// Choice   for each place and time one product that knows the place answers: the first whose data are of that time,
-///          otherwise the one with the nearest step that counts for it, otherwise the one with the nearest step that
-///          is held for it (ocean::IceStanding). Within a product, data of the place itself come before those that
-///          were extended to it
-/// Keels    where that product has no thickness, the next one in this order with thickness and dense ice there gives
-///          the keels; where there is none, they are assumed
-/// Outside  where the earliest step of all products may be held only from a time after the epoch on, open water is
-///          assumed until then, as without any product. Otherwise the ice is unknown where no product knows it; the
-///          deepest keel that any product knew last remains
+/// The sea ice of all products in an environment.
+/// Choice   One product answers for each place and time: the first that covers both; otherwise the one with
+///          the nearest step that counts for the time; otherwise the one with the nearest step that is held
+///          for it (ocean::IceStanding). Within a product, data of the place itself come before data extended
+///          from a neighbour
+/// Keels    If that product has no thickness, the next one in this order that has thickness and dense ice
+///          there gives the keels; if there is none, they are assumed
+/// Outside  If the earliest step of all products may be held only from some time after the epoch on, open
+///          water is assumed until that time, as without any product. Otherwise the ice is unknown where no
+///          product covers it; the deepest keel last known to any product remains
 /// Threads  const members may be called from several threads at once
 class IceCovers {
  public:
@@ -32,7 +32,7 @@ class IceCovers {
     if (open_until_ && time < *open_until_) return {.known = true, .may_surface = true, .draft_m = 0.0};
     return covers_.size() == 1 ? covers_.front().above(point, time) : first_known(point, time);
   }
-  /// These members mean the same as those of `IceCover`; bounds are less sharp for several covers together.
+  /// As the members of `IceCover`; with several products the bounds are less sharp.
   [[nodiscard]] bool has_dense_ice() const { return std::ranges::any_of(covers_, &IceCover::has_dense_ice); }
   [[nodiscard]] core::Metres deepest_draft() const;
   [[nodiscard]] core::Metres least_way_to_opening(geo::PlanePoint point) const;
@@ -50,7 +50,7 @@ class IceCovers {
     IceAbove ice;
   };
   [[nodiscard]] IceAbove first_known(geo::PlanePoint point, core::Seconds time) const;
-  /// The first product that `accept` takes, in the order of choice.
+  /// The first product, in the order of choice, that `accept` accepts.
   template <class Accept>
   [[nodiscard]] std::optional<Answer> first_of(geo::PlanePoint point, core::Seconds time,
                                                const Accept& accept) const;

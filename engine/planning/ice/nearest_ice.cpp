@@ -9,7 +9,7 @@ namespace floeplan::planning::ice {
 
 core::Metres deepest_turn_within(core::Metres distance, const UnderIce& ice, geo::PlanePoint place,
                                  core::Seconds when) {
-  // Judgements: ice is told in cells of kilometres, and errors grow to some tens of them.
+  // Judgements: ice data have cells of kilometres, and position errors grow to some tens of kilometres.
   constexpr int rings = 4;
   constexpr int looks_of_a_ring = 8;
   core::Metres deepest = ice.least_upper_turn(place, when);
@@ -28,8 +28,8 @@ core::Metres deepest_turn_within(core::Metres distance, const UnderIce& ice, geo
 
 std::optional<core::Metres> nearest_ice_within(core::Metres distance, const UnderIce& ice,
                                                geo::PlanePoint place, core::Seconds when) {
-  // Judgements: rings lie closer to each other near the place, where every metre counts, and farther out they and
-  // the looks of each are no farther apart than what ice is told in, cells of kilometres.
+  // Judgements: near the place, where every metre counts, the rings are close to each other. Farther out the
+  // rings, and the samples on each, are no farther apart than the cells of ice data, some kilometres.
   constexpr double first_ring_m = 50.0;
   constexpr double most_apart_m = 1000.0;
   constexpr int least_looks_of_a_ring = 24;

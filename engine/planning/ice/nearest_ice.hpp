@@ -8,13 +8,13 @@
 
 namespace floeplan::planning::ice {
 
-/// The deepest upper turn that dives need below the ice within a distance of a place. The ice is sampled on rings round
-/// the place. Zero where there is no such ice, and where the ice is unknown.
+/// The deepest upper turn that dives need below the ice within a distance of a place. The ice is sampled on
+/// rings round the place. Zero if there is no such ice, or the ice is unknown.
 [[nodiscard]] core::Metres deepest_turn_within(core::Metres distance, const UnderIce& ice,
                                                geo::PlanePoint place, core::Seconds when);
 
-/// The distance from a place to the nearest ice that dives must turn below, in any direction. The ice is sampled on
-/// rings round the place. Empty where there is no such ice within the given distance, and where the ice is unknown.
+/// The distance from a place to the nearest ice that dives must turn below, in any direction. The ice is
+/// sampled on rings round the place. Empty if there is no such ice within `distance`, or the ice is unknown.
 /// Distances are in metres of the plane.
 [[nodiscard]] std::optional<core::Metres> nearest_ice_within(core::Metres distance, const UnderIce& ice,
                                                              geo::PlanePoint place, core::Seconds when);

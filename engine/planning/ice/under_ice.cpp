@@ -10,7 +10,7 @@
 namespace floeplan::planning::ice {
 namespace {
 
-/// Whether no ice is known above that the vehicle would have to keep below, or was known last.
+/// Whether there is no ice that dives must turn below: neither known now nor when last known.
 bool is_free(const IceAbove& ice) { return ice.may_surface || (!ice.known && !(ice.draft_m > 0.0)); }
 
 }  // namespace

@@ -29,8 +29,9 @@ namespace floeplan::planning::ice {
 /// Threads  const members may be called from several threads at once
 class UnderIce {
  public:
-  /// `cell`  size of a cell of the safety map; the ice is sampled as closely, or closer where its data are finer
-  /// `bed`   depths of the whole area; null: they are laid out here where there is bathymetry
+  /// `cell`  size of a cell of the safety map; the ice is sampled at this spacing, or closer if its data are
+  /// finer
+  /// `bed`   sea bed of the whole area; null: it is gridded here if there is bathymetry
   /// `stop`  once it is requested this object stays incomplete and must not be used
   /// Precondition  `environment` has ice
   UnderIce(const ocean::Environment& environment, const PlanRequest& request,
@@ -43,11 +44,11 @@ class UnderIce {
   [[nodiscard]] bool may_surface(geo::PlanePoint point, core::Seconds time) const {
     return cover_.above(point, time).may_surface;
   }
-  /// How deep the upper turn of the dives must lie there and then; zero where the vehicle may surface, or where
-  /// no ice was ever known.
+  /// The upper turn that dives need at this place and time; zero if the vehicle may surface or no ice was
+  /// ever known.
   [[nodiscard]] core::Metres least_upper_turn(geo::PlanePoint point, core::Seconds time) const;
   [[nodiscard]] bool may_transit(geo::PlanePoint point, core::Seconds time) const;
-  /// The answers to both questions.
+  /// Whether the vehicle may surface, and whether it may pass below the ice.
   struct Leave {
     bool to_surface{};
     bool to_transit{};
@@ -57,7 +58,8 @@ class UnderIce {
   [[nodiscard]] core::Metres least_way_to_opening(geo::PlanePoint point) const {
     return cover_.least_way_to_opening(point);
   }
-  /// The same bound for each point, to places where the vehicle may surface at some time from `from` to `until`.
+  /// As `least_way_to_opening`, for each point, to places where the vehicle may surface at some time from
+  /// `from` to `until`.
   [[nodiscard]] std::vector<core::Metres> least_ways_to_opening(const std::vector<geo::PlanePoint>& points,
                                                                 core::Seconds from,
                                                                 core::Seconds until) const {
@@ -113,7 +115,8 @@ class IceWatch {
   IceWatch(const UnderIce& ice, geo::PlanePoint start, core::Seconds time)
       : ice_{ice}, last_{start}, last_turn_{ice.least_upper_turn(start, time)} {}
 
-  /// The next sample: whether the vehicle may surface there, and whether it has room below the ice up to there.
+  /// Takes the next sample: whether the vehicle may surface there, and whether there was room below the ice
+  /// on the way there.
   [[nodiscard]] UnderIce::Leave look(geo::PlanePoint point, core::Seconds time);
 
  private:

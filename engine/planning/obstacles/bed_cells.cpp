@@ -8,7 +8,8 @@
 namespace floeplan::planning::obstacles {
 namespace {
 
-/// Between the nodes the bed bends on a slanting line: by centimetres in so short a piece.
+/// Distance between samples along a line. Between the nodes of the data the bed curves by only centimetres
+/// over it.
 constexpr core::Metres look{25.0};
 
 }  // namespace

@@ -12,21 +12,21 @@
 
 namespace floeplan::planning::obstacles {
 
-/// Whether the water is deep enough all along a way, and not only where it is looked at. Decided by the least depth in
-/// the cells of a raster (`LeastDepthRows`) that the way enters, where that is enough; else by the bed along the way
-/// itself, so that the same way is judged alike on every raster.
+/// Tests whether the water is deep enough all along a line, not only at samples. First the least depths of
+/// the raster cells (`LeastDepthRows`) that the line enters are tested. If one is too shallow, the bed along
+/// the line itself decides, so the result is the same on every raster.
 /// Threads  const members may be called from several threads at once
 class BedCells {
  public:
-  /// `bathymetry` must not be null. `enough`  the most that is ever asked for. Once `stop` is requested it stays
-  /// incomplete and must not be used
+  /// `bathymetry` must not be null. `enough`: the largest depth that will be asked for. Once `stop` is
+  /// requested the object stays incomplete and must not be used.
   BedCells(std::shared_ptr<const ocean::Bathymetry> bathymetry, core::Metres enough,
            const geo::LocalProjection& projection, const plane::PlaneBox& area, core::Metres cell,
            const std::stop_token& stop);
 
-  /// Whether the bed is known there and at least so deep; false beyond the area.
+  /// Whether the bed is known at the point and at least at `depth`; false beyond the area.
   [[nodiscard]] bool is_deep_at(geo::PlanePoint point, core::Metres depth) const;
-  /// The same all along the straight line from a to b.
+  /// Whether the bed is known and at least at `depth` all along the straight line from a to b.
   [[nodiscard]] bool is_deep_along(geo::PlanePoint a, geo::PlanePoint b, core::Metres depth) const;
   [[nodiscard]] const plane::PlaneRaster& raster() const { return raster_; }
   /// The least depth known in a cell of the raster.
@@ -43,7 +43,8 @@ class BedCells {
   std::vector<float> least_m_;
 };
 
-/// For a vehicle that may be asked to dive as deep as its dives go.
+/// The sea bed for this vehicle: the largest depth asked for is its dive depth plus altimeter margin.
+/// `bathymetry` must not be null.
 [[nodiscard]] std::shared_ptr<const BedCells> lay_out_bed(std::shared_ptr<const ocean::Bathymetry> bathymetry,
                                                           const vehicle::GliderProfile& vehicle,
                                                           const geo::LocalProjection& projection,

@@ -34,7 +34,7 @@ CellDistances::CellDistances(const std::vector<bool>& marked, std::size_t nx, co
 core::Metres CellDistances::from(std::size_t cell) const {
   if (cells_.empty()) return core::Metres{0.0};
   if (cells_[cell] == nowhere) return core::Metres{INFINITY};
-  // The cell itself and the marked one are crossed in part only.
+  // The first and the last cell may be crossed only in part.
   return core::Metres{std::max(0.0, static_cast<double>(cells_[cell]) - 1.0) * least_cell_.value};
 }
 

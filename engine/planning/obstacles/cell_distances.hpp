@@ -8,14 +8,15 @@
 
 namespace floeplan::planning::obstacles {
 
-/// How far it is at least from each cell of a grid to the nearest marked one.
+/// Lower bounds of the distance from each cell of a grid to the nearest marked cell.
 /// Shape    cells are [y][x], last index fastest
 /// Threads  const members may be called from several threads at once
 class CellDistances {
  public:
-  /// Says of every cell that it may be marked itself.
+  /// Without a grid: every distance is zero.
   CellDistances() = default;
-  /// `marked`: of each cell, `nx` in a row. `least_cell`: no way across a cell, from side to side, is shorter.
+  /// `marked`: one value for each cell, `nx` cells in a row. `least_cell`: shortest distance between opposite
+  /// sides of a cell.
   CellDistances(const std::vector<bool>& marked, std::size_t nx, core::Metres least_cell);
 
   /// A lower bound of the distance from anywhere in the cell to a marked cell; infinite if none is marked.
@@ -26,7 +27,7 @@ class CellDistances {
  private:
   static constexpr std::uint32_t nowhere = UINT32_MAX;
 
-  std::vector<std::uint32_t> cells_;  // steps to the nearest marked cell, also diagonal ones
+  std::vector<std::uint32_t> cells_;  // number of steps to the nearest marked cell, diagonal ones included
   core::Metres least_cell_{};
 };
 

@@ -8,7 +8,7 @@ namespace floeplan::planning::obstacles {
 std::optional<core::Seconds> Closures::first_clear_departure(geo::PlanePoint a, geo::PlanePoint b,
                                                              core::Seconds duration, core::Seconds depart,
                                                              core::Seconds latest) const {
-  constexpr core::Seconds first_step{60.0};  // after a zone forbids the leg; the step doubles each time
+  constexpr core::Seconds first_step{60.0};  // to the next departure if a zone forbids the leg; then doubled
   constexpr core::Seconds longest_step{900.0};
   constexpr core::Seconds close_enough{5.0};
   const auto forbidden = [&](core::Seconds leaves) {

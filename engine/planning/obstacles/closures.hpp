@@ -10,9 +10,9 @@
 
 namespace floeplan::planning::obstacles {
 
-/// What is closed to a vehicle in the plane, and when: depth, land and standing zones at all times; timed zones for a
-/// while; icebergs at all times or, where they move, for a while. A view: what it shows is borrowed and outlives it.
-/// Times count from the departure of the request.
+/// What is closed to a vehicle in the plane, and when. At all times: depth, land, standing zones, standing
+/// icebergs. For a while: timed zones and moving icebergs. A view: it borrows its parts, which must outlive
+/// it. Times count from the departure of the request.
 /// Threads  const members may be called from several threads at once
 class Closures {
  public:
@@ -28,15 +28,16 @@ class Closures {
       return motion::EdgeClosed::obstacle;
     return std::nullopt;
   }
-  /// True: no leg from the point is closed at all times, provided that it stays within `reach` along both axes.
-  /// False: unknown.
+  /// True: every straight leg from the point that stays within `reach` along both axes is free of permanent
+  /// closures. False: unknown.
   [[nodiscard]] bool open_about(geo::PlanePoint point, core::Metres reach) const {
     const bool may_stand = icebergs_.standing() && !icebergs_.empty();
     return !may_stand && safety_.open_about(point, reach);
   }
   /// Whether something is closed at some times only, so that a later arrival can be better.
   [[nodiscard]] bool any_timed() const { return !timed_zones_.empty() || !icebergs_.standing(); }
-  /// Whether a timed zone or a moving iceberg closes a piece of a drive, whose places are off by `error_m` at most.
+  /// Whether a timed zone or a moving iceberg closes a piece of a drive. The places of the piece may be wrong
+  /// by `error_m`.
   [[nodiscard]] std::optional<motion::EdgeClosed> closed_during(const motion::PlaneEdge& edge,
                                                                 const motion::EdgePiece& piece,
                                                                 double error_m) const {
@@ -46,17 +47,19 @@ class Closures {
   }
   /// When a timed zone or a moving iceberg closes the point: ascending, disjoint.
   [[nodiscard]] std::vector<TimeSpan> closed_times(geo::PlanePoint point) const;
-  /// The same, by timed zones alone.
+  /// When a timed zone closes the point: ascending, disjoint.
   [[nodiscard]] std::vector<TimeSpan> closed_times_by_zones(geo::PlanePoint point) const {
     return timed_zones_.closed_times(point);
   }
-  /// The same, by moving icebergs alone, with their discs enlarged by `grown` metres of the plane.
+  /// When a moving iceberg closes the point: ascending, disjoint. Its disc is enlarged by `grown` metres of
+  /// the plane.
   [[nodiscard]] std::vector<TimeSpan> closed_times_by_icebergs(geo::PlanePoint point,
                                                                core::Metres grown = core::Metres{0.0}) const {
     return icebergs_.standing() ? std::vector<TimeSpan>{} : icebergs_.closed_times(point, grown);
   }
-  /// The earliest departure between `depart` and `latest` at which nothing that closes for a while blocks a vehicle
-  /// that goes from a to b on a straight line at constant speed in `duration`. Empty: there is none.
+  /// The earliest departure between `depart` and `latest` at which no timed zone or moving iceberg blocks a
+  /// vehicle that goes from a to b on a straight line at constant speed in `duration`. Empty if there is
+  /// none.
   [[nodiscard]] std::optional<core::Seconds> first_clear_departure(geo::PlanePoint a, geo::PlanePoint b,
                                                                    core::Seconds duration,
                                                                    core::Seconds depart,

@@ -16,7 +16,7 @@ DiscIndex::DiscIndex(const plane::PlaneBox& area, double cell_m, core::Seconds s
       slot_s_{slot.count()},
       columns_{steps(area.width_m(), cell_m)},
       rows_{steps(area.height_m(), cell_m)},
-      slots_{steps(horizon.count(), slot.count()) + 1},  // the last one for ever after
+      slots_{steps(horizon.count(), slot.count()) + 1},  // the last slot has no end
       first_(static_cast<std::size_t>(columns_ * rows_ * slots_) + 1, 0) {
   const auto for_each_cell = [&](const Entry& entry, const auto& visit) {
     const Cells cells = cells_of(entry.box, entry.span);

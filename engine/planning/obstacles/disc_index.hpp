@@ -11,12 +11,12 @@
 
 namespace floeplan::planning::obstacles {
 
-/// Which things may be where when: a grid over the plane for each slot of time. Things outside its area and times
-/// are kept in the outermost cells, so that nothing is ever missed.
+/// Finds the items (pieces of discs) that may be in a box during a time: a grid over the plane for each slot
+/// of time. Items outside its area and period are kept in the outermost cells, so none is ever missed.
 /// Threads  const members may be called from several threads at once
 class DiscIndex {
  public:
-  /// A thing and where all of it is during a time.
+  /// An item, with a box that contains it during a period.
   struct Entry {
     std::uint32_t item{};
     plane::PlaneBox box;
@@ -24,12 +24,12 @@ class DiscIndex {
   };
 
   DiscIndex() = default;
-  /// `cell_m`: about the size of the things. `slot`: a time in which they move about as far.
+  /// `cell_m`: about the size of the items. `slot`: time in which they move about this distance.
   DiscIndex(const plane::PlaneBox& area, double cell_m, core::Seconds slot, core::Seconds horizon,
             const std::vector<Entry>& entries);
 
-  /// Calls `visit(item)` for everything that may be in the box during the span, some of it more than once; ends
-  /// with true as soon as `visit` answers true.
+  /// Calls `visit(item)` for every item that may be in the box during the span; some items are visited more
+  /// than once. Ends with true as soon as `visit` returns true.
   template <class Visit>
   bool any_in(const plane::PlaneBox& box, const TimeSpan& span, const Visit& visit) const {
     if (items_.empty()) return false;
@@ -74,7 +74,7 @@ class DiscIndex {
   std::int64_t columns_{1};
   std::int64_t rows_{1};
   std::int64_t slots_{1};
-  std::vector<std::uint32_t> first_;  // of each cell's items, [slot][row][column], and the end
+  std::vector<std::uint32_t> first_;  // index of each cell's items, [slot][row][column], and the end
   std::vector<std::uint32_t> items_;
 };
 

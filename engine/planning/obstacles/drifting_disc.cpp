@@ -6,13 +6,13 @@ namespace floeplan::planning::obstacles {
 namespace {
 
 constexpr double endless = std::numeric_limits<double>::infinity();
-constexpr std::size_t knots_in_a_block = 12;  // half a day of an hourly forecast
+constexpr std::size_t knots_in_a_block = 12;  // half a day of a forecast with hourly steps
 
 plane::PlaneBox box_around(const DriftingDisc::Knot& knot) {
   return plane::PlaneBox{knot.centre, knot.centre}.grown(knot.radius_m);
 }
 
-/// The same in reversed time.
+/// The move in reversed time.
 motion::EvenMove reversed(const motion::EvenMove& move) {
   return {move.to, move.from, -move.t1_s, -move.t0_s};
 }
@@ -28,8 +28,8 @@ motion::MovingDisc reversed(const motion::MovingDisc& disc) {
       -disc.growth_m_s};
 }
 
-/// Whether a move is so far from all that is covered between two knots that it cannot touch it: along one of the axes
-/// alone, which takes no root and no division.
+/// Whether a move is far from all that the disc covers between two knots. The test uses one axis at a time,
+/// without root or division, so it is quick.
 bool is_far(const motion::EvenMove& move, const DriftingDisc::Knot& a, const DriftingDisc::Knot& b,
             double slack_m) {
   const double radius_m = std::max(a.radius_m, b.radius_m) + slack_m;
@@ -120,7 +120,7 @@ std::optional<TimeSpan> DriftingDisc::covers_from(std::size_t knot, geo::PlanePo
   const Knot& from = knots_[knot];
   const bool lasts = knot + 1 == knots_.size();
   const Knot& to = lasts ? from : knots_[knot + 1];
-  // Distance less radius is convex in time: who is inside at both ends is inside all the time.
+  // Distance minus radius is convex in time: a point that is inside at both ends is inside all the time.
   if (is_inside(from) && is_inside(to))
     return TimeSpan{core::Seconds{from.t_s}, core::Seconds{lasts ? endless : to.t_s}};
   const motion::EvenMove stay{point, point, from.t_s, lasts ? endless : to.t_s};
@@ -140,7 +140,7 @@ std::vector<TimeSpan> DriftingDisc::covers(geo::PlanePoint point, double slack_m
     }
     const auto span = covers_from(knot, point, slack_m);
     if (!span) continue;
-    // Where the disc covers the point at a knot, two pieces of its drift end and begin there.
+    // If the disc covers the point at a knot, the spans before and after it join.
     if (!covered.empty() && span->from <= covered.back().until) {
       covered.back().until = std::max(covered.back().until, span->until);
     } else {

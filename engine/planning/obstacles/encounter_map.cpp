@@ -6,15 +6,15 @@
 namespace floeplan::planning::obstacles {
 namespace {
 
-constexpr std::size_t nodes = 49;           // a side
+constexpr std::size_t nodes = 49;           // on each side of the lattice
 constexpr double shortest_slot_s = 3600.0;  // the step of the forecast
 constexpr double most_map_slots = 49.0;
 constexpr double least_slots = 4.0;
-constexpr double most_evaluations = 2e7;  // of one berg at one node and time: half a second
+constexpr double most_evaluations = 2e7;  // each of one berg at one node and time: half a second in all
 constexpr double longest_step_m = 1000.0;
 constexpr int most_steps = 64;
 
-/// Where a value lies on an axis of nodes, kept within it.
+/// Position of a value on an axis of nodes, limited to its ends.
 double place(double value, double step, std::size_t count) {
   return std::clamp(value / step, 0.0, static_cast<double>(count - 1));
 }

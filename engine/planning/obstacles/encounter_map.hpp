@@ -7,10 +7,10 @@
 
 namespace floeplan::planning::obstacles {
 
-/// How often a vehicle meets icebergs where and when, for searches that weigh it: what `IcebergDiscs` expects of a
-/// move, read from a lattice.
-/// Accuracy  positions count as no better known than a cell of the lattice is wide, and bergs as standing against the
-///           vehicle's speed; what a plan states is reckoned without it
+/// Expected encounters with icebergs by place and time, for searches that weigh them: as
+/// `IcebergDiscs::expected_encounters`, but interpolated in a precomputed lattice, which is quick.
+/// Accuracy  position errors count as at least a cell of the lattice, and bergs as standing compared with the
+///           vehicle. The figures in a plan are computed without the lattice
 /// Threads   const members may be called from several threads at once
 class EncounterMap {
  public:
@@ -18,7 +18,7 @@ class EncounterMap {
   EncounterMap(const IcebergDiscs& icebergs, const plane::PlaneBox& area, core::Seconds horizon,
                core::MetresPerSecond speed, const std::stop_token& stop);
 
-  /// Expected on the straight way from a to b, which takes `time` from `depart` on.
+  /// Expected number of encounters on the straight line from a to b, travelled in `time` from `depart` on.
   [[nodiscard]] double along(geo::PlanePoint a, geo::PlanePoint b, core::Seconds depart,
                              core::Seconds time) const;
 

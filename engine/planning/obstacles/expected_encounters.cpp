@@ -8,7 +8,8 @@
 namespace floeplan::planning::obstacles {
 namespace {
 
-/// Mean distance from the centre over the standard deviation, of a normal distribution in two dimensions.
+/// Ratio of the mean distance from the centre to the standard deviation, for a two-dimensional normal
+/// distribution.
 const double mean_per_deviation = std::sqrt(0.5 * std::numbers::pi);
 
 struct Interval {
@@ -16,12 +17,13 @@ struct Interval {
   double until_s;
 };
 
-/// The vehicle sweeps a strip as wide as twice what is kept, at its speed against the berg, through the density of
-/// the berg's position: a normal one in two dimensions, whose mean error is sqrt(pi / 2) of its standard deviation.
-/// By Simpson's rule in steps in which the vehicle goes no more than half a standard deviation, or ten minutes.
+/// The berg's position has a two-dimensional normal density; its mean error is sqrt(pi / 2) standard
+/// deviations. The vehicle, at its speed relative to the berg, sweeps a strip of the width 2 * `kept_m`
+/// through this density. Integrated by Simpson's rule in steps of at most half a standard deviation of
+/// travel, or ten minutes.
 double encounters_with(const motion::MovingDisc& disc, const motion::EvenMove& move, Interval during,
                        double kept_m, const PositionError& error) {
-  constexpr double farthest = 6.0;  // standard deviations: 1e-8 of the density at the middle
+  constexpr double farthest = 6.0;  // standard deviations: the density is 1e-8 of that at the centre
   constexpr double longest_step_s = 600.0;
   constexpr double shortest_step_s = 10.0;
   const double duration_s = move.t1_s - move.t0_s;
@@ -78,7 +80,7 @@ double expected_encounters(const DriftingDisc& iceberg, const PositionError& err
 double encounter_rate(const DriftingDisc& iceberg, const PositionError& error, bool passed_under,
                       geo::PlanePoint point, core::Seconds time, core::MetresPerSecond speed,
                       core::Metres blur) {
-  constexpr double farthest_square = 36.0;  // six standard deviations
+  constexpr double farthest_square = 36.0;  // square of six standard deviations
   const double error_m = error.mean_m(time.count());
   if (error_m <= 0.0) return 0.0;
   const double deviation_m = std::max(error_m / mean_per_deviation, blur.value);

@@ -8,7 +8,7 @@
 
 namespace floeplan::planning::obstacles {
 
-/// How well the position of an iceberg is known: the mean error grows evenly with the time from its sighting.
+/// Position error of an iceberg: its mean grows at a constant rate with the time from the sighting.
 /// Units    metres of the plane; times count from the epoch of the forecast
 struct PositionError {
   double at_sighting_m{};
@@ -20,15 +20,15 @@ struct PositionError {
   }
 };
 
-/// How often, on the average over the errors of its position, a vehicle on this move comes within the margin of the
-/// iceberg's hull. The error counts in full, not only up to the most that widens the disc, and is taken as normal and
-/// alike in all directions about the forecast.
-/// `passed_under`: the iceberg is not met while the vehicle is in its disc
+/// Expected number of times that a vehicle on this move comes within the margin of the iceberg's hull,
+/// averaged over the position error. The whole error counts, not only the part that widens the disc. It is
+/// taken as normal and equal in all directions around the forecast place.
+/// `passed_under`: true: the iceberg is not met while the vehicle is inside its disc
 [[nodiscard]] double expected_encounters(const DriftingDisc& iceberg, const PositionError& error,
                                          bool passed_under, const motion::EvenMove& move);
 
-/// The same for each second at a point, for a vehicle of this speed past an iceberg that stands; the position counts
-/// as known no better than to `blur`.
+/// Expected encounters per second at a point, for a vehicle of this speed and an iceberg that stands. The
+/// standard deviation of the position counts as at least `blur`.
 [[nodiscard]] double encounter_rate(const DriftingDisc& iceberg, const PositionError& error,
                                     bool passed_under, geo::PlanePoint point, core::Seconds time,
                                     core::MetresPerSecond speed, core::Metres blur);

@@ -11,10 +11,10 @@ namespace floeplan::planning::obstacles {
 namespace {
 
 constexpr double forever = std::numeric_limits<double>::infinity();
-constexpr double most_deviation_m = 1.0;   // of chords from the drive: far below any margin
-constexpr double most_index_slots = 96.0;  // of the index; more would be mostly copies
+constexpr double most_deviation_m = 1.0;   // allowed distance of chords from the drive; far below any margin
+constexpr double most_index_slots = 96.0;  // limit: more slots would mostly hold copies
 constexpr double least_slot_s = 3600.0;    // the step of the forecast
-constexpr double most_index_cells = 64.0;  // a side
+constexpr double most_index_cells = 64.0;  // on each side
 constexpr double least_index_cells = 8.0;
 
 plane::PlaneBox box_of(const motion::EvenMove& move) {
@@ -63,7 +63,7 @@ void IcebergDiscs::index(const plane::PlaneBox& area, core::Seconds horizon) {
     if (!plane::overlap(disc.swept(), area)) continue;
     const std::vector<DriftingDisc::Knot>& knots = disc.knots();
     for (const auto& knot : knots) largest_m = std::max(largest_m, knot.radius_m);
-    // Every piece of the track in each slot it lasts into; the last knot stays for ever.
+    // One entry for each slot that a piece of the track overlaps. The last knot stays without end.
     for (std::size_t k = 0; k < knots.size(); ++k) {
       const bool last = k + 1 == knots.size();
       const double until_s = last ? forever : knots[k + 1].t_s;
@@ -87,7 +87,8 @@ void IcebergDiscs::index(const plane::PlaneBox& area, core::Seconds horizon) {
 
 const IcebergDiscs::Berg* IcebergDiscs::met_by(const motion::EvenMove& move, double slack_m) const {
   if (bergs_.empty()) return nullptr;
-  // Slot by slot, because over a longer time the box of a long move meets discs that the vehicle does not.
+  // Slot by slot: over a longer time the box of a long move would contain discs that the vehicle does not
+  // meet.
   double from_s = move.t0_s;
   for (double slot = std::floor(move.t0_s / slot_s_); from_s <= move.t1_s; slot += 1.0) {
     const double end_s = (slot + 1.0) * slot_s_;
@@ -110,7 +111,7 @@ const IcebergDiscs::Berg* IcebergDiscs::met_by(const motion::EvenMove& move, dou
 
 bool IcebergDiscs::has_room_under(const Berg& berg, const motion::EvenMove& move, double slack_m) const {
   if (!berg.keel) return false;
-  constexpr double step_m = 100.0;  // about the finest bathymetry in use
+  constexpr double step_m = 100.0;  // distance between samples: about the finest bathymetry in use
   const double length_m = geo::distance_m(move.from, move.to);
   const int steps = std::max(1, static_cast<int>(std::ceil(length_m / step_m)));
   geo::PlanePoint last = move.from;
@@ -138,17 +139,17 @@ bool IcebergDiscs::touched(const motion::EvenMove& move, double slack_m) const {
 std::optional<core::Seconds> IcebergDiscs::first_clear(geo::PlanePoint from, geo::PlanePoint to,
                                                        core::Seconds duration, core::Seconds depart,
                                                        core::Seconds latest) const {
-  constexpr int most_bergs = 64;         // in the way one after the other
-  constexpr double first_step_s = 60.0;  // out of one disc's way, then twice as far each time
+  constexpr int most_bergs = 64;         // avoided one after another
+  constexpr double first_step_s = 60.0;  // first step to a departure behind one disc; doubled each time
   constexpr double longest_step_s =
-      900.0;  // a berg that turns back may leave the way open for an hour or two
+      900.0;  // limit of the step, because a berg that turns back may open the line for only an hour or two
   constexpr double close_enough_s = 5.0;
   const auto leaving = [&](double t_s) { return motion::EvenMove{from, to, t_s, t_s + duration.count()}; };
   double t_s = depart.count();
   for (int i = 0; i < most_bergs && t_s <= latest.count(); ++i) {
     const Berg* berg = met_by(leaving(t_s), 0.0);
     if (berg == nullptr) return core::Seconds{t_s};
-    // For one piece of a straight drift the departures that touch the disc are all those between two of them.
+    // For one straight piece of drift, the departures that touch the disc form a single interval.
     double closed_s = t_s;
     double open_s = t_s + first_step_s;
     for (double step_s = first_step_s; berg->disc.first_touch(leaving(open_s));) {

@@ -8,7 +8,7 @@
 namespace floeplan::planning::obstacles {
 namespace {
 
-/// Places and times in between by the straight line; before the first and after the last the berg stays.
+/// Interpolates along straight lines between fixes; before the first and after the last the berg stays.
 class TrackLine {
  public:
   TrackLine(const std::vector<ocean::IcebergFix>& fixes, const geo::LocalProjection& projection,
@@ -35,7 +35,7 @@ class TrackLine {
   std::vector<geo::PlanePoint> points_;
 };
 
-/// When the error meets the most it may count as, before and after the sighting, and the sighting itself.
+/// The times of the sighting, and before and after it when the position error reaches its limit.
 std::vector<double> kinks_s(const ocean::Iceberg& iceberg, core::Metres most, core::UtcTime epoch) {
   const double sighted_s = (iceberg.observed - epoch).count();
   const double stated_m = iceberg.position_uncertainty.value_or(core::Metres{0.0}).value;

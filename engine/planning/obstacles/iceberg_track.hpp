@@ -9,16 +9,16 @@
 
 namespace floeplan::planning::obstacles {
 
-/// Where an iceberg is expected at a time after the epoch and how far from there it may be.
+/// Expected place of an iceberg at a time after the epoch, and its position error.
 struct TrackPoint {
   double t_s{};
   geo::PlanePoint centre;
-  core::Metres error;  // expected, capped by the rules
-  double scale{1.0};   // of the plane there
+  core::Metres error;  // expected, limited by the rules
+  double scale{1.0};   // metres of the plane per metre on the ground there
 };
 
-/// The forecast of one iceberg from the epoch to the horizon; between two points centre and error change evenly.
-/// One point alone when it stands.
+/// The forecast of one iceberg from the epoch to the horizon. Between two points place and error change at a
+/// constant rate. A single point if the berg stands.
 /// Stops    early with fewer points once `stop` is requested
 [[nodiscard]] std::vector<TrackPoint> track_of(const ocean::Iceberg& iceberg,
                                                const ocean::Environment& environment,

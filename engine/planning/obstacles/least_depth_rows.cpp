@@ -12,13 +12,14 @@ namespace {
 
 constexpr float unknown = std::numeric_limits<float>::quiet_NaN();
 
-/// A line at an edge of a box, or a line of the data through the box.
+/// An edge of a box, or a grid line of the data that crosses it.
 struct Line {
   double at;
   std::optional<std::size_t> node{};
 };
 
-/// Both ends and the nodes between them, those of the next turn where longitudes run on beyond the seam.
+/// The lines at both ends of the interval, and the nodes between. With `goes_round`, nodes of the next turn
+/// are included if longitudes run on beyond the seam.
 std::vector<Line> lines_between(const ocean::Axis& axis, double from, double to, bool goes_round) {
   std::vector<Line> lines{{from}};
   const auto add = [&](double turn) {
@@ -77,7 +78,7 @@ float LeastDepthRows::least_of(const Corner& a, const Corner& b, const Corner& c
     const auto least = least_node(a, b, c, d);
     return least && *least >= enough_m_ ? *least : least_in_box(west, south, east, north);
   }
-  // Across the seam of the longitudes, or round a pole.
+  // The cell crosses the seam of the longitudes, or contains a pole.
   const double middle = west + 180.0;
   const auto onwards = [&](const Corner& corner) { return corner.x < middle ? corner.x + 360.0 : corner.x; };
   std::tie(west, east) = std::minmax({onwards(a), onwards(b), onwards(c), onwards(d)});

@@ -13,24 +13,25 @@
 
 namespace floeplan::planning::obstacles {
 
-/// The least depth in each cell of a raster, row by row from the lowest: of all places in the cell, and of few around
-/// it, where its sides do not run along the data's. Between its nodes the bed is bilinear, so that the least depth in a
-/// box of the data's coordinates is found at its corners, at the nodes inside it and where the data's lines cross its
-/// sides.
-/// Edges    within few cells of a pole the sides of a cell bend in the data's coordinates, and less is certain; the
-///          cell round it is known only where the data reach it
+/// The least depth in each cell of a raster, row by row from the lowest. It includes all places in the cell,
+/// and a few around it if its sides do not run along the data's axes. The bed is bilinear between nodes, so
+/// the least depth in a box of the data's coordinates lies at its corners, at the nodes inside it, or where
+/// grid lines cross its sides.
+/// Edges    within a few cells of a pole the sides of a cell bend in the data's coordinates, so the result is
+///          less certain. The cell that contains the pole is known only if the data reach the pole
 /// Threads  one at a time
 class LeastDepthRows {
  public:
-  /// `enough`  of a cell that is deeper, no more is told than that it is. All are borrowed, and outlive this
+  /// `enough`  depths beyond this are not distinguished. All references are borrowed and must outlive this
   LeastDepthRows(const plane::PlaneRaster& raster, const ocean::Bathymetry& bathymetry, core::Metres enough,
                  const geo::LocalProjection& projection, const std::stop_token& stop);
 
-  /// Least depths of the cells of the next row, in metres: zero or less on land, NaN where part of a cell is not known.
+  /// Least depths of the cells of the next row, in metres: zero or less on land, NaN if a part of the cell is
+  /// unknown.
   [[nodiscard]] const std::vector<float>& next();
 
  private:
-  /// A corner of a cell in the data's coordinates; which of the data's cells holds it, where one does.
+  /// A corner of a cell in the data's coordinates, and the data cell that contains it, if any.
   struct Corner {
     double x{};
     double y{};
@@ -40,12 +41,12 @@ class LeastDepthRows {
 
   void fill(std::int64_t iy, std::vector<Corner>& corners) const;
   [[nodiscard]] float least_of(const Corner& a, const Corner& b, const Corner& c, const Corner& d) const;
-  /// The least depth at the nodes of the data's cells under and between the corners; empty where the corners are not
-  /// all within cells, or a node is not known.
+  /// The least depth at the nodes of the data cells under and between the corners. Empty if a corner is
+  /// outside all data cells, or a node is unknown.
   [[nodiscard]] std::optional<float> least_node(const Corner& a, const Corner& b, const Corner& c,
                                                 const Corner& d) const;
   [[nodiscard]] float least_in_box(double west, double south, double east, double north) const;
-  /// NaN where it is not known.
+  /// NaN if unknown.
   [[nodiscard]] float depth_at(double x, double y) const;
 
   const plane::PlaneRaster& raster_;

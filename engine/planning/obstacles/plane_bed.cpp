@@ -32,8 +32,8 @@ std::optional<core::Metres> PlaneBed::depth(geo::PlanePoint point) const {
 
 std::vector<double> PlaneBed::bends(geo::PlanePoint a, geo::PlanePoint b, core::Metres look) const {
   constexpr double most_looks = 65'536.0;
-  constexpr double most_cells = 16.0;  // between looks; more only where longitudes jump, beyond a pole
-  constexpr double apart = 1e-9;       // of the line
+  constexpr double most_cells = 16.0;  // between samples; more only where longitudes jump, beyond a pole
+  constexpr double apart = 1e-9;       // share of the line: closer bends count as one
   const double looks = std::clamp(std::ceil(geo::distance_m(a, b) / look.value), 1.0, most_looks);
   std::vector<double> shares;
   const auto add = [&](double share) {

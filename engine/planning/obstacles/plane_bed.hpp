@@ -10,8 +10,8 @@
 
 namespace floeplan::planning::obstacles {
 
-/// The sea bed of a planning area as the inner loop asks for it: bilinear between the data's nodes, and where their
-/// cells are known to be shoaler, the least of those around the place.
+/// The sea bed of a planning area for inner loops: bilinear between the data's nodes. Where the data know
+/// their cells to be shoaler than the nodes, the least depth of the cells around the place.
 /// Threads  const members may be called from several threads at once
 class PlaneBed {
  public:
@@ -19,13 +19,13 @@ class PlaneBed {
   PlaneBed(std::shared_ptr<const ocean::Bathymetry> bathymetry, const geo::LocalProjection& projection,
            const plane::PlaneBox& area, const std::stop_token& stop);
 
-  /// Positive down; empty where it is not known.
+  /// Depth of the sea bed, positive down; empty if unknown.
   [[nodiscard]] std::optional<core::Metres> depth(geo::PlanePoint point) const;
-  /// Whether the depth is the same all over a cell between the data's nodes and jumps from one cell to the next; else
-  /// it goes over smoothly and only bends there.
+  /// True: the depth is constant within a cell between the data's nodes, and jumps from cell to cell. False:
+  /// the depth is continuous, with bends at the cells' sides.
   [[nodiscard]] bool is_stepped() const { return bathymetry_->knows_shoaler_cells(); }
-  /// Where the straight line from a to b comes into another cell, and places no further apart than `look`: shares of
-  /// its length, strictly ascending, from the first after 0 to 1.
+  /// The shares of the straight line from a to b, strictly ascending from the first after 0 to 1, at which it
+  /// enters another cell of the data. Further ones are added so that none are further apart than `look`.
   [[nodiscard]] std::vector<double> bends(geo::PlanePoint a, geo::PlanePoint b, core::Metres look) const;
   /// The least depth of all nodes on and around the area; infinite if none is known.
   [[nodiscard]] core::Metres least_depth() const;

@@ -27,7 +27,8 @@ CellState state_of(std::optional<motion::EdgeClosed> verdict) {
   return *verdict == motion::EdgeClosed::too_shallow ? CellState::too_shallow : CellState::outside_data;
 }
 
-/// What a depth means to a vehicle that needs `least_depth`; empty: it may be there. Unknown depths are closed.
+/// Why a place with this depth is closed to a vehicle that needs `least_depth`; empty: it is open. An unknown
+/// depth (empty) is closed.
 std::optional<motion::EdgeClosed> judge_depth(std::optional<core::Metres> depth, core::Metres least_depth) {
   if (!depth) return motion::EdgeClosed::outside_data;
   if (depth->value <= 0.0) return motion::EdgeClosed::on_land;
@@ -35,7 +36,7 @@ std::optional<motion::EdgeClosed> judge_depth(std::optional<core::Metres> depth,
   return std::nullopt;
 }
 
-/// Judges each cell by the least depth in it (`LeastDepthRows`).
+/// The state of each cell by the least depth in it (`LeastDepthRows`).
 /// Stops    early once `stop` is requested; the states are then incomplete
 std::vector<CellState> judge_depths(const plane::PlaneRaster& raster, const ocean::Bathymetry& bathymetry,
                                     core::Metres least_depth, const geo::LocalProjection& projection,
@@ -66,7 +67,7 @@ std::optional<motion::EdgeClosed> reason_of(CellState state) {
   throw std::logic_error{"CellState without a reason"};
 }
 
-/// The cells of the raster, and as much more as its outline may bend.
+/// Box around the raster's cells, with room for the bend of its outline in longitude and latitude.
 geo::BoundingBox box_about(const plane::PlaneRaster& raster, const geo::LocalProjection& projection) {
   const plane::PlaneBox& area = raster.area();
   const double margin_m = 2.0 * raster.cell_m() + 1000.0 + 0.01 * std::max(area.width_m(), area.height_m());
@@ -121,7 +122,7 @@ void SafetyMap::close_zones(const geo::LocalProjection& projection, const std::s
 }
 
 void SafetyMap::measure_clearance(const std::stop_token& stop) {
-  // Distance in cells by two sweeps over the eight neighbours; beyond the raster nothing is open.
+  // Distance in cells, by two sweeps over the eight neighbours; all beyond the raster counts as closed.
   constexpr int most = 255;
   clearance_.assign(cells_.size(), 0);
   const auto at = [&](std::int64_t ix, std::int64_t iy) -> int {
@@ -150,7 +151,7 @@ std::optional<motion::EdgeClosed> SafetyMap::closed_between(geo::PlanePoint a, g
   const auto start = raster_.index(a);
   if (!start || !raster_.index(b)) return motion::EdgeClosed::outside_data;
   const double reach_m = std::max(std::abs(b.x_m - a.x_m), std::abs(b.y_m - a.y_m));
-  // A clearance of n leaves at least n - 1 whole open cells around the one the line starts in.
+  // With a clearance of n there are at least n - 1 whole open cells around the cell in which the line starts.
   if (reach_m <= (clearance_[*start] - 1) * raster_.cell_m()) return std::nullopt;
   const auto middle = raster_.index({0.5 * (a.x_m + b.x_m), 0.5 * (a.y_m + b.y_m)});
   if (middle && 0.5 * reach_m <= (clearance_[*middle] - 1) * raster_.cell_m()) return std::nullopt;
@@ -165,7 +166,7 @@ std::optional<motion::EdgeClosed> SafetyMap::closed_between(geo::PlanePoint a, g
 
 bool SafetyMap::open_about(geo::PlanePoint point, core::Metres reach) const {
   const auto cell = raster_.index(point);
-  // A clearance of n leaves at least n - 1 whole open cells around the point's own.
+  // With a clearance of n there are at least n - 1 whole open cells around the point's cell.
   return cell && reach.value <= (clearance_[*cell] - 1) * raster_.cell_m();
 }
 

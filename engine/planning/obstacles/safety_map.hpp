@@ -21,15 +21,15 @@ enum class CellState : std::uint8_t { open, too_shallow, on_land, outside_data, 
 struct StandingZones {
   std::vector<geo::Polygon> no_go;
   std::vector<geo::Polygon> stay_in;
-  bool confined{false};  // the vehicle must stay in one of `stay_in`, also when there is none
+  bool confined{false};  // the vehicle must stay in one of `stay_in`; if that is empty, everything is closed
 };
 
-/// Where the water is deep enough and the rules allow it, as a raster over the plane. A cell is closed when any part of
-/// it that the data know of is: its corners, the nodes of the bathymetry inside it, a coast or a zone's border that
-/// runs through it. Stay-in zones that overlap or touch count as one area.
-/// Cautious by up to one cell.
-/// Edges    bathymetry given but not known in a cell: closed (outside_data). No bathymetry: every depth will
-///          do
+/// Where the water is deep enough and the rules allow the vehicle, as a raster over the plane. A cell is
+/// closed if any part of it is closed in the data: its corners, the nodes of the bathymetry in it, a coast or
+/// a zone's border that crosses it. So the map is cautious by up to one cell. Stay-in zones that overlap or
+/// touch count as one area.
+/// Edges    with bathymetry, a cell with unknown depth is closed (outside_data). Without bathymetry every
+///          depth counts as deep enough
 /// Threads  const members may be called from several threads at once
 class SafetyMap {
  public:
@@ -38,21 +38,21 @@ class SafetyMap {
             const geo::LocalProjection& projection, const plane::PlaneBox& area, core::Metres cell,
             const std::stop_token& stop = {});
 
-  /// Why the straight line from a to b is closed, by the first closed cell on it; empty when it is open.
+  /// The reason of the first closed cell on the straight line from a to b; empty if the line is open.
   [[nodiscard]] std::optional<motion::EdgeClosed> closed_between(geo::PlanePoint a, geo::PlanePoint b) const;
-  /// Whether every straight line from a point of the map that goes no further than `reach` along either axis is open:
-  /// certainly so when true.
+  /// True: every straight line from the point that stays within `reach` along both axes is open. False:
+  /// unknown.
   [[nodiscard]] bool open_about(geo::PlanePoint point, core::Metres reach) const;
-  /// Why a place is closed by the data themselves, not by its cell; empty when it is open.
+  /// The reason why the data themselves close a place, whatever its cell; empty if it is open.
   [[nodiscard]] std::optional<motion::EdgeClosed> closed_at(geo::LonLat place) const;
   [[nodiscard]] core::Metres cell() const { return core::Metres{raster_.cell_m()}; }
   [[nodiscard]] std::size_t bytes() const;
-  /// Opens the cell of a place that is open itself, so that caution about the rest of the cell does not lock
-  /// it in.
+  /// Opens the cell of a place that is open in the data, although other parts of the cell are closed.
+  /// Otherwise the vehicle could not leave its start.
   void open_around(geo::PlanePoint point);
-  /// Opens the cells of given routes that are closed out of caution alone: those of legs of which the data
-  /// themselves close no part, looked up every 25 m. So a route is judged by where it runs, not by how cells
-  /// happen to fall round it. A cell that a closed leg crosses too stays closed.
+  /// Opens closed cells along given routes, if the data themselves close no part of the leg in them (sampled
+  /// every 25 m). So a route is judged by its own line and not by the raster. A cell that a closed leg also
+  /// crosses stays closed.
   void open_along(const std::vector<std::vector<geo::PlanePoint>>& routes,
                   const geo::LocalProjection& projection);
 
@@ -61,7 +61,7 @@ class SafetyMap {
   void close_cells(const geo::Polygon& polygon, CellState state, const geo::LocalProjection& projection);
   void close_zones(const geo::LocalProjection& projection, const std::stop_token& stop);
   [[nodiscard]] std::vector<std::size_t> closed_cells_between(geo::PlanePoint a, geo::PlanePoint b) const;
-  /// Whether the data close a part of the line that lies in one of these cells, which are sorted.
+  /// Whether the data close some part of the line that lies in one of these cells, which must be sorted.
   [[nodiscard]] bool closed_within(const std::vector<std::size_t>& cells, geo::PlanePoint a,
                                    geo::PlanePoint b, const geo::LocalProjection& projection) const;
   void measure_clearance(const std::stop_token& stop);
@@ -70,11 +70,11 @@ class SafetyMap {
   core::Metres least_depth_;
   StandingZones zones_;
   plane::PlaneRaster raster_;
-  geo::BoundingBox detailed_;       // the raster, and a little more
-  std::vector<geo::Polygon> land_;  // the environment's, as good as that in the box
+  geo::BoundingBox detailed_;       // the raster and a small margin
+  std::vector<geo::Polygon> land_;  // land of the environment, exact inside this box only
   std::vector<CellState> cells_;
   std::vector<std::uint8_t>
-      clearance_;  // cells in every direction that are open, 0 on a closed one, at most 255
+      clearance_;  // cells that are open in every direction; 0: the cell is closed; at most 255
 };
 
 }  // namespace floeplan::planning::obstacles

@@ -15,27 +15,27 @@ namespace floeplan::planning::obstacles {
 namespace {
 
 constexpr std::int64_t most_line_tests = 200'000'000;  // about a second of work
-constexpr double nothing_m = 1e-3;                     // no length, but for rounding
+constexpr double nothing_m = 1e-3;                     // shorter lengths are rounding errors
 
 struct OutlineLine {
   geo::PlanePoint from;
   geo::PlanePoint to;
 };
 
-/// What of an area's outline runs through a cell.
+/// The lines of an area's outline that cross a cell.
 struct OutlinePart {
   std::size_t area;
   bool holds_reference{false};
   std::vector<OutlineLine> lines{};
 };
 
-/// A cell that the outlines of several areas run through.
+/// A cell that the outlines of several areas cross.
 struct Seam {
   std::size_t cell;
-  std::vector<OutlinePart> parts{};  // by area
+  std::vector<OutlinePart> parts{};  // one for each area
 };
 
-/// The part of the line from a to b inside the box; empty when there is none.
+/// The part of the line from a to b inside the box; empty if there is none.
 std::optional<OutlineLine> clipped(geo::PlanePoint a, geo::PlanePoint b, const plane::PlaneBox& box) {
   double from = 0.0;
   double to = 1.0;
@@ -62,8 +62,8 @@ double distance_to(const OutlineLine& line, geo::PlanePoint point) {
   return geo::distance_m(point, plane::place_between(line.from, line.to, share));
 }
 
-/// Decides of seams whether their areas together hold the whole cell: whether there is an area on either side of all
-/// lines, a little off them.
+/// Decides whether the areas of a seam together contain the whole cell. They do if just beside every line, on
+/// both sides, some area contains the place.
 class SeamJudge {
  public:
   explicit SeamJudge(std::stop_token stop) : stop_{std::move(stop)} {}
@@ -118,7 +118,8 @@ class SeamJudge {
     return true;
   }
 
-  /// Every line between the reference and the point is crossed into its area or out of it.
+  /// Whether some area contains the point: from the reference, each crossing of an outline changes between
+  /// inside and outside.
   bool held(geo::PlanePoint point, const Seam& seam, geo::PlanePoint reference) {
     return std::ranges::any_of(seam.parts, [&](const OutlinePart& part) {
       left_ -= static_cast<std::int64_t>(part.lines.size());
@@ -133,8 +134,9 @@ class SeamJudge {
   std::int64_t left_{most_line_tests};
 };
 
-/// A raster whose middles are the references of the other's cells: a little off their middles, where outlines and cells
-/// that are laid out round the same place would meet.
+/// A raster whose cell centres serve as reference points for the cells of `raster`. They lie slightly off the
+/// centres of these cells: through the centres themselves outlines may run that were drawn around the same
+/// place.
 plane::PlaneRaster references_of(const plane::PlaneRaster& raster) {
   const double cell_m = raster.cell_m();
   const geo::PlanePoint low{raster.area().low.x_m + 0.0618 * cell_m, raster.area().low.y_m + 0.0382 * cell_m};
@@ -151,10 +153,10 @@ plane::PlaneBox box_of_cell(std::size_t cell, const plane::PlaneRaster& raster) 
   return {low, {low.x_m + cell_m, low.y_m + cell_m}};
 }
 
-/// Finds the cells of a raster where outlines meet and judges them.
+/// Finds the cells of a raster where outlines meet, and decides which of them the areas contain completely.
 class Seams {
  public:
-  /// `cells`, ascending. The raster and the projection are borrowed.
+  /// `cells` must be ascending. The raster and the projection are borrowed.
   Seams(std::vector<std::size_t> cells, const plane::PlaneRaster& raster,
         const geo::LocalProjection& projection)
       : raster_{raster}, references_{references_of(raster)}, projection_{projection} {

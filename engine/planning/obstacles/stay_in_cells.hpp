@@ -9,11 +9,11 @@
 
 namespace floeplan::planning::obstacles {
 
-/// Which cells of the raster areas to stay in hold the whole of: one of them, or several together that overlap or touch
-/// (`touching_m`).
-/// Bounds   so much work where areas meet in outlines of very many corners; cells that are not decided by then, or in
-///          which no place is clear of every outline, count as not held
-/// Stops    early once `stop` is requested; the answer is then incomplete
+/// Which cells of the raster lie completely inside the stay-in areas: inside one of them, or inside several
+/// together that overlap or touch (`touching_m`).
+/// Bounds   the work is limited for areas that meet in outlines of very many corners. Cells undecided by then
+///          count as outside; so do cells in which every reference place lies on an outline
+/// Stops    early once `stop` is requested; the result is then incomplete
 [[nodiscard]] std::vector<bool> cells_to_stay_in(const std::vector<geo::Polygon>& areas,
                                                  const plane::PlaneRaster& raster,
                                                  const geo::LocalProjection& projection,

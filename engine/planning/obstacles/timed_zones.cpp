@@ -20,7 +20,7 @@ TimeSpan common(const TimeSpan& a, const TimeSpan& b) {
   return {std::max(a.from, b.from), std::min(a.until, b.until)};
 }
 
-/// The way made at a time inside the piece: its cubic.
+/// The distance covered at a time inside the piece, from its cubic.
 double way_at(const motion::EdgePiece& piece, double t_s) {
   const double h = piece.t1_s - piece.t0_s;
   if (h <= 0.0) return piece.way1_m;
@@ -53,8 +53,8 @@ TimedZones::TimedZones(const std::vector<ocean::Zone>& zones, const geo::LocalPr
 }
 
 void TimedZones::Areas::index(const plane::PlaneBox& within) {
-  constexpr double most_cells = 64.0;   // a side
-  constexpr double most_copies = 16.0;  // of a zone on the average: large ones lie in many cells
+  constexpr double most_cells = 64.0;   // on each side
+  constexpr double most_copies = 16.0;  // of a zone on average: a large zone is listed in many cells
   const double side_m = std::max(within.width_m(), within.height_m());
   std::vector<DiscIndex::Entry> entries;
   entries.reserve(areas_.size());
@@ -92,7 +92,7 @@ bool TimedZones::breaks_rule(TimeSpan during, const PlaceAt& place_at) const {
   if (no_go_.any_near(place_at(during.from), place_at(during.until), breaks_no_go)) return true;
   if (stay_in_.empty()) return false;
 
-  // Between two changes the same zones are in force.
+  // Between two changes the set of zones in force is constant.
   core::Seconds from = during.from;
   while (true) {
     const auto change = std::ranges::upper_bound(changes_s_, from.count());

@@ -13,31 +13,32 @@
 
 namespace floeplan::planning::obstacles {
 
-/// What a way keeps from breaking a rule.
+/// Extra distance and time that a route keeps from breaking a rule.
 struct Room {
-  core::Metres aside{0.0};  // metres of the plane
-  core::Seconds time{0.0};  // earlier and later
+  core::Metres aside{0.0};  // on every side, metres of the plane
+  core::Seconds time{0.0};  // before and after
 
   [[nodiscard]] bool is_none() const { return aside.value <= 0.0 && time.count() <= 0.0; }
 };
 
-/// Zones whose rule is in force for a while, tested along the drive itself, not at sample points.
-/// Room     a drive must keep the rules also a little beside its way, to either side, a little earlier and later; so
-///          must a vehicle that stands still, to all sides. Zones that overlap or touch count as one area
+/// Zones whose rule is in force for a while. They are tested along the whole drive, not at samples.
+/// Room     the rules are also kept a little beside the drive, a little earlier and a little later. Zones
+///          that overlap or touch count as one area
 /// Time     counted from `epoch`
 /// Threads  const members may be called from several threads at once
 class TimedZones {
  public:
-  /// `area`: where questions will be asked; the answers are right outside it too.
+  /// `area`: where most questions will be asked; answers outside are right, too.
   TimedZones(const std::vector<ocean::Zone>& zones, const geo::LocalProjection& projection,
              const plane::PlaneBox& area, core::UtcTime epoch, Room room = {});
 
   [[nodiscard]] bool empty() const { return no_go_.empty() && stay_in_.empty(); }
-  /// Whether a vehicle that drives this piece of the edge breaks a rule on it.
+  /// Whether a vehicle that travels this piece of the edge breaks a rule.
   [[nodiscard]] bool forbid(const motion::PlaneEdge& edge, const motion::EdgePiece& piece) const;
-  /// Whether a vehicle that goes straight and evenly from a to b, or stands still, breaks a rule meanwhile.
+  /// Whether a vehicle that goes straight from a to b at constant speed, or stays in one place, breaks a
+  /// rule.
   [[nodiscard]] bool forbid(geo::PlanePoint a, geo::PlanePoint b, TimeSpan during) const;
-  /// When nobody may be at the point: ascending, apart from each other; infinite ends where the rule has none.
+  /// When no vehicle may be at the point: ascending, disjoint; an end may be infinite.
   [[nodiscard]] std::vector<TimeSpan> closed_times(geo::PlanePoint point) const;
 
  private:
@@ -45,16 +46,16 @@ class TimedZones {
     plane::PlanePolygon polygon;
     TimeSpan in_force;
   };
-  /// Zones of one kind, found by where they lie.
+  /// Zones of one kind, with an index by place.
   class Areas {
    public:
     void add(Area area) { areas_.push_back(std::move(area)); }
-    /// Once all are there.
+    /// Builds the index. Call once after the last `add`.
     void index(const plane::PlaneBox& within);
     [[nodiscard]] bool empty() const { return areas_.empty(); }
     [[nodiscard]] const std::vector<Area>& all() const { return areas_; }
-    /// Calls `visit(area)` for all that may meet the straight line from a to b, for some more than once; ends with true
-    /// as soon as `visit` answers true.
+    /// Calls `visit(area)` for all zones that may meet the straight line from a to b, some of them more than
+    /// once. Ends with true as soon as `visit` returns true.
     template <class Visit>
     bool any_near(geo::PlanePoint a, geo::PlanePoint b, const Visit& visit) const {
       plane::PlaneBox box{a, a};
@@ -63,25 +64,26 @@ class TimedZones {
     }
 
    private:
-    static constexpr TimeSpan whenever{};  // the index knows places only
+    static constexpr TimeSpan whenever{};  // the index is by place only
     std::vector<Area> areas_;
     DiscIndex index_;
   };
   template <class PlaceAt>
   [[nodiscard]] bool breaks_rule(TimeSpan during, const PlaceAt& place_at) const;
-  /// Whether any zone is so near that a way with room may break its rule though the way itself does not.
+  /// Whether a zone is so near that the room around the line may break its rule, although the line itself
+  /// does not.
   [[nodiscard]] bool is_near(TimeSpan during, geo::PlanePoint a, geo::PlanePoint b) const;
   [[nodiscard]] std::vector<TimeSpan> closed_times_at(geo::PlanePoint point) const;
   template <class PlaceAt>
   [[nodiscard]] bool forbid_during(TimeSpan during, const PlaceAt& place_at) const;
-  /// Whether the vehicle may only be inside some zone then.
+  /// Whether a stay-in zone is in force at this time, so that the vehicle must be inside one.
   [[nodiscard]] bool confined_at(core::Seconds time) const;
 
   Room room_;
   Areas no_go_;
   Areas stay_in_;
   std::vector<double> changes_s_;   // when the set of stay-in zones in force changes, ascending
-  std::vector<TimeSpan> confined_;  // when any stay-in zone is in force: ascending, apart from each other
+  std::vector<TimeSpan> confined_;  // when some stay-in zone is in force: ascending, disjoint
 };
 
 }  // namespace floeplan::planning::obstacles

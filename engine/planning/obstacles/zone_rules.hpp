@@ -8,21 +8,21 @@
 
 namespace floeplan::planning::obstacles {
 
-/// The depths that a vehicle moves between, positive down.
+/// The range of depths of a vehicle, positive down.
 struct DepthBand {
   core::Metres shallowest;
   core::Metres deepest;
 };
 
-/// Zones sorted by how they are obeyed. Only those that concern the vehicle's depths remain; a stay-in zone
-/// without room for them holds no place for this vehicle.
+/// Zones sorted by the way they are tested. Zones that do not concern the vehicle's depths are left out. A
+/// stay-in zone that does not include all these depths allows the vehicle no place.
 struct ZoneRules {
-  StandingZones standing;          // always in force: part of the safety map
-  std::vector<ocean::Zone> timed;  // in force for a while: tested along the drive
+  StandingZones standing;          // always in force; tested in the safety map
+  std::vector<ocean::Zone> timed;  // in force for a while; tested along the drive
 };
 
-/// A stay-in zone that is in force for a while takes the standing ones with it: at any time the vehicle must be in
-/// one of those in force.
+/// If a stay-in zone is in force only for a while, standing stay-in zones are treated as timed, too: at any
+/// time the vehicle must be in one of all that are in force.
 [[nodiscard]] ZoneRules sort_zones(const std::vector<ocean::Zone>& zones, DepthBand band);
 
 }  // namespace floeplan::planning::obstacles

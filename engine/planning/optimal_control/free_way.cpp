@@ -11,7 +11,8 @@ namespace {
 
 constexpr double settled = 1e-3;
 
-/// The limit of durations whose errors fall to a quarter with each doubling of the legs.
+/// Extrapolated duration for ever more legs. `fine` has twice the legs of `coarse`, and a quarter of its
+/// error.
 core::Seconds limit(core::Seconds coarse, core::Seconds fine) { return fine - (coarse - fine) / 3.0; }
 
 constexpr std::size_t coarsest = 64;
@@ -36,8 +37,8 @@ TimedWay find_rough_free_way(const TimedWay& start, const LegTimer& leg_timer, c
 
 bool lead_to_one_way(const TimedWay& a, const TimedWay& b) {
   if (a.points.size() != rough_legs + 1 || b.points.size() != rough_legs + 1) return false;
-  // Only the distance across the route counts: the position of the points along it depends on the start of the
-  // descent.
+  // Only the distance across the route is compared: where the points lie along the route depends on the start
+  // of the descent.
   const auto is_near_b = [&](geo::PlanePoint point, double near_m) {
     for (std::size_t i = 1; i < b.points.size(); ++i)
       if (plane::distance_to_line(point, b.points[i - 1], b.points[i]) <= near_m) return true;

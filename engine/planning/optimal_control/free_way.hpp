@@ -7,17 +7,17 @@
 
 namespace floeplan::planning::optimal_control {
 
-/// The limit of the fastest routes near a start as their number of legs grows.
+/// The route that the fastest routes near a start approach as their number of legs grows.
 struct FreeWay {
-  TimedWay way;              // the one with the most legs
-  core::Seconds duration{};  // of the limit, a curve
-  double accuracy{};         // of the duration, relative: the change by the last doubling of the legs
+  TimedWay way;              // the route with the most legs
+  core::Seconds duration{};  // of the limit, which is a smooth curve
+  double accuracy{};         // relative error of the duration: the change by the last doubling of the legs
 };
 
 /// Why no limit was found.
 enum class NoFreeWay {
-  closed,       // the route would lead to where legs cannot be travelled
-  not_settled,  // the durations do not tend to a limit to better than a thousandth
+  closed,       // the route would lead over legs that cannot be travelled
+  not_settled,  // the durations do not converge to a thousandth
   cancelled
 };
 

@@ -113,7 +113,7 @@ tl::expected<std::vector<TimedWay>, NoFreeWay> coarse_ways(const std::vector<geo
   return ways;
 }
 
-/// The fastest route whose search converges.
+/// The fastest route whose search converges. `starts`: the fastest first.
 tl::expected<FreeWay, NoFreeWay> settled_way(const std::vector<TimedWay>& starts, const LegTimer& timer,
                                              const std::stop_token& stop) {
   tl::expected<FreeWay, NoFreeWay> way = tl::unexpected(NoFreeWay::closed);

@@ -9,7 +9,7 @@
 
 namespace floeplan::planning::optimal_control {
 
-/// How much longer a route takes than the fastest route in open water.
+/// Comparison of a route with the fastest route in open water.
 struct Optimality {
   std::optional<double> gap;  // travel time over the least travel time, minus one
   std::string reason;         // for the pilot: why there is no gap; empty if there is one

@@ -13,14 +13,14 @@ namespace floeplan::planning::optimal_control {
 using LegTimer = std::function<std::optional<core::Seconds>(geo::PlanePoint from, geo::PlanePoint to,
                                                             core::Seconds depart)>;
 
-/// A route of straight legs and the times at its points, the departure first.
+/// A route of straight legs, and the time at each point. The first time is the departure.
 struct TimedWay {
   std::vector<geo::PlanePoint> points;
   std::vector<core::Seconds> times;
 
   [[nodiscard]] core::Seconds duration() const { return times.back() - times.front(); }
-  /// The place of the vehicle at a time, at a steady pace along each leg. Before the departure and after the arrival it is
-  /// at the ends of the route.
+  /// The place of the vehicle at a time, at constant speed along each leg. Before the departure it is the
+  /// start, after the arrival the goal.
   [[nodiscard]] geo::PlanePoint at(core::Seconds time) const;
 };
 
@@ -28,7 +28,8 @@ struct TimedWay {
 [[nodiscard]] std::optional<TimedWay> time_way(std::vector<geo::PlanePoint> points, core::Seconds depart,
                                                const LegTimer& leg_timer);
 
-/// Points on the route at equal steps of time, both ends included. The legs between them cut the corners of the route.
+/// Points on the route at equal time steps, both ends included. Legs between these points cut the route's
+/// corners.
 [[nodiscard]] std::vector<geo::PlanePoint> cut_evenly(const TimedWay& way, std::size_t legs);
 
 }  // namespace floeplan::planning::optimal_control

@@ -8,7 +8,8 @@ namespace {
 constexpr int most_iterations = 40;
 /// Share of the duration. A smaller gain is within the errors of the leg times.
 constexpr double least_gain = 1e-7;
-/// The same for a rough start with more legs, where each step costs as much.
+/// Smallest worthwhile gain for a rough start with more legs, where each step costs as much as in the final
+/// descent.
 constexpr double rough_gain = 1e-4;
 /// Step of difference quotients as a share of a leg: small against the bends of a route, large against the errors of
 /// times.
@@ -42,7 +43,7 @@ struct Policy {
 
 struct Policies {
   std::vector<Policy> of_point;
-  double gain{};  // of the full step, by the model
+  double gain{};  // of the full step, predicted by the model
 };
 
 geo::PlanePoint unit_across(geo::PlanePoint from, geo::PlanePoint to) {
@@ -74,7 +75,7 @@ class Neighbourhood {
     return (way_.times[leg + 1] - way_.times[leg]).count();
   }
 
-  /// By difference quotients; empty where a neighbour of the leg cannot be travelled.
+  /// Derivatives of a leg by difference quotients; empty if a neighbouring leg cannot be travelled.
   [[nodiscard]] std::optional<LegSlopes> slopes(std::size_t leg) const {
     const double h = difference_step * length(leg);
     const double s = difference_step * duration(leg);

@@ -23,13 +23,13 @@ struct WayDescent {
 [[nodiscard]] WayDescent descend(const TimedWay& start, const LegTimer& leg_timer,
                                  const std::stop_token& stop = {});
 
-/// The same with `legs` legs of about equal duration. The route is divided into them before the descent and again after it.
-/// Not converged where cutting the corners of the route closes it.
+/// `descend` with `legs` legs of about equal duration. The route is divided into them before the descent, and
+/// again after it. Not converged if the divided route, which cuts corners, is closed.
 [[nodiscard]] WayDescent descend_with_legs(const TimedWay& start, std::size_t legs, const LegTimer& leg_timer,
                                            const std::stop_token& stop = {});
 
-/// A rough route from which a descent with more legs can start. The route is divided once. The descent ends when its quadratic
-/// model predicts a gain of less than 1e-4 of the duration.
+/// A rough descent that provides the start for a descent with more legs. The route is divided once. The
+/// descent ends when the quadratic model predicts a gain of less than 1e-4 of the duration.
 [[nodiscard]] WayDescent descend_roughly(const TimedWay& start, std::size_t legs, const LegTimer& leg_timer,
                                          const std::stop_token& stop = {});
 

@@ -14,11 +14,12 @@ using Vector = Eigen::VectorXd;
 constexpr int most_newton_steps = 100;
 constexpr double converged = 1e-11;
 constexpr double least_damping = 1e-5;
-/// Share of an unknown's scale, the step of central differences: the cube root of the rounding error.
+/// Step of central differences, as a share of an unknown's scale: the cube root of the rounding error.
 constexpr double newton_difference = 6e-6;
 
-/// The boundary value problem in unknowns without units: lengths in distances from start to goal, times in
-/// durations of the guess. In order: the heading at the start, each inner point, the duration.
+/// The boundary value problem with dimensionless unknowns. Unit of lengths: the distance from start to goal.
+/// Unit of times: the duration of the guess. Order of the unknowns: heading at the start, each inner point,
+/// duration.
 class Shooting {
  public:
   Shooting(const Crossing& crossing, const ExtremalFlow& flow, const ExtremalGuess& guess)
@@ -47,7 +48,7 @@ class Shooting {
     return {at[0] * length_m_, at[1] * length_m_, at[2]};
   }
 
-  /// The gaps between the pieces; empty where the current is not known.
+  /// The gaps between the pieces of the route; empty if the current is unknown somewhere.
   [[nodiscard]] std::optional<Vector> gaps(const Vector& z) const {
     Vector result(3 * pieces_ - 1);
     for (Eigen::Index i = 0; i < pieces_; ++i) {
@@ -63,7 +64,7 @@ class Shooting {
     return result;
   }
 
-  /// How the gaps change with the unknowns, by central differences.
+  /// Derivatives of the gaps with respect to the unknowns, by central differences.
   [[nodiscard]] std::optional<Matrix> slopes(const Vector& z) const {
     Matrix result = Matrix::Zero(z.size(), z.size());
     for (Eigen::Index i = 0; i < pieces_; ++i) {
@@ -128,7 +129,7 @@ class Shooting {
   double time_s_;
 };
 
-/// The unknowns that close all gaps.
+/// The unknowns for which all gaps are zero.
 tl::expected<Vector, NoExtremal> solve(const Shooting& shooting, Vector z, const std::stop_token& stop) {
   auto gaps = shooting.gaps(z);
   if (!gaps) return tl::unexpected(NoExtremal::outside_data);
@@ -144,7 +145,8 @@ tl::expected<Vector, NoExtremal> solve(const Shooting& shooting, Vector z, const
     if (!std::isfinite(distance)) return tl::unexpected(NoExtremal::not_converged);
     if (distance < converged) return z;
 
-    // Each step must come nearer to the solution. The measure is the step that would follow with the same slopes.
+    // Each step must come nearer to the solution. Measure: the length of the next step, if the derivatives
+    // stayed the same.
     damping = std::min(1.0, 4.0 * damping);
     for (;; damping *= 0.5) {
       if (damping < least_damping) return tl::unexpected(NoExtremal::not_converged);
@@ -180,7 +182,7 @@ std::optional<ExtremalGuess> guess_along(
     const geo::PlanePoint at = route.at(time);
     const auto c = current(at, time);
     if (!c) return std::nullopt;
-    // The course between the steps before and after smooths the corners of the route.
+    // The average course between the steps before and after smooths the corners of the route.
     const core::Seconds from = std::max(time - step, route.times.front());
     const core::Seconds to = std::min(time + step, route.times.back());
     const geo::PlanePoint a = route.at(from);

@@ -12,7 +12,8 @@
 
 namespace floeplan::planning::optimal_control {
 
-/// The problem: from one place to another at a constant speed through the water, with any heading and without obstacles.
+/// The crossing to optimise: from one place to another at a constant speed through the water, with any
+/// heading, without obstacles.
 struct Crossing {
   geo::PlanePoint from;
   geo::PlanePoint to;
@@ -28,7 +29,7 @@ struct SteeredPoint {
   double heading{};
 };
 
-/// A route whose duration no small change of its headings lowers, to first order.
+/// A route for which, to first order, no small change of the headings shortens the duration.
 struct Extremal {
   core::Seconds duration{};
   std::vector<SteeredPoint> points;  // at equal steps of time, start and goal included
@@ -36,7 +37,7 @@ struct Extremal {
 
 /// Why no extremal was found.
 enum class NoExtremal {
-  outside_data,   // the first guess leads to where the current is not known
+  outside_data,   // the first guess leads to where the current is unknown
   not_converged,  // the equations were not solved to the tolerance
   cancelled
 };
@@ -45,7 +46,7 @@ enum class NoExtremal {
 using ExtremalFlow = std::function<std::optional<SteeredPoint>(const SteeredPoint& at, core::Seconds time,
                                                                core::Seconds duration)>;
 
-/// Integrates the equations of motion and Zermelo's navigation formula by the classical Runge-Kutta method.
+/// Integrates the equations of motion and Zermelo's navigation formula with the classical Runge-Kutta method.
 /// Accuracy fourth order in `longest_step`
 /// Source   Eichhorn 2009, equations (5) and (6); Zermelo 1931, doi:10.1002/zamm.19310110205
 template <motion::SlopedPlaneCurrent Current>
@@ -90,14 +91,14 @@ class ZermeloFlow {
   core::Seconds longest_step_;
 };
 
-/// A first guess for an extremal: a route cut into equal steps of time, with the headings that keep the vehicle on it in
-/// the current.
+/// A first guess for an extremal: a route divided into equal time steps, with the headings that keep the
+/// vehicle on it in the current.
 struct ExtremalGuess {
   core::Seconds duration{};
   std::vector<SteeredPoint> points;
 };
 
-/// The route cut into `pieces`; empty where the current is not known.
+/// The guess for a route divided into `pieces`; empty if the current is unknown somewhere.
 /// Precondition  two points or more, two pieces or more
 [[nodiscard]] std::optional<ExtremalGuess> guess_along(
     const TimedWay& route,

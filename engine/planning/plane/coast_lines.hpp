@@ -9,12 +9,12 @@
 
 namespace floeplan::planning::plane {
 
-/// Calls `visit(a, b)` for the lines of a closed ring in the plane, as far as it lies in the projection's window. A
-/// ring's edges are straight in longitude and latitude and bend in the plane, so long ones come in pieces of at most
-/// 0.1 degrees.
+/// Calls `visit(a, b)` for the lines of a closed ring in the plane, where it lies in the projection's window.
+/// The ring's edges are straight in longitude and latitude and bend in the plane. So long edges are visited
+/// in pieces of at most 0.1 degrees.
 template <class Visit>
 void for_each_coast_line(const geo::Ring& ring, const geo::LocalProjection& projection, Visit&& visit) {
-  constexpr double longest_piece_deg = 0.1;  // bends by about a metre at 70 degrees
+  constexpr double longest_piece_deg = 0.1;  // a piece bends by about a metre at 70 degrees latitude
   for (const geo::Ring& part : geo::clipped(ring, projection.window())) {
     geo::PlanePoint last = projection.to_plane(part.back());
     for (std::size_t i = 0, j = part.size() - 1; i < part.size(); j = i++) {

@@ -9,14 +9,15 @@
 
 namespace floeplan::planning::plane {
 
-/// A cell between two neighbouring nodes and the share of the way through it, in [0, 1].
+/// A cell between two neighbouring nodes, and the position in it as a share of its width, in [0, 1].
 struct CellPosition {
   std::size_t cell{};
   double share{};
 };
 
-/// Ascending nodes for an inner loop: evenly spaced ones are found by one multiplication, others by bisection.
-/// A single node has no cell: nothing is found in it. Precondition: at least one node, strictly ascending.
+/// Ascending nodes for inner loops: equally spaced nodes are found by one multiplication, others by
+/// bisection. With a single node there is no cell, so nothing is found. Precondition: at least one node,
+/// strictly ascending.
 class FastAxis {
  public:
   explicit FastAxis(std::vector<double> nodes) : nodes_{std::move(nodes)} {
@@ -32,7 +33,7 @@ class FastAxis {
     }
   }
 
-  /// Outside  nullopt below the first and above the last node, a rounding error of a node's place apart
+  /// Outside  nullopt below the first node and above the last one, with a tolerance for rounding errors
   [[nodiscard]] std::optional<CellPosition> locate(double value) const {
     if (nodes_.size() < 2) return std::nullopt;
     const std::size_t last_cell = nodes_.size() - 2;
@@ -54,7 +55,7 @@ class FastAxis {
   [[nodiscard]] const std::vector<double>& nodes() const { return nodes_; }
 
  private:
-  static constexpr double slack = 1e-6;  // of a step: the rounding of float32 coordinates
+  static constexpr double slack = 1e-6;  // share of a step: rounding error of float32 coordinates
 
   std::vector<double> nodes_;
   std::vector<double> inverse_widths_;  // of the cells

@@ -8,7 +8,7 @@ namespace {
 
 constexpr double finest_step_m = 2000.0;
 constexpr double most_cells_a_side = 1000.0;
-constexpr double jump_deg = 90.0;  // no cell of the table spans this much unless longitude jumps inside it
+constexpr double jump_deg = 90.0;  // a table cell spans less, unless longitude jumps inside it
 
 }  // namespace
 
@@ -117,7 +117,7 @@ geo::GridPoint GridLookup::bend() const {
       }
     }
   }
-  // Along a unit vector (p, q) it is p^2 f_xx + 2 p q f_xy + q^2 f_yy, with 2 p q <= 1.
+  // Second derivative along a unit vector (p, q): p^2 f_xx + 2 p q f_xy + q^2 f_yy, with 2 p q <= 1.
   const double per_square_metre = inverse_step_ * inverse_step_;
   return {per_square_metre * (straight.x + mixed.x), per_square_metre * (straight.y + mixed.y)};
 }

@@ -10,11 +10,11 @@
 
 namespace floeplan::planning::plane {
 
-/// Where a point of the plane lies in a grid's own coordinates, fast: the smooth map plane -> coordinates is
-/// tabulated and interpolated, so that an inner loop calls no projection.
+/// Converts points of the plane to a grid's own coordinates, fast: the smooth map is tabulated and
+/// interpolated, so inner loops need no projection.
 /// Accuracy h^2 / (8 rho) on the ground for a table step h and a distance rho to the pole of the coordinates:
-///          below 1 m at 69 degrees with the steps of at most 2 km used up to 2000 km of extent
-/// Edges    geographic longitudes run continuously from the projection's origin, within 180 degrees of it;
+/// below 1 m at 69 degrees with the steps of at most 2 km used up to 2000 km of extent
+/// Edges    geographic longitudes are continuous from the projection's origin, within 180 degrees of it;
 ///          where they jump (beyond a pole inside the area) the map is computed exactly
 /// Threads  const members may be called from several threads at once
 class GridLookup {
@@ -25,8 +25,8 @@ class GridLookup {
 
   /// Precondition: `point` lies within the area.
   [[nodiscard]] geo::GridPoint coordinates(geo::PlanePoint point) const;
-  /// The same point and how the coordinates change from it, for each metre along the plane's axes. Precondition:
-  /// nothing jumps.
+  /// A point's coordinates, and their change per metre along the plane's axes. Precondition: `has_jump()` is
+  /// false.
   struct Surroundings {
     geo::GridPoint at;
     geo::GridPoint per_x_m;
@@ -35,10 +35,11 @@ class GridLookup {
   [[nodiscard]] Surroundings around(geo::PlanePoint point) const;
   /// Whether longitudes jump somewhere in the area.
   [[nodiscard]] bool has_jump() const { return has_jump_; }
-  /// How much each coordinate bends at most: its second derivative along any straight line of the plane, in
-  /// coordinate units for each square metre. Meaningless where there is a jump.
+  /// Largest bend of each coordinate: its second derivative along any straight line of the plane, in
+  /// coordinate units per square metre. Precondition: `has_jump()` is false.
   [[nodiscard]] geo::GridPoint bend() const;
-  /// The most that each coordinate changes for a metre of the plane, in whatever direction. Meaningless likewise.
+  /// Largest change of each coordinate per metre of the plane, in any direction. Precondition: `has_jump()`
+  /// is false.
   [[nodiscard]] geo::GridPoint steepest() const;
   /// Step of the table, metres of the plane.
   [[nodiscard]] double step_m() const { return 1.0 / inverse_step_; }

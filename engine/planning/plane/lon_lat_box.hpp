@@ -6,8 +6,10 @@
 
 namespace floeplan::planning::plane {
 
-/// The box of longitudes and latitudes round a rectangle of the plane, round the globe where a pole lies in it.
-/// Accuracy  its rim is looked at 32 times a side: sides that bend between may reach a little further
+/// The box of longitudes and latitudes around a rectangle of the plane. It spans all longitudes if a pole
+/// lies inside.
+/// Accuracy  32 points on each side are converted: between them a side that bends may reach slightly beyond
+///           the box
 [[nodiscard]] geo::BoundingBox lon_lat_box(const PlaneBox& box, const geo::LocalProjection& projection);
 
 }  // namespace floeplan::planning::plane

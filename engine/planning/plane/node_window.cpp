@@ -27,7 +27,7 @@ Window window(const ocean::Axis& axis, double low, double high) {
   return result;
 }
 
-/// The same for longitudes: whole turns are added so that the window runs from west to east without a jump.
+/// As `window` for longitudes: whole turns are added so that the nodes run from west to east without a jump.
 Window longitude_window(const ocean::HorizontalGrid& grid, double west, double east) {
   const ocean::Axis& axis = grid.x();
   Window result;
@@ -36,9 +36,9 @@ Window longitude_window(const ocean::HorizontalGrid& grid, double west, double e
       const double lon = axis[i] + 360.0 * turn;
       const double step = std::max(axis.mean_step(), 1e-6);
       if (lon < west - 1.5 * step || lon > east + 1.5 * step) continue;
-      // A grid that repeats its first column a turn later would stand twice at one place.
+      // If the grid repeats its first column after a full turn, the repeated column is skipped.
       if (!result.nodes.empty() && lon <= result.nodes.back() + 1e-6 * step) continue;
-      // Columns a turn apart are neighbours only where the grid closes the circle.
+      // The last and the first column are neighbours only if the grid covers the full circle.
       if (!result.nodes.empty() && !grid.wraps() && lon - result.nodes.back() > 1.5 * step &&
           result.indices.back() + 1 != i) {
         return result;
@@ -77,7 +77,7 @@ Window column_window(const ocean::HorizontalGrid& grid, const CoordinateBox& box
   Window result = std::holds_alternative<geo::GeographicFrame>(grid.frame())
                       ? longitude_window(grid, box.low_x, box.high_x)
                       : window(grid.x(), box.low_x, box.high_x);
-  if (result.nodes.empty()) result = {{grid.x().front()}, {0}};  // nothing in common: every point is outside
+  if (result.nodes.empty()) result = {{grid.x().front()}, {0}};  // grid misses the area: finds no point
   return result;
 }
 

@@ -6,7 +6,7 @@
 
 namespace floeplan::planning::plane {
 
-/// Rectangle of the local plane along its axes, metres of the plane.
+/// Rectangle along the axes of the local plane; metres of the plane.
 struct PlaneBox {
   geo::PlanePoint low;
   geo::PlanePoint high;
@@ -30,7 +30,7 @@ struct PlaneBox {
   }
 };
 
-/// Whether they have a point in common.
+/// Whether the boxes have a point in common.
 [[nodiscard]] inline bool overlap(const PlaneBox& a, const PlaneBox& b) {
   return a.low.x_m <= b.high.x_m && b.low.x_m <= a.high.x_m && a.low.y_m <= b.high.y_m &&
          b.low.y_m <= a.high.y_m;

@@ -27,8 +27,8 @@ PlanePolygon::PlanePolygon(const geo::Polygon& polygon, const geo::LocalProjecti
 
 bool PlanePolygon::contains(geo::PlanePoint point) const {
   if (!box_.contains(point)) return false;
-  // Even-odd rule along the line from the point in the direction of x. A corner's side of that line is the
-  // same for both of its edges.
+  // Even-odd rule along the line from the point in the x direction. Two edges that share a corner put it on
+  // the same side of this line, so the corner counts once.
   bool inside = false;
   for (const Line& line : lines_) {
     if ((line.from.y_m > point.y_m) == (line.to.y_m > point.y_m)) continue;
@@ -55,7 +55,7 @@ std::vector<double> PlanePolygon::crossings(geo::PlanePoint a, geo::PlanePoint b
 }
 
 bool covered(const std::vector<const PlanePolygon*>& polygons, geo::PlanePoint a, geo::PlanePoint b) {
-  // Between two crossings of any outline the way is inside the same polygons: its middle decides.
+  // Between two crossings with outlines the line stays inside the same polygons, so its middle decides.
   std::vector<double> shares{0.0, 1.0};
   for (const PlanePolygon* polygon : polygons) {
     const std::vector<double> more = polygon->crossings(a, b);

@@ -13,8 +13,8 @@
 
 namespace floeplan::planning::plane {
 
-/// Square cells over an area of the plane, numbered row by row from its lower left corner: geometry only, what
-/// a cell means is its user's.
+/// Square cells over an area of the plane, numbered row by row from the lower left corner. Geometry only: the
+/// user stores values for the cells.
 /// Threads  const members may be called from several threads at once
 class PlaneRaster {
  public:
@@ -32,7 +32,7 @@ class PlaneRaster {
   [[nodiscard]] bool holds(std::int64_t ix, std::int64_t iy) const {
     return ix >= 0 && ix < nx_ && iy >= 0 && iy < ny_;
   }
-  /// Precondition: the raster holds the cell.
+  /// Precondition: the cell lies in the raster.
   [[nodiscard]] std::size_t index(std::int64_t ix, std::int64_t iy) const {
     return static_cast<std::size_t>(iy * nx_ + ix);
   }
@@ -41,7 +41,7 @@ class PlaneRaster {
     return {area_.low.x_m + (static_cast<double>(i % nx_) + 0.5) * cell_m_,
             area_.low.y_m + (static_cast<double>(i / nx_) + 0.5) * cell_m_};
   }
-  /// The cell of a point; empty beyond the raster.
+  /// The cell of a point; empty outside the raster.
   [[nodiscard]] std::optional<std::size_t> index(geo::PlanePoint point) const {
     const auto ix = static_cast<std::int64_t>(std::floor((point.x_m - area_.low.x_m) / cell_m_));
     const auto iy = static_cast<std::int64_t>(std::floor((point.y_m - area_.low.y_m) / cell_m_));
@@ -49,14 +49,15 @@ class PlaneRaster {
     return index(ix, iy);
   }
 
-  /// Calls `visit(ix, iy)` for every cell that the straight line from a to b enters, in this order, until it
-  /// answers false; cells beyond the raster included.
+  /// Calls `visit(ix, iy)` for every cell that the straight line from a to b enters, in order, until it
+  /// returns false. Cells outside the raster are visited, too.
   template <class Visit>
   void for_each_cell(geo::PlanePoint a, geo::PlanePoint b, Visit&& visit) const {
     for_each_stretch(a, b, [&](std::int64_t ix, std::int64_t iy, double) { return visit(ix, iy); });
   }
 
-  /// The same with where the line leaves the cell, as a share of its length: `visit(ix, iy, until)`; 1 in the last one.
+  /// As `for_each_cell`, also with the share of the line at which it leaves the cell: `visit(ix, iy, until)`;
+  /// 1 in the last.
   /// Source   Amanatides and Woo 1987, A fast voxel traversal algorithm for ray tracing, Eurographics
   template <class Visit>
   void for_each_stretch(geo::PlanePoint a, geo::PlanePoint b, Visit&& visit) const {

@@ -11,16 +11,17 @@
 
 namespace floeplan::planning::plane {
 
-/// Calls `inside(cell)` for every cell of the raster whose middle lies in the polygon, then `on_outline(cell)`
-/// for every cell that its outline or the outline of a hole enters; cells on the outline may have been inside.
+/// Calls `inside(cell)` for every cell of the raster whose centre lies in the polygon. Then calls
+/// `on_outline(cell)` for every cell that the outline, or that of a hole, enters; these cells may have been
+/// inside as well.
 template <class Inside, class OnOutline>
 void visit_cells(const geo::Polygon& polygon, const PlaneRaster& raster,
                  const geo::LocalProjection& projection, Inside&& inside, OnOutline&& on_outline) {
   if (polygon.outer.empty()) return;
   const PlaneBox& area = raster.area();
   const PlaneBox reach = area.grown(raster.cell_m());
-  // Even-odd filling by rows through the middle of the cells; every crossing of a row's middle line, holes
-  // included.
+  // Even-odd filling by rows, along the line through the cell centres of each row. Crossings with holes
+  // count, too.
   std::vector<std::vector<double>> crossings(static_cast<std::size_t>(raster.ny()));
   std::vector<std::size_t> outline;
 

@@ -21,14 +21,15 @@
 namespace floeplan::planning::planner {
 namespace {
 
-// Judgements. Routes that part less than a twentieth of their distance are one route to a pilot; the scan resolves five cells
-// across the smallest obstacle; nobody flies a way that takes twice as long to be on another side of something.
+// Judgements. A scan cell is a hundredth of the distance. An obstacle smaller than a twentieth of it (five
+// cells) is left out: to a pilot the routes on both sides of it are one route. Routes of more than twice the
+// time are of no use.
 constexpr double cells_of_distance = 100.0;
 constexpr double least_extent = 0.05;  // of the distance
-constexpr double longest_time = 2.0;   // of the given plan's
-constexpr std::size_t most_tries = 6;  // each is a whole plan
+constexpr double longest_time = 2.0;   // of the given plan's travel time
+constexpr std::size_t most_tries = 6;  // each try is a whole plan
 
-/// Along the straight lines from stop to stop, metres of the plane.
+/// Length of the straight lines from stop to stop, in metres of the plane.
 double distance_m(const std::vector<geo::PlanePoint>& stops) {
   double sum_m = 0.0;
   for (std::size_t i = 1; i < stops.size(); ++i) sum_m += geo::distance_m(stops[i - 1], stops[i]);
@@ -46,7 +47,7 @@ TimedRoute timed_route(const Plan& plan, const geo::LocalProjection& projection)
   return route;
 }
 
-/// Whether the two routes, from the same start to the same goal, leave the place on different sides.
+/// Whether the place lies between the two routes, which have the same start and goal.
 bool pass_on_different_sides(const Plan& a, const Plan& b, geo::LonLat place) {
   geo::Polygon between;
   for (const Waypoint& waypoint : a.waypoints) between.outer.push_back(waypoint.place);
@@ -55,8 +56,8 @@ bool pass_on_different_sides(const Plan& a, const Plan& b, geo::LonLat place) {
   return geo::contains(between, place);
 }
 
-/// Areas that make routes go to the other side of an obstacle: a narrow one from it across the given route, and the outline of
-/// an obstacle that a vehicle may find a way through.
+/// Areas that force a route to the other side of an obstacle: a narrow strip from the obstacle across the
+/// given route. For a loose obstacle, which a route might pass through, also its outline.
 class Barrier {
  public:
   Barrier(const LargeObstacle& obstacle, geo::PlanePoint end, double width_m) {
@@ -83,7 +84,7 @@ class Barrier {
   }
 
  private:
-  std::vector<std::vector<geo::PlanePoint>> parts_;  // outlines
+  std::vector<std::vector<geo::PlanePoint>> parts_;  // outlines of the areas
 };
 
 std::string_view name_of(ObstacleKind kind) {
@@ -107,7 +108,7 @@ struct OtherWay {
 /// Looks for the alternatives to one plan.
 class AlternativeSearch {
  public:
-  /// Everything is borrowed and outlives the search.
+  /// All references are borrowed and must outlive the search.
   AlternativeSearch(const Plan& plan, const Task& task, const search::Chart& chart)
       : plan_{plan},
         task_{task},
@@ -137,7 +138,7 @@ class AlternativeSearch {
     PlanRequest request;
   };
 
-  /// Puts those first round which a route is likely to be short.
+  /// Obstacles first whose detour is likely to be short.
   [[nodiscard]] std::vector<Attempt> attempts_to_make() const {
     std::vector<const LargeObstacle*> order;
     for (const LargeObstacle& obstacle : obstacles_) order.push_back(&obstacle);

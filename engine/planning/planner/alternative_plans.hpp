@@ -5,7 +5,7 @@
 
 namespace floeplan::planning::planner {
 
-/// As `find_alternatives`, by plans of `plan_once`, which are pieces of work for the task's executor.
+/// As `find_alternatives`. Calls `plan_once` for each obstacle; the calls run on the task's executor.
 [[nodiscard]] Alternatives alternatives_to(const Plan& plan, const Task& task, const Planning& plan_once);
 
 }  // namespace floeplan::planning::planner

@@ -22,7 +22,7 @@ namespace {
 
 constexpr const char* no_gap = "only plans for the least time are compared with the best possible route";
 
-/// The route to publish and what its refinement did.
+/// The route to publish and the results of its refinement.
 struct ImprovedDrive {
   cost::DrivenRoute route;
   std::optional<RefinementReport> refinement;
@@ -35,8 +35,8 @@ cost::DrivenRoute straight_way(const cost::Layout& layout, vehicle::Drive drive)
           .drives = std::vector<vehicle::Drive>(points - 1, drive)};
 }
 
-/// The straight way on the drives with the least total cost. The choice begins once from each drive on all legs, because the
-/// way may be closed to one of them.
+/// The straight route from stop to stop, each leg with the propulsion that makes the total cost least. The
+/// choice starts once from each propulsion on all legs, because the route may be closed to one of them.
 cost::DrivenRoute best_straight_way(const cost::Sea& sea, const cost::Layout& layout,
                                     const Objective& objective, const std::stop_token& stop) {
   cost::DrivenRoute best = straight_way(layout, sea.drives().front());
@@ -52,7 +52,7 @@ cost::DrivenRoute best_straight_way(const cost::Sea& sea, const cost::Layout& la
   return best;
 }
 
-/// The way on the grid after refinement.
+/// The refined route; `way` is the route along the grid.
 publish::RefinedDrive refined(const cost::Sea& sea, const cost::DrivenRoute& way, const PlanRequest& request,
                               const std::stop_token& stop) {
   const Objective objective = request.objective();
@@ -71,7 +71,7 @@ publish::RefinedDrive refined(const cost::Sea& sea, const cost::DrivenRoute& way
   return result;
 }
 
-/// Improves the way on the grid before it is published.
+/// Improves the route along the grid before it is published.
 ImprovedDrive improve(const cost::Sea& sea, const cost::DrivenRoute& way, const PlanRequest& request,
                       const std::stop_token& stop) {
   const Objective objective = request.objective();
@@ -105,7 +105,7 @@ Result<Plan> publish(const search::Chart& chart, const ocean::Environment& envir
   plan.refinement = improved.refinement;
   if (plan.refinement) {
     plan.refinement->after = plan.travel_time();
-    // The energy of planned surfacings belongs to both. The search does not know it.
+    // The energy of planned surfacings, which the search ignores, is added before and after refinement alike.
     const core::Joules of_surfacings = plan.energy->use.total() - times->energy.total();
     if (plan.refinement->energy_before)
       plan.refinement->energy_before = *plan.refinement->energy_before + of_surfacings;
@@ -123,13 +123,13 @@ Result<Plan> publish(const search::Chart& chart, const ocean::Environment& envir
   return plan;
 }
 
-/// A plan in a search area of one size, and whether a larger area may give a better one.
+/// A plan in a search area of one size, and whether a larger area may allow a better plan.
 struct CostAttempt {
   Result<Plan> plan;
   bool wider_may_help{false};
 };
 
-/// The pipeline: request, domain, search, refinement, plan.
+/// The steps of planning: search area, search, refinement, published plan.
 CostAttempt plan_cost_within(cost::GridReach reach, const Task& task) {
   const auto& [environment, request, stop, progress, wider, executor, of_use] = task;
   progress("environment", 0.0);
@@ -151,7 +151,7 @@ CostAttempt plan_cost_within(cost::GridReach reach, const Task& task) {
     }
     way = std::move(*found);
   }
-  // A search that was cut short on these grids is also cut short on wider ones.
+  // If the search was cut short in this area, it would also be cut short in a larger one.
   const bool wider_may_help = way.touches_rim && !way.statistics.cut_short;
   progress("refinement", 0.7);
   const ImprovedDrive improved = improve(sea, way.route, request, stop);
@@ -167,7 +167,7 @@ bool costs_less(const Result<Plan>& a, const Result<Plan>& b, const Objective& o
   return a && (!b || cost_of(*a, objective) < cost_of(*b, objective));
 }
 
-/// The plan in the smaller search area, and in the larger one where that may give a better plan.
+/// The plan in the smaller search area; also in the larger one if that may be better.
 Result<Plan> plan_on_either_reach(const Task& task) {
   const std::vector<cost::GridReach> to_try = cost::reaches(task.request);
   core::PartsOfProgress parts{task.progress, ""};
@@ -185,15 +185,16 @@ bool was_cut_short(const Result<Plan>& plan) {
   return plan ? plan->search.cut_short : plan.error().search_cut_short;
 }
 
-/// The known plan, or the result of a search if it costs less. A search that was cut short adds its message.
+/// The cheaper of the known plan and the result of a search. If the search was cut short, the plan gets a
+/// message.
 Result<Plan> better_of(Result<Plan> known, Result<Plan> found, const Objective& objective) {
   if (costs_less(found, known, objective) || !known) return found;
   if (was_cut_short(found)) known->messages.push_back(messages::plan_message<"cost-search-cut-short">());
   return known;
 }
 
-/// The results of searches on the request's grids, with all drives and with single drives. Those with single drives take little
-/// time, and are often better where the search with all drives is cut short.
+/// The cheapest result of searches on the request's grids: one with all kinds of propulsion and one with each
+/// kind alone. The latter take little time, and are often better if the former is cut short.
 Result<Plan> best_on_grids(const Task& task, const std::vector<vehicle::Drive>& alone) {
   const PlanRequest& request = task.request;
   Result<Plan> best = plan_on_either_reach(task);
@@ -236,12 +237,13 @@ Result<Plan> publish_straight_way(const search::Chart& chart, const ocean::Envir
 
 Result<Plan> search_least_cost_plan(const KnownPlan& known, const Task& task) {
   const auto& [environment, request, stop, progress, wider, executor, of_use] = task;
-  // Only the fastest plans hold.
+  // Searches for the least cost do not hold; only the fastest plans do.
   PlanRequest on_the_move = request;
   on_the_move.holds.longest = core::Seconds{0.0};
   const Objective objective = request.objective();
-  // Refinement makes up for larger steps, with which a search takes a third of the time or less. But they may close
-  // passages that the known plan takes. So a way that costs much more than the known plan is no evidence. A judgement.
+  // A search with larger steps takes a third of the time or less, and refinement makes up for the steps. But
+  // large steps may close passages that the known plan uses. So a coarse result that costs 1 % more than the
+  // known plan does not count. A judgement.
   constexpr double much = 0.01;
   const bool may_be_coarse =
       known.plan && request.refine && request.method != Method::direct && !request.spacing_along;
@@ -253,7 +255,7 @@ Result<Plan> search_least_cost_plan(const KnownPlan& known, const Task& task) {
     Result<Plan> coarse = best_on_grids(task.with(coarser).telling(on_coarser), known.on_drives);
     const bool is_near =
         coarse && cost_of(*coarse, objective) <= (1.0 + much) * cost_of(*known.plan, objective);
-    const bool is_evidence = is_near || was_cut_short(coarse);  // then a finer grid would not have helped
+    const bool is_evidence = is_near || was_cut_short(coarse);  // a finer grid would be cut short, too
     if (is_evidence && !stop.stop_requested()) return better_of(known.plan, std::move(coarse), objective);
     if (costs_less(coarse, best, objective)) best = std::move(coarse);
   }

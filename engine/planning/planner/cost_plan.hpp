@@ -12,31 +12,33 @@
 
 namespace floeplan::planning::planner {
 
-/// Plans the route with the least cost by the request's objective. Each leg takes the drive with the least cost. The plan never
-/// costs more than the fastest plans on either drive, which are made and compared, too.
+/// Plans the route with the least cost by the request's objective. Each leg uses the propulsion with the
+/// least cost. The fastest plans with each propulsion are made, too, so the plan never costs more than they
+/// do.
 /// Precondition  the request is valid
 /// Errors and Stops  as plan_route
 [[nodiscard]] Result<Plan> plan_least_cost(const Task& task, const Planning& plan_fastest);
 
-/// The cost of a plan by the objective. Precondition: the plan has its energy, as every plan of this version does.
+/// The cost of a plan by the objective. Precondition: `plan.energy` is not empty.
 [[nodiscard]] double cost_of(const Plan& plan, const Objective& objective);
 
-/// The request for the fastest plan on one drive.
+/// The request for the fastest plan with one propulsion.
 [[nodiscard]] PlanRequest fastest_request(const PlanRequest& request, vehicle::Drive drive);
 
 /// The plans that are known before a search for the least cost.
 struct KnownPlan {
-  Result<Plan> plan;                      // the cheapest so far
-  std::vector<vehicle::Drive> on_drives;  // drives for which there is a plan with all legs on that drive
+  Result<Plan> plan;                      // the cheapest known plan
+  std::vector<vehicle::Drive> on_drives;  // a plan exists that uses only this propulsion
 };
 
-/// The best of the known plan and of searches without holds, with all drives and with each of the known drives alone. They run
-/// on coarser grids; where these give no evidence, or the request fixes the grid, on the request's own.
+/// The best of the known plan and of searches for the least cost without holds, with all kinds of propulsion
+/// and with each of `on_drives` alone. The searches use coarser grids. The request's own grids follow if the
+/// coarse result is too dear to count, or if the request fixes the grid.
 [[nodiscard]] Result<Plan> search_least_cost_plan(const KnownPlan& known, const Task& task);
 
-/// The plan straight from stop to stop, on the drives with the least total cost; without holds.
-/// Errors   why the way is closed, the battery does not carry the vehicle where it must, or there is no escape;
-///          Reason::cancelled once `stop` is requested
+/// The plan straight from stop to stop, with the propulsion of least total cost; without holds.
+/// Errors   the route is closed, the energy does not suffice, or there is no escape route; Reason::cancelled
+///          once `stop` is requested
 [[nodiscard]] Result<Plan> publish_straight_way(const search::Chart& chart,
                                                 const ocean::Environment& environment,
                                                 const PlanRequest& request, const std::stop_token& stop);

@@ -26,26 +26,26 @@
 namespace floeplan::planning::planner {
 namespace {
 
-/// The cost of a sweep from the goal, in searches for one departure.
+/// Work of a time-reversed search from the goal; unit: the search for one departure.
 constexpr double departures_a_sweep = 2.0;
 
-/// Other work, in searches for one departure, for the progress: making the grids, and a whole plan with its refinement.
-/// Measured with the demonstration data: a search takes 0.06 s, the others 0.6 s and 0.9 s.
+/// Work of making the grids, and of a whole plan with its refinement, for the progress. Unit: the search for
+/// one departure. Measured with the demonstration data: a search takes 0.06 s, the others 0.6 s and 0.9 s.
 constexpr double searches_a_layout = 10.0;
 constexpr double searches_a_plan = 15.0;
 
-/// How many departures with a way on the curve are planned in full without success before the window is given up. First the
-/// best ones are planned, then those that are furthest from all refused ones.
+/// Limits on departures that are planned in full without success: first the best ones, up to `best_refused`;
+/// then those furthest in time from all refused ones, up to `most_refused` in all.
 constexpr std::size_t best_refused = 12;
 constexpr std::size_t most_refused = 24;
 
-/// With a robust objective, how many departures are planned in full, each in every member.
+/// Number of departures that are planned in full with a robust objective. Each is planned in every member.
 constexpr std::size_t most_planned = 6;
 
-/// The departure with a way that is furthest from those without; empty: there is none.
+/// The open departure with the longest distance to a closed one; empty: all are closed.
 std::optional<std::size_t> furthest_from_refused(const std::vector<DepartureOutcome>& outcomes) {
   const std::size_t count = outcomes.size();
-  std::vector<std::size_t> away(count, count);  // distance to the nearest refused departure
+  std::vector<std::size_t> away(count, count);  // number of departures to the nearest closed one
   for (std::size_t i = 0; i < count; ++i) {
     if (!outcomes[i].travel_time) away[i] = 0;
     if (i > 0) away[i] = std::min(away[i], away[i - 1] + 1);
@@ -61,12 +61,14 @@ bool is_robust(const ocean::Environment& environment, const PlanRequest& request
          cost::has_uncertain_currents(environment, request);
 }
 
-/// In how many seas each departure is searched: in the first one, and with a robust objective in those of all members.
+/// Number of environments in which each departure is searched: the first, and with a robust objective those
+/// of all members.
 std::size_t count_of_seas(const ocean::Environment& environment, const PlanRequest& request) {
   return is_robust(environment, request) ? 1 + cost::SeaMembers{environment, request.uncertainty}.size() : 1;
 }
 
-/// The comparison of departures as a share of the work for a window. With a robust objective many are planned in full.
+/// The comparison of departures as a share of all work for a window. A robust objective makes it smaller,
+/// because many departures are then planned in full.
 double share_of_comparison(const ocean::Environment& environment, const PlanRequest& request) {
   const auto seas = static_cast<double>(count_of_seas(environment, request));
   const auto departures = static_cast<double>(request.departures.departures(request.depart).size());
@@ -83,18 +85,18 @@ struct Journey {
   bool touches_rim{false};
 };
 
-/// A search area of one size, laid out for all departures.
+/// A search area of one size, gridded for all departures.
 struct Ground {
   PlanRequest request;
   search::Chart chart;
-  std::vector<search::OpenGrid> grids;  // none for a straight line
-  std::vector<Ground> fastest;          // for each drive by itself, where it is not time that counts
+  std::vector<search::OpenGrid> grids;  // empty for a straight route
+  std::vector<Ground> fastest;          // for each propulsion alone, if the objective is not time
 };
 
 /// Errors   as draw_chart
 Result<Ground> lay_out(const ocean::Environment& environment, const PlanRequest& request,
                        cost::GridReach reach, const std::stop_token& stop) {
-  // Only the fastest way holds.
+  // Searches for the least cost do not hold; only fastest routes do.
   PlanRequest drawn = request;
   if (!request.energy.objective.is_time()) drawn.holds.longest = core::Seconds{0.0};
   auto chart = search::draw_chart(environment, drawn, reach, stop);
@@ -111,11 +113,11 @@ Result<Ground> lay_out(const ocean::Environment& environment, const PlanRequest&
   return ground;
 }
 
-/// The search areas of a request, each laid out when it is first needed.
-/// Threads  any
+/// The search areas of a request. Each is gridded when it is first needed.
+/// Threads  members may be called from several threads at once
 class Grounds {
  public:
-  /// Everything is borrowed and outlives this.
+  /// All references are borrowed and must outlive this.
   Grounds(const ocean::Environment& environment, const PlanRequest& request, const std::stop_token& stop)
       : environment_{environment}, request_{request}, stop_{stop} {}
 
@@ -137,10 +139,10 @@ class Grounds {
   std::optional<Result<Ground>> wide_;
 };
 
-/// Searches the grids of a ground for one departure after another.
+/// Searches the grids of one search area for one departure after another.
 class DepartureSweep {
  public:
-  /// The ground is borrowed and outlives this.
+  /// `ground` is borrowed and must outlive this.
   explicit DepartureSweep(const Ground& ground) : ground_{ground} {
     const PlanRequest& request = ground.request;
     const core::Seconds ahead = departures_a_sweep * request.departures.step;
@@ -155,7 +157,7 @@ class DepartureSweep {
     for (const Ground& each : ground.fastest) fastest_.emplace_back(each);
   }
 
-  /// The way with the least cost, as a plan for this departure alone would choose it.
+  /// The route of least cost for the departure `after`, as a plan for this departure alone would choose it.
   Result<Journey> leave(core::Seconds after, const std::stop_token& stop) {
     const PlanRequest& request = ground_.request;
     if (auto closed = search::closed_start(ground_.chart, request, after))
@@ -224,21 +226,22 @@ class DepartureSweep {
   }
 
   const Ground& ground_;
-  std::vector<search::Foresight> foresights_;  // one for each grid, for the least time
-  std::vector<search::CostGuide> guides_;      // likewise, for another objective
-  std::optional<search::FoundWay> last_;       // of the departure before
-  std::vector<DepartureSweep> fastest_;        // on each drive by itself
+  std::vector<search::Foresight> foresights_;  // one for each grid, if the objective is time
+  std::vector<search::CostGuide> guides_;      // one for each grid, for other objectives
+  std::optional<search::FoundWay> last_;       // route of the departure before
+  std::vector<DepartureSweep> fastest_;        // with each propulsion alone
 };
 
-/// Whether a larger search area may have a way where there was none for this reason.
+/// Whether a larger search area may hold a route although this one does not.
 bool may_be_mended(Reason why) {
   return why != Reason::cancelled && why != Reason::start_near_iceberg && why != Reason::start_in_zone;
 }
 
-/// Chooses between the two search areas as a plan for this departure alone would.
+/// Searches departures, each in the smaller or the larger area, as a plan for that departure alone would
+/// choose.
 class Comparison {
  public:
-  /// Both are borrowed and outlive this.
+  /// `grounds` and `request` are borrowed and must outlive this.
   Comparison(Grounds& grounds, const PlanRequest& request) : grounds_{grounds}, request_{request} {}
 
   Result<Journey> leave(core::Seconds after, const std::stop_token& stop) {
@@ -265,11 +268,12 @@ class Comparison {
   std::optional<DepartureSweep> wide_;
 };
 
-/// How many departures are a piece of work. The first of them costs twice what the others do: nothing bounds its search.
+/// Departures per piece of work. The first of a piece takes twice the time of the others: no earlier route
+/// bounds it.
 constexpr std::size_t departures_a_piece = 8;
 
-/// What came of each departure, in one sea. Departures after which `stop` was requested are cancelled.
-/// `ended`  is told how many departures have ended
+/// The result for each departure in one environment. Departures after a requested stop are cancelled.
+/// `ended`  called with the number of finished departures
 std::vector<Result<Journey>> leave_all(const std::vector<core::UtcTime>& departures,
                                        const ocean::Environment& environment, const PlanRequest& request,
                                        const std::stop_token& stop, const core::Executor& executor,
@@ -297,7 +301,7 @@ bool is_cancelled(const std::vector<Result<Journey>>& journeys) {
   });
 }
 
-/// Sets the cost of each departure: the request's robust objective over the best ways in all members.
+/// Sets the cost of each departure: the request's robust objective over the best routes in all members.
 /// Returns  false once `stop` is requested
 bool weigh_members(std::vector<DepartureOutcome>& outcomes, const ocean::Environment& environment,
                    const PlanRequest& request, const std::stop_token& stop, const core::Executor& executor,
@@ -321,14 +325,14 @@ bool weigh_members(std::vector<DepartureOutcome>& outcomes, const ocean::Environ
   return true;
 }
 
-/// Replaces the cost of a departure by that of its plan's way in all members.
+/// Replaces the estimated cost of a departure by the cost of its planned route over all members.
 void count_plan(DepartureOutcome& outcome, const Plan& plan, const UncertaintyRules& rules) {
   const MemberSpread& costs = *plan.uncertainty->costs;
   outcome.robust_cost = what_counts(costs, rules);
   outcome.members_closed = plan.uncertainty->spread.travel_times().size() - costs.known();
 }
 
-/// The best of the departures that were planned. Others may turn out to be better.
+/// The best of the departures that were planned in full. Departures that were not planned may be better.
 std::size_t best_planned(const std::vector<DepartureOutcome>& outcomes,
                          const std::map<std::size_t, Plan>& planned, const Objective& objective) {
   std::vector<DepartureOutcome> of_planned;
@@ -352,7 +356,7 @@ Result<std::vector<DepartureOutcome>> compare_departures(const ocean::Environmen
   const std::size_t seas = count_of_seas(environment, request);
   const auto report = [&](std::size_t sea, std::size_t departure) {
     if (!progress) return;
-    // The grids are made for the first departure.
+    // The grids are made with the first departure, so its progress counts them.
     const double searched = departure == 0 ? 0.0 : searches_a_layout + static_cast<double>(departure);
     const double done = searched / (searches_a_layout + static_cast<double>(departures.size()));
     progress("departures", (static_cast<double>(sea) + done) / static_cast<double>(seas));
@@ -396,7 +400,8 @@ WindowPlan try_to_plan_window(const ocean::Environment& environment, const PlanR
       return {.departures = std::move(*outcomes), .plan = std::move(known->second)};
     if (planned.size() == most_planned) break;
     DepartureOutcome& outcome = (*outcomes)[*best];
-    // Mostly the first plan is the only one; with a robust objective it is one of `most_planned`.
+    // Usually the first plan succeeds and is the only one. With a robust objective `most_planned` plans are
+    // made.
     const double share = outcome.robust_cost ? 1.0 / static_cast<double>(most_planned - planned.size()) : 0.9;
     const double from = std::exchange(done, done + share * (1.0 - done));
     auto plan = try_to_plan(environment, leaving_at(request, outcome.departure), stop,
@@ -408,7 +413,8 @@ WindowPlan try_to_plan_window(const ocean::Environment& environment, const PlanR
     }
     if (plan || plan.error().reason == Reason::cancelled)
       return {.departures = std::move(*outcomes), .plan = std::move(plan)};
-    // Where a full plan fails for another reason than its way, such as the battery, another departure may succeed.
+    // A full plan can fail although its route is open, for example for lack of energy. Then another departure
+    // may succeed.
     outcome = {.departure = outcome.departure, .closed = plan.error()};
     if (!refused) refused = std::move(plan.error());
   }
@@ -429,7 +435,7 @@ WindowPlan try_to_plan_window(const ocean::Environment& environment, const PlanR
 
 std::optional<std::size_t> best_departure(const std::vector<DepartureOutcome>& outcomes,
                                           const Objective& objective) {
-  constexpr double rounding = 1e-9;  // of sums of times, by which departures of one cost differ
+  constexpr double rounding = 1e-9;  // relative, of sums of times: such costs are equal
   std::optional<std::size_t> best;
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < outcomes.size(); ++i) {

@@ -18,11 +18,11 @@
 namespace floeplan::planning::planner {
 namespace {
 
-/// A plan in a search area of one size, its route, and whether a larger area may give a better one.
+/// A plan in a search area of one size, its route, and whether a larger area may allow a better plan.
 struct Attempt {
   Result<Plan> plan;
-  std::optional<search::Chart> chart{};  // of a plan
-  cost::Route route{};                   // likewise
+  std::optional<search::Chart> chart{};  // empty without a plan
+  cost::Route route{};                   // route of the plan
   bool wider_may_help{false};
 };
 
@@ -34,16 +34,16 @@ messages::Message what_may_be_better(const Plan& plan) {
                                                                   100.0 * (*gain / plan.travel_time()));
 }
 
-/// The way on the grids, and the same after refinement.
+/// A route along the grids, and the same route after refinement.
 struct RefinedWay {
   search::FoundWay found;
   publish::Improved improved;
 };
 
-/// Searches the grids and refines the way that it finds.
+/// Searches the grids and refines the route found.
 class WayFinder {
  public:
-  /// Everything is borrowed and outlives the finder.
+  /// All references are borrowed and must outlive the finder.
   WayFinder(const search::Chart& chart, const Task& task) : chart_{chart}, task_{task} {
     if (task.request.method != Method::direct)
       grids_ = search::open_grids(chart.sea, chart.layout.grids, task.request.sectors, task.stop);
@@ -80,17 +80,17 @@ class WayFinder {
 
   const search::Chart& chart_;
   const Task& task_;
-  std::vector<search::OpenGrid> grids_;  // none for the direct way
+  std::vector<search::OpenGrid> grids_;  // empty for the direct route
 };
 
-/// Whether no vehicle could be at the goal earlier: not even one that goes straight from stop to stop with the strongest
+/// Whether no vehicle could be at the goal earlier, even straight from stop to stop with the strongest
 /// current from astern.
 bool is_as_early_as_any(const search::Chart& chart, core::Seconds travel_time) {
-  constexpr core::Seconds slack{60.0};  // the largest error of a hold's end
+  constexpr core::Seconds slack{60.0};  // largest error of the end of a hold
   return travel_time <= cost::earliest_arrival(chart.sea, chart.layout.points) + slack;
 }
 
-/// The pipeline: request, domain, search, refinement, plan.
+/// The steps of planning: search area, search, refinement, published plan.
 Attempt plan_within(cost::GridReach reach, const Task& task) {
   const auto& [environment, request, stop, progress, wider, executor, of_use] = task;
   progress("environment", 0.0);
@@ -99,7 +99,7 @@ Attempt plan_within(cost::GridReach reach, const Task& task) {
 
   Result<RefinedWay> way = WayFinder{*chart, task}.find();
   if (!way) {
-    // Who came to no end on these grids comes to none on wider ones.
+    // If the search was cut short in this area, it would also be cut short in a larger one.
     const bool is_over = way.error().reason == Reason::cancelled || way.error().search_cut_short;
     return {.plan = tl::unexpected(std::move(way.error())), .wider_may_help = !is_over};
   }
@@ -116,8 +116,8 @@ Attempt plan_within(cost::GridReach reach, const Task& task) {
           .wider_may_help = way->found.touches_rim && !(plan && plan->search.none_is_earlier)};
 }
 
-/// The plan in the smaller search area, and in the larger one where that may give a better plan. Each attempt takes one of
-/// `parts`.
+/// The plan in the smaller search area; also in the larger one if that may be better. Each attempt takes one
+/// of `parts`.
 Attempt best_attempt(const Task& task, core::PartsOfProgress& parts) {
   const std::vector<cost::GridReach> to_try = cost::reaches(task.request);
   const core::ProgressCallback first = parts.next();
@@ -136,8 +136,8 @@ bool search_was_cut_short(const Attempt& attempt) {
   return attempt.plan ? attempt.plan->search.cut_short : attempt.plan.error().search_cut_short;
 }
 
-/// Plans on grids of the requested spacing. Where no spacing was requested and a search with surfacings was cut short, also on
-/// coarser grids, on which it gets further.
+/// Plans on grids of the requested spacing. If the request leaves the spacing open and a search with
+/// surfacings was cut short, also on coarser grids, where a search gets further.
 Attempt plan_on_grids(const Task& task) {
   const PlanRequest& request = task.request;
   core::PartsOfProgress parts{task.progress, ""};
@@ -152,7 +152,7 @@ Attempt plan_on_grids(const Task& task) {
   return best;
 }
 
-/// The request without permission to pass under icebergs; empty where that makes no difference.
+/// The request without permission to pass under icebergs; empty if this changes nothing.
 std::optional<PlanRequest> without_leave(const ocean::Environment& environment, const PlanRequest& request) {
   if (!request.icebergs.pass_under || environment.icebergs.empty()) return std::nullopt;
   PlanRequest strict = request;
@@ -168,8 +168,9 @@ Result<Plan> plan_fastest(const Task& task, const Planning&) {
   const core::ProgressCallback as_asked = core::part_of(progress, "", 0.0, strict ? 0.5 : 1.0);
   Attempt best = plan_on_grids(task.telling(as_asked));
   if (strict && !stop.stop_requested()) {
-    // Refinement may find a faster way where less is allowed. Permission to pass under icebergs must never delay a plan.
-    best.chart.reset();  // large, and no longer needed
+    // Permission to pass under icebergs must never delay a plan. But refinement may end at a later route with
+    // it, so the plan without permission is made, too.
+    best.chart.reset();  // takes much memory and is no longer needed
     const core::ProgressCallback without_leave_too = core::part_of(progress, "", 0.5, 1.0);
     Attempt without = plan_on_grids(task.with(*strict).telling(without_leave_too));
     if (stop.stop_requested()) return tl::unexpected(search::explain_cancelled(request));

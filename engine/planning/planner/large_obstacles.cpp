@@ -12,14 +12,15 @@
 namespace floeplan::planning::planner {
 namespace {
 
-/// Steps along each axis from one closed cell of an obstacle to the next: three open cells may lie between them. A judgement.
+/// Closed cells this many steps apart, along each axis, belong to one obstacle: up to three open cells may
+/// lie between them. A judgement.
 constexpr std::int64_t longest_step = 4;
 
 /// A place of a route.
 struct RoutePlace {
   geo::PlanePoint point;
   core::Seconds time;
-  std::size_t leg{};  // from this point of the route to the next
+  std::size_t leg{};  // index of the leg's first point
   double distance_m{std::numeric_limits<double>::infinity()};
 };
 
@@ -133,7 +134,7 @@ LargeObstacle ObstacleScan::obstacle_of(const std::vector<std::size_t>& cells) c
   LargeObstacle result;
   std::vector<geo::PlanePoint> corners;
   corners.reserve(4 * cells.size());
-  std::map<ObstacleKind, std::size_t> count;  // of cells
+  std::map<ObstacleKind, std::size_t> count;  // number of cells of each kind
   const double half_m = 0.5 * raster_.cell_m();
   plane::PlaneBox box{raster_.centre(cells.front()), raster_.centre(cells.front())};
   double nearest_m = std::numeric_limits<double>::infinity();
@@ -188,7 +189,8 @@ geo::PlanePoint ObstacleScan::beyond_route(const LargeObstacle& obstacle) const 
   const RoutePlace place = nearest_on(route_, obstacle.nearest);
   const geo::PlanePoint from = route_.points[place.leg];
   const geo::PlanePoint to = route_.points[place.leg + 1];
-  // Square to the leg, away from the obstacle: a route that passes close by gives no direction of its own.
+  // At right angles to the leg, on the side away from the obstacle. The line from obstacle to route would be
+  // uncertain where they are close.
   geo::PlanePoint away{from.y_m - to.y_m, to.x_m - from.x_m};
   const double towards = away.x_m * (obstacle.farthest.x_m - place.point.x_m) +
                          away.y_m * (obstacle.farthest.y_m - place.point.y_m);

@@ -14,7 +14,8 @@
 
 namespace floeplan::planning::planner {
 
-/// A route in the plane with the time at each of its points, counted as in `cost::Sea`. At least two points; neighbours differ.
+/// A route in the plane with the time at each of its points, counted as in `cost::Sea`. Has at least two
+/// points, and no two consecutive points are equal.
 struct TimedRoute {
   std::vector<geo::PlanePoint> points;
   std::vector<core::Seconds> times;
@@ -22,41 +23,43 @@ struct TimedRoute {
 
 [[nodiscard]] geo::PlanePoint nearest_point(const TimedRoute& route, geo::PlanePoint place);
 
-/// Something that a route can leave on one side or on the other.
+/// An obstacle that a route can pass on either side.
 struct LargeObstacle {
   ObstacleKind kind{};
   std::vector<geo::PlanePoint> outline;  // convex, counterclockwise; the first point is not repeated
   geo::PlanePoint middle;                // of its bounding box
-  geo::PlanePoint nearest;               // middle of its cell that is nearest to the route
-  geo::PlanePoint farthest;              // middle of its cell that is farthest from the route
-  core::Metres extent;                   // the longer side of its bounding box, metres of the plane
-  core::Metres from_route;               // of `nearest`, metres of the plane
-  /// Whether a vehicle may find a way through it: it has several parts, or it drifts.
+  geo::PlanePoint nearest;               // centre of its cell nearest to the route
+  geo::PlanePoint farthest;              // centre of its cell farthest from the route
+  core::Metres extent;                   // longer side of its bounding box, in metres of the plane
+  core::Metres from_route;               // distance of `nearest`, in metres of the plane
+  /// Whether a vehicle may pass through it: it has several parts, or it drifts.
   bool is_loose{false};
 };
 
-/// What is closed beside a route, as square cells of the plane.
+/// The closed areas beside a route, as square cells of the plane.
 class ObstacleScan {
  public:
-  /// A cell is closed if its middle is closed at all times, or at the time when the route is nearest to it.
-  /// What `closures` shows must outlive the scan.
+  /// A cell is closed if its centre is closed at all times, or at the time when the route is nearest to it.
+  /// The model that
+  /// `closures` shows must outlive the scan.
   ObstacleScan(const obstacles::Closures& closures, const plane::PlaneBox& area, core::Metres cell,
                const TimedRoute& route);
 
-  /// The obstacles of at least this extent, in the order of their first cell, row by row from the south. Closed cells with
-  /// at most three open cells between them belong to one obstacle, unless the route leads through the gap. Obstacles at the
-  /// rim of the area are left out, because what lies behind them is unknown.
+  /// The obstacles of at least this extent, in the order of their first cell, row by row from the south.
+  /// Closed cells with at most three open cells between them belong to one obstacle, unless the route leads
+  /// through the gap. Obstacles that touch the rim of the area are left out, because it is unknown how far
+  /// they extend.
   [[nodiscard]] std::vector<LargeObstacle> of_at_least(core::Metres extent) const;
 
-  /// The end of a barrier that leads from the obstacle across the route: the first place behind the route that is closed at
-  /// all times, or the rim of the area.
+  /// The end of a barrier from the obstacle across the route: the first place beyond the route that is closed
+  /// at all times, or the rim of the area.
   [[nodiscard]] geo::PlanePoint beyond_route(const LargeObstacle& obstacle) const;
 
  private:
   /// What closes the point; empty: it is open.
   [[nodiscard]] std::optional<ObstacleKind> look_at(geo::PlanePoint point) const;
   [[nodiscard]] bool parted_by_route(std::size_t a, std::size_t b) const;
-  /// The closed cells that can be reached from `first` by steps of at most `reach` cells along each axis. Marks them in
+  /// The closed cells connected with `first` by steps of at most `reach` cells along each axis. Marks them in
   /// `seen`.
   [[nodiscard]] std::vector<std::size_t> joined_to(std::size_t first, std::int64_t reach,
                                                    std::vector<bool>& seen) const;
@@ -66,7 +69,7 @@ class ObstacleScan {
   TimedRoute route_;
   plane::PlaneRaster raster_;
   std::vector<std::optional<ObstacleKind>> cells_;
-  std::vector<bool> on_route_;  // whether the route enters the cell
+  std::vector<bool> on_route_;  // for each cell: whether the route enters it
 };
 
 }  // namespace floeplan::planning::planner

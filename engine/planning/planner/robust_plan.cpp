@@ -21,8 +21,8 @@
 namespace floeplan::planning::planner {
 namespace {
 
-/// The work of timing the candidates in one member, in units of a whole plan, for the progress. Measured with the demonstration
-/// data: 0.4 s, and 0.9 s for a plan.
+/// Work of timing all candidates in one member, for the progress; unit: a whole plan. Measured with the
+/// demonstration data: 0.4 s, and 0.9 s for a plan.
 constexpr double plans_a_look = 0.4;
 
 std::vector<geo::LonLat> places_of(const Plan& plan) {
@@ -32,7 +32,7 @@ std::vector<geo::LonLat> places_of(const Plan& plan) {
   return places;
 }
 
-/// The plan's legs with their drives in the first currents: these are flown, whichever currents come true.
+/// The legs of the plan and the propulsion of each. The vehicle uses them whichever currents come true.
 cost::DrivenRoute route_of(const Plan& plan, const geo::LocalProjection& projection) {
   cost::DrivenRoute route;
   for (const Waypoint& waypoint : plan.waypoints) {
@@ -43,9 +43,9 @@ cost::DrivenRoute route_of(const Plan& plan, const geo::LocalProjection& project
   return route;
 }
 
-/// Times the plans in one sea, in the search areas of plans: in the smaller one, and in the larger one where a route leaves the
-/// smaller one or is closed there. The cells along the routes are opened: they may lie differently from those on which a
-/// route was found, and must not close a passage out of caution.
+/// Times the plans in one member's environment: first in the smaller search area, then in the larger one if a
+/// route leaves the smaller or is closed there. The safety map's cells along the routes are opened, because
+/// their cautious rounding must not close a passage that is open in the data.
 std::vector<std::optional<cost::DrivenTimes>> drive_all(const ocean::Environment& environment,
                                                         const PlanRequest& request,
                                                         const std::vector<Plan>& plans,
@@ -73,10 +73,10 @@ std::vector<std::optional<cost::DrivenTimes>> drive_all(const ocean::Environment
   return result;
 }
 
-/// The result of a plan in each member.
+/// The travel times and costs of one route, in each member.
 class Fares {
  public:
-  /// Empty: the route is closed in this member.
+  /// Adds the result in the next member. Empty: the route is closed there.
   void add(const std::optional<cost::DrivenTimes>& times, const Objective& objective) {
     times_.push_back(times ? std::optional{times->arrivals.back() - cost::at_departure} : std::nullopt);
     costs_.push_back(times ? std::optional{times->cost(objective)} : std::nullopt);
@@ -103,7 +103,7 @@ UncertaintyReport report_of(const Fares& fares, const UncertaintyRules& rules, c
   return report;
 }
 
-/// The message for members in which all compared routes are closed; empty where there are none.
+/// The message about members in which all compared routes are closed; empty if there are none.
 std::optional<messages::Message> of_closed_members(const UncertaintyReport& report) {
   const std::size_t members = report.spread.travel_times().size();
   const std::size_t closed = members - report.spread.arrived();
@@ -127,7 +127,8 @@ bool is_better(const MemberSpread& a, const MemberSpread& b, const UncertaintyRu
   if (a.known() != b.known()) return a.known() > b.known();
   const double of_a = what_counts(a, rules);
   const double of_b = what_counts(b, rules);
-  // If both miss the requested share, the one that is better in the members where it is open.
+  // If both are open in too few members for the requested share, the lower mean cost over the open members
+  // decides.
   if (std::isinf(of_a) && std::isinf(of_b) && a.known() > 0) return *a.mean() < *b.mean();
   return of_a < of_b;
 }
@@ -157,9 +158,9 @@ Result<Plan> plan_uncertain(const Task& task, const Planning& plan_in_one_sea) {
   Result<Plan> base = plan_in(environment, task.telling(core::part_of(progress, "members", 0.0, 1.0 / work)));
   if (!base) return base;
 
-  // Between the members' own ways there may be one that is good in all members. The best way in their mean is the most
-  // likely one.
-  std::vector<std::optional<Plan>> ways(plans - 1);  // of the members, then of their mean
+  // Further candidates: the best route in the mean of the members may be good in all of them, better than the
+  // best route of any one member.
+  std::vector<std::optional<Plan>> ways(plans - 1);  // candidates: one per member, then one for the mean
   const auto sea_of = [&](std::size_t way) -> std::optional<ocean::Environment> {
     if (way < members.size()) return members.environment(way);
     auto mean = ocean::ensemble_mean(environment.members);
@@ -176,7 +177,8 @@ Result<Plan> plan_uncertain(const Task& task, const Planning& plan_in_one_sea) {
     if (!sea) return;
     const Result<Plan> plan = plan_in(*sea, task.as_piece());
     if (!plan) return;
-    // A route that is closed in the first currents cannot be published.
+    // A route that is closed in the currents of the first member cannot be published, because the plan's
+    // times are those in these currents.
     Result<Plan> in_first = evaluate_in(environment, places_of(*plan), request, stop);
     if (in_first) ways[way] = std::move(*in_first);
   };

@@ -25,13 +25,14 @@ Result<Plan> evaluate_on_ground(const search::RouteGround& ground, const std::ve
   if (chart->sea.drives().size() > 1) {
     Result<Plan> plan = publish_straight_way(*chart, ground.environment(), on_route, stop);
     if (stop.stop_requested()) return tl::unexpected(search::explain_cancelled(request));
-    // Only on the first drive may the vehicle hold until something reopens.
+    // Holds need the first propulsion. So if the plan failed and holds are allowed, it is timed again with
+    // that alone.
     if (plan || request.holds.longest.count() == 0.0) return plan;
   }
   publish::Improved given =
       publish::improve(chart->sea, cost::fixed_route(chart->layout.points), on_route, stop);
   Result<Plan> plan = publish::publish(*chart, ground.environment(), on_route, given, {}, stop);
-  // The comparison is with the best way from start to end, not with the best one past every waypoint.
+  // The comparison is with the best route from start to goal, so it need not pass the inner waypoints.
   std::fill(given.route.fixed.begin() + 1, given.route.fixed.end() - 1, false);
   if (plan) publish::rate(*plan, chart->sea, on_route, given.route, stop);
   if (stop.stop_requested()) return tl::unexpected(search::explain_cancelled(request));

@@ -12,12 +12,13 @@
 
 namespace floeplan::planning::planner {
 
-/// Times a given route on a ground that was made for this route or for another one of the same site; see `evaluate_route`.
+/// Times a given route on a leg cost model made for this route, or for another one of the same site; see
+/// `evaluate_route`.
 [[nodiscard]] Result<Plan> evaluate_on_ground(const search::RouteGround& ground,
                                               const std::vector<geo::LonLat>& route,
                                               const PlanRequest& request, const std::stop_token& stop);
 
-/// The same on a ground that is made for this route.
+/// Times a given route on a leg cost model that is made for it.
 [[nodiscard]] Result<Plan> evaluate_in(const ocean::Environment& environment,
                                        const std::vector<geo::LonLat>& route, const PlanRequest& request,
                                        const std::stop_token& stop);

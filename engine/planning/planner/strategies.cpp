@@ -12,7 +12,7 @@
 namespace floeplan::planning::planner {
 namespace {
 
-/// The request on the usual grids, and on more of them where currents are as fast as the vehicle.
+/// Plans on the usual grids, and on more grids if currents are as fast as the vehicle.
 Result<Plan> plan_on_more_grids(const Task& task, const Planning& rest) {
   const double share = share_of_usual_grids(task.environment, task.request, task.stop);
   const core::ProgressCallback usual = core::part_of(task.progress, "", 0.0, share);
@@ -27,7 +27,7 @@ bool asks_for_members(const Task& task) {
   return rules.objective != RobustObjective::none || rules.arrive_before || rules.drawn_members > 0;
 }
 
-/// The plan, with messages about requests for members that have no effect.
+/// Plans, and adds messages about requests for members that have no effect.
 Result<Plan> plan_and_tell_of_members(const Task& task, const Planning& rest) {
   Result<Plan> plan = rest(task);
   if (!plan) return plan;
@@ -42,7 +42,8 @@ Result<Plan> plan_and_tell_of_members(const Task& task, const Planning& rest) {
 
 bool may_surface_more_often(const Task& task) { return task.request.under_ice.escape_plan; }
 
-/// For routes without an escape route from some waypoint: routes that pass more places to surface mostly have one.
+/// Used if some waypoint of the plan has no escape route. Routes with shorter times between surfacings mostly
+/// have one.
 Result<Plan> plan_surfacing_more_often(const Task& task, const Planning& rest) {
   core::PartsOfProgress parts{task.progress, ""};
   const core::ProgressCallback first = parts.next();
@@ -59,30 +60,30 @@ Result<Plan> plan_surfacing_more_often(const Task& task, const Planning& rest) {
     Result<Plan> plan = rest(task.with(tighter).telling(part));
     if (!plan && plan.error().reason == Reason::cancelled) return plan;
     if (!plan && plan.error().reason == Reason::no_escape) continue;
-    if (!plan) break;  // no way surfaces so often, and so none more often
+    if (!plan) break;  // no route surfaces this often, so a tighter limit cannot help either
     plan->messages.push_back(messages::plan_message<"surfaces-more-often">());
     return plan;
   }
   return best;
 }
 
-/// Each row: its name, when it applies, what it plans by the rows below it.
+/// Each row: its name, when it applies, and the function that plans with the rows below.
 constexpr Strategy strategies[] = {
-    // Currents as fast as the vehicle: the request on other grids, with more directions and with more room.
+    // Currents as fast as the vehicle: plan on other grids, with more directions and with more room.
     {"more grids", [](const Task& task) { return task.request.method != Method::direct; },
      plan_on_more_grids},
-    // The vias in the orders that promise to end earliest.
+    // Via points in any order: plan the orders with the earliest estimated arrival.
     {"order of visits", [](const Task& task) { return task.request.via_in_best_order; }, plan_survey},
-    // Nothing else; says what became of the members.
+    // Adds messages about members; plans nothing itself.
     {"word on the members", asks_for_members, plan_and_tell_of_members},
-    // No escape from the best way: the request with tighter bounds on the time without surfacing.
+    // No escape route: plan with tighter limits on the time without surfacing.
     {"more surfacings", may_surface_more_often, plan_surfacing_more_often},
-    // Several currents: the request in each member of them.
+    // Several currents: plan in each member.
     {"members", is_uncertain, plan_uncertain},
-    // A weight on encounters with icebergs: the request without it, and a search with it.
+    // A weight on encounters with icebergs: plan without it and with it.
     {"fewer encounters", [](const Task& task) { return task.request.objective().of_encounters != 0.0; },
      plan_with_fewer_encounters},
-    // Energy counts: the fastest plan on each drive, and a search for the least cost.
+    // Energy counts: make the fastest plan with each propulsion, and search for the least cost.
     {"least cost", [](const Task& task) { return !task.request.energy.objective.is_time(); },
      plan_least_cost},
     {"fastest", [](const Task&) { return true; }, plan_fastest},

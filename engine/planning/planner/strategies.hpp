@@ -13,22 +13,23 @@
 
 namespace floeplan::planning::planner {
 
-/// A way to come to a plan by planning other, simpler tasks: one order of the vias, one of the members, the least time.
+/// One kind of planning. It plans a task by planning simpler ones with `rest`: one order of the via points,
+/// one member, or the earliest arrival.
 struct Strategy {
   std::string_view name;
   bool (*applies)(const Task&);
-  /// `rest` plans a task by the strategies that come after this one.
+  /// `rest` plans a task with the strategies after this one.
   Result<Plan> (*plan)(const Task&, const Planning& rest);
 };
 
-/// In the order in which they are asked whether they apply. The last one always does.
+/// All strategies, in the order in which `applies` is called. The last one always applies.
 [[nodiscard]] std::span<const Strategy> all_strategies();
 
 /// Plans the task by the first strategy that applies.
 /// Precondition  the request is valid
 [[nodiscard]] Result<Plan> plan_by(std::span<const Strategy> strategies, const Task& task);
 
-/// Does what `plan_route` does, without a diagnosis and on one kind of grid; for callers that plan many variants.
+/// `plan_route` without diagnosis and on one kind of grid; for callers that plan many variants.
 /// Errors and Stops  as `plan_route`
 [[nodiscard]] Result<Plan> try_to_plan(const ocean::Environment& environment, const PlanRequest& request,
                                        const std::stop_token& stop, const core::ProgressCallback& progress,

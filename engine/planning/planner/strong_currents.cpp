@@ -20,25 +20,26 @@ namespace {
 
 constexpr int most_sectors = 5;
 
-/// Ways that were found in the Agulhas Current, the Kuroshio, the Gulf Stream and off the Falklands lead round eddies
-/// of 100 to 250 km, four times as far as from start to goal where these are 50 km apart.
+/// Room on each side, as a multiple of the distance. Routes found in the Agulhas Current, the Kuroshio, the
+/// Gulf Stream and off the Falklands lead round eddies of 100 to 250 km: four times the distance if start and
+/// goal are 50 km apart.
 constexpr double distances_of_room = 5.0;
-constexpr core::Metres least_room{50'000.0};  // for eddies are no smaller where the way is short
+constexpr core::Metres least_room{50'000.0};  // eddies are as large on short routes
 constexpr core::Metres most_room{250'000.0};
-constexpr double most_samples = 3.2e7;  // of the currents of an area with room: a quarter of a gigabyte
+constexpr double most_samples = 3.2e7;  // of the currents in the area: 250 MB
 
-/// Plans on several grids agree if their costs differ by no more: about as much as those of one sea on grids of other
-/// spacings. A judgement.
+/// Plans on two grids agree if their costs differ by at most this share: about the difference between grids
+/// of other spacings in the same currents. A judgement.
 constexpr double agreement = 0.01;
 
-/// Legs that were timed for a plan; a few seconds.
+/// Number of timed legs that counts as much work; a few seconds.
 constexpr std::int64_t much_work = 5'000'000;
 
 core::MetresPerSecond through_water(const PlanRequest& request) {
   return drive_speed(request.vehicle, drives(request.energy, request.vehicle).back());
 }
 
-/// Between stops that follow each other.
+/// The longest distance between consecutive stops.
 core::Metres longest_stretch(const PlanRequest& request) {
   std::vector<geo::LonLat> stops = request.via;
   stops.insert(stops.begin(), request.from);
@@ -49,7 +50,7 @@ core::Metres longest_stretch(const PlanRequest& request) {
   return longest;
 }
 
-/// Beside the straight line and beyond its ends, as usual grids reach at most.
+/// The largest extent of the usual grids beside the straight line and beyond its ends.
 core::Metres usual_room(const PlanRequest& request) {
   return std::max(cost::second_reach.across * longest_stretch(request), cost::second_reach.at_least);
 }
@@ -69,7 +70,7 @@ PlanRequest with_more_directions(PlanRequest request) {
   return request;
 }
 
-/// Whether more grids may be tried for the request at all.
+/// Whether the request allows more grids at all.
 bool allows_more_grids(const ocean::Environment& environment, const PlanRequest& request) {
   return request.method != Method::direct && !request.under_ice.max_time_without_surfacing &&
          !cost::has_uncertain_currents(environment, request);

@@ -19,7 +19,7 @@
 namespace floeplan::planning::planner {
 namespace {
 
-/// An order of the vias, and how long its way takes as far as travel times on coarse grids tell.
+/// An order of the via points, and the travel time of its route as estimated on coarse grids.
 struct EstimatedOrder {
   ViaOrder order;
   core::Seconds travel_time{};
@@ -27,10 +27,11 @@ struct EstimatedOrder {
 
 constexpr core::Seconds at_once{0.0};
 
-/// Share of the travel time. Where closures cost more than this, all orders are looked at once more.
+/// If closures delay the tour by more than this share of its travel time, all orders are compared again with
+/// closures.
 constexpr double worth_another_look = 0.02;
 
-/// Travel times by what the legs are asked for.
+/// Travel times of legs by one of the time functions of `TourLegs`.
 TourLegTime leg_times(TourLegs& legs, auto time) {
   return [&legs, time](std::size_t from, std::size_t to, core::Seconds depart) {
     return (legs.*time)(from, to, depart);
@@ -48,7 +49,8 @@ EstimatedOrder estimated(const VisitingOrder& order) {
   return result;
 }
 
-/// The order of the vias that reaches the goal earliest; empty when no order leads there or `stop` is requested.
+/// The order of the via points with the earliest estimated arrival; empty if no order leads to the goal or
+/// `stop` is requested.
 std::optional<EstimatedOrder> best_via_order(const ocean::Environment& environment,
                                              const PlanRequest& request, const std::stop_token& stop) {
   const Result<search::Chart> chart =
@@ -69,9 +71,9 @@ std::optional<EstimatedOrder> best_via_order(const ocean::Environment& environme
   return estimated(is_better ? orders.front() : *order);
 }
 
-/// The orders that are likely to reach the goal early, for who found no way along the best one, which is among them or
-/// not; of more than five vias one at most.
-/// `most`   orders, at least one
+/// Orders that are likely to reach the goal early; for callers that found no plan in the best order, which
+/// may be among them. With more than five via points at most one.
+/// `most`   largest number of orders, at least one
 /// Returns  the earliest first; fewer once `stop` is requested
 std::vector<EstimatedOrder> promising_via_orders(const ocean::Environment& environment,
                                                  const PlanRequest& request, std::size_t most,
@@ -91,8 +93,8 @@ std::vector<EstimatedOrder> promising_via_orders(const ocean::Environment& envir
 /// Relative error of travel times on coarse grids. A plan that exceeds it met something that they do not show.
 constexpr double accuracy = 0.03;
 
-/// The number of orders that are planned in addition to the best one. A judgement: each takes a whole plan, which with a bound
-/// on the time without surfacing may need a minute.
+/// Number of orders planned in addition to the best one. A judgement: each takes a whole plan. With a limit
+/// on the time without surfacing a plan may take a minute, so fewer are made.
 constexpr std::size_t most_other_orders = 4;
 constexpr std::size_t most_other_orders_with_surfacings = 1;
 
@@ -102,13 +104,13 @@ ViaOrder order_given(const PlanRequest& request) {
   return order;
 }
 
-/// Plans one order after the other, and keeps the earliest plan.
+/// Plans one order after another, and keeps the plan with the earliest arrival.
 class SurveyPlans {
  public:
   SurveyPlans(const Task& task, const Planning& plan_in_order)
       : task_{task}, plan_in_order_{plan_in_order}, parts_{task.progress, "order of visits"} {}
 
-  /// Plans in this order, unless it was planned before.
+  /// Plans in this order, unless this order was planned before.
   void plan(const ViaOrder& order) {
     for (const std::vector<std::size_t>& before : tried_)
       if (before == order.vias) return;
@@ -131,7 +133,7 @@ class SurveyPlans {
     return !best_ || best_->travel_time() > travel_time;
   }
 
-  /// The earliest plan; where there is none, why there is none in the given order, which is always tried.
+  /// The earliest plan; if there is none, the reason in the given order, which is always tried.
   [[nodiscard]] Result<Plan> best() && {
     if (best_) return std::move(*best_);
     if (tried_.size() > 1) {
@@ -163,7 +165,7 @@ Result<Plan> plan_survey(const Task& task, const Planning& plan_in_order) {
   const core::Seconds promised = first ? (1.0 + accuracy) * first->travel_time : core::Seconds{0.0};
   if (first && plans.is_later_than(minds_time ? promised : core::Seconds{INFINITY})) {
     const std::size_t others = bounds_surfacing ? most_other_orders_with_surfacings : most_other_orders;
-    bool may_be_later = true;  // whether an order that was not tried yet may be earlier
+    bool may_be_later = true;  // whether an untried order may be earlier than the best plan
     for (const EstimatedOrder& other : promising_via_orders(environment, request, 1 + others, stop)) {
       may_be_later = !stop.stop_requested() && plans.is_later_than(other.travel_time);
       if (!may_be_later) break;

@@ -15,41 +15,41 @@
 
 namespace floeplan::planning::planner {
 
-/// A request with its sea, its stop token, its listener and its threads. Everything is borrowed.
+/// A request with its environment, stop token, progress callback and executor. All references are borrowed.
 struct Task {
   const ocean::Environment& environment;
   const PlanRequest& request;
   const std::stop_token& stop;
   const core::ProgressCallback& progress;  // never empty
-  const WiderSea& wider;                   // empty: the environment holds all that there is
+  const WiderSea& wider;                   // loads data of a larger area; empty: no further data
   const core::Executor& executor{core::in_order()};
-  /// A way on a grid that takes longer is of no use, because a better plan is known.
+  /// Travel times on a grid beyond this are not wanted, because a better plan is known.
   core::Seconds of_use{INFINITY};
 
-  /// The same for another request.
+  /// A copy for another request.
   [[nodiscard]] Task with(const PlanRequest& other) const {
     return {environment, other, stop, progress, wider, executor, of_use};
   }
-  /// The same in another sea.
+  /// A copy for another environment.
   [[nodiscard]] Task in(const ocean::Environment& other) const {
     return {other, request, stop, progress, wider, executor, of_use};
   }
-  /// The same, with another listener to its progress, which is borrowed.
+  /// A copy that reports its progress to `other`, which is borrowed.
   [[nodiscard]] Task telling(const core::ProgressCallback& other) const {
     return {environment, request, stop, other, wider, executor, of_use};
   }
-  /// The same where a plan is known that another one is to beat.
+  /// A copy that looks only for plans that may be faster than `known`.
   [[nodiscard]] Task to_beat(const Plan& known) const {
-    constexpr double gained_by_refinement = 0.03;  // of the time on a grid: a judgement
+    constexpr double gained_by_refinement = 0.03;  // share of the time on a grid: a judgement
     Task task = *this;
     if (request.objective().is_time()) task.of_use = (1.0 + gained_by_refinement) * known.travel_time();
     return task;
   }
-  /// The same as one of several pieces of work: without a listener, and on one thread.
+  /// A copy for one of several parallel pieces of work: no progress reports, on one thread.
   [[nodiscard]] Task as_piece() const {
     return {environment, request, stop, silently().progress, wider, core::in_order(), of_use};
   }
-  /// The same without a listener.
+  /// A copy without progress reports.
   [[nodiscard]] Task silently() const {
     static const core::ProgressCallback silent = [](std::string_view, double) {};
     return {environment, request, stop, silent, wider, executor, of_use};

@@ -12,15 +12,15 @@
 namespace floeplan::planning::planner {
 namespace {
 
-// Of the grid between two stops. A search takes some tens of milliseconds, and a few where there are many places, of which each
-// pair is asked for.
+// Grid steps between two stops. A search takes some tens of milliseconds. With many places every pair is
+// searched, so coarser grids are used; a search then takes a few milliseconds.
 constexpr double steps_per_leg = 16.0;
 constexpr double steps_of_many = 10.0;
 constexpr int most_sectors_of_many = 2;
-constexpr core::Seconds between_departures{7200.0};  // a sixth of a half-day tide
+constexpr core::Seconds between_departures{7200.0};  // a sixth of a semidiurnal tide
 constexpr cost::GridReach reach{0.5, 0.25};
-constexpr long departures_between_searches = 6;  // twelve hours: about a half-day tide
-constexpr core::Seconds just_after{1.0};         // the end of a closure, which still belongs to it
+constexpr long departures_between_searches = 6;  // twelve hours: about a semidiurnal tide
+constexpr core::Seconds just_after{1.0};         // after the end of a closure, which is still closed
 
 }  // namespace
 
@@ -92,7 +92,8 @@ std::optional<TourLegs::Way> TourLegs::followed(const Way& way, std::size_t to, 
     return sea_.leg_time_without_timed_closures(a, b, now, core::Seconds{INFINITY});
   });
   if (!end) return std::nullopt;
-  // If the place itself is closed on arrival, the vehicle waits for it. If something else closes the way, another way is needed.
+  // If only the end is closed on arrival, the vehicle waits for it. If the route is closed elsewhere, another
+  // route is needed.
   const bool waits_at_end = open_from(closed_[to], *end) > *end;
   if (way.is_past_closures && !waits_at_end) return std::nullopt;
   return Way{*end - depart, way.path, false};
@@ -104,7 +105,8 @@ graph::SearchTree TourLegs::earliest_arrivals(Leg& leg, core::Seconds depart,
   const search::OpenGrid& open = leg.open;
   const graph::Query query{
       .source = open.grid.start, .goal = open.grid.goal, .depart = depart, .latest = core::Seconds{INFINITY}};
-  // With many places few departures are tried. Then a bound of each pair would take more time than it saves.
+  // With many places few departures are tried, so a sharper bound for each pair would cost more than it
+  // saves.
   if (!has_many_places_)
     return graph::find_earliest_arrivals(open.graph, query, travel_time, stop_, bound_of(leg));
   const search::StraightBound straight{sea_, open.grid, open.graph, open.grid.goal};
@@ -142,7 +144,8 @@ std::optional<TourLegs::Way> TourLegs::bounded(const search::OpenGrid& open, cor
 
 std::optional<TourLegs::Way> TourLegs::unbounded(Leg& leg, core::Seconds depart) const {
   const search::OpenGrid& open = leg.open;
-  // Only the search for the time avoids places where ice leaves no room. But then icebergs close places, too.
+  // With ice, only the search with all closures finds where ice leaves no room. Icebergs then close places,
+  // too; if they leave no route, the search is repeated without closures that end.
   std::optional<graph::SearchTree> tree;
   if (sea_.domain().ice()) tree = earliest_arrivals(leg, depart, search::GridTravelTime{sea_, open.grid});
   const bool is_past_closures = tree && tree->is_reached(open.grid.goal);
@@ -165,7 +168,8 @@ std::optional<core::Seconds> TourLegs::time_under_way(std::size_t from, std::siz
   const auto before = static_cast<long>(std::floor(position));
   const auto early = way_at({from, to}, before);
   const auto late = way_at({from, to}, before + 1);
-  // If only one of the two departures has a way, for instance at the end of the data, it is used for both.
+  // If only one of the two departures has a route, for instance at the end of the data, its time is used for
+  // both.
   if (!early && !late) return std::nullopt;
   const core::Seconds first = early ? early->time : late->time;
   const core::Seconds last = late ? late->time : early->time;
@@ -212,7 +216,7 @@ std::optional<core::Seconds> TourLegs::arrival_past_closures(Pair pair, core::Se
   if (stop_.stop_requested()) return std::nullopt;
   arrives = std::min(arrives, core::Seconds{tree.arrival_s(open.grid.goal)});
   if (std::isfinite(arrives.count())) return arrives;
-  // A vehicle can wait at a place that stays open until the end opens, and is then at the end.
+  // If the vehicle can wait somewhere that stays open until the end opens, its arrival is that opening.
   if (!(opens > at_once) || !std::isfinite(opens.count())) return std::nullopt;
   for (graph::Vertex v = 0; v < open.graph.size(); ++v) {
     if (!tree.is_reached(v)) continue;

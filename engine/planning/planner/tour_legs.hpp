@@ -15,27 +15,30 @@
 
 namespace floeplan::planning::planner {
 
-/// Travel times between the stops of a layout, for comparing orders of visits. Times are known at departures two hours apart;
-/// between them arrivals are linear, which keeps FIFO. Each pair of stops is searched when it is first asked for, on a coarse
-/// grid of its own. Of many places each pair is searched once for twelve hours, on a coarser grid: at the departures between,
-/// the vehicle takes one of the ways that were found before and after, unless both are closed then. A vehicle that comes to a
-/// closed place, for instance because of an iceberg, waits until it reopens.
+/// Travel times between the stops of a layout, for comparing orders of visits. Times are computed for
+/// departures two hours apart; between them they are linear, which keeps FIFO. Each pair of stops is searched
+/// when it is first asked for, on its own coarse grid. With many places each pair is searched only every
+/// twelve hours, on a still coarser grid. For departures between, the vehicle takes the route found before or
+/// after, unless both are closed then. A vehicle that arrives at a closed place, for instance below an
+/// iceberg, waits until it reopens.
 /// Accuracy  some percent: a plan is searched on its own grid once the order is known
-/// Threads   one thread at a time; answers are remembered
+/// Threads   one thread at a time; results are cached
 class TourLegs {
  public:
-  /// `sea`, `layout` and `request` are borrowed and outlive the legs.
+  /// `sea`, `layout` and `request` are borrowed and must outlive this object.
   TourLegs(const cost::Sea& sea, const cost::Layout& layout, const PlanRequest& request,
            const std::stop_token& stop);
 
-  /// Empty where there is no way at that time, and once `stop` is requested.
+  /// Travel time from one stop to another; stops are numbered as in the layout. Includes the wait until the
+  /// end opens. Empty if there is no route at that time, and once `stop` is requested.
   [[nodiscard]] std::optional<core::Seconds> time(std::size_t from, std::size_t to, core::Seconds depart);
-  /// About the time, whatever the departure: that of the tour's beginning, or in still water where there is no way then.
+  /// Approximate time for any departure: that at the tour's beginning or, if there is no route then, in still
+  /// water.
   [[nodiscard]] core::Seconds usual_time(std::size_t from, std::size_t to);
-  /// Lower bound for all departures.
+  /// Lower bound of the time for all departures.
   [[nodiscard]] core::Seconds least_time(std::size_t from, std::size_t to);
-  /// The time with everything that closes and reopens on the way, such as a place that the vehicle must leave before it closes.
-  /// Also empty where a vehicle that never holds arrives before the place opens.
+  /// The time with all closures on the way, such as a place that the vehicle must leave before it closes.
+  /// Empty also if a vehicle that may not hold arrives before the place opens.
   [[nodiscard]] std::optional<core::Seconds> time_past_closures(std::size_t from, std::size_t to,
                                                                 core::Seconds depart);
 
@@ -44,31 +47,32 @@ class TourLegs {
   struct Way {
     core::Seconds time;
     std::vector<geo::PlanePoint> path;
-    bool is_past_closures{true};  // false: what closes and reopens was left out
+    bool is_past_closures{true};  // false: searched without closures that end
   };
   struct Leg {
     search::OpenGrid open;
-    std::optional<search::FavourableBound> bound{};  // of `open`, once it was searched
-    std::map<long, std::optional<Way>> ways{};       // by number of the departure
+    std::optional<search::FavourableBound> bound{};  // lower bounds on `open`, made at the first search
+    std::map<long, std::optional<Way>> ways{};       // by number of the departure (`between_departures`)
   };
-  /// The time without a wait at the end.
+  /// The time without the wait at the end.
   [[nodiscard]] std::optional<core::Seconds> time_under_way(std::size_t from, std::size_t to,
                                                             core::Seconds depart);
   [[nodiscard]] Leg& leg(Pair pair);
   [[nodiscard]] const search::FavourableBound& bound_of(Leg& leg) const;
-  /// A way at one of the departures.
+  /// The route at a departure, from the cache if it is known.
   [[nodiscard]] std::optional<Way> way_at(Pair pair, long departure);
-  /// The same, searched on the grid.
+  /// The route at a departure, searched on the grid.
   [[nodiscard]] std::optional<Way> searched(Leg& leg, core::Seconds depart) const;
-  /// The way of another departure, at this one; empty where it is closed.
+  /// Times the route of another departure for this one; empty if it is closed.
   [[nodiscard]] std::optional<Way> followed(const Way& way, std::size_t to, core::Seconds depart) const;
-  /// The way that keeps the bound on the time without surfacing, with a surfacing at its start.
+  /// The route that keeps the limit on the time without surfacing, with a surfacing at its start.
   [[nodiscard]] std::optional<Way> bounded(const search::OpenGrid& open, core::Seconds depart) const;
   [[nodiscard]] std::optional<Way> unbounded(Leg& leg, core::Seconds depart) const;
   template <class TravelTime>
   [[nodiscard]] graph::SearchTree earliest_arrivals(Leg& leg, core::Seconds depart,
                                                     const TravelTime& travel_time) const;
-  /// The arrival at the end of a leg, which is open from `opens` on. Without closures the vehicle would arrive at `at_once`.
+  /// Arrival at the end of a leg with all closures. The end opens at `opens`; without closures the vehicle
+  /// would arrive at `at_once`.
   [[nodiscard]] std::optional<core::Seconds> arrival_past_closures(Pair pair, core::Seconds depart,
                                                                    core::Seconds at_once,
                                                                    core::Seconds opens);
@@ -78,7 +82,7 @@ class TourLegs {
   PlanRequest request_;
   bool has_many_places_;
   std::stop_token stop_;
-  std::vector<std::vector<TimeSpan>> closed_;  // the closed times of each point of the layout
+  std::vector<std::vector<TimeSpan>> closed_;  // closed times of each point of the layout
   std::map<Pair, Leg> legs_;
 };
 

@@ -17,7 +17,7 @@ double arrival_s(const TourLegTime& leg_time, std::size_t from, std::size_t to, 
   return time ? depart_s + time->count() : no_arrival;
 }
 
-/// Arrival at the goal in this order; `no_arrival` where a leg has no way.
+/// Arrival at the goal in this order, in seconds; `no_arrival` if some leg has no route.
 double end_of_tour_s(const std::vector<std::size_t>& order, std::size_t goal, double depart_s,
                      const TourLegTime& leg_time) {
   double now = depart_s;
@@ -29,7 +29,8 @@ double end_of_tour_s(const std::vector<std::size_t>& order, std::size_t goal, do
   return arrival_s(leg_time, here, goal, now);
 }
 
-/// Earliest arrival at the last place of each set of places, and which place was visited before it.
+/// For each set of places and each last place in it: the earliest arrival there, and the place visited
+/// before.
 struct SetTable {
   explicit SetTable(std::size_t n)
       : places{n}, earliest_s(n << n, no_arrival), before(n << n, std::uint8_t{0}) {}
@@ -41,10 +42,10 @@ struct SetTable {
   std::vector<std::uint8_t> before;  // [set][last]
 };
 
-/// Finds which place of a set is best visited before the last one.
+/// Finds the best place to visit before the next one.
 class BestBefore {
  public:
-  /// Everything is borrowed and outlives this.
+  /// All references are borrowed and must outlive this.
   BestBefore(const SetTable& table, const TourLegTime& leg_time, const LegEstimates::Estimate& least_time)
       : table_{table}, leg_time_{leg_time}, least_time_{least_time} {}
 
@@ -53,7 +54,7 @@ class BestBefore {
     std::size_t before{};
   };
 
-  /// `set`  the places visited before, not empty; `next`: numbered as legs are
+  /// `set`: the places visited before, as bits, not empty. `next`: number of a place as in TourLegTime.
   [[nodiscard]] Found of(std::size_t set, std::size_t next) {
     candidates_.clear();
     for (std::size_t last = 0; last < table_.places; ++last) {
@@ -79,7 +80,7 @@ class BestBefore {
   const TourLegTime& leg_time_;
   const LegEstimates::Estimate& least_time_;
   std::vector<std::pair<double, std::size_t>>
-      candidates_;  // lower bounds of arrivals, and the places they come from
+      candidates_;  // lower bounds of arrivals, and the places that they belong to
 };
 
 std::optional<VisitingOrder> exact_order(std::size_t n, double depart_s, const TourLegTime& leg_time,
@@ -122,7 +123,8 @@ std::optional<VisitingOrder> exact_order(std::size_t n, double depart_s, const T
   return result;
 }
 
-/// By usual times: the time of day changes the length of a tour by a few percent. A judgement.
+/// Tours longer than the best by this factor, by usual times, are not timed. The departure changes the length
+/// of a tour by a few percent only. A judgement.
 constexpr double worth_timing = 1.05;
 
 /// A tour that is being improved.
@@ -143,7 +145,7 @@ class Tour {
   [[nodiscard]] double end_s() const { return end_s_; }
 
  private:
-  /// Inserts the places one after the other, each time the place and the position that end the tour earliest.
+  /// Inserts the places one by one: each time the place and position with the earliest end of the tour.
   void insert_all(std::size_t n) {
     std::vector<std::size_t> left(n);
     std::iota(left.begin(), left.end(), std::size_t{1});
@@ -173,7 +175,7 @@ class Tour {
     }
   }
 
-  /// Of a tour in this order, by the usual times; zero where none are known.
+  /// Length of a tour in this order by the usual times, in seconds; zero if those are unknown.
   [[nodiscard]] double usual_length_s(const std::vector<std::size_t>& order) const {
     if (!usual_time_) return 0.0;
     double sum_s = 0.0;
@@ -230,7 +232,7 @@ class Tour {
   double end_s_{no_arrival};
 };
 
-/// Tries every order of visits, place by place. A tour that is already later than all kept ones is dropped.
+/// Tries every order of visits, place by place. A partial tour that is later than all kept tours is dropped.
 class AllOrders {
  public:
   /// `most`: the number of orders to keep, at least one.

@@ -23,15 +23,15 @@ namespace {
 
 constexpr core::Seconds close_enough{60.0};
 constexpr double close_enough_share = 1e-3;  // of the travel time
-constexpr int most_plans = 16;  // halves a day to within two seconds, more than `close_enough` asks for
+constexpr int most_plans = 16;  // enough to halve a day to within two seconds, finer than `close_enough`
 
-/// The beginning of the search.
+/// Where the search for the departure begins.
 struct Beginning {
   core::UtcTime
-      depart;  // estimated from the legs of the grids; the earliest departure where they have no way
-  core::UtcTime arrive;  // the last moment up to the wanted arrival at which the goal is open
+      depart;  // estimated from the legs of the grids; the earliest departure if the grids hold no route
+  core::UtcTime arrive;  // the last time up to the wanted arrival at which the goal is open
   core::UtcTime
-      holds_until;  // until when a vehicle that is at the start from the earliest departure on can hold there
+      holds_until;  // a vehicle that is at the start from the earliest departure on can hold there till then
 };
 
 core::Seconds last_open_moment(const cost::Sea& sea, geo::PlanePoint place, core::Seconds until) {
@@ -41,7 +41,7 @@ core::Seconds last_open_moment(const cost::Sea& sea, geo::PlanePoint place, core
   return until;
 }
 
-/// Until when the vehicle can hold at the start, after the earliest departure; `until` at most.
+/// How long after the earliest departure the vehicle can hold at the start; at most `until`.
 core::Seconds stays_at_the_start(const cost::Sea& sea, geo::PlanePoint start, core::Seconds until) {
   constexpr core::Seconds earliest{0.0};
   const core::Seconds longest = std::min(sea.holding().longest, until);
@@ -97,7 +97,7 @@ core::UtcTime between(core::UtcTime early, core::UtcTime late) {
 /// Searches for the latest departure that arrives in time.
 class LatestDeparture {
  public:
-  /// Everything is borrowed and outlives this.
+  /// All references are borrowed and must outlive this.
   LatestDeparture(const ocean::Environment& environment, const PlanRequest& request,
                   const std::stop_token& stop, const core::ProgressCallback& progress,
                   const core::Executor& executor)
@@ -125,7 +125,7 @@ class LatestDeparture {
   }
 
  private:
-  static constexpr int samples = 16;  // of the departures between the best one and the wanted arrival
+  static constexpr int samples = 16;  // departures tried between the best one and the wanted arrival
 
   [[nodiscard]] bool is_cancelled() const { return stop_.stop_requested(); }
   [[nodiscard]] core::Seconds left(const Plan& plan) const {
@@ -135,21 +135,23 @@ class LatestDeparture {
     return best_ && left(*best_) <= std::max(close_enough, close_enough_share * best_->travel_time());
   }
 
-  /// Whether there was no plan because of something that never changes.
+  /// Whether the cause of every failed plan is permanent, so that other departures need not be tried.
   [[nodiscard]] bool is_closed_for_good() const {
     if (some_arrive_ || !binds_) return false;
     return binds_ == Constraint::land || binds_ == Constraint::depth || binds_ == Constraint::data_area ||
            binds_ == Constraint::memory;
   }
 
-  /// Whether a departure that is in time has none before it that is not: the vehicle may hold at the start until it comes.
-  /// Elsewhere closures break the order of arrivals, and a later departure may be in time again.
+  /// Whether every departure earlier than one in time is in time, too: the vehicle may hold at the start
+  /// until the later one. Without such a hold, closures may make an earlier departure arrive too late.
   [[nodiscard]] bool earlier_is_in_time_too() const {
     return request_.energy.objective.is_time() && request_.uncertainty.objective == RobustObjective::none &&
            request_.method == Method::astar && holds_until_ >= wanted_ - least_travel_time();
   }
 
-  /// Makes a whole plan, and keeps it as the best one if it arrives in time.
+  /// Makes a whole plan for a departure. If it arrives in time, keeps it when it departs later than the best
+  /// plan so far.
+  /// Returns the time left until the wanted arrival, negative if late; empty if there is no plan.
   std::optional<core::Seconds> try_at(core::UtcTime depart) {
     auto plan = try_to_plan(environment_, leaving_at(request_, depart), stop_, parts_.next(), executor_);
     if (!plan) {
@@ -162,9 +164,9 @@ class LatestDeparture {
     return spare;
   }
 
-  /// Moves the departure by the time that is left until the wanted arrival, or back by the time that is missing. Under FIFO both
-  /// converge to the latest departure.
-  /// `fails`: a departure without a plan that is in time
+  /// Moves the departure later by the time left until the wanted arrival, or earlier by the time missing.
+  /// Under FIFO both converge to the latest departure in time.
+  /// `fails`: a departure known not to be in time
   void climb(core::UtcTime depart, std::optional<core::UtcTime> fails = std::nullopt) {
     for (int tries = 0; tries < most_plans && !is_cancelled(); ++tries) {
       const auto spare = try_at(depart);
@@ -185,15 +187,15 @@ class LatestDeparture {
     }
   }
 
-  /// Computes the curve of the departures after the best one, or of all. The search continues from the last departure on it that
-  /// is in time.
+  /// Compares departures after the best one, or all if there is none. The search continues from the latest of
+  /// them that is in time.
   void look_through_the_rest() {
     PlanRequest window = request_;
     if (best_) window.depart = best_->departure;
     const core::Seconds least = least_travel_time();
     window.departures = {.until = wanted_ - least, .step = (wanted_ - least - window.depart) / samples};
     if (window.departures.step < close_enough) return;
-    window.uncertainty.objective = RobustObjective::none;  // members count in the whole plans
+    window.uncertainty.objective = RobustObjective::none;  // members are used in the whole plans only
     const auto curve = compare_departures(environment_, window, stop_, parts_.next(), executor_);
     if (!curve) return;
     std::optional<core::UtcTime> fails;
@@ -207,7 +209,7 @@ class LatestDeparture {
     }
   }
 
-  /// A rough lower bound of the travel time, with strong currents from astern.
+  /// A rough lower bound of the travel time: a quarter of the best plan's, for strong currents from astern.
   [[nodiscard]] core::Seconds least_travel_time() const {
     if (!best_) return core::Seconds{0.0};
     return 0.25 * best_->travel_time();
@@ -217,14 +219,15 @@ class LatestDeparture {
     return messages::plan_message<"early-arrival">(left(*best_).count() / 3600.0);
   }
 
-  /// The message for a plan that is in time over its members but not in the first currents.
+  /// The message for a plan that is in time by the objective over all members, but not in the first
+  /// member's currents.
   [[nodiscard]] messages::Message late() const {
     const bool is_quantile = request_.uncertainty.objective == RobustObjective::quantile;
     return messages::plan_message<"late-in-first-currents">(
         best_->arrival, is_quantile ? "quantile" : "mean", arrival_that_counts(*best_, request_.uncertainty));
   }
 
-  /// Why no departure is in time.
+  /// The reason why no departure is in time. If the earliest departure is in time after all, its plan.
   Result<Plan> explained() {
     auto earliest =
         try_to_plan(environment_, leaving_at(request_, request_.depart), stop_, parts_.next(), executor_);
@@ -236,13 +239,13 @@ class LatestDeparture {
   const ocean::Environment& environment_;
   const PlanRequest& request_;
   core::UtcTime holds_until_;  // as in Beginning
-  core::UtcTime wanted_;       // or the last moment before it at which the goal is open
+  core::UtcTime wanted_;       // the wanted arrival, or the last time before at which the goal is open
   const std::stop_token& stop_;
   const core::Executor& executor_;
   core::PartsOfProgress parts_;
-  std::optional<Plan> best_;         // the latest departure that is in time
-  bool some_arrive_{false};          // in time or not
-  std::optional<Constraint> binds_;  // where no plan came, the last time
+  std::optional<Plan> best_;         // the latest departure found that is in time
+  bool some_arrive_{false};          // whether any tried departure arrived, even late
+  std::optional<Constraint> binds_;  // what stopped the last departure without a plan
 };
 
 }  // namespace

@@ -11,8 +11,8 @@
 
 namespace floeplan::planning::planner {
 
-/// The plan with the latest departure that arrives by the request's `departures.arrive_by`, on the request's own grids. Does not
-/// say what would help where there is none.
+/// The plan with the latest departure that arrives by the request's `departures.arrive_by`, on the request's
+/// own grids. If there is none, does not look for changes that would help.
 /// Precondition  the request is valid and asks for an arrival
 /// Errors   as `plan_arrival`
 [[nodiscard]] Result<Plan> try_to_plan_arrival(const ocean::Environment& environment,

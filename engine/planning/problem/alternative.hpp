@@ -10,20 +10,20 @@
 
 namespace floeplan::planning {
 
-/// What a large obstacle is for the most part.
+/// What most of a large obstacle consists of.
 enum class ObstacleKind : std::uint8_t { land, shallow_water, icebergs, closed_area, no_data };
 
-/// A route that leaves a large obstacle on its other side than a given plan does.
+/// A route that passes a large obstacle on the other side than a given plan does.
 struct Alternative {
   Plan plan;
-  PlanRequest request;       // that it answers: the given plan's, with no-go areas across that plan's route
-  messages::Message reason;  // round what it leads, and what it takes
+  PlanRequest request;       // the given plan's request, with no-go areas across that plan's route
+  messages::Message reason;  // names the obstacle and the extra travel time
 };
 
 /// The alternatives to a plan, the best first.
 struct Alternatives {
   std::vector<Alternative> found;
-  std::optional<messages::Message> fewer;  // why there are fewer than asked for
+  std::optional<messages::Message> fewer;  // reason if fewer were found than requested
 };
 
 }  // namespace floeplan::planning

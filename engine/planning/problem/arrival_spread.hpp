@@ -8,11 +8,11 @@
 
 namespace floeplan::planning {
 
-/// How long one route takes in each member of uncertain currents. A member in which the route is not possible never
-/// arrives: it counts as later than every other.
+/// Travel times of one route in each member of uncertain currents. In a member in which the route is closed
+/// the vehicle never arrives; such a member counts as later than every other.
 class ArrivalSpread {
  public:
-  /// Travel time in each member, empty where the route is not possible. At least one member.
+  /// Travel time in each member, empty where the route is closed. At least one member.
   explicit ArrivalSpread(std::vector<std::optional<core::Seconds>> travel_times);
 
   [[nodiscard]] const std::vector<std::optional<core::Seconds>>& travel_times() const {
@@ -23,9 +23,10 @@ class ArrivalSpread {
   [[nodiscard]] std::optional<core::Seconds> mean() const;
   /// The standard deviation over the members that arrive; empty for fewer than two.
   [[nodiscard]] std::optional<core::Seconds> standard_deviation() const;
-  /// The time within which this share of all members arrives; empty where too few members arrive.
+  /// The travel time within which this share (0 to 1) of all members arrives; empty if too few members
+  /// arrive.
   [[nodiscard]] std::optional<core::Seconds> quantile(double share) const;
-  /// Share of all members that arrive within the time.
+  /// Share of all members that arrive within this travel time.
   [[nodiscard]] double chance_within(core::Seconds time) const;
 
  private:

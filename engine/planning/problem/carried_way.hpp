@@ -7,13 +7,13 @@
 
 namespace floeplan::planning {
 
-/// How far the water carries a vehicle: metres on the ground along the axes of the plane.
+/// Displacement of a vehicle by the current: metres on the ground along the axes of the plane.
 struct CarriedWay {
   double x_m{};
   double y_m{};
 
   [[nodiscard]] core::Metres length() const { return {std::hypot(x_m, y_m)}; }
-  /// The constant current that carries a vehicle so far within `time`.
+  /// The constant current with this displacement in `time`.
   [[nodiscard]] motion::CurrentXy over(core::Seconds time) const {
     return {x_m / time.count(), y_m / time.count()};
   }

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double shortest_step_s = 1.0;
 
-/// Steps that fit into the window. The last one may end after it by a rounding error.
+/// Number of steps that fit into the window. The last may end after the window by a rounding error.
 double steps_within(core::UtcTime depart, core::UtcTime until, core::Seconds step) {
   return std::floor((until - depart) / step + 1e-9);
 }

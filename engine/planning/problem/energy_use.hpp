@@ -6,10 +6,10 @@ namespace floeplan::planning {
 
 /// The energy that a route draws from the battery.
 struct EnergyUse {
-  core::Joules hotel{};  // what is always on, and the surfacings where they are counted
+  core::Joules hotel{};  // all that is always switched on, and the surfacings if they are counted
   core::Joules pump{};   // buoyancy pump and pitch battery at the inflections
   core::Joules thruster{};
-  double inflections{};  // expected number, because nobody chooses the phase of the saw-tooth on the route
+  double inflections{};  // expected number: where on the saw-tooth the vehicle begins is unknown
 
   [[nodiscard]] core::Joules total() const { return hotel + pump + thruster; }
   EnergyUse& operator+=(const EnergyUse& more) {

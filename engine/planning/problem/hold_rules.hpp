@@ -4,13 +4,13 @@
 
 namespace floeplan::planning {
 
-/// Forecasts tell nothing of what closes and opens later. A judgement.
+/// Beyond about ten days forecasts do not tell what closes and reopens. A judgement.
 inline constexpr core::Seconds longest_hold_allowed{10.0 * 86'400.0};
 
 /// How the vehicle may hold station: stay near a place by making way against the current.
 struct HoldRules {
-  /// At one place, until something that is closed for a while opens: icebergs that drift, zones with times, currents
-  /// that are too strong. Zero: the vehicle never holds.
+  /// Longest hold at one place, until a closure ends: icebergs that drift, zones with times, or currents that
+  /// are too strong. Zero: the vehicle never holds.
   core::Seconds longest{longest_hold_allowed};
   /// Radius of the circle within which the vehicle holds. A judgement: a glider that is sent back to one place dive
   /// after dive comes up some hundreds of metres from it.

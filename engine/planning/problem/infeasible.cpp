@@ -3,7 +3,7 @@
 namespace floeplan::planning {
 namespace {
 
-/// The rows of refusals begin with a small letter, which follows on from a colon.
+/// Capitalises the text: refusals begin with a small letter, because they usually follow a colon.
 std::string as_sentence(std::string text) {
   if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
   return text;

@@ -30,17 +30,17 @@ enum class Reason {
   in_zone,             // a given route breaks the rule of a zone
   under_ice,           // no room to pass below the ice
   no_surfacing,        // the vehicle would be too long without a place where it may surface
-  no_escape,           // from somewhere on the route no way leads to where it may surface
-  goal_unreachable,    // every way is closed
-  arrival_too_early,   // even the earliest departure arrives later than asked for
+  no_escape,           // from some waypoint no route leads to a place to surface
+  goal_unreachable,    // no route is open
+  arrival_too_early,   // even the earliest departure arrives after the wanted time
   energy_exceeded,     // the battery does not last
-  too_large,           // the grid would not fit into bounded memory
+  too_large,           // the grid would exceed the memory limit
   cancelled
 };
 
 [[nodiscard]] std::string reason_name(Reason reason);
 
-/// What stands in the way, whatever it makes impossible.
+/// What closes the route, independent of what the request asks for.
 enum class Constraint {
   current,
   depth,
@@ -57,7 +57,7 @@ enum class Constraint {
 
 [[nodiscard]] std::string constraint_name(Constraint constraint);
 
-/// Another value for one input, by its name in the inputs; everything else as it was asked for.
+/// Another value for one input of the request; all other inputs stay. `input` is the name in the API.
 struct Change {
   using Nothing = std::monostate;
   using Value =
@@ -66,32 +66,32 @@ struct Change {
   Value from;
   Value to;
   std::string
-      text;  // for a person: "raise the speed through the water from 0.35 to 0.42 m/s"; of all of `with`, too
-  std::vector<Change> with{};  // to be made as well, for alone it does not help
+      text;  // for a person, with all of `with`: "raise the speed through the water from 0.35 to 0.42 m/s"
+  std::vector<Change> with{};  // further changes that are needed, because this one alone does not help
 };
 
 struct Infeasible {
   Reason reason{};
   geo::LonLat at{};                          // where the search or the vehicle stopped
-  core::UtcTime when{};                      // and at what time it would have been there
-  messages::Message why{};                   // what stands in the way, and what would help
-  std::vector<messages::Message> besides{};  // what more was found out, in that order
+  core::UtcTime when{};                      // when the vehicle would have been there
+  messages::Message why{};                   // what closes the route, and what would help
+  std::vector<messages::Message> besides{};  // further findings, in the order in which they were made
   Constraint binding{};
-  bool at_a_stop{false};          // the start, a via or the goal itself cannot be used
-  std::vector<Change> changes{};  // found to make it possible, any one of them; the smallest first
-  /// Moves of a stop that cannot be used to places where the vehicle may be: not tried yet, the likeliest to help
-  /// first.
+  bool at_a_stop{false};          // the start, the goal or a via point itself cannot be used
+  std::vector<Change> changes{};  // each alone makes a plan possible; the smallest first
+  /// Moves of an unusable stop to places where the vehicle may be. They are not tried yet; the most promising
+  /// come first.
   std::vector<Change> moves{};
-  /// The search came to its bound on memory: there may be a way all the same.
+  /// The search reached its memory limit, so a route may exist nevertheless.
   bool search_cut_short{false};
-  /// The work set aside for finding them was done before all were tried: smaller ones, or others, may help, too.
+  /// The work reserved for finding changes was used up: smaller or other changes may help, too.
   bool changes_cut_short{false};
-  /// What stands in the way opens so much later, where that is known.
+  /// The time until the closure that binds ends, if that is known.
   std::optional<core::Seconds> postponed{};
 
-  /// For a person: what closes the route, and what else was found, a sentence each.
+  /// For a person: what closes the route, and further findings, one sentence each.
   [[nodiscard]] std::string explanation() const;
-  /// What would help, by the last of `besides` that says so; one sentence.
+  /// For a person: what would help, one sentence. Taken from the last of `besides` that has a hint.
   [[nodiscard]] std::string suggestion() const;
 };
 

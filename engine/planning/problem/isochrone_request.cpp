@@ -10,7 +10,7 @@ namespace floeplan::planning {
 namespace {
 
 constexpr double data_radius_factor = 3.0;
-constexpr double steps_per_radius = 100.0;  // in still water
+constexpr double steps_per_radius = 100.0;  // default spacing: a share of the distance in still water
 constexpr double least_step_m = 100.0;
 constexpr double most_step_m = 5000.0;
 
@@ -33,7 +33,7 @@ core::Metres IsochroneRequest::step() const {
 }
 
 core::Metres IsochroneRequest::data_radius() const {
-  // A few steps at least, so that the border of a short reach lies inside the grid.
+  // At least this number of steps, so that the outline of a small isochrone lies inside the grid.
   constexpr double fewest_steps = 10.0;
   const double still_water_m = through_water().value * reach().count();
   return core::Metres{std::max(data_radius_factor * still_water_m, fewest_steps * step().value)};
@@ -66,7 +66,7 @@ PlanRequest voyage_of(const IsochroneRequest& request) {
   voyage.from = request.place;
   voyage.to = request.place;
   voyage.depart = request.begin();
-  voyage.departures.until = request.end();  // icebergs drift as long as it is under way
+  voyage.departures.until = request.end();  // icebergs drift until the end of the last span
   voyage.vehicle = request.vehicle;
   if (request.sectors) voyage.sectors = *request.sectors;
   voyage.zones = request.zones;

@@ -11,8 +11,8 @@
 
 namespace floeplan::planning {
 
-/// The cost that the best plan has least of: a weighted sum of its seconds, its joules and its expected encounters with
-/// icebergs.
+/// The cost that a plan minimises: a weighted sum of travel time in seconds, energy in joules and expected
+/// encounters with icebergs.
 struct Objective {
   double of_time{1.0};
   double of_energy{0.0};
@@ -29,7 +29,7 @@ inline constexpr Objective time_objective{1.0, 0.0, 0.0};
 inline constexpr Objective energy_objective{0.0, 1.0, 0.0};
 
 enum class ThrusterUse {
-  automatic,  // chosen for each leg by the objective
+  automatic,  // the objective decides for each leg
   on,
   off
 };
@@ -41,17 +41,17 @@ enum class ThrusterUse {
 struct EnergyRules {
   Objective objective{};
   ThrusterUse thruster{ThrusterUse::automatic};
-  bool require_battery{false};  // refuses a plan that the battery cannot carry; otherwise the plan warns
+  bool require_battery{false};  // true: a plan beyond the battery is refused; false: it gets a warning
 
   [[nodiscard]] core::Violations violations(const vehicle::GliderProfile& profile) const;
 };
 
-/// The drives that a leg may use, at least one. The slower of two drives is left out where only time counts, because it
-/// never arrives earlier.
+/// The kinds of propulsion that a leg may use, at least one. If only time counts, the slower of two is left
+/// out, because it never arrives earlier.
 [[nodiscard]] std::vector<vehicle::Drive> drives(const EnergyRules& rules,
                                                  const vehicle::GliderProfile& profile);
 
-/// Horizontal speed through the water. Precondition  the profile has the drive.
+/// Horizontal speed through the water. Precondition: the vehicle has this propulsion.
 [[nodiscard]] core::MetresPerSecond drive_speed(const vehicle::GliderProfile& profile, vehicle::Drive drive);
 /// "buoyancy", "thruster", and back.
 [[nodiscard]] std::string drive_name(vehicle::Drive drive);

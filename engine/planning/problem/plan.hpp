@@ -23,42 +23,44 @@ namespace floeplan::planning {
 /// A place of the plan and the leg that leads to it. The first waypoint is the start and has no leg.
 struct Waypoint {
   geo::LonLat place;
-  core::UtcTime eta;                       // of the arrival
+  core::UtcTime eta;                       // time of arrival
   std::optional<core::Metres> leg_length;  // geodesic on WGS84
   std::optional<double> course_deg;        // of the leg at its start, clockwise from true north
   std::optional<core::MetresPerSecond> speed_over_ground;  // mean over the leg
-  std::optional<core::Metres> depth;                       // of the sea bed here
-  std::optional<double> iceberg_encounters;  // expected on the leg and in the wait before it; empty where
+  std::optional<core::Metres> depth;                       // of the sea bed at `place`
+  std::optional<double> iceberg_encounters;  // expected on the leg and the hold before it; empty if
                                              // no iceberg is known
   std::optional<core::Joules> energy{};      // drawn since the departure
   std::optional<vehicle::Drive> drive{};     // of the leg
   std::optional<core::MetresPerSecond> speed_through_water{};  // horizontal, on the leg
-  /// Mean over the leg, averaged over the depths flown; empty at the start, where no currents are known, and in plans
-  /// stored before it was kept.
+  /// Mean current over the leg and over the depths flown. Empty at the start, where no currents are known,
+  /// and in plans of versions that did not store it.
   std::optional<geo::VelocityEn> current{};
-  core::Seconds wait{};  // here, after the arrival and before the next leg; draws energy as if under way
+  core::Seconds wait{};  // hold at `place` between arrival and next leg; draws energy as under way
 };
 
-/// What the search did, for comparison and for honest progress.
+/// Figures about the search, for comparison and to tell its limits.
 struct SearchStatistics {
   std::int64_t vertices{};
-  std::int64_t edges{};  // directed, open by depth, land and static obstacles
+  std::int64_t edges{};  // directed edges, open by depth, land and static obstacles
   std::int64_t edge_evaluations{};
   std::int64_t expansions{};
   std::int64_t reinsertions{};
-  /// Something was closed when the vehicle, which never holds, came to it, and may open in time for a way that is
-  /// earlier.
+  /// Something was closed when the vehicle, which may not hold, arrived there. It may reopen in time for an
+  /// earlier route.
   bool holds_may_help{false};
-  /// Nobody is at the goal earlier, whatever the grid, unless it came faster by a twentieth: it opens then.
+  /// The goal reopens at the arrival. So no other route arrives earlier, unless it is faster by a twentieth.
   bool none_is_earlier{false};
-  /// It ended at its bound on arrivals kept: a better way, or where none was found a way, may exist.
+  /// The search reached its limit on stored arrivals. A better route may exist; if none was found, some route
+  /// may.
   bool cut_short{false};
-  /// By how much the better way, on the grid and before refinement, might arrive earlier at most, where that is known.
+  /// Upper bound of how much earlier a better route might arrive, on the grid and before refinement; empty:
+  /// unknown.
   std::optional<core::Seconds> possible_gain{};
-  core::Seconds duration{};  // filled by the caller that owns a clock
+  core::Seconds duration{};  // set by the caller, who has a clock
 };
 
-/// Least distances along the whole route; empty where nothing of the kind is known.
+/// Least distances along the whole route; empty if there are no data about the obstacle.
 struct Clearances {
   std::optional<core::Metres> iceberg;  // from the hull's edge, not from the centre
   std::string
@@ -67,30 +69,30 @@ struct Clearances {
   std::optional<core::Metres> bottom;  // from the deepest point of the dive to the sea bed
 };
 
-/// In which order the places to visit are visited.
+/// The order in which the via points are visited.
 struct ViaOrder {
-  std::vector<std::size_t> vias;  // indices of the request's
-  bool exact{};  // no other order would be better, as far as travel times on a coarse grid tell
+  std::vector<std::size_t> vias;  // indices into the request's via points
+  bool exact{};                   // no other order is better by the travel times on a coarse grid
 };
 
-/// What the plan draws from the battery, and what the battery gives.
+/// The energy that the plan needs and that the battery has.
 struct PlanEnergy {
   EnergyUse use;
   core::Joules usable;
 };
 
-/// An iceberg that the vehicle passes under: from entering its disc to leaving it the dives turn below the keel, and
-/// nothing may surface.
+/// An iceberg that the vehicle passes under. From entering to leaving its disc the dives turn below the keel,
+/// and the vehicle must not surface.
 struct PassedUnder {
-  std::string iceberg;  // its name, or number in its source
+  std::string iceberg;  // its name, or its number in the source
   Keel keel;
   core::UtcTime from;
   core::UtcTime until;
 };
 
-/// What the weight on encounters with icebergs did: the plan without it, for comparison.
+/// The effect of the weight on encounters with icebergs: figures of the plan without it, for comparison.
 struct EncounterTrade {
-  core::Seconds weight{};  // of one encounter
+  core::Seconds weight{};  // travel time that one encounter counts as
   core::Seconds time_before{};
   double encounters_before{};
 };
@@ -103,20 +105,20 @@ struct Plan {
   core::UtcTime arrival;
   core::Metres distance;
   std::vector<Waypoint> waypoints;
-  std::optional<ViaOrder> via_order;             // when the request left the order open
-  std::optional<UncertaintyReport> uncertainty;  // when the currents are not certain
+  std::optional<ViaOrder> via_order;             // only if the request left the order open
+  std::optional<UncertaintyReport> uncertainty;  // only if the currents are uncertain
   SearchStatistics search;
-  std::optional<RefinementReport> refinement;  // empty: the way is the grid's, or was given
+  std::optional<RefinementReport> refinement;  // empty: not refined, or the route was given
   Clearances clearances;
   std::optional<double>
-      iceberg_encounters;  // expected in all: how often within the margin of a hull, on the average
-  std::vector<PassedUnder> passed_under;          // in the order they are come to
-  std::optional<EncounterTrade> encounter_trade;  // where encounters have a weight
-  std::optional<SurfacingPlan> surfacing;  // where something is known of ice or surfacings were asked for
+      iceberg_encounters;  // expected number of times, on the whole route, within the margin of a hull
+  std::vector<PassedUnder> passed_under;          // in the order of the passages
+  std::optional<EncounterTrade> encounter_trade;  // only if encounters have a weight
+  std::optional<SurfacingPlan> surfacing;         // only with ice data, or if surfacings were requested
   std::optional<PlanEnergy> energy;
   std::optional<double> optimality_gap;
-  std::string optimality_gap_reason;          // why the gap is not given; empty when it is
-  core::MetresPerSecond strongest_current{};  // in the area that the way was looked for in
+  std::string optimality_gap_reason;          // why there is no gap; empty if there is one
+  core::MetresPerSecond strongest_current{};  // in the searched area
   std::vector<ocean::DatasetRef> datasets;
   std::vector<messages::Message> messages;
 

@@ -12,7 +12,7 @@
 namespace floeplan::planning {
 namespace {
 
-/// Longest distance between two stops: a quarter of the globe, beyond which one conformal plane distorts too
+/// Longest distance between two stops: a quarter of the globe. Beyond it one conformal plane distorts too
 /// much.
 constexpr double longest_leg_m = 5e6;
 constexpr double shortest_leg_m = 1.0;

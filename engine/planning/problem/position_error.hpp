@@ -5,8 +5,8 @@
 
 namespace floeplan::planning {
 
-/// How much the error of a vehicle's dead reckoning grows while it is under way: a share of the distance
-/// through the water, and the uncertainty of the currents.
+/// Growth of a vehicle's dead-reckoning error in the time under way: a share of the distance through water,
+/// and the uncertainty of the currents times the time.
 [[nodiscard]] inline core::Metres grown_error(const UnderIceRules& rules, core::MetresPerSecond through_water,
                                               core::Seconds time) {
   const core::Metres way{through_water.value * time.count()};

@@ -13,9 +13,9 @@ namespace floeplan::planning {
 
 /// Why refinement ended.
 enum class RefinementEnd {
-  converged,    // no move of a waypoint gains anything
-  evaluations,  // the limit on timed legs was reached; the same on every machine
-  time,         // the clock ran past the limit; only of plans before 0.2
+  converged,    // no move of a waypoint reduces the cost
+  evaluations,  // the limit on timed legs was reached: the same result on every machine
+  time,         // the time limit was reached; only in plans of versions before 0.2
   cancelled
 };
 
@@ -30,18 +30,18 @@ struct LegTrade {
   friend bool operator==(const LegTrade&, const LegTrade&) = default;
 };
 
-/// The result of moving the waypoints off the grid.
+/// The result of refinement, which moves the waypoints off the grid.
 struct RefinementReport {
   core::Seconds before{};  // travel time of the route on the grid
   core::Seconds
-      after{};  // travel time of the plan; may be longer where few waypoints are allowed or time is not the objective
+      after{};  // of the plan; may be longer if few waypoints are allowed or time is not the objective
   std::optional<core::Joules>
-      energy_before{};  // drawn on the route on the grid; only where energy is in the objective
+      energy_before{};  // of the route on the grid; only if energy is in the objective
   std::optional<core::Joules> energy_after{};
-  std::int64_t evaluations{};  // how many times a leg was timed
+  std::int64_t evaluations{};  // number of timed legs
   RefinementEnd end{};
   std::vector<LegTrade>
-      trade{};  // for the objective time: the gain of more legs, each entry with more legs and faster than the last
+      trade{};  // what more legs gain, for the objective time; each entry has more legs and is faster
 };
 
 }  // namespace floeplan::planning

@@ -11,30 +11,31 @@
 
 namespace floeplan::planning {
 
-/// The deepest ice within the position error of a route, where the vehicle may be without knowing it.
+/// The deepest ice within the position error of a route: the vehicle may come below it unnoticed.
 struct IceBeside {
-  core::Metres upper_turn{};  // that dives need below this ice; 0: there is no ice
+  core::Metres upper_turn{};  // upper turn that dives need below this ice; 0: no ice
   core::Metres error{};       // position error there
-  geo::LonLat place{};        // on the route
+  geo::LonLat place{};        // place on the route
 };
 
-/// More than the position error at the end of any goto list: the drift of a week in an unknown current of 0.3 m/s.
+/// Ice farther away is not reported. The limit exceeds any position error: a week in an unknown current of
+/// 0.3 m/s.
 inline constexpr core::Metres farthest_ice_told{200'000.0};
 
-/// The ice at one waypoint at its ETA, and what it means for the vehicle.
+/// The ice at one waypoint at its ETA, and the state of the vehicle there.
 struct SurfacingState {
   bool may_surface{true};
-  core::Seconds since_surfacing{};  // since the last place where it might have surfaced
-  /// Position error of dead reckoning since the last fix. It grows by the rules, and by the drift in the difference
-  /// between the plan's currents and the current that the vehicle assumes. The vehicle assumes the mean current of its
-  /// dive before the last fix, and none before the first fix.
+  core::Seconds since_surfacing{};  // since the last possible surfacing
+  /// Dead-reckoning error since the last fix. It grows by the rules, and by the drift: the plan's currents
+  /// minus the current that the vehicle assumes. The vehicle assumes the mean current between its last two
+  /// fixes, and none before the first fix.
   core::Metres position_error{};
-  core::Metres least_upper_turn{};  // how deep the dives must turn here; 0 where the vehicle may surface
-  /// The deepest upper turn that the leg to here and the hold before it need; 0 where no ice is above. Empty at the
-  /// start, and in plans of versions that did not store it.
+  core::Metres least_upper_turn{};  // upper turn that dives need here; 0 if the vehicle may surface
+  /// The deepest upper turn needed on the leg to here and during the hold before it; 0: no ice above. Empty
+  /// at the start, and in plans of versions that did not store it.
   std::optional<core::Metres> leg_upper_turn{};
-  /// Length of the last stretch of the route to here without ice that dives must turn below, at most from the start; 0
-  /// where such ice is above. Empty in plans of versions that did not store it.
+  /// Length of the last part of the route to here without ice that dives must turn below, at most back to the
+  /// start; 0 if such ice is above. Empty in plans of versions that did not store it.
   std::optional<core::Metres> ice_free_before{};
   /// Position error by the rules if the vehicle had no fix since the start, without the drift in currents. Empty in
   /// plans of versions that did not store it.
@@ -44,7 +45,7 @@ struct SurfacingState {
   std::optional<core::Metres> nearest_ice{};
 };
 
-/// The part of the position error that comes from the currents.
+/// The displacement by currents that the vehicle does not know of.
 struct Reckoned {
   CarriedWay off;                  // from the position that the vehicle assumes to its true position
   motion::CurrentXy with_current;  // the current that the vehicle assumes
@@ -63,9 +64,9 @@ struct PlannedSurfacing {
 /// The escape route of a waypoint: the fastest one to a place where the vehicle may surface.
 struct EscapeWay {
   std::vector<geo::LonLat>
-      way;  // from the waypoint to the open water; only the waypoint where the vehicle may surface at once
+      way;  // from the waypoint to open water; a single point if the vehicle may surface at the waypoint
   std::vector<vehicle::Drive> drives{};  // one for each leg; empty in plans of older versions
-  std::optional<double> course_deg;      // at its start, clockwise from true north
+  std::optional<double> course_deg;      // of the first leg, clockwise from true north
   core::Metres distance{};
   core::Seconds time{};
   core::Joules energy{};  // drawn on the escape route
@@ -91,7 +92,7 @@ struct SurfacingPlan {
   core::Metres unknown_ice{};                // length of the route on which the ice is unknown
   std::vector<SurfacingState> waypoints;     // one for each
   std::vector<Reckoned> reckoned;            // one for each waypoint; not stored
-  std::vector<PlannedSurfacing> surfacings;  // empty unless an interval was asked for
+  std::vector<PlannedSurfacing> surfacings;  // empty unless the request gives an interval
   std::vector<EscapeWay> escapes;            // one for each waypoint, if the request asks for them
   IceBeside ice_beside{};                    // the deepest ice within the position error; not stored
   /// In the order of the route. Empty in plans of versions that did not store it.

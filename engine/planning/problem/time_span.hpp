@@ -6,7 +6,7 @@
 
 namespace floeplan::planning {
 
-/// A period with both its ends included, counted from an epoch that the user chooses.
+/// A period that includes both its ends. Times are counted from an epoch that the caller chooses.
 struct TimeSpan {
   core::Seconds from;
   core::Seconds until;

@@ -12,21 +12,21 @@ namespace floeplan::planning {
 /// The statistic that a route minimises when the currents are uncertain.
 enum class RobustObjective {
   none,     // plan in the first member alone; the plan states its spread over all members
-  mean,     // the least mean travel time over the members
-  quantile  // the least time within which a share of the members arrives
+  mean,     // the least mean cost over the members
+  quantile  // the least cost that a share of the members does not exceed
 };
 
-/// How a plan treats uncertain currents: the members of an ensemble (several stored currents), or errors
-/// of a model that are added to the one forecast.
+/// Rules for uncertain currents: either the members of an ensemble (several stored currents), or members
+/// drawn by adding random errors of a model to the one forecast.
 struct UncertaintyRules {
-  int drawn_members{0};  // members to draw from the error model; 0: none
+  int drawn_members{0};  // number of members drawn from the error model
   ocean::CurrentErrorModel error{};
   std::uint64_t seed{1};
   RobustObjective objective{RobustObjective::none};
   double quantile{0.9};
-  std::optional<core::UtcTime> arrive_before;  // asks for the chance of arriving by this time
+  std::optional<core::UtcTime> arrive_before;  // asks for the probability of arriving by this time
 
-  /// Empty when valid, otherwise all of them, with the fields of the inputs' member "uncertainty".
+  /// Empty if valid, otherwise all violations; their fields begin with "uncertainty".
   [[nodiscard]] core::Violations violations() const;
 };
 

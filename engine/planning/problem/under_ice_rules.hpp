@@ -20,7 +20,7 @@ struct UnderIceRules {
   /// Source  Amundrud, Melling and Ingram 2004, doi:10.1029/2003JC002031, as the CICE sea-ice model uses it for the
   ///         largest keels that ground
   core::Metres draft_if_unknown{30.0};
-  std::optional<core::Seconds> max_time_without_surfacing{};  // between places where it may surface
+  std::optional<core::Seconds> max_time_without_surfacing{};  // between places to surface; empty: no limit
   std::optional<core::Seconds>
       surfacing_interval{};  // time between planned surfacings; empty: none are planned
   bool escape_plan{false};   // asks for an escape route from every waypoint

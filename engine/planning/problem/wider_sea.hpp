@@ -8,7 +8,8 @@
 
 namespace floeplan::planning {
 
-/// The data in the `planning_area` of a request with more room than usual. Empty: no data can be used there.
+/// Loads the data of the `planning_area` of a request with more room than usual. Returns empty if there are
+/// none. The function itself may be empty.
 using WiderSea = std::function<std::optional<ocean::Environment>(const PlanRequest&)>;
 
 }  // namespace floeplan::planning

@@ -11,11 +11,11 @@
 namespace floeplan::planning::publish {
 namespace {
 
-/// Share of the cost. Points that together save less are needless: a longer refinement might have removed them. As large as
-/// the gain that doubling the legs must bring.
+/// Share of the cost. Points that together save less are removed, as a longer refinement might have done.
+/// Equal to the gain that doubling the legs must bring.
 constexpr double worth_points = 1e-3;
 
-/// Answers the questions of refinement from the sea.
+/// Times and costs of legs for refinement: each leg uses the cheapest propulsion.
 class CheapestLeg {
  public:
   /// `sea` is borrowed.
@@ -27,7 +27,7 @@ class CheapestLeg {
     return cheapest;
   }
 
-  /// The drive on which the leg costs least; the first drive where the leg is closed to all.
+  /// The propulsion with which the leg costs least; the first one if the leg is closed to all.
   [[nodiscard]] vehicle::Drive drive(geo::PlanePoint a, geo::PlanePoint b, core::Seconds depart) const {
     vehicle::Drive best = sea_.drives().front();
     std::optional<cost::LegCost> cheapest;
@@ -85,7 +85,7 @@ RefinedDrive refine_drive(const cost::Sea& sea, const cost::DrivenRoute& route, 
   const bool had_too_many = limits.most_legs && route.drives.size() > *limits.most_legs;
   cost::DrivenRoute moved = on_cheapest_drives(leg, refined.itinerary);
   if (refined.report.end == RefinementEnd::evaluations) {
-    // Refinement had no work left to find needless points.
+    // For the case that the budget ended before refinement could remove needless points.
     const double most_cost =
         std::min(before->cost(objective), (1.0 + worth_points) * refined.itinerary.cost());
     moved = cost::drop_cheap_points(sea, moved, objective, cost::at_departure, most_cost, budget.stop);

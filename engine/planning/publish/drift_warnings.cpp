@@ -16,7 +16,7 @@ namespace floeplan::planning::publish {
 namespace {
 
 struct BasedBerg {
-  const ocean::Iceberg* iceberg;  // of the environment
+  const ocean::Iceberg* iceberg;  // element of the environment's icebergs
   ocean::DriftBasis basis;
 
   [[nodiscard]] core::Seconds known() const {
@@ -29,8 +29,8 @@ core::Metres distance(const ocean::IcebergFix& a, const ocean::IcebergFix& b) {
   return geo::geodesic_between(a.place, b.place).length;
 }
 
-/// How far the iceberg gets at most in a span of the part whose current is known.
-/// Precondition  the part is longer than the span
+/// The farthest displacement of the iceberg in any period of this length with known currents.
+/// Precondition  the known period is longer than `span`
 core::Metres farthest_in(const std::vector<ocean::IcebergFix>& known, core::Seconds span) {
   core::Metres farthest{0.0};
   std::size_t end = 0;

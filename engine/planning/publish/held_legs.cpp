@@ -7,10 +7,10 @@
 namespace floeplan::planning::publish {
 namespace {
 
-/// How much earlier a hold may end after places were moved.
+/// A hold may end this much earlier after its place was moved.
 constexpr core::Seconds leeway{3600.0};
 constexpr core::Seconds tardiness{2.0};
-/// Share of the legs beside a hold: how far its place may be moved. A judgement.
+/// The place of a hold may be moved by this share of the shorter leg beside it. A judgement.
 constexpr double share_about = 0.25;
 
 }  // namespace
@@ -28,7 +28,7 @@ HeldLegs::HeldLegs(const cost::Sea& sea, const cost::Route& route, const cost::S
     ends.push_back(end);
   }
   if (keeps(route, schedule)) return;
-  // With that leeway the vehicle would leave so early that something closes on it. So each hold ends as scheduled.
+  // With the leeway the vehicle would depart too early and meet a closure. So each hold ends as scheduled.
   for (std::size_t i = 0; i < holds_.size(); ++i) holds_[i].no_sooner = ends[i];
 }
 
@@ -50,7 +50,7 @@ tl::expected<core::Seconds, motion::EdgeClosed> HeldLegs::after_hold(geo::PlaneP
   while (from < stays) {
     const cost::OpenLegLook look = cost::next_open_leg(sea_, a, b, {from, stays}, depart);
     if (look.leg) {
-      // Not at the first possible second: the leg after it may close at that second.
+      // Not at the first open second: the following leg may close at that second.
       const core::Seconds leaves = std::min(look.leg->depart + tardiness, stays);
       const auto time = sea_.leg_time(a, b, leaves);
       return time ? leaves + *time - depart : look.leg->arrival() - depart;

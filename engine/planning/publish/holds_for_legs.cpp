@@ -19,23 +19,23 @@ struct Candidate {
   core::Seconds arrival;
 };
 
-/// What a hold in the place of legs has to keep to.
+/// Conditions for a hold that replaces legs.
 struct Exchange {
   core::Seconds latest_arrival;
-  core::Seconds least_held;  // in the whole route
+  core::Seconds least_held;  // least sum of the holds of the whole route
 };
 
 core::Seconds held_in(const cost::Schedule& schedule) {
   return std::accumulate(schedule.waits.begin(), schedule.waits.end(), core::Seconds{0.0});
 }
 
-/// Points of a route, both included.
+/// A range of points of a route, both ends included.
 struct Run {
   std::size_t first;
   std::size_t last;
 };
 
-/// The ends of short legs that follow each other, run by run.
+/// Groups consecutive short legs into runs of points.
 std::vector<Run> runs_of(std::vector<std::size_t> short_legs) {
   std::ranges::sort(short_legs);
   std::vector<Run> runs;
@@ -46,7 +46,7 @@ std::vector<Run> runs_of(std::vector<std::size_t> short_legs) {
   return runs;
 }
 
-/// Without the free points of a run, but for one that is kept.
+/// The route without the free points of a run; point `kept` stays.
 cost::Route without(const cost::Route& route, Run run, std::optional<std::size_t> kept) {
   cost::Route left;
   for (std::size_t i = 0; i < route.points.size(); ++i) {
@@ -58,7 +58,8 @@ cost::Route without(const cost::Route& route, Run run, std::optional<std::size_t
   return left;
 }
 
-/// The earliest of the routes with fewer short legs that hold for long enough and arrive in time; empty: there is none.
+/// The earliest route in which one hold replaces legs of the run. It has fewer short legs, holds long enough
+/// and arrives in time; empty if there is none.
 std::optional<Candidate> with_hold_about(const cost::Sea& sea, const cost::Route& route, Run run,
                                          std::size_t short_legs, const Exchange& exchange) {
   std::optional<Candidate> best;
@@ -81,7 +82,7 @@ std::optional<Candidate> with_hold_about(const cost::Sea& sea, const cost::Route
 }  // namespace
 
 cost::Route with_holds_for_short_legs(const cost::Sea& sea, cost::Route route, const std::stop_token& stop) {
-  constexpr double most_later = 0.5;  // shares of the time on the short legs: judgements
+  constexpr double most_later = 0.5;  // both are shares of the time on the short legs: judgements
   constexpr double least_held = 0.5;
   if (!cost::holds_may_help(sea)) return route;
   for (bool changed = true; changed && !stop.stop_requested();) {

@@ -7,9 +7,9 @@
 
 namespace floeplan::planning::publish {
 
-/// The route without legs too short to fly, where the vehicle can hold for at least half the time that it spent on them, and
-/// arrives later by at most the other half. A vehicle may gain some minutes by moving to and fro against a current that is too strong to
-/// hold in; no pilot flies that. Fixed points stay.
+/// The route without legs that are too short to fly. Holds replace them if they last at least half the time
+/// of these legs and delay the arrival by at most the other half. A search may gain some minutes by moving to
+/// and fro against a current too strong to hold in; no pilot flies that. Fixed points stay.
 [[nodiscard]] cost::Route with_holds_for_short_legs(const cost::Sea& sea, cost::Route route,
                                                     const std::stop_token& stop);
 

@@ -10,7 +10,7 @@
 namespace floeplan::planning::publish {
 namespace {
 
-/// A place does not lie under ice if its ice is unknown now and it was open when last known.
+/// Whether a place is under ice. Unknown ice over a place that was open when last known does not count.
 bool lies_under_ice(const SurfacingState& state) {
   return !state.may_surface && state.least_upper_turn.value > 0.0;
 }
@@ -30,7 +30,7 @@ void tell_of_start_and_goal(Plan& plan) {
   }
 }
 
-/// Via points are waypoints of the route, so their states are known.
+/// Via points are waypoints of the plan, so their ice is taken from there.
 void tell_of_vias_under_ice(Plan& plan, const PlanRequest& request) {
   constexpr core::Metres same_place{1.0};
   constexpr std::size_t most_named = 10;
@@ -54,13 +54,14 @@ void tell_of_vias_under_ice(Plan& plan, const PlanRequest& request) {
       messages::plan_message<"vias-under-ice">(count, request.via.size(), under).at(*first));
 }
 
-/// The longest time without contact that missions in use allow: they order a surfacing for want of communication at the
-/// latest after this time.
-/// Source   when_secs of the surface behaviors for start_when 12 in the missions published for deep Slocums, 5 to 12 h
+/// The longest time without contact in missions in use: after it at the latest they order a surfacing for
+/// lack of contact.
+/// Source   when_secs of the surface behaviors for start_when 12 in the missions published for deep Slocums,
+///          5 to 12 h
 constexpr core::Seconds longest_out_of_contact{43200.0};
 
-/// Says nothing where the pilot bounds that time, and so has decided how long it may be. The place is the beginning of the
-/// first leg below ice.
+/// No message if the pilot limits that time, and so has decided how long it may be. Place of the message: the
+/// beginning of the first leg below ice.
 void tell_of_long_below_ice(Plan& plan, const PlanRequest& request) {
   const core::Seconds longest = plan.surfacing->longest_without;
   const auto& states = plan.surfacing->waypoints;

@@ -34,7 +34,8 @@ std::vector<geo::PlanePoint> stops_of(const cost::Route& way) {
   return stops;
 }
 
-/// The way on the grid after refinement. A closed way stays as it is: publishing tells why it is closed.
+/// The refined route; `way` is the route along the grid. A closed route is returned unchanged: `publish` says
+/// why it is closed.
 Improved refined(const cost::Sea& sea, const cost::Route& way, const PlanRequest& request,
                  const std::stop_token& stop) {
   const auto schedule = cost::schedule_along(sea, way.points, cost::at_departure);
@@ -72,11 +73,11 @@ cost::Route thinned(const cost::Sea& sea, const cost::Route& route, std::size_t 
   return timed ? refinement::shorten_to(legs, std::move(*timed), most).route : route;
 }
 
-/// The route with straight legs in the place of its parts, where the vehicle then arrives no later. Where something that
-/// reopens sets the arrival, refinement leaves detours that a hold makes needless. One hold is easier to fly than many short
-/// ones.
+/// The route with straight legs in place of some of its parts, if the vehicle then arrives no later. If a
+/// reopening decides the arrival, refinement leaves detours that a hold makes needless, and one hold is
+/// easier to fly than many short ones.
 cost::Route with_fewer_points(const cost::Sea& sea, cost::Route route, const std::stop_token& stop) {
-  constexpr double as_early = 1e-4;  // share of the travel time: the accuracy of waits
+  constexpr double as_early = 1e-4;  // as share of the travel time, the tolerance of waits
   const auto schedule = cost::schedule_along(sea, route.points, cost::at_departure);
   if (!schedule) return route;
   const core::Seconds latest = (1.0 + as_early) * (schedule->arrivals.back() - cost::at_departure);
@@ -99,26 +100,26 @@ cost::Route with_fewer_points(const cost::Sea& sea, cost::Route route, const std
   return route;
 }
 
-/// Whether the route is open as a whole. Legs that are open one by one may be closed together: where the time without
-/// surfacing is bounded, the drive along other legs is sampled at other places, and may count a little more time under ice;
-/// a vehicle that waits needs a place to hold at; and a joined leg is followed in longer pieces, which keep farther from
-/// icebergs.
+/// Whether the route is open as a whole. Legs that are open one by one may be closed together: with a limit
+/// on the time without surfacing, the ice along other legs is sampled at other places and may add a little
+/// time under ice; a vehicle that holds needs a place for it; and a joined leg is integrated in longer
+/// pieces, which keep farther from icebergs.
 bool stays_open(const cost::Sea& sea, const cost::Route& route) {
   return cost::arrivals_along(sea, route.points, cost::at_departure).has_value();
 }
 
-/// Whether it is open and the vehicle arrives no later than by the other route, but for what fewer legs may cost. Much
-/// later it may have had to wait until something reopened.
+/// Whether the route is open and arrives no later than the other one, apart from the tolerance for fewer
+/// legs. A much later route may have had to wait until something reopened.
 bool is_as_early(const cost::Sea& sea, const cost::Route& route, const cost::Route& other, double tolerance) {
-  const double rounding = std::max(1e-4, tolerance);  // share of times: the accuracy of waits, at least
+  const double rounding = std::max(1e-4, tolerance);  // share of times: at least the tolerance of waits
   const auto arrivals = cost::arrivals_along(sea, route.points, cost::at_departure);
   if (!arrivals || !cost::holds_may_help(sea)) return arrivals.has_value();
   const auto others = cost::arrivals_along(sea, other.points, cost::at_departure);
   return !others || arrivals->back() <= (1.0 + rounding) * others->back();
 }
 
-/// The route with fixed points where it leaves the ice and where it goes below it. Moves between them do not change the
-/// places to surface, and can only shorten the time without one.
+/// The route with more fixed points: where it leaves the ice and where it goes below it. Moves of other
+/// points then do not change the places to surface, and can only shorten the time without surfacing.
 cost::Route held_at_the_ice(const cost::Sea& sea, const cost::Route& route) {
   const auto schedule = cost::schedule_along(sea, route.points, cost::at_departure);
   if (!schedule) return route;
@@ -149,7 +150,7 @@ cost::Route held_at_the_ice(const cost::Sea& sea, const cost::Route& route) {
   return held;
 }
 
-/// A route that has more fixed points than `way`, with only the fixed points of `way`.
+/// Undoes `held_at_the_ice`: only the points that are fixed in `way` stay fixed.
 cost::Route released(cost::Route route, const cost::Route& way) {
   std::size_t next = 0;
   for (std::size_t i = 0; i < route.points.size(); ++i) {
@@ -165,7 +166,7 @@ cost::Route released(cost::Route route, const cost::Route& way) {
   return route;
 }
 
-/// The way with as few of its points as possible, if it stays open.
+/// The route with consecutive legs of the same direction joined, if it stays open; otherwise unchanged.
 cost::Route joined_where_open(const cost::Sea& sea, const cost::Route& way) {
   cost::Route joined = cost::join_collinear(way);
   for (std::size_t most = std::bit_floor(way.legs()); most > 1 && !stays_open(sea, joined); most /= 2)
@@ -177,7 +178,7 @@ cost::Route joined_where_open(const cost::Sea& sea, const cost::Route& way) {
 cost::Route finished(const cost::Sea& sea, cost::Route route, const PlanRequest& request,
                      const std::stop_token& stop) {
   if (request.refine && cost::holds_may_help(sea)) route = with_fewer_points(sea, std::move(route), stop);
-  // Refinement has already reduced the number of legs. Where it could not, this cannot do it either.
+  // Refinement has already reduced the number of legs. If it could not, this removal cannot either.
   if (const auto most = most_legs(request)) route = thinned(sea, route, *most, stop);
   if (request.max_leg) route = cost::part_long_legs(sea.domain(), route, *request.max_leg);
   return route;

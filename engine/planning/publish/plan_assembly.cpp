@@ -35,7 +35,7 @@ void add_iceberg_clearance(Clearances& clearances, const cost::Sea& sea,
   clearances.nearest_iceberg = sea.domain().icebergs().name(least->berg);
 }
 
-/// Expected encounters with icebergs whose positions are not known well, leg by leg and in all.
+/// Expected encounters with icebergs, for each leg and in total.
 void add_iceberg_encounters(Plan& plan, const cost::Sea& sea, const std::vector<geo::PlanePoint>& route,
                             const cost::Schedule& schedule, const std::vector<vehicle::Drive>& drives) {
   if (sea.domain().icebergs().empty()) return;
@@ -51,11 +51,11 @@ void add_iceberg_encounters(Plan& plan, const cost::Sea& sea, const std::vector<
   plan.iceberg_encounters = all;
 }
 
-/// Where and when the vehicle is below icebergs. Two stays in one disc without a gap between them count as one.
+/// Where and when the vehicle is below icebergs. Two stays in one disc without a gap count as one.
 void add_passages_under(Plan& plan, const cost::Sea& sea, const std::vector<geo::PlanePoint>& route,
                         const cost::Schedule& schedule, const std::vector<vehicle::Drive>& drives) {
   constexpr core::Seconds apart{1.0};
-  constexpr std::size_t longest_name = 60;  // in the message
+  constexpr std::size_t longest_name = 60;  // letters of a name in the message
   std::vector<obstacles::IcebergDiscs::Under> stays;
   for_each_move(sea, route, schedule, drives, [&](std::size_t, const motion::EvenMove& move) {
     for (const obstacles::IcebergDiscs::Under& stay : sea.domain().icebergs().passed_under(move)) {
@@ -109,7 +109,8 @@ void warn_of_old_sightings(Plan& plan, const ocean::Environment& environment, co
       names.size(), request.depart, core::shortened_list(names)));
 }
 
-/// Adds the energy of planned surfacings. A vehicle with a surfacing interval of its own has counted it already.
+/// Adds the energy of planned surfacings, unless the vehicle's energy model already includes regular
+/// surfacings.
 void add_energy_of_surfacings(Plan& plan, const PlanRequest& request) {
   if (request.vehicle.energy.surfacing_interval) return;
   for (const PlannedSurfacing& surfacing : plan.surfacing->surfacings) {
@@ -120,8 +121,8 @@ void add_energy_of_surfacings(Plan& plan, const PlanRequest& request) {
   }
 }
 
-/// Under sea ice the currents are means over the dives that are flown there. Under icebergs, which are small and drift, they
-/// are not.
+/// For dives that turn deep below icebergs. The currents are means over the requested depths there: icebergs
+/// are small and drift. Under sea ice the currents are means over the dives flown there.
 void warn_of_deep_turns(Plan& plan, const PlanRequest& request) {
   core::Metres deepest{0.0};
   for (const PassedUnder& passed : plan.passed_under) deepest = std::max(deepest, passed.keel.upper_turn);
@@ -130,7 +131,7 @@ void warn_of_deep_turns(Plan& plan, const PlanRequest& request) {
       std::ceil(deepest.value), request.vehicle.climb_to.value));
 }
 
-/// Warns of ice beside the route that the vehicle may come below because of its position error.
+/// Warns of ice beside the route below which the vehicle may come because of its position error.
 void warn_of_ice_beside(Plan& plan, const PlanRequest& request) {
   const IceBeside& beside = plan.surfacing->ice_beside;
   core::Metres deepest = request.vehicle.climb_to;
@@ -167,7 +168,8 @@ void warn_of_surfacings_near_ice(Plan& plan) {
                               .at(first->place));
 }
 
-/// Warns of leads that the bound counts on and the vehicle may miss.
+/// Warns of leads that the route needs to keep its limit on the time without surfacing and that the vehicle
+/// may miss.
 void warn_of_openings_missed(Plan& plan, const PlanRequest& request) {
   const auto& bound = request.under_ice.max_time_without_surfacing;
   const core::Seconds sure = plan.surfacing->longest_without_sure;

@@ -11,8 +11,8 @@
 
 namespace floeplan::planning::publish {
 
-/// Makes a plan of a route and its arrivals: waypoints with legs, clearances, messages, the data used.
-/// Precondition  as many arrivals as points, at least two, and a drive for each leg
+/// Makes a plan from a route and its schedule: waypoints with legs, clearances, messages, the data used.
+/// Precondition  as many arrivals as points, at least two, and a propulsion for each leg
 /// Stops    early, with a plan that must not be used, once `stop` is requested
 [[nodiscard]] Plan assemble_plan(const cost::Sea& sea, const ocean::Environment& environment,
                                  const PlanRequest& request, const std::vector<geo::PlanePoint>& route,

@@ -22,10 +22,10 @@
 namespace floeplan::planning::publish {
 namespace {
 
-/// An escape route as the vehicle flies it from its waypoint, which it reaches at `arrives`.
+/// An escape route as the vehicle flies it from its waypoint.
 struct Flight {
-  CarriedWay carried;  // the drift by errors of the currents
-  core::Metres grown;  // the growth of the position error by the rules
+  CarriedWay carried;  // displacement by currents beyond the vehicle's estimate
+  core::Metres grown;  // growth of the position error by the rules
   core::Seconds ends;  // when the vehicle surfaces
 };
 
@@ -49,9 +49,10 @@ Flight flown(const EscapeWay& escape, const cost::Sea& sea, const UnderIceRules&
   return flight;
 }
 
-/// Warns of escape routes that end so close to ice that the position error may put the vehicle below it. On an escape
-/// route the vehicle navigates with the same estimate of the current as at the waypoint.
-/// Precondition  the plan has its surfacings from this run, not from a store
+/// Warns of escape routes that end so close to ice that the vehicle may surface below it because of its
+/// position error. On an escape route the vehicle navigates with the same estimate of the current as at the
+/// waypoint.
+/// Precondition  the plan was made in this run: stored plans lack the data about its surfacings
 void warn_of_escapes_to_the_edge(Plan& plan, const cost::Sea& sea, const PlanRequest& request) {
   if (!sea.domain().ice()) return;
   struct Near {
@@ -126,7 +127,7 @@ Result<Plan> publish(const search::Chart& chart, const ocean::Environment& envir
   Plan plan = assemble_plan(sea, environment, request, points, *schedule, drives, stop);
   plan.search = statistics;
   plan.refinement = improved.refinement;
-  if (plan.refinement) plan.refinement->after = plan.travel_time();  // later steps may have cost time
+  if (plan.refinement) plan.refinement->after = plan.travel_time();  // later steps may have added time
   if (auto exceeded = check_battery(plan, request)) return tl::unexpected(std::move(*exceeded));
   if (auto none = add_escapes(plan, chart, request, points, schedule->arrivals, drives, stop))
     return tl::unexpected(std::move(*none));

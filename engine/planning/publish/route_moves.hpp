@@ -9,7 +9,8 @@
 
 namespace floeplan::planning::publish {
 
-/// Calls `visit(leg, move)` for the holds and legs of the plan's vehicle as even moves, in order of time.
+/// Calls `visit(leg, move)` for all holds and legs of the vehicle, as moves at constant speed, in order of
+/// time.
 /// `drives` one for each leg
 template <class Visit>
 void for_each_move(const cost::Sea& sea, const std::vector<geo::PlanePoint>& route,

@@ -9,12 +9,14 @@
 namespace floeplan::planning::publish {
 namespace {
 
-/// Share of the speed through the water. Forecasts of currents are hardly ever so accurate. A judgement.
+/// Share of the speed through the water. A vehicle that needs more has too small a reserve for forecast
+/// errors. A judgement.
 constexpr double hardly_enough = 0.95;
-/// Share of the depths flown. If less than this lies below the known currents, the mean hardly changes. A judgement.
+/// Share of the depths flown. If less than this lies below the known currents, the mean hardly changes. A
+/// judgement.
 constexpr double most_unknown = 0.25;
 
-/// Calls `visit(point, length)` for stretches of a route that are shorter than the cells of current models.
+/// Calls `visit(point, length)` for pieces of a route that are shorter than the cells of current models.
 template <class Visit>
 void for_each_stretch_of(const std::vector<geo::PlanePoint>& route, const Visit& visit) {
   constexpr double step_m = 500.0;
@@ -42,8 +44,8 @@ std::optional<messages::Message> of_extended(const cost::Sea& sea,
   return messages::plan_message<"currents-of-nearest-water">(std::max(1.0, 100.0 * extended_m / all_m));
 }
 
-/// The depth to which the currents of a column are known: half way to the first level without a current. Empty where they
-/// are known to the last level, and where there is no water.
+/// The depth down to which the currents of a column are known: half way to the first level without a current.
+/// Empty if they are known down to the last level, or if there is no water.
 std::optional<core::Metres> known_down_to(const ocean::CurrentGrid& currents, geo::LonLat place) {
   const ocean::CurrentGrid::Samples& samples = currents.samples();
   const auto at = samples.depths_m ? samples.grid.locate(place) : std::nullopt;
@@ -88,7 +90,7 @@ std::optional<messages::Message> of_unknown_depths(const cost::Sea& sea,
       .at(worst);
 }
 
-/// The share of its speed through the water that the vehicle needs to hold a course and make way on it.
+/// Share of its speed through the water that the vehicle needs to hold a course and make way on it.
 double needed_share(const motion::CurrentXy& current, geo::PlanePoint from, geo::PlanePoint to,
                     core::MetresPerSecond through_water) {
   const double length_m = geo::distance_m(from, to);
@@ -103,7 +105,7 @@ std::optional<messages::Message> of_hardly_enough_speed(const cost::Sea& sea, co
                                                         const std::vector<geo::PlanePoint>& route,
                                                         const cost::Schedule& schedule,
                                                         const std::vector<vehicle::Drive>& drives) {
-  constexpr double looks = 16.0;  // along a leg; chosen so that currents change little between them
+  constexpr double looks = 16.0;  // samples along a leg; currents change little between them
   std::size_t legs = 0;
   double most = 0.0;
   cost::Sea::Passage where{};

@@ -11,16 +11,16 @@ namespace {
 /// Source  Claus and Bachmayer 2015, Terrain-aided navigation for an underwater glider, J. Field Robotics 32,
 ///         doi:10.1002/rob.21563, as for simulated flights (NavigationErrors)
 constexpr double unknown_share_of_speed = 0.05;
-constexpr core::Metres between_looks{100.0};  // areas narrower than that may be overlooked
+constexpr core::Metres between_looks{100.0};  // distance between samples; narrower areas may be overlooked
 
-/// A place of the route, and the time nearest to the passage when an area there opens or closes.
+/// A place of the route, and the nearest time at which an area there opens or closes.
 struct Passing {
   cost::Sea::Passage at;
   core::Seconds changes;
 
   [[nodiscard]] bool opens() const { return changes <= at.time; }
   [[nodiscard]] core::Seconds spare() const { return opens() ? at.time - changes : changes - at.time; }
-  /// Share of the time under way.
+  /// The spare time as a share of the time under way.
   [[nodiscard]] double share() const { return spare() / at.time; }
 };
 

@@ -8,18 +8,19 @@
 
 namespace floeplan::planning::refinement {
 
-/// Coordinate descent: moves points hat by hat, along and across the route, wherever the cost falls, with steps from
-/// coarse to fine. It needs no derivative and slides along the rim of closed areas, where a descent of all points at
-/// once stops as soon as one of them touches. The number of legs stays.
+/// Coordinate descent: shifts groups of points (the hats of `HatBasis`) one after another, across and along
+/// the route, if the cost falls, with steps from coarse to fine. It needs no derivative. It can slide along
+/// the edge of closed areas, where a descent of all points at once stops as soon as one point touches. The
+/// number of legs stays.
 template <cost::CostedLeg Leg>
 class CoordinateDescent {
  public:
   CoordinateDescent(LegMeter<Leg>& legs, cost::Itinerary start)
       : legs_{legs}, best_{std::move(start)}, basis_{best_} {}
 
-  /// One round of all steps and hats.
+  /// One round over all step sizes and all hats.
   cost::Itinerary operator()() {
-    // Shares of the half width of a hat.
+    // Step sizes, as shares of half the width of a hat.
     constexpr double coarsest = 0.2;
     constexpr double finest = 0.002;
     for (double share = coarsest; share > finest; share *= 0.4) {
@@ -41,7 +42,7 @@ class CoordinateDescent {
     }
   }
 
-  /// Shifts the points of the hat if that lowers the cost of the route.
+  /// Shifts the points of a hat if that lowers the cost of the route. Returns whether it does.
   bool try_shift(const HatBasis::Hat& hat, double dx_m, double dy_m) {
     const std::vector<geo::PlanePoint>& points = best_.route.points;
     std::vector<geo::PlanePoint> moved;
@@ -65,7 +66,7 @@ class CoordinateDescent {
       moved.push_back(to);
       times.push_back(now);
       costs.push_back(cost);
-      // A vehicle that is later here and has spent more can hardly recover.
+      // A route that is no earlier and no cheaper here will hardly become better later.
       if (i >= hat.right && !(now < best_.times[i] || cost < best_.costs[i])) return false;
       from = to;
     }

@@ -19,7 +19,7 @@ struct LegDerivative {
   double of_cost{};
 };
 
-/// Difference quotient over `step` to both sides, or to the side that is open; zero if both are closed.
+/// Difference quotient over `step` on both sides, or on the side that is open; zero if both are closed.
 inline LegDerivative derivative(const cost::LegCost& here, const std::optional<cost::LegCost>& above,
                                 const std::optional<cost::LegCost>& below, double step) {
   if (!above && !below) return {};
@@ -29,15 +29,16 @@ inline LegDerivative derivative(const cost::LegCost& here, const std::optional<c
   return {(upper.time - lower.time).count() / over, (upper.cost - lower.cost) / over};
 }
 
-/// Chain rule from the goal back to the start: a longer leg changes the following cost just as a later departure from
-/// its end does. Eleven evaluations for each leg.
+/// Applies the chain rule from the goal back to the start: a longer leg changes the cost after it like a
+/// later departure from its end. Needs eleven evaluations per leg.
 template <cost::CostedLeg Leg>
 CostGradient cost_gradient(LegMeter<Leg>& legs, const cost::Itinerary& timed) {
-  // Share of a leg: small against the scale on which a current changes, large against the error of the integration.
+  // Share of a leg: small compared with the scale on which a current changes, large compared with integration
+  // errors.
   constexpr double step_share = 1e-3;
   const auto& points = timed.route.points;
   CostGradient gradient{std::vector<double>(points.size()), std::vector<double>(points.size())};
-  double by_departure = 0.0;  // derivative of the following cost with respect to the time at the leg's end
+  double by_departure = 0.0;  // derivative of the cost after the leg with respect to the time at its end
   for (std::size_t i = points.size() - 1; i > 0; --i) {
     const geo::PlanePoint a = points[i - 1];
     const geo::PlanePoint b = points[i];

@@ -23,7 +23,7 @@ DescentResult descend_gradient(LegMeter<Leg>& legs, cost::Itinerary start, doubl
   DescentResult best{start, false};
   if (hats == 0 || !(start.travel_time().count() > 0.0) || !(start.cost() > 0.0)) return best;
 
-  // The units of the hats are those of costs in seconds.
+  // The units of the hats assume costs in seconds, so the cost is converted.
   const double scale = start.travel_time().count() / start.cost();
   const auto cost = [&](std::span<const double> x, std::span<double> gradient) -> std::optional<double> {
     const std::vector<double> shift_x = basis.shifts(x.first(hats));

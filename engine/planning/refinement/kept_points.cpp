@@ -6,7 +6,7 @@
 namespace floeplan::planning::refinement {
 namespace {
 
-/// The best chain to a point with a given number of legs.
+/// The chain of shortcuts to a point with the least loss, for a given number of legs.
 struct ChainEnd {
   double loss{INFINITY};
   std::size_t from{};

@@ -10,7 +10,7 @@
 
 namespace floeplan::planning::refinement {
 
-/// The cheapest routes from one start to one goal for each number of legs: the value of one more leg.
+/// The cheapest routes from one start to one goal for each number of legs.
 class LegTradeOff {
  public:
   void offer(const cost::Itinerary& timed);

@@ -13,7 +13,7 @@ constexpr double share_long_enough = 0.2;
 std::vector<std::size_t> short_legs(const cost::Route& route) {
   const auto& points = route.points;
   std::vector<std::pair<double, std::size_t>> found;
-  std::size_t from = 0;  // the last fixed point
+  std::size_t from = 0;  // index of the last fixed point
   for (std::size_t to = 1; to < points.size(); ++to) {
     if (!route.fixed[to] && to + 1 < points.size()) continue;
     const double shortest =

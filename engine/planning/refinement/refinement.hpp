@@ -18,16 +18,16 @@
 
 namespace floeplan::planning::refinement {
 
-/// How many legs a refined route may have.
+/// Limits on the number of legs of a refined route.
 struct RefinementLimits {
-  std::size_t finest_legs{128};            // during the work, unless the given route has more
+  std::size_t finest_legs{128};            // while refining, unless the given route has more
   std::optional<std::size_t> most_legs{};  // of the result; empty: no limit
-  double least_gain{5e-4};                 // share of the cost that twice the legs must gain
-  double tolerance{0.0};   // share of the least cost that may be paid for fewer and longer legs
-  double least_cost{0.0};  // known lower bound of the cost of any route
+  double least_gain{5e-4};                 // share of the cost that doubling the legs must gain
+  double tolerance{0.0};                   // share of the least cost that may be added for fewer, longer legs
+  double least_cost{0.0};                  // known lower bound of the cost of any route
 
-  /// Target accuracy as a share of the cost: `share`, or `coarse` times the cost that may be paid for fewer legs.
-  /// Gains that would be given away again are not worth much work.
+  /// Target accuracy as a share of the cost: at least `share`, and at least `coarse` times the tolerance.
+  /// Gains below the tolerance for fewer legs are not worth much work.
   [[nodiscard]] double worth(double share, double coarse) const {
     return std::max(share, coarse * tolerance);
   }
@@ -52,7 +52,7 @@ class Refiner {
       found_.offer(other);
       found_.offer(settle(other));
     }
-    constexpr double as_good = 1e-4;  // the tolerance of waits
+    constexpr double as_good = 1e-4;  // share of the time: the tolerance of waits
     if (start.cost() > (1.0 + as_good) * limits_.least_cost) move_points(start);
     const cost::Itinerary kept = with_few_long_legs(start);
     return {tidied(kept),
@@ -74,7 +74,7 @@ class Refiner {
     return found_.choose(limits_.least_gain, limits_.most_legs);
   }
 
-  /// The best route found, or one with fewer and longer legs at hardly higher cost.
+  /// The best route found, or one with fewer and longer legs within the tolerance.
   cost::Itinerary with_few_long_legs(const cost::Itinerary& start) {
     const cost::Itinerary& chosen = best_found();
     const bool costs_more = chosen.cost() > start.cost();
@@ -94,8 +94,8 @@ class Refiner {
   /// Removes legs too short to steer, where that costs nothing.
   cost::Itinerary tidied(const cost::Itinerary& kept) {
     constexpr core::Metres too_short{0.1};
-    constexpr double rounding = 1e-9;   // of sums that differ by a leg of almost no length
-    LegMeter<Leg> unlimited{leg_, {}};  // the budget may be used up
+    constexpr double rounding = 1e-9;   // of sums that differ only by a leg of almost no length
+    LegMeter<Leg> unlimited{leg_, {}};  // without a limit, because the budget may be used up
     const auto tidy = unlimited.timed(cost::without_repeats(kept.route, too_short), kept.times.front());
     return tidy && tidy->cost() <= (1.0 + rounding) * kept.cost() ? *tidy : kept;
   }
@@ -116,11 +116,11 @@ class Refiner {
     }
   }
 
-  /// Doubles the legs and settles the route until that gains too little.
+  /// Doubles the number of legs and settles the route, until the gain is too small.
   cost::Itinerary more_and_more(const cost::Itinerary& start) {
-    constexpr std::size_t at_first = 32;  // with fewer the bends of the corridor, or a detour, would be lost
+    constexpr std::size_t at_first = 32;  // with fewer legs the bends of a corridor or a detour get lost
     constexpr double spent_on_more =
-        0.2;  // a round costs twice the one before, and thinning needs its part of the budget
+        0.2;  // share of the budget: a round costs twice the one before, and thinning needs the rest
     cost::Itinerary best = start;
     std::size_t wanted = std::bit_ceil(std::max(at_first, start.route.legs()));
     for (;;) {
@@ -136,7 +136,7 @@ class Refiner {
     }
   }
 
-  /// Halves the legs and settles the route until it would close.
+  /// Halves the number of legs and settles the route, until fewer legs would close it.
   void fewer_and_fewer(const cost::Itinerary& finest) {
     std::vector<cost::Itinerary> levels{finest};
     while (levels.back().route.legs() > 1) {
@@ -149,8 +149,8 @@ class Refiner {
     }
   }
 
-  /// A route with at most this number of legs: the better of two choices of points, which settle in different places.
-  /// Empty if no point can be removed.
+  /// A route with at most this number of legs. It is the better of two choices of points, which settle in
+  /// different places. Empty if no point can be removed.
   std::optional<cost::Itinerary> settled_with(std::size_t fewer, const std::vector<cost::Itinerary>& levels) {
     const cost::Itinerary& last = levels.back();
     cost::Itinerary first = thinned(last, fewer);

@@ -10,7 +10,8 @@ namespace floeplan::planning::refinement {
 /// Legs that refinement may time, by travel time alone, per second of `refine_time`: about the speed of a machine of
 /// 2020.
 inline constexpr double timed_legs_per_second = 200'000.0;
-/// The same for each propulsion if energy is counted too.
+/// Legs that refinement may time per second of `refine_time` if energy counts, too, for each kind of
+/// propulsion.
 inline constexpr double metered_legs_per_second = 30'000.0;
 
 /// The budget that the request gives to refinement.

@@ -11,11 +11,10 @@ double cross(geo::PlanePoint a, geo::PlanePoint b, geo::PlanePoint c, geo::Plane
   return (b.x_m - a.x_m) * (d.y_m - c.y_m) - (b.y_m - a.y_m) * (d.x_m - c.x_m);
 }
 
-/// Where the line from a through p and the line from b through q meet beyond both. Empty if they do not, or only far
-/// away.
+/// The point where the extended lines a-p and b-q meet. Empty if they do not meet, or only far away.
 std::optional<geo::PlanePoint> meeting(geo::PlanePoint a, geo::PlanePoint p, geo::PlanePoint q,
                                        geo::PlanePoint b) {
-  constexpr double far = 10.0;  // lengths of the leg
+  constexpr double far = 10.0;  // multiple of the leg's length
   const double turn = cross(a, p, b, q);
   if (turn == 0.0) return std::nullopt;
   const double from_a = cross(a, b, b, q) / turn;
@@ -28,7 +27,7 @@ std::optional<geo::PlanePoint> meeting(geo::PlanePoint a, geo::PlanePoint p, geo
 
 std::vector<geo::PlanePoint> places_for_both(geo::PlanePoint a, geo::PlanePoint p, geo::PlanePoint q,
                                              geo::PlanePoint b) {
-  // Shares of the distance between the chord and the middle of the two points: judgements.
+  // Multiples of the distance from the chord to the middle of the two points: judgements.
   constexpr double outwards[] = {1.0, 1.25, 1.5, 2.0, 3.0, 5.0};
   std::vector<geo::PlanePoint> places;
   if (const auto both_lead_there = meeting(a, p, q, b)) places.push_back(*both_lead_there);

@@ -29,7 +29,7 @@ cost::Itinerary thin_to(LegMeter<Leg>& legs, cost::Itinerary timed, std::size_t 
       shorter.points.erase(shorter.points.begin() + at);
       shorter.fixed.erase(shorter.fixed.begin() + at);
       auto result = legs.timed(std::move(shorter), timed.times.front());
-      if (result) timed = std::move(*result);  // otherwise the later arrival closes a following leg
+      if (result) timed = std::move(*result);  // otherwise the later arrival closes a later leg
       return result.has_value();
     });
     if (!thinned) break;
@@ -72,7 +72,7 @@ cost::Itinerary split_to(LegMeter<Leg>& legs, const cost::Itinerary& timed, std:
     auto longer = cut(pieces[i - 1]);
     if (!longer) longer = cut(1);
     if (!longer)
-      return timed;  // the error of the integration changed a departure, and the leg is closed then
+      return timed;  // an error of the integration changed a departure, so that the leg is closed then
     result = std::move(*longer);
   }
   return result;

@@ -22,7 +22,7 @@ Stop kind_of(std::size_t stop, const cost::Layout& layout) {
   return stop + 1 == layout.stops.size() ? Stop::goal : Stop::via;
 }
 
-/// Whether an iceberg covers the place from the departure on, without end.
+/// Whether an iceberg covers the place from the departure on, for ever.
 bool is_kept_for_ever(const cost::Sea& sea, geo::PlanePoint place) {
   const std::vector<TimeSpan> closed = sea.domain().icebergs().closed_times(place);
   return !closed.empty() && closed.front().from <= core::Seconds{0.0} &&
@@ -47,8 +47,8 @@ std::optional<motion::EdgeClosed> closed_then(const cost::Sea& sea, geo::PlanePo
   return std::nullopt;
 }
 
-/// The stop moved to where the vehicle may be: to the nearest place from which another stop can be reached, or
-/// otherwise to the nearest of all.
+/// Suggestions to move an unusable stop: to the nearest usable place with a connection to another stop or, if
+/// there is none, to the nearest usable place.
 std::vector<Change> moves_of(const cost::Sea& sea, const cost::Layout& layout, std::size_t stop,
                              const std::stop_token& token) {
   const geo::PlanePoint other = stop == 0 ? layout.points.back() : layout.points.front();
@@ -65,7 +65,7 @@ std::vector<Change> moves_of(const cost::Sea& sea, const cost::Layout& layout, s
   return moves;
 }
 
-/// Why a stop cannot be used. Opens the map around each stop that can be used.
+/// The reason why a stop cannot be used; empty if all can. Opens the safety map around each usable stop.
 std::optional<Infeasible> check_stops(cost::Sea& sea, const ocean::Environment& environment,
                                       const cost::Layout& layout, const PlanRequest& request,
                                       const std::stop_token& token, Moves moves) {

@@ -12,9 +12,10 @@
 namespace floeplan::planning::search {
 namespace {
 
-constexpr int most_steps = 200;  // in every direction: a search takes some tenths of a second
+constexpr int most_steps = 200;  // of the grid on each side, so that a search takes some tenths of a second
 
-/// A grid around a point, with the steps of another grid. The point is its start; as there is no goal, it is that, too.
+/// A grid around a point, with the spacing of another grid. A grid needs a goal, so the point is both start
+/// and goal.
 cost::RouteGrid grid_around(geo::PlanePoint point, const cost::RouteGrid& steps) {
   cost::RouteGrid grid = steps;
   grid.nx = 2 * most_steps + 1;
@@ -26,7 +27,7 @@ cost::RouteGrid grid_around(geo::PlanePoint point, const cost::RouteGrid& steps)
   return grid;
 }
 
-/// Points of a route, the times there, and the drive to each after the first.
+/// Points of a route, the times there, and the propulsion to each point after the first.
 struct TimedWay {
   std::vector<geo::PlanePoint> points;
   std::vector<core::Seconds> arrivals;
@@ -71,7 +72,7 @@ std::optional<TimedWay> way_onwards(const cost::Sea& sea, const std::vector<geo:
                                     const std::vector<core::Seconds>& arrivals,
                                     const std::vector<vehicle::Drive>& drives, std::size_t from,
                                     core::Seconds latest) {
-  constexpr core::Seconds rounding{1.0};  // between legs timed whole and in pieces
+  constexpr core::Seconds rounding{1.0};  // difference between timing a leg whole and in pieces
   TimedWay way{{route[from]}, {arrivals[from]}};
   for (std::size_t i = from; i + 1 < route.size(); ++i) {
     const auto time = sea.leg_time(route[i], route[i + 1], arrivals[i], core::Seconds{INFINITY}, drives[i]);

@@ -11,9 +11,10 @@
 
 namespace floeplan::planning::search {
 
-/// The fastest route from each point of a route to a place where the vehicle may surface on arrival. Each has its own
-/// search, on at most 200 steps of the grid in every direction. If the route itself is no slower, the escape follows
-/// it. If the time without surfacing is bounded, the escape keeps within the rest of that time.
+/// The fastest route from each point of a route to a place where the vehicle may surface on arrival. Each
+/// escape route has its own search, on at most 200 grid steps in every direction. If the planned route itself
+/// is no slower, the escape follows it. If the time without surfacing is limited, the escape must keep the
+/// remaining time.
 /// Propulsion  along the route that of its legs, elsewhere the first one of the model
 /// Precondition  `arrivals`, `drives` and `waypoints` are those of the route
 /// Errors   Reason::no_escape at the first point without such a route; Reason::cancelled once `stop` is requested

@@ -25,7 +25,8 @@ struct Closure {
   messages::Message why;
 };
 
-/// The iceberg nearest to the place, with its time and what is kept clear of it.
+/// Text that names the iceberg nearest to the place, the time and the distance that is kept clear of the
+/// iceberg.
 std::string iceberg_text(const cost::Sea& sea, geo::PlanePoint place, core::Seconds when,
                          const PlanRequest& request) {
   const auto berg = sea.domain().icebergs().nearest(place, when);
@@ -39,14 +40,14 @@ std::string iceberg_text(const cost::Sea& sea, geo::PlanePoint place, core::Seco
                                                            error.value);
 }
 
-/// The span of a place's closed times that contains a moment.
+/// The closure of a place that contains the time `when`; empty if there is none.
 std::optional<TimeSpan> closure_at(const std::vector<TimeSpan>& times, core::Seconds when) {
   for (const TimeSpan& closed : times)
     if (closed.from <= when && when <= closed.until) return closed;
   return std::nullopt;
 }
 
-/// When a place that is closed at a moment reopens.
+/// Text that says when a place that is closed at `when` reopens.
 std::string opening_text(const std::vector<TimeSpan>& times, core::Seconds when, const PlanRequest& request) {
   const auto closed = closure_at(times, when);
   if (!closed) return "";
@@ -104,7 +105,7 @@ Constraint constraint_of(motion::EdgeClosed closed, bool out_of_time) {
   throw std::logic_error{"EdgeClosed without a constraint"};
 }
 
-/// The reason for a kind of stop: start, via point, goal.
+/// The reason that fits the kind of stop: start, via point or goal.
 Reason reason_at(Stop stop, Reason at_start, Reason on_the_way, Reason at_goal) {
   switch (stop) {
     case Stop::start: return at_start;
@@ -165,7 +166,7 @@ Infeasible unusable_place(motion::EdgeClosed closed, Stop stop, geo::LonLat plac
   throw std::logic_error{"a place that is not closed in this way"};
 }
 
-/// The same, and how much later it reopens.
+/// As `unusable_place`, and how long the vehicle must wait until the place reopens.
 Infeasible explain_closed_place(motion::EdgeClosed closed, Stop stop, geo::LonLat place, core::Seconds when,
                                 const cost::Sea& sea, const PlanRequest& request) {
   Infeasible infeasible = unusable_place(closed, stop, place, when, sea, request);
@@ -175,7 +176,7 @@ Infeasible explain_closed_place(motion::EdgeClosed closed, Stop stop, geo::LonLa
   return infeasible;
 }
 
-/// The zone or iceberg over a place that stays there longest, if what stopped a search is a zone or an iceberg.
+/// The zone or iceberg that closes the place longest; empty if neither of them stopped the search.
 std::optional<motion::EdgeClosed> closed_for_a_while(const cost::Sea& sea, geo::PlanePoint place,
                                                      core::Seconds when, motion::EdgeClosed stopped_by) {
   const auto by_iceberg = closure_at(sea.domain().closures().closed_times_by_icebergs(place), when);
@@ -188,7 +189,7 @@ std::optional<motion::EdgeClosed> closed_for_a_while(const cost::Sea& sea, geo::
                                                        : motion::EdgeClosed::obstacle;
 }
 
-/// Says that no route was found, and what closes most of the edges onward from the place nearest to the goal.
+/// Says that no route was found, and what closes most edges out of the reached vertex nearest to the goal.
 messages::Message no_way(motion::EdgeClosed binding, bool cut_short, const messages::Message& closed) {
   if (cut_short) return messages::refusal<"no-way-within-memory">(closed.text, closed.hint);
   if (binding == motion::EdgeClosed::current_too_strong)
@@ -237,7 +238,7 @@ Infeasible explain_route(const cost::RouteClosed& closed, const cost::Sea& sea, 
 
 Infeasible explain_search(const RouteSearch& search, Stop kind, geo::PlanePoint stop, const cost::Sea& sea,
                           const PlanRequest& request) {
-  // The kind that closes most of the edges onward from the place nearest to the goal binds there; of equal counts the
+  // What closes most edges out of the reached vertex nearest to the goal counts as the cause; on a tie the
   // first kind.
   using enum motion::EdgeClosed;
   // If each of them is open, the bound on the time without surfacing ended the search.

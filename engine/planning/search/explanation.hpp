@@ -32,16 +32,16 @@ enum class Stop { start, via, goal };
 [[nodiscard]] Infeasible explain_route(const cost::RouteClosed& closed, const cost::Sea& sea,
                                        const PlanRequest& request);
 
-/// Says where a search for `stop` ended, and why. If the vehicle could arrive, the cause is what closes the stop
-/// itself; otherwise it is what closes most of the edges onward from the nearest place.
+/// Says where a search for `stop` ended, and why. If the vehicle could arrive there, the cause is what closes
+/// the stop itself; otherwise it is what closes most edges out of the nearest reached vertex.
 [[nodiscard]] Infeasible explain_search(const RouteSearch& search, Stop kind, geo::PlanePoint stop,
                                         const cost::Sea& sea, const PlanRequest& request);
 
-/// Says that there would be a route without all icebergs, all zones, the ice or the currents, whatever closed most of
-/// the edges where the search ended.
+/// Replaces the cause in `why` by a sharper one: without this constraint (all icebergs, all zones, the ice or
+/// the currents) there would be a route.
 [[nodiscard]] Infeasible explain_removable(Infeasible why, Constraint constraint);
 
-/// Says from which place of a route there is no escape route.
+/// Says from which point of a route no escape route exists.
 [[nodiscard]] Infeasible explain_no_escape(const cost::Sea& sea, const PlanRequest& request,
                                            geo::PlanePoint place, core::Seconds when);
 

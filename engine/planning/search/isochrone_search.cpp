@@ -14,14 +14,14 @@ using graph::Vertex;
 using Direction = IsochroneRequest::Direction;
 
 constexpr std::size_t most_arrivals = 4'000'000;
-constexpr double spans_in_bound = 100.0;  // resolution of last surfacings
+constexpr double spans_in_bound = 100.0;  // last surfacings are told apart to a hundredth of the limit
 
-/// A voyage to every place that the bound on the time without surfacing allows: the model of
-/// `graph::find_best_labels`, on the clock of the search.
+/// The model of `graph::find_best_labels` for a vehicle with a limit on the time without surfacing that goes
+/// as far as it can. Times are those of the search's clock (see `Presence`).
 class BoundedVoyage {
  public:
   struct State {
-    double surfaced_s{};  // when the vehicle could last surface
+    double surfaced_s{};  // time of the last possible surfacing
   };
   using Label = graph::Label<State>;
 
@@ -65,8 +65,9 @@ class BoundedVoyage {
     double surfaced_s;
   };
 
-  /// An earlier vehicle that could surface no longer ago has at least as much time left. A vehicle that could surface
-  /// no earlier keeps the bound wherever the other one does.
+  /// Whether `a` makes `b` needless: `a` is no later, and its last surfacing is no longer ago. Then `a` can
+  /// go wherever
+  /// `b` can within the limit.
   [[nodiscard]] bool is_no_worse(const Arrival& a, const Arrival& b) const {
     if (a.s > b.s) return false;
     return a.s - a.surfaced_s <= b.s - b.surfaced_s || span_of(a) >= span_of(b);
@@ -84,7 +85,7 @@ class BoundedVoyage {
   Direction direction_;
   core::Seconds latest_;
   double longest_s_;
-  std::vector<std::vector<Arrival>> best_;  // of each vertex, so far
+  std::vector<std::vector<Arrival>> best_;  // the best arrivals so far, for each vertex
 };
 
 graph::SearchTree search_without_bound(const cost::Sea& sea, const OpenGrid& open, Direction direction,

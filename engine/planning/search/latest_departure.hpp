@@ -9,15 +9,16 @@
 
 namespace floeplan::planning::search {
 
-/// The latest departure from the first grid's start that reaches the last grid's goal by `arrive` on the legs of the
-/// grids: a time-reversed search from the goal. Exact under FIFO.
+/// The latest departure from the start of the first grid that reaches the goal of the last grid by `arrive`.
+/// A time-reversed search from the goal along the grids' edges; exact under FIFO (a later departure never
+/// arrives earlier).
 /// Returns  empty if there is none at or after `earliest`, or once `stop` is requested
 [[nodiscard]] std::optional<core::Seconds> latest_departure(const cost::Sea& sea,
                                                             const std::vector<OpenGrid>& grids,
                                                             core::Seconds arrive, core::Seconds earliest,
                                                             const std::stop_token& stop);
 
-/// The same on one grid.
+/// The latest departure on a single grid.
 [[nodiscard]] std::optional<core::Seconds> latest_departure(const cost::Sea& sea, const OpenGrid& open,
                                                             core::Seconds arrive, core::Seconds earliest,
                                                             const std::stop_token& stop);

@@ -13,8 +13,8 @@
 namespace floeplan::planning::search {
 namespace {
 
-/// Distances from the place that a search reached at which the ends of the data are looked for: from a step of a fine
-/// grid to some cells of a coarse model. Judgements.
+/// The search stopped where data end nearby. Their end is looked for at these distances in metres around the
+/// reached place: from a step of a fine grid to some cells of a coarse model. Judgements.
 constexpr std::array distances_beyond{2'500.0, 5'000.0, 10'000.0, 20'000.0};
 constexpr int directions = 8;
 

@@ -7,18 +7,19 @@
 #include "engine/planning/problem/infeasible.hpp"
 #include "engine/planning/problem/plan_request.hpp"
 
-/// Names the data that do not cover a place: which kind, the area that they cover, and where the place lies from it.
-/// The environment holds the data of the search area alone, so the area that is named is their part of it.
+/// Messages about data that do not cover a place: the kind of data, their area, and where the place lies
+/// relative to it. The environment holds data of the search area only, so the area named is the part of the
+/// data inside it.
 namespace floeplan::planning::search {
 
 /// Why a start, a goal or a via point without a known depth cannot be used.
-/// `place`    in words: "the goal"
+/// `place`    the stop in words, such as "the goal"
 /// Requires   bathymetry in the environment
 [[nodiscard]] messages::Message explain_missing_depth(const ocean::Environment& environment,
                                                       geo::LonLat where, const std::string& place);
 
-/// Adds to a refusal for want of data which stops lie outside the currents or, if none does, which data end at the place
-/// that the search reached. Other refusals are returned as they are.
+/// Adds to a refusal for missing data which stops lie outside the currents or, if all lie inside, which data
+/// end at the place that the search reached. Returns other refusals unchanged.
 [[nodiscard]] Infeasible with_missing_data(Infeasible why, const ocean::Environment& environment,
                                            const PlanRequest& request);
 

@@ -14,10 +14,11 @@ namespace floeplan::planning::search {
 namespace {
 
 constexpr double origin_step_deg =
-    0.25;  // the scale of the plane is as true a quarter of a degree away from its centre
-// Least number of lattice steps on the longer side: few routes that are moved a little cross a lattice line.
+    0.25;  // the plane may have its centre a quarter of a degree away without loss of accuracy
+// Least number of lattice steps on the area's longer side. With few steps a slightly moved route rarely
+// leaves its area.
 constexpr double area_steps = 5.0;
-// Cell sizes: the map is at most a sixth finer than the request asks for.
+// Cell sizes are rounded to this many values per doubling: the map is at most a sixth finer than requested.
 constexpr double cells_per_octave = 4.0;
 
 geo::LonLat on_lattice(geo::LonLat place) {
@@ -54,7 +55,7 @@ PlanRequest request_along(const std::vector<geo::LonLat>& route, const PlanReque
   on_route.method = Method::direct;
   on_route.max_waypoints.reset();
   if (!on_route.spacing_along) {
-    // The safety map has the step that a plan from end to end would have, not one for each short leg.
+    // The safety map's cell follows from the length of the whole route, not from its short legs.
     core::Metres length{0.0};
     for (std::size_t i = 1; i < route.size(); ++i)
       length = length + geo::geodesic_between(route[i - 1], route[i]).length;

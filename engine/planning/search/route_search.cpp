@@ -23,7 +23,8 @@ namespace {
 using graph::Edge;
 using graph::Vertex;
 
-/// The paper's left column: every weight has its value at the departure.
+/// Edge travel times for the paper's left column: every edge has the travel time of the departure from the
+/// start.
 struct FrozenTravelTime {
   GridTravelTime now;
   core::Seconds depart;
@@ -34,20 +35,20 @@ struct FrozenTravelTime {
   }
 };
 
-/// Adds the work of an earlier search.
+/// Adds the counts of an earlier search.
 void add_work(SearchStatistics& sum, const SearchStatistics& earlier) {
   sum.expansions += earlier.expansions;
   sum.edge_evaluations += earlier.edge_evaluations;
   sum.reinsertions += earlier.reinsertions;
 }
 
-/// The arrival, by true times, of a route that is probably close to the best; infinite if no open one is found.
-/// `timed_closures`: whether the travel times include closures that last for a while
+/// The true arrival of a route that is probably close to the best; infinite if no open one is found.
+/// `timed_closures`: whether the travel times include closures that end
 template <class TravelTime>
 core::Seconds likely_arrival(Foresight& foresight, const TravelTime& travel_time, bool timed_closures,
                              core::Seconds depart, const std::stop_token& stop) {
   constexpr std::size_t most_barred =
-      8;  // each forces another route, with far less work than a search without a bound
+      8;  // attempts; each avoids the edge that closed the one before, far quicker than a search
   constexpr core::Seconds never{INFINITY};
   Foresight::Minding minding{.timed_closures = timed_closures};
   while (minding.barred.size() < most_barred) {
@@ -95,10 +96,10 @@ void describe_end(RouteSearch& result, const cost::Sea& sea, const cost::RouteGr
   }
 }
 
-/// The best route without timed closures, timed with all closures.
+/// The best route when closures that end are ignored, timed with all closures.
 struct UntimedWay {
   bool is_best{false};         // no closure delays it
-  double arrival_s{INFINITY};  // with the holds that it needs; infinite if it is closed
+  double arrival_s{INFINITY};  // with the holds that the closures need; infinite if it is closed
 };
 
 UntimedWay timed_without_delay(const cost::Sea& sea, const std::vector<geo::PlanePoint>& path,
@@ -111,15 +112,15 @@ UntimedWay timed_without_delay(const cost::Sea& sea, const std::vector<geo::Plan
   return {!waits, std::max(least_s, schedule->arrivals.back().count())};
 }
 
-/// Whether a leg that the current closed may open later, so that a vehicle that holds until then may still reach the
-/// goal before `arrival`.
+/// Whether a leg that the current closed may open in time: a vehicle that holds until then may still reach
+/// the goal before `arrival`.
 bool may_open_in_time(const RefusedEdges& refused, const StraightBound& straight, core::Seconds arrival) {
   return std::ranges::any_of(refused.edges, [&](const RefusedEdge& leg) {
     return leg.when + straight.least_time(leg.edge) + straight.remaining(leg.edge.head) < arrival;
   });
 }
 
-/// Limit of the hold search if a route is already known: about half a second.
+/// Limit of the search for a route with holds if a route is already known: about half a second.
 constexpr std::int64_t most_looks_for_better = 100'000;
 
 /// Takes the route with holds if it arrives earlier.
@@ -136,7 +137,8 @@ void take_earlier(RouteSearch& result, HeldWay held) {
     result.statistics.possible_gain = std::max(core::Seconds{0.0}, result.arrival - held.none_before);
 }
 
-/// If the goal opens after the vehicle could be there: replaces the route by one that departs later.
+/// For a goal that is closed until after the vehicle could be there: replaces the route by one that departs
+/// later.
 /// Returns  whether no earlier arrival is possible
 bool is_best_departing_later(RouteSearch& result, const cost::Sea& sea, const OpenGrid& open,
                              core::Seconds unhindered, core::Seconds depart, const std::stop_token& stop) {
@@ -145,15 +147,15 @@ bool is_best_departing_later(RouteSearch& result, const cost::Sea& sea, const Op
   if (!std::isfinite(opens.count()) || opens <= unhindered) return false;
   const auto is_best = [&] { return result.arrival <= opens + slack_of_holds(sea, open); };
   if (!is_best()) take_earlier(result, search_later_departure(sea, open, depart, opens, stop));
-  // Another grid may allow a slightly earlier arrival. Within a twentieth of the travel time the goal is closed all
-  // the same.
+  // On another grid the vehicle might arrive slightly earlier. If the goal is also closed for the last
+  // twentieth of the travel time, this makes no difference.
   constexpr double faster_at_most = 0.95;
   const bool is_closed_then = open_from(closed, depart + faster_at_most * (unhindered - depart)) == opens;
   result.statistics.none_is_earlier = is_best() && is_closed_then;
   return is_best();
 }
 
-/// The search without the limit on the time without surfacing.
+/// The search without a limit on the time without surfacing.
 RouteSearch search_unbounded(const cost::Sea& sea, const OpenGrid& open, const PlanRequest& request,
                              core::Seconds depart, const std::stop_token& stop,
                              const std::function<void(double)>& report_fraction, core::Seconds latest,
@@ -171,7 +173,7 @@ RouteSearch search_unbounded(const cost::Sea& sea, const OpenGrid& open, const P
     const auto vertices = static_cast<double>(std::max<std::int64_t>(1, result.statistics.vertices));
     report_fraction(std::min(1.0, static_cast<double>(expansions) / vertices));
   };
-  // The same result as a search with the straight-line bound alone, with fewer vertices.
+  // Gives the same result as a search with the straight-line bound, but visits fewer vertices.
   const auto search_ahead = [&](const auto& travel_time, bool timed_closures) -> graph::SearchTree {
     const bool towards_goal = request.method == Method::astar;
     std::optional<Foresight> own_foresight;
@@ -194,7 +196,7 @@ RouteSearch search_unbounded(const cost::Sea& sea, const OpenGrid& open, const P
               return leg.when + straight.least_time(leg.edge) <= bound.latest_use(leg.edge.head);
             });
         if (tree.stopped || (tree.is_reached(grid.goal) && !may_open_later)) {
-          refused.edges.clear();  // whatever reopens, a vehicle that waits for it is not at the goal in time
+          refused.edges.clear();  // holding until a leg reopens would arrive too late
           return tree;
         }
       }
@@ -239,7 +241,7 @@ RouteSearch search_unbounded(const cost::Sea& sea, const OpenGrid& open, const P
   const bool holds_may_help = cost::holds_may_help(sea) && request.method != Method::frozen;
   if (is_hindered && !result.cancelled) {
     RouteSearch untimed = result;
-    untimed.arrival = core::Seconds{untimed_way.arrival_s};  // with the holds that it needs
+    untimed.arrival = core::Seconds{untimed_way.arrival_s};  // with the holds that the closures need
     const core::Seconds unhindered{tree.arrival_s(grid.goal)};
     if (holds_may_help && is_best_departing_later(untimed, sea, open, unhindered, depart, stop))
       return untimed;
@@ -283,12 +285,12 @@ RouteSearch search_route(const cost::Sea& sea, const OpenGrid& open, const PlanR
   RouteSearch bounded = search_with_surfacings(sea, open, depart, since_surfacing, stop, report_fraction);
   add_work(bounded.statistics, found.statistics);
   if (bounded.path.empty() && bounded.statistics.cut_short && sea.holding().longest.count() > 0.0) {
-    // Holds take most of the search's labels.
+    // Search without holds: holds use up most of a search's labels.
     RouteSearch moving = search_with_surfacings(sea.with({.holds = false}), open, depart, since_surfacing,
                                                 stop, report_fraction);
     add_work(moving.statistics, bounded.statistics);
     if (!moving.path.empty()) {
-      moving.statistics.cut_short = true;  // holds may allow an earlier arrival there
+      moving.statistics.cut_short = true;  // a route with holds might arrive earlier
       return moving;
     }
   }

@@ -13,14 +13,14 @@
 
 namespace floeplan::planning::search {
 
-/// Searches the grid for the earliest arrival at its goal with the request's method (not Method::direct), of a
-/// vehicle that holds where that makes it earlier. For a vehicle that never holds, each place keeps its earliest
-/// arrival, as in the paper: where something reopens an earlier route may exist, and the statistics say so.
-/// Where the time without surfacing is bounded and the best route exceeds the bound, search_with_surfacings is used
-/// for every method.
+/// Searches the grid for the earliest arrival at its goal with the request's method (not Method::direct). The
+/// vehicle holds where the request allows it and the arrival becomes earlier. If it may not hold, each place
+/// keeps only its earliest arrival, as in the paper. Where something reopens, an earlier route may then
+/// exist; the statistics say so. If the time without surfacing is limited and the best route exceeds the
+/// limit, search_with_surfacings is used for every method.
 /// `latest`: if the goal can certainly be reached by then, later routes and legs that open later are skipped.
-/// `since_surfacing`: at the start, if that time is bounded.
-/// `foresight`: of this grid, kept between searches; without it one is made. It does not change the result.
+/// `since_surfacing`: time since the last possible surfacing at the start, if that time is limited.
+/// `foresight`: of this grid, kept between searches; null: one is made. It does not change the result.
 [[nodiscard]] RouteSearch search_route(const cost::Sea& sea, const OpenGrid& open, const PlanRequest& request,
                                        core::Seconds depart, const std::stop_token& stop,
                                        const std::function<void(double)>& report_fraction,

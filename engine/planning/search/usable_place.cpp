@@ -18,7 +18,7 @@ bool is_usable(const cost::PlanningDomain& domain, geo::PlanePoint point) {
          !domain.icebergs().touched({point, point, 0.0, 0.0});
 }
 
-/// Places on a lattice around one of them.
+/// Nodes of a square lattice around a place.
 class Lattice {
  public:
   Lattice(geo::PlanePoint middle, double step_m, int steps)
@@ -29,7 +29,7 @@ class Lattice {
     return {middle_.x_m + step_m_ * static_cast<double>(column(node) - steps_),
             middle_.y_m + step_m_ * static_cast<double>(row(node) - steps_)};
   }
-  /// Calls `visit(node)` for the neighbours of a node, or of a place of the plane.
+  /// Calls `visit(node)` for the nodes next to a node, or next to a place of the plane.
   template <class Visit>
   void for_each_beside(std::size_t node, const Visit& visit) const {
     for_each_about(column(node), row(node), visit);
@@ -75,7 +75,8 @@ std::optional<geo::LonLat> nearest_usable_place(const cost::PlanningDomain& doma
     nearest = point;
     least_m = distance_m;
   };
-  // A square ring holds points up to sqrt(2) times its half side away: a later ring may still hold a nearer one.
+  // A square ring reaches from its half side to sqrt(2) times that: a later ring may still hold a nearer
+  // place.
   for (int ring = 1; ring <= most_rings && ring * step_m < least_m; ++ring) {
     for (int i = -ring; i <= ring; ++i) {
       consider(i, -ring);
@@ -95,7 +96,7 @@ std::optional<geo::LonLat> nearest_usable_place_towards(const cost::PlanningDoma
   const double reach_m = std::max(farthest_m, geo::distance_m(around, other));
   const Lattice lattice{around, std::max(domain.safety().cell().value, reach_m / most_rings), most_rings};
   std::vector<bool> seen(lattice.size());
-  std::vector<std::size_t> joined;  // connected by open water
+  std::vector<std::size_t> joined;  // nodes that open water connects with `other`
   const auto join_from = [&](geo::PlanePoint from) {
     return [&, from](std::size_t node) {
       if (seen[node] || domain.closures().closed_between(from, lattice.point(node))) return;

@@ -9,8 +9,8 @@
 
 namespace floeplan::planning::search {
 
-/// The grids of a voyage in order, each as by `open_grid`. If the time without surfacing is bounded, each also has
-/// the least part of the limit that must be left at its goal.
+/// The grids from stop to stop in order, each made by `open_grid`. If the time without surfacing is limited,
+/// each also has the least part of the limit that must be left at its goal.
 /// Stops    as `open_grid`
 [[nodiscard]] std::vector<OpenGrid> open_grids(const cost::Sea& sea,
                                                const std::vector<cost::RouteGrid>& grids, int sectors,

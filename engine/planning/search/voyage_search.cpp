@@ -25,7 +25,7 @@ void add(SearchStatistics& sum, const SearchStatistics& part) {
   sum.cut_short = sum.cut_short || part.cut_short;
 }
 
-/// The part of a route between two stops; `part` counts from 0.
+/// The points of a route between two stops; `part` 0 runs from the start to the first stop after it.
 std::vector<geo::PlanePoint> part_of(const cost::Route& route, std::size_t part) {
   std::vector<geo::PlanePoint> points;
   std::size_t stops = 0;
@@ -36,8 +36,8 @@ std::vector<geo::PlanePoint> part_of(const cost::Route& route, std::size_t part)
   return points;
 }
 
-/// A certainly possible arrival at the end of a part, with room for the tolerance of its times. Infinite if the route
-/// of the other departure is closed now.
+/// An arrival at the end of a part that is certainly possible: the time of another departure's route, with
+/// room for the tolerance of its times. Infinite if that route is closed now.
 core::Seconds arrival_by(const cost::Sea& sea, const FoundWay& other, std::size_t part,
                          core::Seconds depart) {
   constexpr double slack = 1e-3;
@@ -46,8 +46,8 @@ core::Seconds arrival_by(const cost::Sea& sea, const FoundWay& other, std::size_
   return arrivals->back() + slack * (arrivals->back() - depart);
 }
 
-/// How long a vehicle that departs after a surfacing travels until it may surface again, to within an edge; until the
-/// end of the route if it may not before.
+/// Travel time from a departure just after a surfacing to the next possible surfacing, to within an edge; to
+/// the end of the route if there is none.
 core::Seconds until_first_surfacing(const cost::Sea& sea, const std::vector<geo::PlanePoint>& way,
                                     core::Seconds depart) {
   constexpr core::Seconds just_now{0.0};
@@ -64,22 +64,22 @@ core::Seconds until_first_surfacing(const cost::Sea& sea, const std::vector<geo:
   return arrivals->back() - depart;
 }
 
-/// When a part of a voyage begins, and the time since the vehicle could last surface.
+/// When the search of a part begins, and the time since the last possible surfacing then.
 struct Beginning {
   core::Seconds depart{};
   core::Seconds since_surfacing{};
 };
 
-/// A part of a voyage, from one stop to the next.
+/// A part of the route, from one stop to the next.
 struct Part {
   Beginning beginning;
   std::vector<geo::PlanePoint> path;
 };
 
-/// Searches one grid after another.
+/// Searches grid after grid, from stop to stop.
 class Parts {
  public:
-  /// Everything is borrowed.
+  /// All references are borrowed.
   Parts(const cost::Sea& sea, const std::vector<OpenGrid>& grids, const PlanRequest& request,
         const std::stop_token& stop, const std::function<void(double)>& report_fraction,
         const OtherDepartures& others)
@@ -90,7 +90,7 @@ class Parts {
         report_fraction_{report_fraction},
         others_{others} {}
 
-  /// Searches from the first stop to the last one. Returns why there is no route; empty if there is one.
+  /// Searches from the first stop to the last. Returns why there is no route; empty if there is one.
   std::optional<Infeasible> search_all(core::Seconds depart) {
     end_ = {depart, core::Seconds{0.0}};
     for (std::size_t i = 0; i < grids_.size(); ++i) {
@@ -124,21 +124,22 @@ class Parts {
     const core::Seconds latest =
         bounded ? arrival_by(sea_, *others_.way, i, beginning.depart) : core::Seconds{INFINITY};
     RouteSearch search = search_by(std::min(latest, of_use));
-    // Without FIFO the search may miss the route that gave the bound.
+    // Without FIFO this search may miss the route that gave the bound; a second one runs without that bound.
     if (search.path.empty() && latest < of_use && !search.cancelled) search = search_by(of_use);
     add(statistics_, search.statistics);
     return search;
   }
 
-  /// Whether the part before, which ends as early as possible, may have used too much of the limit.
+  /// Whether too little of the limit on the time without surfacing may be left, because the part before ends
+  /// as early as possible.
   [[nodiscard]] bool is_for_want_of_surfacing() const {
     return sea_.domain().overhead().bounds_surfacing() && !parts_.empty() &&
            end_.since_surfacing.count() > 0.0;
   }
 
-  /// Searches on as if the vehicle had just surfaced at the stop. The arrival there must leave what this route needs
-  /// until the next surfacing, and more if the ice has changed until then. Replaces the part before if the voyage can
-  /// then continue.
+  /// Searches onward as if the vehicle had just surfaced at the stop. The time that this route needs until
+  /// its next surfacing must be left on arrival at the stop, and more if the ice has changed by then. So the
+  /// part before is searched again, and replaced if the route can then continue.
   /// `failed`: returned if it cannot
   RouteSearch search_with_more_left(RouteSearch failed, std::size_t i) {
     const core::Seconds longest = *sea_.domain().overhead().longest_without_surfacing();
@@ -169,7 +170,7 @@ class Parts {
     return failed;
   }
 
-  /// Adds what was found from the end so far; returns what closes it, if anything does.
+  /// Adds the found part to the route; returns why it is closed, if it is.
   std::optional<Infeasible> append(RouteSearch search) {
     const auto arrivals = cost::arrivals_along(sea_, search.path, end_.depart, end_.since_surfacing);
     if (!arrivals) return explain_route(arrivals.error(), sea_, request_);
@@ -193,7 +194,7 @@ class Parts {
   const std::function<void(double)>& report_fraction_;
   const OtherDepartures& others_;
   std::vector<Part> parts_;
-  Beginning end_;  // the end of the parts so far
+  Beginning end_;  // end of the parts found so far
   SearchStatistics statistics_;
 };
 
@@ -230,7 +231,7 @@ Result<FoundWay> search_voyage(const cost::Sea& sea, const std::vector<OpenGrid>
   }
   found.arrival = voyage.arrival();
   found.statistics = voyage.statistics();
-  // A gain before one stop may be lost, or doubled, before the next.
+  // The gain before one stop says nothing about the whole: it may be lost, or doubled, before the next stop.
   if (grids.size() > 1) found.statistics.possible_gain.reset();
   return found;
 }

@@ -16,28 +16,29 @@
 
 namespace floeplan::planning::search {
 
-/// The route from stop to stop as the grids give it.
+/// A route from stop to stop along the edges of the grids.
 struct FoundWay {
   cost::Route route;
   core::Seconds arrival{};
   SearchStatistics statistics;
-  bool touches_rim{false};  // it follows the rim of a grid, and a better route may lie beyond
+  bool touches_rim{false};  // the route follows the rim of a grid, so a better one may lie outside
 };
 
 /// What is known from earlier departures, or from other searches, on the same grids.
 struct OtherDepartures {
-  const FoundWay* way{};                 // of one of them
+  const FoundWay* way{};                 // route of one of the other departures
   std::vector<Foresight>* foresights{};  // one for each grid
-  const RouteSearch* first{};            // of the first grid, by the same method from the same departure
-  core::Seconds of_use{INFINITY};        // arrivals at the last stop after this time are not wanted
+  const RouteSearch* first{};            // on the first grid, same method and departure
+  core::Seconds of_use{INFINITY};        // later arrivals at the last stop are not wanted
 };
 
-/// Searches one grid after another with the request's method (not Method::direct), from `depart` on (counted from the
-/// epoch of the leg cost model). Under FIFO the earliest arrival at each stop is the best departure from it.
-/// If the time without surfacing is bounded and the route onward from a stop exceeds it, the stop is reached again,
-/// later, with as much of the limit left as the route onward needs.
-/// `others`: limit the search and, except for `of_use`, change no result (their route only where nothing closes for a
-/// while). Without a route, legs that open later are searched too.
+/// Searches one grid after another with the request's method (not Method::direct), from `depart` on, counted
+/// from the epoch of the leg cost model. Under FIFO the earliest arrival at each stop is the best departure
+/// from it. If the time without surfacing is limited and the route onward from a stop exceeds the limit, the
+/// part before the stop is searched again. It then arrives later, with as much of the limit left as the route
+/// onward needs.
+/// `others`: speed up the search and change no result, except for `of_use`. Their route is used only where no
+/// closure ends. If no route is found, legs that open later are searched too.
 /// Errors   where and why there is no route
 /// Stops    with Reason::cancelled once `stop` is requested
 [[nodiscard]] Result<FoundWay> search_voyage(const cost::Sea& sea, const std::vector<OpenGrid>& grids,

@@ -13,9 +13,9 @@ double position_error_m(const TrackPoint& point) {
   return std::hypot(point.position.east - point.believed.east, point.position.north - point.believed.north);
 }
 
-/// 97.5 % of Student's t distribution.
+/// 97.5 % quantile of Student's t distribution.
 double student_t(double freedom) {
-  if (freedom == 1.0) return 12.706204736;  // the expansion is for two and more
+  if (freedom == 1.0) return 12.706204736;  // the expansion below needs at least two degrees
   if (freedom == 2.0) return 4.302652730;
   const double x = two_sided_95;
   const double g1 = (std::pow(x, 3) + x) / 4.0;
@@ -35,7 +35,7 @@ double quantile_of(const std::vector<double>& sorted, double share) {
   return (1.0 - fraction) * sorted[below] + fraction * sorted[above];
 }
 
-/// Probability of at most k of n events, each with probability p, for every k.
+/// For every k from 0 to n: probability of at most k of n events, each with probability p.
 std::vector<double> binomial_sums(std::size_t n, double p) {
   std::vector<double> sums;
   double sum = 0.0;
@@ -48,7 +48,8 @@ std::vector<double> binomial_sums(std::size_t n, double p) {
   return sums;
 }
 
-/// The order statistics of which the quantile lies outside with at most 2.5 % on either side.
+/// Two order statistics that enclose the quantile: on either side it lies outside with at most 2.5 %
+/// probability.
 std::optional<Interval> quantile_interval(const std::vector<double>& sorted, double share) {
   const std::size_t n = sorted.size();
   const std::vector<double> sums = binomial_sums(n, share);

@@ -10,29 +10,28 @@
 
 namespace floeplan::simulation {
 
-/// A flight in a few numbers.
+/// Key figures of one flight.
 struct RunSummary {
   std::uint64_t seed{};
   FlightEnd end{};
-  core::Seconds travel_time{};  // until the end, whatever it was
-  double
-      final_position_error_m{};  // between where the vehicle is and where it believes to be, horizontally, at the end
-  double worst_position_error_m{};  // the same, the worst of the track
+  core::Seconds travel_time{};      // to the end of the flight, whatever it was
+  double final_position_error_m{};  // at the end, horizontal, from the true to the believed place
+  double worst_position_error_m{};  // the largest such distance on the track
   std::optional<double>
-      clearance_m;  // the least of all approaches; empty where there was nothing to come near to
+      clearance_m;  // the least of all closest approaches; empty if nothing was ever within reach
   core::Joules energy{};
   double distance_m{};
-  std::string why;  // it did not arrive, for a person: the reason, and what the system on board did last
+  std::string why;  // not arrived, for a person: the reason, and the last action of the avoidance
   std::optional<bool>
-      could_be_saved;  // by full knowledge; of flights with that system that touched something
+      could_be_saved;  // with full knowledge; only for flights with onboard avoidance that touched something
 
   friend bool operator==(const RunSummary&, const RunSummary&) = default;
 };
 
-/// All but `could_be_saved`, which takes the world.
+/// All figures except `could_be_saved`, which needs the world.
 [[nodiscard]] RunSummary summary_of(const FlightRecord& record);
 
-/// An interval that holds the true value with a probability of 95 %.
+/// An interval that contains the true value with a probability of 95 %.
 struct Interval {
   double low{};
   double high{};
@@ -40,31 +39,30 @@ struct Interval {
   friend bool operator==(const Interval&, const Interval&) = default;
 };
 
-/// How a quantity is spread over the runs that have it.
+/// Distribution of a quantity over the runs that have it.
 struct Distribution {
   struct Quantile {
-    double share{};  // of the runs below it
+    double share{};  // share of the runs below the value
     double value{};
-    std::optional<Interval> interval;  // empty where so few runs cannot hold it
+    std::optional<Interval> interval;  // empty if there are too few runs
   };
   std::size_t runs{};
   double mean{};
   std::optional<Interval> mean_interval;     // empty for a single run
-  std::optional<double> standard_deviation;  // the same
+  std::optional<double> standard_deviation;  // empty for a single run
   std::vector<Quantile> quantiles;           // 5, 25, 50, 75 and 95 %
   double least{};
   double most{};
 };
 
-/// Nothing for no values.
-/// Quantile between the two values next to share * (n - 1), linearly (type 7 of Hyndman and Fan 1996, Am. Stat. 50)
-/// Interval of a quantile: order statistics by the binomial distribution, whatever the quantity's own is (David and
-/// Nagaraja
-///          2003, Order statistics, 3rd ed., section 7.1); of the mean: Student's t, by the expansion of Abramowitz and
-///          Stegun 1964, 26.7.5
+/// The distribution of the values; empty for no values.
+/// Quantile between the two values next to share * (n - 1), linearly (type 7 of Hyndman and Fan 1996, Am.
+/// Stat. 50) Interval of a quantile: order statistics by the binomial distribution, valid for any
+/// distribution (David and Nagaraja 2003, Order statistics, 3rd ed., section 7.1); of the mean: Student's t,
+/// by the expansion of Abramowitz and Stegun 1964, 26.7.5
 [[nodiscard]] std::optional<Distribution> distribution_of(std::vector<double> values);
 
-/// A share of the runs.
+/// Share of the runs with a property.
 struct Share {
   std::size_t runs{};
   double share{};
@@ -73,14 +71,14 @@ struct Share {
 
 [[nodiscard]] Share share_of(std::size_t runs, std::size_t all);
 
-/// What a batch of runs tells.
+/// Statistics of a batch of runs.
 struct BatchStatistics {
   struct End {
     FlightEnd end{};
     Share share{};
   };
   std::size_t runs{};
-  std::vector<End> ends;                               // those that happened, in the order of FlightEnd
+  std::vector<End> ends;                               // kinds that occurred, in the order of FlightEnd
   std::optional<Distribution> travel_time_s;           // of the runs that arrived
   std::optional<Distribution> final_position_error_m;  // of all
   std::optional<Distribution> worst_position_error_m;

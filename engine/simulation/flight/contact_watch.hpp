@@ -9,21 +9,21 @@
 
 namespace floeplan::simulation {
 
-/// Something that the hull touches.
+/// An object that the hull touches.
 struct Contact {
   FlightEnd kind{};  // collided or grounded
   std::string with;
 };
 
-/// Watches how near a vehicle comes to the sea bed, the ice and the bodies.
+/// Records how close a vehicle comes to the sea bed, the ice and the bodies, and detects contacts.
 class ContactWatch {
  public:
-  /// `world` is borrowed. Bodies that never come within `reach` are not told of.
+  /// `world` is borrowed. Bodies that never come within `reach` are not reported.
   ContactWatch(const World& world, core::Metres reach, core::Metres hull_reach);
 
-  /// What is touched first, bodies before ice before bed; empty when nothing is.
+  /// The first contact at this place and time: bodies before ice before bed; empty: none.
   [[nodiscard]] std::optional<Contact> look(Vector place, core::UtcTime time, NearbyBodies& near);
-  /// The sea bed, the ice and each body that was within reach, in this order and bodies by index.
+  /// Closest approaches: sea bed, ice, then each body that was within reach, by index.
   [[nodiscard]] std::vector<ClosestApproach> approaches() const;
 
  private:

@@ -12,9 +12,9 @@ namespace {
 
 constexpr core::Seconds log_every{60.0};
 constexpr core::Seconds log_profile_every{600.0};
-constexpr double no_bed_m = 1e5;  // a column of water deeper than any
+constexpr double no_bed_m = 1e5;  // depth used where no sea bed is known: deeper than any sea
 
-/// A reading is taken at the step nearest to its time, which the steps of a second may just miss.
+/// A reading is taken at the step nearest to its time, because steps of a second may miss the exact time.
 constexpr core::Seconds step_slack{0.5};
 
 Attitude attitude_of(const avoidance::Attitude& attitude) {

@@ -16,38 +16,39 @@
 
 namespace floeplan::simulation {
 
-/// The sensors of a vehicle, laid out once for any number of flights.
+/// The sensors of a vehicle, constructed once for any number of flights.
 struct Equipment {
   Sonar sonar{SonarSettings{}};
   Altimeter altimeter{AltimeterSettings{}};
   AdcpErrorModel adcp{AdcpSettings{}};
 };
 
-/// What the obstacle avoidance system is built from for one flight.
+/// Input for constructing the onboard avoidance for one flight.
 struct SystemOnBoard {
   std::vector<geo::PlanePoint> waypoints;  // of the mission, in the plane of the world
   avoidance::CarriedForecast forecast;
   avoidance::AvoidanceSettings settings{};
 };
 
-/// The waypoints that a mission flies (`flight_path`) and the forecast about its route, as they are loaded into the vehicle.
-/// Forecast at most 24 places to a side, 4 depths of the saw-tooth and 48 times: what such a computer carries
+/// The waypoints that a mission flies (`flight_path`) and the forecast around its route, as loaded into the
+/// vehicle. Forecast at most 24 x 24 places, 4 depths of the saw-tooth and 48 times: as much as such a
+/// computer stores
 [[nodiscard]] SystemOnBoard system_for(const World& world, const MissionOrders& orders, geo::LonLat start,
                                        core::UtcTime departure, core::Seconds duration);
 
-/// The settings of the system that fit a vehicle, its mission and its sonar.
+/// Settings of the onboard avoidance that fit a vehicle, its mission and its sonar.
 [[nodiscard]] avoidance::AvoidanceSettings avoidance_for(const vehicle::GliderProfile& vehicle,
                                                          const MissionOrders& orders,
                                                          const SonarSettings& sonar);
 
-/// What a vehicle of full knowledge could do, for the judgement of a flight with that sonar.
+/// Settings for the vehicle with full knowledge, to judge a flight with this sonar.
 [[nodiscard]] ForesightSettings foresight_of(const vehicle::GliderProfile& vehicle,
                                              const MissionOrders& orders, const SonarSettings& sonar);
 
-/// A vehicle with altimeter and, where a system on board is given, sonar, ADCP and that system.
-/// Log      at most one reading a minute of each sensor, and a profile of currents every ten minutes: as much as a pilot
-///          reads
-/// Chance   each sensor has its own stream of the flight's seed
+/// A vehicle with altimeter and, if `system` is given, with sonar, ADCP and onboard avoidance.
+/// Log      at most one reading a minute of each sensor, and a profile of currents every ten minutes: as much
+///          as a pilot reads
+/// Chance   each sensor has its own random stream from the flight's seed
 /// Threads  one flight at a time
 class EquippedVehicle {
  public:
@@ -57,11 +58,11 @@ class EquippedVehicle {
 
   [[nodiscard]] OnBoardAnswer step(const FlightView& view);
 
-  /// What the sensors told so far; the fixes are the flight's.
+  /// Readings of the sensors so far. Fixes are recorded by the flight.
   [[nodiscard]] const SensorLog& log() const { return log_; }
 
  private:
-  /// Whether a sensor that works at such intervals is due; it then is not until the next.
+  /// Whether a sensor with this interval is due. After true, it is false until the next interval.
   class Clock {
    public:
     explicit Clock(core::Seconds interval) : interval_{interval} {}

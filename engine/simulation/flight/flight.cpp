@@ -16,7 +16,7 @@ namespace {
 
 constexpr core::Seconds step_length{1.0};
 constexpr double step_s = step_length.count();
-/// Pressure sensors tell the surface to centimetres; the hull floats.
+/// A hull this near to the surface floats: pressure sensors are accurate to centimetres.
 constexpr double at_surface_m = 0.1;
 
 }  // namespace
@@ -95,7 +95,7 @@ class Flight::State {
     return truth_.position.down <= at_surface_m && motion_.sinking_m_s() <= 0.0;
   }
 
-  /// The vehicle's computer: behaviours, then the loops of heading, pitch and pump.
+  /// The vehicle's computer: first the behaviors, then the control loops of heading, pitch and pump.
   void command(const OnBoardAnswer& answer) {
     const MissionPilot::Known known{
         .time = truth_.time,
@@ -129,7 +129,8 @@ class Flight::State {
     if (pilot_.phase() == MissionPilot::Phase::done)
       return end(pilot_.has_arrived() ? FlightEnd::arrived : FlightEnd::gave_up, pilot_.reason());
     targets_ = pilot_.targets(known, answer.guidance);
-    // The loop turns until the compass shows the heading.
+    // The loop turns the vehicle until the compass shows the heading, so the true heading is off by the
+    // compass error.
     targets_.heading_rad += targets_.heading_rad - reckoning_.measured_heading_rad(targets_.heading_rad);
     const bool thruster = pilot_.uses_thruster(answer.guidance) && request_.vehicle.thruster;
     targets_.thruster_speed_m_s = thruster ? request_.vehicle.thruster->speed.value : 0.0;
@@ -145,7 +146,7 @@ class Flight::State {
     event(EventKind::fix, "");
   }
 
-  /// The sea: pump, hull and water for a second.
+  /// Moves pump, hull and water for one second.
   void move() {
     const double pumped_m3 = motion_.buoyancy_m3();
     motion_.advance(targets_, truth_.position.down);

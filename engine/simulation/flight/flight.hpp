@@ -24,18 +24,18 @@ namespace floeplan::simulation {
 struct FlightSettings {
   HullMotion hull{};
   NavigationErrors navigation{};
-  core::Seconds first_fix{60.0};          // from coming up to the first fix
-  core::Seconds longest{30.0 * 86400.0};  // the flight ends then at the latest
-  core::Seconds record_every{10.0};       // of the track
-  core::Metres reach{500.0};        // within which bodies are at hand for sensors and closest approaches
-  core::Metres hull_reach{0.75};    // a body nearer than half the hull's 1.5 m is touched
-  geo::VelocityEn known_current{};  // what the vehicle reckons with on its first dive
-  bool ends_at_contact{true};       // false: the contact is recorded, and the vehicle goes on through
+  core::Seconds first_fix{60.0};          // time from surfacing to the first fix
+  core::Seconds longest{30.0 * 86400.0};  // the flight ends at this time at the latest
+  core::Seconds record_every{10.0};       // interval of the track's points
+  core::Metres reach{500.0};              // bodies within it are used for sensors and closest approaches
+  core::Metres hull_reach{0.75};          // a body nearer than half the hull's length of 1.5 m is touched
+  geo::VelocityEn known_current{};        // current that the vehicle assumes on its first dive
+  bool ends_at_contact{true};             // false: a contact is recorded and the flight continues
 
   [[nodiscard]] core::Violations violations() const;  // empty when valid, otherwise all of them
 };
 
-/// All that a flight depends on. The world and the orders are borrowed and must outlive it.
+/// The input of a flight. World and orders are borrowed and must outlive it.
 struct FlightRequest {
   const World& world;
   const MissionOrders& orders;
@@ -46,40 +46,41 @@ struct FlightRequest {
   std::uint64_t seed{};
 };
 
-/// Why this mission cannot be flown in this world: settings and vehicle out of range, a start or a waypoint outside the
-/// data, a start on land or under ice, data that end long before it could arrive. Empty when it can.
+/// Why this mission cannot be flown in this world: settings or vehicle out of range, a start or waypoint
+/// outside the data, a start on land or under ice, data that end long before the vehicle can arrive. Empty:
+/// it can be flown.
 [[nodiscard]] core::Violations violations(const FlightRequest& request);
 
-/// What there is to sense at a step: for the sensors' models. The vehicle's own computer sees `own` alone.
+/// What the models of the sensors may use at a step. The vehicle's own computer uses only `own`.
 struct FlightView {
   const World& world;
   const TrueState& truth;
   NearbyBodies& bodies;            // within FlightSettings::reach
-  const avoidance::OwnState& own;  // without altitude: that is an answer
-  std::size_t waypoint{};          // under way, of all the mission's rows as flown
+  const avoidance::OwnState& own;  // without altitude, which the sensors return
+  std::size_t waypoint{};          // index of the next waypoint, among all rows as flown
 };
 
-/// What sensors and the system on board answer to a step.
+/// Output of sensors and onboard avoidance at a step.
 struct OnBoardAnswer {
   avoidance::Guidance guidance{};
-  std::optional<core::Metres> altitude{};  // above the sea bed by the altimeter, where it has an echo
+  std::optional<core::Metres> altitude{};  // above the sea bed, by the altimeter; empty: no echo
 };
 
-/// Sensors and the system on board, asked once a second, at the surface too.
+/// Sensors and onboard avoidance. `step` is called once a second, at the surface, too.
 template <class T>
 concept OnBoard = requires(T& on_board, const FlightView& view) {
   { on_board.step(view) } -> std::convertible_to<OnBoardAnswer>;
 };
 
-/// A vehicle as it is delivered: an altimeter that hears the bed straight below within its range, and no system on
-/// board.
+/// A vehicle as delivered: an altimeter that measures the bed straight below within its range, and no onboard
+/// avoidance.
 struct BareVehicle {
-  core::Metres altimeter_range{100.0};  // of the usual altimeter; farther there is no echo
+  core::Metres altimeter_range{100.0};  // of the usual altimeter; no echo beyond
 
   [[nodiscard]] OnBoardAnswer step(const FlightView& view) const;
 };
 
-/// One flight, second by second. `fly` below is the usual way to it.
+/// One flight, second by second. Usually called through `fly` below.
 class Flight {
  public:
   /// Errors   std::invalid_argument for a request with violations
@@ -90,11 +91,11 @@ class Flight {
 
   [[nodiscard]] bool is_under_way() const;
   [[nodiscard]] FlightView view();
-  /// One second on, with what sensors and system answered.
+  /// Advances by one second with this output of sensors and avoidance.
   void step(const OnBoardAnswer& answer);
-  /// Ends the flight before it ends by itself.
+  /// Ends the flight early.
   void stop();
-  /// Once, at the end.
+  /// The record of the flight. Call once, at the end.
   [[nodiscard]] FlightRecord take_record();
 
  private:
@@ -102,10 +103,10 @@ class Flight {
   std::unique_ptr<State> state_;
 };
 
-/// Flies a mission in a world: the loop of world, vehicle, sensors and system on board.
+/// Flies a mission in a world: the loop over world, vehicle, sensors and onboard avoidance.
 /// Laws     the same request gives the same record, bit by bit, whatever else runs
 /// Errors   std::invalid_argument for a request with violations
-/// Stops    within a second of simulated time of `stop`, with a record that says so
+/// Stops    within a second of simulated time after `stop` is requested, with a record that says so
 template <OnBoard T>
 [[nodiscard]] FlightRecord fly(const FlightRequest& request, T& on_board, const std::stop_token& stop = {}) {
   Flight flight{request};

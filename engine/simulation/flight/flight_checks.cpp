@@ -9,15 +9,15 @@
 #include "engine/simulation/flight/flight.hpp"
 #include "engine/simulation/flight/flight_path.hpp"
 
-/// What can be told of a flight before it begins.
+/// Checks of a flight before it begins.
 namespace floeplan::simulation {
 namespace {
 
-/// Nothing carries a glider over its whole way faster than this many times its own speed.
+/// No current makes a glider, over its whole route, faster than this multiple of its own speed.
 constexpr double fastest_over_own = 2.0;
 
-/// Whether the data end before the vehicle can be at its last waypoint, however the water helps it and however soon the
-/// pilot ends its holds.
+/// Whether the data end before the vehicle can reach its last waypoint, with the best possible currents and
+/// the earliest end of all holds.
 bool data_end_too_early(const FlightRequest& request) {
   Vector place = request.world.to_frame(request.start);
   double way_m = 0.0;

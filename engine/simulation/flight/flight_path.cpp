@@ -6,11 +6,11 @@
 namespace floeplan::simulation {
 namespace {
 
-/// No leg of a hold takes less: the vehicle is at the surface for as long at each turn.
+/// No leg of a hold is shorter: the vehicle is at the surface for this time at each turn.
 constexpr core::Seconds shortest_leg{360.0};
 
-/// Adds as many legs as the vehicle may fly until the pilot ends the hold: whole rounds of the list after the one
-/// that is ordered.
+/// Adds the legs that the vehicle may fly until the pilot ends the hold: the ordered list, then whole
+/// repetitions of it.
 void lay_hold(FlightPath& path, const GotoOrders& list, const std::vector<Vector>& places) {
   const mission::HoldTimes& planned = *list.hold->planned;
   const auto ordered = static_cast<std::size_t>(std::max(1, list.rows.legs));

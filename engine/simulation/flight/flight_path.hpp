@@ -11,30 +11,30 @@
 
 namespace floeplan::simulation {
 
-/// How the pilot ashore ends a hold.
+/// How the pilot on shore ends a hold.
 struct HoldEnd {
   core::UtcTime planned{};
-  std::size_t next{};  // the stop that follows then
+  std::size_t next{};  // index of the stop that follows after the hold
 };
 
-/// One place of the route that the goto lists make, in the frame of the flight.
+/// One place of the route along the goto lists, in the frame of the flight.
 struct RouteStop {
   Vector place{};
   double radius_m{};
-  bool ends_list{};  // and another list follows
+  bool ends_list{};  // end of a list that another one follows
   std::optional<HoldEnd> hold{};
 };
 
-/// What the vehicle's own computer flies by: the rows of its goto lists that are flown, laid end to end.
+/// The route that the vehicle's computer flies: all flown rows of its goto lists, one list after another.
 struct FlightPath {
   std::vector<RouteStop> stops;
-  std::optional<std::size_t> loops_to;  // after the last stop, for a list that goes round and round
+  std::optional<std::size_t> loops_to;  // first stop of a list without end, which repeats after the last stop
 };
 
-/// Lays the lists end to end from where the vehicle starts; a list that goes round and round is the last.
-/// Holds    a list that says when it is to end, and that another one follows, is laid as often as it may be flown until
-///          then: its stops have a HoldEnd
-/// Rule     mission::flown_rows; the closest row is that in the frame of the world
+/// Makes the route from the start along all lists. A list without end must be the last one.
+/// Holds    a list with a planned end, which another one follows, is repeated as often as it may be flown
+///          until then: its stops have a HoldEnd
+/// Rule     mission::flown_rows; the closest row is closest in the frame of the world
 [[nodiscard]] FlightPath flight_path(const World& world, const MissionOrders& orders, geo::LonLat start);
 
 }  // namespace floeplan::simulation

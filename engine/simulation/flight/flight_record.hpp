@@ -12,16 +12,16 @@
 #include "engine/simulation/vehicle/true_state.hpp"
 #include "engine/simulation/world/space.hpp"
 
-/// What one simulated flight leaves behind. Places are in the frame of the flight's world, energy is drawn since the
-/// start.
+/// The result of one simulated flight. Places are in the frame of the flight's world; energy is counted from
+/// the start.
 namespace floeplan::simulation {
 
-/// A moment of the track.
+/// One time on the track.
 struct TrackPoint {
   core::UtcTime time{};
-  Vector position{};     // where the vehicle really is
-  Vector believed{};     // where its dead reckoning and its depth sensor put it
-  double sigma_m{};      // of `believed` as the vehicle states it, one sigma of east and of north
+  Vector position{};     // true place of the vehicle
+  Vector believed{};     // place by dead reckoning and depth sensor
+  double sigma_m{};      // stated error of `believed`: one standard deviation of east and of north
   Attitude attitude{};   // true
   Vector over_ground{};  // true velocity, m/s
   core::Joules energy{};
@@ -38,21 +38,21 @@ enum class EventKind : std::uint8_t {
   surfacing,
   fix,       // by GPS
   waypoint,  // reached, as the vehicle believes
-  guidance,  // the system on board changes its mode
+  guidance,  // the onboard avoidance changes its mode
   contact,   // with a body, the sea bed or the ice
-  end        // why is FlightRecord::end
+  end        // reason in FlightRecord::end
 };
 
 struct FlightEvent {
   core::UtcTime time{};
   EventKind kind{};
   Vector position{};
-  std::string text;  // for a person; empty where the kind says it all
+  std::string text;  // for a person; empty if the kind says all
 
   friend bool operator==(const FlightEvent&, const FlightEvent&) = default;
 };
 
-/// Nearest that the vehicle came to something.
+/// The closest approach of the vehicle to an object.
 struct ClosestApproach {
   std::string to;  // "sea bed", "sea ice" or the name of a body
   double distance_m{};
@@ -62,7 +62,7 @@ struct ClosestApproach {
   friend bool operator==(const ClosestApproach&, const ClosestApproach&) = default;
 };
 
-struct SonarEntry {  // a ping that returned something
+struct SonarEntry {  // a ping with at least one echo
   core::UtcTime time{};
   int returns{};
   double nearest_m{};
@@ -77,7 +77,7 @@ struct AltimeterEntry {
   friend bool operator==(const AltimeterEntry&, const AltimeterEntry&) = default;
 };
 
-struct CurrentEntry {  // a bin of an ADCP's profile
+struct CurrentEntry {  // one depth bin of an ADCP profile
   core::UtcTime time{};
   double depth_m{};
   geo::VelocityEn measured{};
@@ -88,14 +88,14 @@ struct CurrentEntry {  // a bin of an ADCP's profile
 
 struct FixEntry {
   core::UtcTime time{};
-  Vector fixed{};                    // by GPS
+  Vector fixed{};                    // place by GPS
   Vector believed{};                 // before the fix
-  geo::VelocityEn depth_averaged{};  // current since the fix before, as the vehicle computes it
+  geo::VelocityEn depth_averaged{};  // mean current since the fix before, as the vehicle computes it
 
   friend bool operator==(const FixEntry&, const FixEntry&) = default;
 };
 
-/// What the sensors told, thinned where a flight is long.
+/// Readings of the sensors, thinned on long flights.
 struct SensorLog {
   std::vector<SonarEntry> sonar;
   std::vector<AltimeterEntry> altimeter;
@@ -106,14 +106,14 @@ struct SensorLog {
 };
 
 enum class FlightEnd : std::uint8_t {
-  arrived,    // the last waypoint was reached, and the vehicle came up there
+  arrived,    // the last waypoint was reached, and the vehicle surfaced there
   collided,   // with a body or the sea ice
   grounded,   // on the sea bed
-  gave_up,    // the mission or the system on board ended it, or ice at the goal turned the vehicle back
-  time_up,    // longer than the settings allow
+  gave_up,    // ended by mission or onboard avoidance, or turned back at ice over the goal
+  time_up,    // longer than allowed by the settings
   battery,    // below the reserve
-  left_data,  // where the world is not known
-  stopped     // on request: the record is not whole
+  left_data,  // left the known part of the world
+  stopped     // on request: the record is incomplete
 };
 
 [[nodiscard]] std::string_view text(EventKind kind);
@@ -127,7 +127,7 @@ struct FlightRecord {
   core::UtcTime finished{};
   std::vector<TrackPoint> track;  // first and last moment included
   std::vector<FlightEvent> events;
-  std::vector<ClosestApproach> approaches;  // one for the sea bed, the sea ice and each body come near
+  std::vector<ClosestApproach> approaches;  // to the sea bed, the sea ice and each body within reach
   SensorLog sensors;
   core::Joules energy{};
   double distance_m{};  // over ground, horizontal

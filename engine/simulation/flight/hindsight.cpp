@@ -16,11 +16,11 @@ constexpr core::Seconds span{1200.0};
 constexpr int headings = 36;
 constexpr double heading_step = 2.0 * std::numbers::pi / headings;
 constexpr std::array changes_s{60.0, 180.0, 360.0};
-/// How long before a collision the sea bed or ice counts as seen, for both are always within range: as long as an iceberg is
-/// in range of a vehicle at its speed.
+/// Sea bed and ice are always within sonar range. They count as seen this long before a collision: as long as
+/// an iceberg is in range of a vehicle at its speed.
 constexpr core::Seconds bed_is_seen_before{600.0};
 
-/// The ways that lie open at a moment of a flight.
+/// Tests which evasive routes are clear from one time of a flight on.
 class Foresight {
  public:
   Foresight(const World& world, const TrackPoint& from, const ForesightSettings& settings)
@@ -30,7 +30,7 @@ class Foresight {
       bodies_.push_back(&world.bodies()[i]);
   }
 
-  /// Whether steering for `first` until `change_s` and then for `second` meets nothing.
+  /// Whether the vehicle meets nothing if it steers `first` until `change_s` and then `second`. Headings.
   [[nodiscard]] bool is_clear(double first, double change_s, double second) const {
     Vector place = from_.position;
     double heading = from_.attitude.heading_rad;
@@ -80,7 +80,7 @@ const Body* touched_body(const World& world, const FlightRecord& record) {
   return body != world.bodies().end() ? &*body : nullptr;
 }
 
-/// The moment of the track at which what was touched first lay within range.
+/// The first point of the track at which the touched object was within range.
 const TrackPoint* first_seen(const World& world, const FlightRecord& record, core::Metres range) {
   const Body* const body = touched_body(world, record);
   const auto is_seen = [&](const TrackPoint& point) {

@@ -13,22 +13,22 @@ namespace {
 
 using Cause = SurfaceOrders::Cause;
 
-/// For a fix that ends the time at the surface, after the one that began it, so that the drift is known.
+/// Time for a second fix at the end of a surfacing. With the first fix it gives the drift.
 /// Source   gps_postfix_wait_time of the vendor's data dictionary of firmware 10.5
 constexpr core::Seconds postfix{60.0};
 
-/// Height of the saw-teeth of a vehicle that waits below ice to come up.
+/// Height of the saw-tooth of a vehicle that waits below ice until it can surface.
 constexpr double held_tooth_m = 10.0;
 
-/// Until pump and pitch have turned a shallow vehicle round (HullMotion): it does not turn again before, so that where
-/// bed and surface leave no room it does not drain its battery by turning every second.
+/// Time until pump and pitch have turned a shallow vehicle (HullMotion). It does not turn again earlier:
+/// where bed and surface leave no room, turning every second would drain its battery.
 constexpr core::Seconds turning_time{15.0};
 
-/// Who moves up and down by less neither saw-tooths nor gets on.
+/// A vehicle that changes its depth by less does not saw-tooth and makes no way.
 constexpr core::Metres same_depth = vehicle::lowest_tooth;
 
-/// Who has looked for a way up through ice for so long goes back to where there was one: half an hour of drifting floes
-/// is enough to tell a lead from a cover.
+/// After this time of searching a lead the vehicle returns to its last place at the surface. Half an hour of
+/// drifting floes is enough to tell a lead from closed ice.
 constexpr core::Seconds looks_for_a_lead{1800.0};
 
 double level_distance(Vector a, Vector b) { return std::hypot(a.east - b.east, a.north - b.north); }
@@ -204,7 +204,7 @@ void MissionPilot::come_up(const SurfaceOrders& orders, std::size_t index, core:
   began_[index] = time;
   climb_ = orders.climb;
   wait_ = orders.wait;
-  // A list that is flown leaves nothing to go on with, whether the pilot answers or not.
+  // After the last list no orders remain, whether the pilot answers or not.
   ends_ = has_finished() || (orders.ends_mission && !awaits_list_);
   if (orders_.yo.half_cycles >= 0 && halves_ >= orders_.yo.half_cycles) halves_ = 0;
   if (has_finished()) {
@@ -230,7 +230,7 @@ bool MissionPilot::is_held_at_one_depth(const Known& known) {
   return orders_.same_depth && known.time - held_since_ >= *orders_.same_depth;
 }
 
-/// Who is to come up saw-tooths on below the ice until there is none overhead.
+/// A vehicle that is to surface below ice continues its saw-tooth below the ice until there is none above.
 void MissionPilot::keep_below_ice(const Known& known, const avoidance::Guidance& guidance) {
   if (!guidance.shallowest) {
     below_ice_since_.reset();

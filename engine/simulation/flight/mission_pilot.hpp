@@ -14,15 +14,16 @@
 
 namespace floeplan::simulation {
 
-/// Runs the mission's behaviours as the vehicle's computer does: which waypoint to steer for, when to turn in the
-/// saw-tooth, when to come up and what to do there. Knows only what the vehicle knows.
-/// Ends     a mission that cannot go on is aborted, and the vehicle comes up: below the depth or beyond the distance of
-///          abend, held at one depth, given up by the system on board. Where ice that the system knows lies above, it
-///          looks for a lead for half an hour and then goes back to where it last was at the surface
-/// Lists    at the end of a list the vehicle comes up, by the surfacing for it or by an abort for want of a heading;
-///          there the pilot sends the next one, where there is one, and the mission begins anew
-/// Holds    while the vehicle holds, the pilot sends the next list at the surfacing nearest to the planned end of the
-///          hold, and the list of the hold once more where it is flown long before
+/// Runs the mission's behaviors as the vehicle's computer does: which waypoint to steer for, when to turn in
+/// the saw-tooth, when to surface and what to do there. Uses only what the vehicle knows.
+/// Ends     A mission that cannot continue is aborted, and the vehicle surfaces: below the depth or beyond
+///          the distance of abend, stuck at one depth, or ended by the onboard avoidance. If the avoidance
+///          knows ice above, the vehicle searches a lead for half an hour and then returns to its last place
+///          at the surface
+/// Lists    At the end of a list the vehicle surfaces, by its surfacing behavior or by an abort for lack of a
+///          heading. There the pilot sends the next list, if any, and the mission begins anew
+/// Holds    During a hold the pilot sends the next list at the surfacing nearest to the hold's planned end,
+///          and the hold's list once more if it ends long before
 /// Aim      motion::waypoint_heading
 class MissionPilot {
  public:
@@ -32,18 +33,18 @@ class MissionPilot {
   struct Known {
     core::UtcTime time{};
     Vector place{};  // by dead reckoning or fix; its depth by the pressure sensor
-    bool floats{};   // it is at the surface
+    bool floats{};   // is at the surface
     std::optional<core::Metres> altitude{};
-    Vector current{};  // reckoned with
+    Vector current{};  // the assumed current
     double speed_m_s{};
   };
-  /// What came of a step, for the record.
+  /// Events of a step, for the record.
   struct Turned {
     bool dived{};
     bool inflected{};
     bool surfaced{};
     bool fixed{};
-    std::optional<std::size_t> waypoint{};  // reached, by index
+    std::optional<std::size_t> waypoint{};  // index of a reached waypoint
   };
 
   /// `orders` is borrowed.
@@ -53,14 +54,14 @@ class MissionPilot {
 
   [[nodiscard]] ActuatorTargets targets(const Known& known, const avoidance::Guidance& guidance) const;
   [[nodiscard]] Phase phase() const { return phase_; }
-  /// Index of the next stop of the list under way; the number of stops once all are passed.
+  /// Index of the next stop; the number of stops once all are passed.
   [[nodiscard]] std::size_t waypoint() const { return stop_; }
   [[nodiscard]] bool has_finished() const { return stop_ >= path_.stops.size(); }
-  /// Whether the mission ended where it was to end: its lists are flown, and the vehicle came up there.
+  /// Whether the mission ended as ordered: all lists are flown, and the vehicle surfaced at the end.
   [[nodiscard]] bool has_arrived() const { return has_finished() && !turns_back_; }
-  /// Why the mission ended, once the phase is done.
+  /// Why the mission ended; valid in the phase `done`.
   [[nodiscard]] const std::string& reason() const { return reason_; }
-  /// Whether mission or guidance ask for the propeller.
+  /// Whether mission or guidance use the thruster.
   [[nodiscard]] bool uses_thruster(const avoidance::Guidance& guidance) const;
 
  private:
@@ -71,9 +72,9 @@ class MissionPilot {
   void come_up(const SurfaceOrders& orders, std::size_t index, core::UtcTime time);
   void abort(std::string reason);
   void end_hold_in_time(core::UtcTime time);
-  /// Whether the list on board is flown.
+  /// Whether the list on board has been flown to its end.
   [[nodiscard]] bool has_no_heading() const { return has_finished() || awaits_list_; }
-  /// Where the vehicle steers for, unless it is guided.
+  /// The place that the vehicle steers for, unless guidance overrides it.
   [[nodiscard]] Vector goal() const;
   [[nodiscard]] bool is_held_at_one_depth(const Known& known);
   void keep_below_ice(const Known& known, const avoidance::Guidance& guidance);
@@ -86,29 +87,29 @@ class MissionPilot {
   core::Seconds first_fix_;
   Phase phase_{Phase::at_surface};
   std::size_t stop_{};
-  bool awaits_list_{};                              // those after `stop_` are not on board yet
-  std::optional<core::UtcTime> left_to_hold_{};     // the surface, last
-  int halves_{};                                    // done of the yo
-  int turns_{};                                     // since the last time up
-  bool held_down_{};                                // on the way up, below ice that the system on board knows
-  std::optional<core::UtcTime> below_ice_since_{};  // on that way
-  bool turns_back_{};                               // to where it last was at the surface
+  bool awaits_list_{};                              // stops after `stop_` are not on board yet
+  std::optional<core::UtcTime> left_to_hold_{};     // last departure from the surface during a hold
+  int halves_{};                                    // half-yos done
+  int turns_{};                                     // turns since the last surfacing
+  bool held_down_{};                                // climbing, but held below ice that the avoidance knows
+  std::optional<core::UtcTime> below_ice_since_{};  // begin of that time below ice
+  bool turns_back_{};                               // returning to the last place at the surface
   Vector open_water_{};
   HalfYo climb_{};  // to the surface
   core::Seconds wait_{};
   bool ends_{};
   std::string reason_;
-  double held_depth_m_{};  // near it since `held_since_`
+  double held_depth_m_{};  // depth near which it has stayed since `held_since_`
   core::UtcTime held_since_{};
-  core::UtcTime turned_{};  // last, up or down
+  core::UtcTime turned_{};  // time of the last turn, up or down
   core::UtcTime surfaced_{};
   core::UtcTime fix_due_{};
   core::UtcTime leave_{};
   bool fixed_{true};
   core::UtcTime last_contact_{};
-  std::vector<core::UtcTime> began_;  // of each surface behaviour
+  std::vector<core::UtcTime> began_;  // last begin of each surface behavior
   std::vector<core::UtcTime> ended_;
-  std::optional<std::size_t> running_;  // surface behaviour
+  std::optional<std::size_t> running_;  // index of the active surface behavior
 };
 
 }  // namespace floeplan::simulation

@@ -15,9 +15,9 @@
 namespace floeplan::simulation {
 namespace {
 
-constexpr double about_route_m = 3000.0;       // farther bergs do not come near in the time of the flight
+constexpr double about_route_m = 3000.0;       // bergs farther away do not come near during the flight
 constexpr core::Seconds fix_every{900.0};      // of a berg's track
-constexpr core::Seconds fix_interval{3600.0};  // from one coming up for a position to the next
+constexpr core::Seconds fix_interval{3600.0};  // interval of surfacings for a fix
 constexpr std::array forms{IcebergForm::tabular,  IcebergForm::blocky, IcebergForm::domed,
                            IcebergForm::pinnacle, IcebergForm::wedge,  IcebergForm::drydock};
 
@@ -41,7 +41,7 @@ double length_m(const IcebergFieldSettings& settings, std::mt19937_64& rng) {
   }
 }
 
-/// Carried by the current at half the draft and moving through it.
+/// Track of a berg that the current at half its draft carries and that also moves through the water.
 std::vector<Body::Fix> drift(Vector place, double draft_m, Vector through_water, const TrueCurrent& current,
                              core::UtcTime from, core::Seconds duration) {
   std::vector<Body::Fix> track;
@@ -77,7 +77,7 @@ vehicle::GliderProfile glider(core::Metres dive_depth) {
   return flown_vehicle(profile).value();
 }
 
-/// The way east, the yo of the profile, up every hour for a fix and at the end.
+/// A mission eastwards with the yo of the profile that surfaces every hour for a fix, and at the end.
 MissionOrders orders_for(const World& world, const IcebergFieldSettings& settings,
                          const vehicle::GliderProfile& vehicle) {
   MissionOrders orders;

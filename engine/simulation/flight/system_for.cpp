@@ -9,16 +9,16 @@
 namespace floeplan::simulation {
 namespace {
 
-constexpr int most_places = 24;  // to a side of the carried grid
+constexpr int most_places = 24;  // on each side of the stored grid
 constexpr int most_times = 48;
 constexpr double least_spacing_m = 500.0;
-constexpr double around_route_m = 5000.0;  // far beyond any detour
+constexpr double around_route_m = 5000.0;  // far more than any detour
 constexpr core::Seconds least_time_step{1800.0};
-/// How far off its axis a beam reports an echo, of its height: half, and a quarter on while the next row, which then
-/// hears it better, hears it less than 6 dB better (simulation::Sonar).
+/// How far off its axis a beam still reports an echo, as a share of its height. Half of it; and a quarter
+/// more, where the next row hears the echo better, but by less than 6 dB (simulation::Sonar).
 constexpr double heard_beside_axis = 0.75;
 
-/// Four depths of the saw-tooth, ends included.
+/// Four depths of the saw-tooth, including both turns.
 std::vector<core::Metres> depths_of(const YoOrders& yo) {
   const double top_m = yo.climb.depth.value;
   const double bottom_m = std::max(yo.dive.depth.value, top_m + 3.0);

@@ -14,17 +14,17 @@
 namespace floeplan::simulation {
 namespace {
 
-/// A turn of the saw-tooth that is less than this is the vehicle's heave.
+/// A smaller turn of the saw-tooth is heave of the vehicle.
 constexpr double least_turn_m = 3.0;
-/// The pump is on its way once it has moved this share of its stroke.
+/// The pump has begun a stroke once it has moved this share of it.
 constexpr double stroke_begun = 0.05;
-/// Deeper, the hull glides: what it pitches there are its settings.
+/// Below this depth the hull glides, so its pitch shows the settings.
 constexpr double gliding_from_m = 5.0;
 constexpr double flattest_glide_rad = 0.15;
 constexpr double cm3 = 1e-6;
-/// No Slocum stays down longer; the times of such a log jump.
+/// No Slocum dives longer; in such a log the times have a jump.
 constexpr core::Seconds longest_dive{10.0 * 86400.0};
-/// The part of the time between two turns in which the hull glides steadily, as shares of it.
+/// Part of the time between two turns in which the glide is steady, as shares of that time.
 constexpr double middle_from = 0.3;
 constexpr double middle_to = 0.7;
 
@@ -49,7 +49,7 @@ struct Turn {
   bool deep;
 };
 
-/// Rows of one dive, from the first under water to the first at the surface.
+/// Rows of one dive, from the first under water to the first at the surface after it.
 struct Span {
   std::size_t first;
   std::size_t surfaced;
@@ -92,7 +92,7 @@ class Reader {
     return messages::flight_fault<"axes-of-currents-unknown">("/m_gps_mag_var");
   }
 
-  /// What the log says of its axes, and the number of those that hold at each row.
+  /// Passes all rows to LoggedAxes, and stores which axes are valid at each row.
   void note_axes() {
     const auto told = [&](const char* name, std::size_t row) {
       return log_.has(name) ? log_[name][row] : std::nullopt;
@@ -161,8 +161,8 @@ class Reader {
     return geo::VelocityLmc{{*x}, {*y}};
   }
 
-  /// What the vehicle says of this dive's current once it is up: the final estimate where it changed after the dive,
-  /// else the first one.
+  /// The vehicle's own estimate of this dive's mean current after it: the final estimate if it changed after
+  /// the dive, otherwise the initial one.
   [[nodiscard]] std::optional<geo::VelocityLmc> depth_averaged(const Span& span) const {
     const std::size_t last = last_row_at_surface(span);
     for (const char* stem : {"m_final_water", "m_initial_water"}) {
@@ -199,7 +199,7 @@ class Reader {
     return turns;
   }
 
-  /// Depth at which the pump sets out on the stroke that leads to a turn: looked for backwards from it.
+  /// Depth at which the pump begins the stroke for a turn; searched backwards from the turn.
   [[nodiscard]] double depth_of_command(const Turn& turn, const std::string& pump, double low_cc,
                                         double high_cc) const {
     const double begun_cc =
@@ -262,7 +262,7 @@ class Reader {
     return segment;
   }
 
-  /// Rates of depth in the middle of the glides that begin at such turns.
+  /// Median vertical speed in the middle of the glides that begin at such turns.
   [[nodiscard]] core::MetresPerSecond rate_after(const std::vector<Turn>& turns, bool deep) const {
     std::vector<double> rates;
     for (std::size_t i = 0; i + 1 < turns.size(); ++i) {
@@ -286,7 +286,7 @@ class Reader {
     return {rates.empty() ? 0.0 : median(rates)};
   }
 
-  /// False where pump or pitch do not tell dive from climb.
+  /// False if pump or pitch do not distinguish dive from climb.
   [[nodiscard]] bool read_settings(const Span& span, const std::vector<Turn>& turns,
                                    LoggedSegment& segment) const {
     const std::string pump = *pump_column();
@@ -323,7 +323,7 @@ class Reader {
 
   LogTable log_;
   ocean::LoggedAxes axes_;
-  std::vector<std::size_t> axes_at_;  // of each row
+  std::vector<std::size_t> axes_at_;  // for each row
   core::Violations found_;
 };
 

@@ -19,10 +19,10 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
 }
 
-/// How a log is laid out.
+/// Format of the text of a log.
 struct Layout {
-  bool by_blanks{};  // not by commas
-  int lines_of_labels{};  // after the names, whatever they hold; else a line of units is told from a row by its words
+  bool by_blanks{};       // fields are separated by blanks, not by commas
+  int lines_of_labels{};  // lines after the names to skip; 0: a line of units is recognised by its words
 };
 
 std::vector<std::string_view> fields_of(std::string_view line, const Layout& layout) {
@@ -43,20 +43,20 @@ std::vector<std::string_view> fields_of(std::string_view line, const Layout& lay
   }
 }
 
-/// Whether the vendor's program dbd2asc made the text of a binary log: tags, names, units, sizes in bytes, rows, all by
-/// blanks.
+/// Whether the vendor's program dbd2asc made the text from a binary log: tags, names, units, sizes in bytes,
+/// rows, all separated by blanks.
 bool is_converted(std::string_view text) {
   const std::string_view first = text.substr(0, text.find('\n'));
   return first.starts_with("dbd_label:") && first.find("DBD_ASC") != std::string_view::npos;
 }
 
-/// Tags of the vendor's converter stand before the names as "key: value".
+/// Whether the line is a tag "key: value", which the vendor's converter writes before the names.
 bool is_tag(std::string_view line) {
   const auto colon = line.find(':');
   return colon != std::string_view::npos && line.find_first_of(" \t,") > colon;
 }
 
-/// Empty for a text that is no number; an empty optional inside for an empty field and for nan.
+/// Empty if the text is not a number. The inner optional is empty for an empty field and for nan.
 std::optional<std::optional<double>> number(std::string_view field) {
   if (field.empty()) return std::optional<double>{};
   double value = 0.0;
@@ -65,7 +65,7 @@ std::optional<std::optional<double>> number(std::string_view field) {
   return std::isfinite(value) ? std::optional{value} : std::optional<double>{};
 }
 
-/// A sensor's name, as "m_depth".
+/// Whether the field is a sensor's name, such as "m_depth".
 bool is_name(std::string_view field) {
   return !field.empty() && std::ranges::all_of(field, [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';

@@ -20,18 +20,19 @@ enum class Notation { packed, decimal };
 
 constexpr double most_packed_lat = 9'000.0;
 constexpr double most_packed_lon = 18'000.0;
-constexpr double rounded_minutes = 60.001;  // 60.0000 is written for 59.99996
-constexpr double rare = 0.01;               // of a pair's values: what fewer say may be damage
+constexpr double rounded_minutes = 60.001;  // 60.0000 may be written for 59.99996
+constexpr double rare = 0.01;               // of a pair's values: a smaller share may be damaged data
 constexpr double clearly_nearer = 0.1;
-/// Both readings of a way differ by 60, so that these tell them apart with room for the sea's currents.
+/// In the two readings distances differ by a factor of 60, so this share separates them, with room for
+/// currents.
 constexpr double least_share = 0.3;
 constexpr double most_share = 3.0;
 constexpr double least_way_m = 200.0;
-constexpr double least_speed_m_s = 0.1;     // of a glider that glides
+constexpr double least_speed_m_s = 0.1;     // of a gliding glider
 constexpr double fastest_m_s = 10.0;        // no glider is faster
-constexpr double least_wait_s = 600.0;      // between places whose speed is taken
-constexpr double longest_step_s = 900.0;    // of reckoning, from row to row
-constexpr double longest_step_m = 1'000.0;  // likewise: a new mission counts its metres from elsewhere
+constexpr double least_wait_s = 600.0;      // between the places whose speed is computed
+constexpr double longest_step_s = 900.0;    // of dead reckoning, from row to row
+constexpr double longest_step_m = 1'000.0;  // longer steps: a new mission with another origin of its metres
 
 struct Pair {
   const char* lat_name;
@@ -56,7 +57,7 @@ double packed(double degrees) {
   return std::copysign(100.0 * whole + 60.0 * (size - whole), degrees);
 }
 
-/// What the unit above a column says; nothing: it is the vehicle's own, or none.
+/// The notation in the unit above a column; empty: the vehicle's own unit, or none.
 std::optional<Notation> notation_of_unit(const std::string& unit) {
   const std::string word = core::plain_word(unit);
   if (word.starts_with("ddmm") || word.starts_with("dddmm") || word == "nmea") return Notation::packed;
@@ -65,17 +66,17 @@ std::optional<Notation> notation_of_unit(const std::string& unit) {
   return says_degrees ? std::optional{Notation::decimal} : std::nullopt;
 }
 
-/// Values that can be of one notation alone.
+/// Counts of values that are possible in only one notation.
 struct Proofs {
   std::size_t values{};
   std::size_t packed{};
   std::size_t decimal{};
-  double packed_value{};  // the first of them
+  double packed_value{};  // the first packed one
   double decimal_value{};
 
   void add(double value, double most_degrees, double most_packed) {
     const double size = std::abs(value);
-    if (value == 0.0 || size > most_packed) return;  // no position
+    if (value == 0.0 || size > most_packed) return;  // not a position
     ++values;
     if (size > most_degrees) {
       if (packed++ == 0) packed_value = value;
@@ -83,7 +84,7 @@ struct Proofs {
       if (decimal++ == 0) decimal_value = value;
     }
   }
-  /// Whether so many are more than damage.
+  /// Whether this many values are too many to be damaged data.
   [[nodiscard]] bool has(std::size_t count) const {
     return count > 0 && static_cast<double>(count) >= rare * static_cast<double>(values);
   }
@@ -109,13 +110,13 @@ core::Violation contradiction(const Pair& pair, const Given&... values) {
   return messages::flight_fault<code>(std::string{"/"} + pair.lat_name, pair.lon_name, values...);
 }
 
-/// Ways between the rows of a pair, in both readings and by other sensors.
+/// Distances between the rows of a pair of position sensors: in both readings, and by other sensors.
 struct Ways {
   double packed_m{};
   double decimal_m{};
   double told_m{};
 
-  /// The one reading whose ways are about those told.
+  /// The only reading whose distances are near those by other sensors; empty: none or both.
   [[nodiscard]] std::optional<Notation> fitting() const {
     if (told_m < least_way_m) return std::nullopt;
     const auto fits = [&](double way_m) {
@@ -161,7 +162,7 @@ void add_way(Ways& ways, const Read& from, const Read& to, double told_m) {
   ways.told_m += told_m;
 }
 
-/// Against the vehicle's own metres, which its dead reckoning keeps beside its degrees.
+/// Compares with the vehicle's own metres, in which its dead reckoning is also logged.
 std::optional<Notation> by_local_metres(const LogTable& log, const std::vector<Read>& reads) {
   Ways ways;
   const Read* last = nullptr;
@@ -179,7 +180,7 @@ std::optional<Notation> by_local_metres(const LogTable& log, const std::vector<R
   return ways.fitting();
 }
 
-/// Against its speed through the water over the time.
+/// Compares with the speed through the water times the time.
 std::optional<Notation> by_speed(const LogTable& log, const std::vector<Read>& reads) {
   if (!log.has("m_speed")) return std::nullopt;
   Ways ways;
@@ -194,7 +195,7 @@ std::optional<Notation> by_speed(const LogTable& log, const std::vector<Read>& r
   return ways.fitting();
 }
 
-/// Where decimal degrees would be faster than any glider all along.
+/// Excludes decimal degrees if the vehicle would always be faster than any glider.
 std::optional<Notation> by_fastest(const std::vector<Read>& reads) {
   std::vector<double> speeds_m_s;
   const Read* last = nullptr;
@@ -226,7 +227,7 @@ std::optional<Notation> by_zone(const LogTable& log, const std::vector<Read>& re
   return std::nullopt;
 }
 
-/// The reading that lies ten times nearer to places that are known.
+/// The reading that is ten times nearer to known places.
 std::optional<Notation> by_nearness(const std::vector<Read>& reads, const std::vector<Read>& others,
                                     Notation notation_of_others) {
   double packed_m = 0.0;
@@ -246,7 +247,7 @@ std::optional<Notation> by_nearness(const std::vector<Read>& reads, const std::v
   return std::nullopt;
 }
 
-/// Settles the pairs of one log.
+/// Decides the notation of each pair of position sensors of one log.
 class Settling {
  public:
   explicit Settling(LogTable& log) : log_{log} {}
@@ -272,7 +273,7 @@ class Settling {
  private:
   [[nodiscard]] bool is_open(std::size_t i) const { return has_places_.at(i) && !notations_.at(i); }
 
-  /// The places of a pair, read when they are asked for first: most logs need none.
+  /// The positions of a pair, read at the first call: most logs do not need them.
   const std::vector<Read>& reads(std::size_t i) {
     if (reads_.at(i).empty()) reads_.at(i) = reads_of(log_, pairs.at(i));
     return reads_.at(i);

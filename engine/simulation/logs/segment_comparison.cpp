@@ -11,9 +11,9 @@
 namespace floeplan::simulation {
 namespace {
 
-/// Where the log does not tell how near a waypoint counts as reached: the vehicle did not get there.
+/// Radius of a waypoint if the log gives none, because the vehicle did not reach it.
 constexpr core::Metres unknown_radius{10.0};
-/// A flight that does not come up by then has failed.
+/// A simulated flight that has not surfaced by this multiple of the logged time has failed.
 constexpr double longest_share = 3.0;
 
 MissionOrders orders_of(const LoggedSegment& segment) {
@@ -42,7 +42,8 @@ MissionOrders orders_of(const LoggedSegment& segment) {
   return orders;
 }
 
-/// The parasite drag with which the steady glide has the log's rate of depth, square mean of both ways.
+/// The parasite drag for which the steady glide has the log's vertical speed (root mean square of climb and
+/// dive).
 std::optional<double> fitting_drag(const LoggedSegment& segment, const vehicle::GliderProfile& vehicle) {
   constexpr double least = 0.02;
   constexpr double most = 1.0;
@@ -121,7 +122,7 @@ tl::expected<SegmentComparison, core::Violations> compare_segment(const LoggedSe
   request.settings.first_fix = segment.fixed - segment.surfaced;
   request.settings.longest = longest_share * segment.under_water();
   request.settings.known_current = segment.reckoned_with;
-  request.settings.record_every = core::Seconds{3600.0};  // the events tell all that is compared
+  request.settings.record_every = core::Seconds{3600.0};  // the events contain all that is compared
   if (auto found = violations(request); !found.empty()) return tl::unexpected(std::move(found));
   BareVehicle bare;
   const FlightRecord record = fly(request, bare);
@@ -135,7 +136,8 @@ tl::expected<SegmentComparison, core::Violations> compare_segment(const LoggedSe
   const core::Seconds simulated = surfacing->time - segment.dived;
   const auto turns = std::ranges::count(record.events, EventKind::inflection, &FlightEvent::kind);
 
-  // The way until the first position is under water and, adrift at the surface, with the same water.
+  // The distance to the first fix is covered under water and then drifting at the surface, in the same
+  // current.
   const core::Seconds logged_way = segment.fixed - segment.dived;
   const core::Seconds simulated_way = fix->time - segment.dived;
   const double over_ground_m = std::hypot(end.east, end.north);

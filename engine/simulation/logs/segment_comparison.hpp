@@ -14,37 +14,39 @@
 
 namespace floeplan::simulation {
 
-/// One quantity of a dive, as the vehicle logged it and as it was simulated.
+/// One quantity of a dive: logged and simulated.
 struct Compared {
   double logged{};
   double simulated{};
 
-  /// Deviation as a share of the logged value.
+  /// Deviation of the simulation, as a share of the logged value.
   [[nodiscard]] double deviation_share() const;
 };
 
-/// A logged dive beside its simulation.
+/// A logged dive compared with its simulation.
 struct SegmentComparison {
   Compared under_water_s{};
-  Compared dives{};      // begun
-  Compared speed_m_s{};  // net, horizontal, through the water: over ground less the depth-averaged current
-  Compared over_ground_m{};  // from the dive to the first position after it
-  double apart_m{};          // between both first positions
-  double apart_share{};      // of the logged way over ground
-  double parasite_drag{};    // that it was flown with
-  std::string ended{};       // why the simulated flight ended
+  Compared dives{};          // number of dives begun
+  Compared speed_m_s{};      // horizontal, through the water: displacement over ground minus the mean current
+  Compared over_ground_m{};  // distance from the dive to the first fix after it
+  double apart_m{};          // distance between the logged and the simulated first fix
+  double apart_share{};      // share of the logged distance over ground
+  double parasite_drag{};    // used in the simulation
+  std::string ended{};       // end of the simulated flight
 };
 
-/// The source of the parasite drag in the simulation of a logged dive: the log, where its rates of depth show one, or
-/// the profile.
-/// Source   fitting drag to the rates of depth: Merckelbach, Smeed and Griffiths 2010, doi:10.1175/2009JTECHO710.1.
-///          Between two vehicles of one kind it differs by a third, by growth, sensors and trim
+/// Source of the parasite drag for the simulation of a logged dive: the log, if its vertical speeds give one,
+/// or the profile.
+/// Source   fitting drag to the vertical speeds: Merckelbach, Smeed and Griffiths 2010,
+///          doi:10.1175/2009JTECHO710.1. Between two vehicles of one type it differs by a third, by growth,
+///          sensors and trim
 enum class DragOf { log, profile };
 
-/// Flies a logged dive again: its start, waypoints, dive settings and trim, in water that moves as the vehicle's own
-/// depth-averaged current of that dive, with the current that the vehicle reckoned with and perfect sensors. It is told
-/// to come up when the real one was on its last climb, for what sends a vehicle up is not in its log.
-/// Errors   settings of the log beyond any vehicle
+/// Simulates a logged dive: with its start, waypoints, dive settings and trim, in the vehicle's own mean
+/// current of that dive, with the current that the vehicle assumed, and with perfect sensors. The simulated
+/// vehicle surfaces when the real one was on its last climb, because the log does not say why a vehicle
+/// surfaces.
+/// Errors   settings of the log that are out of range for any vehicle
 [[nodiscard]] tl::expected<SegmentComparison, core::Violations> compare_segment(
     const LoggedSegment& segment, const vehicle::GliderProfile& vehicle, const HullMotion& hull, DragOf drag);
 
@@ -54,9 +56,9 @@ struct ComparisonSummary {
   double dives_share{};
   double speed_share{};
   double apart_share{};
-  double parasite_drag{};  // that they were flown with
+  double parasite_drag{};  // used in the simulations
 
-  /// Whether each deviation is a tenth or less.
+  /// Whether each deviation is at most a tenth.
   [[nodiscard]] bool within_a_tenth() const;
 };
 

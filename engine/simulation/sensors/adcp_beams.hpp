@@ -11,10 +11,10 @@
 
 namespace floeplan::simulation {
 
-/// The detected profile by simulating every ping, beam and cell: what the error model is held against. A ping sees the
-/// water along each beam, weighted over a triangle two cells wide, from where the vehicle then is and as it then sways;
-/// its noise is drawn for every cell; the detection maps bins and turns velocities by the attitude sensed for the ping,
-/// averages the pings that reach a bin and adds the velocity over ground.
+/// The current profile by simulating every ping, beam and cell: the reference for the error model. A ping
+/// measures the water along each beam, weighted by a triangle two cells wide, at the vehicle's place and
+/// attitude at that time. Noise is drawn for every cell. The processing maps bins and rotates velocities by
+/// the attitude sensed for the ping, averages the pings that reach a bin, and adds the velocity over ground.
 /// Precondition the settings have no violations
 template <WaterAt Water>
 [[nodiscard]] std::vector<avoidance::CurrentBin> simulate_adcp_beams(const AdcpSettings& settings,
@@ -78,7 +78,7 @@ template <WaterAt Water>
 
   std::vector<avoidance::CurrentBin> profile;
   for (std::size_t bin = 0; bin < cells; ++bin) {
-    if (2 * counts[bin] < settings.pings) continue;  // as is usual, half of the pings must be good
+    if (2 * counts[bin] < settings.pings) continue;  // usual rule: half of the pings must be good
     const Vector detected = (1.0 / counts[bin]) * sums[bin] + moment.state.over_ground;
     profile.push_back(
         {core::Metres{moment.state.position.down + bin_below_m(settings, static_cast<int>(bin))},

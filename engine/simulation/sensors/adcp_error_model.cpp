@@ -6,8 +6,8 @@
 namespace floeplan::simulation {
 namespace {
 
-/// Variance in depth of what one reading of a beam averages: a triangle as wide as two cells, since pulse and gate are
-/// a cell long each, and the two cells that it is read between.
+/// Variance in depth of the water that one reading of a beam averages. It comes from a triangle two cells
+/// wide (pulse and gate are one cell each) and from the interpolation between two cells.
 double smoothing_m2(const AdcpSettings& settings, const Vector& beam, double fraction) {
   const double cell_m = settings.cell_m / std::cos(settings.beam_angle_rad) * beam.down;
   return cell_m * cell_m * (1.0 / 6.0 + fraction * (1.0 - fraction));

@@ -14,40 +14,40 @@
 
 namespace floeplan::simulation {
 
-/// Velocity of the water at a place, m/s; empty where there is none.
+/// Velocity of the water at a place, m/s; empty: no water.
 template <class F>
 concept WaterAt = requires(const F& water, Vector place) {
   { water(place) } -> std::convertible_to<std::optional<Vector>>;
 };
 
-/// One profile as it is asked for.
+/// Conditions of one profile.
 struct AdcpMoment {
   TrueState state{};  // mean over the pings
-  Attitude sensed{};  // mean attitude as the vehicle senses it: its constant errors
-  double column_m{};  // water below the vehicle
+  Attitude sensed{};  // mean sensed attitude, including its constant errors
+  double column_m{};  // water depth below the vehicle
   ReferenceError reference{};
 };
 
-/// Errors of a current profile as measured and detected, without simulating pings: the same mean, covariance between
-/// bins and dependence on attitude as `simulate_adcp_beams`, for the cost of about one of its pings.
-/// Model    One ping stands for the mean of all. The water of each bin is taken once, on the vehicle's vertical; what
-///          cells, bin mapping and the vehicle's way through the profile smooth away is the profile's second derivative
-///          times half their variance in depth. The noise is that of the mean over the pings, one deviate for each
-///          cell.
-///          The attitude as sensed, its constant errors and the mean of its noise, does bin mapping and turning as in
-///          the detection; what it does wrong is its error: the velocity relative to the vehicle turned, the shear
-///          taken at the wrong depth. The reference's error is the same in all bins.
-/// Left out sway to second order, differences between the beams' places, cells that fade
-/// Cost     water is taken bins + 2 times, and 4 (cells + 1) + 3 deviates are drawn; the beams take water 20 times
-///          cells times pings and draw (4 (cells + 1) + 6) times pings
-/// Memory   none taken after construction
-/// Threads  one at a time: it keeps room for a profile
+/// Errors of a processed current profile without simulating pings. Mean, covariance between bins and
+/// dependence on attitude equal those of `simulate_adcp_beams`, at the cost of about one ping.
+/// Model    One ping stands for the mean of all. The water of each bin is sampled once, vertically below the
+///          vehicle. Cells, bin mapping and the vehicle's motion smooth the profile: by its second derivative
+///          times half their variance in depth. The noise is that of the mean over the pings, one deviate per
+///          cell. The sensed attitude (constant errors and mean noise) is used for bin mapping and rotation
+///          as in the processing. Its error then rotates the velocity relative to the vehicle, and takes the
+///          shear at a wrong depth. The error of the reference is the same in all bins.
+/// Left out sway to second order, differences between the beams' places, cells without echo
+/// Cost     bins + 2 samples of the water and 4 (cells + 1) + 3 deviates; the beams need 20 times cells times
+///          pings samples and (4 (cells + 1) + 6) times pings deviates
+/// Memory   none allocated after construction
+/// Threads  one at a time: it has a buffer for one profile
 class AdcpErrorModel {
  public:
   /// Errors   std::invalid_argument for settings with violations
   explicit AdcpErrorModel(const AdcpSettings& settings);
 
-  /// The detected profile over ground, bins that three beams reach only, from the vehicle down; valid until the next.
+  /// The processed profile over ground, from the vehicle downwards: only bins that three beams reach. Valid
+  /// until the next call.
   template <WaterAt Water>
   [[nodiscard]] std::span<const avoidance::CurrentBin> profile(const AdcpMoment& moment, const Water& water,
                                                                std::mt19937_64& rng) {
@@ -67,7 +67,7 @@ class AdcpErrorModel {
                const JanusBeams& sensed_beams);
 
   AdcpSettings settings_;
-  std::vector<std::optional<Vector>> truth_;  // of bins -1 to cells
+  std::vector<std::optional<Vector>> truth_;  // water in the bins from -1 to `cells`
   std::array<CellNoise, janus_beams> noise_{};
   std::vector<avoidance::CurrentBin> bins_;
 };

@@ -9,10 +9,10 @@
 
 namespace floeplan::simulation {
 
-/// Noise of the cells of one beam, of unit variance, neighbours correlated as the settings say.
+/// Noise of the cells of one beam with unit variance; neighbours are correlated as in the settings.
 using CellNoise = std::array<double, most_adcp_cells>;
 
-/// A moving average of two independent deviates each.
+/// Each value is a weighted sum of two consecutive independent deviates.
 inline void draw_cell_noise(const AdcpSettings& settings, std::mt19937_64& rng, CellNoise& noise) {
   const double angle = 0.5 * std::asin(2.0 * settings.neighbour_correlation);
   const double own = std::cos(angle);
@@ -25,13 +25,13 @@ inline void draw_cell_noise(const AdcpSettings& settings, std::mt19937_64& rng, 
   }
 }
 
-/// Error of the velocity over ground that a profile is referred to.
+/// Error of the velocity over ground to which a profile is referred.
 struct ReferenceError {
   double east_m_s{};
   double north_m_s{};
 };
 
-/// The next value of the process after `elapsed_s`; the first is drawn with an infinite time.
+/// The value of the error process after `elapsed_s`; for the first one pass infinity.
 /// Source   Gelb 1974, Applied optimal estimation, section 3.8: first-order Gauss-Markov process
 [[nodiscard]] inline ReferenceError next_reference_error(const AdcpSettings& settings,
                                                          const ReferenceError& last, double elapsed_s,

@@ -13,12 +13,12 @@
 
 namespace floeplan::simulation {
 
-/// A single beam that looks down and hears the nearest echo in it.
-/// Source of the defaults: the vendor's altimeter of a Slocum works at 170 kHz up to about 100 m and is mounted so that
-///         it looks straight down at a dive's pitch of 26 degrees (Teledyne Webb Research, Slocum G2 operators manual,
-///         section on the altimeter); level and width are those of a common transducer of that frequency. A ping for
-///         each cycle of the vehicle's computer, 4 s. Chosen for want of a source: a pulse about as long as the range
-///         is uncertain, blindness for four of them, and a threshold above which noise as good as never comes
+/// A single beam that looks down and reports its nearest echo.
+/// Source of the defaults: the vendor's altimeter of a Slocum works at 170 kHz up to about 100 m and is
+/// mounted so that it looks straight down at a dive's pitch of 26 degrees (Teledyne Webb Research, Slocum G2
+/// operators manual, section on the altimeter); level and width are those of a common transducer of that
+/// frequency. A ping for each cycle of the vehicle's computer, 4 s. Chosen without a source: a pulse about as
+/// long as the range error, a blind zone of four pulses, and a threshold that noise practically never exceeds
 struct AltimeterSettings {
   double frequency_khz{170.0};
   double source_level_db{190.0};
@@ -26,12 +26,12 @@ struct AltimeterSettings {
   double interval_s{4.0};
   double range_m{100.0};
   double blind_m{0.6};
-  double width_rad{0.2094395};         // of its round beam, 12 degrees
-  double forward_cant_rad{0.4537856};  // of the beam, from the hull's down towards its bow
-  double sea_bed_strength_db{-27.0};   // as of the sonar
-  double threshold_db{12.0};           // of an echo above the noise; as good as no false alarms
-  double range_sigma_m{0.1};           // of a range, the vendor's resolution
-  double false_echo_share{0.0};        // of pings that answer with any range at all: bubbles, fish
+  double width_rad{0.2094395};         // full width of its conical beam, 12 degrees
+  double forward_cant_rad{0.4537856};  // tilt of the beam from the hull's down axis towards the bow
+  double sea_bed_strength_db{-27.0};   // as for the sonar
+  double threshold_db{12.0};           // of an echo above the noise; practically no false alarms
+  double range_sigma_m{0.1};           // error of a range: the vendor's resolution
+  double false_echo_share{0.0};        // of pings with an echo at a random range: bubbles, fish
   SoundWater water{};
 
   [[nodiscard]] core::Violations violations() const;
@@ -41,20 +41,20 @@ struct AltimeterSettings {
 
 struct AltimeterEcho {
   double range_m{};     // along the beam
-  double altitude_m{};  // that times the cosine of the beam's angle from the vertical by the attitude given
+  double altitude_m{};  // range_m * cosine of the beam's angle from the vertical, by the given attitude
 
   friend bool operator==(const AltimeterEcho&, const AltimeterEcho&) = default;
 };
 
 /// Simulates the altimeter by the active sonar equation.
-/// Model    seven rays stand for the beam; the nearest of those that can be heard above the noise is the echo
+/// Model    seven rays represent the beam; the nearest one that exceeds the noise is the echo
 /// Threads  const members may be called from several threads at once
 class Altimeter {
  public:
   /// Errors   std::invalid_argument for settings with violations
   explicit Altimeter(const AltimeterSettings& settings);
 
-  /// Empty when nothing is heard.
+  /// The echo of one ping; empty: none.
   template <CastRay Cast>
   [[nodiscard]] std::optional<AltimeterEcho> ping(const TrueState& state, const Cast& cast,
                                                   std::mt19937_64& rng) const {

@@ -11,7 +11,7 @@ constexpr double half_power_at = 1.391557;     // (sin(x) / x)^2 = 1/2
 constexpr double one_way_integral = 2.836303;  // of (sin(x) / x)^2 between its first zeros: 2 Si(2 pi)
 constexpr double two_way_integral = 2.094395;  // of (sin(x) / x)^4 over all x: 2 pi / 3
 
-/// x of the pattern for a unit sine of the angle from the axis.
+/// Argument x of the pattern per sine of the angle from the axis.
 double scale_of(double width_rad) { return half_power_at / std::sin(0.5 * width_rad); }
 
 double line_power(double x) {

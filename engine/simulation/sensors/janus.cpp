@@ -7,7 +7,7 @@ namespace floeplan::simulation {
 namespace {
 
 constexpr double flattest_beam = 0.2;       // cosine of its angle from the vertical: 78 degrees
-constexpr double least_determinant = 1e-3;  // of the normal equations: flatter sets of beams fix no velocity
+constexpr double least_determinant = 1e-3;  // of the normal equations; below, no velocity follows
 
 struct Symmetric {
   double ee{}, en{}, ed{}, nn{}, nd{}, dd{};

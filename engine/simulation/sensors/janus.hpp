@@ -17,13 +17,14 @@ using JanusBeams = std::array<Vector, janus_beams>;
 /// Range along a beam to the middle of a cell.
 [[nodiscard]] double cell_range_m(const AdcpSettings& settings, double cell);
 
-/// How the velocity at one height below the vehicle comes from the beams: each that reaches it is read there between
-/// two of its cells (bin mapping), and the velocity fits them best (least squares; exact for three beams).
+/// How the velocity at one depth below the vehicle follows from the beams. Each beam that reaches that depth
+/// is interpolated there between two of its cells (bin mapping). The velocity fits the beams by least
+/// squares; exact for three beams.
 struct BinMapping {
   struct Reading {
     bool used{};
-    int cell{};         // and the next one
-    double fraction{};  // of the next one
+    int cell{};         // interpolated between this cell and the next
+    double fraction{};  // weight of the next cell
     double weight_east{};
     double weight_north{};
     double weight_down{};
@@ -31,13 +32,13 @@ struct BinMapping {
   std::array<Reading, janus_beams> beams{};
 };
 
-/// Empty where fewer than three beams reach, or nothing is there to be heard.
-/// `column_m`  height of the vehicle above the sea bed: farther along any beam the echo of the bed in the side lobes
-///             covers the water's
+/// The mapping of one bin; empty if fewer than three beams reach it or have an echo there.
+/// `column_m`  height of the vehicle above the sea bed: beyond it, along any beam, the bed's echo in the side
+/// lobes hides that of the water
 [[nodiscard]] std::optional<BinMapping> map_bin(const AdcpSettings& settings, const JanusBeams& beams,
                                                 double below_m, double column_m);
 
-/// Height of the middle of a bin below the vehicle.
+/// Depth of the middle of a bin below the vehicle.
 [[nodiscard]] double bin_below_m(const AdcpSettings& settings, int bin);
 
 }  // namespace floeplan::simulation

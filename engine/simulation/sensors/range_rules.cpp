@@ -8,14 +8,14 @@
 namespace floeplan::simulation {
 namespace {
 
-/// The number as a person writes it: "0.5", "-26", "1e-05".
+/// The number in the shortest usual form: "0.5", "-26", "1e-05".
 std::string written(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.6g", value);
   return text;
 }
 
-constexpr double rounding_deg = 1e-9;  // of a bound in degrees that was stored in radians
+constexpr double rounding_deg = 1e-9;  // tolerance of a bound in degrees after storage in radians
 
 }  // namespace
 

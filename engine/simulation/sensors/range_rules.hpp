@@ -7,12 +7,12 @@
 
 namespace floeplan::simulation {
 
-/// Collects the settings that lie outside their range; one that is not finite lies outside every range.
+/// Collects violations for settings outside their range. A value that is not finite is outside every range.
 class RangeRules {
  public:
-  /// Both ends included.
+  /// Requires `from` <= value <= `to`.
   void require(const std::string& field, double value, double from, double to);
-  /// Does what `require` does, for an angle in radians; the message states the bounds in degrees.
+  /// `require` for an angle in radians; the message gives the bounds in degrees.
   void require_degrees(const std::string& field, double angle_rad, double from_deg, double to_deg);
   void refuse(const std::string& field, std::string rule) { found_.push_back({field, std::move(rule)}); }
   [[nodiscard]] const core::Violations& found() const { return found_; }

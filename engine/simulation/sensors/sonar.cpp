@@ -12,18 +12,18 @@
 namespace floeplan::simulation {
 namespace {
 
-constexpr double most_rays = 4000.0;          // a ping is heard in well under a millisecond
-constexpr double rays_in_height = 5.0;        // of a beam; a face of a fifth of its height is met
-constexpr double least_false_alarm = 1e-12;   // of a cell, where none is wanted
-constexpr float loudest_neighbour = 3.98F;    // 6 dB: more than that and the echo is the neighbour's
-constexpr double faintest_echo = 0.05;        // of its background: below, the chance is that of a false alarm
-constexpr std::size_t surface_entries = 256;  // of the table of the surface's strength
+constexpr double most_rays = 4000.0;          // a ping then takes well under a millisecond
+constexpr double rays_in_height = 5.0;        // over the height of a beam: faces of a fifth of it are hit
+constexpr double least_false_alarm = 1e-12;   // probability per cell if no false alarms are wanted
+constexpr float loudest_neighbour = 3.98F;    // 6 dB: if louder by more, the echo is the neighbour's
+constexpr double faintest_echo = 0.05;        // of the background: below, as likely as a false alarm
+constexpr std::size_t surface_entries = 256;  // of the table of surface backscattering
 constexpr double right_angle = std::numbers::pi / 2.0;
 
 double power_of(double level_db) { return std::pow(10.0, level_db / 10.0); }
 double level_of(double power) { return 10.0 * std::log10(power); }
 
-/// Unit vector to the right of the axis by `azimuth` and above it by `elevation`.
+/// Unit vector at `azimuth` to the right of the axis and `elevation` above it.
 avoidance::BodyVector direction(double azimuth, double elevation) {
   return {std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth),
           -std::sin(elevation)};
@@ -72,7 +72,7 @@ void Sonar::lay_beams() {
   }
 }
 
-/// A grid of azimuth and elevation over all beams and a beam's width around them.
+/// Makes a grid of rays in azimuth and elevation over all beams and a beam's width around them.
 void Sonar::lay_rays() {
   const BeamPattern& beam = settings_.beam;
   const double step = std::min(settings_.beam_step_rad, beam.width_rad);
@@ -95,7 +95,8 @@ void Sonar::lay_rays() {
   heard_.resize(rays_.size());
 }
 
-/// A beam's weights are scaled to its equivalent angle, so that a wall sounds right however coarse the rays are.
+/// A beam's weights are scaled to its equivalent solid angle, so that echoes of walls do not depend on the
+/// spacing of rays.
 void Sonar::weigh_rays() {
   const double one_way_floor = power_of(settings_.beam.side_lobes_db);
   for (std::size_t i = 0; i < beams_.size(); ++i) {
@@ -175,7 +176,7 @@ void Sonar::find_neighbours() {
   }
 }
 
-/// What the beam's own directions bring, cell by cell.
+/// Adds up the echoes in the beam's main lobe, cell by cell.
 void Sonar::gather(std::size_t beam) {
   const auto cells = static_cast<std::size_t>(cells_);
   CellPower* powers = &powers_[beam * cells];
@@ -219,13 +220,14 @@ void Sonar::listen(std::size_t beam, std::mt19937_64& rng) {
     const double against = background_[cell] + surface + side_lobes_ * total_[cell];
     if (echo <= faintest_echo * against) continue;
     const double mean = against + echo;
-    // Heard when the logarithm of a chance is at most the exponent; exp(x) <= 1 / (1 - x) mostly says no without it.
+    // Detected if log(chance) is at most the exponent. As exp(x) <= 1 / (1 - x), most cases need no
+    // logarithm.
     const double chance = 1.0 - core::uniform(rng);
     const double exponent = false_alarm_log_ * against / mean;
     if (chance * (1.0 - exponent) > 1.0 || std::log(chance) > exponent) continue;
     if (is_a_neighbours(beam, cell)) continue;
 
-    // Above the threshold an exponential power has the same distribution as from zero.
+    // An exponential distribution above a threshold has the same form as from zero.
     const double level_db = level_of(-false_alarm_log_ * against - mean * std::log1p(-core::uniform(rng)));
     if (returned > 0 && cell == end_of_last) {
       detections_.back().level_db = std::max(detections_.back().level_db, level_db);
@@ -249,7 +251,7 @@ void Sonar::add_false_alarms(std::mt19937_64& rng) {
   }
 }
 
-/// Beam by beam, near before far: nothing tells a false alarm from an echo.
+/// Sorts the returns by beam, then by range, so that false alarms and echoes cannot be told apart.
 void Sonar::hand_out() {
   std::ranges::sort(detections_, [](const Detection& a, const Detection& b) {
     return std::tie(a.beam, a.cell, a.level_db) < std::tie(b.beam, b.cell, b.level_db);

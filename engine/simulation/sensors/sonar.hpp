@@ -15,48 +15,46 @@
 
 namespace floeplan::simulation {
 
-/// Casts a ray of sound from a place along a unit vector: what it meets first within a distance.
+/// Casts a ray of sound from a place along a unit vector: its first hit within a distance.
 template <class F>
 concept CastRay = requires(const F& cast, Vector origin, Vector direction, double max_range_m) {
   { cast(origin, direction, max_range_m) } -> std::same_as<std::optional<RayHit>>;
 };
 
 /// Simulates a forward-looking sonar by the active sonar equation.
-/// Model    Rays fill what the beams see. Where one meets ice or sea bed at range r, the face that it stands for sends
-///          back by Lambert's law; its echo is SL - 2 TL + 10 lg(strength cos(angle) r^2 solid angle) + the two-way
-///          pattern of every beam, with TL = 20 lg r + absorption r. Echoes of one beam and one
-///          range cell add up in power. Against them stand noise, volume reverberation, the echo of the open surface in
-///          the same cell and what side lobes hear of all echoes there. The receiver knows this background, and its
-///          threshold lies so high above it that the stated number of false alarms is met. Echo and background
-///          fluctuate as sums of many scatterers do (Rayleigh), so an echo of mean signal-to-background ratio s is
-///          heard with probability Pfa^(1 / (1 + s)).
-/// Direction an echo belongs to the beams that hear it best: one that hears it 6 dB weaker than a beam next to it gives
-/// no
-///          return, as receivers look for peaks across their beams
-/// Returns  ranges are the middles of range cells; neighbouring cells above the threshold give one return, at the
-///          nearest
-/// Left out refraction, multipath, motion while the ping is under way
-/// Memory   none taken after construction
-/// Threads  one at a time: it keeps room for a ping
-/// Source   Urick 1983, Principles of underwater sound, 3rd ed., chapters 2 and 8; Lambert's law for the sea bed:
-///          Mackenzie 1961; Pd: Di Franco and Rubin 1968, Radar detection, Swerling case II
+/// Model    Rays fill the field of view. If one meets ice or sea bed at range r, the face there scatters by
+///          Lambert's law. Its echo is SL - 2 TL + 10 lg(strength cos(angle) r^2 solid angle) + the two-way
+///          pattern of every beam, with TL = 20 lg r + absorption r. Echoes in one beam and one range cell
+///          add up in power. The background is noise, volume reverberation, the echo of the open surface in
+///          the same cell, and all echoes there through side lobes. The receiver knows this background; its
+///          threshold lies above it by the margin that gives the stated number of false alarms. Echo and
+///          background fluctuate as sums of many scatterers (Rayleigh), so an echo with the mean
+///          signal-to-background ratio s is detected with probability Pfa^(1 / (1 + s)). Direction an echo
+///          belongs to the beams that hear it best: a beam that hears it 6 dB weaker than a neighbour gives
+///          no return, as receivers look for peaks across their beams
+/// Returns  ranges are the middles of range cells; adjacent cells above the threshold give one return, at the
+///          nearest Left out refraction, multipath, motion during a ping
+/// Memory   none allocated after construction
+/// Threads  one at a time: it has a buffer for one ping
+/// Source   Urick 1983, Principles of underwater sound, 3rd ed., chapters 2 and 8; Lambert's law for the sea
+///          bed: Mackenzie 1961; Pd: Di Franco and Rubin 1968, Radar detection, Swerling case II
 class Sonar {
  public:
   /// Errors   std::invalid_argument for settings with violations
   explicit Sonar(const SonarSettings& settings);
 
-  /// Hears one ping. The span is valid until the next.
+  /// The returns of one ping. The span is valid until the next ping.
   template <CastRay Cast>
   [[nodiscard]] std::span<const avoidance::SonarReturn> ping(const TrueState& state, const Cast& cast,
                                                              std::mt19937_64& rng);
-  /// Hears a ping that meets nothing but the open surface: the same as `ping`, at once.
+  /// The returns of a ping that meets only the open surface: the same as from `ping`, but faster.
   [[nodiscard]] std::span<const avoidance::SonarReturn> ping_in_open_water(std::mt19937_64& rng);
 
-  /// Mean level of the background in a range cell, noise and volume, dB re 1 uPa.
+  /// Mean background level (noise and volume) in a range cell, dB re 1 uPa.
   [[nodiscard]] double background_db(double range_m) const;
-  /// Level above the mean background that counts as an echo, dB.
+  /// Level above the mean background at which an echo is detected, dB.
   [[nodiscard]] double threshold_db() const;
-  /// Mean echo, dB, of a face at right angles that fills the beam on its axis.
+  /// Mean echo level, dB, of a perpendicular face that fills the beam on its axis.
   [[nodiscard]] double echo_of_wall_db(double range_m, double strength_db) const;
 
   [[nodiscard]] const SonarSettings& settings() const { return settings_; }
@@ -69,30 +67,30 @@ class Sonar {
     avoidance::BodyVector direction{};
     double solid_angle_sr{};
   };
-  /// Sensitivity of a beam for a ray, above that of its side lobes.
+  /// Sensitivity of a beam for a ray, minus that of its side lobes.
   struct Weight {
     std::uint32_t ray{};
     float two_way{};
   };
-  /// What a ray sends back to a beam of full sensitivity.
+  /// Echo of a ray in a beam with full sensitivity.
   struct Heard {
-    int cell{-1};  // -1: nothing
+    int cell{-1};  // -1: no echo
     double power{};
     bool open_surface{};
   };
-  /// What a beam hears in one cell from its own directions, mean powers.
+  /// Mean powers in one cell of a beam from its main lobe.
   struct CellPower {
     float echo{};
     float surface{};
   };
-  /// Cells from the first up to the end.
+  /// Range of cells: first cell, and one past the last.
   struct CellSpan {
     std::size_t begin{};
     std::size_t end{};
   };
   struct Spans {
-    CellSpan heard;   // of anything
-    CellSpan echoes;  // of what is not the open surface
+    CellSpan heard;   // cells with any power
+    CellSpan echoes;  // cells with echoes other than the open surface's
   };
   struct Detection {
     std::size_t beam{};
@@ -118,19 +116,19 @@ class Sonar {
   int first_cell_{};  // that is not blind
   int cells_{};
   double absorption_db_m_{};
-  double side_lobes_{};                       // power of a side lobe, two-way
-  double false_alarm_log_{};                  // natural logarithm of its probability in one cell of one beam
+  double side_lobes_{};                       // two-way power of a side lobe
+  double false_alarm_log_{};                  // natural logarithm of the probability in one cell of one beam
   std::vector<avoidance::BodyVector> beams_;  // axes, row by row
   std::vector<Ray> rays_;
   std::vector<std::vector<Weight>> weights_;  // [beam]
   std::vector<double> background_;            // [cell], power of noise and volume
   std::vector<double> echo_;                  // [cell], power from a steradian of a face of unit strength
-  std::vector<double> surface_strength_;      // [sine of grazing], per square metre across the ray
+  std::vector<double> surface_strength_;      // [sine of grazing angle], per square metre across the ray
   std::vector<Heard> heard_;                  // [ray]
   std::vector<double> total_;                 // [cell], power of all rays
   std::vector<CellPower> powers_;             // [beam][cell]; zero outside the spans
   std::vector<Spans> spans_;                  // [beam]
-  std::vector<std::vector<std::size_t>> neighbours_;  // [beam], beside, above and below it
+  std::vector<std::vector<std::size_t>> neighbours_;  // [beam]: the beams beside, above and below
   std::vector<Detection> detections_;
   std::vector<avoidance::SonarReturn> returns_;
 };

@@ -6,8 +6,8 @@
 namespace floeplan::simulation {
 namespace {
 
-constexpr double least_step_m = 1.0;  // along a ray, close above the sea bed
-constexpr double slope_step_m = 5.0;  // over which the slope of the sea bed is taken
+constexpr double least_step_m = 1.0;  // along a ray, close to the sea bed
+constexpr double slope_step_m = 5.0;  // distance over which the bed's slope is computed
 
 Vector along(Vector origin, Vector direction, double range_m) { return origin + range_m * direction; }
 
@@ -71,11 +71,12 @@ std::optional<RayHit> SoundRays::surface_hit(Vector origin, Vector direction, do
   return RayHit{range_m, -direction.down, draft_m > 0.0 ? Scatterer::ice : Scatterer::open_surface};
 }
 
-/// Steps as long as the steepest slope allows, so that none leads through the bed, and at last short ones.
+/// Steps along the ray as long as the steepest slope of the bed allows, so that no step passes through it;
+/// short ones near it.
 std::optional<RayHit> SoundRays::bed_hit(Vector origin, Vector direction, double max_range_m) const {
   const double level = std::sqrt(direction.east * direction.east + direction.north * direction.north);
   const double closing =
-      direction.down + bed_.steepest() * level;  // metres of height by metres of ray, at most
+      direction.down + bed_.steepest() * level;  // upper bound: metres of height lost per metre of ray
   double before_m = 0.0;
   double height_before_m = 0.0;
   double range_m = 0.0;
@@ -85,7 +86,7 @@ std::optional<RayHit> SoundRays::bed_hit(Vector origin, Vector direction, double
     if (!depth_m) return std::nullopt;
     const double height_m = *depth_m - place.down;
     if (height_m <= 0.0) {
-      // The last step was short: between its ends the bed is as good as even.
+      // The last step was short, so the bed is linear between its ends.
       const double share = range_m > 0.0 ? height_before_m / (height_before_m - height_m) : 0.0;
       const double hit_m = std::lerp(before_m, range_m, share);
       return RayHit{hit_m, cosine_on_bed(along(origin, direction, hit_m), direction), Scatterer::sea_bed};

@@ -13,28 +13,28 @@ namespace floeplan::simulation {
 
 /// What straight rays of sound meet in a world at one instant: bodies, sea bed, sea ice and the open surface.
 /// Model    the ice is level over the length of a ray; the sea bed is that of a LocalBed
-/// Memory   keeps room for the bodies at hand from one instant to the next
+/// Memory   keeps a buffer for the bodies within reach
 /// Threads  one at a time
 class SoundRays {
  public:
-  /// `world` is borrowed. `reach` is the longest ray ever asked for.
+  /// `world` is borrowed. `reach`: longest ray that will be asked for.
   SoundRays(const World& world, core::Metres reach);
 
-  /// Takes up the rays of one instant from one place.
+  /// Prepares rays from one place at one instant.
   void look_from(Vector place, core::UtcTime time);
 
-  /// Whether a ray of that reach can meet nothing but the open surface.
+  /// Whether rays of this length can meet only the open surface.
   [[nodiscard]] bool is_open_water() const { return bodies_.empty() && !near_bed_ && !world_.has_ice(); }
 
-  /// Precondition `origin` is the place looked from
+  /// Precondition `origin` is the place of the last `look_from`
   [[nodiscard]] std::optional<RayHit> operator()(Vector origin, Vector direction, double max_range_m) const;
 
  private:
-  /// A body within reach and the ball that holds it, seen from the place looked from.
+  /// A body within reach, and its bounding ball as seen from the place of `look_from`.
   struct InReach {
     NearbyBodies::Posed posed;
     Vector centre{};
-    double centre_m2{};  // its distance, squared
+    double centre_m2{};  // squared distance of the ball's centre
     double radius_m{};
 
     [[nodiscard]] bool is_missed_by(Vector direction, double max_range_m) const;

@@ -8,11 +8,11 @@
 namespace floeplan::simulation {
 namespace {
 
-/// A dive has no steady mean speed before this.
+/// Before this time a dive has no steady mean speed.
 constexpr core::Seconds under_way{60.0};
-/// Shorter times between fixes tell more of their errors than of the drift.
+/// Fixes closer in time show their errors rather than the drift.
 constexpr core::Seconds shortest_drift{30.0};
-/// The surfacing after a shorter dive tells nothing of the current.
+/// A shorter dive gives no useful estimate of the current.
 constexpr core::Seconds shortest_dive{120.0};
 
 }  // namespace

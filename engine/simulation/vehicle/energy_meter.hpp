@@ -5,13 +5,13 @@
 
 namespace floeplan::simulation {
 
-/// Sums up what a vehicle draws from its battery, by vehicle::EnergyModel, as it happens.
+/// Adds up the energy drawn from the battery during a flight, by vehicle::EnergyModel.
 class EnergyMeter {
  public:
   explicit EnergyMeter(const vehicle::GliderProfile& profile) : profile_{profile} {}
 
   void run(core::Seconds step, bool thruster);
-  /// The pump moved so much: out (positive) against the water at this depth, or in.
+  /// The pump moved this volume at this depth: positive out against the pressure, negative in.
   void pump(double moved_m3, double depth_m);
   void inflect() { drawn_j_ += profile_.energy.inflection.value; }
   void surface() { drawn_j_ += profile_.energy.surfacing.value; }

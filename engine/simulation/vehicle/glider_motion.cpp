@@ -11,15 +11,15 @@ namespace floeplan::simulation {
 namespace {
 
 constexpr double step_s = 1.0;
-/// Lift turns the path within half a second; a tenth of a second follows that.
+/// Steps per second: lift turns the path within half a second, so a tenth of a second suffices.
 constexpr int parts_of_step = 10;
-/// The rudder is hard over from this error on; below, it eases off in proportion.
+/// From this heading error on the rudder is hard over; below, it is proportional to the error.
 constexpr double full_rudder_error_rad = 0.35;
-/// Where the hull rolls about as it floats: nothing glides there.
+/// Nearer to the surface the hull floats and rolls; it does not glide.
 constexpr double at_surface_m = 0.1;
-/// How fast the propeller's thrust follows the speed it is asked for, newtons for each m/s missing and second.
+/// Control gain of the thrust: newtons per second, for each m/s of missing speed.
 constexpr double thrust_gain_n_s_m = 2.0;
-/// Twice the drag of a Slocum at 1 m/s, the most that its thruster is said to reach.
+/// Twice the drag of a Slocum at 1 m/s, which is the stated maximum with thruster.
 constexpr double most_thrust_n = 16.0;
 constexpr double least_drag = 0.01;
 constexpr double most_drag = 2.0;
@@ -85,7 +85,8 @@ Vector GliderMotion::through_water() const {
 
 void GliderMotion::advance(const ActuatorTargets& targets, double depth_m) {
   buoyancy_m3_ = towards(buoyancy_m3_, targets.buoyancy_m3, hull_.pump_rate_m3_s * step_s);
-  // The pump sits in the nose: the hull pitches over as the water goes in or out, and the servo trims the rest.
+  // The pump is in the nose, so the hull pitches as water moves in or out. The battery's servo trims the
+  // rest.
   const double pumped_share =
       targets.buoyancy_m3 != 0.0 ? std::clamp(buoyancy_m3_ / targets.buoyancy_m3, -1.0, 1.0) : 1.0;
   const double pitch_rate =
@@ -121,7 +122,7 @@ void GliderMotion::glide(double part_s, double thrust_n) {
   const double cp = std::cos(attitude_.pitch_rad);
   const double sp = std::sin(attitude_.pitch_rad);
   const double speed = std::hypot(forward_m_s_, up_m_s_);
-  // Along the path and square to it, upwards where the path is level.
+  // Directions along the path and perpendicular to it, upwards for a level path.
   const double path_forward = speed > 0.0 ? forward_m_s_ / speed : cp;
   const double path_up = speed > 0.0 ? up_m_s_ / speed : sp;
   const double sine_of_attack = sp * path_forward - cp * path_up;
@@ -135,7 +136,7 @@ void GliderMotion::glide(double part_s, double thrust_n) {
   const double force_forward = -drag_n * path_forward - lift_n * path_up + thrust_n * cp;
   const double force_up = -drag_n * path_up + lift_n * path_forward + weight_n + thrust_n * sp;
 
-  // The water that moves along makes the hull lighter along its axis than across it.
+  // The added mass of water is smaller along the hull than across it.
   const double along_n = force_forward * cp + force_up * sp;
   const double across_n = -force_forward * sp + force_up * cp;
   const double along = along_n / (hull_.mass_kg * (1.0 + hull_.added_forward_share));

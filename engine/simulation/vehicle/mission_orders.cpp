@@ -22,7 +22,7 @@ using mission::Document;
 using mission::DocumentKind;
 
 constexpr double cm3 = 1e-6;
-/// No code or count of a mission comes near it.
+/// Larger than any code or count in a mission.
 constexpr double largest_code = 1e6;
 
 std::string text(double value) {
@@ -41,7 +41,7 @@ int whole(double value) {
   return static_cast<int>(std::lround(std::clamp(value, -largest_code, largest_code)));
 }
 
-/// The arguments of one behaviour from wherever they stand: its file, the mission, the dictionary.
+/// The arguments of one behavior from all sources: its file, the mission, the dictionary's defaults.
 class Arguments {
  public:
   Arguments(const Behavior& own, const Document* file, std::string where)
@@ -60,12 +60,12 @@ class Arguments {
     return find(name).value_or(otherwise);
   }
   [[nodiscard]] int code(std::string_view name, int otherwise) const { return whole(value(name, otherwise)); }
-  /// Empty where it stands for a parameter that another program on board sets.
+  /// The value of an argument; empty if it stands for a parameter that another program on board sets.
   [[nodiscard]] std::optional<double> known(std::string_view name) const {
     const auto found = find(name);
     return found && mission::is_mission_parameter(*found) ? std::nullopt : found;
   }
-  /// The name of the file, or the place in the mission that holds the orders inline.
+  /// The file, or the place in the mission, that contains the arguments; for messages.
   [[nodiscard]] const std::string& where() const { return where_; }
 
  private:
@@ -147,7 +147,8 @@ class Reader {
     }
   }
 
-  /// A mission names one list; the pilot sends those numbered after it, each when the one before is flown.
+  /// Reads the lists numbered after the one that the mission names: the pilot sends each when the one before
+  /// is flown.
   void read_lists_after(int number) {
     for (int next = number + 1; next <= mission::last_free_number; ++next) {
       const std::string where = file_name("goto_list", next);
@@ -225,8 +226,8 @@ class Reader {
                                      text(vehicle_.depth_rating.value));
       }
     }
-    // Held by servo in radians (3) or set once from a curve (2); the battery's place in inches (1) needs the vehicle's
-    // own calibration, so that its usual pitch stands in.
+    // Code 3: held by servo, in radians. Code 2: set once from a curve. Code 1 gives the battery's position
+    // in inches, which needs the vehicle's own calibration, so its usual pitch is used.
     const int pitch_code = arguments.code(prefix + "use_pitch", 3);
     half.pitch_rad = sign * std::abs(arguments.value(prefix + "pitch_value", vehicle_.pitch.value));
     if (pitch_code != 2 && pitch_code != 3) {
@@ -286,7 +287,7 @@ class Reader {
     surface.distance = {arguments.value("when_wpt_dist", 10.0)};
     surface.turns = arguments.code("when_num_inflections", -1);
     surface.ends_mission = arguments.code("end_action", 1) == 0;
-    // Quitting and resuming wait for nobody; the others until the pilot answers, at the longest so long.
+    // End actions quit and resume do not wait; the others wait for the pilot's answer, at most this time.
     const int end_action = arguments.code("end_action", 1);
     if (end_action != 0 && end_action != 2)
       surface.wait = core::Seconds{std::max(0.0, arguments.value("keystroke_wait_time", 300.0))};

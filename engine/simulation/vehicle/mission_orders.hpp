@@ -16,74 +16,76 @@
 
 namespace floeplan::simulation {
 
-/// A goto list: where to steer for.
+/// The orders of a goto list: waypoints to steer for.
 struct GotoOrders {
   std::vector<geo::LonLat> waypoints;
-  core::Metres radius{10.0};                           // in which a waypoint counts as reached
-  mission::ListOrders rows{.legs = -2, .initial = 0};  // which of them are flown
-  bool next_on_board{};                                // the next list follows without a time at the surface
-  std::optional<mission::HoldOrder> hold{};            // of a list that keeps the vehicle at a place
+  core::Metres radius{10.0};                           // within which a waypoint counts as reached
+  mission::ListOrders rows{.legs = -2, .initial = 0};  // which rows are flown
+  bool next_on_board{};                                // the next list follows without a surfacing
+  std::optional<mission::HoldOrder> hold{};            // of a list that is a hold
 };
 
-/// Half of a yo: what the vehicle does to get to its next turn.
+/// Half of a yo: the orders until the next turn of the saw-tooth.
 struct HalfYo {
   core::Metres depth{};                    // to turn at
-  std::optional<core::Metres> altitude{};  // above the sea bed to turn at, if that comes first
+  std::optional<core::Metres> altitude{};  // height above the sea bed at which to turn, if that comes first
   double pitch_rad{};                      // nose up positive
-  double buoyancy_m3{};                    // up positive, no more than the pump moves
+  double buoyancy_m3{};                    // up positive, within the range of the pump
   bool thruster{};
 };
 
 struct YoOrders {
   HalfYo dive{};
   HalfYo climb{};
-  int half_cycles{-1};  // to do; negative: for ever
+  int half_cycles{-1};  // number to do; negative: without end
   bool dives_first{true};
 };
 
-/// A surface behaviour: why the vehicle comes up, and what it does there.
+/// A surface behavior: why the vehicle surfaces, and what it does there.
 /// Source   the codes of start_when and end_action are those of the vendor's data dictionary of firmware 10.5
 struct SurfaceOrders {
   enum class Cause {
     any_idle,       // 1: list or yo has ended
     yo_idle,        // 2 and 4: the yo has ended
     list_idle,      // 3: the list has ended
-    after_end,      // 6: so long after the last time up
+    after_end,      // 6: this time after the last surfacing
     near_waypoint,  // 7
     waypoint_hit,   // 8
-    every,          // 9 and 10: so long after the last time it began
+    every,          // 9 and 10: this time after it last began
     no_contact,     // 12
-    inflections     // 16: more than so many turns since the last time up
+    inflections     // 16: more than this number of turns since the last surfacing
   };
   Cause cause{};
-  core::Seconds interval{};  // of after_end, every and no_contact
-  core::Metres distance{};   // of near_waypoint
-  int turns{};               // of inflections
+  core::Seconds interval{};  // for after_end, every and no_contact
+  core::Metres distance{};   // for near_waypoint
+  int turns{};               // for inflections
   bool ends_mission{};       // end_action 0
   core::Seconds wait{};      // for the pilot, after the fix
   HalfYo climb{};            // to the surface
 };
 
-/// What the mission files of a Slocum order, behaviour by behaviour.
+/// The orders in the mission files of a Slocum, by behavior.
 struct MissionOrders {
-  std::string name;               // of the mission or of its first file
-  std::vector<GotoOrders> lists;  // flown one after the other; the next is sent when one is flown
+  std::string name;               // of the mission, or of its first file
+  std::vector<GotoOrders> lists;  // in flown order; the pilot sends the next when one is flown
   YoOrders yo{};
   std::vector<SurfaceOrders> surfaces;         // in order of priority
   bool corrects_for_current{true};             // u_use_current_correction
-  std::optional<core::Metres> overdepth{};     // of abend: deeper aborts
-  std::optional<core::Seconds> same_depth{};   // of abend: so long at one depth aborts
-  std::optional<core::Metres> max_waypoint{};  // of abend: a farther waypoint aborts
-  std::vector<std::string> notes;              // what is not simulated or was filled in, for the pilot
+  std::optional<core::Metres> overdepth{};     // of abend: abort below this depth
+  std::optional<core::Seconds> same_depth{};   // of abend: abort after this time at one depth
+  std::optional<core::Metres> max_waypoint{};  // of abend: abort if a waypoint is farther
+  std::vector<std::string> notes;              // for the pilot: what is not simulated, or was added
 };
 
-/// Reads the orders of a whole mission: a `.mi` with all argument files that it names, or argument files alone, in
-/// which case a yo as in the profile and a surfacing at the end of the list stand in for those missing. Where several
-/// goto lists are given, they are flown one after the other, as a pilot sends them while the vehicle is up; of a
-/// mission the one that it names and those numbered on from it, up to the numbers of the firmware.
-/// Vehicle  a depth or a pump volume beyond the vehicle, a thruster that it has not, files of another make: refused
-/// Errors   every violation at once: rejected documents by their errors, files that are named and missing, no list, a
-///          reason to come up that is not simulated
+/// Reads the orders of a whole mission: a `.mi` with all argument files that it names, or argument files
+/// alone. In the second case a missing yo is taken from the profile, and a missing surfacing is one at the
+/// end of the list. Several goto lists are flown one after another, as a pilot sends them at surfacings. Of a
+/// mission these are the list that it names and those with the following numbers, up to the numbers of the
+/// firmware.
+/// Vehicle  refused: a depth or pump volume out of the vehicle's range, a thruster that it lacks, files of
+///          another make
+/// Errors   every violation at once: rejected documents by their errors, missing files, no list, a cause of
+///          surfacing that is not simulated
 [[nodiscard]] tl::expected<MissionOrders, core::Violations> read_orders(
     std::span<const mission::Document> documents, const vehicle::GliderProfile& vehicle);
 

@@ -5,8 +5,9 @@
 
 namespace floeplan::simulation {
 
-/// How the vehicle is turned.
-/// Frame    heading clockwise from the plane's north, pitch positive nose up, roll positive starboard down; radians
+/// Attitude of the vehicle.
+/// Frame    heading clockwise from the plane's north, pitch positive nose up, roll positive starboard down;
+///          radians
 struct Attitude {
   double heading_rad{};
   double pitch_rad{};
@@ -15,23 +16,23 @@ struct Attitude {
   friend bool operator==(const Attitude&, const Attitude&) = default;
 };
 
-/// Where the vehicle really is and how it moves: what the sensors' models see and the vehicle never knows.
+/// True place and motion of the vehicle. Models of sensors use it; the vehicle's computer never sees it.
 struct TrueState {
   core::UtcTime time{};
   Vector position{};  // metres
   Attitude attitude{};
   Vector through_water{};  // velocity, m/s
-  Vector over_ground{};    // velocity, m/s: that and the current
+  Vector over_ground{};    // velocity, m/s: through_water plus the current
 
   friend bool operator==(const TrueState&, const TrueState&) = default;
 };
 
-/// Turns vectors between the vehicle's axes and those of the flight: by heading, then pitch, then roll.
+/// Rotates vectors between the vehicle's axes and those of the flight: heading, then pitch, then roll.
 class BodyAxes {
  public:
   explicit BodyAxes(const Attitude& attitude);
 
-  /// A vector given as forward, starboard and down along the hull.
+  /// Converts a vector given as forward, starboard and down along the hull.
   [[nodiscard]] Vector to_frame(double forward, double starboard, double down) const {
     return forward * forward_ + starboard * starboard_ + down * down_;
   }

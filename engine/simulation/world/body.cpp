@@ -21,7 +21,8 @@ BodyPoint seen_from(const BodyPose& pose, Vector point) {
   return turned(pose, point - Vector{pose.east_m, pose.north_m, 0.0});
 }
 
-/// Distance to the upright cylinder from the surface to the draft that holds all of the shape under water.
+/// Distance to the vertical cylinder, from the surface to the draft, that contains the whole shape under
+/// water.
 double cylinder_distance(const Shape& shape, const BodyPoint& point) {
   const double aside_m = std::hypot(point.along, point.across) - shape.radius_m;
   const double below_m = point.down - shape.draft_m;
@@ -29,7 +30,7 @@ double cylinder_distance(const Shape& shape, const BodyPoint& point) {
   return below_m <= 0.0 ? aside_m : std::hypot(aside_m, below_m);
 }
 
-/// The fix at or before `time`, but never the last one of several.
+/// Index of the last fix at or before `time`, but at most that of the last but one.
 std::size_t stretch_at(const std::vector<Body::Fix>& track, core::UtcTime time) {
   const auto after = std::ranges::upper_bound(track, time, {}, &Body::Fix::time);
   const auto count = static_cast<std::size_t>(after - track.begin());

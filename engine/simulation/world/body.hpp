@@ -10,14 +10,14 @@
 
 namespace floeplan::simulation {
 
-/// Form of a body below the water: the union of its parts, which makes hollows and overhangs.
+/// Shape of a body below the water: the union of its convex parts, so hollows and overhangs are possible.
 struct Shape {
   std::vector<ConvexPart> parts;
-  double radius_m{};  // of a vertical cylinder about the axis that holds all of it
+  double radius_m{};  // of a vertical cylinder around the axis that contains all of it
   double draft_m{};   // depth of its deepest point
 };
 
-/// Where a body is at a time: what its questions are asked with, reckoned once for many of them.
+/// Place and orientation of a body at a time, computed once for many queries.
 struct BodyPose {
   double east_m{};
   double north_m{};
@@ -31,9 +31,9 @@ struct BodyHit {
   Vector normal{};  // outward, of unit length
 };
 
-/// A rigid body that drifts and turns: an iceberg, a rock, a trap of a test.
-/// Motion   straight and even between the fixes of its track, at rest before the first and after the last; it turns
-///          evenly
+/// A rigid body that drifts and rotates: an iceberg, a rock, an obstacle of a test.
+/// Motion   straight at constant speed between the fixes of its track, at rest before the first and after the
+///          last; constant rotation
 /// Threads  const members may be called from several threads at once
 class Body {
  public:
@@ -48,7 +48,8 @@ class Body {
     double spin_rad_s{};     // clockwise
   };
 
-  /// Errors   std::invalid_argument for a shape without parts, an empty track and times that do not ascend
+  /// Errors   std::invalid_argument for a shape without parts, an empty track and times that are not
+  ///          ascending
   Body(std::string name, Shape shape, Motion motion);
 
   [[nodiscard]] BodyPose pose_at(core::UtcTime time) const;
@@ -56,9 +57,9 @@ class Body {
   [[nodiscard]] Vector velocity_at(core::UtcTime time) const;
 
   [[nodiscard]] bool contains(const BodyPose& pose, Vector point) const;
-  /// Never more than the distance from a point to the body, and quick; not positive inside.
+  /// Lower bound of the distance from a point to the body, computed quickly; zero or negative inside.
   [[nodiscard]] double least_distance(const BodyPose& pose, Vector point) const;
-  /// Distance from a point to the body, to a centimetre; not positive inside.
+  /// Distance from a point to the body, to a centimetre; zero or negative inside.
   [[nodiscard]] double distance(const BodyPose& pose, Vector point) const;
   /// Where the ray from `origin` along the unit vector `direction` first meets the body within `max_range_m`.
   [[nodiscard]] std::optional<BodyHit> first_hit(const BodyPose& pose, Vector origin, Vector direction,

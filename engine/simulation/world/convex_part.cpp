@@ -13,7 +13,7 @@ namespace {
 constexpr double unit_tolerance = 1e-6;
 constexpr int most_sweeps = 400;
 constexpr double settled_m =
-    1e-4;  // of a sweep: it shrinks the error by a constant share, so far below a centimetre
+    1e-4;  // largest change in the last sweep; the error that remains is far below a centimetre
 
 double dot(const BodyPoint& a, const BodyPoint& b) {
   return a.along * b.along + a.across * b.across + a.down * b.down;
@@ -40,8 +40,8 @@ double ConvexPart::distance(BodyPoint point) const {
   const double by_planes = plane_distance(point);
   if (by_planes <= 0.0) return by_planes;
 
-  // The nearest point is the given one less a sum of normals, none with a negative weight: raise and lower one weight
-  // after the other until each plane holds.
+  // The nearest point is the given one minus a sum of face normals with weights of at least zero. Adjusts one
+  // weight after another until the point satisfies all planes.
   std::vector<double> weights(faces_.size(), 0.0);
   BodyPoint nearest = point;
   for (int sweep = 0; sweep < most_sweeps; ++sweep) {

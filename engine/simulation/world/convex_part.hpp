@@ -5,7 +5,7 @@
 
 namespace floeplan::simulation {
 
-/// A place or a direction in a body's own axes: along its length, across it to the right, down; metres.
+/// A place or direction in a body's own axes: along its length, across to the right, down; metres.
 struct BodyPoint {
   double along{};
   double across{};
@@ -20,11 +20,11 @@ struct PartHit {
   BodyPoint normal{};  // outward, of unit length
 };
 
-/// A solid bounded by planes: what a body is put together from.
+/// A convex solid bounded by planes; bodies consist of such parts.
 /// Threads  const members may be called from several threads at once
 class ConvexPart {
  public:
-  /// All points with normal . point <= offset_m.
+  /// The half space normal . point <= offset_m.
   struct Face {
     BodyPoint normal{};  // outward, of unit length
     double offset_m{};
@@ -34,12 +34,12 @@ class ConvexPart {
   explicit ConvexPart(std::vector<Face> faces);
 
   [[nodiscard]] bool contains(BodyPoint point) const { return plane_distance(point) <= 0.0; }
-  /// Never more than the distance to the surface, and quick; negative inside, where it is minus the distance.
+  /// Lower bound of the distance to the surface, computed quickly. Inside it is minus the distance.
   [[nodiscard]] double plane_distance(BodyPoint point) const;
-  /// Distance to the surface to a centimetre; as `plane_distance` inside.
+  /// Distance to the surface, to a centimetre; inside as `plane_distance`.
   /// Source   Hildreth 1957, A quadratic programming procedure, Nav. Res. Logist. Q. 4
   [[nodiscard]] double distance(BodyPoint point) const;
-  /// Where the ray from `origin` along the unit vector `direction` enters; at once when it starts inside.
+  /// Where the ray from `origin` along the unit vector `direction` enters; range 0 if it starts inside.
   [[nodiscard]] std::optional<PartHit> first_hit(BodyPoint origin, BodyPoint direction,
                                                  double max_range_m) const;
   [[nodiscard]] const std::vector<Face>& faces() const { return faces_; }

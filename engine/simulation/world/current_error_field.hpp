@@ -9,22 +9,23 @@
 
 namespace floeplan::simulation {
 
-/// How far the true current is from the forecast: a random horizontal flow without divergence whose stream function
-/// has the covariance of a Gaussian bell in place, depth and time.
+/// Error of the current forecast: a random horizontal flow without divergence. The covariance of its stream
+/// function is a Gaussian bell in place, depth and time.
 struct CurrentErrorSettings {
-  core::MetresPerSecond rms{};              // of each component; 0: the forecast is true
+  core::MetresPerSecond rms{};              // per component; 0: the forecast is exact
   core::Metres length_scale{10'000.0};      // standard deviation of the bell along the surface
-  core::Metres depth_scale{200.0};          // the same down the water
-  core::Seconds time_scale{12.0 * 3600.0};  // the same in time
+  core::Metres depth_scale{200.0};          // standard deviation of the bell in depth
+  core::Seconds time_scale{12.0 * 3600.0};  // standard deviation of the bell in time
 
   [[nodiscard]] core::Violations violations() const;  // empty when valid, otherwise all of them
 };
 
-/// One such error, drawn from a seed.
+/// One such error field, drawn from a seed.
 /// Frame    east and north of the flight's frame, m/s
-/// Accuracy statistics within a few percent: 64 waves stand for the continuum
+/// Accuracy statistics within a few percent: 64 waves approximate the continuum
 /// Threads  const members may be called from several threads at once
-/// Source   random Fourier features: Rahimi and Recht 2007, Random features for large-scale kernel machines, NIPS 20
+/// Source   random Fourier features: Rahimi and Recht 2007, Random features for large-scale kernel machines,
+///          NIPS 20
 class CurrentErrorField {
  public:
   CurrentErrorField() = default;  // no error anywhere

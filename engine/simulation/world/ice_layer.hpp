@@ -9,8 +9,9 @@
 
 namespace floeplan::simulation {
 
-/// Sea ice above a flight as the depth of its underside: none, an even sheet, or the deepest keels that an ice field
-/// lets expect: those that a plan by the same rules under ice keeps below, and open water where that plan may surface.
+/// Sea ice above a flight, as the depth of its underside: none, a level sheet, or the deepest keels of an ice
+/// field. These are the keels that a plan with the same rules keeps below; where that plan may surface the
+/// water is open.
 /// Threads  const members may be called from several threads at once
 class IceLayer {
  public:
@@ -21,9 +22,9 @@ class IceLayer {
            const geo::LocalProjection& projection, const planning::plane::PlaneBox& area,
            core::UtcTime epoch);
 
-  /// Whether there is any, somewhere and some time.
+  /// Whether there is ice anywhere at any time.
   [[nodiscard]] bool has_ice() const { return cover_.has_value() || even_m_ > 0.0; }
-  /// Zero in open water and where no ice was ever known, as beyond the area.
+  /// Depth of the underside; zero in open water, where ice was never known, and outside the area.
   [[nodiscard]] double draft_m(double east_m, double north_m, core::UtcTime time) const {
     if (!cover_) return even_m_;
     if (!area_.contains({east_m, north_m})) return 0.0;

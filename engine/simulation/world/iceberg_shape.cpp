@@ -19,11 +19,12 @@ using Face = ConvexPart::Face;
 constexpr double length_over_width = 1.62;
 constexpr double most_chipped = 0.1;
 constexpr int sides = 12;
-/// How far a pinnacle's sides are drawn in at its keel, and how high a wedge's keel rises, shares of radius and draft:
-/// between a point, which no keel is, and an upright side.
+/// Shape of the keels: how far a pinnacle's sides lean in, as a share of the radius, and how much a wedge's
+/// keel rises, as a share of the draft. Choices between a point, which no keel is, and a vertical side.
 constexpr double pinnacle_keel_share = 0.15;
 constexpr double wedge_rise_share = 0.7;
-/// Shape of a drydock: width of each column over that of the berg, top and bottom of the slab over the draft.
+/// Shape of a drydock: width of each column as a share of the berg's, top and bottom of the slab as shares of
+/// the draft.
 constexpr double column_share = 0.3;
 constexpr double slab_top_share = 0.35;
 constexpr double slab_bottom_share = 0.6;
@@ -46,7 +47,7 @@ double height_share(IcebergForm form) {
   return 0.2;
 }
 
-/// Keeps what is left of a side after chipping; the ends, which make the length, stay.
+/// Share of a side that remains after chipping. The ends are not chipped, because they define the length.
 double chipped(int side, std::mt19937_64& rng) {
   const double share = 1.0 - most_chipped * core::uniform(rng);
   return side % (sides / 2) == 0 ? 1.0 : share;
@@ -58,7 +59,7 @@ double ellipse_support(const Axes& axes, double angle) {
   return std::hypot(axes.along_m * std::cos(angle), axes.across_m * std::sin(angle));
 }
 
-/// A box with its corners cut off.
+/// Distance of the tangent plane of a box with cut corners, at this angle.
 double block_support(const Axes& axes, double angle) {
   const double corner = axes.along_m * std::abs(std::cos(angle)) + axes.across_m * std::abs(std::sin(angle));
   return std::min(corner, 1.1 * ellipse_support(axes, angle));
@@ -77,7 +78,7 @@ void add_upright_sides(std::vector<Face>& faces, const Axes& axes, const Support
   }
 }
 
-/// Facets that touch an ellipsoid below the water.
+/// Adds facets that touch an ellipsoid below the water.
 void add_dome(std::vector<Face>& faces, const Axes& axes, std::mt19937_64& rng) {
   for (const double dip_deg : {25.0, 50.0, 72.0}) {
     const double dip = core::degrees_to_radians(dip_deg);
@@ -91,7 +92,7 @@ void add_dome(std::vector<Face>& faces, const Axes& axes, std::mt19937_64& rng) 
   }
 }
 
-/// Sides that lean in from the waterline to the keel.
+/// Adds sides that lean inwards from the waterline to the keel.
 void add_cone(std::vector<Face>& faces, const Axes& axes, std::mt19937_64& rng) {
   for (int side = 0; side < sides; ++side) {
     const double angle = side_angle(side);
@@ -102,7 +103,7 @@ void add_cone(std::vector<Face>& faces, const Axes& axes, std::mt19937_64& rng) 
   }
 }
 
-/// A keel from the draft at one end to less at the other.
+/// Adds a keel that rises from the draft at one end.
 void add_rising_keel(std::vector<Face>& faces, const Axes& axes) {
   const double rise = wedge_rise_share * axes.draft_m / (2.0 * axes.along_m);
   const double norm = std::hypot(1.0, rise);
@@ -127,7 +128,8 @@ std::vector<ConvexPart> drydock_parts(const Axes& axes, double height_m, std::mt
   return parts;
 }
 
-/// Radius of a cylinder about the axis. Every side at a right angle lies where the length and the width put it, or
+/// Radius of a cylinder around the axis that contains the shape. Perpendicular sides lie at half the length
+/// and width or inside, so all lies in the box of length and width.
 /// inside, so that all lies in the box of both.
 double outline_radius(const Axes& axes) { return std::hypot(axes.along_m, axes.across_m); }
 
@@ -143,7 +145,7 @@ IcebergForm iceberg_form(std::string_view code, std::mt19937_64& rng) {
                                                                                   {"PNC", pinnacle},
                                                                                   {"WDG", wedge},
                                                                                   {"DD", drydock}}};
-  const double drawn = core::uniform(rng);  // by every berg, so that one code changes no other's numbers
+  const double drawn = core::uniform(rng);  // for every berg: a code must not change the draws of others
   for (const auto& [name, form] : named) {
     if (code == name) return form;
   }

@@ -7,8 +7,8 @@
 namespace floeplan::simulation {
 namespace {
 
-constexpr double margin_m = 100.0;  // moved before the grid is laid anew: some five minutes of a glider
-constexpr double beyond_reach_m = 2.0 * LocalBed::spacing_m;  // slopes are taken at the ends of rays, too
+constexpr double margin_m = 100.0;  // movement until the grid is made again: some five minutes of a glider
+constexpr double beyond_reach_m = 2.0 * LocalBed::spacing_m;  // slopes are needed at the ends of rays, too
 constexpr float not_known = std::numeric_limits<float>::quiet_NaN();
 
 std::size_t nodes_for(double reach_m) {
@@ -49,7 +49,7 @@ void LocalBed::lay(Vector about) {
 
 void LocalBed::measure() {
   shallowest_m_.reset();
-  double most_m2 = 0.0;  // of the rise from a node to its neighbours, squared
+  double most_m2 = 0.0;  // largest squared rise from a node to its neighbours
   for (std::size_t row = 0; row < side_; ++row) {
     for (std::size_t column = 0; column < side_; ++column) {
       const std::size_t node = row * side_ + column;
@@ -63,7 +63,7 @@ void LocalBed::measure() {
       const double north_m =
           std::max(std::abs(depths_[node + side_] - depth_m), std::abs(corner_m - depths_[node + 1]));
       const double rise_m2 = east_m * east_m + north_m * north_m;
-      if (rise_m2 > most_m2) most_m2 = rise_m2;  // not where a neighbour is not known: no cell is there
+      if (rise_m2 > most_m2) most_m2 = rise_m2;  // false if a neighbour is unknown (NaN); no cell is there
     }
   }
   steepest_ = std::sqrt(most_m2) / spacing_m;

@@ -10,26 +10,26 @@
 
 namespace floeplan::simulation {
 
-/// The sea bed about a vehicle on a grid of 5 m: a ping asks for it thousands of times, and on a grid the answer is
-/// quick and its steepest slope is known.
-/// Frame    that of the world; nodes lie at whole multiples of the spacing, so that the bed is the same wherever the
-///          grid was laid from; bilinear between them
-/// Memory   laid anew when the vehicle has moved 100 m; in between no member allocates
+/// The sea bed around a vehicle on a grid of 5 m. A ping needs the depth thousands of times: on a grid the
+/// answer is quick, and the steepest slope is known.
+/// Frame    that of the world; nodes lie at multiples of the spacing, so the bed does not depend on where the
+///          grid was made; bilinear between nodes
+/// Memory   made again when the vehicle has moved 100 m; between, no member allocates
 /// Threads  one instance for each flight
 class LocalBed {
  public:
   static constexpr double spacing_m = 5.0;
 
-  /// `world` is borrowed. `reach` is how far from the vehicle the bed is asked for.
+  /// `world` is borrowed. `reach`: largest distance from the vehicle at which the bed will be asked for.
   LocalBed(const World& world, core::Metres reach);
 
   void look_from(Vector place);
 
-  /// Positive down; empty where it is not known. Precondition: within reach of the place looked from.
+  /// Depth, positive down; empty if unknown. Precondition: within `reach` of the vehicle's place.
   [[nodiscard]] std::optional<double> depth_m(double east_m, double north_m) const;
-  /// Depth of the shallowest node of the grid; empty where nothing is known.
+  /// Depth of the shallowest node of the grid; empty if no depth is known.
   [[nodiscard]] std::optional<double> shallowest_m() const { return shallowest_m_; }
-  /// Never less than the slope of the bed anywhere on the grid, metres of depth by metres of way.
+  /// Upper bound of the bed's slope on the grid, in metres of depth per metre of distance.
   [[nodiscard]] double steepest() const { return steepest_; }
 
  private:
@@ -38,11 +38,11 @@ class LocalBed {
 
   const World& world_;
   double reach_m_;
-  std::size_t side_;  // nodes
+  std::size_t side_;  // number of nodes on each side
   Vector laid_about_{};
   double west_m_{};
   double south_m_{};
-  std::vector<float> depths_;  // [north][east]; not a number: not known
+  std::vector<float> depths_;  // [north][east]; NaN: unknown
   std::optional<double> shallowest_m_{};
   double steepest_{};
 };

@@ -25,7 +25,8 @@ planning::plane::PlaneBox box_about(std::span<const geo::LonLat> route,
   return box.grown(margin.value);
 }
 
-/// The forecast track with the error of the current over the keel added up along it.
+/// The forecast track plus the displacement by the current's error, averaged over the keel and integrated
+/// along the track.
 std::vector<Body::Fix> true_track(const std::vector<ocean::IcebergFix>& forecast,
                                   const geo::LocalProjection& projection, const CurrentErrorField& error,
                                   core::Metres draft, core::UtcTime begin) {

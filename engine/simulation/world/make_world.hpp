@@ -14,25 +14,25 @@
 
 namespace floeplan::simulation {
 
-/// How the real sea differs from what is known of it.
+/// Differences between the simulated sea and the data on it.
 struct WorldSettings {
   CurrentErrorSettings current_error{};
-  /// Fastest turn of an iceberg. An assumption, for no statistics were at hand: a quarter turn in three hours.
+  /// Fastest rotation of an iceberg in degrees per hour. An assumption, because no statistics were found: a
+  /// quarter turn in three hours.
   double most_spin_deg_h{30.0};
-  core::Metres margin{20'000.0};  // about the route, within which the world is known
+  core::Metres margin{20'000.0};  // around the route; the world is known inside
   planning::UnderIceRules
-      ice{};  // of the plan that is flown: what it takes for open water and for the keels of ice
+      ice{};  // rules of the plan that is flown: they decide what is open water and how deep keels are
 
   [[nodiscard]] core::Violations violations() const;  // empty when valid, otherwise all of them
 };
 
-/// A real sea that agrees with the data of an environment but for the errors of the settings.
-/// Frame    about the first place of the route
-/// Icebergs each with a form and a draft as likely for what was sighted, on the forecast of its drift and off it by
-/// what
-///          the current's error carries it over its keel from `begin` on; those that come nowhere near the route are
-///          left out
-/// Edges    beyond the margin nothing is known of the sea bed, and the ice counts as none
+/// A simulated sea that agrees with the data of an environment, except for the errors in the settings.
+/// Frame    its origin is the first place of the route
+/// Icebergs Each has a random shape and draft that fit its sighting. It follows its forecast drift, plus the
+/// displacement from `begin` on by the current's error over its keel. Bergs that never come near the route
+/// are left out
+/// Edges    outside the margin the sea bed is unknown, and there is no ice
 /// Errors   std::invalid_argument for an empty route and for settings with violations
 /// Stops    once `stop` is requested the world is incomplete and must not be used
 [[nodiscard]] World make_world(const ocean::Environment& environment, std::span<const geo::LonLat> route,

@@ -7,15 +7,16 @@
 namespace floeplan::simulation {
 namespace {
 
-/// Where water is sought beside a place that has none, cell by cell outwards: as far as plans extend a model's currents
-/// beyond its land mask, which is coarser than the coast (planning::PlaneCurrents).
+/// For a place without water these cells around it are tried, ring by ring outwards. Plans extend a model's
+/// currents as far beyond its land mask, which is coarser than the coast (planning::PlaneCurrents).
 constexpr std::array<std::array<Vector, 4>, 4> rings{
     {{{{1.0, 0.0, 0.0}, {-1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, -1.0, 0.0}}},
      {{{1.0, 1.0, 0.0}, {-1.0, 1.0, 0.0}, {1.0, -1.0, 0.0}, {-1.0, -1.0, 0.0}}},
      {{{2.0, 0.0, 0.0}, {-2.0, 0.0, 0.0}, {0.0, 2.0, 0.0}, {0.0, -2.0, 0.0}}},
      {{{2.0, 2.0, 0.0}, {-2.0, 2.0, 0.0}, {2.0, -2.0, 0.0}, {-2.0, -2.0, 0.0}}}}};
 
-/// The current of the deepest level with water at or above `depth`, between levels linear.
+/// The current at `depth_m`, linear between levels. If there is no water so deep, that of the deepest level
+/// with water.
 std::optional<geo::VelocityEn> down_to(const ocean::CurrentGrid& grid, geo::LonLat place, double depth_m,
                                        core::UtcTime time) {
   const auto& levels = grid.samples().depths_m;

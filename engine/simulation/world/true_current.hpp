@@ -10,20 +10,20 @@
 
 namespace floeplan::simulation {
 
-/// The water's real velocity: a uniform flow, the forecast where there is one, and the forecast's error.
-/// Frame    east and north of the flight's frame, m/s; never up or down
-/// Depth    above the forecast's first level the current of that level counts, below its last level that of the last; where
-///          the model's water is not so deep, that of its deepest water
-/// Coast    where a node has no water, the current of the nearest water counts, up to two cells away: the coasts of models are
-///          coarse
-/// Outside  empty beyond the forecast's area (and those cells) and period; a forecast held steady answers for every
-///          time
+/// The true velocity of the water: a uniform flow, the forecast if there is one, and the forecast's error.
+/// Frame    east and north of the flight's frame, m/s; no vertical component
+/// Depth    above the forecast's first level the current of that level, below its last level that of the
+///          last; where the model's water is shallower, the current of its deepest water
+/// Coast    for a node without water, the current of the nearest water up to two cells away: models have
+///          coarse coasts
+/// Outside  empty outside the forecast's area (and those cells) and period; a steady forecast is valid at
+///          every time
 /// Threads  const members may be called from several threads at once
 class TrueCurrent {
  public:
   struct Forecast {
     std::shared_ptr<const ocean::CurrentGrid> grid;
-    bool steady{};  // it holds one time, meant for every time
+    bool steady{};  // a single time, valid at every time
   };
 
   TrueCurrent() = default;  // still water
@@ -32,9 +32,9 @@ class TrueCurrent {
       : forecast_{std::move(forecast)}, projection_{projection}, error_{std::move(error)} {}
 
   [[nodiscard]] std::optional<Vector> at(Vector place, core::UtcTime time) const;
-  /// What is added to the forecast.
+  /// The error that is added to the forecast.
   [[nodiscard]] Vector error_at(Vector place, core::UtcTime time) const { return error_.at(place, time); }
-  /// What the shore knows of it: all but the error.
+  /// The current as known on shore: without the error.
   [[nodiscard]] std::optional<Vector> forecast_at(Vector place, core::UtcTime time) const;
 
  private:

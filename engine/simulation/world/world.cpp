@@ -6,8 +6,8 @@
 namespace floeplan::simulation {
 namespace {
 
-/// How long and how far a search for bodies holds. A minute of a glider is some thirty metres, so that the margin costs
-/// a few bodies and the search, one look at each body of the world, is spread over many pings.
+/// Validity of a search for bodies, in time and distance. A glider moves some thirty metres in a minute, so
+/// the margin adds only few bodies, and one search serves many pings.
 constexpr core::Seconds search_holds{60.0};
 constexpr double search_margin_m = 100.0;
 
@@ -36,8 +36,8 @@ std::vector<std::uint32_t> World::bodies_near(Vector place, double reach_m, core
     const Body& body = parts_.bodies[i];
     const BodyPose first = body.pose_at(from);
     const BodyPose last = body.pose_at(to);
-    // Between two times a body keeps to the ellipse about both places; a circle about the middle holds that where the
-    // track is straight, and half as much again where it bends.
+    // Between two times a body stays in an ellipse around both places. A circle around the middle contains it
+    // if the track is straight; half as much more is added for bends.
     const double span_m = std::hypot(last.east_m - first.east_m, last.north_m - first.north_m);
     const double aside_m = std::hypot(0.5 * (first.east_m + last.east_m) - place.east,
                                       0.5 * (first.north_m + last.north_m) - place.north);

@@ -7,7 +7,7 @@
 namespace floeplan::planning::search {
 namespace {
 
-constexpr std::size_t most_ladder_values = 4'000'000;  // 32 MB
+constexpr std::size_t most_ladder_values = 4'000'000;  // 32 MB: one double for each vertex and rung
 
 }  // namespace
 
@@ -20,7 +20,7 @@ ArrivalLadder::ArrivalLadder(Foresight& foresight, VertexClosures& closures, con
   if (!has_hope_) return;
   base_s_ = std::min(earliest.arrival_s(open.grid.goal) - rounding_of_times_s, last.count());
 
-  // The rungs are closer together at the bottom, where the best routes lie.
+  // The square puts the rungs closer together at early arrivals, where the best routes lie.
   const std::size_t count = std::clamp<std::size_t>(most_ladder_values / open.graph.size(), 1, rungs);
   for (std::size_t rung = 1; rung <= count; ++rung) {
     const double share = static_cast<double>(rung) / static_cast<double>(count);

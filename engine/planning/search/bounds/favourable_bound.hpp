@@ -10,17 +10,20 @@
 
 namespace floeplan::planning::search {
 
-/// Lower bounds of times on a grid that need no search: the remaining time to the goal if every edge is travelled at its best
-/// time. They pay where many departures are searched on one grid.
-/// Satisfies  graph::TravelTimeBound, except that `remaining` is consistent with the true times of edges and not with the
-///            smaller ones of `least_time`
+/// Lower bounds of travel times on a grid, computed without a time-dependent search: the remaining time to
+/// the goal if every edge takes its shortest possible time. They pay where many departures are searched on
+/// one grid.
+/// Satisfies  graph::TravelTimeBound, with one difference: `remaining` is consistent with the true times of
+///            edges, not with the shorter times of `least_time`
+/// Threads    const members may be called from several threads at once
 /// Threads    const members may be called from several threads at once
 class FavourableBound {
  public:
-  /// To the goal, or, for time-reversed searches, from the start.
+  /// Direction of `remaining`: to the goal or, for time-reversed searches, from the start.
   enum class Way { to_goal, from_start };
 
-  /// Both are borrowed and outlive this. Once `stop` is requested it must not be used.
+  /// `sea` and `open` are borrowed and must outlive this object. Once `stop` is requested it must not be
+  /// used.
   FavourableBound(const cost::Sea& sea, const OpenGrid& open, const std::stop_token& stop,
                   Way way = Way::to_goal)
       : left_s_(open.graph.size(), graph::SearchTree::never) {
@@ -43,7 +46,8 @@ class FavourableBound {
           grid.straight_s({open.grid.start, open.grid.start, static_cast<std::uint8_t>(step)}));
   }
 
-  /// With the strongest current of the whole sea from astern. A lower bound, too, but below that used by `remaining`.
+  /// Lower bound of the edge's time with the strongest current of the whole area from astern. `remaining`
+  /// uses the strongest current near each edge, so it is sharper.
   [[nodiscard]] core::Seconds least_time(const graph::Edge& edge, core::Seconds) const {
     return core::Seconds{straight_s_[edge.step]};
   }
@@ -54,7 +58,7 @@ class FavourableBound {
 
  private:
   std::vector<double> left_s_;
-  std::vector<double> straight_s_;  // by step of the grid
+  std::vector<double> straight_s_;  // by step (direction) of the grid
 };
 
 }  // namespace floeplan::planning::search

@@ -17,20 +17,21 @@ namespace floeplan::planning::search {
 /// The time of a vertex that cannot be reached.
 inline constexpr double never_s = std::numeric_limits<double>::infinity();
 
-/// Lower bounds of the times of a grid's edges at any time: the fastest drive, with the strongest current near each place from
-/// astern.
+/// Lower bounds of the times of a grid's edges, valid at any time. They assume the fastest propulsion, and
+/// from astern the strongest current near each edge.
 /// Threads  const members may be called from several threads at once
 class FavourableGrid {
  public:
-  /// Both are borrowed and outlive this.
+  /// `sea` and `open` are borrowed and must outlive this object.
   FavourableGrid(const cost::Sea& sea, const OpenGrid& open);
 
   [[nodiscard]] const OpenGrid& open() const { return open_; }
-  /// The least time of any edge of this length, with the strongest current of the whole sea from astern.
+  /// Least time of the edge in seconds, with the strongest current of the whole area from astern.
   [[nodiscard]] double straight_s(const graph::Edge& edge) const {
     return steps_[edge.step].least_time.count();
   }
-  /// The same for the longest edges.
+  /// Least time of the grid's longest edges in seconds, with the strongest current of the whole area from
+  /// astern.
   [[nodiscard]] double longest_straight_s() const { return longest_.least_time.count(); }
 
   /// Calls visit(edge, least time in seconds) for each edge out of a vertex.
@@ -40,11 +41,11 @@ class FavourableGrid {
     open_.graph.for_each_edge(
         tail, [&](const graph::Edge& edge) { visit(edge, least_time_s(box, steps_[edge.step])); });
   }
-  /// The same for each edge into a vertex.
+  /// Calls visit(edge, least time in seconds) for each edge into a vertex.
   template <class Visit>
   void for_each_edge_to(graph::Vertex head, const Visit& visit) const {
     open_.graph.for_each_edge(head, [&](const graph::Edge& back) {
-      // The steps go round the compass, so the opposite step is half of them away.
+      // The steps go round the compass, so the opposite direction is half of the steps away.
       const auto step = static_cast<std::uint8_t>((back.step + steps_.size() / 2) % steps_.size());
       visit(graph::Edge{back.head, head, step}, least_time_s(box_about(back.head), steps_[step]));
     });
@@ -52,7 +53,7 @@ class FavourableGrid {
 
  private:
   struct Step {
-    core::Metres length;  // of the plane
+    core::Metres length;  // in the plane
     geo::PlanePoint direction;
     core::Seconds least_time;  // with the strongest current anywhere astern
   };
@@ -74,13 +75,14 @@ class FavourableGrid {
   std::optional<currents::CurrentEnvelope> envelope_;  // empty: still water
 };
 
-/// Lowers the times of vertices from those of their neighbours until none falls any more. Each vertex with a time passes it on
-/// by for_each_next(vertex, time_s, visit), which calls visit(next, its_time_s).
+/// Lowers the times of vertices from those of their neighbours until none falls any more (Dijkstra). A vertex
+/// with a time passes it on by for_each_next(vertex, time_s, visit), which calls visit(next, time at next in
+/// seconds).
 /// Stops  early once `stop` is requested; the times must then not be used
 template <class ForEachNext>
 void lower_times(std::vector<double>& times_s, double latest_s, const std::stop_token& stop,
                  const ForEachNext& for_each_next) {
-  constexpr std::size_t vertices_between_looks = 1024;  // each takes some microseconds
+  constexpr std::size_t vertices_between_looks = 1024;  // between checks of `stop`; each takes microseconds
   graph::ArrivalQueue queue{times_s.size()};
   for (graph::Vertex v = 0; v < times_s.size(); ++v) {
     if (times_s[v] <= latest_s) queue.insert(v, times_s[v]);

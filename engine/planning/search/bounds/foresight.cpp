@@ -9,14 +9,15 @@
 namespace floeplan::planning::search {
 namespace {
 
-constexpr double slowest_share = 0.6;  // share of the speed through water; slower drives count as this
+constexpr double slowest_share = 0.6;  // share of the speed through water: slower counts as this fast
 constexpr double least_share =
-    0.1;  // likewise of drives that are estimated: the longest edge on a closed course
-constexpr double most_share = 0.95;  // likewise of a current that leaves room on every course
-/// Integrated times may be shorter than the true ones by their tolerance. An error of one edge shifts the departures of the
-/// edges before it by at most a few times as much.
+    0.1;  // the same for estimates: no edge counts as slower, closed ones count as this slow
+constexpr double most_share = 0.95;  // also a share: a weaker current leaves every course open
+/// Integrated times may be shorter than the true ones by their tolerance. This error shifts the departures of
+/// later edges, so the sum of errors may be a few times as large. The bounds are lowered by this number of
+/// tolerances.
 constexpr double tolerances = 5.0;
-/// How much shorter closures are taken to be than they are: more than the error of integrated times.
+/// Closures are taken to be shorter by this at both ends: more than the error of integrated times.
 constexpr core::Seconds border{5.0};
 
 std::vector<geo::PlanePoint> edges_of(const OpenGrid& open) {
@@ -28,7 +29,7 @@ std::vector<geo::PlanePoint> edges_of(const OpenGrid& open) {
   return edges;
 }
 
-/// A travel time for a search. It computes all edges of a vertex when the first of them is asked for.
+/// Edge travel times for a search. All edges out of a vertex are timed when the first of them is asked for.
 template <class TimeFan>
 class FanTravelTime {
  public:
@@ -46,7 +47,8 @@ class FanTravelTime {
   mutable graph::Vertex tail_{Foresight::no_vertex};
 };
 
-/// For the time-reversed search, whose clock shows -t: no vehicle is at a vertex before its earliest arrival there.
+/// Bound for the time-reversed search, whose clock shows -t: no vehicle is at a vertex before its earliest
+/// arrival.
 struct NotBefore {
   const StraightBound& straight;
   const graph::SearchTree& earliest;
@@ -216,7 +218,7 @@ graph::SearchTree Foresight::sweep_back(core::Seconds depart, core::Seconds arri
                                         const std::stop_token& stop, VertexClosures* closures,
                                         const Bound& bound) {
   const cost::RouteGrid& grid = open_.grid;
-  // In the time-reversed search a closed vertex is reached when its closure begins.
+  // No vehicle is at a closed vertex: its latest useful time is then the beginning of the closure.
   const auto when_open = [&](graph::Vertex v, core::Seconds film_time) {
     if (closures == nullptr) return film_time;
     for (const TimeSpan& closed : closures->at(v)) {

@@ -13,66 +13,69 @@
 
 namespace floeplan::planning::search {
 
-/// Bounds and estimates for a search over a grid, without exact times of edges. All edges out of a vertex are timed at once.
-/// There are two sweeps, each many times faster than the exact search. The forward one uses estimates and finds a nearly best
-/// route. The backward one uses proven bounds and gives the latest useful time of each vertex.
+/// Bounds and estimates for a search over a grid, without exact edge times. All edges out of a vertex are
+/// timed at once. There are two searches, each many times faster than the exact one. The forward one uses
+/// estimates and finds a nearly best route. The backward one uses proven bounds and gives the latest useful
+/// time of each vertex.
 /// Threads  one at a time
 class Foresight {
  public:
   static constexpr graph::Vertex no_vertex = std::numeric_limits<graph::Vertex>::max();
 
-  /// `sea` and `open` are borrowed and outlive this. `ahead`: the result for an arrival also holds for arrivals up to so much
-  /// later. The bounds are then less sharp, but are computed only once.
+  /// `sea` and `open` are borrowed and must outlive this object. `ahead`: a result for one arrival may be
+  /// used for arrivals that are later by at most this time. The bounds are then less sharp, but are computed
+  /// only once.
   Foresight(const cost::Sea& sea, const OpenGrid& open, core::Seconds ahead = core::Seconds{0.0});
 
-  /// Whether the bounds are better than those of a straight line with the strongest current from astern.
+  /// Whether these bounds are sharper than a straight line with the strongest current from astern.
   [[nodiscard]] bool is_useful() const { return !nearby_ || nearby_->is_useful(); }
 
-  /// What an estimated route avoids in addition to places that are always closed.
+  /// What an estimated route avoids, besides places that are always closed.
   struct Minding {
-    bool timed_closures{false};         // where an even drive along an edge meets them
-    std::vector<graph::Edge> barred{};  // edges not to be taken, a few
+    bool timed_closures{false};         // closures that a drive at constant speed along an edge would meet
+    std::vector<graph::Edge> barred{};  // a few edges that must not be used
   };
-  /// A route from start to goal, edge by edge, that is probably close to the best. Empty where none is found, and once `stop` is
-  /// requested. It is not proven to be open.
+  /// A route from start to goal, edge by edge, that is probably close to the best. It may turn out to be
+  /// closed. Empty if none is found, or once `stop` is requested.
   [[nodiscard]] std::vector<graph::Edge> likely_way(core::Seconds depart, const std::stop_token& stop,
                                                     const Minding& minding);
 
-  /// The latest useful times at vertices for a vehicle that leaves the start at `depart` and must reach the goal by `arrive`.
-  /// The tree is that of a time-reversed search: its arrival at a vertex is -t. A vertex that is not reached is of no use.
-  /// Law      no route of open legs that reaches the goal in time is at a vertex later. Only currents count: a leg that is closed
-  ///          for a while counts as open
-  /// Returns  borrowed until the next call
+  /// The latest useful times at vertices for a vehicle that leaves the start at `depart` and must reach the
+  /// goal by `arrive`. The tree is that of a time-reversed search: its arrival at a vertex is minus the
+  /// latest useful time. A vertex that the tree does not reach is of no use.
+  /// Law      no route of open legs that reaches the goal by `arrive` is at a vertex later. Only currents
+  ///          count here: a leg that is closed for a while counts as open
+  /// Returns  borrowed; valid until the next call
   [[nodiscard]] const graph::SearchTree& until_when_of_use(core::Seconds depart, core::Seconds arrive,
                                                            const std::stop_token& stop);
 
-  /// The earliest arrivals at vertices after leaving the start at `depart`. A vertex that is not reached is of no use for an
-  /// arrival at the goal by `arrive`. Vertices cannot be entered while they are closed; otherwise as above.
+  /// The earliest arrivals at vertices after leaving the start at `depart`. A vertex that is not reached is
+  /// of no use for an arrival at the goal by `arrive`. A closed vertex is reached when it reopens.
   [[nodiscard]] graph::SearchTree sweep_forth(core::Seconds depart, core::Seconds arrive,
                                               const std::stop_token& stop, VertexClosures& closures);
-  /// As `until_when_of_use`, for exactly these two times, and not kept. Vertices cannot be entered while they are closed: a
-  /// vehicle that would come too late for the last open time must come before the closure.
-  /// `earliest`: of a sweep forth from the same departure to the same arrival or a later one
+  /// As `until_when_of_use`, but for exactly these two times, not cached, and closed vertices cannot be
+  /// entered: a vehicle that could not arrive while a vertex is open again must be there before it closes.
+  /// `earliest`: result of `sweep_forth` for the same departure and the same or a later arrival
   [[nodiscard]] graph::SearchTree sweep_back(core::Seconds depart, core::Seconds arrive,
                                              const std::stop_token& stop, VertexClosures& closures,
                                              const graph::SearchTree& earliest);
 
-  /// Estimated times of the edges out of a vertex, by their steps, for a departure at that time on this drive. Those of closed
-  /// edges are long.
-  /// Returns  borrowed, until the next question of any kind; null where nothing is known of the water
+  /// Estimated times of the edges out of a vertex, by step of the grid, for a departure at `depart` with this
+  /// propulsion. Closed edges get long times.
+  /// Returns  borrowed, until the next call of any member; null where the current is unknown
   [[nodiscard]] const motion::FanTimes* estimates(graph::Vertex v, core::Seconds depart,
                                                   vehicle::Drive drive);
 
-  /// Lower bound of the time of an edge for a departure from its tail at that time. Fast when the edges of one vertex
-  /// are asked for in a row.
+  /// Lower bound of the time of an edge for a departure from its tail at `depart`. Fast when the edges of one
+  /// vertex are asked for in a row.
   [[nodiscard]] core::Seconds least_time(const graph::Edge& edge, core::Seconds depart);
 
  private:
   enum class Fidelity { estimate, bound };
-  /// Times all edges out of a vertex; false if nothing is known of the water.
+  /// Times all edges out of a vertex; false if the current there is unknown.
   [[nodiscard]] bool look(graph::Vertex v, core::Seconds time, currents::NearbyCurrents::Film film,
                           Fidelity fidelity);
-  /// The water around a vertex; empty if nothing is known of it.
+  /// The current around a vertex; empty if it is unknown.
   [[nodiscard]] std::optional<motion::NearbyCurrent> water_at(graph::Vertex v, core::Seconds time,
                                                               currents::NearbyCurrents::Film film);
   [[nodiscard]] core::Seconds proven(const graph::Edge& edge, bool is_known) const;
@@ -94,11 +97,11 @@ class Foresight {
   motion::EdgeFan fan_;
   core::Metres longest_edge_{};
   core::Seconds longest_drive_{};
-  core::MetresPerSecond through_water_;             // on the fastest drive
+  core::MetresPerSecond through_water_;             // with the fastest propulsion
   std::optional<currents::NearbyCurrents> nearby_;  // empty: still water
   std::optional<Found> found_;
   motion::FanTimes times_{};
-  graph::Vertex tail_{no_vertex};  // of the edges in `least_time`
+  graph::Vertex tail_{no_vertex};  // tail of the edges that `least_time` timed last
   bool tail_is_known_{false};
 };
 
@@ -106,7 +109,7 @@ class Foresight {
 struct ForesightBound {
   Foresight& foresight;
   const StraightBound& straight;
-  const graph::SearchTree& until_when;  // of the foresight
+  const graph::SearchTree& until_when;  // result of `until_when_of_use`
   bool towards_goal{true};              // false: Dijkstra's order
 
   [[nodiscard]] core::Seconds least_time(const graph::Edge& edge, core::Seconds depart) const {

@@ -7,7 +7,7 @@
 namespace floeplan::planning::search {
 namespace {
 
-constexpr int reach = 6;  // steps of the grid
+constexpr int reach = 6;  // in steps of the grid
 constexpr graph::Vertex openings_check_interval = 256;
 
 }  // namespace
@@ -38,7 +38,8 @@ Openings::Openings(const cost::Sea& sea, const OpenGrid& grid, core::Seconds lat
   widen(grid.grid.nx, grid.grid.ny);
 }
 
-/// Gives every vertex the windows of the vertices within reach: along the rows, then along the columns.
+/// Gives every vertex the windows of all vertices within `reach`, first along the rows, then along the
+/// columns.
 void Openings::widen(int nx, int ny) {
   const auto spread = [&](int count, int lines, std::size_t step, std::size_t line_step) {
     std::vector<Window> line(static_cast<std::size_t>(count));

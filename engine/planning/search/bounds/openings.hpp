@@ -12,14 +12,15 @@
 
 namespace floeplan::planning::search {
 
-/// Where and when a later arrival can be better, because something near the vertex reopens. Only there must a search
-/// keep more than the earliest arrival. A disc that only grows never reopens anything.
-/// Reach    six steps of the grid, or two of its longest edges, around each vertex; in time, before the closure
-///          begins, as long as the vehicle needs to go there and back
+/// Where and when a later arrival can be better than an earlier one, because a place nearby reopens. Only
+/// there must a search keep more than the earliest arrival at a vertex. A disc that only grows never reopens
+/// a place.
+/// Reach    six steps of the grid, or two of its longest edges, around each vertex. In time, a window begins
+///          before the closure, by the time that the vehicle needs to go there and back
 /// Threads  const members may be called from several threads at once
 class Openings {
  public:
-  /// No windows.
+  /// Without windows: nothing reopens.
   Openings() = default;
   /// `latest`: reopenings after it do not matter. `closures`: of the grid, as far as they have been computed.
   /// `ladder`: if given, reopenings after the latest useful time of a vertex do not matter either. Stops early once
@@ -30,7 +31,8 @@ class Openings {
   [[nodiscard]] bool matter(graph::Vertex v, double arrival_s) const {
     return matter(v, arrival_s, arrival_s);
   }
-  /// Whether a later arrival can be better for some arrival between the two times.
+  /// Whether some arrival at the vertex between the two times may be worse than a later one. Times in
+  /// seconds.
   [[nodiscard]] bool matter(graph::Vertex v, double first_s, double last_s) const {
     return !windows_.empty() && windows_[v].from_s <= last_s && first_s <= windows_[v].until_s;
   }

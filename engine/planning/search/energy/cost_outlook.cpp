@@ -12,15 +12,15 @@ using graph::Edge;
 using graph::Vertex;
 
 constexpr float unknown = std::numeric_limits<float>::infinity();
-/// A twentieth of a semidiurnal tide: linear interpolation between the slices cuts little more than a hundredth off
-/// its bends.
+/// A twentieth of a semidiurnal tide: linear interpolation between slices then errs by little more than a
+/// hundredth at the peaks.
 constexpr core::Seconds least_step{2240.0};
 constexpr std::size_t most_outlook_values = 8'000'000;  // 32 MB for each grid
 constexpr std::size_t outlook_check_interval = 64;
-/// Length of the last slice, in which the water stays the same: enough for routes that turn back.
+/// The last slice keeps its currents for this many crossings of the grid: enough for routes that turn back.
 constexpr int passes_of_last = 6;
 
-/// Cost of a second with each propulsion, on an edge, from the vertices along it.
+/// Cost per second on an edge, for each kind of propulsion, from the vertices along the edge.
 class Rates {
  public:
   Rates(const cost::Sea& sea, const OpenGrid& open, const Objective& objective)
@@ -39,9 +39,9 @@ class Rates {
       of_[v * sea_.drives().size() + d] = static_cast<float>(objective_.cost(second, drawn));
     }
   }
-  /// The mean of its ends and of two vertices around its middle.
+  /// Mean of the rates at both ends of the edge and at two vertices near its middle.
   [[nodiscard]] float along(const Edge& edge, std::size_t drive) const {
-    const auto half = static_cast<Vertex>(halves_[edge.step]);  // modulo 2^32, as numbers of vertices count
+    const auto half = static_cast<Vertex>(halves_[edge.step]);  // modulo 2^32, as vertex numbers wrap
     return 0.25F * (at(edge.tail, drive) + at(edge.tail + half, drive) + at(edge.head - half, drive) +
                     at(edge.head, drive));
   }
@@ -52,14 +52,14 @@ class Rates {
   const cost::Sea& sea_;
   const cost::RouteGrid& grid_;
   Objective objective_;
-  std::vector<int> halves_;  // of the steps, rounded towards their beginning, in numbers of vertices
-  std::vector<float> of_;    // [vertex][drive]
+  std::vector<int> halves_;  // by step: half an edge as a difference of vertex numbers, rounded down
+  std::vector<float> of_;    // [vertex][propulsion]
 };
 
 /// Edges that are closed at all times.
 class ClosedEdges {
  public:
-  /// Incomplete once `stop` is requested.
+  /// Incomplete once `stop` is requested; must then not be used.
   ClosedEdges(const cost::Sea& sea, const OpenGrid& open, const std::vector<Vertex>& tails,
               const std::stop_token& stop)
       : steps_{open.graph.offsets().size()}, closed_(open.graph.size() * steps_) {

@@ -12,27 +12,30 @@
 
 namespace floeplan::planning::search {
 
-/// Estimate of the cost of the rest of a voyage, for an objective of time and energy, from each vertex of a grid at
-/// any time. It guides the search for the least cost. It is computed backwards from the goal, one slice of time after
-/// another, from quick estimates of all edges, without closures between vertices and the cost of encounters.
+/// Estimate of the cost of the rest of a route, for an objective of time and energy, from each vertex of a
+/// grid at any time. It guides the search for the least cost. It is computed backwards from the goal, one
+/// time slice after another, from quick estimates of all edges. It ignores closures between vertices and the
+/// cost of encounters.
 /// Accuracy  mostly within some hundredths of the cost of the grid's edges, too high or too low: not a bound
-/// Source    Bellman 1957, Dynamic Programming: value iteration on a grid of places and times, linear between the
-///           times
+/// Source    Bellman 1957, Dynamic Programming: value iteration on a grid of places and times, linear between
+///           the times
 /// Threads   const members may be called from several threads at once
 class CostOutlook {
  public:
-  /// For voyages between `depart` and `last`. `foresight`, which must be useful, and `closures` are of the same grid. `use`
-  /// gives the latest useful times of the vertices. None of these is kept. Once `stop` is requested the outlook must not be
-  /// used.
+  /// For routes between `depart` and `last`. `foresight`, which must be useful, and `closures` belong to the
+  /// same grid.
+  /// `use` gives the latest useful times of the vertices. All three are used only during construction. Once
+  /// `stop` is requested the outlook must not be used.
   CostOutlook(const cost::Sea& sea, const OpenGrid& open, const Objective& objective, Foresight& foresight,
               VertexClosures& closures, const ArrivalLadder& use, core::Seconds depart, core::Seconds last,
               const std::stop_token& stop);
 
-  /// Infinite where no route was found.
+  /// Estimated cost from the vertex at `t_s` to the goal, by the objective; infinite where no route was
+  /// found.
   [[nodiscard]] double rest(graph::Vertex v, double t_s) const { return between(slices_.at(t_s), v); }
 
  private:
-  /// A time between two slices.
+  /// A time between two slices, for interpolation.
   struct Moment {
     std::size_t before;
     float share;  // of the step to the next slice

@@ -15,17 +15,20 @@ namespace floeplan::planning::search {
 namespace {
 
 constexpr std::size_t most_labels = 200'000;  // some seconds, and about 20 MB with their lists and the queue
-/// On larger grids a search for the least cost is steered. Without that it would mostly reach its bound on labels.
+/// On grids with more vertices than this a `CostOutlook` steers the search. Unsteered it would mostly reach
+/// its limit on labels.
 constexpr std::int64_t few_vertices = 2'500;
-/// A steered search that has looked so often at each place, on the average, ends without a route; mostly where things close
-/// and reopen.
+/// A steered search stops without a route after this number of labels per vertex. This happens mostly where
+/// places close and reopen.
 constexpr std::int64_t labels_a_vertex = 4;
 constexpr std::int64_t fewest_labels = 50'000;
-/// On still larger grids an outlook takes too long between two looks at the stop token, and its memory holds too few times.
+/// On grids with more vertices than this the outlook is not used: it would check the stop token too rarely,
+/// and its memory limit would leave too few time slices.
 constexpr std::int64_t many_vertices = 500'000;
-/// Share of the cost of the fastest route that a steered search may leave. Far less than the error of its outlook.
+/// A steered search may miss the least cost by this share of the fastest route's cost: far less than the
+/// outlook's error.
 constexpr double near_enough = 2e-4;
-/// How long after its last slice an outlook may be used. After that slice its water stays as it is.
+/// How long after its last slice an outlook may be used. After that slice its currents stay constant.
 constexpr core::Seconds beyond_outlook{3600.0};
 
 using Way = std::vector<graph::Label<CostVoyage::State>>;
@@ -47,13 +50,13 @@ bool append(cost::DrivenRoute& route, const cost::Sea& sea, const cost::RouteGri
   return touches_rim(points, grid);
 }
 
-/// When a search begins, and how long before that the vehicle could last surface.
+/// When a search begins, and the time of the last possible surfacing before.
 struct Beginning {
   core::Seconds depart;
   core::Seconds since_surfacing{};
 };
 
-/// The route of the earliest arrival, on the first drive all along.
+/// The route of the earliest arrival, with the first propulsion of the model on every leg.
 Result<CostWay> earliest_way(const cost::Sea& sea, const std::vector<OpenGrid>& grids,
                              const PlanRequest& request, core::Seconds depart, const std::stop_token& stop,
                              const std::function<void(double)>& report_fraction,
@@ -73,8 +76,8 @@ std::size_t labels_of_steered(const OpenGrid& open) {
   return static_cast<std::size_t>(std::clamp(labels_a_vertex * open.vertices, fewest_labels, most));
 }
 
-/// The cost of the route without waits. Infinite where it is closed then, or where it leaves less of the bound on the time
-/// without surfacing than the rest of the voyage needs.
+/// Cost of the route without holds, with one propulsion. Infinite if the route is closed at these times, or
+/// if it leaves less of the limit on the time without surfacing than the rest of the route needs.
 double cost_along(const cost::Sea& sea, const OpenGrid& open, const std::vector<geo::PlanePoint>& path,
                   const Objective& objective, const Beginning& beginning, vehicle::Drive drive) {
   if (path.empty()) return INFINITY;
@@ -88,7 +91,7 @@ double cost_along(const cost::Sea& sea, const OpenGrid& open, const std::vector<
   return times->cost(objective);
 }
 
-/// The same on the drive with the least cost.
+/// The least of `cost_along` over all kinds of propulsion.
 double least_cost_along(const cost::Sea& sea, const OpenGrid& open, const std::vector<geo::PlanePoint>& path,
                         const Objective& objective, const Beginning& beginning) {
   double least = INFINITY;
@@ -97,8 +100,8 @@ double least_cost_along(const cost::Sea& sea, const OpenGrid& open, const std::v
   return least;
 }
 
-/// What a search for the least cost learns from the fastest route over a grid: an upper bound of the cost, and of the time
-/// that so much cost allows.
+/// What a search for the least cost learns from the fastest route over a grid: an upper bound of the cost,
+/// and the longest travel time that this cost allows.
 class KnownLimit {
  public:
   KnownLimit(const cost::Sea& sea, const OpenGrid& open, const PlanRequest& request,
@@ -115,7 +118,8 @@ class KnownLimit {
     double cost = least_cost_along(sea, open, fastest_->path, request.objective(), beginning);
     bool has_way = !fastest_->path.empty();
     if (!has_way && sea.drives().size() > 1) {
-      // Because of the current, or the bound on the time without surfacing, a route may be open to the faster drive alone.
+      // The current or the limit on the time without surfacing may leave a route open to the faster
+      // propulsion alone.
       const RouteSearch faster = search_route(
           sea.with({.drive = sea.drives().back()}), open, by_time, depart, stop, [](double) {},
           core::Seconds{INFINITY}, beginning.since_surfacing, &guide.foresight());
@@ -138,10 +142,10 @@ class KnownLimit {
 
   /// The search for the fastest route by A*; empty where no lower bound is known.
   [[nodiscard]] const std::optional<RouteSearch>& fastest() const { return fastest_; }
-  /// Whether there is no fastest route with any propulsion: then there is no route at all.
+  /// Whether no route exists with any propulsion: even the search for the fastest one found none.
   [[nodiscard]] bool is_hopeless() const { return is_hopeless_; }
   [[nodiscard]] const std::optional<CostVoyage::Limit>& limit() const { return limit_; }
-  /// The latest end of a voyage of that cost.
+  /// The latest possible arrival of a route that costs no more than the limit.
   [[nodiscard]] core::Seconds last() const { return last_; }
   [[nodiscard]] static bool is_steered(const OpenGrid& open) {
     return open.vertices > few_vertices && open.vertices <= many_vertices;
@@ -173,7 +177,8 @@ Result<CostWay> search_least_cost(const cost::Sea& sea, const std::vector<OpenGr
                                   const std::stop_token& stop,
                                   const std::function<void(double)>& report_fraction,
                                   std::vector<CostGuide>* guides) {
-  // One drive at one power: energy is power times time, and the earliest arrival costs least.
+  // With one propulsion at constant power, energy is power times time, so the earliest arrival also costs
+  // least.
   const bool is_by_time = request.objective().of_encounters == 0.0 && sea.energy_is_even();
   if (sea.drives().size() == 1 && is_by_time) {
     return earliest_way(sea, grids, request, depart, stop, report_fraction);
@@ -186,7 +191,7 @@ Result<CostWay> search_least_cost(const cost::Sea& sea, const std::vector<OpenGr
   const auto earliest_of_all = [&] {
     return earliest_way(sea, grids, request, depart, stop, report_fraction, first ? &*first : nullptr);
   };
-  // Because of the current, or the bound on the time without surfacing, a route may be open to that drive alone.
+  // The current or the limit on the time without surfacing may leave a route open to that propulsion alone.
   const auto earliest_on_faster_drive = [&](Result<CostWay> failed) {
     if (sea.drives().size() == 1 || stop.stop_requested()) return failed;
     auto earliest =

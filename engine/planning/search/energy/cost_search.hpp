@@ -19,14 +19,15 @@ namespace floeplan::planning::search {
 struct CostWay {
   cost::DrivenRoute route;
   SearchStatistics statistics;
-  bool touches_rim{false};  // it follows the rim of a grid, and a better route may lie beyond
+  bool touches_rim{false};  // the route follows the rim of a grid, so a better one may lie outside
 };
 
-/// What searches for the least cost know of one grid. It is kept from one departure to the next.
+/// What searches for the least cost know about one grid; kept between departures to save work.
 /// Threads  one at a time
 class CostGuide {
  public:
-  /// `sea` and `open` are borrowed and outlive this. `ahead`: how much later than the first the last departure is.
+  /// `sea` and `open` are borrowed and must outlive this. `ahead`: time from the first departure to the last
+  /// one.
   CostGuide(const cost::Sea& sea, const OpenGrid& open, core::Seconds ahead = core::Seconds{0.0})
       : sea_{sea},
         open_{open},
@@ -36,8 +37,8 @@ class CostGuide {
 
   [[nodiscard]] Foresight& foresight() { return foresight_; }
   [[nodiscard]] VertexClosures& closures() { return closures_; }
-  /// The outlook for voyages from `depart` to `last`. It is made when it is first asked for, and again for voyages that it
-  /// does not cover.
+  /// The outlook for routes between `depart` and `last`. It is computed at the first call, and again for
+  /// times that it does not cover.
   /// Precondition: the foresight is useful. Once `stop` is requested the guide must not be used.
   [[nodiscard]] const CostOutlook& outlook(const Objective& objective, core::Seconds depart,
                                            core::Seconds last, const std::stop_token& stop);
@@ -49,16 +50,17 @@ class CostGuide {
   VertexClosures closures_;
   Foresight foresight_;
   std::optional<CostOutlook> outlook_;
-  core::Seconds from_{};  // of the outlook
+  core::Seconds from_{};  // period of the outlook
   core::Seconds until_{};
 };
 
-/// Searches grid after grid for the least cost to the next stop, from the arrival at the stop before. The result is the best
-/// between two stops; over several stops no search looks ahead to the next. Where a search finds no route, the route of the
-/// earliest arrival is taken, each leg on its best drive.
-/// Accuracy on grids of few vertices as CostVoyage. On others an outlook steers the search, and the cost is mostly within a
-///          hundredth of that
-/// `guides` one for each of these grids; null: they are made and not kept
+/// Searches grid after grid for the least cost to the next stop, departing at the arrival at the stop before.
+/// The result is the best between two stops. Over several stops it need not be, because no search looks
+/// beyond its own grid. Where a search finds no route, the route of the earliest arrival is taken, each leg
+/// with its best propulsion.
+/// Accuracy on grids of few vertices as CostVoyage. On larger grids an outlook steers the search, and the
+/// cost is mostly within a hundredth of that
+/// `guides` one for each of these grids; null: they are made for this call only
 /// Errors   where and why there is no route
 /// Stops    with Reason::cancelled once `stop` is requested
 [[nodiscard]] Result<CostWay> search_least_cost(const cost::Sea& sea, const std::vector<OpenGrid>& grids,

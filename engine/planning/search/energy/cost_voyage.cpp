@@ -7,8 +7,8 @@
 namespace floeplan::planning::search {
 namespace {
 
-/// Into so many parts the bound on the time without surfacing is divided to distinguish arrivals. A route loses at most one
-/// part from one surfacing to the next.
+/// To compare arrivals by their last surfacing, the limit on the time without surfacing is divided into this
+/// number of parts. Between two surfacings a route loses at most one part.
 constexpr double parts_of_bound = 6.0;
 
 }  // namespace

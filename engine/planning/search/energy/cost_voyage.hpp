@@ -13,34 +13,35 @@
 
 namespace floeplan::planning::search {
 
-/// A voyage on which energy counts, as a model for `graph::find_best_labels`. Each edge is travelled on every drive that the
-/// request allows. The choice of a label is the drive's index in the sea's list.
-/// Accuracy  In steady water the result is exact on the grid; where the time without surfacing is bounded, to ten minutes of
-///           that time. In water that changes, an arrival is dropped for another one that costs no more and does not lie
-///           in a later span of ten minutes. So the cheapest route may be missed where a later departure from a place makes
-///           the rest of the route cheaper, or open, by more than it cost. Where the time without surfacing is bounded, an
-///           arrival is dropped only for one whose last surfacing lies in the same part of that bound or a later one
+/// The model for `graph::find_best_labels` if energy counts. Each edge is travelled with every propulsion
+/// that the request allows. The choice stored in a label is the index of the propulsion in `Sea::drives()`.
+/// Accuracy  In steady currents the result is exact on the grid; if the time without surfacing is limited, to
+///           ten minutes of that time. In changing currents an arrival is dropped for another one that costs
+///           no more and does not lie in a later span of ten minutes. So the cheapest route may be missed
+///           where a later departure from a place makes the rest of the route cheaper, or open, by more than
+///           the wait cost. If the time without surfacing is limited, an arrival is dropped only for another
+///           whose last surfacing lies in the same part of that limit or a later one
 /// Threads   const members may be called from several threads at once
 class CostVoyage {
  public:
   struct State {
     double cost{};        // by the objective, since the departure
-    double surfaced_s{};  // when the vehicle could last surface, where that is bounded
+    double surfaced_s{};  // time of the last possible surfacing, if that is limited
   };
 
   /// Bounds that are known before the search. They change no result.
   struct Limit {
-    double most_cost{};       // the cost of a route that is known to be possible
-    ArrivalLadder* ladder{};  // as long as a voyage of that cost may last; borrowed
+    double most_cost{};       // cost of a route that is known to be possible
+    ArrivalLadder* ladder{};  // reaches the latest arrival that this cost allows; borrowed
   };
 
-  /// `sea` and the grid are borrowed and outlive the voyage.
-  /// `outlook`: steers the search; borrowed likewise. The search is then quick, and its cost exceeds the least by at most the
+  /// `sea`, `open` and `outlook` are borrowed and must outlive this object.
+  /// `outlook`: steers the search. The search is then quick, and its cost exceeds the least by at most the
   /// error of the outlook.
   CostVoyage(const cost::Sea& sea, const OpenGrid& open, const Objective& objective,
              const std::optional<Limit>& limit = std::nullopt, const CostOutlook* outlook = nullptr);
 
-  /// The least cost of a second of any voyage.
+  /// The least possible cost per second of any route.
   [[nodiscard]] static double least_rate(const cost::Sea& sea, const Objective& objective);
 
   void extend(const graph::Edge& edge, double arrival_s, const State& state, auto&& emit) const {
@@ -72,7 +73,7 @@ class CostVoyage {
   [[nodiscard]] bool dominates(graph::Vertex, const graph::Label<State>& a,
                                const graph::Label<State>& b) const {
     if (a.state.cost > b.state.cost) return false;
-    // In steady water the time matters only to how long ago the vehicle could last surface.
+    // In steady currents only the time since the last surfacing matters, not the time of day.
     if (steady_)
       return !longest_without_surfacing_ || span(since_surfacing_s(a)) <= span(since_surfacing_s(b));
     return surfaced_as_late(a, b) && span(a.arrival_s) <= span(b.arrival_s);
@@ -92,7 +93,8 @@ class CostVoyage {
   [[nodiscard]] tl::expected<cost::Sea::MeteredLeg, motion::EdgeClosed> travel(
       geo::PlanePoint tail, geo::PlanePoint head, double arrival_s, double surfaced_s, double latest_s,
       vehicle::Drive drive) const;
-  /// Or be at the last stop.
+  /// Whether a vehicle can reach a place to surface, or the last stop, within the limit on the time without
+  /// surfacing.
   [[nodiscard]] bool can_surface_in_time(graph::Vertex v, core::Seconds since_surfacing) const;
   [[nodiscard]] bool surfaced_as_late(const graph::Label<State>& a, const graph::Label<State>& b) const;
 
@@ -104,8 +106,8 @@ class CostVoyage {
   const CostOutlook* outlook_;
   double least_rate_;
   geo::PlanePoint goal_;
-  std::optional<core::Seconds> longest_without_surfacing_;  // where it matters
-  bool steady_;                                             // nothing in these waters changes with time
+  std::optional<core::Seconds> longest_without_surfacing_;  // limit; empty: none applies
+  bool steady_;                                             // currents and closures do not change with time
 };
 
 }  // namespace floeplan::planning::search

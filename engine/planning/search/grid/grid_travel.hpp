@@ -12,19 +12,20 @@
 
 namespace floeplan::planning::search {
 
-/// An edge that the current closed when a search reached its tail.
+/// An edge that was closed by the current when a search reached its tail.
 struct RefusedEdge {
   graph::Edge edge;
   core::Seconds when{};
 };
 
-/// The edges that one search found closed, in its order. At most `most` are kept.
+/// The edges that a search found closed by the current, in the order of the search. At most `most` are kept.
 struct RefusedEdges {
   static constexpr std::size_t most = 1'000'000;  // 24 MB
   std::vector<RefusedEdge> edges;
 };
 
-/// Returns the time of an edge; if the current closes it, adds it to the list, where there is one.
+/// Returns `time` unchanged. If the current closes the edge, first adds the edge to `refused`, which may be
+/// null.
 inline tl::expected<core::Seconds, motion::EdgeClosed> note_refusal(
     RefusedEdges* refused, const graph::Edge& edge, core::Seconds depart,
     tl::expected<core::Seconds, motion::EdgeClosed> time) {
@@ -35,7 +36,8 @@ inline tl::expected<core::Seconds, motion::EdgeClosed> note_refusal(
   return time;
 }
 
-/// The paper's wfunc on the plane grid. Borrows sea, grid and, when given, the list of refused edges.
+/// Travel times of edges on the plane grid (wfunc in the paper). Borrows sea, grid and, if given, the list of
+/// refused edges.
 struct GridTravelTime {
   const cost::Sea& sea;
   const cost::RouteGrid& grid;
@@ -48,7 +50,7 @@ struct GridTravelTime {
   }
 };
 
-/// The same with everything that closes or reopens in time left out.
+/// Travel times of edges on the plane grid without closures that end or begin in time.
 struct UntimedTravelTime {
   const cost::Sea& sea;
   const cost::RouteGrid& grid;
@@ -62,8 +64,8 @@ struct UntimedTravelTime {
   }
 };
 
-/// GridTravelTime for the time-reversed search, whose clock shows -t. An edge from tail to head there is the leg that ends at
-/// the tail at the time -depart.
+/// GridTravelTime for the time-reversed search, whose clock shows -t. The search's edge from tail to head
+/// stands for the leg from head to tail that ends at the time -depart.
 struct GridTravelTimeBack {
   const cost::Sea& sea;
   const cost::RouteGrid& grid;
@@ -74,7 +76,7 @@ struct GridTravelTimeBack {
   }
 };
 
-/// Lower bound: straight to a vertex with the strongest current from astern all the way.
+/// Lower bound of travel times: a straight line with the strongest current from astern all along.
 struct StraightBound {
   const cost::Sea& sea;
   const cost::RouteGrid& grid;
@@ -91,7 +93,7 @@ struct StraightBound {
     }
   }
 
-  /// At any time of departure.
+  /// Lower bound of the time of an edge, for any departure.
   [[nodiscard]] core::Seconds least_time(const graph::Edge& edge, core::Seconds = {}) const {
     return least_times[edge.step];
   }
@@ -101,7 +103,7 @@ struct StraightBound {
   [[nodiscard]] static core::Seconds latest_use(graph::Vertex) { return core::Seconds{INFINITY}; }
 };
 
-/// The same bounds of edges, but zero for the rest of the route: for Dijkstra's search.
+/// The edge bounds of `StraightBound` with zero for the rest of the route: the search becomes Dijkstra's.
 struct EdgeBound {
   const StraightBound& straight;
 

@@ -11,7 +11,7 @@ using graph::Edge;
 using graph::Vertex;
 
 constexpr Vertex vertices_between_looks =
-    256;  // between two looks at the stop token; takes some milliseconds among icebergs
+    256;  // vertices between two checks of the stop token; some milliseconds among icebergs
 
 std::vector<std::uint8_t> open_vertices(const cost::PlanningDomain& domain, const cost::RouteGrid& grid,
                                         const std::stop_token& stop) {

@@ -9,16 +9,16 @@
 
 namespace floeplan::planning::search {
 
-/// The times when vertices of a grid are closed by timed zones or moving icebergs. They are computed when they are first
-/// asked for.
+/// The times when vertices of a grid are closed by timed zones or moving icebergs. They are computed when
+/// they are first asked for.
 /// Threads  one at a time
 class VertexClosures {
  public:
-  /// What the closures show and the grid are borrowed and outlive this.
+  /// `closures` is a view of a leg cost model, which must outlive this object; `grid` is borrowed, too.
   VertexClosures(const obstacles::Closures& closures, const cost::RouteGrid& grid)
       : closures_{closures}, grid_{grid}, kept_(closures.any_timed() ? count(grid) : 0, not_asked) {}
 
-  /// Spans in ascending order, with gaps between them. Borrowed from this object.
+  /// Closed times of the vertex, ascending and disjoint. Borrowed from this object.
   [[nodiscard]] const std::vector<TimeSpan>& at(graph::Vertex v) {
     if (kept_.empty()) return spans_.front();
     if (kept_[v] == not_asked) {
@@ -38,9 +38,9 @@ class VertexClosures {
 
   obstacles::Closures closures_;
   const cost::RouteGrid& grid_;
-  std::vector<std::uint32_t> kept_;  // of each vertex: which of the spans; none where nothing is ever closed
+  std::vector<std::uint32_t> kept_;  // of each vertex: index into `spans_`; empty: nothing ever closes
   std::deque<std::vector<TimeSpan>> spans_{
-      std::vector<TimeSpan>{}};  // of vertices that close, after an empty one
+      std::vector<TimeSpan>{}};  // closed times of vertices; the first, empty, is for all that never close
 };
 
 }  // namespace floeplan::planning::search

@@ -11,21 +11,22 @@
 namespace floeplan::planning::search {
 namespace {
 
-/// Smallest gain for which an earlier arrival is searched: a share of the time of the straight route in slack water,
-/// but at most the accuracy to which reopenings are known.
+/// An earlier arrival is searched only if it gains at least this share of the time of the straight route in
+/// slack water. At most the tolerance of computed reopenings counts.
 constexpr double least_gain_by_holds = 1e-3;
 constexpr double most_left_s = 60.0;
 
-/// By how much the latest arrival of the first search exceeds the least time to the goal, as a share of it, and the
-/// factor by which that share grows after each search without a result. Judgements.
+/// The first search allows arrivals later than the least possible time by this share of it. After each search
+/// without a result the share grows by the factor below. Both are judgements.
 constexpr double looked_for_first = 0.02;
 constexpr double then_further = 4.0;
 
-/// Bound of the search: every edge at its best hour, and only places from which the goal can be reached in time.
+/// Bound of the search: every edge takes its least time, and only vertices count from which the goal can be
+/// reached in time.
 struct TowardsGoalInTime {
   const FavourableBound& favourable;
-  const graph::SearchTree& earliest;    // lower bound of the arrival at a vertex
-  const graph::SearchTree& until_when;  // last useful time at a vertex, from the time-reversed search
+  const graph::SearchTree& earliest;    // lower bounds of the arrivals at vertices
+  const graph::SearchTree& until_when;  // latest useful times at vertices, from the time-reversed search
 
   [[nodiscard]] core::Seconds least_time(const graph::Edge& edge, core::Seconds depart) const {
     return favourable.least_time(edge, depart);
@@ -37,11 +38,11 @@ struct TowardsGoalInTime {
   }
 };
 
-/// Searches for an early arrival first, then for later ones: with less time, fewer places are useful, and for a
-/// shorter time.
+/// Searches for an early arrival first, then for later ones. With an early limit few places are useful, each
+/// for a short time, so the search is quick.
 class HeldWaySearch {
  public:
-  /// `within`: from the departure to the latest arrival. Everything is borrowed.
+  /// `within`: from the departure to the latest arrival. All references are borrowed.
   HeldWaySearch(const cost::Sea& sea, const OpenGrid& open, TimeSpan within, const std::stop_token& stop,
                 const graph::ExpansionCallback& report, const graph::IntervalLimits& limits)
       : sea_{sea},

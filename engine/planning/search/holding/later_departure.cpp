@@ -13,8 +13,8 @@ namespace {
 
 constexpr core::Seconds nearly_then{60.0};
 
-/// Bound of the time-reversed search: towards the start, and at each place no earlier than the fastest vehicle with
-/// the strongest current astern.
+/// Bound of the time-reversed search: the least time to the start, and at each place no earlier than the
+/// fastest vehicle with the strongest current from astern can be there.
 struct TowardsStart {
   const FavourableBound& from_start;
   core::Seconds depart;
@@ -31,7 +31,7 @@ struct TowardsStart {
 HeldWay search_later_departure(const cost::Sea& sea, const OpenGrid& open, core::Seconds depart,
                                core::Seconds arrive, const std::stop_token& stop) {
   HeldWay held;
-  const core::Seconds then = arrive + 0.5 * nearly_then;  // reopenings near that time count
+  const core::Seconds then = arrive + 0.5 * nearly_then;  // reopenings shortly after `arrive` count, too
   const graph::Query query{
       .source = open.grid.goal, .goal = open.grid.start, .depart = -then, .latest = -depart};
   const FavourableBound from_start{sea, open, stop, FavourableBound::Way::from_start};

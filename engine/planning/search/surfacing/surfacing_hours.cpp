@@ -11,7 +11,7 @@ namespace {
 using graph::Edge;
 using graph::Vertex;
 
-constexpr double span_share = 0.5;      // share of the bound
+constexpr double span_share = 0.5;      // width, as a share of the limit on the time without surfacing
 constexpr std::size_t most_spans = 96;  // each takes some milliseconds on a grid of a planning area
 
 /// Consecutive spans of time; the last one has no end.
@@ -31,12 +31,13 @@ class Spans {
   [[nodiscard]] double ends_s(std::size_t span) const {
     return span + 1 < count_ ? begins_s(span + 1) : never_s;
   }
-  /// The last span in which a vehicle can surface that last surfaced in this one.
+  /// The last span in which a vehicle whose last surfacing was in `span` can surface again within the limit.
   [[nodiscard]] std::size_t last_after(std::size_t span) const {
     const auto more = static_cast<std::size_t>(std::ceil(longest_s_ / width_s_)) + 1;
     return std::min(span + more, count_ - 1);
   }
-  /// Least time from each vertex to a place where the vehicle may surface within the span.
+  /// Least time in seconds from each vertex to a place where the vehicle may surface at some time of the
+  /// span.
   [[nodiscard]] std::vector<double> to_openings_s(std::size_t span) const {
     return to_openings_s(points_, span);
   }
@@ -55,7 +56,7 @@ class Spans {
   std::vector<geo::PlanePoint> points_;
 };
 
-/// Earliest arrival at each vertex, counted from the departure.
+/// Lower bound of the arrival at each vertex, in seconds from the departure.
 std::vector<double> earliest_arrivals(const FavourableGrid& grid, const std::stop_token& stop) {
   std::vector<double> arrivals_s(grid.open().graph.size(), never_s);
   arrivals_s[grid.open().grid.start] = 0.0;
@@ -65,7 +66,7 @@ std::vector<double> earliest_arrivals(const FavourableGrid& grid, const std::sto
   return arrivals_s;
 }
 
-/// The last span in which the vehicle can have surfaced before it reaches the goal; the first if there is none.
+/// The last span from whose surfacings the goal can be reached within the limit; 0 if there is none.
 std::size_t last_of_use(const Spans& spans, const FavourableGrid& grid, double longest_s,
                         const std::stop_token& stop) {
   std::vector<double> to_goal_s(grid.open().graph.size(), never_s);
@@ -108,7 +109,7 @@ HourlyReach reach_hour_by_hour(const cost::Sea& sea, const FavourableGrid& grid,
     for (std::size_t later = span; later <= spans.last_after(span); ++later) {
       if (to_openings_s[later].empty()) to_openings_s[later] = spans.to_openings_s(later);
     }
-    // Time since a surfacing within the span.
+    // Time at each vertex since a surfacing within this span, in seconds.
     std::vector<double> since_s(open.graph.size(), never_s);
     for (const Vertex v : surfacings[span]) since_s[v] = 0.0;
     if (span == 0) since_s[open.grid.start] = std::min(since_s[open.grid.start], since_surfacing.count());

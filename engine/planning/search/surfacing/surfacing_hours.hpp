@@ -11,8 +11,8 @@ namespace floeplan::planning::search {
 /// The vertices that a vehicle with a limit on the time without surfacing may reach.
 struct HourlyReach {
   bool reaches_goal{false};
-  /// One value per vertex. Incomplete if the goal is among them; all of them if the period ends before the goal can
-  /// be reached.
+  /// One value per vertex. If `reaches_goal` is false: all vertices that can be reached before the ice data
+  /// end.
   std::vector<bool> reached;
 };
 

@@ -12,7 +12,7 @@ namespace {
 using graph::Edge;
 using graph::Vertex;
 
-/// All vertices to which steps lead.
+/// All vertices that can be reached from `first` by the steps of for_each_next(vertex, visit).
 template <class ForEachNext>
 std::vector<bool> reached_from(Vertex first, std::size_t vertices, const ForEachNext& for_each_next) {
   std::vector<bool> reached(vertices, false);
@@ -30,10 +30,10 @@ std::vector<bool> reached_from(Vertex first, std::size_t vertices, const ForEach
   return reached;
 }
 
-/// Lower bound of the time from each vertex straight to a lead.
+/// Lower bounds in seconds of the time from each vertex straight to a lead.
 struct TimesToOpening {
   std::vector<double> straight_s;
-  std::vector<double> near_s;  // the same if the distance is at most an edge; otherwise infinite
+  std::vector<double> near_s;  // the same where the lead is at most one edge away; infinite elsewhere
 };
 
 TimesToOpening times_to_opening(const cost::Sea& sea, const FavourableGrid& grid) {
@@ -48,8 +48,8 @@ TimesToOpening times_to_opening(const cost::Sea& sea, const FavourableGrid& grid
   return times;
 }
 
-/// Lowers the times to the next lead to the values of `least_until_surfacing_s`, starting from the vertices near a
-/// lead.
+/// Lowers the times from vertices to the next lead along the edges, starting from the vertices near a lead.
+/// Results as `least_until_surfacing_s`.
 void spread_backwards(std::vector<double>& until_s, const FavourableGrid& grid, double longest_s,
                       const std::stop_token& stop) {
   double& at_goal_s = until_s[grid.open().grid.goal];
@@ -59,7 +59,7 @@ void spread_backwards(std::vector<double>& until_s, const FavourableGrid& grid, 
   });
 }
 
-/// The limit, with room for rounding.
+/// The limit on the time without surfacing in seconds, with room for rounding.
 double longest(const cost::Sea& sea) {
   return sea.domain().overhead().longest_without_surfacing()->count() + rounding_of_times_s;
 }
@@ -96,7 +96,8 @@ std::vector<bool> SurfacingReach::find_ways(const cost::Sea& sea, const OpenGrid
   });
   spread_backwards(until_s_, grid, longest_s, stop);
 
-  // A vehicle that surfaces on an edge only needs to reach the lead, and has come from a lead.
+  // Two ways to keep the limit on an edge: without surfacing, or with a surfacing in a lead that the edge
+  // passes.
   const auto is_usable = [&](const Edge& edge, double edge_s) {
     if (since_s[edge.tail] + edge_s + until_s_[edge.head] <= longest_s) return true;
     return straight_s[edge.tail] <= grid.straight_s(edge) &&

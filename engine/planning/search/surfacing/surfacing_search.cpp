@@ -15,16 +15,17 @@ namespace {
 
 using graph::Edge;
 
-/// Limit on labels if the vehicle may hold: each takes some hundred microseconds. It ends this search early, so that the search
-/// without holds, which is made, too, comes soon.
+/// Limit on labels if the vehicle may hold: each takes some hundred microseconds. After this search a second
+/// one without holds follows; the low limit lets it begin soon.
 constexpr std::size_t most_waiting_labels = 20'000;
 
-/// Resolution of last surfacings, as a share of the limit on the time without surfacing, when any route is sought.
+/// Resolution of last surfacings while any route is sought, as a share of the limit on the time without
+/// surfacing.
 constexpr double any_share = 1.0 / 4.0;
 
-/// One pass of the search, for a better route than all passes before.
+/// One pass of the search. Each pass looks for a better route than all passes before.
 struct Pass {
-  double share_of_bound;  // as above
+  double share_of_bound;  // resolution of last surfacings, as a share of the limit
   double weight;          // of the remaining time, see SurfacingVoyage
 };
 /// Passes with finer and finer resolution, all quick except the last. With forty leads in 75 km of ice and limits of
@@ -32,7 +33,8 @@ struct Pass {
 /// from it.
 constexpr Pass passes[] = {{1.0 / 6.0, 1.2}, {1.0 / 24.0, 1.1}, {1.0 / 100.0, 1.0}};
 
-/// If no route keeps the limit: this number of arrivals, those nearest to the goal first, shows where routes end.
+/// If no route keeps the limit, a search with this many labels, those nearest to the goal first, shows where
+/// routes end.
 constexpr std::size_t most_futile_labels = 10'000;
 
 using Labels = graph::LabelSearch<SurfacingVoyage::State>;
@@ -70,7 +72,7 @@ void describe_bounded_end(RouteSearch& result, const cost::Sea& sea, const OpenG
   });
 }
 
-/// Searches one grid for one departure with finer and finer resolution.
+/// Searches one grid for one departure, in passes with finer and finer resolution of last surfacings.
 class Searches {
  public:
   Searches(const cost::Sea& sea, const OpenGrid& open, core::Seconds depart, core::Seconds since_surfacing,
@@ -91,7 +93,8 @@ class Searches {
   /// Whether any route may keep the limit and reach the goal in time.
   [[nodiscard]] bool has_hope() const { return has_hope_; }
 
-  /// The bounds for routes that reach the goal by then.
+  /// Computes bounds for routes that reach the goal by `last`. Clears `has_hope_` if there can be no such
+  /// route.
   void look_ahead(core::Seconds last) {
     if (!foresight_.is_useful()) return;
     ladder_ = std::make_unique<ArrivalLadder>(foresight_, closures_, reach_.grid(), depart_, last, stop_);
@@ -104,7 +107,7 @@ class Searches {
   [[nodiscard]] Labels find_any(std::size_t most_labels) {
     return find({.pass = {any_share, 1.0}, .aim = SurfacingVoyage::Aim::any_way}, Openings{}, most_labels);
   }
-  /// A route close to the best that reaches the goal before then.
+  /// A route close to the best that reaches the goal before `before`.
   [[nodiscard]] Labels find_best(Pass pass, core::Seconds before, std::size_t most_labels) {
     const Openings openings = sea_.domain().closures().any_timed()
                                   ? Openings{sea_, reach_.grid(), before, stop_, &closures_, ladder_.get()}
@@ -115,7 +118,7 @@ class Searches {
  private:
   struct Wanted {
     Pass pass;
-    double slack{0.0};  // share of the least travel time
+    double slack{0.0};  // tolerance: a later arrival by this share of the least travel time counts as equal
     core::Seconds before{INFINITY};
     SurfacingVoyage::Aim aim{SurfacingVoyage::Aim::best_way};
   };
@@ -148,13 +151,13 @@ class Searches {
   core::Seconds since_surfacing_;
   const std::stop_token& stop_;
   const std::function<void(double)>& report_fraction_;
-  static constexpr double most_searches = 1.0 + std::size(passes);  // for any route, then the passes
-  int searches_{0};                                                 // that have begun
+  static constexpr double most_searches = 1.0 + std::size(passes);  // search for any route, then the passes
+  int searches_{0};                                                 // number of searches begun
   VertexClosures closures_;
   SurfacingReach reach_;
   Foresight foresight_;
   bool has_hope_;
-  std::unique_ptr<ArrivalLadder> ladder_;  // null: the bound of a straight line is used
+  std::unique_ptr<ArrivalLadder> ladder_;  // null: only the bound of a straight line is known
 };
 
 void add(SearchStatistics& statistics, const graph::LabelCounters& counters) {
@@ -202,7 +205,7 @@ RouteSearch search_with_surfacings(const cost::Sea& sea, const OpenGrid& open, c
     adopt(found);
     result.statistics.cut_short = found.full;
     if (result.path.empty() && !result.cancelled) describe_bounded_end(result, sea, open, found);
-    // A finer search keeps more labels for each place and would not come as far.
+    // A finer search keeps more labels for each place, so it would stop even farther from the goal.
     if (result.cancelled || found.full) break;
   }
   return result;

@@ -18,8 +18,8 @@
 
 namespace floeplan::planning::search {
 
-/// The best arrivals so far at each vertex of a grid, by their time and by the span of time of their last possible
-/// surfacing: a later span is better.
+/// The best arrivals so far at each vertex of a grid. Two properties count: the time of the arrival (earlier
+/// is better) and the span of time of its last possible surfacing (later is better).
 class SurfacingFronts {
  public:
   explicit SurfacingFronts(std::size_t vertices) : fronts_(vertices) {}
@@ -35,36 +35,38 @@ class SurfacingFronts {
   std::vector<std::vector<Arrival>> fronts_;
 };
 
-/// A voyage with a limit on the time since the last possible surfacing: the model of `graph::find_best_labels`.
-/// Resolution  of two arrivals the earlier one is better unless its last possible surfacing lies in an earlier span
-///             of time. Below ice that moment does not change, so a route loses at most one span between two
-///             surfacings, however many arrivals replace each other
-/// Closures  near something that reopens, only arrivals within the same span are compared: the time that the vehicle
-///           needs for a step of the grid
+/// The model of `graph::find_best_labels` for a vehicle with a limit on the time since the last possible
+/// surfacing.
+/// Resolution  Of two arrivals the earlier one is better, unless its last possible surfacing lies in an
+///             earlier span of time. Below ice the last surfacing stays the same, so a route loses at most
+///             one span between two surfacings, however many arrivals replace each other
+/// Closures  Near something that reopens, only arrivals within the same step of time are compared. The step
+///           is the time that the vehicle needs for a step of the grid
 /// Threads  one search at a time
 class SurfacingVoyage {
  public:
   struct State {
-    double surfaced_s{};     // when the vehicle could last surface
-    std::size_t interval{};  // index of the interval between closures of the place, if the vehicle may hold
+    double surfaced_s{};     // time of the last possible surfacing
+    std::size_t interval{};  // number of closures of the vertex that are over; used if the vehicle may hold
   };
   using Label = graph::Label<State>;
 
-  /// What is known of a grid before the search. Everything is borrowed and must outlive the voyage.
+  /// Tables for the grid made before the search. All are borrowed and must outlive this object.
   struct Known {
     VertexClosures& closures;
     const Openings& openings;
     const SurfacingReach& reach;
-    ArrivalLadder* ladder;  // bounds that change no result; null: the bound of a straight line
+    ArrivalLadder* ladder;  // sharper bounds that change no result; null: the bound of a straight line
   };
   enum class Aim {
     best_way,
-    any_way  // soon: the straight rest of the route counts double (weighted A*), an arrival earlier by less than a
-             // step of the grid is no better, and how long ago a surfacing lies stands for when it was
+    any_way  // quickly: the remaining time counts double (weighted A*); an arrival earlier by less than a
+             // step of the grid is no better; times since the last surfacing are compared, not times of
+             // surfacing
   };
-  /// `resolution`: width of the spans of surfacings. `before`: an arrival at the goal must be earlier. `weight`:
-  /// factor of the remaining time, at least 1; the result is later than the best by at most this factor (weighted
-  /// A*).
+  /// `resolution`: width of the spans of last surfacings. `before`: only earlier arrivals at the goal count.
+  /// `weight`: factor of the remaining time, at least 1. The result takes at most this factor times the least
+  /// time (weighted A*).
   SurfacingVoyage(const cost::Sea& sea, const OpenGrid& open, const Known& known, core::Seconds resolution,
                   core::Seconds before, Aim aim = Aim::best_way, double weight = 1.0);
 
@@ -101,8 +103,9 @@ class SurfacingVoyage {
 
   [[nodiscard]] double order(graph::Vertex, double arrival_s) const { return -arrival_s; }
 
-  /// In currents that change, the later of two vehicles under ice gains on the earlier one. It is worse only if its
-  /// last surfacing lies further back, not if the time since then is greater now.
+  /// Whether `a` is as good as `b` in all respects, so that `b` can be dropped. In changing currents the
+  /// later of two vehicles under ice may catch up. So their last surfacings are compared, not the times since
+  /// then.
   [[nodiscard]] bool dominates(graph::Vertex v, const Label& a, const Label& b) const {
     if (a.arrival_s > b.arrival_s + indifferent_s_) return false;
     if (may_wait_) return may_wait_for(v, a, b);
@@ -113,26 +116,29 @@ class SurfacingVoyage {
 
  private:
   static constexpr std::int64_t latest_span = std::numeric_limits<std::int64_t>::max();
-  /// Around the ice of the demonstration data a weight of 2 took fewer labels than 1.5. A weight of 3 took still
-  /// fewer there, but more where there is no route.
+  /// In tests around the ice of the demonstration data a weight of 2 needed fewer labels than 1.5. A weight
+  /// of 3 needed still fewer there, but more where there is no route.
   static constexpr double any_weight = 2.0;
 
   [[nodiscard]] double earliest_at_goal_s(graph::Vertex v, double arrival_s) const;
   [[nodiscard]] std::int64_t span_of(double surfaced_s, double arrival_s) const;
   [[nodiscard]] double step_of(double arrival_s) const { return std::floor(arrival_s / step_s_); }
-  /// Whether another arrival so far is better, wherever the route goes from here.
+  /// Whether another arrival so far is better than this one for every route onward.
   [[nodiscard]] bool is_beaten(graph::Vertex v, double arrival_s, std::int64_t span) const {
     return !openings_.matter(v, arrival_s) && fronts_.holds_better(v, arrival_s + indifferent_s_, span);
   }
-  /// State at the head of the edge, for a departure from its tail at that time.
+  /// Lower bound in seconds of the arrival at the head of the edge, for a departure from its tail at
+  /// `depart_s`.
   [[nodiscard]] double least_arrival_s(const graph::Edge& edge, double depart_s) const;
   [[nodiscard]] bool is_of_use(graph::Vertex v, double arrival_s) const;
   [[nodiscard]] bool may_surface_along(geo::PlanePoint tail, geo::PlanePoint head) const;
-  /// Or to the last stop; at the goal, with the part of the limit that must be left there.
+  /// Whether the vehicle can still surface, or reach its last stop, within the limit. At the goal the part of
+  /// the limit that the rest of the route needs must be left.
   [[nodiscard]] bool can_surface_in_time(graph::Vertex v, double since_surfacing_s) const;
-  /// Whether the earlier vehicle can hold until the other one arrives, and is then no worse off.
+  /// Whether the vehicle of `first` can hold until `other` arrives and is then no worse off.
   [[nodiscard]] bool may_wait_for(graph::Vertex v, const Label& first, const Label& other) const;
-  /// At once, and after the shortest hold for each interval between closures of the head.
+  /// Emits labels at the head of the edge: without a hold, and after the shortest hold for each later
+  /// interval between closures of the head.
   void extend_with_waits(const graph::Edge& edge, double arrival_s, const State& state, auto&& emit);
 
   const cost::Sea& sea_;
