@@ -7,7 +7,7 @@
 
 namespace {
 
-/// "floeplan 0.2.0 (62e0624)": what a report of a fault has to name.
+/// "floeplan 0.2.0 (62e0624)": the text that identifies the program in a bug report.
 std::string version_line() {
   const std::string commit = floeplan::server::commit();
   return std::string{floeplan::core::program_version()} + (commit.empty() ? "" : " (" + commit + ")");
@@ -17,7 +17,8 @@ std::string version_line() {
 
 // NOLINTNEXTLINE(bugprone-exception-escape): without memory to build the commands no message can be printed
 int main(int argc, char** argv) {
-  // Reaching the limit of file sizes is then reported as a full disk. By default the signal ends the process.
+  // Exceeding the file size limit is then reported like a full disk. By default the signal would end the
+  // process.
   std::signal(SIGXFSZ, SIG_IGN);
   return floeplan::cli::run(argc, argv, version_line());
 }

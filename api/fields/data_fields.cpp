@@ -1,6 +1,6 @@
 #include "api/fields/request_fields.hpp"
 
-/// Rows of the stored data that a request uses.
+/// Rows for the stored data that a request uses.
 namespace floeplan::fields {
 namespace {
 

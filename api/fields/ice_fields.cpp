@@ -1,6 +1,6 @@
 #include "api/fields/request_fields.hpp"
 
-/// Rows of icebergs and of sea ice.
+/// Rows for icebergs and sea ice.
 namespace floeplan::fields {
 namespace {
 

@@ -21,13 +21,13 @@ std::vector<Field> joined(const Parts&... parts) {
   return all;
 }
 
-/// Fields of all three processes.
+/// Fields that all three processes have.
 std::vector<Field> voyage() {
   return joined(departure_fields(), vehicle_fields(), flight_fields(), margin_fields(), iceberg_fields(),
                 sighting_fields(), passing_under_ice_fields(), area_fields(), data_fields(), name_fields());
 }
 
-/// What a route has to obey besides.
+/// Fields with further rules for a route.
 std::vector<Field> route_rules() {
   return joined(objective_fields(), weight_fields(), energy_fields(), hold_fields(), surfacing_fields(),
                 remark_fields());

@@ -9,13 +9,14 @@ namespace floeplan::fields {
 /// Processes whose inputs the table of request fields describes.
 enum class Process { plan_route, evaluate_route, reach };
 
-/// Every field of the inputs of a process, with the members of their objects but for those of `vehicle`.
+/// All fields of a process, including the members of its objects, except those of `vehicle`.
 [[nodiscard]] std::vector<Field> fields_of(Process process);
 
-/// The same without what says which route is meant.
+/// The fields of evaluate-route, except those that state the route.
 [[nodiscard]] std::vector<Field> conditions_of_route();
 
-/// The members of the object `vehicle`: the build of one, and what a pilot sets beside it, too.
+/// The members of the object `vehicle`: the vehicle's build, and the settings that a pilot changes between
+/// missions.
 [[nodiscard]] std::vector<Field> fields_of_vehicle();
 
 }  // namespace floeplan::fields

@@ -14,14 +14,15 @@
 #include "engine/vehicle/glider_profile.hpp"
 #include "storage/repository/environment/environment_loader.hpp"
 
-/// The table of request fields, part by part. JSON is read and written by it (api/codec/reading/input_fields), the options of
-/// the command line follow from it (server/cli/program/input_flags), and so do the schemas of the OpenAPI document and the forms of the
-/// client (tests/api/fields/contract_test). Names of fields and flags never change.
-/// Threads  every table is made once and only read
+/// The table of request fields, in parts. JSON is read and written according to it
+/// (api/codec/reading/input_fields). The options of the command line are derived from it
+/// (server/cli/program/input_flags), and the schemas of the OpenAPI document and the forms of the client must
+/// agree with it (tests/api/fields/contract_test). Names of fields and flags never change.
+/// Threads  the tables are created once and then only read
 namespace floeplan::fields {
 
 // Fields of plan-route.
-[[nodiscard]] const std::vector<Field>& way_fields();  // from where to where, by what
+[[nodiscard]] const std::vector<Field>& way_fields();  // start, goal and via points, and vehicle
 [[nodiscard]] const Table<planning::PlanRequest>& order_fields();
 [[nodiscard]] const Table<planning::PlanRequest>& leg_fields();  // how many legs, how long
 [[nodiscard]] const std::vector<Field>& departure_fields();
@@ -38,7 +39,7 @@ namespace floeplan::fields {
 [[nodiscard]] const std::vector<Field>& isochrone_fields();
 [[nodiscard]] const Table<planning::IsochroneRequest>& isochrone_grid_fields();
 
-// What a route has to obey.
+// Rules for a route.
 [[nodiscard]] const std::vector<Field>& objective_fields();
 [[nodiscard]] const Table<planning::Objective>& weight_fields();
 [[nodiscard]] const Table<planning::EnergyRules>& energy_fields();
@@ -52,16 +53,16 @@ namespace floeplan::fields {
 
 // Vehicle and data.
 [[nodiscard]] const std::vector<Field>& vehicle_fields();
-/// What is chosen of a vehicle by its name.
+/// Choice of a vehicle by its name.
 [[nodiscard]] const std::vector<Field>& profile_fields();
-/// What a pilot sets from mission to mission.
+/// Settings that a pilot changes between missions.
 [[nodiscard]] const Table<vehicle::FlightChoices>& flight_fields();
-/// What the vehicle is: members of the object `vehicle`.
+/// The vehicle's build: members of the object `vehicle`.
 [[nodiscard]] const Table<vehicle::GliderProfile>& build_fields();
 [[nodiscard]] const Table<vehicle::Thruster>& thruster_fields();
 [[nodiscard]] const Table<repository::EnvironmentQuery>& data_fields();
 
-// Names, which only people and programs read.
+// Names and remarks, which do not influence the result.
 [[nodiscard]] const std::vector<Field>& name_fields();
 [[nodiscard]] const std::vector<Field>& remark_fields();
 

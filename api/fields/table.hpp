@@ -11,7 +11,7 @@
 
 #include "api/fields/field.hpp"
 
-/// How the rows of a table know the members that they stand for.
+/// Connects the rows of a table with the members of the structs that they describe.
 namespace floeplan::fields {
 
 /// A field and the member of `Values` that holds it.
@@ -19,7 +19,7 @@ template <class Values>
 struct Bound {
   Field field;
   std::function<void(Values&, const Value&)> set;
-  std::function<std::optional<Value>(const Values&)> get;  // empty: the member is
+  std::function<std::optional<Value>(const Values&)> get;  // empty if the member is empty
 };
 
 template <class Values>
@@ -32,7 +32,7 @@ inline constexpr bool is_optional<std::optional<T>> = true;
 
 inline constexpr double cm3_per_m3 = 1e6;
 
-/// What a member of this type is in a request.
+/// The kind of field for a member of this type.
 template <class T>
 constexpr Kind kind_of() {
   if constexpr (is_optional<T>) {
@@ -50,7 +50,8 @@ constexpr Kind kind_of() {
   }
 }
 
-/// Angles are in degrees in a request and volumes in cubic centimetres, everything else in the unit of its type.
+/// Stores a request's value in a member. Requests have angles in degrees, volumes in cubic centimetres, other
+/// numbers in SI units.
 template <class T>
 void store(const Value& value, T& member) {
   if constexpr (is_optional<T>) {
@@ -89,7 +90,8 @@ std::optional<Value> stored(const T& member) {
   }
 }
 
-/// A row of the table of `Values`, whose member access(values) it stands for. What `Values` hold from the start is usual.
+/// A row for the member access(values) of `Values`. Its default is the value that `Values` has when
+/// constructed.
 template <class Values, class Access>
 Bound<Values> bound(Field field, Access access) {
   using Member = std::remove_reference_t<decltype(access(std::declval<Values&>()))>;
@@ -100,14 +102,14 @@ Bound<Values> bound(Field field, Access access) {
           [access](const Values& values) { return stored(access(values)); }};
 }
 
-/// A word, and what the member is with it.
+/// A word of a request, and the value of the member for it.
 template <class T>
 struct Choice {
   Word word;
   T value;
 };
 
-/// The same for a member that is one of a few things, each with a word. Where it is none of them it has no word.
+/// The same for a member with a few values, each with its word. Any other value of the member has no word.
 template <class Values, class T, class Access>
 Bound<Values> worded(Field field, std::vector<Choice<T>> choices, Access access) {
   field.kind = Kind::word;
@@ -125,7 +127,7 @@ Bound<Values> worded(Field field, std::vector<Choice<T>> choices, Access access)
   return {std::move(field), set, get};
 }
 
-/// The rows of a table in a group, but for those that have another.
+/// The rows of a table with their group set, unless they already have one.
 template <class Values>
 Table<Values> in_group(std::string_view group, Table<Values> table) {
   for (Bound<Values>& row : table)
@@ -133,7 +135,7 @@ Table<Values> in_group(std::string_view group, Table<Values> table) {
   return table;
 }
 
-/// The rows of a table whose `Values` begin with nothing usual: as a profile has it, or required.
+/// The rows of a table without defaults, because the profile gives the value or the field is required.
 template <class Values>
 Table<Values> without_usual(Table<Values> table) {
   for (Bound<Values>& row : table) row.field.usual.reset();

@@ -1,7 +1,7 @@
 #include "api/fields/limits.hpp"
 #include "api/fields/request_fields.hpp"
 
-/// Rows of how wrong the currents may be, and what to plan for then.
+/// Rows for the uncertainty of the currents, and how a plan takes it into account.
 namespace floeplan::fields {
 namespace {
 

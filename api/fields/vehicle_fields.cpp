@@ -1,7 +1,7 @@
 #include "api/fields/limits.hpp"
 #include "api/fields/request_fields.hpp"
 
-/// Rows of the vehicle. Nothing is usual: a profile tells what counts where a field is left out.
+/// Rows for the vehicle. They have no defaults: the profile gives the value of a field that is absent.
 namespace floeplan::fields {
 namespace {
 

@@ -20,11 +20,11 @@ void write(spdlog::level::level_enum level, std::initializer_list<std::string_vi
     spdlog::memory_buf_t line;
     for (const std::string_view part : parts) line.append(part.data(), part.data() + part.size());
     std::string shown = core::without_secrets({line.data(), line.size()});
-    std::replace_if(  // one event, one line, whatever was in a name
+    std::replace_if(  // one event is one line, whatever a name contains
         shown.begin(), shown.end(), [](char c) { return static_cast<unsigned char>(c) < ' ' || c == '\x7f'; },
         '?');
     spdlog::log(level, spdlog::string_view_t{shown});
-  } catch (const std::bad_alloc&) {  // the line is lost; what it tells of is dealt with by the caller
+  } catch (const std::bad_alloc&) {  // the line is lost; the caller handles the event itself
   }
 }
 
@@ -45,7 +45,7 @@ void warn(std::initializer_list<std::string_view> parts) noexcept { write(spdlog
 void error(std::initializer_list<std::string_view> parts) noexcept { write(spdlog::level::err, parts); }
 
 std::string decimals(double value, int digits) {
-  std::array<char, 400> text{};  // the largest double has 309 digits before the point
+  std::array<char, 400> text{};  // the largest double has 309 digits before the decimal point
   const int length = std::snprintf(text.data(), text.size(), "%.*f", digits, value);
   return {text.data(), static_cast<std::size_t>(length)};
 }

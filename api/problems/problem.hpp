@@ -7,12 +7,12 @@
 
 namespace floeplan::problems {
 
-/// What went wrong with a request (RFC 9457). Made by the catalogue alone (problem_catalogue.hpp).
+/// An error response to a request (RFC 9457). Only the catalogue makes them (problem_catalogue.hpp).
 struct Problem {
   int status{500};
-  std::string slug;  // stable, ends the type URI: /problems/<slug>; or a whole URI where a standard names one
-  std::string title;   // the same for every occurrence
-  std::string detail;  // for a person; nobody parses it, no internals in it
+  std::string slug;    // stable end of the type URI /problems/<slug>; or a whole URI that a standard defines
+  std::string title;   // equal for all occurrences
+  std::string detail;  // for the user; programs must not parse it; contains no internals
   core::Violations violations{};
 
   [[nodiscard]] Problem with(core::Violations faults) && {

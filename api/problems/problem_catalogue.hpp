@@ -3,7 +3,7 @@
 #include "api/problems/problem.hpp"
 #include "engine/messages/kind.hpp"
 
-/// Every problem that the server answers with.
+/// The catalogue of all problems in the server's responses.
 namespace floeplan::problems {
 
 /// A row of the catalogue.
@@ -11,19 +11,19 @@ struct ProblemKind {
   std::string_view code;
   int status;
   std::string_view title;
-  std::string_view detail;  // as the texts of messages::Kind
+  std::string_view detail;  // a text with slots, as in messages::Kind
   std::array<messages::Slot, 7> slots{};
-  std::string_view type{};  // the slug, where it is not the code
+  std::string_view type{};  // the slug, if it differs from the code
 
   [[nodiscard]] constexpr std::string_view slug() const { return type.empty() ? code : type; }
-  /// The detail as a message.
+  /// The detail as a kind of message, to fill in its slots.
   [[nodiscard]] constexpr messages::Kind words() const {
     return {.code = code, .rank = messages::Rank::note, .text = detail, .slots = slots};
   }
 };
 
 inline constexpr auto problem_kinds = std::to_array<ProblemKind>({
-    // Requests that no resource sees.
+    // Requests that do not reach a resource.
     {.code = "invalid-http",
      .status = 400,
      .title = "Invalid request",
@@ -73,7 +73,7 @@ inline constexpr auto problem_kinds = std::to_array<ProblemKind>({
                "has arrived.",
      .slots = {{{"most", 8}}}},
 
-    // Who may ask.
+    // Authentication and authorisation.
     {.code = "no-token",
      .status = 400,
      .title = "No token",
@@ -138,7 +138,7 @@ inline constexpr auto problem_kinds = std::to_array<ProblemKind>({
                "/simulations/{{id}}; or have the quota raised (serve --max-stored-mb).",
      .slots = {{{"stored_mb", 900}, {"most_mb", 1000}, {"more_mb", 200}}}},
 
-    // What is asked.
+    // Faults of the request.
     {.code = "invalid-request",
      .status = 400,
      .title = "Invalid request",
@@ -192,7 +192,7 @@ inline constexpr auto problem_kinds = std::to_array<ProblemKind>({
      .detail = "The plan has dangers, in itself or in the newest data. Plan again, or confirm the dangers "
                "with accept_dangers=true."},
 
-    // What is not there.
+    // Objects that do not exist.
     {.code = "unknown-path",
      .status = 404,
      .title = "Not found",
@@ -283,7 +283,7 @@ inline constexpr auto problem_kinds = std::to_array<ProblemKind>({
      .slots = {{{"why", "The dataset ends before that."}}},
      .type = "no-data"},
 
-    // Jobs.
+    // Processes and jobs.
     {.code = "no-such-process",
      .status = 404,
      .title = "Not found",
@@ -366,11 +366,11 @@ consteval const ProblemKind& problem_kind(std::string_view code) {
   throw std::logic_error{"no problem has this code"};
 }
 
-/// With these values in its detail.
+/// The problem with these values in its detail.
 [[nodiscard]] Problem problem_of(const ProblemKind& kind, std::vector<messages::Value> values);
 
-/// The problem of this code; it is told its values in the order of the catalogue. One that is not there, or has other
-/// values, does not compile.
+/// The problem with this code; its values are given in the catalogue's order. An unknown code or other values
+/// do not compile.
 template <messages::Code code, class... Given>
 [[nodiscard]] Problem problem(const Given&... given) {
   constexpr const ProblemKind& kind = problem_kind(code.view());

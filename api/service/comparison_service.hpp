@@ -12,11 +12,11 @@ namespace floeplan::service {
 
 struct ComparedFlights {
   std::vector<codec::ComparedDive> dives;
-  core::Violations violations;  // of dives that cannot be flown again, by the file's name
+  core::Violations violations;  // faults of dives that cannot be simulated, by the name of their file
 };
 
-/// Flies the dives of logs again in the simulator and sets both side by side; one function for API and command line.
-/// Stops    between two dives, with those that are done
+/// Simulates the dives of logs and compares the simulation with each log. Common to API and command line.
+/// Stops    between two dives, and returns the finished ones
 [[nodiscard]] ComparedFlights compare_flights(std::span<const codec::GliderLog> logs,
                                               const vehicle::GliderProfile& vehicle, simulation::DragOf drag,
                                               const std::stop_token& stop = {},

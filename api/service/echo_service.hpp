@@ -8,7 +8,7 @@
 
 namespace floeplan::service {
 
-/// Every input under its own name, after the pause that was asked for.
+/// Returns each input under its name, after the requested pause.
 /// Stops    the pause ends on `stop`
 [[nodiscard]] nlohmann::json echo_results(const codec::EchoInputs& inputs, const std::stop_token& stop,
                                           const core::ProgressCallback& progress);

@@ -12,11 +12,11 @@ using nlohmann::json;
 using repository::DatasetChoice;
 using repository::EnvironmentQuery;
 
-/// Around a safe place: what a coarse grid of ice has next to it, the coast, and icebergs that may drift there; how
-/// near those must be to be told is a judgement.
+/// Area around a safe place: large enough for neighbouring nodes of a coarse ice grid, the coast, and
+/// icebergs that may drift to it. How close such icebergs have to be is chosen.
 constexpr core::Metres around_place{10'000.0};
 
-/// Nothing of what moves or is forbidden.
+/// A query of the area without currents, wind and zones.
 EnvironmentQuery without_motion(const geo::BoundingBox& area, core::UtcTime depart) {
   const DatasetChoice none{DatasetChoice::How::none, {}};
   EnvironmentQuery query;

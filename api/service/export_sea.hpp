@@ -14,26 +14,26 @@
 
 namespace floeplan::service {
 
-/// The inputs that the plan was made with; nothing when an older version stored them in another form.
+/// The inputs of a stored plan; nullopt if an older version stored them in another form.
 [[nodiscard]] std::optional<codec::PlanInputs> inputs_of(const repository::PlanRecord& record);
 
-/// The vehicle that a stored plan is for, with what its request says of it.
+/// The vehicle of a stored plan, with the settings in its request.
 [[nodiscard]] vehicle::GliderProfile vehicle_of(const repository::PlanRecord& record,
                                                 const planning::Plan& plan);
 
-/// The least water on the legs of a stored plan, by the newest of the depths that it chose; empty where there are none,
-/// or the choice cannot be read any more.
+/// The shoalest place on each leg of a stored plan, in the newest depths that its request selects; empty if
+/// there are none, or the request cannot be read.
 [[nodiscard]] std::vector<std::optional<mission::Shoal>> shoals_of(sql::Connection& db,
                                                                    const repository::PlanRecord& record,
                                                                    const planning::Plan& plan);
 
-/// How the holds of a stored plan are flown: by the circle that was asked for, in the newest of the currents that it
-/// chose; where those cannot be read any more, in the mean currents of its legs.
+/// How the holds of a stored plan are flown: with the requested circle, in the newest currents that its
+/// request selects; if these cannot be read, in the mean currents of its legs.
 [[nodiscard]] mission::HoldOptions holds_of(sql::Connection& db, const repository::PlanRecord& record,
                                             const planning::Plan& plan);
 
-/// The places with what the newest stored depths, coastlines, ice, icebergs and areas say of them while the plan lasts.
-/// Which sightings count says the request of the plan.
+/// Safe places with the newest stored depths, coastlines, ice, icebergs and zones there during the plan. The
+/// plan's request decides which sightings count.
 [[nodiscard]] std::vector<mission::SafePlace> safe_places_of(sql::Connection& db,
                                                              const repository::PlanRecord& record,
                                                              const planning::Plan& plan,

@@ -16,7 +16,7 @@ namespace {
 
 using nlohmann::json;
 
-/// The route from where the vehicle is, at least two places long, so that area and request follow.
+/// The route from the vehicle's position, with at least two positions, because area and request need these.
 std::vector<geo::LonLat> whole_route(std::optional<geo::LonLat> start, const mission::FlightRoute& flight) {
   std::vector<geo::LonLat> route = flight.places();
   if (start) route.insert(route.begin(), *start);

@@ -32,7 +32,8 @@ ingest::IngestOptions options_of(const codec::IngestInputs& inputs) {
   return options;
 }
 
-/// Gives the uploads their names back, in a folder of their own: parts of one dataset find each other by name.
+/// Puts the uploads under their original names into one folder, because parts of a dataset are found by their
+/// names.
 tl::expected<std::vector<std::filesystem::path>, std::string> lay_out(const codec::IngestInputs& inputs,
                                                                       const std::filesystem::path& uploads,
                                                                       const std::filesystem::path& folder) {

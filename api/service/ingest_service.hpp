@@ -12,7 +12,7 @@
 
 namespace floeplan::service {
 
-/// Where foreign files lie and how they are kept away from this process.
+/// Where uploads are, and how files from outside are kept away from this process.
 struct IngestPlace {
   ingest::Guard guard;
   std::filesystem::path uploads;  // folder of an UploadRepository
@@ -21,16 +21,17 @@ struct IngestPlace {
 /// "stored", "refused" or "unchanged".
 [[nodiscard]] std::string status_name(ingest::IngestStatus status);
 
-/// What became of one kind of data in a file, for API, command line and watched folder.
+/// The result for one kind of data in a file, for API, command line and watched folder.
 [[nodiscard]] nlohmann::json report_document(const ingest::IngestReport& report);
-/// {"datasets": [...]}, one report after the other.
+/// {"datasets": [...]} with all reports.
 [[nodiscard]] nlohmann::json report_document(const std::vector<ingest::IngestReport>& reports);
 
-/// Writes the technical cause of a refusal, where the report has one, to the server's log.
+/// Logs the technical cause of a refusal, if the report has one.
 void log_technical_cause(const ingest::IngestReport& report);
 
-/// Reads uploads into the store, for their `owner`. A file that is refused is part of the report, not an error.
-/// `again`  after an attempt that broke off: what is found unchanged may be the owner's of then
+/// Reads uploads into the store for their `owner`. A refused file is part of the report, not an error.
+/// `again`  true after an interrupted attempt: data reported as unchanged may then be the owner's from that
+///          attempt
 /// Errors   why nothing could be read: an upload has expired
 [[nodiscard]] tl::expected<nlohmann::json, std::string> ingest_document(
     sql::Connection& db, const codec::IngestInputs& inputs, const IngestPlace& place,

@@ -10,18 +10,18 @@
 
 namespace floeplan::service {
 
-/// All that the ground under a route follows from.
+/// Everything that determines a RouteGround.
 struct GroundKey {
-  std::string conditions;  // the request but for its route
-  std::string contents;    // of the store
-  geo::BoundingBox area;   // of which the data are
+  std::string conditions;  // the request without its route
+  std::string contents;    // digest of the store's content
+  geo::BoundingBox area;   // area of the data
   planning::search::RouteSite site;
 
   friend bool operator==(const GroundKey&, const GroundKey&) = default;
 };
 
-/// What jobs on one store keep for those after them: reading and laying out a sea takes most of the time of a small
-/// job, and whoever moves a waypoint asks for nearly the same again.
+/// Caches that jobs on one store share. Reading the data and preparing grids takes most of the time of a
+/// small job, and a user who moves a waypoint sends nearly the same request again.
 /// Threads  all members may be used from several threads at once
 struct KeptWork {
   repository::CurrentGridCache currents;

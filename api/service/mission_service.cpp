@@ -26,7 +26,7 @@ using nlohmann::json;
 
 constexpr std::size_t longest_glider_name = 40;
 
-/// No file leaves that our own reader would not take back without a word of warning.
+/// Verifies that this program's own reader accepts each file without a warning.
 void read_back(const mission::MissionFiles& files) {
   for (const auto& file : files.files) {
     const auto read = mission::read_document(file.name, file.text);
@@ -76,7 +76,7 @@ mission::MissionSetOptions set_options(sql::Connection& db, const repository::Pl
   return options;
 }
 
-/// What the newest data say of the safe places; nothing of those that the writer of the set refuses by themselves.
+/// Checks the safe places in the newest data; empty if the writer of the files refuses them anyway.
 mission::SafePlaceFindings judge_safe_places(sql::Connection& db, const repository::PlanRecord& record,
                                              const planning::Plan& plan,
                                              const mission::MissionSetOptions& options) {
@@ -85,7 +85,7 @@ mission::SafePlaceFindings judge_safe_places(sql::Connection& db, const reposito
                                     safe_places_of(db, record, plan, options.under_ice->safe_places));
 }
 
-/// The plan as its mission's yo flies it, in the newest data; nothing where that is as the plan was made.
+/// The plan as the mission's yo flies it, in the newest data; empty if that is as planned.
 mission::YoFlight judge_yo(sql::Connection& db, const repository::PlanRecord& record,
                            const planning::Plan& plan) {
   if (!mission::flies_otherwise(plan, vehicle_of(record, plan))) return {};
@@ -98,7 +98,7 @@ mission::YoFlight judge_yo(sql::Connection& db, const repository::PlanRecord& re
   return mission::fly_by_yo(*sea, codec::route_of(json::parse(record.document_json)), inputs->request, plan);
 }
 
-/// A pilot who has the lists alone flies them by a yo that the plan's messages describe.
+/// Writes only the goto lists. The plan's messages describe the yo with which the pilot flies them.
 tl::expected<mission::MissionFiles, core::Violations> lists_of(const planning::Plan& plan,
                                                                const mission::MissionSetOptions& options,
                                                                const mission::YoFlight& flight) {

@@ -12,10 +12,10 @@
 
 namespace floeplan::service {
 
-/// Calls `run(i, stop)` for every i below `count`, on so many threads at once; each call writes to its own place only.
-/// `report` is told on the calling thread how many are done.
-/// Stops    begins no further run once `stop` is requested, and returns when those under way have ended
-/// Errors   rethrows the first exception of a run, after the others have been stopped
+/// Calls `run(i, stop)` for every i below `count`, on `workers` threads; each call must write only to its own
+/// data. `report` is called on the calling thread with the number of finished runs.
+/// Stops    starts no further run once `stop` is requested, and returns when the running ones have ended
+/// Errors   rethrows the first exception of a run, after the other runs have ended
 template <class Run, class Report>
 void run_in_parallel(std::size_t count, std::size_t workers, const std::stop_token& stop, const Run& run,
                      const Report& report) {

@@ -38,7 +38,7 @@ bool holds(const std::vector<DatasetRef>& datasets, const DatasetRef& wanted) {
   });
 }
 
-/// What became of data that the plan was made with; empty: they are in the store as they were.
+/// What happened to a dataset of the plan; empty if it is stored unchanged.
 std::optional<DataChange> fate_of(const DatasetRef& used, const repository::DatasetRepository& datasets) {
   const auto stored = datasets.find({used.id});
   if (!stored) return DataChange::removed;
@@ -46,7 +46,7 @@ std::optional<DataChange> fate_of(const DatasetRef& used, const repository::Data
   return std::nullopt;
 }
 
-/// `now`: what the plan's request takes today.
+/// The changes of the data. `now`: the datasets that the plan's request selects today.
 std::vector<ChangedData> changes(sql::Connection& db, const std::vector<DatasetRef>& used,
                                  const std::vector<DatasetRef>& now) {
   const repository::DatasetRepository datasets{db};
@@ -62,7 +62,7 @@ std::vector<ChangedData> changes(sql::Connection& db, const std::vector<DatasetR
   return result;
 }
 
-/// When nobody can tell what the request would take today: what is gone, and why the rest is not known.
+/// The result if the request cannot be evaluated today: the missing datasets, and why the rest is unknown.
 PlanCheck not_checkable(sql::Connection& db, const std::vector<DatasetRef>& used, messages::Message why) {
   const repository::DatasetRepository datasets{db};
   PlanCheck check;
@@ -73,7 +73,7 @@ PlanCheck not_checkable(sql::Connection& db, const std::vector<DatasetRef>& used
   return check;
 }
 
-/// What the plan knows nothing of for want of data, whoever left them out.
+/// Messages about kinds of data that the plan was made without.
 std::vector<messages::Message> gaps_of(const planning::Plan& plan) {
   std::vector<messages::Message> told;
   const auto lacks = [&](const char* kind) {
@@ -85,7 +85,7 @@ std::vector<messages::Message> gaps_of(const planning::Plan& plan) {
   return told;
 }
 
-/// What newer data say of the plan.
+/// Checks the plan in the newest data.
 PlanCheck in_newest_data(sql::Connection& db, const repository::PlanRecord& record,
                          const planning::Plan& plan) {
   auto inputs = inputs_of(record);
@@ -106,7 +106,7 @@ PlanCheck in_newest_data(sql::Connection& db, const repository::PlanRecord& reco
   if (too_old > 0) check.dangers.push_back(messages::export_message<"sightings-too-old-for-plan">(too_old));
   if (!check.stale()) return check;
 
-  inputs->request.depart = plan.departure;  // of a window of departures, the best
+  inputs->request.depart = plan.departure;  // for a window of departures the best one
   const auto found =
       mission::check_route(*environment, codec::route_of(json::parse(record.document_json)), inputs->request);
   for (const auto& finding : found.findings) {
@@ -127,7 +127,7 @@ PlanCheck in_newest_data(sql::Connection& db, const repository::PlanRecord& reco
   return check;
 }
 
-/// Whether newer data say the same of the plan, with the values of today. Plans of older versions have words alone.
+/// Whether the check reports the same message with present values. Messages of older plans have only text.
 bool tells_again(const std::vector<messages::Message>& newest, const messages::Message& message) {
   return std::ranges::any_of(newest, [&](const messages::Message& other) {
     return other.code == message.code || messages::whole_text(other) == messages::whole_text(message);

@@ -11,12 +11,12 @@
 
 namespace floeplan::service {
 
-/// What became of a dataset between the making of a plan and now.
+/// What happened to a dataset since a plan was made.
 enum class DataChange {
-  removed,     // the plan was made with it, and it is no longer in the store
-  replaced,    // it has other contents under the same name, as features have that people report
-  superseded,  // it is in the store, and the same request would take others
-  added,       // the same request would take it, and the plan was made without it
+  removed,     // it was used for the plan and is no longer stored
+  replaced,    // its content has changed, as when features are reported by hand
+  superseded,  // it is still stored, but the same request would now use others
+  added,       // the same request would now use it; the plan did not
 };
 
 struct ChangedData {
@@ -24,26 +24,26 @@ struct ChangedData {
   DataChange change{};
 };
 
-/// What newer data than those it was made with say of a stored plan.
+/// The result of checking a stored plan in newer data.
 struct PlanCheck {
   std::vector<ChangedData> changed_data;   // empty: the same request would give the same plan
-  std::vector<messages::Message> dangers;  // the plan must not be flown as it is
-  /// The dangers that the plan was made with, without those of a code that the newest data tell anew.
+  std::vector<messages::Message> dangers;  // the plan must not be flown unchanged
+  /// Dangers in the plan itself, except those that the check in the newest data reports with new values.
   std::vector<messages::Message> dangers_of_plan;
-  /// What could not be found out, and what the plan knows nothing of.
+  /// Checks that were not possible, and data that the plan did not have.
   std::vector<messages::Message> besides;
 
   [[nodiscard]] bool stale() const { return !changed_data.empty(); }
-  /// What a pilot confirms before any file of the plan is handed out. A danger of the plan stays one although newer data
-  /// do not repeat it: they need not look at what it was found in.
+  /// The dangers that the pilot has to confirm before any file of the plan is written. A danger of the plan
+  /// is included even if the check does not repeat it, because the newer data may not cover its cause.
   [[nodiscard]] std::vector<messages::Message> to_confirm() const;
 };
 
-/// Follows a stored plan once more through the newest data of its choice, from its own departure. A plan whose data are
-/// unchanged has been checked when it was made. One function for API and command line.
+/// Follows a stored plan through the newest data of its request, from its own departure. If the data are
+/// unchanged, no check is needed. Common to API and command line.
 [[nodiscard]] PlanCheck check_plan(sql::Connection& db, const repository::PlanRecord& record);
 
-/// The dangers first.
+/// All messages of the check, dangers first.
 [[nodiscard]] std::vector<messages::Message> all_of(const PlanCheck& check);
 
 /// The check as a document, for the API and the command line.

@@ -37,7 +37,7 @@ geo::BoundingBox bounds(const planning::Plan& plan) {
   return geo::bounding_box(places);
 }
 
-/// Which sightings of icebergs counted for the departure, by ocean::oldest_that_counts; null without icebergs.
+/// Which iceberg sightings counted for the departure, by ocean::oldest_that_counts; null without icebergs.
 json sightings_json(const repository::EnvironmentQuery& data, core::UtcTime departure) {
   if (data.icebergs.how == repository::DatasetChoice::How::none) return nullptr;
   const core::UtcTime as_of = repository::sightings_as_of(data);
@@ -46,7 +46,7 @@ json sightings_json(const repository::EnvironmentQuery& data, core::UtcTime depa
           {"oldest", core::iso8601(ocean::oldest_that_counts(as_of, departure, data.max_sighting_age))}};
 }
 
-/// Gives the plan the duration of the work that made it.
+/// Measures the duration of planning, to be stored in the plan.
 class Stopwatch {
  public:
   [[nodiscard]] core::Seconds elapsed() const { return std::chrono::steady_clock::now() - begin_; }
@@ -55,7 +55,8 @@ class Stopwatch {
   std::chrono::steady_clock::time_point begin_{std::chrono::steady_clock::now()};
 };
 
-/// The plan for the departure, for the best one of a window, or for the latest one that arrives in time.
+/// The plan for the departure, for the best departure of a window, or for the latest departure that arrives
+/// in time.
 planning::WindowPlan make_plan(const ocean::Environment& environment, const planning::PlanRequest& request,
                                const planning::WiderSea& wider, const core::Executor& executor,
                                const std::stop_token& stop, const core::ProgressCallback& progress) {
@@ -81,15 +82,15 @@ void add_remarks(planning::Plan& plan, const std::vector<std::string>& remarks) 
   for (const std::string& remark : remarks) plan.messages.push_back(messages::plan_message<"remark">(remark));
 }
 
-/// Documents of a window carry its curve.
+/// Adds the outcomes of all departures to the document of a window.
 void add_departures(json& document, const std::vector<planning::DepartureOutcome>& departures) {
   if (!departures.empty()) document["departures"] = codec::departures_json(departures);
 }
 
 /// Gives the plan an id and stores it with its document.
-/// `document`  what is said of the plan beside itself
-/// Returns  the whole document; of a plan of this id that was stored before that one's, because it is what is flown and
-///          exported
+/// `besides`  further members of the document
+/// Returns  the whole document; if a plan with this id is already stored, that plan's document, because it is
+///          the one that is flown and exported
 json keep(sql::Connection& db, const codec::PlanInputs& inputs, const planning::Plan& plan, core::UtcTime now,
           const json& besides = json::object()) {
   const json request = codec::to_json(inputs);
@@ -111,8 +112,8 @@ json keep(sql::Connection& db, const codec::PlanInputs& inputs, const planning::
   return stored ? json::parse(stored->document_json) : document;
 }
 
-/// Stores each alternative as a plan of its own.
-/// Returns  what the document of the plan says of them
+/// Stores each alternative as a separate plan.
+/// Returns  their entries for the document of the main plan
 json keep_alternatives(sql::Connection& db, const codec::PlanInputs& inputs,
                        std::vector<planning::Alternative>& alternatives, core::UtcTime now) {
   json list = json::array();

@@ -13,18 +13,18 @@
 
 namespace floeplan::service {
 
-/// Plans a route in the stored data and stores the plan; one function for API and command line.
-/// `workers`: threads that the planner may use; the plan is the same with any number of them.
-/// `kept` is of the store that `db` is connected to, and borrowed; null: everything is read and laid out anew.
+/// Plans a route in the stored data and stores the plan. Common to API and command line. `workers`: number of
+/// threads for the planner; the plan does not depend on it. `kept` has the caches of the store of `db`,
+/// borrowed; null: no caches.
 /// Returns  the plan document: status "ok", or "infeasible" with the reason ("cancelled" when `stop` was
-///          requested); of a plan that was stored before under the same id that one's
-/// Errors   violations of the choice of data (unknown id, wrong kind, nothing in common with the area)
+///          requested); if a plan with the same id is already stored, its document
+/// Errors   violations of the choice of data (unknown id, wrong kind, no intersection with the area)
 /// Names    the plan's id is codec::plan_identity: the same request on the same data gives the same id
 [[nodiscard]] tl::expected<nlohmann::json, core::Violations> plan_route_document(
     sql::Connection& db, const codec::PlanInputs& inputs, std::size_t workers, const std::stop_token& stop,
     const core::ProgressCallback& progress, core::UtcTime now, KeptWork* kept = nullptr);
 
-/// Times a given route in the stored data; stores nothing.
+/// Evaluates a given route in the stored data; stores nothing.
 /// Returns  a document of the same shape, without a plan_id
 /// Errors   as above; also for a plan_id that is not stored
 [[nodiscard]] tl::expected<nlohmann::json, core::Violations> evaluate_route_document(

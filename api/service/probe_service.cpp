@@ -27,8 +27,8 @@ geo::BoundingBox box_at(geo::LonLat place) {
   return {place.lon_deg, place.lat_deg, place.lon_deg, place.lat_deg};
 }
 
-/// What is asked: of a kind of which datasets are named those alone, in the order of their names; of every other kind
-/// all that are stored, the newest run first.
+/// The datasets to use: for a kind with named datasets only these, in the order of their names in the query;
+/// for other kinds all that are stored, newest run first.
 struct Sources {
   std::vector<Dataset> datasets;
   std::vector<Dataset> named;
@@ -39,7 +39,7 @@ struct Sources {
   }
 };
 
-/// The dataset to ask, and why there is none.
+/// The dataset to use, or the reason why there is none.
 struct Source {
   std::optional<Dataset> dataset;
   std::string reason;
@@ -50,7 +50,7 @@ bool covers_time(const Dataset& dataset, core::UtcTime time) {
          (!dataset.time_end || time <= *dataset.time_end);
 }
 
-/// The first that is named, or the newest of its kind that covers the place and, if one does, the time.
+/// The first named dataset of a kind; otherwise the newest that covers the place and, if possible, the time.
 Source choose(const Sources& sources, DatasetKind kind, const ProbeQuery& query) {
   if (const auto named = sources.first_named(kind)) return {named, ""};
   Source source{std::nullopt, "no " + repository::kind_name(kind) + " data are stored for this place"};
@@ -62,7 +62,7 @@ Source choose(const Sources& sources, DatasetKind kind, const ProbeQuery& query)
   return source;
 }
 
-/// The time at which ice data tell of a time: beyond their period their ends are held, as plans hold them.
+/// The time to read from ice data for `time`. Outside of their period the nearest end is held, as in plans.
 std::optional<core::UtcTime> told_of(const Dataset& ice, core::UtcTime time) {
   if (covers_time(ice, time)) return time;
   const core::UtcTime end = ice.time_end && time > *ice.time_end ? *ice.time_end : *ice.time_start;
@@ -70,8 +70,8 @@ std::optional<core::UtcTime> told_of(const Dataset& ice, core::UtcTime time) {
   return away <= ocean::longest_ice_hold ? std::optional{end} : std::nullopt;
 }
 
-/// As `choose`, but of those that cover place and time the first of which the steps tell most of it, as plans ask them:
-/// what lies in a long gap of one may be in another.
+/// As `choose`; but among datasets that cover place and time it prefers, as plans do, the first with the
+/// highest IceStanding, because a long gap of one dataset may be covered by another.
 Source choose_ice(sql::Connection& db, const Sources& sources, const ProbeQuery& query) {
   Source source = choose(sources, DatasetKind::ice, query);
   if (sources.first_named(DatasetKind::ice)) return source;
@@ -89,7 +89,8 @@ Source choose_ice(sql::Connection& db, const Sources& sources, const ProbeQuery&
   return source;
 }
 
-/// The depths that plans are made with at this place: of the finest dataset that knows any, or of the first named one.
+/// The depths that plans use at this place: from the finest dataset with a value, or from the first named
+/// one.
 void read_depth(sql::Connection& db, const Sources& sources, codec::Probe& probe) {
   const repository::FieldRepository fields{db};
   std::vector<std::pair<core::Metres, Dataset>> layers;
@@ -115,7 +116,7 @@ void read_depth(sql::Connection& db, const Sources& sources, codec::Probe& probe
                            : "outside the area of " + layers.front().second.name + ", or no value there";
 }
 
-/// The steps of the data around the time asked for.
+/// The steps of the data before and after the requested time.
 template <class Part>
 void read_steps(sql::Connection& db, const Dataset& dataset, core::UtcTime time, Part& part) {
   const auto shape = repository::FieldRepository{db}.shape(dataset.id);
@@ -151,7 +152,7 @@ void read_ice(sql::Connection& db, const Source& source, codec::Probe& probe) {
   if (!ice.state) ice.reason = "no value here: land, a gap of the data, or beyond their area";
 }
 
-/// The parts of joined data that lie around a moment, each cut down to its steps next to that moment.
+/// The parts of joined data around a time, each reduced to its steps next to it.
 std::vector<repository::JoinedPart> around(std::vector<repository::JoinedPart> parts, core::UtcTime time) {
   std::vector<repository::JoinedPart> near;
   for (repository::JoinedPart& part : parts) {
@@ -171,8 +172,8 @@ std::vector<repository::JoinedPart> around(std::vector<repository::JoinedPart> p
   return near;
 }
 
-/// The velocities around the moment, of the newest runs that are joined there as plans join them, and the run that they
-/// come from or, between two, the earlier one.
+/// The velocities around the time, from the newest runs, joined as in plans; and their run, or, between two
+/// runs, the earlier one.
 struct Velocities {
   std::optional<ocean::CurrentGrid> grid;
   Dataset dataset;
@@ -184,7 +185,8 @@ std::optional<Velocities> joined_velocities(sql::Connection& db, const std::vect
   std::ranges::copy_if(datasets, std::back_inserter(runs), [&](const Dataset& dataset) {
     return dataset.kind == kind && geo::contains(dataset.bounds, query.place);
   });
-  constexpr core::Seconds before_and_after{2.0 * 86400.0};  // a run that ended is followed by the next
+  // reads beyond the end of a run, to join it with the next
+  constexpr core::Seconds before_and_after{2.0 * 86400.0};
   const repository::Period within{query.time - before_and_after, query.time + before_and_after};
   for (std::size_t i = 0; i < runs.size(); ++i) {
     if (!runs[i].time_start) continue;
@@ -196,7 +198,7 @@ std::optional<Velocities> joined_velocities(sql::Connection& db, const std::vect
   return std::nullopt;
 }
 
-/// Velocities of one dataset alone: of a dataset that the query names, or of one that holds a single time.
+/// Velocities of a single dataset: one that the query names, or one with a single time.
 std::optional<Velocities> own_velocities(sql::Connection& db, const Dataset& dataset,
                                          const ProbeQuery& query) {
   if (!covers_time(dataset, query.time)) return std::nullopt;
@@ -212,7 +214,7 @@ void tell_source(const Dataset& dataset, codec::Probe::Velocity& part) {
   part.run = dataset.run;
 }
 
-/// The velocity of the sea or the air, at the depth asked for or the shallowest there is.
+/// The velocity of the sea or the air, at the requested depth or else the shallowest level.
 void read_velocity(sql::Connection& db, const Sources& sources, DatasetKind kind, const ProbeQuery& query,
                    codec::Probe::Velocity& part) {
   const bool by_name = sources.first_named(kind).has_value();
@@ -267,7 +269,7 @@ void read_land(sql::Connection& db, const std::vector<Dataset>& datasets, codec:
   if (probe.depth) probe.land = probe.depth->value <= 0.0;
 }
 
-/// The named ones of a kind, or all.
+/// The named datasets of a kind; default choice if none is named.
 repository::DatasetChoice choice_of(const Sources& sources, DatasetKind kind) {
   repository::DatasetChoice choice;
   for (const Dataset& dataset : sources.named) {
@@ -279,7 +281,7 @@ repository::DatasetChoice choice_of(const Sources& sources, DatasetKind kind) {
 
 void read_icebergs(sql::Connection& db, const Sources& sources, const ProbeQuery& query,
                    codec::Probe& probe) {
-  core::Violations far_away;  // of named ones, which then tell of no iceberg here
+  core::Violations far_away;  // ignored: a named dataset far away simply has no icebergs here
   const auto known = repository::known_icebergs(db, sources.datasets,
                                                 {.choice = choice_of(sources, DatasetKind::icebergs),
                                                  .area = box_at(probe.place),
@@ -307,7 +309,7 @@ void read_zones(sql::Connection& db, const std::vector<Dataset>& datasets, codec
   }
 }
 
-/// Errors  a violation for each id that names no dataset, or a track, which has no values at a place
+/// Errors  a violation for each id that is no dataset, or is a glider track, which has no values at a place
 tl::expected<Sources, core::Violations> find_sources(sql::Connection& db,
                                                      const std::vector<std::string>& ids) {
   Sources sources{repository::DatasetRepository{db}.list(), {}};

@@ -14,15 +14,17 @@
 
 namespace floeplan::service {
 
-/// Where and when to look.
+/// The place and time of a probe.
 struct ProbeQuery {
   geo::LonLat place;
   core::UtcTime time;
-  std::optional<core::Metres> depth;  // for currents; default: the shallowest level of the data
-  /// Of a kind that one of them is of no other dataset counts; of currents, wind and ice the first tells, of depths the
-  /// first that knows any. By default the newest of these kinds that covers the place, the finest depths, and all else.
+  std::optional<core::Metres> depth;  // depth of the currents; default: the shallowest level of the data
+  /// Datasets to use. A kind with a named dataset uses only named ones: for currents, wind and ice the first,
+  /// for depths the first with a value. By default the newest that covers the place, the finest depths, and
+  /// all datasets of other kinds.
   std::vector<std::string> dataset_ids{};
-  /// Icebergs as a vehicle that leaves then obeys them (ocean::oldest_that_counts); default: at `time`.
+  /// Departure of the vehicle, which decides the icebergs that count (ocean::oldest_that_counts); default:
+  /// `time`.
   std::optional<core::UtcTime> departure{};
   core::Seconds max_sighting_age{ocean::max_sighting_age};
 };
@@ -30,9 +32,8 @@ struct ProbeQuery {
 /// Icebergs farther away than this are not listed.
 inline constexpr core::Metres probe_iceberg_range{50'000.0};
 
-/// What the stored data say of a place and a time; nothing is extrapolated. One function for API and command
-/// line.
-/// Errors   a violation for each of `dataset_ids` that is unknown or of a kind that has no values at a place
+/// The stored data at a place and a time; nothing is extrapolated. Common to API and command line.
+/// Errors   a violation for each of `dataset_ids` that is unknown or of a kind without values at a place
 [[nodiscard]] tl::expected<codec::Probe, core::Violations> probe(sql::Connection& db,
                                                                  const ProbeQuery& query);
 

@@ -36,7 +36,7 @@ void predict(const std::vector<ocean::TideGrid>& models, geo::LonLat place, core
   }
 }
 
-/// A station, how far away it is, and where it comes from.
+/// A tide station with its distance and its dataset.
 struct NearStation {
   repository::TideStation station;
   core::Metres distance;

@@ -11,11 +11,11 @@
 
 namespace floeplan::service {
 
-/// A station of the tide farther away than this says nothing of the place.
+/// Greatest distance of a tide station that is used for a place.
 inline constexpr core::Metres probe_station_range{20'000.0};
 
-/// The tide at a place and a time, from all models on a grid that cover the place (of two that have a line the newer
-/// counts) or, where none does, from the nearest station within `probe_station_range`.
+/// The tide at a place and a time: from all gridded models that cover the place (for a constituent in several
+/// models, the newest counts); if there are none, from the nearest station within `probe_station_range`.
 [[nodiscard]] codec::Probe::Tide probe_tide(sql::Connection& db,
                                             const std::vector<repository::Dataset>& datasets,
                                             geo::LonLat place, core::UtcTime time);

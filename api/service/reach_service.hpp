@@ -12,7 +12,7 @@
 
 namespace floeplan::service {
 
-/// What can be reached in the stored data; stores nothing.
+/// Computes isochrones in the stored data; stores nothing.
 /// Returns  a GeoJSON FeatureCollection with status "ok", or a document with status "infeasible" and the reason
 ///          ("cancelled" when `stop` was requested)
 /// Errors   violations of the choice of data, as for a plan

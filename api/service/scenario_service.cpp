@@ -22,7 +22,7 @@ using nlohmann::json;
 using simulation::FlightEnd;
 using simulation::RunSummary;
 
-/// In Disko Bay, on a day in the season; the field itself is the same anywhere.
+/// Chosen: in Disko Bay, on a day in the season. The iceberg field does not depend on it.
 constexpr geo::LonLat start{-53.0, 69.0};
 constexpr core::UtcTime departure = core::from_unix_seconds(1'795'327'200.0);
 
@@ -41,7 +41,7 @@ simulation::FlightRecord fly_through(const simulation::IcebergField& field, std:
                          on_board, stop);
 }
 
-/// Whether the bergs kept a vehicle from its goal or the current alone does.
+/// Tells whether the icebergs or the current alone kept a vehicle from its goal.
 std::string told_by_an_empty_sea(std::uint64_t seed, const simulation::Equipment& equipment,
                                  const std::stop_token& stop) {
   const simulation::IcebergFieldSettings no_bergs{.km2_for_each = 1e9};
@@ -76,7 +76,7 @@ RunSummary fly_field(std::uint64_t seed, bool avoidance, const simulation::Equip
   return summary;
 }
 
-/// A list of the runs for which `is` holds, each with its seed and its reason.
+/// A list of the runs for which `is` is true, with their seeds and reasons.
 template <class Is>
 json listed(const std::vector<RunSummary>& runs, const Is& is) {
   json list = json::array();

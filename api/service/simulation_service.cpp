@@ -38,7 +38,7 @@ using codec::SimulateInputs;
 using nlohmann::json;
 using simulation::FlightRecord;
 
-/// A plan as it is to be flown.
+/// A plan prepared for simulation.
 struct FlownPlan {
   repository::PlanRecord record;
   planning::Plan plan;
@@ -48,7 +48,7 @@ struct FlownPlan {
   core::Metres hold_radius;
 };
 
-/// Faults of mission files are those of the input that holds them.
+/// Moves violations of mission files to the input member that contains the files.
 core::Violations of_mission_files(core::Violations violations) {
   constexpr std::string_view files = "/files";
   for (core::Violation& violation : violations) {
@@ -58,7 +58,7 @@ core::Violations of_mission_files(core::Violations violations) {
   return violations;
 }
 
-/// The plan, with the choice of data that the simulation makes instead of the plan's own.
+/// Reads the plan, with the simulation's choice of data instead of the plan's own.
 tl::expected<FlownPlan, core::Violations> plan_of(sql::Connection& db, const SimulateInputs& inputs) {
   auto record = repository::PlanRepository{db}.find({inputs.plan_id});
   if (!record)
@@ -85,7 +85,7 @@ tl::expected<FlownPlan, core::Violations> plan_of(sql::Connection& db, const Sim
                    planned->request.holds.radius};
 }
 
-/// The files that were given, or those that the plan is exported as.
+/// The given mission files, or those that the plan is exported as.
 tl::expected<std::vector<codec::SimulatedFile>, core::Violations> files_of(
     const SimulateInputs& inputs, const FlownPlan& flown, const ocean::Environment& environment) {
   if (!inputs.mission_files.empty()) return inputs.mission_files;
@@ -95,9 +95,10 @@ tl::expected<std::vector<codec::SimulatedFile>, core::Violations> files_of(
   options.lists.holds = {.radius = flown.hold_radius,
                          .currents = mission::hold_currents(environment, flown.plan, flown.vehicle)};
   options.lists.may_end_below_ice =
-      true;  // allowed in a simulation: it continues from there and no vehicle can be lost
+      true;  // allowed here: the simulation continues from there, and no vehicle can be lost
   options.lists.origin = {flown.record.id.value, flown.record.name, flown.plan.departure, "floeplan"};
-  // Below ice the files need a place in open water for recovery. The simulation does not use it, so the start will do.
+  // Below ice the files need a place in open water for recovery. The simulation does not use it, so the start
+  // is given.
   if (const core::Metres turn = mission::least_upper_turn(flown.plan); turn.value > 0.0)
     options.under_ice = mission::UnderIce{{flown.plan.waypoints.front().place}, turn};
   const auto set = mission::write_mission_set(flown.plan, options);
@@ -120,8 +121,8 @@ tl::expected<simulation::MissionOrders, core::Violations> orders_of(
   return orders;
 }
 
-/// A list that ends below ice could not be sent to a vehicle, which comes up at its end: here the next one follows at
-/// once. `orders` are those of the plan's own files.
+/// Continues below ice after the end of a list. A real vehicle surfaces at the end of a list to get the next
+/// one, which is not possible there. `orders` are those of the plan's own files.
 void fly_on_below_ice(simulation::MissionOrders& orders, const planning::Plan& plan) {
   if (!plan.surfacing) return;
   bool flies_on = false;
@@ -137,7 +138,7 @@ void fly_on_below_ice(simulation::MissionOrders& orders, const planning::Plan& p
         "A goto list ends below ice, where no vehicle can come up: the next one is flown at once.");
 }
 
-/// The same plan, inputs and data, simulated by the same version, have the same id.
+/// The id of a simulation: a digest of plan, inputs, data and version.
 std::string simulation_id(const json& inputs, const FlownPlan& flown, const ocean::Environment& environment) {
   std::string text = std::string{core::version()} + "\n" + inputs.dump() + "\n" + flown.record.document_json;
   for (const auto& dataset : environment.datasets) text += "\n" + dataset.id + " " + dataset.sha256;
@@ -151,12 +152,13 @@ std::vector<geo::LonLat> places_of(const FlownPlan& flown, const simulation::Mis
   return places;
 }
 
-/// Thrice the planned time and a day, unless told: who is not there by then turned back long ago.
+/// Default: three times the planned time plus a day; a vehicle that has not arrived by then has turned back
+/// long before.
 core::Seconds longest_of(const SimulateInputs& inputs, const planning::Plan& plan) {
   return inputs.longest.value_or(3.0 * plan.travel_time() + core::Seconds{86400.0});
 }
 
-/// All that the runs of a batch share.
+/// What all runs of a batch share.
 class Batch {
  public:
   Batch(const SimulateInputs& inputs, const FlownPlan& flown, const simulation::MissionOrders& orders,
@@ -179,7 +181,7 @@ class Batch {
     system_->settings = simulation::avoidance_for(flown.vehicle, orders, inputs.sonar);
   }
 
-  /// Why no run of it can begin.
+  /// Why no run can start.
   [[nodiscard]] core::Violations violations() const {
     core::Violations found = simulation::violations(request_in(forecast_, 0));
     if (system_ && !system_->settings.violations().empty()) {
@@ -244,7 +246,7 @@ class Batch {
   simulation::Equipment equipment_;
   vehicle::GliderProfile vehicle_;
   simulation::FlightSettings settings_;
-  simulation::World forecast_;  // without any error
+  simulation::World forecast_;  // without any error of currents
   std::optional<simulation::SystemOnBoard> system_;
 };
 
@@ -283,7 +285,8 @@ json datasets_json(const ocean::Environment& environment) {
   return datasets;
 }
 
-/// Median of how much longer the way of the runs that arrived was than the plan's, in per cent; null when none did.
+/// Median of the detour of runs that arrived, relative to the plan's distance, in per cent; null if none
+/// arrived.
 json median_detour(const std::vector<simulation::RunSummary>& summaries, core::Metres planned) {
   std::vector<double> detours;
   for (const auto& summary : summaries) {

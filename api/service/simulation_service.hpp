@@ -13,14 +13,13 @@
 
 namespace floeplan::service {
 
-/// Flies a stored plan in the test bed, once or many times, and stores what came of it; one function for API and
-/// command line.
-/// Returns  the simulation's document: status "ok", or "cancelled" when `stop` was requested, and then nothing is
+/// Simulates a stored plan, once or many times, and stores the simulation. Common to API and command line.
+/// Returns  the simulation's document: status "ok", or "cancelled" when `stop` was requested; then nothing is
 ///          stored
-/// Errors   violations: an unknown plan, another vehicle than the plan's, faults of mission files, data that do not
-///          cover the plan, settings that do not fit each other
-/// Names    the simulation's id is a digest of its inputs, the plan and the data: the same request gives the same id
-///          and the same bytes, whatever the number of `workers`
+/// Errors   violations: an unknown plan, another vehicle than the plan's, faults of mission files, data that
+///          do not cover the plan, inconsistent settings
+/// Names    the simulation's id is a digest of its inputs, the plan and the data: the same request gives the
+///          same id and the same bytes, whatever the number of `workers`
 [[nodiscard]] tl::expected<nlohmann::json, core::Violations> simulate_plan_document(
     sql::Connection& db, const codec::SimulateInputs& inputs, std::size_t workers,
     const std::stop_token& stop, const core::ProgressCallback& progress, core::UtcTime now);

@@ -8,7 +8,7 @@
 
 namespace floeplan::service {
 
-/// Does the engine's pieces of work on so many threads, the calling one among them.
+/// Executes the engine's tasks on `workers` threads, including the calling thread.
 class Threads final : public core::Executor {
  public:
   explicit Threads(std::size_t workers) : workers_{workers} {}

@@ -29,7 +29,8 @@ struct CheckFlags {
   bool json_out{false};
 };
 
-/// A file's bytes, at most one more than the reader takes, so that it can tell a file that is too large.
+/// The bytes of a file; at most one more than the reader's limit, so that the reader can refuse a file that
+/// is too large.
 std::optional<std::string> read_bytes(const std::string& file) {
   std::ifstream stream{file, std::ios::binary};
   std::string bytes(mission::max_file_bytes + 1, '\0');
@@ -65,7 +66,7 @@ void print_document(const mission::Document& document, const std::string& file) 
   }
 }
 
-/// The files as they were read; with a departure also judged in the stored data.
+/// The files as read; if a departure, a start or a plan is given, also checked in the stored data.
 tl::expected<std::vector<mission::Document>, core::Violations> judged(const CheckFlags& flags,
                                                                       const Program& program) {
   std::vector<mission::Document> documents;

@@ -35,7 +35,7 @@ tl::expected<std::string, core::Violations> text_of(const std::string& file) {
   return std::move(text).str();
 }
 
-/// The dives of the file.
+/// Reads the dives in a file.
 tl::expected<codec::GliderLog, core::Violations> read_log(const std::string& file) {
   const auto text = text_of(file);
   if (!text) return tl::unexpected(text.error());

@@ -20,7 +20,7 @@ struct DemoFlags {
   bool json_out{};
 };
 
-/// 00:00 UTC of the day, so that the data hold for the hours in which somebody looks at them first.
+/// 00:00 UTC of this day, so that the data are valid now.
 core::UtcTime today() { return std::chrono::floor<std::chrono::days>(now()); }
 
 std::string command_line(const std::vector<std::string>& words) {

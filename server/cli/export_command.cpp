@@ -107,7 +107,7 @@ std::vector<std::string> format_names() {
   return names;
 }
 
-/// The files where a dockserver looks for them, in one archive if that is wanted.
+/// Puts the files in the folder in which a dockserver looks for them; if requested, in one archive.
 std::vector<OutputFile> laid_out(const mission::MissionFiles& set, const repository::PlanRecord& record,
                                  const ExportFlags& flags) {
   const std::filesystem::path folder = *service::handover_folder(flags.glider, flags.format == "seaglider");
@@ -121,13 +121,13 @@ std::vector<OutputFile> laid_out(const mission::MissionFiles& set, const reposit
   return {{record.id.value + ".zip", codec::zip_archive(archived, now())}};
 }
 
-/// A name of a folder, and no way out of it.
+/// Checks that a glider's name is a plain folder name, which cannot lead to another folder.
 std::string check_glider(const std::string& name) {
   const auto folder = service::handover_folder(name, false);
   return folder ? "" : messages::command_text<"no-such-folder-name">(name, folder.error().rule);
 }
 
-/// Nothing is written of a plan whose dangers nobody has confirmed.
+/// Refuses to write files of a plan with dangers that were not confirmed.
 int refuse(const std::vector<messages::Message>& to_confirm, bool json_out) {
   std::vector<std::string> dangers;
   std::ranges::transform(to_confirm, std::back_inserter(dangers), messages::whole_text);

@@ -77,7 +77,7 @@ int run_ingest(const IngestFlags& flags, const Program& program) {
   };
   std::vector<std::filesystem::path> files(flags.files.begin(), flags.files.end());
   for (std::filesystem::path& file : files)
-    if (!file.has_filename()) file = file.parent_path();  // "ice.zarr/"
+    if (!file.has_filename()) file = file.parent_path();  // "ice.zarr/" without its slash
   const ingest::Guard guard{.program = own_program(),
                             .staging = program.store / "incoming",
                             .allow_weak_sandbox = flags.allow_weak_sandbox};

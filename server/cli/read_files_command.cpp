@@ -13,7 +13,7 @@ void add_read_files(CLI::App& app, Program& program) {
   auto arguments = std::make_shared<Arguments>();
   auto* command =
       app.add_subcommand("read-files", "What this program starts itself as to read foreign files");
-  command->group("");  // of no use to people: not in the help
+  command->group("");  // internal, so not shown in the help
   command->add_option("STAGING", arguments->staging)->required();
   command->add_option("FILE", arguments->files);
   command->callback([arguments, &program] {

@@ -33,7 +33,7 @@ json plane_positions(const std::vector<geo::PlanePoint>& points) {
   return positions;
 }
 
-/// The same positions, however deep in lists, on the map.
+/// Converts positions in nested lists, of any depth, from the plane to the map.
 json on_map(const json& plane, double unit_m) {
   json result = json::array();
   for (const json& each : plane) {
@@ -83,8 +83,8 @@ void add_panel(json& features, const Figure& figure, const reproduction::FigureP
 }
 
 /// The figure as GeoJSON (RFC 7946): paths, start, goal, obstacles, arrows of the current. The paper's waters
-/// lie nowhere on Earth; for maps they are laid on the equator at 0 E, and each feature keeps its plane
-/// coordinates in the property plane_xy, as the collection's note says.
+/// are at no place on Earth. For maps they are put on the equator at 0 E; each feature has its plane
+/// coordinates in the property plane_xy, as the note of the collection explains.
 json figure_geojson(const Figure& figure) {
   json features = json::array();
   features.push_back(feature(figure, "Point", plane_position(figure.start), {{"kind", "start"}}));
@@ -131,7 +131,7 @@ std::string table_cell(const std::optional<T>& value, const char* format) {
   return text.data();
 }
 
-/// A percentage; never "-0.00".
+/// A percentage; small negative values become 0, because they would be printed as "-0.00".
 std::optional<double> percent(const std::optional<double>& value) {
   if (!value || std::abs(*value) >= 0.005) return value;
   return 0.0;
@@ -153,7 +153,7 @@ void print_rows(const char* title, const std::vector<ReproducedRow>& rows) {
 }
 
 struct ReproduceFlags {
-  std::string figures;  // folder; empty: no figures
+  std::string figures;  // folder for figures; empty: none
   bool force{false};
   bool json_out{false};
 };
@@ -162,7 +162,7 @@ std::filesystem::path figure_file(const ReproduceFlags& flags, int number, const
   return std::filesystem::path{flags.figures} / ("figure_" + std::to_string(number) + extension);
 }
 
-/// Writes a file, all or nothing: a reader never sees half of it. An existing one is replaced.
+/// Writes a file via a temporary one, so that a reader never sees half of it. An existing file is replaced.
 /// Errors   std::runtime_error when it cannot be written
 void write_whole(const std::filesystem::path& file, const std::string& text) {
   const std::filesystem::path part = file.string() + ".part";

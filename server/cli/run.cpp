@@ -18,7 +18,7 @@
 namespace floeplan::cli {
 namespace {
 
-/// By name, those that this processor can take.
+/// The sets of instructions that this processor supports, by name.
 std::map<std::string, motion::FanPath> instruction_sets() {
   std::map<std::string, motion::FanPath> sets;
   for (const motion::FanPath path : motion::fan_paths()) {
@@ -32,8 +32,8 @@ std::map<std::string, motion::FanPath> instruction_sets() {
   return sets;
 }
 
-/// Adds the flag --instructions, which no help shows: the instructions that searches use of those that the processor has.
-/// Plans do not depend on it; the flag is there to show that.
+/// Adds the hidden flag --instructions, which chooses the processor instructions for searches. Plans do not
+/// depend on them; the flag serves to test this.
 void add_instructions(CLI::App& app) {
   const std::map<std::string, motion::FanPath> sets = instruction_sets();
   app.add_option_function<std::string>(
@@ -95,7 +95,7 @@ void add_everything(CLI::App& app, Program& program) {
   refuse_empty_numbers(app);
 }
 
-/// What a command line that serves says by now, for the file of --config may have changed.
+/// Parses the command line of `serve` again, because the file of --config may have changed.
 ServeOptions serve_options_of(std::vector<std::string> words) {
   CLI::App app;
   Program program;
@@ -105,7 +105,7 @@ ServeOptions serve_options_of(std::vector<std::string> words) {
     return 0;
   };
   add_everything(app, program);
-  std::reverse(words.begin(), words.end());  // as CLI11 takes them
+  std::reverse(words.begin(), words.end());  // CLI11 expects the arguments in reverse order
   try {
     app.parse(std::move(words));
   } catch (const CLI::ParseError& error) {

@@ -4,8 +4,8 @@
 
 namespace floeplan::cli {
 
-/// Runs the subcommand that the arguments of `main` name, and returns how the program ends (an `ExitCode`). What is wrong
-/// is said on stderr.
+/// Runs the subcommand in the arguments of `main` and returns the exit code of the program (an `ExitCode`).
+/// Errors are printed on stderr.
 /// `version`  the line that --version prints
 [[nodiscard]] int run(int argc, char** argv, const std::string& version);
 

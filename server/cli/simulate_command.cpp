@@ -72,7 +72,7 @@ void set(json& inputs, const char* key, const std::optional<Value>& value) {
   if (value) inputs[key] = *value;
 }
 
-/// The inputs of the request file, with the members that flags replace.
+/// The inputs in the request file, with members replaced by flags.
 json inputs_of(const SimulateFlags& flags) {
   json inputs = flags.request_file ? read_object(*flags.request_file, "request file") : json::object();
   inputs["plan_id"] = flags.plan_id;
@@ -87,7 +87,7 @@ json inputs_of(const SimulateFlags& flags) {
   set(inputs, "icebergs", flags.icebergs);
   set(inputs, "name", flags.name);
   if (flags.no_avoidance) inputs["avoidance"] = false;
-  // What the request file has there of another shape stays, to be refused with the rest of the inputs.
+  // If the request file has a member of another type, it stays, so that the check of all inputs refuses it.
   if (json& error = inputs["current_error"];
       flags.current_error_m_s && (error.is_null() || error.is_object()))
     error["rms_m_s"] = *flags.current_error_m_s;
@@ -131,7 +131,7 @@ void print_listed(const char* what, const json& runs) {
   }
 }
 
-/// Every flight of a plan that did not arrive, as far as a screen shows them.
+/// Prints the flights that did not arrive; at most twenty, to fit on a screen.
 void print_not_there(const json& flights) {
   constexpr int most_told = 20;
   int told = 0;
@@ -157,7 +157,7 @@ void print_simulate_table(const json& document) {
   print_messages(document);
 }
 
-/// Simulated time of all runs over the time that they took.
+/// Simulated time of all runs divided by the time that the simulation took.
 double real_time_factor(const json& document, std::chrono::steady_clock::time_point begin) {
   double simulated_s = 0.0;
   for (const json& flight : document.at("flights")) simulated_s += flight.at("travel_time_s").get<double>();

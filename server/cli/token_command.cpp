@@ -23,7 +23,7 @@ struct TokenFlags {
   bool json_out{false};
 };
 
-/// Names stand in logs and tables.
+/// Whether a name is valid. Names appear in logs and tables, so only some characters are allowed.
 bool is_name(const std::string& text) {
   constexpr std::size_t longest = 64;
   constexpr const char* allowed = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789._@-";
@@ -31,7 +31,7 @@ bool is_name(const std::string& text) {
          text != routes::local_caller.name;
 }
 
-/// The token is shown this once; the store keeps a digest.
+/// Adds a token and prints it. It cannot be shown again, because the store has only a digest of its secret.
 int add_token(const TokenFlags& flags, const Program& program) {
   if (!is_name(flags.name)) {
     return complain<"wrong-token-name">(wrong_usage, flags.name);

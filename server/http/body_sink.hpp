@@ -12,18 +12,20 @@
 
 namespace floeplan::http {
 
-/// Which bodies are written to disk as they come in instead of being held in memory, and how large they may be.
+/// Which bodies are written to disk while they are received, instead of being kept in memory, and their
+/// largest size.
 struct Streaming {
   std::function<bool(const std::string& method, const std::string& path)> wanted;  // empty: none
   std::filesystem::path folder;
   std::uint64_t most_bytes{};
-  /// Asked before such a body is read, on a thread of the handlers; empty: all are welcome.
+  /// Called on a handler thread before such a body is read; returns the refusal, if any. Empty: all are
+  /// accepted.
   std::function<std::optional<routes::Response>(const routes::Request&)> refuse{};
 };
 
-/// A body on its way to disk: a file of a name of its own in `folder`, which is created when missing. The file is
-/// removed at the end unless somebody has moved it away.
-/// Errors   std::runtime_error when it cannot be written
+/// Writes a body to a file with a unique name in `folder`, which is created if missing. The destructor
+/// removes the file unless it was moved.
+/// Errors   std::runtime_error when the file cannot be written
 class BodySink {
  public:
   explicit BodySink(const std::filesystem::path& folder);
@@ -32,7 +34,7 @@ class BodySink {
   ~BodySink();
 
   void add(std::string_view bytes);
-  /// Where the whole body lies, with its digest.
+  /// The file with the complete body, and its digest.
   [[nodiscard]] routes::BodyFile finish();
 
  private:

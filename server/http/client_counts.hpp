@@ -6,7 +6,7 @@
 
 namespace floeplan::http {
 
-/// How many of something there are, of each client and in all.
+/// Counts objects, for each client and in all.
 /// Threads  the I/O thread alone
 class ClientCounts {
  public:
@@ -16,7 +16,7 @@ class ClientCounts {
     return found == of_client_.end() ? 0 : found->second;
   }
 
-  /// Counts one while it lives.
+  /// Counts as one object while it lives.
   class One {
    public:
     One(ClientCounts& counts, const std::string& client)

@@ -12,8 +12,9 @@
 
 namespace floeplan::http {
 
-/// What is called once some bytes have been read or written, whatever its type: sockets and TLS are compiled for this one
-/// handler, not again for each operation that Beast puts together of them.
+/// A completion handler of a read or write operation, independent of its type. Sockets and TLS are thus
+/// compiled for only one type of handler, not again for each of Beast's composed operations.
+/// Threads  runs on the handler's executor
 /// Threads  runs on the executor that the handler was given for
 class Completion {
  public:
@@ -27,7 +28,8 @@ class Completion {
   [[nodiscard]] executor_type get_executor() const noexcept { return executor_; }
 
   void operator()(boost::beast::error_code error, std::size_t bytes) {
-    const std::unique_ptr<Base> handler = std::move(handler_);  // it may end what holds this
+    // the call may destroy the object that contains this
+    const std::unique_ptr<Base> handler = std::move(handler_);
     handler->call(error, bytes);
   }
 

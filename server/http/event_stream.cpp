@@ -19,8 +19,8 @@ using beast::error_code;
 using routes::Request;
 using routes::Response;
 
-/// Wakes the coroutine that waits on it; a call before the wait is not lost.
-/// Threads  the executor's alone, which has one
+/// Wakes a coroutine that waits for it; a call before the wait is not lost.
+/// Threads  only on the executor, which has one thread
 class WakeUp {
  public:
   explicit WakeUp(const net::any_io_executor& executor) : timer_{executor} {}
@@ -34,7 +34,7 @@ class WakeUp {
     timer_.expires_at(moment);
     if (!woken_) co_await timer_.async_wait(net::redirect_error(net::use_awaitable, ignored));
   }
-  /// Whether it was woken since this was last asked.
+  /// Whether it was woken since the last call.
   bool take() { return std::exchange(woken_, false); }
 
  private:
@@ -44,8 +44,8 @@ class WakeUp {
 
 }  // namespace
 
-/// Sends the pieces of a stream as they come. The next piece is asked for once the last one is sent, so a slow client
-/// holds up nobody and nothing is kept for it. Returns the bytes of all pieces.
+/// Sends the pieces of a stream. The next piece is requested after the last one was sent, so a slow client
+/// delays nobody and nothing is stored for it. Returns the bytes of all pieces.
 net::awaitable<std::size_t> Session::stream(Request& request, Response piece) {
   using std::chrono::steady_clock;
   const ClientCounts::One counted{share_.streams, share_.client_of(request)};
@@ -77,11 +77,11 @@ net::awaitable<std::size_t> Session::stream(Request& request, Response piece) {
                                 net::redirect_error(net::use_awaitable, error));
       break;
     }
-    // What changed before the subscription began is found by asking once more at once.
+    // Changes before the subscription are found by asking once more, immediately.
     const auto heartbeat =
         steady_clock::now() + std::chrono::duration_cast<std::chrono::milliseconds>(piece.wait->at_most);
     bool due = false;
-    constexpr std::chrono::seconds look_again{1};  // also notices that the server stops
+    constexpr std::chrono::seconds look_again{1};  // also detects that the server stops
     while (!finishing_ && request.resumption && !wake_up->take() && !due) {
       co_await wake_up->wait_until(std::min(heartbeat, steady_clock::now() + look_again));
       due = steady_clock::now() >= heartbeat;
@@ -89,7 +89,7 @@ net::awaitable<std::size_t> Session::stream(Request& request, Response piece) {
     request.resumption = routes::Resumption{piece.wait->token, due};
     request.now = std::chrono::system_clock::now();
     piece = co_await answer_in_turn(request);
-    if (!piece.streams) break;  // the store cannot be read: the client comes again
+    if (!piece.streams) break;  // the store cannot be read; the client will reconnect
   }
   co_return sent;
 }

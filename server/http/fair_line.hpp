@@ -10,9 +10,10 @@
 
 namespace floeplan::http {
 
-/// Who has a thread of the handlers next, when there are fewer threads than requests: of the clients that wait the one with
-/// the fewest requests at work, of several the one that has waited longest since its last turn. No client has all threads,
-/// so that another one finds a free thread at once, however long the requests of the first take.
+/// Decides which request gets a handler thread next, if there are fewer threads than requests. Of the waiting
+/// clients, the one with the fewest running requests comes first; of several such clients, the one whose last
+/// turn is longest ago. No client gets all threads, so another client always finds one free, however long the
+/// requests of the first take.
 /// Threads  the I/O thread alone
 class FairLine {
  public:
@@ -20,10 +21,10 @@ class FairLine {
   FairLine(const FairLine&) = delete;
   FairLine& operator=(const FairLine&) = delete;
 
-  /// A request's place in the line and, from its turn on, its thread, until it is destroyed.
+  /// The place of a request in the line. From its turn until it is destroyed, the request occupies a thread.
   class Place {
    public:
-    /// `begin`  is called when the turn comes; not at all when it has come already
+    /// `begin`  called at the request's turn; not called if the turn comes immediately
     Place(FairLine& line, const std::string& client, std::function<void()> begin);
     Place(const Place&) = delete;
     Place& operator=(const Place&) = delete;
@@ -42,7 +43,7 @@ class FairLine {
   };
 
  private:
-  using Rank = std::pair<std::size_t, std::uint64_t>;  // requests at work, number of the last turn
+  using Rank = std::pair<std::size_t, std::uint64_t>;  // number of running requests, number of the last turn
 
   struct Client {
     std::list<Place*> waiting;  // borrowed
@@ -56,8 +57,8 @@ class FairLine {
   std::size_t free_;
   std::size_t most_of_client_;
   std::uint64_t turns_{0};
-  std::map<std::string, Client> clients_;  // that wait or are at work
-  std::map<Rank, Client*> next_;           // those that wait and may have a thread more
+  std::map<std::string, Client> clients_;  // clients with waiting or running requests
+  std::map<Rank, Client*> next_;           // clients with waiting requests that may get another thread
 };
 
 }  // namespace floeplan::http

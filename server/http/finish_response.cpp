@@ -13,18 +13,18 @@
 namespace floeplan::http {
 namespace {
 
-/// The bytes in gzip format (RFC 1952), without a time stamp: the same input gives the same output.
+/// The bytes in gzip format (RFC 1952), without a time stamp, so that equal input gives equal output.
 std::string gzip(std::string_view bytes) {
   constexpr int window_bits_for_gzip = 15 + 16;
   constexpr int memory_level = 8;
-  constexpr int fast = 3;  // answers are made for one request: time counts more than the last percent
+  constexpr int fast = 3;  // answers are compressed for a single request, so speed matters more than size
   z_stream stream{};
   if (deflateInit2(&stream, fast, Z_DEFLATED, window_bits_for_gzip, memory_level, Z_DEFAULT_STRATEGY) !=
       Z_OK) {
     throw std::runtime_error{"gzip could not begin"};
   }
   std::string result(deflateBound(&stream, static_cast<uLong>(bytes.size())), '\0');
-  std::string input{bytes};  // zlib's interface is not const
+  std::string input{bytes};  // zlib's interface takes no const pointer
   stream.next_in = reinterpret_cast<Bytef*>(input.data());
   stream.avail_in = static_cast<uInt>(input.size());
   stream.next_out = reinterpret_cast<Bytef*>(result.data());
@@ -36,9 +36,10 @@ std::string gzip(std::string_view bytes) {
   return result;
 }
 
-/// A digest of the bytes as hexadecimal digits: equal for equal bytes, and in practice for no others.
+/// A digest of the bytes as hexadecimal digits: equal for equal bytes, and in practice different for
+/// different ones.
 std::string entity_tag(std::string_view bytes) {
-  constexpr std::size_t length = 16;  // bytes kept of SHA-256
+  constexpr std::size_t length = 16;  // bytes of the SHA-256 that are used
   std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
   if (EVP_Digest(bytes.data(), bytes.size(), digest.data(), nullptr, EVP_sha256(), nullptr) != 1) {
     throw std::runtime_error{"the cryptographic library has no SHA-256"};
@@ -84,7 +85,7 @@ bool accepts_gzip(const std::string& accept_encoding) {
   return false;
 }
 
-/// The tag that the resource has given itself, without its quotes.
+/// Removes and returns the tag that the resource has set, without quotes.
 std::optional<std::string> take_tag(Response& response) {
   const auto found = std::find_if(response.headers.begin(), response.headers.end(),
                                   [](const auto& header) { return header.first == "ETag"; });
@@ -106,7 +107,8 @@ Response finish_response(const Request& request, Response response) {
   response.headers.emplace_back("X-Content-Type-Options", "nosniff");
   response.headers.emplace_back("X-Frame-Options", "DENY");
   response.headers.emplace_back("Referrer-Policy",
-                                "same-origin");  // "no-referrer" would take Origin from forms, too
+                                // "no-referrer" would also suppress the Origin header of forms
+                                "same-origin");
   if (response.content_type.starts_with("text/html")) {
     response.headers.emplace_back("Content-Security-Policy", content_security_policy);
   }
@@ -119,7 +121,7 @@ Response finish_response(const Request& request, Response response) {
   if (compressible) routes::vary_by(response, "Accept-Encoding");
   if (tagged) {
     const auto own = take_tag(response);
-    const std::string tag = own ? *own : entity_tag(response.body);  // before compression
+    const std::string tag = own ? *own : entity_tag(response.body);  // computed before compression
     response.headers.emplace_back("ETag", '"' + tag + (compressed ? "-gzip\"" : "\""));
     if (!has_header(response, "Cache-Control")) response.headers.emplace_back("Cache-Control", "no-cache");
     if (matches(request.header("if-none-match"), tag)) {

@@ -5,7 +5,7 @@
 
 namespace floeplan::http {
 
-/// How much of a bounded amount of memory is spoken for.
+/// Accounts for the use of a limited amount of memory.
 /// Threads  the I/O thread alone
 class MemoryBudget {
  public:
@@ -13,7 +13,8 @@ class MemoryBudget {
 
   [[nodiscard]] bool has(std::uint64_t bytes) const { return used_ + bytes <= most_; }
 
-  /// Bytes that are spoken for while it lives. More than there are can be taken: what is there already must be counted.
+  /// Reserves bytes while it lives. May exceed the budget, because memory that is already used must be
+  /// counted.
   class Part {
    public:
     Part(MemoryBudget& budget, std::uint64_t bytes) : budget_{budget}, bytes_{bytes} {

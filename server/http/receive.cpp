@@ -22,7 +22,7 @@ using routes::Request;
 
 namespace {
 
-/// Extensions of chunks say nothing to anybody, and are read differently (RFC 9112, 7.1.1).
+/// Refuses chunk extensions: nothing uses them, and servers parse them differently (RFC 9112, 7.1.1).
 void refuse_chunk_extension(std::uint64_t, beast::string_view extension, error_code& error) {
   if (!extension.empty()) error = beast::http::error::bad_chunk_extension;
 }
@@ -64,7 +64,7 @@ net::awaitable<error_code> Session::read_head(Head& head) {
   co_return error;
 }
 
-/// Reads until the whole header is there, as it must look, or more than a header may have.
+/// Reads until the header is complete and valid, or too long.
 net::awaitable<error_code> Session::read_strict_head() {
   StrictHead head;
   while (buffer_.size() <= share_.limits.header_bytes) {
@@ -82,11 +82,11 @@ net::awaitable<error_code> Session::read_strict_head() {
   co_return error_code{};
 }
 
-/// Many clients send a large body only once they are told that it is welcome.
+/// Sends "100 Continue" if the client waits for it before it sends a large body.
 net::awaitable<void> Session::invite_body(const Head& head) {
   const bool asked = beast::iequals(head.get()[beast::http::field::expect], "100-continue");
   if (!asked || head.is_done()) co_return;
-  error_code broken;  // is found again when the body is read
+  error_code broken;  // an error is found again when the body is read
   beast::http::response<beast::http::empty_body> go_on{beast::http::status::continue_, 11};
   stream_.expires_after(share_.limits.write_time);
   co_await beast::http::async_write(stream_, go_on, net::redirect_error(net::use_awaitable, broken));
@@ -112,7 +112,7 @@ net::awaitable<error_code> Session::read_body(Head& head, Request& request) {
   parser.on_chunk_header(refuse_chunk_extension);
   const std::uint64_t bytes =
       parser.content_length().value_or(parser.is_done() ? 0 : share_.limits.body_bytes);
-  constexpr std::uint64_t always_welcome = 65'536;  // bytes; accepted even if others hold all memory
+  constexpr std::uint64_t always_welcome = 65'536;  // bytes; accepted even if other requests use all memory
   if (bytes > always_welcome && !share_.memory.has(bytes)) co_return no_memory();
   const MemoryBudget::Part part{share_.memory, bytes};
   if (!parser.is_done()) {
@@ -124,7 +124,7 @@ net::awaitable<error_code> Session::read_body(Head& head, Request& request) {
   co_return error;
 }
 
-/// Never holds more than one block of the body.
+/// Writes the body to disk; keeps at most one block of it in memory.
 net::awaitable<error_code> Session::stream_body(Head& head, BodySink& sink) {
   constexpr std::size_t block_bytes = 65'536;
   std::vector<char> block(block_bytes);
@@ -147,7 +147,7 @@ net::awaitable<error_code> Session::stream_body(Head& head, BodySink& sink) {
   co_return error_code{};
 }
 
-/// Runs on a thread of the handlers, so that a slow disk does not delay other connections.
+/// Runs on a handler thread, so that a slow disk does not delay other connections.
 net::awaitable<error_code> Session::store(BodySink& sink, std::string_view bytes) {
   try {
     sink.add(bytes);

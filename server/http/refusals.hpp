@@ -9,17 +9,18 @@
 
 namespace floeplan::http {
 
-/// A problem (RFC 9457) that no resource has said; the texts are ours and need no escaping.
+/// The response for a problem (RFC 9457) outside of any resource. Its texts are this program's own and need
+/// no escaping.
 [[nodiscard]] routes::Response problem_response(const problems::Problem& problem);
 
-/// All memory that requests may take is taken: 503, come again.
+/// The response if all memory for requests is in use: 503, try again.
 [[nodiscard]] routes::Response busy();
-/// The fault of a body for which there is no memory.
+/// The error of a body for which there is no memory.
 [[nodiscard]] boost::beast::error_code no_memory();
 
-/// What to say of a request that could not be received; nothing when there is nobody to tell.
-/// `in_first_line`  not even the line with the address had ended
-/// `most_bytes`     that a body could have had
+/// The response to a request that could not be received; nullopt if the client cannot get one.
+/// `in_first_line`  the fault is in the request line
+/// `most_bytes`     limit of the body
 [[nodiscard]] std::optional<routes::Response> refusal_of(boost::beast::error_code fault, bool in_first_line,
                                                          std::uint64_t most_bytes);
 

@@ -7,11 +7,11 @@
 
 namespace floeplan::http {
 
-/// The header as a request without its body. Headers that come several times are joined to one list (RFC 9110, 5.3).
-/// Nothing when the target is not valid.
+/// The header as a request without body. A repeated header is joined to one list (RFC 9110, 5.3). nullopt if
+/// the target is invalid.
 [[nodiscard]] std::optional<routes::Request> to_request(const boost::beast::http::request_header<>& message);
 
-/// HTTP/1.1 asks for the name of the host, once (RFC 9112, 3.2).
+/// Whether the request has exactly one Host header, as HTTP/1.1 requires (RFC 9112, 3.2).
 [[nodiscard]] bool names_one_host(const boost::beast::http::request_header<>& message);
 
 }  // namespace floeplan::http

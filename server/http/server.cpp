@@ -68,7 +68,7 @@ class Server::Listener {
   }
 
  private:
-  using SessionsOfPeer = std::unordered_set<Session*>;  // each lives in its coroutine
+  using SessionsOfPeer = std::unordered_set<Session*>;  // borrowed; each session lives in its coroutine
 
   void wait_for_hangup() {
     hangups_.async_wait([this](const boost::system::error_code& error, int) {
@@ -78,7 +78,7 @@ class Server::Listener {
     });
   }
 
-  /// All of them, or none.
+  /// Applies all new settings, or none.
   void take_new_settings() {
     try {
       Equipment& equipment = share_.equipment;
@@ -110,10 +110,10 @@ class Server::Listener {
       auto socket = co_await acceptor_.async_accept(net::redirect_error(net::use_awaitable, error));
       if (error == net::error::operation_aborted) co_return;
       if (error) {
-        co_await pause();  // out of file descriptors, mostly: let some connections end
+        co_await pause();  // probably no free file descriptor; waits until some connections end
         continue;
       }
-      if (!make_room(address_of(socket))) continue;  // the socket closes here
+      if (!make_room(address_of(socket))) continue;  // refused; the socket is closed here
       net::co_spawn(io_, serve(std::move(socket)), net::detached);
     }
   }
@@ -123,7 +123,7 @@ class Server::Listener {
     return socket.remote_endpoint(ignored).address().to_string(ignored);
   }
 
-  /// False when all connections that could make room are being answered.
+  /// Closes a waiting connection. False if all have running requests.
   bool make_room(const std::string& peer) {
     const auto of_peer = sessions_.find(peer);
     if (of_peer != sessions_.end() && of_peer->second.size() >= share_.limits.connections_per_address)
@@ -158,7 +158,7 @@ class Server::Listener {
     if (finishing_ && sessions_.empty()) deadline_.cancel();
   }
 
-  /// No new connections, no new requests; what is open gets its answer until the deadline.
+  /// Accepts no new connections and requests; running requests are answered until the deadline.
   void finish() {
     if (finishing_) return;
     finishing_ = true;
@@ -176,7 +176,7 @@ class Server::Listener {
   }
 
   SessionShare share_;
-  std::map<std::string, SessionsOfPeer> sessions_;  // by address
+  std::map<std::string, SessionsOfPeer> sessions_;  // sessions by the client's address
   std::atomic<std::size_t> open_{0};
   bool finishing_{false};
   net::io_context io_{1};

@@ -10,12 +10,13 @@
 
 namespace floeplan::http {
 
-/// HTTP/1.1 listener. One thread (the caller of run) does all input and output; handlers run on threads of
-/// their own, except for what is to be answered at once. Clients have them in turn, and none has all of them.
-/// When there are too many connections, of one address or in all, the one that has been waiting longest for its client
-/// makes room; those that are being answered are never ended, and a new one is refused when there are no others.
-/// Errors   std::runtime_error from the constructor when the address cannot be listened on or the certificate not be
-///          used
+/// HTTP/1.1 server. One thread (the caller of run) does all input and output. Handlers run on their own
+/// threads, except for answers that are available at once. Clients take turns on these threads, and none gets
+/// all of them. If there are too many connections, of one address or in all, the one that has waited longest
+/// for its client is closed. Connections with a running request are never closed; if there are no others, the
+/// new connection is refused.
+/// Errors   std::runtime_error from the constructor when it cannot listen on the address or the certificate
+///          is invalid
 class Server {
  public:
   Server(const ListenAddress& address, routes::Handler handler, std::size_t handler_threads,
@@ -24,17 +25,16 @@ class Server {
   Server(const Server&) = delete;
   Server& operator=(const Server&) = delete;
 
-  /// The port that is listened on, also when 0 was asked for.
+  /// The port of the server, also if port 0 was requested.
   [[nodiscard]] std::uint16_t port() const;
-  /// How many connections are open now. May be called from any thread.
+  /// Number of open connections. May be called from any thread.
   [[nodiscard]] std::size_t connections() const;
-  /// Serves until stopped by stop(), SIGTERM or SIGINT. Open requests get their answers within `stop_time`.
+  /// Serves until stop(), SIGTERM or SIGINT. Running requests are answered within `stop_time`.
   void run();
   /// May be called from any thread.
   void stop();
-  /// Does what SIGHUP does: takes new settings and reads the certificate again, for requests and connections that
-  /// come after it; those that are open go on. When anything is wrong with them, all stays as it was and the log says
-  /// so. May be called from any thread.
+  /// Does the same as SIGHUP: applies new settings and reads the certificate again, for later requests and
+  /// connections. If they are invalid, nothing changes and the log says so. May be called from any thread.
   void reload();
 
  private:

@@ -32,7 +32,7 @@ using routes::Response;
 
 core::UtcTime now() { return std::chrono::system_clock::now(); }
 
-/// Differs from every other one of this process, and in practice from those of others.
+/// An id that is unique in this process, and in practice among all processes.
 std::string next_request_id() {
   static const std::string process = [] {
     std::ostringstream text;
@@ -60,8 +60,8 @@ Response too_many_files(std::size_t most) {
   return come_again(problem_response(problems::problem<"too-many-files">(most)));
 }
 
-/// Status line and fields in one piece: Beast's serializer hands each field to the system as four, and gathering some
-/// fifty of them costs more than their few hundred bytes.
+/// The status line and the headers as one buffer. Beast's serializer would pass each header as four buffers
+/// to the system; gathering about fifty of them costs more than copying a few hundred bytes.
 std::string head_of(const Response& response, bool keep_alive, bool https_only) {
   beast::http::response<beast::http::empty_body> message;
   message.version(11);
@@ -80,7 +80,7 @@ std::string head_of(const Response& response, bool keep_alive, bool https_only) 
   return text;
 }
 
-/// What `work` gives, or what a client is told when it throws.
+/// The result of `work`, or the response for the client if it throws.
 template <class Result, class Work>
 Result or_problem(const Request& request, const Work& work) {
   try {
@@ -152,7 +152,7 @@ void Session::finish() {
   if (idle_) stream_.cancel();
 }
 
-/// Reads one request and answers it. False: the connection is to end.
+/// Reads one request and answers it. False: the connection must be closed.
 net::awaitable<bool> Session::exchange() {
   wait_for_client();
   Head head;
@@ -167,7 +167,7 @@ net::awaitable<bool> Session::exchange() {
   const bool head_only = head.get().method() == beast::http::verb::head;
   const bool keep_alive = !error && head.keep_alive();
   std::optional<Request> request;
-  std::optional<ClientCounts::One> counted;  // until the answer is there, as is
+  std::optional<ClientCounts::One> counted;  // until the whole body was received; likewise `part`
   std::optional<BodySink> sink;
   Request body;
   if (!error) request = to_request(head.get());
@@ -185,7 +185,7 @@ net::awaitable<bool> Session::exchange() {
   }
   if (!error) error = co_await receive(head, to_disk, body, sink);
   if (error) {
-    sink.reset();  // while the client reads why
+    sink.reset();  // removed already while the client reads the refusal
     co_await refuse(error, target.empty(),
                     to_disk ? share_.equipment.streaming.most_bytes : share_.limits.body_bytes);
     co_return false;
@@ -236,7 +236,7 @@ net::awaitable<bool> Session::exchange() {
   co_return written&& open;
 }
 
-/// Before a body is taken in: whoever may not send it fills no disk.
+/// Asks before a body is read whether the caller may send it, so that others cannot fill the disk.
 net::awaitable<std::optional<Response>> Session::ask_doors(Request& request) {
   if (!share_.equipment.streaming.refuse) co_return std::nullopt;
   request.now = now();
@@ -264,7 +264,7 @@ net::awaitable<Response> Session::answer(Request& request) {
   co_return response;
 }
 
-/// What `work` gives on a thread of the pool, once it is the client's turn to have one.
+/// Runs `work` on a thread of the pool when it is the client's turn, and returns its result.
 template <class Result>
 net::awaitable<Result> Session::in_turn(const Request& request, std::function<Result()> work) {
   const auto executor = co_await net::this_coro::executor;
@@ -293,8 +293,7 @@ std::optional<Response> Session::ask_at_once(const Request& request) {
   });
 }
 
-/// Asks the handler again after every wake-up until it has an answer; at the end of its time it must have
-/// one.
+/// Calls the handler again after each wake-up until it answers. When the time is up it must answer.
 net::awaitable<Response> Session::wait_and_answer(Request& request, routes::Wait wait) {
   const auto executor = co_await net::this_coro::executor;
   auto timer = std::make_shared<net::steady_timer>(executor);
@@ -316,7 +315,7 @@ net::awaitable<Response> Session::wait_and_answer(Request& request, routes::Wait
     if (!response.wait || last) co_return response;
     if (*woken) continue;
     error_code ignored;
-    constexpr std::chrono::seconds look_again{1};  // also notices that the server stops
+    constexpr std::chrono::seconds look_again{1};  // also detects that the server stops
     timer->expires_at(std::min(deadline, std::chrono::steady_clock::now() + look_again));
     co_await timer->async_wait(net::redirect_error(net::use_awaitable, ignored));
   }
@@ -346,8 +345,8 @@ net::awaitable<void> Session::refuse(error_code fault, bool in_first_line, std::
   co_await linger();
 }
 
-/// Reads on for a moment: closing on unread data would reset the connection before the client has read its
-/// answer.
+/// Continues to read for a moment. Closing with unread data would reset the connection before the client has
+/// read the answer.
 net::awaitable<void> Session::linger() {
   error_code error;
   wait_for_client();

@@ -26,27 +26,27 @@ namespace floeplan::http {
 /// The value of the header Strict-Transport-Security (RFC 6797).
 constexpr const char* https_only_for_a_year = "max-age=31536000";
 
-/// What all sessions of a server share.
+/// State shared by all sessions of a server.
 struct SessionShare {
   routes::Handler handler;
   Limits limits;
   Equipment equipment;
-  std::shared_ptr<boost::asio::ssl::context> tls;  // of new connections; empty: in the clear
+  std::shared_ptr<boost::asio::ssl::context> tls;  // for new connections; empty: no TLS
   MemoryBudget memory;
   boost::asio::thread_pool pool;
-  FairLine line;         // for the pool; on the I/O thread alone
-  ClientCounts streams;  // that are open; the same
-  ClientCounts files;    // on their way to disk; the same
-  WaitingLine waiting;   // the same
+  FairLine line;         // for the pool; I/O thread only
+  ClientCounts streams;  // open event streams; I/O thread only
+  ClientCounts files;    // uploads that are being received; I/O thread only
+  WaitingLine waiting;   // I/O thread only
 
   SessionShare(routes::Handler answer, Limits bounds, Equipment tools, std::size_t threads);
 
   [[nodiscard]] std::string client_of(const routes::Request& request) const;
 };
 
-/// One connection: reads requests, has them answered, writes the answers, until the client or the server ends
-/// it.
-/// Threads  everything on the I/O thread, but for the handler
+/// One connection: reads requests, lets the handler answer them and writes the answers, until the client or
+/// the server closes it.
+/// Threads  I/O thread only, except for the handler
 class Session {
  public:
   Session(boost::asio::ip::tcp::socket socket, SessionShare& share);
@@ -55,9 +55,9 @@ class Session {
   Session& operator=(const Session&) = delete;
 
   boost::asio::awaitable<void> run();
-  /// Ends the connection after the request that is being answered; at once when there is none.
+  /// Closes the connection after the running request, or immediately if there is none.
   void finish();
-  /// Ends the connection at once.
+  /// Closes the connection immediately.
   void drop();
   [[nodiscard]] const std::string& peer() const { return peer_; }
 
@@ -77,7 +77,7 @@ class Session {
   boost::asio::awaitable<routes::Response> answer(routes::Request& request);
   template <class Result>
   boost::asio::awaitable<Result> in_turn(const routes::Request& request,
-                                         std::function<Result()> work);  // on the pool
+                                         std::function<Result()> work);  // runs on the pool
   boost::asio::awaitable<routes::Response> answer_in_turn(const routes::Request& request);
   [[nodiscard]] routes::Response ask_handler(const routes::Request& request);
   [[nodiscard]] std::optional<routes::Response> ask_at_once(const routes::Request& request);
@@ -89,19 +89,19 @@ class Session {
                                       std::uint64_t most_bytes);
   [[nodiscard]] bool goes_to_disk(const Head& head) const;
   boost::asio::awaitable<void> linger();
-  /// From now on the next byte has to come from the client, or to go to it.
+  /// Call before waiting for the client to send or receive bytes.
   void wait_for_client();
-  /// From now on the server is at work.
+  /// Call before the server works on a request.
   void stop_waiting();
 
   Transport stream_;
   static constexpr std::size_t most_buffered =
-      256UL * 1024;  // a line of any length would stay in memory until it ends
+      256UL * 1024;  // limits a line, which stays in memory until its end
   boost::beast::flat_buffer buffer_{most_buffered};
   SessionShare& share_;  // borrowed
   std::string peer_;
-  std::optional<WaitingLine::Ticket> waiting_;  // the place in the line of those who wait for their clients
-  bool fresh_{true};                            // nothing has come yet
+  std::optional<WaitingLine::Ticket> waiting_;  // the session's place among those waiting for their clients
+  bool fresh_{true};                            // nothing was received yet
   bool idle_{true};
   bool finishing_{false};
 };

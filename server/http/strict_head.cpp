@@ -13,7 +13,7 @@ constexpr std::string_view head_end = "\r\n\r\n";
 
 bool is_control(char c) { return (static_cast<unsigned char>(c) < ' ' && c != '\t') || c == '\x7f'; }
 
-/// RFC 9110, 5.6.2.
+/// Whether a character is allowed in a token (RFC 9110, 5.6.2).
 bool is_token_character(char c) {
   constexpr std::string_view marks = "!#$%&'*+-.^_`|~";
   return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
@@ -26,21 +26,21 @@ std::string_view without_blanks(std::string_view text) {
   return text;
 }
 
-/// At most 18 digits: every number of bytes that there is, and no overflow in whatever reads it.
+/// Whether a text is a length: at most 18 digits, enough for any number of bytes and without overflow.
 bool is_length(std::string_view text) {
   constexpr std::size_t most_digits = 18;
   return !text.empty() && text.size() <= most_digits &&
          text.find_first_not_of("0123456789") == std::string_view::npos;
 }
 
-/// The fields that say where a request ends.
+/// The headers that determine the end of a request.
 struct Framing {
   int lengths{0};
   int codings{0};
-  bool plain{true};  // their values are the only ones that everybody reads alike
+  bool plain{true};  // their values are of the only form that all servers parse equally
 };
 
-/// False for a line that is no field.
+/// Reads a header line; false if it is not one.
 bool read_field(std::string_view line, Framing& framing) {
   const auto colon = line.find(':');
   if (colon == 0 || colon == std::string_view::npos) return false;
@@ -58,7 +58,7 @@ bool read_field(std::string_view line, Framing& framing) {
   return true;
 }
 
-/// `head`  without the empty line at its end
+/// `head`  the header without the empty line at its end
 bool is_strict(std::string_view head) {
   if (std::any_of(head.begin(), head.end(), [](char c) { return is_control(c) && c != '\r' && c != '\n'; }))
     return false;

@@ -5,16 +5,16 @@
 
 namespace floeplan::http {
 
-/// Finds where the header of a request ends, as its bytes come in, and looks at it before anybody interprets it. What one
-/// server reads differently from the next lets a request hide in another, so it is refused where others guess: line ends
-/// other than CR LF, folded lines, space before a colon, control characters, more than one length, an empty one, and a
-/// coding of the transfer other than "chunked" alone, in HTTP/1.1 alone.
+/// Finds the end of a request's header as bytes arrive, and checks it before it is parsed. Servers parse
+/// unusual headers differently, which can hide one request in another (request smuggling). So these are
+/// refused: line ends other than CR LF, folded lines, a space before a colon, control characters, several or
+/// empty lengths, and any transfer coding except a single "chunked" in HTTP/1.1.
 /// Source   RFC 9112, 2.2, 5.1, 5.2, 6.1 and 11.2
 class StrictHead {
  public:
   enum class State { incomplete, complete, faulty };
 
-  /// `bytes`  all that have come so far: those of the last call, and what has come since
+  /// `bytes`  all bytes of the header received so far, including those of earlier calls
   [[nodiscard]] State look_at(std::string_view bytes);
 
  private:

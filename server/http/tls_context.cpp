@@ -24,7 +24,8 @@ std::unique_ptr<ssl::context> make_tls_context(const TlsFiles& files) {
   SSL_CTX_set_min_proto_version(context->native_handle(), TLS1_2_VERSION);
   context->set_options(ssl::context::default_workarounds | ssl::context::no_compression |
                        SSL_OP_NO_RENEGOTIATION | SSL_OP_CIPHER_SERVER_PREFERENCE);
-  // RFC 9325, 4.2: with forward secrecy, and with authenticated encryption alone. Those of TLS 1.3 all are so.
+  // RFC 9325, 4.2: only ciphers with forward secrecy and authenticated encryption. All ciphers of TLS 1.3
+  // have both.
   constexpr const char* suites = "ECDHE+AESGCM:ECDHE+CHACHA20:!aNULL:!PSK";
   if (SSL_CTX_set_cipher_list(context->native_handle(), suites) != 1)
     throw std::runtime_error{

@@ -19,14 +19,14 @@
 
 namespace floeplan::http {
 
-/// The byte stream of one connection, plain or TLS: an AsyncReadStream and AsyncWriteStream for Beast,
-/// with a time limit over whatever is under way.
+/// The byte stream of one connection, plain or TLS: an AsyncReadStream and AsyncWriteStream for Beast, with a
+/// time limit for the running operation.
 /// Threads  the I/O thread alone
 class Transport {
  public:
   using executor_type = boost::beast::tcp_stream::executor_type;
 
-  /// By TLS when there is a context, which lives as long: others may take new ones in the meantime.
+  /// Uses TLS if there is a context. It keeps the context alive, because new connections may get another one.
   Transport(boost::asio::ip::tcp::socket socket, std::shared_ptr<boost::asio::ssl::context> tls)
       : context_{std::move(tls)}, plain_{std::move(socket)} {
     if (context_) tls_.emplace(plain_, *context_);
@@ -37,11 +37,11 @@ class Transport {
   void expires_after(std::chrono::steady_clock::duration time) { plain_.expires_after(time); }
   void cancel() { plain_.cancel(); }
 
-  /// What TLS has to settle before the first byte; nothing in the clear.
+  /// Does the TLS handshake; nothing without TLS.
   boost::asio::awaitable<boost::beast::error_code> open();
-  /// Says that nothing more will be sent.
+  /// Tells the client that nothing more will be sent.
   boost::asio::awaitable<void> end();
-  /// The same for a connection that is given up, where TLS has no time for a goodbye.
+  /// The same for a connection that is given up, without waiting for TLS to close properly.
   void stop_sending();
 
   template <class Buffers, class Token>
@@ -63,8 +63,8 @@ class Transport {
   }
 
  private:
-  /// As many buffers as one system call takes. The caller learns how many bytes were transferred, and asks again for
-  /// the rest.
+  /// As many buffers as one system call accepts. The caller gets the number of bytes transferred, and calls
+  /// again for the rest.
   template <class Buffer>
   using Buffers = boost::container::static_vector<Buffer, 64>;
 
@@ -82,7 +82,7 @@ class Transport {
   void read_some(const Buffers<boost::asio::mutable_buffer>& into, Completion completion);
   void write_some(const Buffers<boost::asio::const_buffer>& from, Completion completion);
 
-  std::shared_ptr<boost::asio::ssl::context> context_;  // empty: in the clear
+  std::shared_ptr<boost::asio::ssl::context> context_;  // empty: no TLS
   boost::beast::tcp_stream plain_;
   std::optional<boost::asio::ssl::stream<boost::beast::tcp_stream&>> tls_;
 };

@@ -15,7 +15,7 @@ using repository::JobId;
 using repository::JobRecord;
 using routes::SubmissionRefused;
 
-/// 128 bits from the operating system: nobody can guess the id of somebody else's job.
+/// A random id of 128 bits from the operating system, so that nobody can guess the id of another user's job.
 JobId random_id() {
   constexpr std::string_view digits = "0123456789abcdef";
   std::random_device source;
@@ -41,7 +41,7 @@ JobRecord new_job(const routes::Submission& submission, core::UtcTime now) {
   return job;
 }
 
-/// The job of an earlier request with the same key; empty: there was none.
+/// The job of an earlier request with the same key; empty if there is none.
 tl::expected<std::optional<JobRecord>, SubmissionRefused> find_by_key(sql::Connection& db,
                                                                       const repository::IdempotencyKey& key,
                                                                       core::UtcTime now) {
@@ -56,13 +56,13 @@ tl::expected<std::optional<JobRecord>, SubmissionRefused> find_by_key(sql::Conne
   return job;
 }
 
-/// A job that does the same work, or has done it.
+/// A job that does, or has done, the same work.
 std::optional<JobRecord> find_shared(sql::Connection& db, const routes::Submission& submission) {
   if (!submission.digest || submission.force) return std::nullopt;
   return repository::JobRepository{db}.find_shared(*submission.digest, submission.owner);
 }
 
-/// For one job more of the owner.
+/// Whether the queue accepts another job of the owner.
 bool has_room(const repository::JobRepository& jobs, const std::string& owner) {
   constexpr auto waiting = repository::JobStatus::accepted;
   if (jobs.count(waiting) >= JobBoard::max_waiting) return false;
@@ -77,7 +77,7 @@ bool has_room(const repository::JobRepository& jobs, const std::string& owner) {
 tl::expected<JobRecord, SubmissionRefused> JobBoard::submit(sql::Connection& db,
                                                             const routes::Submission& submission,
                                                             core::UtcTime now) {
-  // One transaction, so that two submissions of the same at once do not make two jobs.
+  // One transaction, so that two equal submissions at the same time create only one job.
   sql::Transaction transaction{db};
   if (submission.key) {
     auto repeated = find_by_key(db, *submission.key, now);
@@ -97,7 +97,7 @@ tl::expected<JobRecord, SubmissionRefused> JobBoard::submit(sql::Connection& db,
     const std::lock_guard lock{mutex_};
     ++submissions_;
   }
-  work_.notify_all();  // a worker takes only jobs of its class
+  work_.notify_all();  // all, because a worker takes only jobs of its class
   announce(job.id);
   return job;
 }
@@ -121,7 +121,7 @@ std::shared_ptr<void> JobBoard::subscribe(const JobId& id, std::function<void()>
           }};
 }
 
-// No job has the empty id: it stands for all of them.
+// The empty id, which no job has, stands for all jobs.
 std::shared_ptr<void> JobBoard::subscribe_to_all(std::function<void()> wake) {
   return subscribe({}, std::move(wake));
 }
@@ -152,7 +152,7 @@ void JobBoard::report(const JobId& id, std::string_view stage, double progress) 
   if (found == running_.end()) return;
   RunningJob& job = found->second.job;
   job.stage = stage;
-  job.progress = std::max(job.progress, progress);  // what is tried once more is no step back
+  job.progress = std::max(job.progress, progress);  // progress never decreases, even if a part is repeated
   job.changed = true;
 }
 

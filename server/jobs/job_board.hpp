@@ -14,7 +14,7 @@
 
 namespace floeplan::jobs {
 
-/// What a running job has told of itself since it was last asked.
+/// The progress that a running job has reported.
 struct RunningJob {
   repository::JobId id;
   std::string worker;
@@ -24,14 +24,14 @@ struct RunningJob {
   std::chrono::steady_clock::time_point deadline{};
 };
 
-/// What this process knows of its jobs beside the store: who waits for which, and how to stop the ones that
-/// run.
+/// The part of the job system that is not in the store: who waits for which job, and how to stop running
+/// jobs.
 /// Threads  every member may be called from several threads at once
 class JobBoard : public routes::JobGateway {
  public:
-  /// More waiting jobs than this are refused.
+  /// Largest number of waiting jobs; more are refused.
   static constexpr std::int64_t max_waiting = 1000;
-  /// More waiting jobs of one named owner are refused, too: nobody fills the queue alone.
+  /// Largest number of waiting jobs of one named owner, so that nobody fills the queue alone.
   static constexpr int max_waiting_of_owner = 200;
 
   [[nodiscard]] tl::expected<repository::JobRecord, routes::SubmissionRefused> submit(
@@ -41,27 +41,28 @@ class JobBoard : public routes::JobGateway {
                                                 std::function<void()> wake) override;
   [[nodiscard]] std::shared_ptr<void> subscribe_to_all(std::function<void()> wake) override;
 
-  /// Grows with every submission; read it before looking for work, and wait on it when there was none.
+  /// A number that grows with every submission. Read it before looking for work; if there was none, pass it
+  /// to wait_for_work.
   [[nodiscard]] std::uint64_t submissions() const;
-  /// Returns once there were more submissions than `seen`, after a second, or on `stop`.
+  /// Returns when there were more submissions than `seen`, after one second, or on `stop`.
   void wait_for_work(std::uint64_t seen, const std::stop_token& stop);
 
-  /// A worker takes up a job; its work ends when the returned source is asked to stop.
+  /// A worker begins a job. The job's work must end when a stop of the returned source is requested.
   [[nodiscard]] std::stop_source begin(const repository::JobId& id, const std::string& worker,
                                        std::chrono::steady_clock::time_point deadline);
   void report(const repository::JobId& id, std::string_view stage, double progress);
   void end(const repository::JobId& id);
-  /// The jobs of this process as they stand; takes back their `changed` marks.
+  /// The running jobs of this process; resets their `changed` marks.
   [[nodiscard]] std::vector<RunningJob> running();
-  /// Asks the work on the job to stop, if it runs here.
+  /// Requests the job's work to stop, if it runs in this process.
   void stop(const repository::JobId& id);
-  /// Asks the work on every job to stop whose deadline has passed.
+  /// Requests the work on all jobs whose deadline has passed to stop.
   void stop_overdue(std::chrono::steady_clock::time_point now);
-  /// Whether the work on the job was asked to stop because of its deadline.
+  /// Whether the job was stopped because its deadline has passed.
   [[nodiscard]] bool is_overdue(const repository::JobId& id) const;
-  /// Asks all work to stop.
+  /// Requests all work to stop.
   void stop_all();
-  /// Wakes everybody who waits for the job, or for any.
+  /// Wakes all who wait for this job or for any job.
   void announce(const repository::JobId& id);
 
  private:

@@ -7,12 +7,14 @@
 
 namespace floeplan::jobs {
 
-/// The class of a job of this process with these inputs. Flights, a window of departures and an ensemble of currents make
-/// a batch: each of their parts may take as long as a plan. Inputs that cannot be read are refused in no time.
+/// The class of a job. Flights, a window of departures and an ensemble of currents are a batch, because each
+/// of their parts may take as long as a plan. If the inputs cannot be read, any class will do: the job fails
+/// at once.
 [[nodiscard]] repository::JobClass class_of(const std::string& process, const std::string& inputs_json);
 
-/// The longest that a job of each class may run. They keep a worker from being lost, not a pilot from asking for much:
-/// the dearest request seen, 10,000 flights of half a minute, takes four days on one core.
+/// Longest duration of a job, by class. The limits only prevent the loss of a worker; they do not restrict
+/// what pilots request. The longest request seen, 10,000 flights of half a minute, takes four days on one
+/// core.
 struct TimeLimits {
   core::Seconds interactive{3600.0};
   core::Seconds batch{14.0 * 86'400.0};
@@ -21,7 +23,7 @@ struct TimeLimits {
   [[nodiscard]] core::Seconds of(repository::JobClass job_class) const;
 };
 
-/// Why a job failed that ran beyond its limit, what that means, and what to do.
+/// The message of a job that exceeded its limit: what it means, and what to do.
 [[nodiscard]] std::string overdue_message(repository::JobClass job_class, core::Seconds limit);
 
 }  // namespace floeplan::jobs

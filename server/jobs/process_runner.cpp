@@ -33,7 +33,7 @@ std::string in_one_line(const core::Violations& violations) {
   return text;
 }
 
-/// A list of jobs must not call it done where the answer is that there is no route.
+/// The job's message if there is no route, so that a list of jobs does not show it simply as successful.
 std::string why_no_route(const json& document) {
   const bool infeasible = document.contains("explanation") && document.value("status", "") == "infeasible";
   return infeasible ? "no route: " + document.at("explanation").get<std::string>() : "";
@@ -45,7 +45,7 @@ tl::expected<ProcessResult, std::string> result(const char* output,
   return ProcessResult{json{{output, *document}}.dump(), why_no_route(*document)};
 }
 
-/// Counts what the job stored for its owner; documents without an id say that nothing was.
+/// Records the owner of the stored result; a document without an id means that nothing was stored.
 void note_owner(sql::Connection& db, const repository::JobRecord& job, core::UtcTime now,
                 const repository::ThingTable& table, const char* id,
                 const tl::expected<json, core::Violations>& document) {
@@ -53,7 +53,7 @@ void note_owner(sql::Connection& db, const repository::JobRecord& job, core::Utc
     repository::Owners{db}.note_made(table, document->at(id).get<std::string>(), now, job.owner);
 }
 
-/// A job under way, with all that a process may need.
+/// A running job with everything that its process may need.
 struct Work {
   sql::Connection& db;
   const repository::JobRecord& job;
@@ -112,7 +112,7 @@ Outcome echo(const Work& work, const codec::EchoInputs& inputs) {
   return ProcessResult{service::echo_results(inputs, work.stop, work.progress).dump()};
 }
 
-/// Reads the inputs, which may have been stored by another version, and does the work.
+/// Parses the inputs, which another version may have stored, and does the work.
 template <auto parse, auto run>
 Outcome with_inputs(const Work& work) {
   const auto inputs = parse(json::parse(work.job.request_json));
@@ -125,7 +125,7 @@ struct Process {
   Outcome (*run)(const Work&);
 };
 
-/// Every process that a job may ask for; `api/routes/processes` describes them and checks their inputs.
+/// All processes of jobs; `api/routes/processes` describes them and checks their inputs.
 constexpr auto processes = std::to_array<Process>({
     {"plan-route", with_inputs<codec::parse_plan_inputs, plan_route>},
     {"evaluate-route", with_inputs<codec::parse_evaluate_inputs, evaluate_route>},

@@ -17,13 +17,14 @@ namespace floeplan::jobs {
 /// The result of a job.
 struct ProcessResult {
   std::string json;       // the results document
-  std::string message{};  // why it holds no route; empty: it holds what was asked for
+  std::string message{};  // why it contains no route; empty if it does
 };
 
-/// Does the work of a job. Flights, departures and members are worked at on so many threads (`workers`) at once.
-/// `kept`   of the store that `db` is connected to
-/// Returns  of no use when `stop` was requested meanwhile
-/// Errors   why it could not be done, for a person; std::exception when the machine or the stored data fail
+/// Does the work of a job. Flights, departures and ensemble members run on `workers` threads.
+/// `kept`   caches of the store of `db`
+/// Returns  must not be used when `stop` was requested meanwhile
+/// Errors   why the work is not possible, for the user; std::exception when the machine fails or stored data
+///          are damaged
 [[nodiscard]] tl::expected<ProcessResult, std::string> run_process(
     sql::Connection& db, const repository::JobRecord& job, const service::IngestPlace& place,
     std::size_t workers, service::KeptWork& kept, const std::stop_token& stop,

@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::chrono::milliseconds interval{500};
-constexpr int looks_without_change = 4;  // two seconds: copying programs write more often
+constexpr int looks_without_change = 4;  // two seconds; copying programs write more often
 constexpr int looks_of_patience = 600;   // five minutes
 constexpr std::chrono::seconds after_failure{30};
 
@@ -31,7 +31,7 @@ struct Appearance {
 
 struct Seen {
   Appearance appearance;
-  int looks{};  // for how many it has stayed the same
+  int looks{};  // number of checks without a change
 };
 
 Appearance appearance_of(const fs::path& path) {
@@ -56,7 +56,7 @@ bool is_unfinished(const std::string& name) {
          std::ranges::any_of(endings, [&](const char* ending) { return name.ends_with(ending); });
 }
 
-/// What lies beside a file and belongs to it: "bed.prj" and "bed.asc.aux.xml" to "bed.asc".
+/// The sidecars of a file: "bed.prj" and "bed.asc.aux.xml" for "bed.asc".
 std::vector<fs::path> sidecars_of(const fs::path& file) {
   std::vector<fs::path> all;
   for (const auto& entry : fs::directory_iterator{file.parent_path()})
@@ -64,7 +64,7 @@ std::vector<fs::path> sidecars_of(const fs::path& file) {
   return all;
 }
 
-/// What arrived earlier under the same name is kept.
+/// A name that is not used in the folder, so that an earlier file of the same name is kept.
 fs::path free_name(const fs::path& folder, const fs::path& name) {
   fs::path candidate = folder / name;
   for (int number = 2; fs::exists(candidate); ++number)
@@ -72,7 +72,8 @@ fs::path free_name(const fs::path& folder, const fs::path& name) {
   return candidate;
 }
 
-/// The report first: a file that lies in `done` or `refused` always has one.
+/// Moves a file and its sidecars. The report is written first, so that every file in `done` or `refused` has
+/// one.
 void put_away(const fs::path& file, const fs::path& folder, const std::string& report) {
   fs::create_directories(folder);
   const fs::path target = free_name(folder, file.filename());
@@ -82,7 +83,7 @@ void put_away(const fs::path& file, const fs::path& folder, const std::string& r
   for (const fs::path& part : sidecars) fs::rename(part, free_name(folder, part.filename()));
 }
 
-/// Ingests files that are complete and puts each away with the reports of the group that it was in.
+/// Ingests complete files, and moves each with the reports of its group.
 void ingest_and_put_away(sql::Connection& db, const ingest::Guard& guard, const std::vector<fs::path>& files,
                          const std::stop_token& stop) {
   std::map<ingest::FileGroup, std::vector<ingest::IngestReport>> groups;
@@ -95,14 +96,15 @@ void ingest_and_put_away(sql::Connection& db, const ingest::Guard& guard, const 
         reports, [](const auto& report) { return report.status == ingest::IngestStatus::refused; });
     log::info({"watched file=\"", reports.front().file, "\" outcome=", refused ? "refused" : "done"});
     for (const fs::path& file : group)
-      if (fs::exists(file))  // an archive may have been in several groups
+      if (fs::exists(file))  // the file of an archive may belong to several groups
         put_away(file, file.parent_path() / (refused ? "refused" : "done"),
                  service::report_document(reports).dump(2));
   }
 }
 
-/// Remembers what the folder held at each look and says what is complete: everything, once all of it has come to rest,
-/// because what is still coming may belong to what is there; what has rested for long in any case.
+/// Remembers the content of the folder at each check, and returns the complete files: all of them when no
+/// file changes any more, because files still arriving may belong to them; but at the latest after five
+/// minutes without change.
 class Arrivals {
  public:
   std::vector<fs::path> look(const fs::path& folder) {

@@ -8,15 +8,15 @@
 
 namespace floeplan::jobs {
 
-/// A folder whose files are ingested as they come. A file is taken when its size and its time of change have stayed the
-/// same for a while; those that are complete together are ingested together, so that parts of one dataset find each
-/// other. Then it is moved to `done` or `refused` in the folder, with the report beside it as NAME.report.json.
-/// Names that begin with a dot, or end as browsers and copying programs name unfinished files, are left alone; so are
-/// the parts of a shapefile until their .shp is there.
-/// Restart  a file that was being read when the process was killed lies where it lay and is read again; what was stored
-///          of it already is not stored twice
-/// Errors   std::system_error from the constructor when the folder cannot be created; later ones are logged and the
-///          folder is looked at again
+/// A folder in which new files are ingested. A file counts as complete when its size and time of change have
+/// not changed for a while. Files that are complete at the same time are ingested together, so that parts of
+/// one dataset are joined. Afterwards a file is moved to the subfolder `done` or `refused`, with its report
+/// as NAME.report.json. Files with a dot at the beginning of their name, or with an ending of unfinished
+/// files, are ignored; so are the parts of a shapefile without their .shp file.
+/// Restart  a file that was being read when the process was killed is still in the folder and is read again;
+///          data stored before are not stored twice
+/// Errors   std::system_error from the constructor when the folder cannot be created; later errors are
+///          logged, and the folder is checked again
 class WatchedFolder {
  public:
   WatchedFolder(const std::filesystem::path& folder, OpenStore open_store, ingest::Guard guard);

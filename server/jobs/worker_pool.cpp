@@ -20,19 +20,21 @@ using repository::JobClass;
 using repository::JobRecord;
 using repository::JobRepository;
 
-// One server at a time holds a store, and takes back every lease when it starts: a lease need not end before it does,
-// and one that ended when the clock is set would have a job done twice at once.
+// Practically unlimited. Only one server uses a store, and it takes back all leases when it starts, so a
+// lease need not expire. A lease that expired because the clock was set would make a job run twice at the
+// same time.
 constexpr core::Seconds lease{1e9};
-constexpr core::Seconds renewal_interval{5.0};  // when there is no progress to write
+constexpr core::Seconds renewal_interval{5.0};  // if there is no progress to store
 constexpr std::chrono::milliseconds progress_interval{250};
 
-/// Bytes of currents that are kept between jobs: five days of hourly currents over 150 by 150 km on six levels take
-/// half.
+/// Size of the cache of currents between jobs, bytes. Five days of hourly currents over 150 x 150 km on six
+/// levels need half.
 constexpr std::size_t most_kept_currents = std::size_t{256} << 20;
-/// Bytes of kept leg cost models: each takes at most 32 MB for its currents, and mostly a few more for its safety map.
+/// Size of the cache of leg cost models, bytes: each has at most 32 MB of currents and usually a few MB of
+/// its safety map.
 constexpr std::size_t most_kept_grounds = std::size_t{128} << 20;
 
-/// Before a job that the store could not serve is begun again.
+/// Delay before a job that the store could not serve is started again.
 constexpr std::chrono::milliseconds before_next_try{2000};
 
 constexpr const char* no_memory =
@@ -41,8 +43,8 @@ constexpr const char* no_memory =
 
 core::UtcTime now() { return std::chrono::system_clock::now(); }
 
-/// Requests come first, then interactive jobs: on Linux the priority of a single thread can be lowered, and those that it
-/// begins are as low.
+/// Lowers the priority of this thread below that of requests; batches below interactive jobs. Linux has a
+/// priority for each thread, and new threads inherit it.
 void lower_priority(JobClass job_class) {
   const int niceness = job_class == JobClass::batch ? 19 : 10;
   if (setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), niceness) != 0) {
@@ -50,7 +52,8 @@ void lower_priority(JobClass job_class) {
   }
 }
 
-/// Whether the store may do later what it could not do now: somebody makes room on the disk, or gives back its lock.
+/// Whether a failure of the store may be temporary: the disk may get free space, or another process may
+/// release its lock.
 bool may_pass(const sql::Failure& failure) {
   switch (failure.trouble()) {
     case sql::Trouble::disk_full:
@@ -62,9 +65,9 @@ bool may_pass(const sql::Failure& failure) {
   return false;
 }
 
-/// Writes down how a job ended. The work is done and must not be lost because the disk or the memory is full for a
-/// while: what fails is tried again until it can be done, or until the server stops, which hands the job back when it
-/// starts again.
+/// Stores the end of a job. The finished work must not be lost because disk or memory is full for a while, so
+/// a failure is retried until it succeeds or the server stops. In that case the job returns to the queue when
+/// the server starts again.
 template <class Write>
 void keep_trying(sql::Connection& db, const repository::JobId& id, const Write& write,
                  const std::stop_token& stop) {
@@ -95,7 +98,8 @@ WorkerPool::WorkerPool(const OpenStore& open_store, JobBoard& board, std::size_t
                 most_kept_grounds}} {
   auto db = open_store();
   JobRepository{db}.release_all_leases(now());
-  // All connections are opened here, so that a failure prevents the start of the pool and does not end a thread later.
+  // All connections are opened here, so that a failure prevents the start of the pool instead of ending a
+  // thread later.
   lease_keeper_ = std::jthread{
       [this, own = open_store()](const std::stop_token& stop) mutable { keep_leases(own, stop); }};
   std::vector<JobClass> classes(workers + 1, JobClass::interactive);
@@ -159,7 +163,8 @@ void WorkerPool::run(sql::Connection& db, const JobRecord& job, const std::strin
     log::error({"job=", job.id.value, " broke off: no memory"});
     result = tl::unexpected(std::string{no_memory});
   } catch (const sql::Failure& failure) {
-    // A file that is too large for the disk would fill it again and again, so whoever sent it is told at once.
+    // An ingestion is not retried: a file too large for the disk would fill it again and again. Its sender is
+    // told at once.
     put_off = job.job_class != JobClass::ingest && may_pass(failure);
     log::error({"job=", job.id.value, put_off ? " is put off: " : " broke off: ", failure.what()});
     result = tl::unexpected(std::string{"the work broke off: "} + failure.what());
@@ -173,7 +178,7 @@ void WorkerPool::run(sql::Connection& db, const JobRecord& job, const std::strin
     if (overdue) {
       jobs.fail(job.id, worker, overdue_message(job.job_class, limit), now());
     } else if (stopped || put_off) {
-      jobs.hand_back(worker, now());  // does nothing for a job that was dismissed
+      jobs.hand_back(worker, now());  // has no effect on a dismissed job
     } else if (result) {
       jobs.succeed(job.id, worker, result->json, now(), result->message);
     } else {

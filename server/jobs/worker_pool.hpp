@@ -17,29 +17,32 @@ namespace floeplan::jobs {
 /// Opens a connection to the store, for one thread.
 using OpenStore = std::function<sql::Connection()>;
 
-/// Threads that take jobs from the queue and do them, at lower priority than the rest of the process, and one
-/// that keeps their leases, their time limits, and writes their progress.
-/// Classes  each has threads of its own: `workers` for the interactive jobs of one owner and one more for another,
-///          `batches_at_once` for batches, one that ingests files. So nobody who plans waits for a batch or a large file,
-///          however long their parts take: a flight may take half a minute, and a batch that gave way between flights
-///          would be too late.
-/// Priority batches yield to interactive jobs by the niceness of their threads, at any moment, and lose no work by it:
-///          beside one interactive thread that never rests, a batch's has 15/(15+110) = 12 % of their core (the kernel's
-///          weights of niceness 19 and 10, sched_prio_to_weight), and all of it when there is none. That is the bound on
-///          starving, too: interactive jobs slow a batch 8 times where there are no more workers than cores.
-/// Fairness between owners, within each class (JobRepository::claim); the kernel shares the cores evenly between the
-///          threads of batches that run side by side.
-/// A batch of flights, a window of departures and a plan over members use as many threads as there are workers. Currents that a job has read are kept for the next, in
-/// at most 256 MiB, and the seas that routes were judged in, in at most 128 MiB.
-/// Limits   a job that runs longer than its class may is stopped, and fails with what to do about it
-/// Start    jobs that a killed process left running become free at once
-/// Stop     stop() or the destructor: running work is asked to stop and goes back into the queue
-/// Errors   what `open_store` throws while the pool is made; what a job throws fails that job, except that a plan which
-///          the store cannot serve for a while, because the disk is full or another holds it, goes back into the
-///          queue; what the store throws while looking for work is logged and tried again
+/// Threads that take jobs from the queue and run them, at lower priority than the rest of the process; and
+/// one thread that renews leases, checks time limits and stores progress.
+/// Classes  each class has its own threads: `workers` for interactive jobs of one owner and one more for
+///          other owners, `batches_at_once` for batches, and one for ingestion. So a pilot who plans never
+///          waits for a batch or a large file. A batch that only yielded between its parts would be too slow,
+///          because a flight may take half a minute
+/// Priority batches yield to interactive jobs at any moment by the niceness of their threads, and lose no
+/// work. Beside one busy
+///          interactive thread, a batch thread gets 15/(15+110) = 12 % of their core (the kernel's weights of
+///          niceness 19
+///          and 10, sched_prio_to_weight); without interactive jobs it gets the whole core. So interactive
+///          jobs slow a batch
+///          down at most 8 times if there are no more workers than cores Fairness between owners within each
+///          class, see JobRepository::claim; the kernel shares the cores evenly between
+///          simultaneous batches
+/// A batch of flights, a window of departures and a plan with ensemble members use as many threads as there
+/// are workers. Caches between jobs hold at most 256 MiB of currents and 128 MiB of leg cost models.
+/// Limits   a job that exceeds its class's time limit is stopped and fails, with a message what to do
+/// Start    jobs that a killed process left running can be taken again at once
+/// Stop     stop() or the destructor: running work is stopped and returns to the queue
+/// Errors   exceptions of `open_store` leave the constructor; an exception of a job makes it fail, except
+///          that a plan goes back to the queue if the store fails temporarily (full disk, lock of another
+///          process); exceptions of the store while looking for work are logged, and the pool tries again
 class WorkerPool {
  public:
-  /// Batches of different owners, or of different processes, that run side by side.
+  /// Number of batches, of different owners or different processes, that run at the same time.
   static constexpr std::size_t batches_at_once = 6;
 
   WorkerPool(const OpenStore& open_store, JobBoard& board, std::size_t workers,

@@ -10,7 +10,7 @@ struct TypeAndCheck {
   std::string check;  // "UINT in [1 - 256]", "{up,down}"; empty: none
 };
 
-/// The text in which the parser joins type and range: "UINT:UINT in [1 - 256]".
+/// Splits the parser's text of type and range: "UINT:UINT in [1 - 256]".
 TypeAndCheck type_and_check(const CLI::Option& option) {
   const std::string name = option.get_type_name();
   const auto colon = name.find(':');

@@ -5,7 +5,7 @@
 namespace floeplan::manual {
 namespace {
 
-/// Between single quotes of a shell.
+/// A text in single quotes of a shell.
 std::string quoted(const std::string& text) {
   std::string safe;
   for (const char c : text) safe += c == '\'' ? std::string{"'\\''"} : std::string(1, c);
@@ -24,7 +24,7 @@ std::string joined(const std::vector<std::string>& words, const std::string& bet
   return text;
 }
 
-/// Lines of a shell's `case` that follow the words of a command line from one command to the one below it.
+/// Lines of a shell's `case` that find the command on a command line, from word to word.
 std::string steps(std::span<const Command> commands) {
   std::string text;
   for (const Command& command : commands) {
@@ -60,7 +60,7 @@ std::string for_bash(std::span<const Command> commands) {
          "complete -o default -F _floeplan floeplan\n";
 }
 
-/// "name:help", as zsh takes them.
+/// "name:help", the notation of zsh.
 std::string described(const std::string& name, const std::string& help) {
   return quoted(replaced(name, ":", "\\:") + ":" + help);
 }
@@ -100,13 +100,13 @@ std::string for_zsh(std::span<const Command> commands) {
   return text +
          "  esac\n"
          "  _describe command commands\n"
-         "  _describe -o flag flags\n"  // zsh offers what is called an option only after a "-"
+         "  _describe -o flag flags\n"  // zsh offers options only after a "-"
          "  (( $#commands )) || _files\n"
          "}\n"
          "_floeplan \"$@\"\n";
 }
 
-/// The condition that the words so far have led to the command.
+/// The condition that the command line contains this command.
 std::string fish_condition(const Command& command) {
   if (command.path.empty()) return "__fish_use_subcommand";
   return "__fish_seen_subcommand_from " + command.path.substr(command.path.rfind(' ') + 1);

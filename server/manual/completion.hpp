@@ -9,10 +9,10 @@
 
 namespace floeplan::manual {
 
-/// The shells that `completion` knows.
+/// The shells for which the command `completion` has a script.
 [[nodiscard]] std::vector<std::string> shells();
 
-/// A script that completes commands, flags and files for one of the shells.
+/// A script for a shell that completes commands, flags and files.
 /// Errors   std::invalid_argument for another shell
 [[nodiscard]] std::string completion(std::string_view shell, std::span<const Command> commands);
 

@@ -5,16 +5,16 @@
 
 namespace floeplan::manual {
 
-/// A page of the guide as it is written, in Markdown.
+/// A page of the guide in Markdown.
 struct GuideText {
   std::string_view name;  // "planning"
   std::string_view text;
 
-  /// The words of its first heading.
+  /// The text of its first heading.
   [[nodiscard]] std::string_view title() const;
 };
 
-/// All pages of web/guide but the front page, by their names.
+/// All pages of web/guide except the front page, by name.
 [[nodiscard]] std::span<const GuideText> guide_texts();
 
 }  // namespace floeplan::manual

@@ -71,7 +71,7 @@ class HelpFormat : public CLI::Formatter {
     return text;
   }
 
-  /// The flags that most need, and how many others there are.
+  /// The important flags, and the number of the others.
   [[nodiscard]] std::string make_needed_most(const CLI::App& app, const CommandHelp& help) const {
     std::string text = "\nNeeded most:\n";
     for (const std::string_view flag : help.needed_most)

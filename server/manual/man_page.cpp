@@ -7,7 +7,8 @@
 namespace floeplan::manual {
 namespace {
 
-/// Words as they are: man(7) takes backslashes, dashes and a dot or quote at the beginning of a line for its own.
+/// Escapes a text for man(7), which interprets backslashes, dashes, and a dot or quote at the beginning of a
+/// line.
 std::string plain(const std::string& text) {
   std::string safe;
   for (const char c : text) {
@@ -30,7 +31,7 @@ std::string entry(const Argument& argument) {
          plain(argument.help) + '\n';
 }
 
-/// Flags under the headings of the help, in the order in which the headings come first.
+/// Flags under the headings of the help, in the order in which the headings first appear.
 std::string flags_of(const Command& command) {
   std::vector<std::string> groups;
   for (const Argument& flag : command.flags)

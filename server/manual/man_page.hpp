@@ -7,11 +7,11 @@
 
 namespace floeplan::manual {
 
-/// The name of the man page of a command: "floeplan-datasets-prune", of the program itself "floeplan".
+/// The name of a command's man page: "floeplan-datasets-prune"; for the program itself "floeplan".
 [[nodiscard]] std::string man_name(const Command& command);
 
 /// The man page of a command, section 1, in the macros of man(7).
-/// `all`  every command, for what to see also
+/// `all`  all commands, for the section "see also"
 [[nodiscard]] std::string man_page(const Command& command, std::span<const Command> all);
 
 }  // namespace floeplan::manual

@@ -16,7 +16,7 @@
 namespace floeplan::manual {
 namespace {
 
-/// The width that every terminal has.
+/// A width that every terminal has.
 constexpr std::size_t page_width = 80;
 
 void list_topics() {
@@ -26,7 +26,7 @@ void list_topics() {
   std::cout << "\nfloeplan help COMMAND tells all flags of a command; floeplan --help lists the commands.\n";
 }
 
-/// "no topic": names the one that was probably meant.
+/// The message for an unknown topic; names the topic that was probably meant.
 std::string no_topic(const CLI::App& app, const std::string& topic) {
   std::vector<std::string> words;
   for (const GuideText& page : guide_texts()) words.emplace_back(page.name);
@@ -37,7 +37,7 @@ std::string no_topic(const CLI::App& app, const std::string& topic) {
                        : messages::command_text<"misspelt-topic">(topic, meant);
 }
 
-/// Whether there is such a topic.
+/// Prints a topic; false if there is none with this name.
 bool show_topic(const CLI::App& app, const std::string& topic) {
   for (const GuideText& page : guide_texts()) {
     if (page.name != topic) continue;
@@ -53,8 +53,8 @@ bool show_topic(const CLI::App& app, const std::string& topic) {
   return false;
 }
 
-/// Man pages and completions below a folder as a package has them below /usr/share.
-/// Errors   std::runtime_error where a file cannot be written
+/// Writes man pages and completions below a folder, in the layout of /usr/share.
+/// Errors   std::runtime_error when a file cannot be written
 void write_manual(const CLI::App& app, const std::filesystem::path& share) {
   const auto write = [&](const std::filesystem::path& name, const std::string& text) {
     std::filesystem::create_directories((share / name).parent_path());

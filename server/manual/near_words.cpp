@@ -8,7 +8,7 @@
 namespace floeplan::manual {
 namespace {
 
-/// How many letters have to be changed, put in, left out or swapped with the next (optimal string alignment).
+/// Number of letters to change, insert, remove or swap with the next (optimal string alignment).
 std::size_t distance(std::string_view a, std::string_view b) {
   std::vector<std::vector<std::size_t>> table(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
   for (std::size_t i = 0; i <= a.size(); ++i) table[i][0] = i;
@@ -24,7 +24,7 @@ std::size_t distance(std::string_view a, std::string_view b) {
   return table[a.size()][b.size()];
 }
 
-/// What a person may write: nothing that the help hides.
+/// Names of the subcommands, without hidden ones.
 std::vector<std::string> commands_below(const CLI::App& app) {
   std::vector<std::string> names;
   for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
@@ -41,8 +41,9 @@ std::vector<std::string> flag_names(const CLI::App& app) {
   return flags;
 }
 
-/// `who`   has no such word: "plan has no flag"
-/// `list`  the help that lists the words
+/// The message for an unknown word.
+/// `who`   subject of the message: "plan has no flag"
+/// `list`  the help command that lists the words
 std::string unknown(const std::string& who, const std::string& written, const std::vector<std::string>& words,
                     const std::string& list) {
   const std::string meant = nearest(written, words);

@@ -8,12 +8,12 @@
 
 namespace floeplan::manual {
 
-/// The one of the words that was probably meant: a third of its letters may be wrong, left out, too many or in the
-/// wrong order. Of several as near the first; empty where none is near.
+/// The word that was probably meant: at most a third of its letters are wrong, missing, added or swapped. Of
+/// several equally near words the first; empty if none is near.
 [[nodiscard]] std::string nearest(std::string_view written, const std::vector<std::string>& words);
 
-/// "there is no command paln; did you mean plan?", once the parser has refused a command line; nothing where it was
-/// refused for another reason than an unknown command or flag.
+/// The message for an unknown command or flag, after the parser has refused a command line: "there is no
+/// command paln; did you mean plan?"; nullopt if it was refused for another reason.
 [[nodiscard]] std::optional<std::string> unknown_word(const CLI::App& app);
 
 }  // namespace floeplan::manual

@@ -7,7 +7,7 @@
 namespace floeplan::manual {
 namespace {
 
-/// Without the marks of links, emphasis and code, and what Markdown escapes as it is.
+/// The text without marks for links, emphasis and code, and without Markdown's escapes.
 std::string unmarked(const std::string& line) {
   static const std::regex link{R"(\[([^\]]*)\]\([^)]*\))"};
   static const std::regex strong{R"(\*\*([^*]+)\*\*)"};
@@ -34,7 +34,7 @@ std::vector<std::string> cells_of(const std::string& row) {
 
 std::string item_of(const std::string& row) {
   std::string item;
-  bool is_first = true;  // of the cells behind the one that names the row
+  bool is_first = true;  // whether the next cell is the first after the cell that names the row
   for (const std::string& cell : cells_of(row)) {
     if (cell.empty()) continue;
     if (item.empty()) {
@@ -47,7 +47,7 @@ std::string item_of(const std::string& row) {
   return item;
 }
 
-/// Takes a page line by line; lines that belong together are wrapped together.
+/// Processes a page line by line; lines of one paragraph are wrapped together.
 class Writer {
  public:
   explicit Writer(std::size_t width) : width_{width} {}
@@ -64,7 +64,7 @@ class Writer {
     } else if (line.starts_with("<!--") || line.starts_with("![")) {
       end_paragraph();
     } else if (line.starts_with("|---")) {
-      paragraph_.clear();  // what the columns are called
+      paragraph_.clear();  // drops the table's head
     } else if (line.starts_with('#')) {
       take_heading(line);
     } else if (line.starts_with('|')) {

@@ -23,7 +23,7 @@ std::vector<std::string> split(const std::string& text) {
   return {std::sregex_token_iterator{text.begin(), text.end(), comma, -1}, std::sregex_token_iterator{}};
 }
 
-/// The number as a person writes it; the parser writes "0.050000".
+/// The number without trailing zeros; the parser writes "0.050000".
 std::string plain_number(const std::string& text) {
   static const std::regex zeros{R"(\.?0+$)"};
   return text.find('.') == std::string::npos ? text : std::regex_replace(text, zeros, "");
@@ -35,7 +35,7 @@ std::string kind_of_number(const CLI::App& command, const std::string& flag) {
                                                                                        : "a number";
 }
 
-/// The parser's own sentence (CLI11 2.1) in ours; one that is not known here stays.
+/// The parser's message (CLI11 2.1) in this program's words; an unknown message is not changed.
 std::string said_plainly(const CLI::App& command, const std::string& said) {
   const std::string path = path_of(command);
   const std::string who = path.empty() ? "floeplan" : path;

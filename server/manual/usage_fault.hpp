@@ -5,8 +5,8 @@
 
 namespace floeplan::manual {
 
-/// Why the parser has refused a command line, in one sentence that names the flag or the argument, and a way out:
-/// "--runs must be from 1 to 10000, not 0; see floeplan simulate --help".
+/// Why the parser refused a command line: one sentence that names the flag or argument and where to find
+/// help, "--runs must be from 1 to 10000, not 0; see floeplan simulate --help".
 [[nodiscard]] std::string usage_fault(const CLI::App& app, const CLI::ParseError& error);
 
 }  // namespace floeplan::manual

@@ -15,8 +15,9 @@ class GDALDimension;
 class GDALGroup;
 class GDALMDArray;
 
-/// Parts of the CF-1.8 NetCDF-4 files that the demonstration writes. No date of creation and no history: the same
-/// content gives the same bytes. Everything throws std::runtime_error when the file cannot be written.
+/// Parts of the CF-1.8 NetCDF-4 files that the demonstration writes. The files have no date of creation and
+/// no history, so the same content gives the same bytes. Every function throws std::runtime_error when the
+/// file cannot be written.
 namespace floeplan::demo {
 
 using CfDimensions = std::vector<std::shared_ptr<GDALDimension>>;
@@ -40,14 +41,14 @@ void add_cf_text(Owner& owner, const std::string& name, const std::string& text)
 
 inline constexpr std::int16_t packed_missing = -32767;
 
-/// A variable of int16 in steps, `packed_missing` where it has no value.
+/// A variable stored as int16 in units of `step`; `packed_missing` marks a node without a value.
 struct PackedVariable {
   std::string name;
   double step{};
 };
 
-/// The last two axes are latitude and longitude; one horizontal slice is one chunk, because readers take the file
-/// slice by slice.
+/// Adds a variable whose last two axes are latitude and longitude. One horizontal slice is one chunk, because
+/// readers take the file slice by slice.
 [[nodiscard]] std::shared_ptr<GDALMDArray> add_packed(GDALGroup& group, const CfDimensions& axes,
                                                       const PackedVariable& variable);
 

@@ -28,8 +28,8 @@ struct CurrentFile {
   std::function<CurrentLayer(core::UtcTime time, double depth_m)> layer;
 };
 
-/// Writes `uo` and `vo` [time][depth][latitude][longitude] as CF-1.8 NetCDF-4, int16 in steps of 0.5 mm/s. No
-/// date of creation and no history: the same content gives the same bytes.
+/// Writes `uo` and `vo` [time][depth][latitude][longitude] as CF-1.8 NetCDF-4, int16 in steps of 0.5 mm/s.
+/// The file has no date of creation and no history, so the same content gives the same bytes.
 /// Errors   std::runtime_error when the file cannot be written
 void write_currents(const std::filesystem::path& file, const CurrentFile& content);
 

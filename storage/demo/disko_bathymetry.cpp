@@ -13,10 +13,10 @@ namespace {
 
 constexpr RasterFrame relief_frame{
     disko::area.west_deg, disko::area.south_deg, 1.0 / 144.0, 1.0 / 400.0, 576, 480};
-constexpr std::size_t share_radius = 14;  // 4 km
+constexpr std::size_t share_radius = 14;  // cells of the relief; 4 km
 constexpr double fjord_west_deg = -51.22;
 
-/// 1 well below zero, 0 well above, half-way at zero.
+/// 1 where `value` is well below zero, 0 where it is well above, 0.5 at zero.
 double fading(double value, double width) { return 0.5 * (1.0 - std::tanh(value / width)); }
 
 class SeaBed {
@@ -39,7 +39,7 @@ class SeaBed {
   }
 
  private:
-  /// The place the axes are measured from, shifted so that no trough runs straight.
+  /// The place moved by up to 3.5 km of smooth noise, so that no trough runs straight.
   [[nodiscard]] geo::LonLat bent(geo::LonLat place, double x_m, double y_m) const {
     const double east_m = 3500.0 * bends_.at(x_m / 16000.0, y_m / 16000.0);
     const double north_m = 3500.0 * bends_.at(x_m / 16000.0 + 100.0, y_m / 16000.0);
@@ -64,7 +64,8 @@ class SeaBed {
     return shelf + std::max(trough, northern) + deep;
   }
 
-  /// The moraine rises to 225 m in the middle and keeps a shallower bed as it is.
+  /// The moraine rises to a depth of 225 m in its middle; where the bed is shallower already, it stays as it
+  /// is.
   static double with_sill(double depth_m, geo::LonLat place) {
     const double x_m = (place.lon_deg - disko::sill.lon_deg) * disko::earth.metres_per_degree_lon();
     const double y_m = (place.lat_deg - disko::sill.lat_deg) * metres_per_degree_lat;
@@ -98,7 +99,7 @@ Relief make_disko_relief(const std::vector<geo::Polygon>& land, std::uint64_t se
 
   for (std::size_t i = 0; i < relief_frame.size(); ++i) {
     const geo::LonLat place = relief_frame.centre(i);
-    // The coast runs half a cell before the first cell behind it.
+    // Distances are between cell centres; the coast lies half a cell nearer.
     const double metres =
         relief.land[i] != 0
             ? land_height_m(place, (static_cast<double>(to_sea[i]) - 0.5) * disko_cell_m, hills)

@@ -10,7 +10,7 @@ namespace floeplan::demo {
 
 inline constexpr double disko_cell_m = 278.0;
 
-/// Height of the ground, metres, positive up, and where it is land.
+/// Height of the ground and of the sea bed in every cell, metres, positive up; and which cells are land.
 struct Relief {
   RasterFrame frame;
   std::vector<float> elevation_m;  // at sea at most -2, on land at least 2
@@ -22,11 +22,11 @@ struct Relief {
 /// 700 to 800 m inside.
 [[nodiscard]] Relief make_disko_relief(const std::vector<geo::Polygon>& land, std::uint64_t seed);
 
-/// Depth of the sea, positive down, in a cell around a place: the mean over the wet cells of the relief whose
-/// centres lie within half a step of it; zero without any.
+/// Depth of the sea, metres, positive down, in each cell of `frame`: the mean over those sea cells of the
+/// relief whose centres lie in the cell; zero where there are none.
 [[nodiscard]] std::vector<double> mean_depth_m(const Relief& relief, const RasterFrame& frame);
 
-/// Depth at a place, positive down, of the relief's nearest cell; negative on land.
+/// Depth at a place, metres, positive down, taken from the relief's nearest cell; negative on land.
 [[nodiscard]] double depth_m(const Relief& relief, geo::LonLat place);
 
 }  // namespace floeplan::demo

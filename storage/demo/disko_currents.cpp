@@ -13,7 +13,8 @@ namespace floeplan::demo {
 namespace {
 
 constexpr double turn_rad = 2.0 * std::numbers::pi;
-constexpr double bay_lag_s = 3000.0;  // the bay turns before the fjord: the tidal ellipses open
+// the tide in the bay turns this much before the fjord's, which widens the tidal ellipses
+constexpr double bay_lag_s = 3000.0;
 constexpr double eddy_life_s = 6.0 * 86400.0;
 constexpr int eddies = 8;
 constexpr double fastest_m_s = 0.75;
@@ -26,8 +27,8 @@ double uniform(std::mt19937_64& rng, double low, double high) {
   return low + (high - low) * static_cast<double>(rng() >> 11) * 0x1.0p-53;
 }
 
-/// A current that is held together along the outflow's way and widens with the distance from the fjord's
-/// head.
+/// The outflow of the icefjord as a jet along the line `disko::outflow`; the jet widens with the distance
+/// from the fjord's head.
 Flow outflow_jet(const RasterFrame& frame, const std::vector<bool>& land) {
   std::vector<double> resistance(frame.size());
   for (std::size_t i = 0; i < frame.size(); ++i) {
@@ -79,7 +80,7 @@ double tide(core::UtcTime time, double lag_s) {
   return springs_and_neaps(core::Seconds{core::unix_seconds(time) - lag_s});
 }
 
-/// Strength of each part at a depth, the surface being 1.
+/// Strength of each part at a depth, as a share of its strength at the surface.
 double tide_at(double depth_m, double bed_m) { return 1.0 - 0.3 * (depth_m / bed_m) * (depth_m / bed_m); }
 double outflow_at(double depth_m) { return bell(depth_m, 60.0) - 0.12 * bell(depth_m - 170.0, 70.0); }
 double circulation_at(double depth_m) { return std::exp(-depth_m / 350.0); }

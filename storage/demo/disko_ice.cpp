@@ -8,14 +8,14 @@
 namespace floeplan::demo {
 namespace {
 
-constexpr double half_length_m = 21'000.0;  // of the field, east to west
+constexpr double half_length_m = 21'000.0;  // half the length of the ice field from east to west
 constexpr double half_width_m = 13'000.0;
 constexpr double opening_m = 3'000.0;  // radius of the patch of open water
-constexpr double edge_m = 2'500.0;     // over which the ice thins out
+constexpr double edge_m = 2'500.0;     // width of the zone in which the ice thins out
 constexpr double floe_scale_m = 6'000.0;
 constexpr double drift_m_s = 2'000.0 / 86'400.0;  // westwards
 
-/// Share of ice near its edge: from 0 outside to 1 inside, over the width of the edge.
+/// Share of ice near the edge of the field: from 0 outside to 1 inside, changing over `edge_m`.
 double inside(double distance_to_edge_m) {
   const double share = std::clamp(0.5 + distance_to_edge_m / edge_m, 0.0, 1.0);
   return share * share * (3.0 - 2.0 * share);

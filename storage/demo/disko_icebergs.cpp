@@ -13,15 +13,16 @@ namespace floeplan::demo {
 namespace {
 
 constexpr double corridor_clearance_m = 7000.0;
-constexpr double alone_m = 13'000.0;  // the corridor's berg closes no gap together with another
-constexpr geo::LonLat corridor_berg{-52.42, 69.227};  // three kilometres beside the straight way
+// least distance of other bergs from the one in the corridor, so that no two close a gap
+constexpr double alone_m = 13'000.0;
+constexpr geo::LonLat corridor_berg{-52.42, 69.227};  // three kilometres beside the corridor's line
 
 /// A region and how many bergs lie there.
 struct Field {
   geo::BoundingBox box;
   int bergs{};
-  double spread_m{};  // typical distance from the outflow's axis
-  double median_m{};  // of the lengths
+  double spread_m{};  // typical distance of the bergs from the outflow's line
+  double median_m{};  // median length of the bergs
 };
 
 constexpr std::array fields{Field{{-51.06, 69.12, -50.52, 69.22}, 15, 2500.0, 170.0},  // icefjord

@@ -6,12 +6,13 @@
 #include "engine/geo/lon_lat.hpp"
 #include "storage/demo/flat_earth.hpp"
 
-/// Disko Bay and Ilulissat Icefjord: where the demonstration data put what they invent.
+/// Places in Disko Bay and Ilulissat Icefjord around which the demonstration data are invented.
 namespace floeplan::demo::disko {
 
 constexpr geo::BoundingBox area{-54.5, 68.4, -50.5, 69.6};
 
-/// Where the coastline is given: farther than the invented data, so that the land does not seem to end with them.
+/// The area of the coastline file. It is larger than the invented data, so that the land does not seem to end
+/// with them.
 constexpr geo::BoundingBox coast_area{-56.5, 67.9, -49.0, 70.1};
 constexpr FlatEarth earth{69.0};
 
@@ -28,11 +29,12 @@ constexpr std::array<geo::LonLat, 7> trough{{{-51.18, 69.165},
                                              {-54.60, 68.70}}};
 constexpr geo::LonLat egedesminde_deep{-53.85, 68.82};
 
-/// The trough from the one above northwards into Vaigat.
+/// A second trough: it leaves `trough` northwards into Vaigat.
 constexpr std::array<geo::LonLat, 4> vaigat_trough{
     {{-51.75, 69.13}, {-51.75, 69.30}, {-51.70, 69.45}, {-51.66, 69.70}}};
 
-/// The melt water leaves the fjord westwards, turns to the right and follows the coast into Vaigat.
+/// Line of the outflow: the melt water leaves the fjord westwards, turns right and follows the coast into
+/// Vaigat.
 constexpr std::array<geo::LonLat, 11> outflow{{{-50.40, 69.180},
                                                {-50.75, 69.170},
                                                {-50.90, 69.155},

@@ -10,8 +10,8 @@ namespace floeplan::demo {
 
 constexpr double metres_per_degree_lat = 111'500.0;
 
-/// Metres east and north in the neighbourhood of a parallel; good to 1 % over a degree, enough for invented
-/// data.
+/// Converts between degrees and metres near one parallel. The error is at most 1 % over a degree of latitude,
+/// small enough for invented data.
 struct FlatEarth {
   double reference_lat_deg{};
 
@@ -24,10 +24,10 @@ struct FlatEarth {
   }
 };
 
-/// Where a place lies beside a line of several legs.
+/// Position of a place relative to a line of several legs.
 struct BesideLine {
   double across_m{};  // distance to the line, never negative
-  double along_m{};   // from the line's start to the nearest point of it
+  double along_m{};   // along the line, from its start to the point nearest to the place
 };
 
 [[nodiscard]] BesideLine beside(std::span<const geo::LonLat> line, geo::LonLat place, const FlatEarth& earth);

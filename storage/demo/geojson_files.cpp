@@ -18,7 +18,7 @@ using Json = nlohmann::ordered_json;
 
 double five_decimals(double degrees) { return std::round(degrees * 1e5) / 1e5; }
 
-/// One feature on a line, so that people and line tools can read the file.
+/// Writes each feature on a line of its own, so that people and line tools can read the file.
 void write_collection(const std::filesystem::path& file, const Json& members,
                       const std::vector<Json>& features) {
   std::ofstream out{file, std::ios::binary | std::ios::trunc};
@@ -39,7 +39,8 @@ std::unique_ptr<OGRLinearRing> ring_of(const geo::Ring& places) {
   return ring;
 }
 
-/// A polygon that touches itself, as some rings do after rounding, falls into several.
+/// Rounding can make a ring touch itself. Such a polygon is added as the several valid polygons that it
+/// consists of.
 void add_valid(OGRMultiPolygon& pieces, const geo::Polygon& piece) {
   OGRPolygon polygon;
   polygon.addRingDirectly(ring_of(piece.outer).release());

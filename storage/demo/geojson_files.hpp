@@ -14,7 +14,7 @@ namespace floeplan::demo {
 /// Errors   std::runtime_error when the file cannot be written
 void write_icebergs(const std::filesystem::path& file, const std::vector<ocean::Iceberg>& icebergs);
 
-/// Where a coastline comes from, as its file says; the source may be empty.
+/// What a coastline file says about its origin; the source may be empty.
 struct CoastlineOrigin {
   std::string name;
   std::string description;
@@ -22,7 +22,8 @@ struct CoastlineOrigin {
   std::string license;
 };
 
-/// Land within an area as GeoJSON polygons, joined where pieces meet and cut at the area's edges; five decimals.
+/// Writes the land within an area as GeoJSON polygons, joined where pieces meet and cut at the area's edges.
+/// Coordinates have five decimals.
 /// Errors   std::runtime_error when the file cannot be written
 void write_coastline(const std::filesystem::path& file, const std::vector<geo::Polygon>& land,
                      const geo::BoundingBox& area, const CoastlineOrigin& origin);

@@ -45,7 +45,7 @@ void add_ring(OGRPolygon& polygon, const geo::Ring& ring) {
   polygon.addRing(&line);
 }
 
-/// Mean over a window of `radius` cells to both sides along one direction.
+/// Mean over `radius` cells to both sides of each cell, along one direction of the grid.
 std::vector<float> box_mean(const RasterFrame& frame, const std::vector<float>& values, std::size_t radius,
                             bool along_rows) {
   const std::size_t lines = along_rows ? frame.rows : frame.columns;

@@ -12,7 +12,8 @@ namespace floeplan::demo {
 [[nodiscard]] std::vector<std::uint8_t> land_mask(const RasterFrame& frame,
                                                   const std::vector<geo::Polygon>& land);
 
-/// Distance from each cell to the nearest one with the given value, in cells; zero there.
+/// Distance from each cell to the nearest cell with the given value, in cells; zero in cells that have the
+/// value.
 [[nodiscard]] std::vector<float> cells_to(const RasterFrame& frame, const std::vector<std::uint8_t>& mask,
                                           std::uint8_t value);
 

@@ -15,16 +15,17 @@ namespace {
 
 constexpr geo::LonLat middle_of_pack{-64.0, 73.0};
 constexpr FlatEarth pack_earth{73.0};
-constexpr RasterFrame pack_frame{-66.01, 72.7255, 0.03, 0.009, 134, 61};  // about 1 km; 131 km by 61 km
+// cells of about 1 km; 131 km by 61 km
+constexpr RasterFrame pack_frame{-66.01, 72.7255, 0.03, 0.009, 134, 61};
 constexpr double half_belt_m = 40'000.0;
-constexpr double pack_edge_m = 3'000.0;  // over which the ice thins out
+constexpr double pack_edge_m = 3'000.0;  // width of the zone in which the ice thins out
 constexpr double drift_south_m_s = 2'500.0 / 86'400.0;
 constexpr double half_lead_east_m = 5'000.0;
 constexpr double half_lead_north_m = 9'000.0;
 constexpr int pack_hours = 144;
 constexpr std::array pack_depths_m{0.0, 50.0, 200.0, 400.0};
 
-/// Metres east and north of the middle.
+/// Metres east and north of the middle of the frame.
 struct FromMiddle {
   double x_m{};
   double y_m{};
@@ -32,7 +33,7 @@ struct FromMiddle {
 
 constexpr std::array<FromMiddle, 3> leads{{{-21'000.0, 15'000.0}, {0.0, -10'000.0}, {21'000.0, 19'000.0}}};
 
-/// A whirl of the water; positive turns anticlockwise.
+/// An eddy; positive speed turns anticlockwise.
 struct PackEddy {
   FromMiddle centre;
   double radius_m{};
@@ -49,13 +50,13 @@ FromMiddle from_middle(geo::LonLat place) {
           (place.lat_deg - middle_of_pack.lat_deg) * metres_per_degree_lat};
 }
 
-/// 0 well outside, 1 well inside.
+/// Share of ice: 0 well outside of the edge, 1 well inside.
 double share_inside(double depth_inside_m) {
   const double share = std::clamp(0.5 + depth_inside_m / pack_edge_m, 0.0, 1.0);
   return share * share * (3.0 - 2.0 * share);
 }
 
-/// The ice after so long, at every cell of the frame.
+/// The ice in every cell of the frame, `since_start` after the start.
 IceLayer pack_ice(const SmoothNoise& noise, core::Seconds since_start) {
   IceLayer layer;
   for (std::size_t i = 0; i < pack_frame.size(); ++i) {
@@ -77,7 +78,7 @@ IceLayer pack_ice(const SmoothNoise& noise, core::Seconds since_start) {
   return layer;
 }
 
-/// A steady drift to the south-east and eddies that swell and fade, weaker with the depth.
+/// A steady drift to the south-east, with eddies that strengthen and weaken; all decrease with depth.
 CurrentLayer pack_currents(core::Seconds since_start, double depth_m) {
   CurrentLayer layer{{std::vector<double>(pack_frame.size()), std::vector<double>(pack_frame.size())},
                      std::vector<bool>(pack_frame.size())};
@@ -92,7 +93,7 @@ CurrentLayer pack_currents(core::Seconds since_start, double depth_m) {
       const double x = (here.x_m - eddy.centre.x_m) / eddy.radius_m;
       const double y = (here.y_m - eddy.centre.y_m) / eddy.radius_m;
       const double swell = 1.0 + 0.2 * std::sin(2.0 * std::numbers::pi * days / 4.0 + static_cast<double>(k));
-      // Fastest at one radius from its centre.
+      // The eddy's speed is highest at one radius from its centre.
       const double turning = eddy.fastest_m_s * swell * std::exp(0.5 * (1.0 - x * x - y * y));
       east -= turning * y;
       north += turning * x;

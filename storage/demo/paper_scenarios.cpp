@@ -15,7 +15,8 @@ constexpr FlatEarth earth{66.0};
 constexpr float bed_m = -500.0F;
 const std::string warning = "Synthetic, not for navigation. ";
 
-/// How a field of the paper lies at sea: its origin, and metres, seconds and m/s for one of its units.
+/// Where a field of the paper is put at sea: its origin, and how many metres, seconds and m/s one of its
+/// units is.
 struct Placement {
   geo::LonLat origin;
   double length_m{};
@@ -68,7 +69,7 @@ PaperVelocity river(double x, double /*y*/, double /*t*/) {
   return {0.0, 4.0 / (width * width) * x * (width - x) * fastest};
 }
 
-/// Equations (2) to (4), the derivatives written out.
+/// Velocity of equations (2) to (4), with the derivatives of the stream function written out.
 PaperVelocity jet(double x, double y, double t) {
   constexpr double k = 0.84;
   constexpr double c = 0.12;

@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-/// What README.txt says beside the data.
+/// Texts of the file README.txt that is written beside the data.
 namespace floeplan::demo {
 
 inline constexpr std::string_view disko_readme =

@@ -42,7 +42,7 @@ double SmoothNoise::at(double x, double y) const {
   double amplitude = 1.0;
   for (int octave = 0; octave < octaves_; ++octave) {
     const double frequency = std::ldexp(1.0, octave);
-    // Each octave is turned, so that the lattices do not line up.
+    // Each octave is rotated, so that the lattices do not line up.
     const double turned_x = (0.8 * x - 0.6 * y) * frequency;
     const double turned_y = (0.6 * x + 0.8 * y) * frequency;
     sum += amplitude * one_octave(seed_ + static_cast<std::uint64_t>(octave) * 7919U, turned_x, turned_y);

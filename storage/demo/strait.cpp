@@ -22,18 +22,20 @@ constexpr FlatEarth strait_earth{64.2};
 constexpr geo::BoundingBox strait_area{-59.1, 64.03, -57.9, 64.37};  // 58 km by 38 km
 constexpr RasterFrame strait_relief_frame{
     strait_area.west_deg, strait_area.south_deg, 0.005, 0.0025, 240, 136};
-constexpr double relief_cell_m = 260.0;  // between the cell's width and its height
+// size of a square cell in metres, between a cell's true width and height
+constexpr double relief_cell_m = 260.0;
 constexpr RasterFrame strait_current_frame{
     strait_area.west_deg - 0.005, strait_area.south_deg - 0.0025, 0.01, 0.005, 121, 69};
 
 constexpr double half_narrows_m = 2'500.0;
 constexpr double half_length_of_narrows_m = 3'000.0;
-constexpr double half_basin_m = 13'000.0;  // where the shores stand widest apart
-constexpr double opening_out_m = 9'000.0;  // over which they part
-constexpr double bends_m = 250.0;          // of the shores, to either side
+constexpr double half_basin_m = 13'000.0;  // half the width where the shores are widest apart
+constexpr double opening_out_m = 9'000.0;  // length over which the strait widens
+constexpr double bends_m = 250.0;          // largest shift of a shore by its bends, to either side
 constexpr double deepest_m = 130.0;
-constexpr double strongest_tide_m_s = 0.52;      // one and a half times a glider's 0.35 m/s
-constexpr double highest_tide_s = 2.0 * 3600.0;  // after the start: strongest towards the east
+constexpr double strongest_tide_m_s = 0.52;  // one and a half times a glider's 0.35 m/s
+// after the start: when the tide towards the east is strongest
+constexpr double highest_tide_s = 2.0 * 3600.0;
 constexpr std::array strait_depths_m{0.0, 30.0, 60.0, 90.0, 120.0, 150.0};
 constexpr int strait_hours = 144;
 
@@ -42,7 +44,7 @@ geo::LonLat place_of(double x_m, double y_m) {
           middle_of_narrows.lat_deg + y_m / metres_per_degree_lat};
 }
 
-/// Distance of the shores from the axis of the strait, without their bends.
+/// Distance of each shore from the axis of the strait, before the bends are added.
 double half_strait_m(double x_m) {
   const double beyond = std::max(0.0, std::abs(x_m) - half_length_of_narrows_m) / opening_out_m;
   return half_basin_m - (half_basin_m - half_narrows_m) * std::exp(-beyond * beyond);
@@ -84,7 +86,7 @@ Relief strait_relief(const std::vector<geo::Polygon>& land, std::uint64_t seed) 
   return relief;
 }
 
-/// The amplitude of the tide over the frame of the currents, and where there is none.
+/// The amplitude of the tide over the frame of the currents, and which cells are land.
 struct StraitTide {
   std::vector<bool> land;
   std::vector<double> bed_m;
@@ -95,7 +97,7 @@ struct StraitTide {
     CurrentLayer layer{amplitude, {}};
     for (std::size_t i = 0; i < land.size(); ++i) {
       const bool masked = land[i] || depth_m > bed_m[i];
-      // The bed brakes the water above it: a tenth is lost where the deepest samples lie.
+      // Friction at the bed slows the water: the current is a tenth weaker at the deepest samples.
       const double share = masked ? 0.0 : strength * (1.0 - 0.1 * depth_m / strait_depths_m.back());
       layer.flow.east[i] *= share;
       layer.flow.north[i] *= share;

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double land_resistance = 1e6;
 
-/// The frame's edge nodes, counter-clockwise from the south-west corner, each once.
+/// The nodes on the frame's edge, anticlockwise from the south-west corner, each once.
 std::vector<std::size_t> edge_nodes(const RasterFrame& frame) {
   std::vector<std::size_t> nodes;
   for (std::size_t c = 0; c + 1 < frame.columns; ++c) nodes.push_back(frame.index(c, 0));
@@ -23,7 +23,8 @@ std::vector<std::size_t> edge_nodes(const RasterFrame& frame) {
   return nodes;
 }
 
-/// What one gate adds to each edge node: a smooth profile across its wet nodes that sums to its inflow.
+/// Adds a gate's inflow to the edge nodes: a smooth profile over the gate's sea nodes, whose sum is the
+/// inflow.
 void add_gate(const RasterFrame& frame, const std::vector<bool>& land, const std::vector<std::size_t>& edge,
               const Gate& gate, std::vector<double>& inflow) {
   std::vector<std::size_t> wet;
@@ -41,7 +42,7 @@ void add_gate(const RasterFrame& frame, const std::vector<bool>& land, const std
   for (std::size_t k = 0; k < wet.size(); ++k) inflow[wet[k]] += gate.inflow * weights[k] / total;
 }
 
-/// Psi along the edge: going counter-clockwise it grows by what comes in.
+/// Psi at each edge node: along the edge, anticlockwise, psi grows by the inflow.
 std::vector<double> edge_psi(const RasterFrame& frame, const std::vector<bool>& land,
                              const std::vector<std::size_t>& edge, const std::vector<Gate>& gates) {
   double balance = 0.0;
@@ -108,7 +109,7 @@ class Equations {
     return psi;
   }
 
-  /// Centred differences; one-sided along the frame's edge.
+  /// Velocity from centred differences of psi; differences along the frame's edge are one-sided.
   [[nodiscard]] Flow flow(const std::vector<double>& psi) const {
     Flow flow{std::vector<double>(psi.size()), std::vector<double>(psi.size())};
     for (std::size_t i = 0; i < psi.size(); ++i) {

@@ -13,16 +13,15 @@ struct Flow {
   std::vector<double> north;
 };
 
-/// A stretch of the frame's edge through which water enters, and its share of what comes in; negative where
-/// it leaves.
+/// A stretch of the frame's edge through which water enters, and its share of the total inflow; the share is
+/// negative where water leaves.
 struct Gate {
-  geo::BoundingBox stretch;  // the nodes of the edge inside it take part, but those on land
+  geo::BoundingBox stretch;  // the gate is the nodes of the edge inside this box that are not land
   double inflow{};
 };
 
-/// Horizontal flow without sources, of arbitrary scale: it comes in and leaves only through the gates, does
-/// not cross coasts, keeps to where the resistance is small, and turns anticlockwise where `spin` is
-/// positive.
+/// Horizontal flow without sources, of arbitrary scale. It enters and leaves only through the gates and does
+/// not cross coasts. It prefers places of small resistance, and turns anticlockwise where `spin` is positive.
 /// Shape    every array over `frame`; resistance must be positive and is ignored on land
 /// Method   solves
 ///          div(resistance grad psi) = spin with land as an almost perfect conductor of psi, so that psi is

@@ -11,7 +11,8 @@ constexpr double full_turn_rad = 2.0 * std::numbers::pi;
 constexpr double m2_period_s = 12.4206012 * 3600.0;
 constexpr double s2_period_s = 12.0 * 3600.0;
 constexpr double s2_share = 0.25;
-constexpr double shallowest_m = 40.0;  // keeps the tide out of shoals, where it would race
+// depths below this count as this, because the tide would be too fast over shoals
+constexpr double shallowest_m = 40.0;
 
 }  // namespace
 

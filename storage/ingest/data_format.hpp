@@ -22,39 +22,42 @@ namespace floeplan::ingest {
 
 struct DataFormat;
 
-/// What a format is told by.
+/// What the program looks at to recognise a format.
 struct FileStart {
-  std::string_view bytes{};        // the first ones; of a text in UTF-8 without a mark of the byte order
-  bool icebergs_stated{false};     // by the user: tables need no column of their own for them
-  std::filesystem::path folder{};  // of data that are a folder
+  std::string_view bytes{};  // the first bytes of the file; of a UTF-8 text without its byte order mark
+  // the user said that the file holds icebergs; a table then needs no column that says so
+  bool icebergs_stated{false};
+  std::filesystem::path folder{};  // set if the data are a folder, not a file
 
   [[nodiscard]] std::string_view first_line() const { return bytes.substr(0, bytes.find('\n')); }
 };
 
-/// What the user said that a file is.
+/// What the user said about the content of a file.
 struct Expectation {
   std::optional<repository::DatasetKind> kind{};
-  bool zone_kind_stated{false};  // polygons without a word of their own are zones then
+  // the user said which kind of zones they are; polygons then need no property that says so
+  bool zone_kind_stated{false};
   std::optional<std::string>
       variable{};  // the component of currents or the concentration of sea ice that is wanted
-  std::optional<double> missing{};  // what marks missing values beside what the file declares
+  // the value that marks missing values, in addition to those that the file declares
+  std::optional<double> missing{};
 };
 
-/// A file that was opened and looked into.
+/// A file that was opened and whose kinds of data are known.
 struct RecognisedFile {
   std::filesystem::path path;
   const DataFormat* format{};                  // never null
   std::vector<repository::DatasetKind> kinds;  // at least one
   std::shared_ptr<const NetcdfFile> netcdf;    // for the NetCDF formats
-  NetcdfFiles companions;                      // files that were given to be read together with it
+  NetcdfFiles companions;                      // files that are read together with this one
   std::shared_ptr<GDALDataset> features;       // for GeoJSON, KML, GeoPackage and shapefiles
-  Messages warnings{};                         // which part of the file this is
+  Messages warnings{};                         // says which part of the file is read
 };
 
-/// What a reader is given.
+/// The input of a reader.
 struct Reading {
   const RecognisedFile& file;
-  const FileGroup& files;  // the file first
+  const FileGroup& files;  // all files of the dataset; `file` comes first
   repository::DatasetKind kind;
   const IngestOptions& options;
   const core::ProgressCallback& progress;
@@ -63,7 +66,7 @@ struct Reading {
 /// The kind of encoding: it decides by which bytes the format is recognised.
 enum class Writing : std::uint8_t { folder, binary, json, xml, text };
 
-/// Which other files may make one dataset with a file; see file_groups.
+/// How further files can belong to the dataset of a file; see file_groups.
 enum class Together : std::uint8_t {
   none,
   model_output,
@@ -81,18 +84,19 @@ struct DataFormat {
   std::string_view tested_with;                // files of which producers, for people
   std::vector<repository::DatasetKind> kinds;  // that a file of it may hold
   Writing writing{};
-  bool (*is_it)(const FileStart&){};  // asked row by row, of files that are written so
+  bool (*is_it)(const FileStart&){};  // called row by row for files of this kind of encoding
   Checked<PreparedDataset> (*read)(const Reading&){};
 
-  // Only where a format needs them.
+  // The members below are set only where a format needs them.
   /// What has to hold before GDAL or a reader may open a file.
   Checked<bool> (*check)(const std::filesystem::path&){};
-  /// Opens a file that may hold several kinds and finds out which it holds. Null: the file holds the one kind in `kinds`.
+  /// Opens a file that may hold several kinds of data and finds out which. Null: the file holds the one kind
+  /// in `kinds`.
   Checked<bool> (*look_into)(RecognisedFile&, const Expectation&){};
-  /// SHA-256 of everything that a dataset is made of. Null: of the files of its group.
+  /// SHA-256 over everything that a dataset is read from. Null: over the files of its group.
   Checked<std::string> (*digest)(const FileGroup&){};
   Together together{Together::none};
-  /// Text lines. If the last line has no line end, its last number may be cut off.
+  /// The file consists of text lines. If the last line has no line end, its last number may be cut off.
   bool has_lines{false};
   /// A raster of numbers without a stated meaning; it is read as depths only.
   bool is_plain_raster{false};

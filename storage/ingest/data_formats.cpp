@@ -50,7 +50,8 @@ bool is_tiff(std::string_view bytes) {
          bytes.starts_with("MM\0+"sv);
 }
 
-/// The leader of ISO 8211 with interchange level 3, as S-57 has it; S-101 has it, too, and names itself.
+/// True for the leader of ISO 8211 at interchange level 3, which S-57 uses. S-101 uses it as well, but names
+/// itself.
 bool is_s57(std::string_view bytes) {
   return bytes.size() > 24 && bytes.substr(5, 3) == "3LE" &&
          bytes.find("INT.IHO.S-101") == std::string_view::npos;

@@ -6,9 +6,9 @@
 
 namespace floeplan::ingest {
 
-/// All formats that this program reads: the one table that recognition, dispatch to the readers, the warning of a line
-/// without an end, `floeplan formats` and the guide use. Of the formats that are written alike the first row that says it
-/// is it counts.
+/// All formats that this program reads: the one table for recognition, for the choice of the reader, for the
+/// warning about a last line without an end, for `floeplan formats` and for the guide. Rows with the same
+/// kind of encoding are asked in this order; the first that recognises the file is its format.
 [[nodiscard]] const std::vector<DataFormat>& data_formats();
 
 }  // namespace floeplan::ingest

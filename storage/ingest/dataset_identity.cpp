@@ -11,14 +11,14 @@ using repository::DatasetKind;
 
 /// The shortest text that gives the same number again.
 std::string exact(double value) {
-  constexpr std::size_t longest = 32;  // -2.2250738585072014e-308 and its like
+  constexpr std::size_t longest = 32;  // enough for -2.2250738585072014e-308
   std::string text(longest, '\0');
   text.resize(
       static_cast<std::size_t>(std::to_chars(text.data(), text.data() + longest, value).ptr - text.data()));
   return text;
 }
 
-/// The options that the readers of a kind use, a line each.
+/// The options that the readers of a kind use, one on each line.
 std::string options_in_use(DatasetKind kind, const IngestOptions& options) {
   std::string lines;
   const auto say = [&](const char* name, const std::string& value) {

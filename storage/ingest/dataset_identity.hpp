@@ -8,14 +8,14 @@
 
 namespace floeplan::ingest {
 
-/// What tells the datasets of files apart: the digest of the content, and of what the user said that changes how data
-/// of the kind are read, such as a unit. A name, or an option that the kind does not use, changes nothing.
-/// Returns  the digest of the content itself where nothing of that was said
+/// The identity of a dataset from a file: a digest of the content and of the options that change how data of
+/// the kind are read, such as a unit. A name, or an option that the kind does not use, is not included.
+/// Returns  the digest of the content itself if none of these options is given
 [[nodiscard]] std::string identity_of(const std::string& sha256, repository::DatasetKind kind,
                                       const IngestOptions& options);
 
-/// Each way of keeping takes other digits of the identity, so that a file that is stored in two ways has two ids: an older
-/// program may have stored it in its own way, and plans name the id of what they were made from.
+/// The id takes other digits of the identity for each `Keeping`, so the same file has another id when it is
+/// stored in another way. Older programs stored files in other ways, and plans refer to the ids of their data.
 [[nodiscard]] repository::DatasetId id_of(repository::DatasetKind kind, const std::string& identity,
                                           Keeping keeping);
 

@@ -23,23 +23,25 @@
 namespace floeplan::ingest {
 namespace {
 
-/// What decides with which others a file belongs together.
+/// A file, with the facts that decide which other files it belongs to.
 struct Member {
   std::filesystem::path path;
-  std::shared_ptr<const NetcdfFile> netcdf;  // null: stands alone
+  std::shared_ptr<const NetcdfFile> netcdf;  // null: the file makes a group of its own
   VelocityParts parts{VelocityParts::none};
-  std::vector<double> times;           // of the velocity
-  std::vector<NetcdfDimension> plane;  // of the velocity
-  bool tables_alone{false};            // no velocity, but positions
-  bool chart{false};                   // a cell of S-57, or an update of one
-  std::string track;                   // of a glider, and of the files of the same track; empty: of none
-  int segment{};                       // of the log of a glider, or the number of its dive
-  bool sensor_cache{false};            // the list of sensors of binary logs
-  bool transports{false};              // of a tide, without depths
-  bool tide_depths{false};             // the grid file of such tides
-  std::optional<ocean::TideQuantity> tide_component;  // of a tidal current, without the other
-  std::optional<tide::Constituent> constituent;       // that the file is named after
-  std::optional<AdcircHead> adcirc;                   // of a file of a run of that model
+  std::vector<double> times;           // times of the velocity
+  std::vector<NetcdfDimension> plane;  // horizontal dimensions of the velocity
+  bool tables_alone{false};            // holds positions, but no velocity
+  bool chart{false};                   // a cell of S-57, or an update of a cell
+  // names the glider's track; the same for all files of a track; empty: no track
+  std::string track;
+  int segment{};             // number of the log's segment, or of the dive
+  bool sensor_cache{false};  // a sensor list, to which binary logs refer
+  bool transports{false};    // holds transports of a tide, without depths
+  bool tide_depths{false};   // the grid file of such a tide model
+  // the one component of a tidal current that the file holds
+  std::optional<ocean::TideQuantity> tide_component;
+  std::optional<tide::Constituent> constituent;  // constituent in the file's name
+  std::optional<AdcircHead> adcirc;              // head of a file of an ADCIRC run
   bool taken{false};
 };
 
@@ -88,7 +90,7 @@ Member member_of(const std::filesystem::path& path) {
     member.track = seaglider_mission_of(*file);
     return member;
   }
-  if (is_glider_track(*file)) {  // of which there may be hundreds, so none stays open
+  if (is_glider_track(*file)) {  // a track may have hundreds of files, so none stays open
     member.track = trajectory_of(*file);
     return member;
   }
@@ -104,7 +106,8 @@ Member member_of(const std::filesystem::path& path) {
   return member;
 }
 
-/// Whether tables of a file lie on the plane of a velocity, up to the row and the column that staggering takes.
+/// Whether tables lie on the horizontal grid of a velocity. A staggered grid may differ by one row and one
+/// column.
 bool fits(const Member& tables, const Member& velocity) {
   const auto near = [](std::uint64_t a, std::uint64_t b) { return (a > b ? a - b : b - a) <= 1; };
   return velocity.plane.size() == 2 &&
@@ -116,7 +119,7 @@ bool fits(const Member& tables, const Member& velocity) {
          });
 }
 
-/// Whether a file updates a chart, as CELL.001 updates CELL.000.
+/// Whether a file is an update of a chart, as CELL.001 is of CELL.000.
 bool is_update_of(const Member& update, const Member& base) {
   return update.chart && base.chart && base.path.extension() == ".000" && &update != &base &&
          update.path.parent_path() == base.path.parent_path() && update.path.stem() == base.path.stem();
@@ -126,7 +129,7 @@ bool is_update_of_another(const Member& member, const std::vector<Member>& membe
   return std::ranges::any_of(members, [&](const Member& base) { return is_update_of(member, base); });
 }
 
-/// What belongs to a file by its name alone.
+/// Adds the files that belong to a file by their name alone.
 void take_sidecars(const Member& main, std::vector<Member>& members, FileGroup& group) {
   for (Member& part : members) {
     if (part.taken || !is_sidecar_of(part.path, main.path)) continue;
@@ -148,7 +151,8 @@ void take_updates(const Member& base, std::vector<Member>& members, FileGroup& g
   }
 }
 
-/// The other files of the same track, all in one order however they were given.
+/// Adds the other files of the same track. The order of the group does not depend on the order of the files
+/// given.
 void take_rest_of_track(const Member& first, std::vector<Member>& members, FileGroup& group) {
   std::vector<Member*> parts;
   for (Member& part : members)
@@ -163,7 +167,7 @@ void take_rest_of_track(const Member& first, std::vector<Member>& members, FileG
   }
 }
 
-/// The lists of sensors that binary logs name; several groups may have the same.
+/// Adds the sensor lists to which the group's binary logs refer. Several groups may use the same list.
 void add_sensor_caches(std::vector<Member>& members, FileGroup& group) {
   const FileGroup logs = group;
   for (Member& cache : members) {
@@ -174,7 +178,7 @@ void add_sensor_caches(std::vector<Member>& members, FileGroup& group) {
   }
 }
 
-/// The mesh and the elevations of a run, of as many nodes as its currents have.
+/// Adds the mesh and the elevations of an ADCIRC run: those with the same number of nodes as its currents.
 void add_parts_of_run(const Member& currents, std::vector<Member>& members, FileGroup& group) {
   if (!currents.adcirc || currents.adcirc->part != AdcircPart::currents) return;
   for (const AdcircPart wanted : {AdcircPart::mesh, AdcircPart::elevations}) {
@@ -195,7 +199,7 @@ bool waits_for_currents(const Member& member, const std::vector<Member>& members
          });
 }
 
-/// FES has the components of the tidal current of each constituent in two files, in folders of their own.
+/// FES stores the two components of the tidal current of a constituent in two files, in separate folders.
 void add_other_tide_component(const Member& member, std::vector<Member>& members, FileGroup& group) {
   const auto other = std::ranges::find_if(members, [&](const Member& candidate) {
     return !candidate.taken && candidate.tide_component &&
@@ -207,7 +211,7 @@ void add_other_tide_component(const Member& member, std::vector<Member>& members
   group.push_back(other->path);
 }
 
-/// The grid files of a tide's model, which the files of all its constituents need.
+/// Adds the grid files of the tide model, which the files of all constituents need.
 void add_tide_depths(std::vector<Member>& members, FileGroup& group) {
   for (Member& depths : members) {
     if (!depths.tide_depths) continue;

@@ -27,9 +27,10 @@ std::uint32_t big_endian_at(std::string_view head, std::size_t offset) {
   return value;
 }
 
-/// By the first record, whose length in bytes stands before it: of constituents nx, ny, their count, four limits and
-/// their names of four letters; of a grid nx, ny, four limits, a time step, a count.
-/// Source  as public readers of TPXO take the format apart; no file of it has been at hand
+/// Recognises OTIS binary files by their first record, which begins with its length in bytes. A file of
+/// constituents has nx, ny, the number of constituents, four limits and names of four letters; a grid file
+/// nx, ny, four limits, a time step and a count.
+/// Source  public readers of TPXO; not checked against a file of this format
 bool is_otis_binary(std::string_view head) {
   constexpr std::uint32_t most_nodes = 100'000;
   if (head.size() < 64) return false;
@@ -61,7 +62,7 @@ std::optional<messages::Message> refusal_of_foreign(std::string_view head) {
 
 constexpr std::size_t head_bytes = 65536;
 
-/// Null where no format is.
+/// The format of a file that starts like this; null if no format recognises it.
 const DataFormat* find_format(Writing writing, const FileStart& start) {
   const auto found = std::ranges::find_if(data_formats(), [&](const DataFormat& format) {
     return format.writing == writing && format.is_it(start);
@@ -76,7 +77,7 @@ bool is_text(std::string_view head) {
   });
 }
 
-/// Why a text is refused that is of no format of this program.
+/// The message for a text file that has no known format.
 messages::Message unknown_text(const FileStart& start, const std::string& extension) {
   const std::string line = trimmed(start.first_line());
   if (!contains_any(line, {"[", "<"}) && csv_fields(line).size() >= 3)

@@ -6,10 +6,12 @@
 
 namespace floeplan::ingest {
 
-/// The row of data_formats() that a file is of, told by its first bytes; its name plays no part. Never null.
-/// `icebergs_stated`  the user says that the file holds icebergs: tables need no column of their own for them
-/// Errors   every other file, by name where it is known (chart pictures, archives, ...); an empty file; a folder that is
-///          no store; what the format's check refuses, as a classic NetCDF file that is shorter than its header says
+/// The row of data_formats() for a file, found by its first bytes; the file's name plays no part. Never null.
+/// `icebergs_stated`  the user says that the file holds icebergs; a table then needs no column that says so
+/// Errors   the file has no known format (chart pictures, archives and others are named); the file is empty;
+///          the folder
+///          is no store; the format's check refuses the file, as for a NetCDF file shorter than its header
+///          says
 [[nodiscard]] Checked<const DataFormat*> format_of(const std::filesystem::path& file,
                                                    bool icebergs_stated = false);
 

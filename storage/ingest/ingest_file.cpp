@@ -27,7 +27,7 @@ namespace {
 using repository::Dataset;
 using repository::DatasetKind;
 
-/// "u.nc + v.nc", "charts.zip: ice.shp"; of the many files of a track the first ones.
+/// "u.nc + v.nc", "charts.zip: ice.shp"; at most eight names, because a track can have hundreds of files.
 std::string names_of(const FileGroup& files, const IngestOptions& options) {
   constexpr std::size_t most_names = 8;
   std::string names;
@@ -72,7 +72,7 @@ void replace_all(std::string& text, const std::string& part, const std::string& 
     text.replace(at, part.size(), by);
 }
 
-/// GDAL quotes the whole path; where the file lies on this machine is not for everybody who reads the report.
+/// Removes the folder from a text: GDAL quotes whole paths, and not every reader of the report may see them.
 void leave_out_folder(messages::Message& fault, const std::filesystem::path& file) {
   const std::string path = std::filesystem::absolute(file).string();
   const std::string name = file.filename().string();
@@ -82,7 +82,7 @@ void leave_out_folder(messages::Message& fault, const std::filesystem::path& fil
     if (auto* words = std::get_if<std::string>(&value.value)) replace_all(*words, path, name);
 }
 
-/// One kind of data of the file on its way into the store.
+/// One kind of data in a file, before it is stored.
 struct Candidate {
   IngestReport report;
   std::optional<PreparedDataset> data;  // empty: refused or already there
@@ -96,14 +96,15 @@ bool ends_with_a_line(const std::filesystem::path& file) {
   return last == '\n' || last == '\r';
 }
 
-/// A table of lines whose last one has no end may be whole, or cut within its last number, which then is another number
-/// and no fault.
+/// Warns of a table whose last line has no line end. The file may be complete, or cut off within its last
+/// number. The number is then wrong, but still valid.
 void warn_of_open_end(const RecognisedFile& file, Messages& warnings) {
   if (file.format->has_lines && !ends_with_a_line(file.path))
     warnings.push_back(messages::ingest_file_message<"last-line-without-end">());
 }
 
-/// Names a dataset of the same file that was read with other options: both stay, and only the user knows which is right.
+/// Warns of a stored dataset that was read from the same file with other options. Both stay in the store,
+/// because only the user knows which is right.
 void warn_of_other_reading(sql::Connection& db, DatasetKind kind, const std::string& sha256,
                            Messages& warnings) {
   const auto stored = repository::DatasetRepository{db}.list();
@@ -115,7 +116,7 @@ void warn_of_other_reading(sql::Connection& db, DatasetKind kind, const std::str
     warnings.push_back(messages::ingest_file_message<"file-read-otherwise-before">(other->id.value));
 }
 
-/// Reads and checks one kind of data. Nothing is written yet: the store stays open for others meanwhile.
+/// Reads and checks one kind of data. Writes nothing yet, so other connections can use the store meanwhile.
 Candidate check_kind(sql::Connection& db, const RecognisedFile& file, const FileGroup& files,
                      DatasetKind kind, const std::string& sha256, const IngestOptions& options,
                      const core::ProgressCallback& progress) {
@@ -146,7 +147,8 @@ Candidate check_kind(sql::Connection& db, const RecognisedFile& file, const File
   return {{}, std::move(*data)};
 }
 
-/// Stores what was checked, in place of what was misread of the same file. Runs inside the file's transaction.
+/// Stores checked data. Replaces what an older program read wrongly from the same file. Runs inside the
+/// file's transaction.
 IngestReport store(sql::Connection& db, const FileGroup& files, const IngestOptions& options,
                    const PreparedDataset& data, Dataset dataset) {
   repository::DatasetRepository datasets{db};
@@ -161,7 +163,7 @@ IngestReport store(sql::Connection& db, const FileGroup& files, const IngestOpti
           .errors = {}};
 }
 
-/// Says of everything that was good why it was not stored all the same.
+/// Refuses the valid kinds of a file because another kind of it was refused; the report of each says so.
 void refuse_the_rest(std::vector<Candidate>& candidates, const FileGroup& files,
                      const IngestOptions& options) {
   for (Candidate& candidate : candidates) {
@@ -171,7 +173,7 @@ void refuse_the_rest(std::vector<Candidate>& candidates, const FileGroup& files,
   }
 }
 
-/// Opens the files that were given with the first one.
+/// Opens the further files of the group.
 Checked<NetcdfFiles> open_companions(const FileGroup& files, const IngestOptions& options) {
   NetcdfFiles companions;
   for (std::size_t i = 1; i < files.size(); ++i) {
@@ -182,7 +184,7 @@ Checked<NetcdfFiles> open_companions(const FileGroup& files, const IngestOptions
   return companions;
 }
 
-/// Digest of all files that make up what was recognised.
+/// Digest of all files that the recognised data come from.
 Checked<std::string> digest_of(const RecognisedFile& recognised, const FileGroup& files) {
   if (recognised.format->digest != nullptr) return recognised.format->digest(files);
   return sha256_of_files(files);
@@ -209,7 +211,8 @@ std::vector<IngestReport> ingest_group(sql::Connection& db, const FileGroup& fil
                                               .missing = options.missing});
   if (!recognised) return {refused(files, options, recognised.error())};
   const bool tracks = recognised->kinds.front() == DatasetKind::glider_tracks;
-  if (recognised->netcdf && !tracks) {  // the parts of others are found beside them, or read one by one
+  // other groups find their parts beside the file, or read them one by one
+  if (recognised->netcdf && !tracks) {
     auto companions = open_companions(files, options);
     if (!companions) return {refused(files, options, companions.error())};
     recognised->companions = std::move(*companions);

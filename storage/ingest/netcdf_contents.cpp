@@ -27,8 +27,8 @@ namespace {
 
 using repository::DatasetKind;
 
-/// Whether a variable lies on a grid that is stored as it is. What else a file of currents holds on a bent or turned
-/// grid is no reason to refuse the currents.
+/// Whether a variable lies on a grid that can be stored unchanged. Other variables on a curvilinear or
+/// rotated grid are ignored; the currents in the same file are still read.
 bool lies_on_regular_grid(const NetcdfFile& file, const NetcdfVariable& variable,
                           const std::optional<std::string>& stated_crs) {
   const auto layout = layout_of(file, variable);
@@ -59,13 +59,13 @@ std::vector<DatasetKind> kinds_of_netcdf(const std::shared_ptr<const NetcdfFile>
   if (named_ice || (holds_ice(file) &&
                     (lone_ice || (velocity_parts(file) == VelocityParts::both && ice_is_readable(file)))))
     kinds.push_back(DatasetKind::ice);
-  // Wind that cannot be read is no reason to refuse what else the file holds.
+  // Wind that cannot be read is no reason to refuse the other data in the file.
   const bool lone_wind = wanted == DatasetKind::wind || kinds.empty();
   if (holds_wind(file) && (lone_wind || wind_is_readable(opened))) kinds.push_back(DatasetKind::wind);
   return kinds;
 }
 
-/// "the wind" or "the current" where a file has it as a speed and a direction; empty where it has not.
+/// "the wind" or "the current" if the file has it as speed and direction; otherwise empty.
 std::string known_by_direction(const NetcdfFile& file) {
   for (const NetcdfVariable& variable : file.variables()) {
     const std::string words = lower(variable.name() + " " + variable.attribute("standard_name") + " " +
@@ -80,14 +80,14 @@ std::string known_by_direction(const NetcdfFile& file) {
   return "";
 }
 
-/// Whether the file itself has no such variable: hvel[0] is one half of its hvel.
+/// Whether a variable is part of a variable of the file, as hvel[0] is one component of hvel.
 bool is_part_of_another(const NetcdfFile& file, const NetcdfVariable& variable) {
   const std::size_t bracket = variable.name().find('[');
   return bracket != std::string::npos && file.find(variable.name().substr(0, bracket)) != nullptr;
 }
 
-/// The refusal of a variable that is named like a current but describes itself as something else; empty if there is
-/// none.
+/// The refusal of a variable that has the name of a current but another standard name or unit; empty if there
+/// is none.
 std::optional<messages::Message> called_currents(const NetcdfFile& file) {
   for (const NetcdfVariable& variable : file.variables()) {
     const std::string standard_name = standard_name_of(variable);
@@ -127,12 +127,12 @@ messages::Message nothing_known(const NetcdfFile& file) {
   return messages::ingest_file_message<"variables-not-recognised">(enumeration(names));
 }
 
-/// A group of a file that holds data, seen as a file.
+/// A group that holds data, opened as if it were a file of its own.
 struct DataGroup {
   std::string path;
   std::shared_ptr<const NetcdfFile> seen;
   std::vector<DatasetKind> kinds;
-  bool has_own_data{false};  // and not only data of the groups around it
+  bool has_own_data{false};  // false: all its data come from the groups around it
 };
 
 bool holds_wanted(const std::vector<DatasetKind>& kinds, const Expectation& expected) {
@@ -146,7 +146,7 @@ std::vector<DataGroup> groups_with_data(const NetcdfFile& file, const Expectatio
     const bool has_own_data = holds_wanted(kinds_of_netcdf(alone, expected), expected);
     const bool below_another = std::ranges::any_of(
         found, [&](const DataGroup& group) { return path.starts_with(group.path + "/"); });
-    if (below_another && !has_own_data) continue;  // it sees the same variables once more
+    if (below_another && !has_own_data) continue;  // this group sees the same variables again
     auto seen = std::make_shared<const NetcdfFile>(file.seen_from(path));
     auto kinds = kinds_of_netcdf(seen, expected);
     if (holds_wanted(kinds, expected))
@@ -165,11 +165,12 @@ std::string groups_in_words(const std::vector<DataGroup>& groups) {
   return enumeration(texts);
 }
 
-/// Goes below the top level of a file where that does not hold what is wanted, and says what lies there where it does.
+/// If the top level does not hold the wanted data, looks into the groups; if it does, warns of the data in
+/// the groups.
 Checked<bool> look_into_groups(RecognisedFile& file, const Expectation& expected) {
   if (file.netcdf->groups().empty()) return true;
   const bool top_level = holds_wanted(file.kinds, expected);
-  // What a group sees of the top level is no data of its own.
+  // A group also sees the variables of the top level; those are not its own data.
   std::vector<DataGroup> groups = groups_with_data(*file.netcdf, expected);
   if (top_level) {
     std::erase_if(groups,
@@ -195,7 +196,7 @@ Checked<bool> look_into_groups(RecognisedFile& file, const Expectation& expected
   return true;
 }
 
-/// A file and what was given to be read together with it.
+/// A file and the files that are read together with it.
 NetcdfFiles together(const RecognisedFile& file) {
   NetcdfFiles files{file.netcdf};
   files.insert(files.end(), file.companions.begin(), file.companions.end());

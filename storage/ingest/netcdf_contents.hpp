@@ -7,16 +7,18 @@
 
 namespace floeplan::ingest {
 
-/// Opens a NetCDF file or a Zarr store and finds the kinds of data that it holds: at its top level, else in the one of
-/// its groups that holds some.
-/// Errors   GDAL's own words when it cannot be opened; nothing of use in it, and what it holds instead; data in several
-///          groups
+/// Opens a NetCDF file or a Zarr store and finds its kinds of data: at the top level, or else in the only
+/// group that holds data.
+/// Errors   it cannot be opened (GDAL's words); it holds nothing that this program reads (the message says
+///          what it holds);
+///          several groups hold data
 [[nodiscard]] Checked<bool> look_into_netcdf(RecognisedFile& file, const Expectation& expected);
 
-/// Reads one of those kinds.
+/// Reads one of the kinds that look_into_netcdf found.
 [[nodiscard]] Checked<PreparedDataset> read_netcdf(const Reading& reading);
 
-/// Sea ice and depths beside currents that are on a bent grid are not taken along: nobody should believe them stored.
+/// Warns that sea ice and depths beside currents on a curvilinear grid are not stored, so that nobody relies
+/// on them.
 void warn_of_what_is_left(const RecognisedFile& file, Messages& warnings);
 
 }  // namespace floeplan::ingest

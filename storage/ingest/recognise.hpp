@@ -6,8 +6,9 @@
 
 namespace floeplan::ingest {
 
-/// Finds out by content which kinds of data a file holds; its name plays no part.
-/// Errors   what format_of refuses; a file that holds nothing this program reads, or not the kind that was
+/// Finds out by content which kinds of data a file holds; the file's name plays no part.
+/// Errors   format_of refuses the file; the file holds nothing that this program reads, or not the kind that
+///          the user
 ///          asked for
 [[nodiscard]] Checked<RecognisedFile> recognise(const std::filesystem::path& file,
                                                 const Expectation& expected);

@@ -10,7 +10,7 @@ namespace {
 
 constexpr int least_landlock = 2;
 
-/// Landlock binds the thread that calls it, and those that this one starts.
+/// Landlock confines only the calling thread and threads that it starts later.
 void refuse_other_threads() {
 #if !defined(__SANITIZE_THREAD__)
   const std::filesystem::directory_iterator threads{"/proc/self/task"};
@@ -31,7 +31,7 @@ std::string to_text(const Layers& layers) {
 
 Layers confine(const FileNeeds& needs) {
   refuse_other_threads();
-  const int landlock = restrict_files(needs);  // first: the filter leaves no call for it
+  const int landlock = restrict_files(needs);  // first, because the filter forbids the calls for it
   return {.system_calls = restrict_system_calls(), .landlock = landlock};
 }
 

@@ -6,27 +6,27 @@
 
 namespace floeplan::sandbox {
 
-/// The layers of a confinement that are in force.
+/// The layers of a sandbox that are in force.
 struct Layers {
   bool system_calls{false};  // a filter of system calls (seccomp)
-  int landlock{};            // version in force; 0: none
+  int landlock{};            // Landlock version in force; 0: none
 
   friend bool operator==(const Layers&, const Layers&) = default;
 };
 
-/// Whether a process in these layers may be given foreign bytes. It needs the filter, and Landlock in version 2 at least
-/// (Linux 5.19; Debian 12 has 6.1). Without Landlock it could read every file of its user; without the filter it could
-/// speak to the network.
+/// Whether a process in these layers may read files from outside. It needs the filter, and at least version 2
+/// of Landlock (Linux 5.19; Debian 12 has 6.1). Without Landlock it could read all files of its user; without
+/// the filter it could use the network.
 [[nodiscard]] bool is_enough(const Layers& layers);
 
-/// "seccomp, Landlock 7"; "seccomp, no Landlock"
+/// The layers as text: "seccomp, Landlock 7"; "seccomp, no Landlock".
 [[nodiscard]] std::string to_text(const Layers& layers);
 
-/// Confines this process for good to the files that it needs and to harmless system calls, with every layer that the
-/// machine has. It gains no privileges afterwards, whatever it starts.
+/// Permanently confines this process to the files that it needs and to harmless system calls, with all layers that
+/// the machine offers. Neither the process nor programs that it starts can gain privileges afterwards.
 /// Returns  the layers in force
-/// Errors   std::runtime_error when a layer is there and cannot be used, or when threads run that Landlock would not
-///          reach (never under the thread sanitizer, which has its own)
+/// Errors   std::runtime_error when a layer exists but cannot be used, or when other threads run, which Landlock
+///          would not confine (not checked under the thread sanitizer, which has threads of its own)
 [[nodiscard]] Layers confine(const FileNeeds& needs);
 
 }  // namespace floeplan::sandbox

@@ -21,7 +21,7 @@ namespace abi = landlock_abi;
 constexpr std::uint64_t rights_of_a_file =
     abi::execute | abi::write_file | abi::read_file | abi::truncate | abi::device_control;
 
-/// What is forbidden unless a rule allows it: everything that this version knows.
+/// The actions that are forbidden unless a rule allows them: all that this version knows.
 abi::Ruleset ruleset_of(int version) {
   abi::Ruleset rules{.files = 2 * abi::make_symbolic_link - 1};
   if (version >= 2) rules.files |= abi::refer;
@@ -37,7 +37,7 @@ std::size_t size_of_ruleset(int version) {
   return version >= 6 ? 3 * member : version >= 4 ? 2 * member : member;
 }
 
-/// A descriptor of the kernel, closed with this object.
+/// A file descriptor, closed with this object.
 class Descriptor {
  public:
   explicit Descriptor(long number) : number_{static_cast<int>(number)} {}

@@ -4,8 +4,9 @@
 
 #include <cstdint>
 
-/// Landlock as the kernel speaks it. Debian 12's headers (Linux 6.1) end with version 2, and have no call for it.
-/// Source   include/uapi/linux/landlock.h of Linux 6.12; the numbers are those of every architecture
+/// The kernel's interface of Landlock. Debian 12's headers (Linux 6.1) know only version 2, and the C library
+/// has no calls.
+/// Source   include/uapi/linux/landlock.h of Linux 6.12; the numbers are equal on all architectures
 namespace floeplan::sandbox::landlock_abi {
 
 inline constexpr long create_ruleset = 444;
@@ -15,7 +16,7 @@ inline constexpr long restrict_self = 446;
 inline constexpr std::uint32_t ask_version = 1U << 0;  // LANDLOCK_CREATE_RULESET_VERSION
 inline constexpr int path_beneath = 1;                 // LANDLOCK_RULE_PATH_BENEATH
 
-/// Older kernels take the first members alone, by the size that they are given.
+/// Older kernels read only the first members; the size passed with it tells how many.
 struct Ruleset {
   std::uint64_t files{};
   std::uint64_t network{};  // from version 4

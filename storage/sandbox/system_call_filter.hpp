@@ -2,12 +2,12 @@
 
 namespace floeplan::sandbox {
 
-/// Leaves to this process the system calls that reading, computing and writing to open files and folders take, for
-/// good. Refused with EPERM are all others, among them sockets of any family, starting programs and processes (threads
-/// stay), signals to others, tracing, mounting, changes of owners, modes, times and limits, cutting a file short by its
-/// name, memory that can be written and executed, io_uring and namespaces.
-/// Which paths are opened is no matter of this filter.
-/// Returns  whether it is in force; false: the kernel has no filters, or another one keeps the call away
+/// Permanently restricts this process to the system calls for reading, computing and writing to open files
+/// and folders. All others fail with EPERM: among them sockets of any family, starting programs and processes
+/// (threads are allowed), signals to other processes, tracing, mounting, changes of owners, modes, times and
+/// limits, truncating a file by its name, memory that is both writable and executable, io_uring and
+/// namespaces. The filter does not restrict which paths are opened.
+/// Returns  whether it is in force; false: the kernel has no filters, or another filter forbids the call
 /// Source   libseccomp 2.5; man 2 seccomp
 [[nodiscard]] bool restrict_system_calls();
 

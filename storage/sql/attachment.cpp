@@ -17,7 +17,7 @@ Attachment::Attachment(Connection& db, const std::filesystem::path& file, std::s
 Attachment::~Attachment() {
   try {
     execute(db_, "DETACH " + name_);
-    // NOLINTNEXTLINE(bugprone-empty-catch): a connection that cannot let go of a file is still good for everything else
+    // NOLINTNEXTLINE(bugprone-empty-catch): if the file cannot be detached, the connection is still usable
   } catch (const std::runtime_error&) {
   }
 }

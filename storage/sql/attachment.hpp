@@ -7,9 +7,9 @@
 
 namespace floeplan::sql {
 
-/// While it lives, the tables of another database file can be read beside the connection's own (`main.table`), as
-/// `name.table`.
-/// Errors   Failure when the file cannot be opened; inside a transaction
+/// While an object of this class lives, the connection can also read the tables of another database file, as
+/// `name.table`; its own are `main.table`.
+/// Errors   Failure when the file cannot be opened, or inside a transaction
 class Attachment {
  public:
   Attachment(Connection& db, const std::filesystem::path& file, std::string name);

@@ -9,19 +9,19 @@
 
 namespace floeplan::sql {
 
-/// One connection to the database of a store. What was committed survives a kill and a power cut; references between tables
-/// are enforced; who has to wait for another does so for ten seconds.
+/// A connection to the database of a store. Committed data survive a kill and a power cut; references between
+/// tables are enforced; a connection waits up to ten seconds for another one's lock.
 /// Threads  one thread at a time; open one connection for each thread
-/// Edges    its statements are to be gone before it is
-/// Errors   std::runtime_error when the database cannot be opened, is damaged, or belongs to another program; it is left as
-///          it is then
+/// Edges    its statements must be destroyed before it
+/// Errors   std::runtime_error when the database cannot be opened, is damaged, or belongs to another program;
+///          it is then not changed
 class Connection {
  public:
-  /// Opens (and creates, with its folder) the database of a store. Nobody puts another one in its place while the connection
-  /// lasts.
+  /// Opens the database of a store; creates it, and its folder, if missing. Nobody can replace the database
+  /// while the connection exists.
   [[nodiscard]] static Connection open(const std::filesystem::path& store);
-  /// Opens (and creates) a database in `folder` for data that are thrown away when anything goes wrong: nothing waits for
-  /// the disk, and nobody else may have it open for writing.
+  /// Opens (and creates) a database in `folder` for temporary data. It does not wait for the disk, so it may
+  /// be lost, and nobody else may have it open for writing.
   [[nodiscard]] static Connection open_scratch(const std::filesystem::path& folder);
   /// Opens a database that a server keeps. `address`  "postgresql://user@host/database?...", as its client library takes it
   [[nodiscard]] static Connection open_at_server(const std::string& address);
@@ -37,8 +37,9 @@ class Connection {
   std::unique_ptr<Driver> driver_;
 };
 
-/// Costs next to nothing, so that it may be asked before every answer that is kept.
-/// Edges    changes of tables themselves, and what is undone again, may count or not
+/// The version of the data that a connection sees (see Version). Cheap enough to be asked before every use of
+/// a cached answer.
+/// Edges    changes of the tables' definitions, and changes that are rolled back, may or may not change it
 /// Errors   Failure when the database cannot be read
 [[nodiscard]] inline Version version_of(Connection& db) { return db.driver().version(); }
 

@@ -30,12 +30,12 @@ std::int64_t number_in_header(Connection& db, const std::string& schema, const s
 
 Connection open_copy(const std::filesystem::path& folder) {
   auto db = Connection::open(folder);
-  // After its first page, which says that there are checksums, was written.
+  // Only now: the first page, which states that there are checksums, has been written.
   execute(db, "PRAGMA journal_mode = MEMORY; PRAGMA synchronous = OFF; PRAGMA foreign_keys = OFF");
   return db;
 }
 
-/// R*Trees bring the tables in which they keep themselves.
+/// Creating an R*Tree also creates the tables in which it stores its data.
 void make_tables_as_in(Connection& db, const std::string& schema) {
   run_scripts(db, schema, own_tables);
   run_scripts(db, schema, "t.sql LIKE 'CREATE VIRTUAL TABLE%'");
@@ -52,7 +52,7 @@ void take_highest_rows_from(Connection& db, const std::string& schema) {
                     ".sqlite_sequence");
     part.commit();
   });
-  (void)whole;  // else they follow from the rows that were copied
+  (void)whole;  // if not, the copied rows give the highest numbers
 }
 
 void take_schema_number_from(Connection& db, const std::string& schema) {

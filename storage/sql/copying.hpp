@@ -5,28 +5,29 @@
 
 #include "storage/sql/connection.hpp"
 
-/// Writing a database anew from an attached one, `schema`: its tables, rows (which callers copy), indices, numbers, as one
-/// file without a log, not yet flushed to the disk.
-/// Errors  Failure when either fails, also where damage hides the schema
+/// Functions that copy an attached database, `schema`, to a new one: tables, indices and numbers; callers
+/// copy the rows. The result is a single file without a log, not yet flushed to the disk.
+/// Errors  Failure when either database fails, also when damage makes the schema unreadable
 namespace floeplan::sql {
 
-/// An empty database in `folder` for rows that are copied as they are. Nobody misses it after a kill, so nothing waits for
-/// the disk; references are not enforced.
+/// Creates an empty database in `folder` for copied rows. It does not wait for the disk, because it can be
+/// made again after a kill; references are not enforced.
 [[nodiscard]] Connection open_copy(const std::filesystem::path& folder);
 
-/// All tables and indices of boxes, without rows.
+/// Creates all tables and R*Trees, without rows.
 void make_tables_as_in(Connection& db, const std::string& schema);
 
-/// All indices and triggers.
+/// Creates all indices and triggers.
 void make_indices_as_in(Connection& db, const std::string& schema);
 
-/// Numbers that rows had once are not given again. They follow from the rows that were copied where damage hides them.
+/// Takes over the highest row numbers, so that numbers are not reused. If damage hides them, the copied rows
+/// give them.
 void take_highest_rows_from(Connection& db, const std::string& schema);
 
-/// The number of the schema, and whose the database is.
+/// Takes over the number of the schema and the application id.
 void take_schema_number_from(Connection& db, const std::string& schema);
 
-/// Makes it one file.
+/// Makes the copy a single file, without a log.
 void finish_copy(Connection& db);
 
 }  // namespace floeplan::sql

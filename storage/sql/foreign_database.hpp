@@ -2,7 +2,7 @@
 
 #include "storage/sql/sqlite/foreign_schema.hpp"
 
-/// How a database that somebody else wrote (a GeoPackage) is opened without trusting it.
+/// Functions to open a database that another program wrote (a GeoPackage) safely.
 namespace floeplan::sql {
 
 using sqlite::active_part_of;

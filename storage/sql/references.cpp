@@ -16,7 +16,7 @@ WithoutReferences::WithoutReferences(Connection& db) : db_{db} { execute(db_, "P
 WithoutReferences::~WithoutReferences() {
   try {
     execute(db_, "PRAGMA foreign_keys = ON");
-    // NOLINTNEXTLINE(bugprone-empty-catch): a connection that refuses this is not used any more
+    // NOLINTNEXTLINE(bugprone-empty-catch): a connection on which this fails is not used any more
   } catch (const std::runtime_error&) {
   }
 }

@@ -4,11 +4,12 @@
 
 namespace floeplan::sql {
 
-/// From here to the end of the transaction rows may refer to others that are not there yet.
+/// Until the end of the transaction, rows may refer to rows that do not exist yet.
 void defer_references(Connection& db);
 
-/// While it lives, references are not enforced: to drop a table that others refer to would empty them, too.
-/// Edges    it begins and ends outside of transactions
+/// While an object of this class lives, references are not enforced. With references, dropping a table would
+/// also delete the rows that refer to it.
+/// Edges    must be created and destroyed outside of transactions
 class WithoutReferences {
  public:
   explicit WithoutReferences(Connection& db);
@@ -20,7 +21,7 @@ class WithoutReferences {
   Connection& db_;  // borrowed
 };
 
-/// Whether any row refers to one that is not there. Reads all tables.
+/// Whether any row refers to a row that does not exist. Reads all tables.
 [[nodiscard]] bool has_broken_references(Connection& db);
 
 }  // namespace floeplan::sql

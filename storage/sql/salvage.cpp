@@ -10,9 +10,9 @@ namespace floeplan::sql {
 namespace {
 
 constexpr std::int64_t before_all_rows = std::numeric_limits<std::int64_t>::min();
-/// How far behind a damaged row a readable one is looked for: more rows than any store has.
+/// How far after a damaged row a readable one is searched, in row numbers: more than the rows of any store.
 constexpr std::int64_t farthest = std::int64_t{1} << 40;
-/// How many rows are tried one by one where a page is damaged: a page has a few hundred of the smallest rows.
+/// How many rows are tried one by one at a damaged page. A page has at most a few hundred rows.
 constexpr std::int64_t most_tried = 65'536;
 
 std::string qualified(const std::string& schema, std::string_view table) {
@@ -23,7 +23,7 @@ enum class RowState { readable, absent, damaged };
 
 std::string columns_read(RowReading reading) { return reading == RowReading::whole ? "rowid, *" : "rowid"; }
 
-/// Looks at single rows and at the next one behind a number.
+/// Tests single rows, and finds the next row after a number.
 class RowProbe {
  public:
   RowProbe(Connection& db, const std::string& table, RowReading reading)
@@ -41,10 +41,10 @@ class RowProbe {
     return !whole ? RowState::damaged : found ? RowState::readable : RowState::absent;
   }
 
-  /// What comes behind a row, as far as the pages that lead there can be read.
+  /// The next row after a number, as far as the pages that lead to it can be read.
   struct Next {
     bool is_known{false};
-    std::optional<std::int64_t> row;  // empty: none comes
+    std::optional<std::int64_t> row;  // empty: there is no further row
   };
   [[nodiscard]] Next behind(std::int64_t row) {
     Next next;
@@ -61,8 +61,8 @@ class RowProbe {
   Statement next_;
 };
 
-/// Reads on from behind `last` as far as it goes.
-/// Returns  whether that was the end of the table
+/// Reads rows after `last` until one cannot be read.
+/// Returns  whether the end of the table was reached
 bool read_on(Connection& db, const std::string& table, RowReading reading, std::int64_t& last,
              RowList& rows) {
   return meets_no_damage([&] {
@@ -83,11 +83,11 @@ void add_gap(RowList& rows, std::int64_t first, std::int64_t last) {
     rows.gaps.push_back({first, last});
 }
 
-/// Every row up to the first page behind `last` that can be read again, one by one.
-/// Returns  the last of them
+/// Tries single rows after `last`, up to the first page that can be read again.
+/// Returns  the last row tried
 std::int64_t cross_damage(RowProbe& probe, std::int64_t last, RowList& rows) {
   if (const auto next = probe.behind(last); next.is_known && next.row) {
-    add_gap(rows, *next.row, *next.row);  // its number can be read, and what it holds cannot
+    add_gap(rows, *next.row, *next.row);  // its number can be read, but not its content
     return *next.row;
   }
   const std::int64_t begin = std::max<std::int64_t>(last, 0);

@@ -6,10 +6,10 @@
 
 namespace floeplan::sql {
 
-/// The number of the schema that the database's tables follow; 0 of a new database.
+/// The number of the schema of the database's tables; 0 for a new database.
 [[nodiscard]] std::int64_t schema_number(Connection& db);
 
-/// Says which schema the tables follow, and that the database is Floeplan's.
+/// Stores the number of the schema, and marks the database as Floeplan's.
 void set_schema_number(Connection& db, std::int64_t number);
 
 }  // namespace floeplan::sql

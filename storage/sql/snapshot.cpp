@@ -14,7 +14,7 @@ Snapshot::~Snapshot() {
   if (!began_) return;
   try {
     execute(db_, "ROLLBACK");
-    // NOLINTNEXTLINE(bugprone-empty-catch): after a failed read it has ended already
+    // NOLINTNEXTLINE(bugprone-empty-catch): after a failed read the transaction has already ended
   } catch (const std::runtime_error&) {
   }
 }

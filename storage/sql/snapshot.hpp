@@ -4,9 +4,9 @@
 
 namespace floeplan::sql {
 
-/// While it lives, everything read through the connection is from one moment, whatever others write. Nobody
-/// waits for it.
-/// Edges    inside a transaction it adds nothing: that is one moment already
+/// While an object of this class lives, everything read through the connection is from the same state,
+/// whatever others write. Nobody has to wait.
+/// Edges    no effect inside a transaction, which already reads one state
 class Snapshot {
  public:
   explicit Snapshot(Connection& db);

@@ -24,8 +24,8 @@ class Statement;
 /// Runs a script of several statements that take no values and give no rows.
 void execute(Connection& db, const std::string& script);
 
-/// The row at which a statement stands. Columns count from 0.
-/// Errors   Failure when there is no such column, or the statement stands at no row
+/// The current row of a statement. Columns count from 0.
+/// Errors   Failure when there is no such column, or no current row
 class Row {
  public:
   Row(const Row&) = delete;
@@ -36,7 +36,7 @@ class Row {
   [[nodiscard]] std::int64_t integer(int column) const { return prepared_->integer(column); }
   [[nodiscard]] double real(int column) const { return prepared_->real(column); }
   [[nodiscard]] core::UtcTime time(int column) const { return core::from_unix_seconds(real(column)); }
-  /// Valid until the next step.
+  /// The view is valid until the next step.
   [[nodiscard]] std::span<const std::byte> blob(int column) const { return prepared_->blob(column); }
   [[nodiscard]] std::optional<std::string> optional_text(int column) const;
   [[nodiscard]] std::optional<double> optional_real(int column) const;
@@ -62,7 +62,7 @@ constexpr ColumnType column_type_of() {
 /// One prepared statement, and the row at which it stands. Parameters count from 1.
 /// Edges    an empty optional is NULL; text and blobs are copied when bound
 /// Threads  as the connection: one thread at a time
-/// Errors   Failure when the database refuses; std::invalid_argument for a NaN, which SQL would take for NULL
+/// Errors   Failure when the database refuses; std::invalid_argument for a NaN, which SQL would store as NULL
 class Statement : public Row {
  public:
   Statement(Connection& db, const std::string& sql) : Row{db.driver().prepare(sql)} {}
@@ -91,11 +91,11 @@ class Statement : public Row {
     (bind(++parameter, values), ...);
   }
 
-  /// Moves on to the next row. False: there is none.
+  /// Moves to the next row. False: there is none.
   [[nodiscard]] bool step() { return prepared_->step(); }
-  /// Runs the statement to its end, ready to be bound and run again. Returns how many rows it changed.
+  /// Runs the statement to its end and resets it. Returns the number of changed rows.
   int run() { return prepared_->run(); }
-  /// Ready to be bound and run again.
+  /// Resets the statement, so that it can be bound and run again.
   void reset() { prepared_->reset(); }
 };
 

@@ -4,8 +4,8 @@
 #include "storage/sql/sqlite/database_files.hpp"
 #include "storage/sql/sqlite/store_use.hpp"
 
-/// The database of a store as files in its folder: where they lie, what their header says, who uses them, and how another one
-/// takes their place. An engine that keeps no files in the folder has no part in this.
+/// The database files of a store: their paths, their header, who uses them, and how they are replaced. A
+/// database engine without files in the folder would not need these functions.
 namespace floeplan::sql {
 
 using sqlite::damage_of;

@@ -7,7 +7,7 @@
 
 #include "storage/sql/connection.hpp"
 
-/// What tables a database has. `schema` is "main", or the name of an attached database.
+/// Functions about the tables of a database. `schema` is "main", or the name of an attached database.
 namespace floeplan::sql {
 
 struct Column {
@@ -15,24 +15,25 @@ struct Column {
   ColumnType type{};
 };
 
-/// The columns of a table of "main" that are stored, in their order; none of a table that is not there.
+/// The stored columns of a table of "main", in their order; none if the table does not exist.
 [[nodiscard]] std::vector<Column> columns_of(Connection& db, const std::string& table);
 
-/// Whether "main" has it.
+/// Whether "main" has a table with this name.
 [[nodiscard]] bool has_table(Connection& db, const std::string& name);
 
-/// Names of the tables that hold rows of ours: not those of the engine, nor indices of boxes, nor the tables in which such an
-/// index keeps itself. By name. Works where an index of boxes is damaged.
-/// Parameters  with     only tables that have this column; empty: all
-///             without  but for those that have one of these columns
+/// Names of the tables with this program's own rows, sorted. Tables of SQLite, R*Trees and the tables in
+/// which an R*Tree stores its data are not included. Works even if an R*Tree is damaged.
+/// Parameters  with     only tables with this column; empty: all without  no tables with any of these columns
 [[nodiscard]] std::vector<std::string> tables_of(Connection& db, const std::string& schema,
                                                  std::string_view with,
                                                  const std::vector<std::string>& without = {});
 
-/// The highest number that a row of a table of "main", whose column `row` numbers them, has or ever had.
+/// The highest number that a row of a table of "main" has or ever had. The table's column `row` has the
+/// numbers.
 [[nodiscard]] std::int64_t highest_row(Connection& db, const std::string& table);
 
-/// Whether `schema` has nothing (tables, indices, triggers, views) that "main" has not word for word.
+/// Whether everything in `schema` (tables, indices, triggers, views) also exists in "main" with the same
+/// definition.
 [[nodiscard]] bool has_only_tables_of_main(Connection& db, const std::string& schema);
 
 }  // namespace floeplan::sql

@@ -19,7 +19,7 @@ Transaction::~Transaction() {
   if (finished_) return;
   try {
     execute(db_, outermost_ ? "ROLLBACK" : "ROLLBACK TO nested; RELEASE nested");
-    // NOLINTNEXTLINE(bugprone-empty-catch): after a full disk it was undone already
+    // NOLINTNEXTLINE(bugprone-empty-catch): a full disk has already rolled it back
   } catch (const std::runtime_error&) {
   }
 }

@@ -4,10 +4,10 @@
 
 namespace floeplan::sql {
 
-/// A transaction that is undone unless it was committed. It takes the right to write at once, so that it
-/// never fails halfway because somebody else wrote first. Inside another one it is a savepoint: undone
-/// alone, on disk with the outer.
-/// Errors   Failure when the database is held for longer than the busy timeout; std::logic_error for a
+/// A transaction that is rolled back unless it is committed. It takes the write lock at once, so that it
+/// cannot fail later because another connection has written. Inside another transaction it is a savepoint,
+/// which can be rolled back alone and is on disk after the outer commit.
+/// Errors   Failure when the database is locked for longer than the busy timeout; std::logic_error for a
 ///          second commit
 class Transaction {
  public:
@@ -16,7 +16,7 @@ class Transaction {
   Transaction& operator=(const Transaction&) = delete;
   ~Transaction();
 
-  /// After it returns, an outermost transaction is on disk.
+  /// Commits. When it returns, an outermost transaction is on disk.
   void commit();
   [[nodiscard]] bool is_finished() const { return finished_; }
 

@@ -10,20 +10,20 @@
 namespace floeplan::xml {
 namespace {
 
-constexpr std::size_t deepest = 200;         // elements within each other; a document of folders has a dozen
-constexpr std::size_t part_bytes = 1 << 20;  // handed to Expat at once, which counts in int
+constexpr std::size_t deepest = 200;         // nested elements; a document of folders has about twelve
+constexpr std::size_t part_bytes = 1 << 20;  // passed to Expat at once, because it counts in int
 
 std::string local_name(std::string_view name) {
   const std::size_t colon = name.rfind(':');
   return std::string{colon == std::string_view::npos ? name : name.substr(colon + 1)};
 }
 
-/// What Expat's handlers build.
+/// The document that Expat's handlers build.
 struct Building {
   XML_Parser parser;
   Element root;
   std::vector<Element*>
-      open;  // from the root to the element that is being read; their children do not grow meanwhile
+      open;  // from the root to the current element; a parent's children do not grow meanwhile
   std::string fault;
 
   void stop(std::string reason) {
@@ -88,7 +88,7 @@ std::string root_name(std::string_view head) {
       return local_name(head.substr(0, head.find_first_of(" \t\r\n/>")));
     }
     const std::size_t subset =
-        head.find('[');  // of a DOCTYPE, which holds declarations with ends of their own
+        head.find('[');  // start of a DOCTYPE's declarations, which contain their own '>'
     const bool has_subset = !is_comment && subset < head.find('>');
     const std::string_view end = is_comment ? "-->" : ">";
     const std::size_t at = head.find(end, has_subset ? head.find(']', subset) : 0);
@@ -115,7 +115,7 @@ std::string Element::attribute(std::string_view wanted) const {
 
 tl::expected<Element, std::string> parse(std::string_view bytes) {
   std::string text = core::utf8_text(bytes);
-  // A document that came as a JSON text is UTF-8, whatever it declares.
+  // A document from a JSON text is UTF-8, whatever it declares.
   const char* const encoding = core::is_utf8(text) ? "UTF-8" : nullptr;
   const std::unique_ptr<XML_ParserStruct, decltype(&XML_ParserFree)> parser{XML_ParserCreate(encoding),
                                                                             &XML_ParserFree};

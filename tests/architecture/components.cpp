@@ -42,7 +42,7 @@ Graph includes_of_components(const fs::path& root) {
   return graph;
 }
 
-/// Finds the strongly connected parts of a graph.
+/// Finds the strongly connected components of a graph (Tarjan).
 class Rings {
  public:
   explicit Rings(const Graph& graph) : graph_{graph} {
@@ -81,8 +81,8 @@ class Rings {
   }
 
   const Graph& graph_;
-  std::map<std::string, std::size_t> number_{};  // in the order of the visits
-  std::map<std::string, std::size_t> lowest_{};  // that can be come back to
+  std::map<std::string, std::size_t> number_{};  // index of each component, in the order of the visits
+  std::map<std::string, std::size_t> lowest_{};  // lowest index that can be reached from it
   std::vector<std::string> open_{};
   std::vector<std::string> rings_{};
 };

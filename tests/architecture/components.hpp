@@ -13,8 +13,8 @@ namespace floeplan::support {
 /// Source   Tarjan 1972, Depth-first search and linear graph algorithms, SIAM J. Comput. 1, doi:10.1137/0201010
 [[nodiscard]] std::vector<std::string> include_rings(const std::filesystem::path& root);
 
-/// How many code files each folder below engine, storage, api, server and tests holds by itself; its subfolders are not
-/// counted with it.
+/// Number of code files directly in each folder below engine, storage, api, server and tests, without its
+/// subfolders.
 [[nodiscard]] std::map<std::string, int> code_files_by_folder(const std::filesystem::path& root);
 
 }  // namespace floeplan::support

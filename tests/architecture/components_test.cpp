@@ -15,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 using testing::ElementsAre;
 
-constexpr int most_code_files = 40;  // that a reader takes in at a glance
+constexpr int most_code_files = 40;  // the largest number that a reader can survey
 
 TEST(Components, IncludeEachOtherInNoRing) {
   EXPECT_THAT(include_rings(source_folder()), testing::IsEmpty());

@@ -13,8 +13,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Code outside storage/sql that says the name of a database engine or speaks its dialect, and in how many lines: formats
-/// that are databases of that engine, and tests that look at its files. This list, and its numbers, only shrink.
+/// Code outside storage/sql that names a database engine or uses its SQL dialect, with the number of lines:
+/// formats that are databases of that engine, and tests that inspect its files. The list and its numbers must
+/// only shrink.
 const std::map<std::string, int> known{
     {"storage/ingest/format_of.cpp", 1},
     {"storage/ingest/formats/vector/vector_file.cpp", 1},
@@ -40,7 +41,7 @@ const std::map<std::string, int> known{
     {"tests/storage/sandbox/attempts.hpp", 1},
 };
 
-/// How many lines of each code file name an engine.
+/// Number of lines in each code file that name an engine.
 std::map<std::string, int> lines_that_name_an_engine(const fs::path& root) {
   static const std::regex name{"sqlite|postgres|pragma (?!once)|pragma_", std::regex::icase};
   std::map<std::string, int> lines;

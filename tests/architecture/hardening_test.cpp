@@ -13,7 +13,7 @@ using testing::ContainsRegex;
 using testing::HasSubstr;
 using testing::Not;
 
-/// What readelf says of the built program.
+/// The output of readelf for the built program.
 std::string read_program(const std::string& flags) {
   const std::string command =
       "LC_ALL=C readelf -W " + flags + " " + support::program_folder() + "/floeplan 2>&1";
@@ -25,7 +25,7 @@ std::string read_program(const std::string& flags) {
   return pclose(pipe) == 0 ? text : "";
 }
 
-/// The layers of the program as it is shipped; what looks at memory by itself, or is built for a debugger, has others.
+/// The protections of the program as shipped; builds with sanitizers or for a debugger have others.
 class Hardening : public testing::Test {
  protected:
   void SetUp() override {
@@ -58,7 +58,7 @@ TEST_F(Hardening, ChecksItsStackAndTheLengthsOfWhatItCopies) {
 #endif
 }
 
-/// It leaves no symbol, so each compiler's own note of its options would have to be read; the build's list has them, too.
+/// The option leaves no symbol in the program, so the test reads the compiler options in the build's list.
 TEST(HardeningOptions, TouchEveryPageOfALargeStackFrame) {
   const std::string list = support::program_folder() + "/build.ninja";
   FILE* file = fopen(list.c_str(), "r");

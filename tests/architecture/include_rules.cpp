@@ -12,14 +12,14 @@ namespace {
 namespace fs = std::filesystem;
 using Names = std::set<std::string>;
 
-/// What a folder may include besides itself: the folders it uses with all that these use, and single headers, or the
-/// headers of a folder without what that one uses.
+/// What a folder may include besides itself: folders with everything that they use, and single headers, or
+/// the headers of a folder without what that folder uses.
 struct Folder {
   Names uses;
   Names headers{};
 };
 
-/// One with nothing but rooms in it stands for all of them.
+/// A folder that only contains other folders stands for all of them.
 const std::map<std::string, Folder>& folders() {
   static const std::map<std::string, Folder> all{
       {"engine/elementary", {{}}},
@@ -55,7 +55,8 @@ const std::map<std::string, Folder>& folders() {
       {"engine/planning/planner", {{"engine/planning/publish", "engine/planning/search/energy"}}},
       {"engine/planning/diagnosis", {{"engine/planning/planner"}}},
       {"engine/planning", {{"engine/planning/diagnosis"}}},
-      // Outside the planner its six verbs are known, what they take and give, and little else.
+      // Outside of the planner only its six functions, with their arguments and results, are used, and little
+      // else.
       {"engine/reproduction", {{"engine/planning/optimal_control", "engine/planning/refinement"}}},
       {"engine/mission/document", {{"engine/planning/problem"}}},
       {"engine/mission/reading", {{"engine/mission/document"}}},
@@ -82,7 +83,7 @@ const std::map<std::string, Folder>& folders() {
       {"storage/repository/environment", {{"storage/repository/fields", "storage/repository/features"}}},
       {"storage/repository/work", {{"storage/repository/store", "storage/json"}}},
       {"storage/repository/access", {{"storage/repository/store"}}},
-      // No code of its own: all the rooms, for those who use the store.
+      // Contains no code of its own: it stands for all its folders, for users of the store.
       {"storage/repository",
        {{"storage/repository/environment", "storage/repository/work", "storage/repository/access"}}},
       {"storage/xml", {{"engine/core"}}},
@@ -145,7 +146,7 @@ const std::map<std::string, Folder>& folders() {
       {"server/jobs",
        {{"api/service", "api/log"},
         {"api/routes/request/job_gateway.hpp", "engine/planning/search/route_ground.hpp"}}},
-      // The listener speaks in messages and problems; it knows no resource.
+      // The HTTP server only knows messages and problems, and no resource.
       {"server/http",
        {{"engine/core", "engine/messages", "api/log", "api/problems"},
         {"api/codec/bytes/sha256.hpp", "api/routes/request/message.hpp", "api/routes/request/reply.hpp"}}},
@@ -159,7 +160,8 @@ const std::map<std::string, Folder>& folders() {
   return all;
 }
 
-/// A library, known by how its headers begin, and the folders that may include it, with all below them.
+/// A library, recognised by the beginning of its headers, and the folders that may include it, with their
+/// subfolders.
 struct Library {
   std::regex header;
   Names allowed;
@@ -196,14 +198,14 @@ bool may_include(const std::string& from, const fs::path& header) {
   return reached.contains(header.parent_path().generic_string());
 }
 
-/// Whether the folder or one that it lies in may include it.
+/// Whether the folder or one above it may include the library.
 bool knows(const Library& library, const std::string& folder) {
   for (fs::path place = folder; !place.empty(); place = place.parent_path())
     if (library.allowed.contains(place.generic_string())) return true;
   return false;
 }
 
-/// Why `folder` may not have this include; empty when it may.
+/// Why `folder` may not include this header; empty if it may.
 std::string fault_of(const fs::path& root, const std::string& folder, bool quoted,
                      const std::string& header) {
   for (const Library& library : libraries()) {

@@ -16,7 +16,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-/// A copy of the four layers that a test may spoil; gone when the test ends.
+/// A copy of the four layers that a test may change; removed at the end of the test.
 class SpoiltTree : public testing::Test {
  protected:
   SpoiltTree() {
@@ -32,7 +32,7 @@ class SpoiltTree : public testing::Test {
     std::ofstream{root_ / file, std::ios::app} << line << '\n';
   }
 
-  /// What the test spoilt; faults that the tree itself has are another test's matter.
+  /// The faults that the test has caused; another test reports those of the tree itself.
   [[nodiscard]] std::vector<std::string> new_faults() const {
     const std::vector<std::string> known = broken_include_rules(support::source_folder());
     std::vector<std::string> faults = broken_include_rules(root_);

@@ -16,7 +16,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The name of the function that a line without indentation begins to declare; empty when it does not.
+/// The name of the function whose declaration begins on this line, which must not be indented; otherwise
+/// empty.
 std::string function_in(const std::string& line) {
   for (const char* const other : {"namespace", "using", "struct", "class", "enum", "template", "}", "#", "/"})
     if (line.starts_with(other)) return "";
@@ -32,7 +33,7 @@ std::string function_in(const std::string& line) {
   return line.substr(begin, parameters - begin);
 }
 
-/// The functions in the unnamed namespaces of a source. Relies on the common format of all sources.
+/// The functions in the unnamed namespaces of a source file. Relies on the common formatting of all sources.
 std::set<std::string> own_functions(std::istream& source) {
   std::set<std::string> names;
   bool is_inside = false;
@@ -45,7 +46,8 @@ std::set<std::string> own_functions(std::istream& source) {
   return names;
 }
 
-/// "name in one source and another", of the functions that two sources of a unit have for themselves.
+/// Functions that two sources of a unit both define in unnamed namespaces, as "name in one source and
+/// another".
 std::vector<std::string> shared_names(const std::map<std::string, std::set<std::string>>& functions_of) {
   std::vector<std::string> shared;
   std::map<std::string, std::string> first_with;
@@ -69,8 +71,9 @@ std::map<std::string, std::set<std::string>> functions_in_unit(const fs::path& u
   return functions_of;
 }
 
-// Where the signatures differ the compiler says nothing: it takes the function that fits better, which may be that of
-// the other source, and the program does not do what its sources say. Those of tests have namespaces of their own.
+// If the signatures differ, the compiler gives no error: it takes the function that fits better, which may be
+// that of the other source, and the program behaves differently from its sources. Sources of tests have their
+// own namespaces.
 TEST(JointUnits, HaveNoTwoSourcesWithAFunctionOfOneName) {
   const fs::path units = fs::path{support::program_folder()} / "joint";
   if (!fs::exists(units)) GTEST_SKIP() << "this build compiles every source alone";

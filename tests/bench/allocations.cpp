@@ -6,8 +6,8 @@
 
 #include "tests/bench/report.hpp"
 
-/// Counts what the program takes from the heap. A program replaces these operators as a whole, so they stand in a
-/// file of their own.
+/// Counts the heap memory that the program uses. These operators replace those of the whole program, so they
+/// are in their own file.
 namespace {
 
 std::atomic<std::size_t> in_use{0};

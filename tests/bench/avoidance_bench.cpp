@@ -17,7 +17,8 @@ struct Steps {
   double worst_s{};
 };
 
-/// One step after the other of a vehicle in a sea where every ping brings so many echoes, a fresh system on board.
+/// Times consecutive steps of a vehicle in a sea where every ping has this number of echoes, with a new
+/// avoidance system.
 template <class Step>
 Steps timed_steps(std::size_t echoes, const Step& step) {
   const auto system = std::make_unique<AvoidanceSystem>(

@@ -11,7 +11,8 @@
 #include <memory>
 #include <string>
 
-// What a server's rate is compared with: the same libraries, and nothing but the bytes of a file for every request.
+// Reference for the rate of the server: the same libraries, but it returns the bytes of a file for every
+// request.
 
 namespace {
 

@@ -16,7 +16,7 @@ namespace {
 
 constexpr int calibration_side = 1'000;
 
-/// A tide against a vehicle: never zero, different everywhere, and dear to compute.
+/// Travel time in a tidal current: never zero, different everywhere, and expensive to compute.
 double time_of_edge(int column, int row, int dx, int dy, double depart) {
   const double current = 0.3 * std::sin(0.013 * column + 1e-3 * depart) * std::cos(0.017 * row);
   const double length = std::sqrt(static_cast<double>(dx * dx + dy * dy));

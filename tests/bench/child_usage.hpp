@@ -8,13 +8,13 @@
 
 namespace floeplan::bench {
 
-/// The time and memory that work took in a process of its own and in the processes that it started.
+/// Time and memory of work in a separate process, including the processes that it started.
 struct ChildUsage {
   double cpu_s{};
   double largest_mb{};  // resident memory of the largest of the processes
 };
 
-/// Runs `work` in a process of its own; it may become another program.
+/// Runs `work` in a separate process; `work` may execute another program.
 /// Errors   std::runtime_error when it throws or ends with another code than the expected one
 template <class Work>
 ChildUsage usage_of(const Work& work, int expected_code = 0) {

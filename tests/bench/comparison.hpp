@@ -7,48 +7,47 @@
 
 #include "tests/bench/report.hpp"
 
-/// This run beside the figures that an earlier release kept.
+/// Comparison of this run with the stored results of an earlier release.
 namespace floeplan::bench {
 
-/// Slower than this share is a regression.
+/// A larger slowdown is a regression.
 inline constexpr double tolerated_slowdown = 0.15;
 
-/// What a kept file says of a row; group, what and comparator together name it.
+/// The stored value of a row; group, what and comparator together identify it.
 struct Standing {
   std::string group;
   std::string what;
   std::string comparator;
-  double value{};  // as `standing` gives it: more is better
+  double value{};  // from `standing`: more is better
 
   [[nodiscard]] bool is_of_same_row(const Standing& other) const {
     return group == other.group && what == other.what && comparator == other.comparator;
   }
 };
 
-/// The standings of the rows that have one, in their order.
+/// The standings of those rows that have one, in order.
 [[nodiscard]] std::vector<Standing> standings(const std::vector<Row>& rows);
 
-/// The standings in a file that `json_text` wrote.
-/// Errors   std::runtime_error when the text is no such file, or has no row to compare with
+/// Reads the standings from a file written by `json_text`.
+/// Errors   std::runtime_error when the text is not such a file, or has no row to compare with
 [[nodiscard]] std::vector<Standing> kept_standings(std::string_view text);
 
-/// Every row's better standing of two runs; the second may hold some of the groups only.
+/// The better standing of each row in two runs; the second run may have only some of the groups.
 [[nodiscard]] std::vector<Standing> better_of(std::vector<Standing> first,
                                               const std::vector<Standing>& second);
 
-/// A row that is slower than it was by more than is tolerated, or no longer measured.
+/// A row that is slower than before by more than `tolerated_slowdown`, or no longer measured.
 struct Regression {
   Standing kept;
   std::optional<double> now;
 };
 
-/// Kept rows of a measured group that are slower now, in the order in which they were kept. What is new
-/// has nothing to fall back from.
+/// Stored rows of a measured group that are slower now, in the stored order. New rows cannot be regressions.
 [[nodiscard]] std::vector<Regression> regressions(const std::vector<Standing>& kept,
                                                   const std::vector<Standing>& now,
                                                   const std::vector<std::string>& groups);
 
-/// "plan, 23 % slower".
+/// The text for the report: "plan, 23 % slower".
 [[nodiscard]] std::string sentence(const Regression& regression);
 
 }  // namespace floeplan::bench

@@ -14,7 +14,7 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
 
-/// A row of each gauge, on a machine so many times as fast and a product so many times as slow as they might be.
+/// A row of each gauge, on a machine `machine` times as fast and a product `product` times as slow as normal.
 std::vector<Row> measured(double machine, double product) {
   std::vector<Row> rows{
       gauged_by(Gauge::comparator,

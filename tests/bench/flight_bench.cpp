@@ -27,10 +27,10 @@ constexpr unsigned most_workers = 8;  // more would only take longer alone
 constexpr std::size_t runs_for_each_worker = 4;
 constexpr double least_share_of_cores = 0.8;
 
-/// A way of 5 km over hills between 65 and 135 m deep, that the sonar hears all the time.
+/// A route of 5 km over hills between 65 and 135 m deep, always within range of the sonar.
 IcebergField bank() {
   IcebergFieldSettings settings;
-  settings.km2_for_each = 1e6;  // none
+  settings.km2_for_each = 1e6;  // no icebergs
   settings.dive_depth = core::Metres{100.0};
   IcebergField field = random_icebergs(settings, start, departure, 1);
   std::vector<double> lon;
@@ -53,7 +53,7 @@ IcebergField bank() {
   return {World{std::move(parts)}, field.orders, field.vehicle, {}};
 }
 
-/// How long a flight takes in its sea; a contact does not end it.
+/// Simulated duration of a flight in its sea; a contact does not end it.
 template <class OnBoardFor>
 core::Seconds flown_through(const IcebergField& sea, std::uint64_t seed, const OnBoardFor& on_board_for) {
   FlightRequest request{.world = sea.world,
@@ -69,7 +69,7 @@ core::Seconds flown_through(const IcebergField& sea, std::uint64_t seed, const O
   return fly(request, on_board).duration();
 }
 
-/// Time that passes while so many workers fly each sea a few times.
+/// Elapsed time while this number of workers simulate each sea a few times.
 template <class OnBoardFor>
 double seconds_passed(std::size_t workers, std::size_t runs, const std::vector<IcebergField>& seas,
                       const OnBoardFor& on_board_for) {
@@ -83,7 +83,8 @@ double seconds_passed(std::size_t workers, std::size_t runs, const std::vector<I
   return core::Seconds{std::chrono::steady_clock::now() - begin}.count();
 }
 
-/// A Monte-Carlo batch on all cores compared with one worker, in elapsed time: other programs on the machine slow it down.
+/// A Monte-Carlo batch on all cores compared with one worker, in elapsed time; other programs on the machine
+/// slow it down.
 template <class OnBoardFor>
 Row scaling_row(const std::vector<IcebergField>& seas, const OnBoardFor& on_board_for) {
   const std::size_t workers = std::clamp(std::thread::hardware_concurrency(), 1U, most_workers);
@@ -98,7 +99,7 @@ Row scaling_row(const std::vector<IcebergField>& seas, const OnBoardFor& on_boar
   return row;
 }
 
-/// Simulated time over processor time, all fields together.
+/// Ratio of simulated time to processor time, over all fields.
 template <class OnBoardFor>
 Row row_of(std::string what, const std::vector<IcebergField>& seas, const OnBoardFor& on_board_for) {
   core::Seconds flown{};

@@ -39,7 +39,7 @@ struct Options {
   std::vector<std::string> groups;  // in the order of the table
 };
 
-/// Empty where the words are none of ours.
+/// Parses the command line; empty if it is wrong.
 std::optional<Options> parse(const std::vector<std::string>& words) {
   Options options;
   std::vector<std::string> wanted;
@@ -89,7 +89,8 @@ std::vector<Standing> read_kept(const std::string& file) {
   }
 }
 
-/// What fell back is measured once more, for a moment's disturbance is no regression. Returns whether all is well.
+/// Reports regressions. Slower rows are measured once more, because a short disturbance is not a regression.
+/// Returns whether there are none.
 bool holds(const std::vector<Standing>& kept, const std::vector<Row>& rows, const Options& options) {
   std::vector<Standing> now = standings(rows);
   std::vector<Regression> fallen = regressions(kept, now, options.groups);
@@ -118,7 +119,7 @@ bool holds(const std::vector<Standing>& kept, const std::vector<Row>& rows, cons
 /// Exit code: 0 measured, and nothing slower than FILE has it; 1 slower, or not measured; 2 wrong usage
 int main(int argc, char** argv) {
   const std::vector<std::string> words{argv + 1, argv + argc};
-  if (words.size() > 2 && words[0] == "read-files")  // as the benchmark of ingest starts this program
+  if (words.size() > 2 && words[0] == "read-files")  // the benchmark of ingest starts this program as reader
     return floeplan::ingest::read_foreign_files(argv[2], {argv + 3, argv + argc});
   const auto options = parse(words);
   if (!options) {
@@ -127,7 +128,8 @@ int main(int argc, char** argv) {
   }
   try {
     std::vector<Standing> kept;
-    if (!options->kept_file.empty()) kept = read_kept(options->kept_file);  // before the long work
+    // before the measurements, because these take long
+    if (!options->kept_file.empty()) kept = read_kept(options->kept_file);
     const std::vector<Row> rows = measure(options->groups);
     std::cout << (options->as_json ? json_text(rows) : table_text(rows)) << std::flush;
     return kept.empty() || holds(kept, rows, *options) ? 0 : 1;

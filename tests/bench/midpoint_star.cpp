@@ -41,7 +41,8 @@ Water::Node current_at(const Water& water, float x, float y, float t_s) {
           before.y_m_s + slice.share * (after.y_m_s - before.y_m_s)};
 }
 
-/// Zero where the vehicle does not get on. Written without a branch, for vectors.
+/// Speed over ground along the edge; zero if the vehicle makes no progress. Written without a branch, for
+/// vectorisation.
 inline float speed(float x_m_s, float y_m_s, float ex, float ey) {
   const float along = x_m_s * ex + y_m_s * ey;
   const float across = x_m_s * ey - y_m_s * ex;
@@ -78,9 +79,9 @@ float midpoint_time(const Water& water, const MidpointEdges& edges, int column, 
   return v > 0.0F ? edges.length_m[step] / v : MidpointEdges::never;
 }
 
-// A bilinear value is the sum over the nodes of their values, each weighted by how near the node is. The nine
-// nodes about the tail reach all middles, so the edges need no lookups of their own: the nodes are the same
-// for all lanes, the weights differ.
+// A bilinear value is the sum of the values at the nodes, each weighted by its closeness. The nine nodes
+// around the tail cover all middles, so the edges need no lookups of their own: all lanes use the same nodes
+// with different weights.
 __attribute__((target_clones("default", "avx2", "avx512f"))) void star_times(
     const Water& water, const MidpointEdges& edges, int column, int row, float depart_s, StarTimes& times) {
   const float x = static_cast<float>(column) * water.cells_per_vertex;

@@ -9,8 +9,8 @@
 
 namespace floeplan::bench {
 
-/// The cheapest honest time of an edge: the speed at the tail leads to the time at the middle, the speed there
-/// gives the time of the whole edge.
+/// The simplest accurate travel time of an edge: the speed at the tail gives the time at the middle, and the
+/// speed there gives the time of the whole edge.
 struct MidpointEdges {
   static constexpr std::size_t most = 32;  // edges out of a vertex of a 3-sector grid
   static constexpr float spacing_m = 1'000.0F;
@@ -20,23 +20,24 @@ struct MidpointEdges {
   alignas(64) std::array<float, most> length_m{};
   alignas(64) std::array<float, most> ex{};
   alignas(64) std::array<float, most> ey{};
-  alignas(64) std::array<float, most> half_x{};  // the middle from the tail, in cells of the water
+  alignas(64) std::array<float, most> half_x{};  // from the tail to the middle, in cells of the water
   alignas(64) std::array<float, most> half_y{};
 
   MidpointEdges(const Water& water, const std::vector<graph::Offset>& offsets);
 };
 
-/// Travel times in seconds, by step; `never` where the edge is closed. Edges that leave the grid are nonsense.
+/// Travel times in seconds, by step; `never` if the edge is closed. Values of edges that leave the grid are
+/// undefined.
 struct alignas(64) StarTimes {
   std::array<float, MidpointEdges::most> time_s;
 };
 
-/// All edges out of a vertex at once, for whatever vectors the processor has. One operation for each, in the
-/// same order: all processors give the same bits.
+/// Computes all edges out of a vertex at once, with the vector instructions of the processor. The order of
+/// operations is fixed, so all processors give the same bits.
 void star_times(const Water& water, const MidpointEdges& edges, int column, int row, float depart_s,
                 StarTimes& times);
 
-/// The same for one edge: what a library that asks for weights edge by edge calls.
+/// The same for one edge, for a library that requests weights edge by edge.
 float midpoint_time(const Water& water, const MidpointEdges& edges, int column, int row, std::size_t step,
                     float depart_s);
 

@@ -22,7 +22,7 @@ constexpr double packed_step_m_s = 0.001;
 constexpr std::int16_t packed_missing = -32767;
 constexpr float missing = 1e20F;
 constexpr double noise_m_s = 0.01;
-constexpr std::size_t noise_count = 65'521;  // a prime: no two rows begin alike
+constexpr std::size_t noise_count = 65'521;  // a prime, so that no two rows begin alike
 
 std::vector<double> steps_from(double first, double step, std::size_t count) {
   std::vector<double> nodes;
@@ -37,7 +37,7 @@ std::vector<core::UtcTime> hours(std::size_t count) {
   return times;
 }
 
-/// Slices of the two components, one after the other.
+/// Generates slices of the two components, one after the other.
 class Ocean {
  public:
   explicit Ocean(const OceanShape& shape) : shape_{shape} {

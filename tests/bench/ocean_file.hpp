@@ -5,7 +5,7 @@
 
 namespace floeplan::bench {
 
-/// Numbers of a model's currents in a file.
+/// Number type of the currents in a file.
 enum class Numbers {
   full,   // float32
   packed  // int16 in steps of 1 mm/s
@@ -19,8 +19,8 @@ struct OceanShape {
   std::size_t columns{};
 };
 
-/// Writes a NetCDF-4 file of currents, not compressed, as a model might give them: travelling waves that fade with
-/// depth, eddies' worth of noise, and land. The same for the same shape and numbers.
+/// Writes an uncompressed NetCDF-4 file of currents, similar to a model's: travelling waves that fade with
+/// depth, noise of the size of eddies, and land. The same shape and numbers give the same file.
 /// Errors   std::runtime_error when the file cannot be written
 void write_ocean(const std::filesystem::path& file, const OceanShape& shape, Numbers numbers);
 

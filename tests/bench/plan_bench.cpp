@@ -52,7 +52,7 @@ Row edge_row(const ocean::Environment& sea) {
   const motion::EdgeAccuracy accuracy{.longest_step = currents.spacing(),
                                       .longest_duration = core::Seconds{3600.0}};
   const auto offsets = graph::sector_offsets(3);
-  constexpr int vertices = 50;  // a side, a thousand metres apart
+  constexpr int vertices = 50;  // on each side, a thousand metres apart
 
   const auto evaluations_per_s = [&](const auto& current) {
     volatile double sink = 0.0;

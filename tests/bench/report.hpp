@@ -7,48 +7,48 @@
 
 namespace floeplan::bench {
 
-/// What `ours` is held against when it is compared with an earlier release, perhaps on another machine.
+/// How `ours` is made comparable with an earlier release, perhaps measured on another machine.
 enum class Gauge {
-  nothing,     // varies by itself, or with the number of cores
-  comparator,  // the ratio: the comparator is another's code, or the calibration loop
-  time,        // a time: beside the calibration loop that ran around its group
-  rate,        // work for each unit of time: the same
+  nothing,     // not compared: varies by itself, or with the number of cores
+  comparator,  // by the ratio to the comparator, which is foreign code or the calibration loop
+  time,        // a time, relative to the calibration loop that ran before and after its group
+  rate,        // work per unit of time, relative to the same loop
 };
 
-/// One line of the table: ours beside what it is compared with, both measured in this run.
+/// One row of the table: our value and its comparator, both measured in this run.
 struct Row {
   std::string what;
   std::string unit;
   double ours{};
   std::string comparator;  // empty: nothing to compare with
   double comparator_value{};
-  double ratio{};  // how many times better ours is; 0 without a comparator
+  double ratio{};  // factor by which ours is better; 0 without a comparator
   std::optional<bool> meets_target{};
   std::string target{};
   Gauge gauge{Gauge::nothing};
   std::string group{};     // set by the program, for all rows of a group
-  double calibration_s{};  // the same
+  double calibration_s{};  // set by the program, for all rows of a group
 };
 
-/// How good a row is, the speed of the machine left out: more is better, and twice as much is twice as fast. It compares
-/// with that of the same row in another run. Empty for a row without a gauge.
+/// The quality of a row, independent of the speed of the machine: more is better, and twice as much is twice
+/// as fast. It is compared with that of the same row in another run. Empty for a row without a gauge.
 std::optional<double> standing(const Row& row);
 
-/// The same row, to be held against this when releases are compared.
+/// The same row with this gauge.
 Row gauged_by(Gauge gauge, Row row);
 
-/// More is better: ours / comparator.
+/// A row whose ratio is ours / comparator, because more is better.
 Row more_is_better(std::string what, std::string unit, double ours, std::string comparator, double value);
-/// Less is better: comparator / ours.
+/// A row whose ratio is comparator / ours, because less is better.
 Row less_is_better(std::string what, std::string unit, double ours, std::string comparator, double value);
 
 std::string table_text(const std::vector<Row>& rows);
 std::string json_text(const std::vector<Row>& rows);
 
-/// Processor time of this thread: other programs on the machine do not count.
+/// Processor time of this thread; other programs on the machine do not count.
 double thread_seconds();
 
-/// The least of the thread seconds that `work` takes, over several tries.
+/// Shortest processor time of `work` over several tries, seconds.
 template <class Work>
 double least_seconds(int tries, const Work& work) {
   double least = 1e300;
@@ -61,7 +61,7 @@ double least_seconds(int tries, const Work& work) {
   return least;
 }
 
-/// Most bytes of the heap in use at once since the last call of `reset_peak`, beyond those in use then.
+/// Largest heap use since the last call of `reset_peak`, in bytes beyond the use at that call.
 std::size_t peak_bytes();
 void reset_peak();
 

@@ -18,17 +18,17 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t most_runs = 3;
-constexpr double long_enough_s =
-    30.0;  // of all runs of a request together: longer ones vary less by themselves
+constexpr double long_enough_s = 30.0;  // of all runs of a request together: longer totals vary less
 
-/// A request as the command line takes it; `code` is how the program ends.
+/// A request of the command line; `code` is the expected exit code.
 struct BenchRequest {
   std::string what;
   std::vector<std::string> words;
   int code{0};
 };
 
-/// The words of a request from the open bay to the mouth of the icefjord, with what changes from request to request.
+/// The arguments of a request from the open bay to the mouth of the icefjord, followed by those of this
+/// request.
 std::vector<std::string> across_the_bay(const std::string& command, const std::vector<std::string>& more) {
   std::vector<std::string> words{command, "--from=-53.20,69.20", "--depart", "2026-11-22T06:00:00Z"};
   if (command == "plan") words.emplace_back("--to=-51.35,69.18");
@@ -53,7 +53,7 @@ std::vector<BenchRequest> bench_requests() {
   };
 }
 
-/// The program that users run, and a store of the demonstration data that lasts as long as this.
+/// The program that users run, and a temporary store with the demonstration data.
 class Demonstration {
  public:
   Demonstration() : program_{fs::read_symlink("/proc/self/exe").parent_path() / "floeplan"} {
@@ -69,7 +69,7 @@ class Demonstration {
     (void)run(words, 0);
   }
 
-  /// Processor seconds of the whole process.
+  /// Processor time of the whole process, seconds.
   [[nodiscard]] double run(const std::vector<std::string>& request, int code) const {
     std::vector<std::string> words{program_.string(), "--data", (folder_.path() / "store").string()};
     words.insert(words.end(), request.begin(), request.end());
@@ -93,7 +93,7 @@ class Demonstration {
   fs::path program_;
 };
 
-/// The median of up to three runs, each beside the calibration loop before and after it.
+/// The median of up to three runs, each compared with the calibration loop before and after it.
 Row row_of_request(const Demonstration& demonstration, const BenchRequest& request) {
   std::vector<Row> runs;
   double taken_s = 0.0;

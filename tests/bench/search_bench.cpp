@@ -23,7 +23,8 @@ using graph::Vertex;
 
 constexpr int sectors = 3;
 
-/// The cost as the search asks for it: a vertex's edges come one after the other, and are timed together.
+/// The cost in the form of the search: the edges of a vertex are requested one after the other, and computed
+/// together.
 class MidpointTravelTime {
  public:
   MidpointTravelTime(const Water& water, const MidpointEdges& edges, const GridGraph& graph)
@@ -79,8 +80,8 @@ using BoostGraph =
                                        boost::no_property, std::uint32_t, std::uint32_t>;
 using BoostEdge = boost::graph_traits<BoostGraph>::edge_descriptor;
 
-/// The same cost as a property map of the library: its weight is asked for when the edge's tail has its final
-/// distance. The library asks twice for each edge; the second answer is remembered, to its advantage.
+/// The same cost as a property map of the Boost library, which requests a weight when the edge's tail has its
+/// final distance. It requests each edge twice; the second answer is cached, to the library's advantage.
 struct MidpointWeight {
   using key_type = BoostEdge;
   using value_type = double;
@@ -151,7 +152,7 @@ BoostSearched search_with_boost(const Water& water, int side) {
   return result;
 }
 
-/// Vectors and single numbers round differently; further apart than this they would not be the same cost.
+/// Throws if the arrivals differ by more than rounding; vector and scalar operations round differently.
 void refuse_other_arrivals(const std::vector<double>& ours, const std::vector<double>& theirs) {
   for (std::size_t v = 0; v < ours.size(); ++v) {
     if (ours[v] == theirs[v]) continue;

@@ -24,16 +24,16 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double megabyte = 1e6;
-constexpr std::size_t edge = 128;  // nodes of the area that is read, along each side
+constexpr std::size_t edge = 128;  // nodes on each side of the area that is read
 
-/// About a gigabyte of samples, however they are packed.
+/// The shape of a file of about a gigabyte, whatever its number type.
 OceanShape shape_of(Numbers numbers) {
   return {.times = numbers == Numbers::full ? 24U : 48U, .depths = 9, .rows = 720, .columns = 840};
 }
 
 double megabytes(const fs::path& file) { return static_cast<double>(fs::file_size(file)) / megabyte; }
 
-/// GDAL's own way from one NetCDF file to a compressed one.
+/// Converts a NetCDF file to a compressed one with GDAL.
 void translate(const fs::path& from, const fs::path& to) {
   ingest::register_drivers();
   const GDALDatasetUniquePtr source{GDALDataset::Open(from.c_str(), GDAL_OF_MULTIDIM_RASTER)};
@@ -58,7 +58,7 @@ void ingest_into(const fs::path& store, const fs::path& file) {
     throw std::runtime_error{"the file was not stored"};
 }
 
-/// The same part of both files: an area in the middle, half the times, all depths.
+/// The part that is read from both files: an area in the middle, half the times, all depths.
 struct Part {
   std::array<GUInt64, 4> first{};
   std::array<std::size_t, 4> count{};
@@ -88,7 +88,7 @@ void read_from_store(const fs::path& store, const Part& part) {
   const repository::FieldRepository fields{db};
   const auto shape = fields.shape(dataset.id).value();
   const auto inside = [&](const ocean::Axis& axis,
-                          std::size_t dimension) {  // between the outer nodes and the next
+                          std::size_t dimension) {  // between the outermost nodes and the next ones
     const auto first = static_cast<std::size_t>(part.first.at(dimension));
     const std::size_t last = first + part.count.at(dimension) - 1;
     return std::pair{0.5 * (axis[first] + axis[first + 1]), 0.5 * (axis[last - 1] + axis[last])};
@@ -150,7 +150,8 @@ std::vector<Row> rows_for(Numbers numbers, const std::string& called) {
       memory};
 }
 
-/// A million points in rows, joined to triangles, over ten degrees of longitude by five of latitude.
+/// A mesh of a million points in rows, joined to triangles, over ten degrees of longitude by five of
+/// latitude.
 ocean::Mesh million_points() {
   constexpr std::uint32_t side = 1000;
   ocean::Mesh mesh;

@@ -6,10 +6,10 @@
 namespace floeplan::bench {
 
 /// A current for the measurements of the search alone: a coarse grid over a square of vertices, bilinear in
-/// place and linear in time, one float pair for each node and slice.
+/// place and linear in time, one pair of floats for each node and slice.
 /// Shape  [slice][row][column], last index fastest
 struct Water {
-  static constexpr int nodes = 126;  // a side: a cell spans eight of a thousand vertices
+  static constexpr int nodes = 126;  // on each side: a cell spans eight of a thousand vertices
   static constexpr int slices = 300;
   static constexpr float slice_s = 10'800.0F;
 
@@ -21,7 +21,7 @@ struct Water {
   float cells_per_vertex{};
   std::vector<Node> currents;
 
-  /// Drifting eddies of up to 0.15 m/s, on `vertices` x `vertices` vertices.
+  /// Creates drifting eddies of up to 0.15 m/s, on `vertices` x `vertices` vertices.
   explicit Water(int vertices);
 
   [[nodiscard]] const Node& at(int slice, int row, int column) const {

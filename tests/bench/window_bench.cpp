@@ -11,7 +11,7 @@ namespace floeplan::bench {
 namespace {
 
 constexpr int departures = 121;      // every hour of five days
-constexpr int hours = 12 * 24;       // of currents: the last departure must arrive, too
+constexpr int hours = 12 * 24;       // of currents: also the last departure must arrive
 constexpr int one_by_one_step = 12;  // every twelfth departure is planned alone: planning all takes minutes
 
 /// A tide that turns twice a day and is stronger at springs, and drifting eddies of 30 km. Eddies of one sense of rotation are
@@ -51,7 +51,7 @@ std::vector<Row> window_rows() {
       planning::PlanRequest alone = request();
       alone.depart = curve[i].departure;
       const auto plan = planning::plan_route(sea, alone, {}, {});
-      // A plan's straight runs of legs are joined, and so integrated in fewer pieces.
+      // In a plan, straight runs of legs are joined and therefore integrated in fewer pieces.
       const double apart_s = (plan->travel_time() - curve[i].travel_time.value()).count();
       if (std::abs(apart_s) > 2e-4 * plan->travel_time().count()) {
         throw std::runtime_error{"a departure of the window differs from a plan for it alone"};

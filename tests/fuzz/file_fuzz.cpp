@@ -27,7 +27,7 @@ void expect(bool held) {
   if (!held) std::abort();
 }
 
-/// What is read has rows; what is not has a reason.
+/// A file that was read has rows; a refused file has a reason.
 void check(const Checked<PreparedDataset>& read) {
   if (read)
     expect(read->rows_accepted > 0);
@@ -35,7 +35,7 @@ void check(const Checked<PreparedDataset>& read) {
     expect(!read.error().empty());
 }
 
-/// In memory, for a file system would take most of the time. One process fuzzes one of them.
+/// In memory, because a file system would take most of the time; a separate file for each fuzzing process.
 fs::path place_of_file() { return "/dev/shm/floeplan-file-fuzz-" + std::to_string(getpid()); }
 
 void write(const fs::path& file, std::string_view bytes) {
@@ -70,7 +70,7 @@ void check_texts(std::string_view text) {
 
 }  // namespace
 
-/// Prepares the libraries as the process that reads files does.
+/// Prepares the libraries like the process that reads files.
 extern "C" int LLVMFuzzerInitialize(int* /*argc*/, char*** /*argv*/) {
   register_drivers();
   return 0;

@@ -20,7 +20,7 @@ void expect(bool held) {
   if (!held) std::abort();
 }
 
-/// A target that is read holds no NUL, and what is read of it was in it.
+/// An accepted target contains no NUL, and its parts come from the text.
 void check_target(std::string_view text) {
   const auto target = routes::parse_target(text);
   if (!target) return;
@@ -30,13 +30,13 @@ void check_target(std::string_view text) {
   expect(length <= text.size());
 }
 
-/// A credential that is read is written the same.
+/// An accepted credential is written with the same text.
 void check_credential(std::string_view text) {
   const auto credential = codec::parse_credential(text);
   if (credential) expect(codec::credential_text(*credential) == text);
 }
 
-/// An origin that may be allowed is one word that can stand in a header.
+/// An accepted origin is a single word that can be in a header.
 void check_site(std::string_view text) {
   if (routes::is_origin(text)) expect(text.find_first_of(" \r\n,") == std::string_view::npos);
   static_cast<void>(routes::could_be_rebound(text, "127.0.0.1:8080"));
@@ -56,7 +56,7 @@ void check_headers(const std::string& text) {
   static_cast<void>(routes::shown_credential(request));
 }
 
-/// The first line is the content type. Parts lie within the body, one after the other.
+/// The first line is the content type. The parts are inside the body, one after the other.
 void check_multipart(std::string_view text) {
   const auto end = text.find('\n');
   if (end == std::string_view::npos) return;
@@ -67,7 +67,8 @@ void check_multipart(std::string_view text) {
   expect(length <= text.size());
 }
 
-/// A header is found strict, faulty or unfinished alike, whether its bytes come at once or one by one.
+/// The result for a header (accepted, faulty or unfinished) does not depend on whether its bytes come
+/// together or singly.
 void check_head(std::string_view text) {
   http::StrictHead at_once;
   const auto found = at_once.look_at(text);

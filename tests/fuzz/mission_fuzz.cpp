@@ -10,12 +10,13 @@ namespace {
 
 using namespace floeplan::mission;
 
-/// What is not rejected can be written, is then not rejected either, and is written the same again.
+/// A file that is not rejected can be written; the written file is not rejected, and writing it again gives
+/// the same text.
 void check(const char* name, std::string_view bytes) {
   const Document read = read_document(name, bytes);
   if (read.verdict() == Verdict::reject) return;
   const std::string written = write_document(read);
-  if (written.size() > 60'000) return;  // blanks that were added may bring it past the reader's limit
+  if (written.size() > 60'000) return;  // inserted blanks may exceed the reader's limit
   const Document again = read_document(name, written);
   if (again.verdict() == Verdict::reject || write_document(again) != written ||
       again.waypoints.size() != read.waypoints.size()) {

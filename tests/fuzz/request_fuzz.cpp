@@ -15,8 +15,8 @@ namespace {
 using namespace floeplan::codec;
 using nlohmann::json;
 
-/// Inputs that are taken are written with every default, taken again, and then written the same: a job that is done
-/// once more after a crash is the same job.
+/// Accepted inputs, written with all defaults, are accepted again and give the same text: a job repeated
+/// after a crash is the same job.
 template <class Parse>
 void check(const json& inputs, const Parse& parse) {
   const auto read = parse(inputs);

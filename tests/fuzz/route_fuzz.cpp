@@ -14,7 +14,7 @@ void expect(bool held) {
   if (!held) std::abort();
 }
 
-/// A route that is read lies on the globe and is no longer than it may be; one that is not has a reason.
+/// An accepted route is on the globe and within the limit of places; a refused one has a reason.
 void check(const char* name, std::string_view bytes) {
   constexpr std::size_t most_places = 10'000;
   const auto read = codec::read_route_file(name, bytes);

@@ -8,7 +8,7 @@
 
 namespace floeplan::support {
 
-/// Begins the last piece of work first, on three threads.
+/// Runs the pieces of work in reverse order, on three threads.
 class Backwards final : public core::Executor {
  public:
   void run(std::size_t count, const Piece& piece) const override {

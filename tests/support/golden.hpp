@@ -12,8 +12,8 @@
 
 namespace floeplan::support {
 
-/// Expects that the file of this name in tests/golden holds this text. A failure says where the text was written to and
-/// how it is taken over.
+/// Expects that the file of this name in tests/golden contains this text. A failure message says where the
+/// text was written and how to accept it.
 inline void expect_golden(const std::string& name, const std::string& text) {
   const std::string file = source_folder() + "/tests/golden/" + name;
   std::ostringstream held;

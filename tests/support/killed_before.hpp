@@ -22,8 +22,8 @@ inline constexpr std::array changes_of_files{SYS_write,     SYS_pwrite64, SYS_pw
                                              SYS_link,      SYS_linkat,   SYS_unlink,   SYS_unlinkat,
                                              SYS_mkdir,     SYS_rmdir,    SYS_fsync,    SYS_fdatasync};
 
-/// Runs `work` in a process of its own, and kills that in front of its change of files number `n`, the first being 0.
-/// Returns  the changes that it made: `n` of them when it was killed, fewer when it ended by itself
+/// Runs `work` in a separate process, and kills it before its change of files number `n`, counted from 0.
+/// Returns  the changes that it made: `n` of them if it was killed, fewer if it ended by itself
 /// Errors   std::runtime_error when the work threw, or the process cannot be watched
 template <class Work>
 std::vector<long> killed_before(std::size_t n, const Work& work) {
@@ -67,8 +67,8 @@ std::vector<long> killed_before(std::size_t n, const Work& work) {
   return changes;
 }
 
-/// The instants at which to kill `work`: before every change of files but for writes, of which about `writes` stand for
-/// all; and one past the end.
+/// The instants at which to kill `work`: before every change of files except writes, of which only about
+/// `writes` are chosen; and one after the end.
 template <class Work>
 std::vector<std::size_t> instants_of(const Work& work, std::size_t writes) {
   const std::vector<long> changes = killed_before(std::numeric_limits<std::size_t>::max(), work);

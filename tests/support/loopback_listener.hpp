@@ -9,7 +9,7 @@
 
 namespace floeplan::support {
 
-/// A listener on 127.0.0.1 that tells whether anybody came.
+/// A listener on 127.0.0.1 that records whether anything has connected.
 class LoopbackListener {
  public:
   LoopbackListener() : socket_{socket(AF_INET, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0)} {

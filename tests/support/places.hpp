@@ -4,11 +4,12 @@
 
 namespace floeplan::support {
 
-/// The top of the source tree, absolute, without a slash at its end. Known to one source alone, so that the objects of
-/// all other tests are the same wherever the tree lies, and come from the compiler's cache.
+/// The top folder of the source tree, absolute, without a slash at the end. Only one source contains the
+/// path, so that the objects of all other tests do not depend on the place of the tree and can come from the
+/// compiler's cache.
 [[nodiscard]] std::string source_folder();
 
-/// Where the programs were built, absolute, without a slash at its end.
+/// The folder of the built programs, absolute, without a slash at the end.
 [[nodiscard]] std::string program_folder();
 
 }  // namespace floeplan::support

@@ -62,7 +62,7 @@ inline std::shared_ptr<const ocean::Bathymetry> bathymetry_from(
 inline constexpr double shear_level_m[] = {0.0, 10.0, 30.0, 75.0, 150.0, 300.0};
 inline constexpr double shear_east_m_s[] = {0.5, 0.45, 0.2, -0.1, -0.2, -0.25};
 
-/// The same sheared eastward current everywhere and for `hours`: fast at the surface, turned round at depth.
+/// The same sheared eastward current everywhere, for `hours`: fast at the surface, reversed at depth.
 inline std::shared_ptr<const ocean::CurrentGrid> sheared_currents(int hours = 0) {
   const ocean::HorizontalGrid grid = sea_grid();
   ocean::CurrentGrid::Samples samples{
@@ -80,7 +80,7 @@ inline std::shared_ptr<const ocean::CurrentGrid> sheared_currents(int hours = 0)
   return std::make_shared<const ocean::CurrentGrid>(std::move(samples));
 }
 
-/// Ice at the given hours from sea_start_s by a function of place and hour; NaN: nothing is known.
+/// Ice at the given hours from sea_start_s by a function of place and hour; NaN: no data.
 inline std::shared_ptr<const ocean::IceField> ice_from(
     const std::function<double(geo::LonLat, double hour)>& concentration, const std::vector<double>& hours,
     std::optional<double> thickness_m = std::nullopt) {
@@ -109,7 +109,7 @@ inline ocean::Iceberg iceberg_at(geo::LonLat place, double length_m) {
   return berg;
 }
 
-/// About 40 km eastwards along 69 N, on a 1 km grid.
+/// A request for about 40 km eastwards along 69 N, on a 1 km grid.
 inline planning::PlanRequest eastward_request() {
   planning::PlanRequest request;
   request.from = {-53.5, 69.0};

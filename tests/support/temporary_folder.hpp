@@ -8,7 +8,7 @@
 
 namespace floeplan::support {
 
-/// A new empty folder that is removed with everything in it at the end of the test.
+/// A new empty folder that is removed with its content at the end of the test.
 class TemporaryFolder {
  public:
   TemporaryFolder() {

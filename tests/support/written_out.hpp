@@ -11,19 +11,20 @@
 
 #include "tests/support/places.hpp"
 
-/// Files of the tree that follow from a table in the program, and the tests that keep them so.
+/// Files of the source tree that are generated from a table in the program, and the tests that keep them up
+/// to date.
 namespace floeplan::support {
 
-/// Lets the tests write the files that they would find out of date.
+/// The environment variable that makes the tests write outdated files.
 inline constexpr const char* let_write = "FLOEPLAN_WRITE_CONTRACT";
 
-/// The text of a file, named from the top of the tree; empty where there is none.
+/// The text of a file, by its path in the source tree; empty if there is none.
 inline std::string text_of_tree(const std::string& file) {
   std::ifstream stream{source_folder() + "/" + file, std::ios::binary};
   return {std::istreambuf_iterator<char>{stream}, {}};
 }
 
-/// The first line that the file has otherwise.
+/// The first line that differs in the file.
 inline std::string first_difference(const std::string& file, const std::string& made) {
   std::istringstream lines_of_file{file};
   std::istringstream lines_made{made};
@@ -37,8 +38,9 @@ inline std::string first_difference(const std::string& file, const std::string& 
   }
 }
 
-/// The file holds what is made from the table; where it may be written it does so from now on.
-/// `test`  the executable that runs this
+/// Expects that the file has the content generated from the table; with FLOEPLAN_WRITE_CONTRACT writes it
+/// instead.
+/// `test`  the executable of this test
 inline void expect_written_out(const std::string& file, const std::string& made, const std::string& test) {
   if (std::getenv(let_write) != nullptr)
     std::ofstream{source_folder() + "/" + file, std::ios::binary} << made;
@@ -47,9 +49,9 @@ inline void expect_written_out(const std::string& file, const std::string& made,
                              << let_write << "=1 build/release/" << test << " and commit what it writes.";
 }
 
-/// The same of a part of a page of Markdown, which stands between two comments: one that begins with `name`, and
-/// "end of `name`".
-/// Errors   throws std::runtime_error where the page lacks them
+/// The same for a part of a Markdown page between two comments: one that begins with `name`, and "end of
+/// `name`".
+/// Errors   throws std::runtime_error if the page does not have them
 inline void expect_written_part(const std::string& file, const std::string& name, const std::string& made,
                                 const std::string& test) {
   const std::string page = text_of_tree(file);

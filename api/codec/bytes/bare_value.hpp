@@ -6,7 +6,7 @@
 
 namespace floeplan::codec {
 
-/// The number alone, for texts that name the unit elsewhere.
+/// The number without its unit, for texts that state the unit elsewhere.
 template <class Tag>
 [[nodiscard]] std::optional<double> bare(const std::optional<core::Quantity<Tag>>& quantity) {
   return quantity ? std::optional{quantity->value} : std::nullopt;

@@ -11,7 +11,8 @@
 namespace floeplan::codec {
 namespace {
 
-constexpr std::string_view prefix = "floeplan_";  // lets programs that look for leaked secrets know one
+// lets programs that search for leaked secrets recognise one
+constexpr std::string_view prefix = "floeplan_";
 constexpr std::size_t key_digits = 16;
 constexpr std::size_t secret_digits = 64;
 constexpr std::string_view digits = "0123456789abcdef";

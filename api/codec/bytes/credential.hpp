@@ -6,9 +6,9 @@
 
 namespace floeplan::codec {
 
-/// What somebody shows to prove who it is, "floeplan_<key>_<secret>": the key finds the record in the store, the secret
-/// proves the right to it. Of the secret the store keeps SHA-256 alone. A slow key derivation would add nothing: it
-/// makes guessing words that people choose expensive, and a secret of 256 random bits is none.
+/// The credential of a token or a login, "floeplan_<key>_<secret>". The key finds the record in the store;
+/// the secret proves the right to it. The store keeps only the SHA-256 of the secret. A slow key derivation
+/// is not needed: it protects secrets that can be guessed, and 256 random bits cannot.
 struct Credential {
   std::string key;     // 64 random bits as 16 hexadecimal digits
   std::string secret;  // 256 random bits as 64 hexadecimal digits
@@ -21,12 +21,12 @@ struct Credential {
 [[nodiscard]] Credential new_credential();
 
 [[nodiscard]] std::string credential_text(const Credential& credential);
-/// Nothing for a text that is none.
+/// nullopt for a text that is not a credential.
 [[nodiscard]] std::optional<Credential> parse_credential(std::string_view text);
 
-/// What is kept of the secret: SHA-256 as lower-case hexadecimal digits.
+/// The digest to store: SHA-256 of the secret, lower-case hexadecimal digits.
 [[nodiscard]] std::string digest_of(const Credential& credential);
-/// Compares with a kept digest in a time that does not depend on where they differ.
+/// Whether the credential has this digest. The time of the comparison does not depend on where they differ.
 [[nodiscard]] bool proves(const Credential& credential, const std::string& digest);
 
 }  // namespace floeplan::codec

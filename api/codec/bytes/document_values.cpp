@@ -48,7 +48,7 @@ messages::Message stored_message(const json& document) {
       message.values.push_back({name, value.get<std::int64_t>()});
     } else if (value.is_number()) {
       message.values.push_back({name, value.get<double>()});
-    } else if (value.is_string()) {  // null: a number that was none
+    } else if (value.is_string()) {  // null: a number that was not finite
       message.values.push_back({name, value.get<std::string>()});
     }
   }

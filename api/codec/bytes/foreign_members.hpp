@@ -4,12 +4,12 @@
 #include <optional>
 #include <string>
 
-/// Members of objects that others wrote, where everything may be missing or of another type.
+/// Reads members of JSON objects from outside, which may be missing or of another type.
 namespace floeplan::codec {
 
-/// Empty where there is no text of that name.
+/// The text under this key; empty if there is none.
 [[nodiscard]] std::string text_at(const nlohmann::json& object, const char* key);
-/// Empty where there is no number of that name.
+/// The number under this key; empty if there is none.
 [[nodiscard]] std::optional<double> number_at(const nlohmann::json& object, const char* key);
 
 }  // namespace floeplan::codec

@@ -12,9 +12,9 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::size_t longest_place = 200;  // that a message names
+constexpr std::size_t longest_place = 200;  // longest place in a message, bytes
 
-/// Walks the text without building anything; stops at the first fault.
+/// Checks the text without building a document; stops at the first fault.
 class Checker : public nlohmann::json_sax<json> {
  public:
   std::string fault;
@@ -46,12 +46,12 @@ class Checker : public nlohmann::json_sax<json> {
   }
 
  private:
-  /// An object or a list that is not closed yet.
+  /// An object or a list whose end has not been reached yet.
   struct Level {
     bool is_list{};
-    std::set<std::string> keys{};  // so far, of an object
+    std::set<std::string> keys{};  // keys read so far, of an object
     std::string place{};           // the last key of an object
-    std::size_t values{};          // so far, of a list
+    std::size_t values{};          // number of values read so far, of a list
   };
 
   bool value() {

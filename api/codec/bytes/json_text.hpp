@@ -8,13 +8,13 @@
 
 namespace floeplan::codec {
 
-/// Deeper nesting than any message of ours needs, shallow enough for code that walks it recursively.
+/// Largest nesting depth: more than any message of Floeplan needs, and small enough for recursive code.
 inline constexpr int max_json_depth = 64;
 
-/// Parses text from outside. The depth is checked in a first pass that builds nothing, so nested input costs
-/// no stack.
-/// Errors   what is wrong and where, for a person; also for NaN, infinity and numbers beyond a double, and for an
-///          object that has a key twice: which of the values counts differs from reader to reader
+/// Parses JSON text from outside. A first pass checks the nesting depth without building anything, so that
+/// deeply nested input needs no stack.
+/// Errors   the fault and its place, for the user; also NaN, infinity, numbers beyond a double, and an object
+///          with a key twice, because readers differ in which of the values they use
 [[nodiscard]] tl::expected<nlohmann::json, std::string> parse_json(std::string_view text);
 
 }  // namespace floeplan::codec

@@ -13,7 +13,7 @@ using core::lower_case;
 constexpr std::size_t most_parts = 1000;
 constexpr std::size_t longest_boundary = 70;  // RFC 2046, section 5.1.1
 
-/// The value of a parameter of a header, quoted or not, as name="field" or boundary=abc.
+/// The value of a header's parameter, with or without quotes: name="field" or boundary=abc.
 std::optional<std::string> parameter_of(std::string_view header, std::string_view name) {
   std::size_t at = header.find(';');
   while (at != std::string_view::npos) {
@@ -33,7 +33,7 @@ std::optional<std::string> parameter_of(std::string_view header, std::string_vie
   return std::nullopt;
 }
 
-/// The part between two boundaries: header lines, an empty line, content.
+/// Parses the text between two boundaries: header lines, an empty line, the content.
 tl::expected<FormPart, std::string> read_part(std::string_view text) {
   const bool bare = text.starts_with("\r\n");
   const std::size_t end = bare ? 0 : text.find("\r\n\r\n");
@@ -59,7 +59,7 @@ tl::expected<std::vector<FormPart>, std::string> parse_multipart(std::string_vie
   if (!boundary || boundary->empty() || boundary->size() > longest_boundary)
     return tl::unexpected(std::string{"the Content-Type has no boundary of 1 to 70 characters"});
 
-  // A line end belongs to the boundary after it; one is lent to the first.
+  // The line end before a boundary belongs to the boundary. The first boundary may have none.
   const std::string opening = "--" + *boundary;
   const std::string between = "\r\n" + opening;
   if (!body.starts_with(opening)) {

@@ -117,7 +117,7 @@ std::string NetcdfClassic::attributes_text(const std::vector<Attribute>& attribu
   return text;
 }
 
-/// `begin`: where the first variable's values begin.
+/// The header of the file. `begin` is the offset of the first variable's values, bytes.
 std::string NetcdfClassic::header(std::size_t begin) const {
   std::string text{"CDF\x02"};
   text += written_count(0) + list_head(dimension_list, dimensions_.size());

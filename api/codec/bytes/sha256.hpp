@@ -6,7 +6,7 @@
 
 namespace floeplan::codec {
 
-/// SHA-256 of bytes that come one block after the other.
+/// SHA-256 of bytes that are added block by block.
 /// Threads  one at a time
 class Sha256 {
  public:

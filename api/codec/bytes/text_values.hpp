@@ -7,16 +7,16 @@
 
 namespace floeplan::codec {
 
-/// The whole text as a finite number, a sign before it allowed; empty: it is none.
+/// The number, if the whole text is a finite number, also with a sign; otherwise empty.
 [[nodiscard]] std::optional<double> parse_number(std::string_view text);
 
-/// The whole text as a whole number; empty: it is none, or beyond 64 bits.
+/// The number, if the whole text is a whole number of at most 64 bits; otherwise empty.
 [[nodiscard]] std::optional<std::int64_t> parse_integer(std::string_view text);
 
-/// What stands between the separators, one part more than there are of them.
+/// The parts between the separators; one more than there are separators.
 [[nodiscard]] std::vector<std::string_view> split(std::string_view text, char separator);
 
-/// Without the spaces and tabs at either end that a header may have (RFC 9110, 5.6.3).
+/// The text without spaces and tabs at either end, which a header may have (RFC 9110, 5.6.3).
 [[nodiscard]] std::string_view trimmed(std::string_view text);
 
 }  // namespace floeplan::codec

@@ -11,7 +11,7 @@ namespace {
 constexpr std::size_t most_places = 10'000;
 constexpr double longest_ever_s = 1e11;  // year 5138
 
-/// Steps through the text; a step that does not fit leaves a fault behind, after which nothing fits.
+/// Reads the text step by step. After the first step that fails, all further steps fail.
 class Scanner {
  public:
   explicit Scanner(std::string_view text) : rest_{text} {}
@@ -21,7 +21,7 @@ class Scanner {
     skip_blanks();
     return rest_.empty();
   }
-  /// Letters in upper case; empty when there are none.
+  /// The next word in upper case; empty if there is none.
   std::string word() {
     skip_blanks();
     std::string text;
@@ -67,7 +67,7 @@ struct Dimensions {
   bool m{false};
 };
 
-/// Its longitude as it is written.
+/// Reads a position; its longitude is not normalised.
 WktPlace read_place(Scanner& scanner, Dimensions dimensions) {
   WktPlace result;
   result.place.lon_deg = scanner.number();
@@ -83,7 +83,7 @@ WktPlace read_place(Scanner& scanner, Dimensions dimensions) {
   return somewhere ? result : WktPlace{};
 }
 
-/// "(place, place, ...)"; each place may have brackets of its own, as in MULTIPOINT((1 2), (3 4)).
+/// Reads "(place, place, ...)"; each place may have its own brackets, as in MULTIPOINT((1 2), (3 4)).
 std::vector<WktPlace> read_written_places(Scanner& scanner, Dimensions dimensions) {
   std::vector<WktPlace> places;
   scanner.require('(');
@@ -104,8 +104,8 @@ std::vector<WktPlace> read_places(Scanner& scanner, Dimensions dimensions) {
   return places;
 }
 
-/// Edges lead the short way round, but one of a whole turn (from -180 to 180) leads round the globe: it is cut in
-/// three, since both its ends are one place.
+/// Reads a ring. Edges take the shorter way, but an edge of 360 degrees (from -180 to 180) goes around the
+/// globe. It is divided in three, because its two ends are the same position.
 geo::Ring read_ring(Scanner& scanner, Dimensions dimensions) {
   geo::Ring ring;
   std::optional<geo::LonLat> before;
@@ -149,7 +149,7 @@ std::vector<geo::Polygon> read_polygons(Scanner& scanner, Dimensions dimensions,
   return polygons;
 }
 
-/// Takes "Z", "M" or "ZM" off the end of the type's name, or reads it as a word of its own.
+/// Removes "Z", "M" or "ZM" from the end of the type's name, or reads it as a separate word.
 Dimensions read_dimensions(std::string& type, Scanner& scanner) {
   std::string letters = scanner.word();
   if (letters.empty()) {

@@ -10,7 +10,7 @@
 
 namespace floeplan::codec {
 
-/// A place of a well-known text with what the text says of it beyond longitude and latitude.
+/// A position in a well-known text, with its depth and time if the text has them.
 struct WktPlace {
   geo::LonLat place;
   std::optional<double> z_m;
@@ -19,18 +19,19 @@ struct WktPlace {
 
 enum class WktKind { point, multi_point, line, polygon };
 
-/// Coordinates of an EDR query. Of polygons only the areas are set, of everything else only the places.
+/// Coordinates of an EDR query. For polygons only `areas` is set, otherwise only `places`.
 struct WktGeometry {
   WktKind kind{WktKind::point};
   std::vector<WktPlace> places;
   std::vector<geo::Polygon> areas;
-  bool has_z{false};  // the text states Z, that of polygons without being kept
+  bool has_z{false};  // the text has Z values; those of polygons are not kept
 };
 
 /// Reads POINT, MULTIPOINT, LINESTRING, POLYGON and MULTIPOLYGON, plain or with Z, M or ZM ("POINT Z (...)" or
 /// "POINTZ(...)"), longitude first, at most 10,000 places.
-/// Edges    of rings lead the short way round the globe; one from -180 to 180 leads all the way round
-/// Empty    for anything else, also for EMPTY and for places that are none
+/// Edges    an edge of a ring takes the shorter way around the globe; an edge from -180 to 180 goes all the
+///          way around
+/// Empty    for any other text, also for EMPTY and for positions that are not on the Earth
 /// Source   OGC 06-103r4, 7.2
 [[nodiscard]] std::optional<WktGeometry> parse_wkt(std::string_view text);
 

@@ -5,8 +5,8 @@
 
 namespace floeplan::codec {
 
-/// Text made safe for the content or an attribute of XML and HTML; control characters go, since XML has no way to
-/// write them.
+/// The text escaped for the content or an attribute of XML and HTML. Control characters are dropped, because
+/// XML cannot represent them.
 [[nodiscard]] std::string xml_text(std::string_view text);
 
 }  // namespace floeplan::codec

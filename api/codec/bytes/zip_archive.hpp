@@ -13,7 +13,7 @@ struct ArchivedFile {
   std::string content;
 };
 
-/// A ZIP archive of the files, in their order, all dated `modified`.
+/// A ZIP archive of the files, in their order, all with the modification time `modified`.
 /// Errors  std::runtime_error when the archive library fails
 [[nodiscard]] std::string zip_archive(const std::vector<ArchivedFile>& files, core::UtcTime modified);
 

@@ -8,13 +8,13 @@
 
 namespace floeplan::codec {
 
-/// What the document of a plan says of an alternative to it.
-/// `document`  of the alternative's own plan
+/// The entry of an alternative in the document of a plan.
+/// `document`  the document of the alternative's own plan
 [[nodiscard]] nlohmann::json alternative_json(const planning::Alternative& alternative,
                                               const nlohmann::json& document);
 
-/// What the document of a plan says of its alternatives, as a line for each: name, id, arrival, travel time, distance, and
-/// round what it leads. Empty where none were asked for.
+/// The alternatives in the document of a plan, one line each: name, id, arrival, travel time, distance, and
+/// what it leads around. Empty if none were requested.
 [[nodiscard]] std::vector<std::string> alternative_lines(const nlohmann::json& plan_document);
 
 }  // namespace floeplan::codec

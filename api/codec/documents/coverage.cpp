@@ -13,7 +13,7 @@ using nlohmann::json;
 json values_json(const std::vector<std::optional<double>>& values) {
   json result = json::array();
   for (const auto& value : values) {
-    // A tenth of a millimetre (of a second) is finer than any of the data.
+    // Rounded to 1e-4, which is finer than all data (0.1 mm or 0.1 mm/s).
     result.push_back(value ? json(std::round(*value * 1e4) / 1e4) : json());
   }
   return result;

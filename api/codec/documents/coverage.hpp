@@ -17,27 +17,29 @@ struct CoverageParameter {
   std::string unit;   // UCUM
 };
 
-/// Which data answered, and at which of their places.
+/// The data from which the values of a coverage come.
 struct CoverageSource {
-  std::string dataset_id{};  // empty: not told
+  std::string dataset_id{};  // empty: not stated
   std::string dataset_name{};
-  std::vector<std::string> further_ids{};  // of datasets that added steps of time, or places of a trajectory
-  std::string sampling{};                  // in words; empty: at the place that was asked for
+  std::vector<std::string> further_ids{};  // ids of datasets that added time steps, or places of a trajectory
+  // where values were sampled, in words; empty: at the requested place
+  std::string sampling{};
 };
 
-/// Values where and when they are. Axes that the data do not have are empty.
-/// Shape  values of each parameter are [t][z][y][x], last index fastest; missing ones are empty
+/// Values on a grid of positions, depths and times. Axes that the data do not have are empty.
+/// Shape  values of each parameter are [t][z][y][x], last index fastest; a missing value is empty
 struct CoverageGrid {
   std::vector<double> x_deg;
   std::vector<double> y_deg;
   std::vector<double> z_m;  // positive down from the surface
   std::vector<core::UtcTime> t;
   std::vector<CoverageParameter> parameters;
-  std::vector<std::vector<std::optional<double>>> values;  // in the order of the parameters
+  // values of each parameter, in the order of the parameters
+  std::vector<std::vector<std::optional<double>>> values;
   CoverageSource source{};
 };
 
-/// Values along a way, one for each of its places.
+/// Values along a line, one for each of its places.
 struct CoverageTrajectory {
   struct Place {
     geo::LonLat place;
@@ -50,8 +52,9 @@ struct CoverageTrajectory {
   CoverageSource source{};
 };
 
-/// CoverageJSON. A grid with a single place is a Point, a PointSeries (several times) or a VerticalProfile (several
-/// depths). Its source is a member of our own, "source", which readers of the format pass over.
+/// CoverageJSON. A grid with a single place becomes a Point, a PointSeries (several times) or a
+/// VerticalProfile (several depths). The source is an additional member "source", which readers of the format
+/// ignore.
 /// Source  OGC 21-069r2
 [[nodiscard]] nlohmann::json coverage_json(const CoverageGrid& grid);
 [[nodiscard]] nlohmann::json coverage_json(const CoverageTrajectory& trajectory);
@@ -59,7 +62,7 @@ struct CoverageTrajectory {
 /// Several coverages of the same parameters.
 [[nodiscard]] nlohmann::json coverage_collection(std::vector<nlohmann::json> coverages);
 
-/// The parameter as CoverageJSON and the metadata of EDR describe it.
+/// Description of the parameter in CoverageJSON and in the metadata of EDR.
 [[nodiscard]] nlohmann::json parameter_json(const CoverageParameter& parameter);
 
 }  // namespace floeplan::codec

@@ -9,18 +9,18 @@
 
 namespace floeplan::codec {
 
-/// A time axis longer than this is left out of the document; its ends are always there.
+/// A longer time axis is not listed in the document; its first and last time always are.
 inline constexpr std::size_t max_listed_times = 2000;
 
-/// One entry of the list of datasets, for API and command line. `times`: the time steps of currents and ice, else
-/// empty.
+/// An entry in the list of datasets, for API and command line. `times` are the time steps of currents and
+/// ice, otherwise empty.
 [[nodiscard]] nlohmann::json dataset_document(const repository::Dataset& dataset,
                                               const std::vector<core::UtcTime>& times = {});
 
-/// The data that a result rests on.
+/// The datasets from which a result was computed.
 [[nodiscard]] nlohmann::json dataset_refs_json(const std::vector<ocean::DatasetRef>& datasets);
-/// One of them, read back.
-/// Errors  nlohmann::json::exception where a part that each has is missing
+/// Reads one of them back.
+/// Errors  nlohmann::json::exception when a required member is missing
 [[nodiscard]] ocean::DatasetRef parse_dataset_ref(const nlohmann::json& document);
 
 }  // namespace floeplan::codec

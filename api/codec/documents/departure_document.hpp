@@ -7,7 +7,7 @@
 
 namespace floeplan::codec {
 
-/// The curve of a window of departures: one entry for each, in their order.
+/// The outcomes of a window of departures: one entry for each departure, in order.
 [[nodiscard]] nlohmann::json departures_json(const std::vector<planning::DepartureOutcome>& outcomes);
 
 }  // namespace floeplan::codec

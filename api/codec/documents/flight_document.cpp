@@ -14,7 +14,7 @@ using nlohmann::json;
 using simulation::FlightRecord;
 using simulation::Vector;
 
-/// Resolution of the written values; each is one over a whole number.
+/// Resolution of the written values: each constant is the number of steps per unit.
 constexpr double per_degree_of_place = 1e7;
 constexpr double per_metre = 100.0;
 constexpr double per_degree = 100.0;
@@ -104,7 +104,7 @@ json approaches_json(const FlightRecord& record, const Places& places) {
   return approaches;
 }
 
-/// Columns of one sensor.
+/// The columns of one sensor's log.
 class Columns {
  public:
   explicit Columns(std::initializer_list<const char*> names) {

@@ -8,14 +8,14 @@
 
 namespace floeplan::codec {
 
-/// A simulated flight as it is stored and shown: places in degrees, track and sensors' log column by column, times as
-/// seconds since the departure. Numbers are rounded to what they can mean (1e-7 degrees, centimetres, 0.01 degrees of
-/// attitude), so that the text is the same on every processor.
-/// `projection` is that of the frame that the flight was simulated in.
+/// A simulated flight for storage and display: positions in degrees; track and sensor logs as columns; times
+/// in seconds since the departure. Numbers are rounded to their useful precision (1e-7 degrees, centimetres,
+/// 0.01 degrees of attitude), so that the text is the same on every processor.
+/// `projection`  the projection of the frame in which the flight was simulated
 [[nodiscard]] nlohmann::json flight_document(const simulation::FlightRecord& record,
                                              const geo::LocalProjection& projection, std::size_t run);
 
-/// One row of a batch.
+/// The summary of one run of a batch.
 [[nodiscard]] nlohmann::json summary_document(const simulation::RunSummary& summary, std::size_t run);
 
 [[nodiscard]] nlohmann::json statistics_document(const simulation::BatchStatistics& statistics);

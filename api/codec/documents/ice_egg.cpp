@@ -71,7 +71,8 @@ std::string code_of(const std::vector<IceCode>& codes, std::string_view name) {
   return found == codes.end() ? "" : found->code;
 }
 
-/// "8 tenths", "4 to 6 tenths"; two digits are the ends of a range, a zero behind the first one value.
+/// A concentration in words: "8 tenths", "4 to 6 tenths". Two digits are the ends of a range; a second digit
+/// 0 means one value.
 json concentration_words(const std::string& code) {
   if (code.empty()) return nullptr;
   if (code == "00" || code == "55") return "ice free";

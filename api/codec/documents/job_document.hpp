@@ -7,7 +7,7 @@
 
 namespace floeplan::codec {
 
-/// statusInfo of OGC API - Processes; links are absolute and begin with `public_url`.
+/// A job as statusInfo of OGC API - Processes. Links are absolute and begin with `public_url`.
 [[nodiscard]] nlohmann::json job_document(const repository::JobRecord& job, const std::string& public_url);
 
 [[nodiscard]] bool is_finished(repository::JobStatus status);

@@ -12,7 +12,7 @@ namespace {
 
 using nlohmann::json;
 
-/// Every line of a file can be wrong; nobody reads more than so many messages of one severity.
+/// Largest number of messages of one severity. Every line of a file can be wrong, and nobody reads more.
 constexpr std::size_t most_messages = 200;
 
 json settings_json(const std::vector<mission::Argument>& settings) {

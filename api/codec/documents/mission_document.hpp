@@ -7,8 +7,8 @@
 
 namespace floeplan::codec {
 
-/// A mission file as it was read, with the verdict on it and the first 200 messages of each severity. `file` is how the
-/// user named it.
+/// The result of reading a mission file: its content, the verdict, and the first 200 messages of each
+/// severity. `file` is the user's name for the file.
 [[nodiscard]] nlohmann::json mission_document(const mission::Document& document, const std::string& file);
 
 }  // namespace floeplan::codec

@@ -10,7 +10,7 @@ namespace floeplan::codec {
 [[nodiscard]] nlohmann::json passed_under_json(const std::vector<planning::PassedUnder>& passed);
 [[nodiscard]] std::vector<planning::PassedUnder> parse_passed_under(const nlohmann::json& document);
 
-/// What the weight on encounters did: the plan without it and the plan; null where there was no weight.
+/// The effect of the weight on encounters: the plan without it, and the plan; null if there was no weight.
 [[nodiscard]] nlohmann::json encounter_trade_json(const planning::Plan& plan);
 [[nodiscard]] std::optional<planning::EncounterTrade> parse_encounter_trade(const nlohmann::json& document);
 

@@ -39,7 +39,7 @@ json figures_of(const repository::PlanRecord& plan, const json& document) {
   return figures;
 }
 
-/// Null where one of the two is not known.
+/// Second minus first; null if one of them is unknown.
 json less(const json& second, const json& first) {
   if (!first.is_number() || !second.is_number()) return {};
   return second.get<double>() - first.get<double>();
@@ -56,7 +56,7 @@ json difference(const repository::PlanRecord& first_plan, const json& first,
   return result;
 }
 
-/// Members of the requests that are not the same; null for one that a request does not have.
+/// Members of the requests that differ; null if a request does not have the member.
 json differing_inputs(const json& first, const json& second) {
   std::set<std::string> names;
   for (const auto& [name, value] : first.items()) names.insert(name);
@@ -71,7 +71,7 @@ json differing_inputs(const json& first, const json& second) {
   return result;
 }
 
-/// Datasets of `document` that are not, with the same contents, among those of `other`.
+/// Adds datasets of `document` that `other` does not have with the same content.
 void add_own_data(json& list, const json& document, const json& other, const char* whose) {
   for (const json& dataset : document.at("datasets")) {
     const bool shared = std::ranges::any_of(other.at("datasets"), [&](const json& candidate) {

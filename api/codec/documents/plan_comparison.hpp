@@ -6,9 +6,9 @@
 
 namespace floeplan::codec {
 
-/// Two stored plans side by side: the figures of each, what the second has more than the first, the inputs in which
-/// they differ and the data that one of them alone was made with.
-/// Errors   std::runtime_error when a stored document is not one
+/// Compares two stored plans: the values of each, the differences (second minus first), the inputs that
+/// differ, and the data that only one of them used.
+/// Errors   std::runtime_error when a stored document is not a plan
 [[nodiscard]] nlohmann::json plan_comparison(const repository::PlanRecord& first,
                                              const repository::PlanRecord& second);
 

@@ -130,7 +130,7 @@ json refinement_json(const std::optional<planning::RefinementReport>& refinement
   return result;
 }
 
-/// What more legs are worth; empty without refinement.
+/// The travel times of routes with other numbers of legs; empty without refinement.
 json leg_trade_json(const std::optional<planning::RefinementReport>& refinement) {
   json result = json::array();
   if (!refinement) return result;

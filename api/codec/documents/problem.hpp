@@ -6,8 +6,8 @@
 
 namespace floeplan::codec {
 
-/// The problem as RFC 9457 defines it. Its texts may hold what a client sent: long words are cut, and credentials are
-/// hidden.
+/// The problem as an RFC 9457 document. Its texts may contain input of a client, so long words are cut and
+/// credentials hidden.
 [[nodiscard]] nlohmann::json to_json(const problems::Problem& problem);
 
 }  // namespace floeplan::codec

@@ -25,7 +25,7 @@ json rounded_ring(const geo::Ring& ring) {
   return result;
 }
 
-/// Rings that the rounding leaves no area to are left out: GeoJSON wants four positions at least.
+/// GeoJSON requires at least four positions in a ring. Rings that rounding leaves with fewer are dropped.
 constexpr std::size_t least_positions = 4;
 
 json multi_polygon(const std::vector<geo::Polygon>& polygons) {

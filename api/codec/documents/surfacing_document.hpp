@@ -8,14 +8,15 @@
 
 namespace floeplan::codec {
 
-/// Adds to a waypoint's object what ice means there; null where nothing is known of ice and nothing was asked for.
+/// Adds to the object of a waypoint what the ice there allows; null if no ice is known and no surfacing rule
+/// was given.
 void add_surfacing_state(const std::optional<planning::SurfacingPlan>& plan, std::size_t waypoint,
                          nlohmann::json& object);
-/// The planned surfacings and escapes of a plan; null as above.
+/// The planned surfacings and escapes of a plan; null if no ice is known and no surfacing rule was given.
 [[nodiscard]] nlohmann::json surfacing_json(const std::optional<planning::SurfacingPlan>& plan);
 
-/// Whether dives on the leg that leads to a waypoint must turn below sea ice or icebergs somewhere; false also where nothing
-/// is known of ice.
+/// Whether dives on the leg to a waypoint must turn below sea ice or icebergs somewhere; false also if no ice
+/// is known.
 [[nodiscard]] bool is_leg_below_ice(const std::optional<planning::SurfacingPlan>& plan, std::size_t waypoint);
 
 /// The reverse of both, for the document of a stored plan.

@@ -6,8 +6,8 @@
 
 namespace floeplan::codec {
 
-/// From which axes of a vehicle currents were turned to true east and north: the zone of its grid, the declination
-/// (degrees, east positive: minus the vehicle's magnetic variation) and whose word that is.
+/// The axes of a vehicle from which currents were rotated to true east and north: the zone of its grid, the
+/// declination (degrees, east positive: minus the vehicle's magnetic variation), and who stated it.
 [[nodiscard]] nlohmann::json vehicle_axes_document(const ocean::VehicleAxes& known);
 
 }  // namespace floeplan::codec

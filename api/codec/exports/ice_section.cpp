@@ -13,13 +13,13 @@
 namespace floeplan::codec {
 namespace {
 
-// In picture units: room for the figures of the depths, the names of the waypoints, and below the lowest line.
+// Margins in picture units, for the depth labels, the names of waypoints, and below the lowest line.
 constexpr double room_left = 44.0;
 constexpr double room_right = 12.0;
 constexpr double room_above = 18.0;
 constexpr double room_below = 8.0;
 
-/// Kilometres and metres of depth to picture units.
+/// Converts metres along the route and of depth to picture units.
 struct Scales {
   double width{};
   double height{};
@@ -34,14 +34,14 @@ struct Scales {
   }
 };
 
-/// A round step of which two to five fit into the depth.
+/// A round step that divides the depth into two to five parts.
 double depth_step_m(double deepest_m) {
   for (const double step_m : {1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0})
     if (deepest_m / step_m <= 5.0) return step_m;
   return 200.0;
 }
 
-/// The lines of a multiple of the thickness, broken where it is not known.
+/// Lines at a multiple of the thickness, interrupted where it is unknown.
 std::vector<IceSection::Line> lines_of(const std::vector<IceAbove>& ice, double over_thickness,
                                        const Scales& scales) {
   std::vector<IceSection::Line> lines;
@@ -57,7 +57,7 @@ std::vector<IceSection::Line> lines_of(const std::vector<IceAbove>& ice, double 
   return lines;
 }
 
-/// How far along the route each waypoint lies, in metres.
+/// Distance of each waypoint along the route, metres.
 std::vector<double> along_m(const planning::Plan& plan) {
   std::vector<double> along(plan.waypoints.size());
   for (std::size_t i = 1; i < along.size(); ++i)
@@ -90,7 +90,7 @@ std::optional<IceSection> draw_ice_section(const planning::Plan& plan, const std
     section.grid.push_back({{room_left, scales.y(depth_m)}, {width - room_right, scales.y(depth_m)}});
     section.labels.push_back({{4.0, scales.y(depth_m) + 3.0}, std::to_string(std::lround(depth_m)) + " m"});
   }
-  double free_from = 0.0;  // where the last name ends
+  double free_from = 0.0;  // right end of the last name drawn
   for (std::size_t i = 0; i < along.size(); ++i) {
     const double x = scales.x(along[i]);
     section.grid.push_back({{x, room_above}, {x, height - room_below}});

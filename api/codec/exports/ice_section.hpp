@@ -10,32 +10,32 @@
 
 namespace floeplan::codec {
 
-/// The sea ice above a place of a route.
+/// The sea ice above one place of a route.
 struct IceAbove {
-  core::Metres along{};                     // the route, from its start
-  std::optional<core::Metres> thickness{};  // of level ice; empty where it is not known
+  core::Metres along{};                     // distance along the route from its start
+  std::optional<core::Metres> thickness{};  // thickness of level ice; empty: unknown
 };
 
-/// A section along a route: how deep the ice above it reaches, and how deep the dives of each leg turn. In picture
-/// units, y downwards.
+/// A section along a route: the draft of the ice above it, and the depth at which the dives of each leg turn.
+/// In picture units, y downwards.
 struct IceSection {
   using Line = std::vector<PicturePoint>;
 
   double width{};
   double height{};
-  std::vector<Line> grid{};  // depths, and the waypoints
+  std::vector<Line> grid{};  // lines of depths and waypoints
   std::vector<PictureLabel> labels{};
-  std::vector<Line> draft{};  // of level ice; a line for each stretch where it is known
-  std::vector<Line> keel{};   // of the deepest keels, the same
-  Line turn{};                // of the dives, by leg
+  std::vector<Line> draft{};  // draft of level ice; one line for each stretch with known thickness
+  std::vector<Line> keel{};   // depth of the deepest keels; likewise
+  Line turn{};                // depth at which dives turn, by leg
 };
 
-/// Draft of level ice over its thickness: nine tenths lie under water.
+/// Ratio of draft to thickness of level ice: nine tenths are under water.
 inline constexpr double draft_over_thickness = 0.9;
 
-/// Draws the section of a plan that has ice above it; empty where no ice is known, and where there is none.
-/// `ice`    along the route, in its order
-/// Errors   std::invalid_argument for a picture without room
+/// Draws the section of a plan with ice above it; empty if there is no ice or none is known.
+/// `ice`    ice at places along the route, in order
+/// Errors   std::invalid_argument for a picture that is too small
 [[nodiscard]] std::optional<IceSection> draw_ice_section(const planning::Plan& plan,
                                                          const std::vector<IceAbove>& ice, double width,
                                                          double height);

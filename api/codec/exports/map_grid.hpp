@@ -9,12 +9,12 @@
 
 namespace floeplan::codec {
 
-/// A regular grid of degrees with one or more variables, for the map.
-/// Shape  values are [y][x], row 0 in the south, columns from west to east; empty where nothing is known
+/// A regular grid in degrees with one or more variables, for the map client.
+/// Shape  values are [y][x], row 0 in the south, columns from west to east; a missing value is empty
 struct MapGrid {
   struct Variable {
     std::string name;  // with its unit: "depth_m"
-    double scale{};    // the encoded steps
+    double scale{};    // value of one step of the encoded numbers
     std::vector<std::optional<double>> values;
   };
 
@@ -31,9 +31,9 @@ struct MapGrid {
   std::vector<Variable> variables;
 };
 
-/// The grid as bytes: uint32 length of the header, header as JSON padded with blanks so that length and
-/// header make a multiple of eight, then int16 values variable by variable, all little-endian; missing is
-/// -32768.
+/// Encodes the grid: uint32 length of the header; the header as JSON, padded with blanks so that length and
+/// header together are a multiple of eight bytes; then the int16 values, variable by variable. All
+/// little-endian; -32768 means missing.
 [[nodiscard]] std::string encode(const MapGrid& grid);
 
 }  // namespace floeplan::codec

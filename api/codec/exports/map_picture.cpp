@@ -15,9 +15,9 @@ namespace floeplan::codec {
 namespace {
 
 constexpr double metres_per_degree = 111'195.0;  // of latitude, on a sphere of 6371 km
-constexpr double margin_share = 0.12;            // of the picture, left free round the route
-constexpr double least_span_m = 2'000.0;         // shown of a very short route
-constexpr double finest_line = 0.7;              // shorter pieces of an outline are not seen
+constexpr double margin_share = 0.12;            // margin around the route, as a share of the picture
+constexpr double least_span_m = 2'000.0;         // smallest span shown, for very short routes
+constexpr double finest_line = 0.7;              // shorter pieces of an outline are not visible
 
 /// Longitudes and latitudes to picture units, true along the middle parallel.
 class Frame {
@@ -68,7 +68,7 @@ class Frame {
   double units_per_m_{};
 };
 
-/// An outline without what is too fine to see; far places are drawn in to just beyond the frame.
+/// An outline without invisible details. Far corners are moved to just outside the frame.
 std::vector<MapPicture::Point> outline(const geo::Ring& ring, const Frame& frame, double width,
                                        double height) {
   std::vector<MapPicture::Point> points;
@@ -88,7 +88,7 @@ bool meets_frame(const std::vector<MapPicture::Point>& points, double width, dou
   return left.x < width && right.x > 0.0 && top.y < height && bottom.y > 0.0;
 }
 
-/// A round step of which about four fit into the span.
+/// A round step that divides the span into about four parts.
 double grid_step_deg(double span_deg) {
   for (const double step : {20.0, 10.0, 5.0, 2.0, 1.0, 0.5, 0.25, 1.0 / 6.0, 0.1, 0.05, 1.0 / 60.0}) {
     if (span_deg / step >= 3.0) return step;
@@ -153,8 +153,9 @@ std::string square_text(const char* style, const MapPicture::Point& centre) {
   return square.data();
 }
 
-/// Where a number beside a point covers none of those before it; the first choice where the map is too crowded.
-/// Accuracy  a digit counts as 8 units wide and 10 high, what 11 points of bold type take
+/// A position beside a point where a number covers no earlier number; the first choice if the map is too
+/// crowded.
+/// Accuracy  a digit is taken to be 8 units wide and 10 high, as in bold type of 11 points
 MapPicture::Point free_spot(MapPicture::Point point, std::size_t digits, const MapPicture& picture) {
   constexpr double digit_width = 8.0;
   constexpr double digit_height = 10.0;
@@ -188,7 +189,7 @@ MapPicture::Point free_spot(MapPicture::Point point, std::size_t digits, const M
 void add_ways_up(MapPicture& picture, const Frame& frame, const planning::SurfacingPlan& surfacing) {
   for (const auto& planned : surfacing.surfacings) picture.surfacings.push_back(frame.at(planned.place));
   for (const auto& escape : surfacing.escapes) {
-    if (escape.way.size() < 2) continue;  // it may surface at once
+    if (escape.way.size() < 2) continue;  // the vehicle may surface there
     auto& line = picture.escapes.emplace_back();
     for (const geo::LonLat place : escape.way) line.push_back(frame.at(place));
   }

@@ -10,7 +10,7 @@
 
 namespace floeplan::codec {
 
-/// A small map of a plan in picture units, y downwards, ready for any way of drawing lines and words.
+/// A small map of a plan in picture units, y downwards, independent of the drawing library.
 struct MapPicture {
   using Point = PicturePoint;
   using Label = PictureLabel;
@@ -20,10 +20,10 @@ struct MapPicture {
   };
   double width{};
   double height{};
-  std::vector<std::vector<Point>> land;  // closed outlines; parts beyond the frame are cut off by the drawing
+  std::vector<std::vector<Point>> land;  // closed outlines; the drawing must clip parts outside the frame
   std::vector<std::vector<Point>> grid;  // meridians and parallels
   std::vector<Label> grid_labels;
-  std::vector<Disc> icebergs;  // of their length, at least two units
+  std::vector<Disc> icebergs;  // radius by the berg's length, at least two units
   std::vector<Point> route;
   std::vector<std::vector<Point>>
       below_ice;  // stretches of the route with sea ice or icebergs above them; of older plans whole legs
@@ -31,13 +31,13 @@ struct MapPicture {
   std::vector<std::vector<Point>> escapes;  // from waypoints to where it may
   std::vector<Point> surfacings;            // planned ones
   std::vector<Label> waypoints;
-  std::vector<Point> scale;  // a line as long as `scale_label` says
+  std::vector<Point> scale;  // line with the length stated in `scale_label`
   std::string scale_label;
 };
 
-/// Draws the surroundings of a route: distances are true along its middle parallel.
-/// `land`, `icebergs`  of the surroundings; what lies far outside costs nothing
-/// Errors   std::invalid_argument for a plan without waypoints or a picture without room
+/// Draws a route and its surroundings. Distances are true along the middle parallel. `land`, `icebergs`  may
+/// contain objects far outside; they are cheap
+/// Errors   std::invalid_argument for a plan without waypoints or a picture that is too small
 [[nodiscard]] MapPicture draw_map(const planning::Plan& plan, const std::vector<geo::Polygon>& land,
                                   const std::vector<ocean::Iceberg>& icebergs, double width, double height);
 

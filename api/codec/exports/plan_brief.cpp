@@ -17,7 +17,7 @@
 namespace floeplan::codec {
 namespace {
 
-/// "69 10.245 N": whole degrees and decimal minutes, rounded once.
+/// "69 10.245 N": whole degrees and decimal minutes; the angle is rounded only once.
 std::string degrees_minutes(double degrees, char positive, char negative) {
   const auto thousandths = static_cast<long>(std::llround(std::abs(degrees) * 60'000.0));
   std::array<char, 40> text{};
@@ -65,19 +65,19 @@ std::string table(const planning::Plan& plan) {
   return text + "</tbody></table>\n";
 }
 
-/// Whether the vehicle may surface at a waypoint, in words; "-" where nothing is known of ice.
+/// Whether the vehicle may surface at a waypoint, in words; "-" if no ice is known.
 std::string may_surface(const planning::Plan& plan, std::size_t waypoint) {
   if (!plan.surfacing) return "-";
   return plan.surfacing->waypoints.at(waypoint).may_surface ? "yes" : "no";
 }
 
-/// How deep the dives on the leg to a waypoint must turn, rounded down the water.
+/// Depth at which dives on the leg to a waypoint must turn, rounded to the deeper metre.
 std::string leg_turn(const planning::Plan& plan, std::size_t waypoint) {
   const auto turn = plan.surfacing ? plan.surfacing->waypoints.at(waypoint).leg_upper_turn : std::nullopt;
   return turn ? number(std::ceil(turn->value), 0) : "-";
 }
 
-/// "Hold 2 h 40 min at waypoint 4." for each.
+/// One sentence for each hold: "Hold 2 h 40 min at waypoint 4."
 std::vector<std::string> hold_facts(const planning::Plan& plan) {
   std::vector<std::string> facts;
   for (std::size_t i = 0; i < plan.waypoints.size(); ++i) {
@@ -109,7 +109,7 @@ std::vector<std::string> ice_facts(const planning::Plan& plan) {
           " km. Planned surfacings: " + std::to_string(plan.surfacing->surfacings.size()) + "."};
 }
 
-/// With a capital, a full stop and its place.
+/// The message with a capital, a full stop and its position.
 std::string printed_sentence(const messages::Message& message) {
   std::string sentence = messages::whole_text(message);
   if (sentence.empty()) return sentence;
@@ -162,7 +162,8 @@ std::vector<std::string> brief_facts(const planning::Plan& plan, const BriefNote
 }
 
 std::string brief_origin(const BriefNotes& notes) {
-  const std::string plan = notes.name.empty() ? "" : "Plan " + notes.plan_id + ". ";  // else the title has it
+  // otherwise the title contains the id
+  const std::string plan = notes.name.empty() ? "" : "Plan " + notes.plan_id + ". ";
   return plan + "Printed " + core::iso8601(notes.generated) + " by Floeplan.";
 }
 

@@ -11,7 +11,7 @@
 
 namespace floeplan::codec {
 
-/// What a printed page says besides the plan.
+/// Content of a printed page in addition to the plan.
 struct BriefNotes {
   std::string plan_id;
   std::string name;
@@ -23,25 +23,25 @@ struct BriefNotes {
 
 struct BriefPictures {
   MapPicture map;
-  std::optional<IceSection> ice{};  // of a plan with ice above it
+  std::optional<IceSection> ice{};  // set if the plan has ice above it
 };
 
-/// A page for the pilot's desk: pictures, times, waypoints in degrees and minutes, data with their hashes, messages.
-/// One HTML file that needs nothing else, made to be printed. UTF-8; no script.
+/// A page for the pilot's desk: pictures, times, waypoints in degrees and minutes, data with their hashes,
+/// messages. A single HTML file without scripts and without other files, made for printing. UTF-8.
 [[nodiscard]] std::string plan_brief_html(const planning::Plan& plan, const BriefPictures& pictures,
                                           const BriefNotes& notes);
 
-/// The same page as PDF in A4. A long table continues on further pages. Needs a font on the machine: DejaVu Sans, or any
-/// other that fontconfig finds.
+/// The same page as PDF in A4. A long table continues on further pages. The machine needs a font: DejaVu
+/// Sans, or another one that fontconfig finds.
 /// Errors   std::runtime_error when the drawing library fails
 [[nodiscard]] std::string plan_brief_pdf(const planning::Plan& plan, const BriefPictures& pictures,
                                          const BriefNotes& notes);
 
 /// The rows of the brief's table, as text: number, latitude, longitude, ETA, leg, course, speed, depth.
 [[nodiscard]] std::vector<std::vector<std::string>> brief_rows(const planning::Plan& plan);
-/// Which plan the page is of, and when it was made.
+/// Names the plan on the page, and when the page was made.
 [[nodiscard]] std::string brief_origin(const BriefNotes& notes);
-/// What the map shows, as a line below it.
+/// The caption of the map, which explains its signs.
 [[nodiscard]] std::string brief_caption(const MapPicture& picture);
 /// The sentences above the table: vehicle, times, distance, clearances.
 [[nodiscard]] std::vector<std::string> brief_facts(const planning::Plan& plan, const BriefNotes& notes);
@@ -51,13 +51,13 @@ inline constexpr const char* section_caption =
     "the dives of "
     "each leg turn (steps).";
 
-/// What the pilot is told of one rank.
+/// The messages of one rank.
 struct BriefMessages {
   std::string title;  // "Dangers"
   std::vector<std::string> sentences;
 };
-/// The messages of the export and of the plan as sentences with their places, each once, the gravest rank first; ranks
-/// without a message are left out.
+/// The messages of the export and of the plan as sentences with their positions, each once, the gravest rank
+/// first. Ranks without messages are omitted.
 [[nodiscard]] std::vector<BriefMessages> brief_messages(const planning::Plan& plan, const BriefNotes& notes);
 
 }  // namespace floeplan::codec

@@ -11,7 +11,7 @@
 namespace floeplan::codec {
 namespace {
 
-// Points of 1/72 inch.
+// Lengths in points (1/72 inch).
 constexpr double page_width = 595.0;
 constexpr double page_height = 842.0;
 constexpr double margin = 36.0;
@@ -36,8 +36,8 @@ cairo_status_t append(void* bytes, const unsigned char* data, unsigned int lengt
   return CAIRO_STATUS_SUCCESS;
 }
 
-/// UTF-8 as the drawing library takes it: what is no well-formed text becomes '?', as one bad byte would void the
-/// whole drawing.
+/// The text as valid UTF-8, with '?' for invalid bytes: a single invalid byte would make the drawing library
+/// drop the whole drawing.
 std::string drawable(const std::string& text) {
   std::string kept;
   for (std::size_t i = 0; i < text.size();) {
@@ -55,7 +55,7 @@ std::string drawable(const std::string& text) {
   return kept;
 }
 
-/// A document that is written from top to bottom.
+/// A document that is drawn from top to bottom.
 class Sheet {
  public:
   explicit Sheet(core::UtcTime generated)
@@ -85,7 +85,7 @@ class Sheet {
     cairo_show_text(pen(), text.c_str());
   }
 
-  /// A new page when less than `height` is left.
+  /// Begins a new page if less than `height` is left.
   void need(double height) {
     if (y_ + height <= page_height - margin) return;
     cairo_show_page(pen());
@@ -94,7 +94,7 @@ class Sheet {
   void skip(double height) { y_ += height; }
   [[nodiscard]] double y() const { return y_; }
 
-  /// Text broken between words.
+  /// Draws a text, broken into lines between words.
   void paragraph(const std::string& text, double size, bool bold = false) {
     font(size, bold);
     colour(ink);
@@ -135,7 +135,7 @@ class Sheet {
 };
 
 void trace(cairo_t* pen, const std::vector<MapPicture::Point>& points) {
-  cairo_new_path(pen);  // words leave a current point behind
+  cairo_new_path(pen);  // drawing text leaves a current point, which would start a line
   for (const auto& point : points) cairo_line_to(pen, point.x, point.y);
 }
 
@@ -146,7 +146,7 @@ void stroke(const Sheet& sheet, const std::vector<MapPicture::Point>& points, Co
   cairo_stroke(sheet.pen());
 }
 
-/// A white disc with an edge.
+/// Draws a white disc with an edge.
 void ring(const Sheet& sheet, const MapPicture::Point& centre, double radius, Colour edge) {
   cairo_t* pen = sheet.pen();
   cairo_new_sub_path(pen);
@@ -158,7 +158,7 @@ void ring(const Sheet& sheet, const MapPicture::Point& centre, double radius, Co
   cairo_stroke(pen);
 }
 
-/// Where the vehicle may not surface.
+/// Draws the mark of a waypoint where the vehicle may not surface.
 void square(const Sheet& sheet, const MapPicture::Point& centre) {
   cairo_t* pen = sheet.pen();
   cairo_rectangle(pen, centre.x - 0.5 * closed_side, centre.y - 0.5 * closed_side, closed_side, closed_side);
@@ -169,7 +169,8 @@ void square(const Sheet& sheet, const MapPicture::Point& centre) {
   cairo_stroke(pen);
 }
 
-/// Draws over water across the text, in the units of a drawing of this size, and goes on below it.
+/// Draws a picture of this size, scaled to the width of the text, on a background of water; continues below
+/// it.
 template <class Draw>
 void draw_across(Sheet& sheet, double width, double height, const Draw& draw) {
   cairo_t* pen = sheet.pen();

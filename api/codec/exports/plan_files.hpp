@@ -1,28 +1,29 @@
 #pragma once
 
-#include <string>
-#include "engine/planning/problem/plan.hpp"
 #include <nlohmann/json_fwd.hpp>
-#include "storage/repository/work/plan_repository.hpp"
 #include <optional>
+#include <string>
 #include <vector>
+
 #include "engine/core/units.hpp"
 #include "engine/mission/writing/shoals.hpp"
+#include "engine/planning/problem/plan.hpp"
 #include "engine/vehicle/glider_profile.hpp"
+#include "storage/repository/work/plan_repository.hpp"
 
 namespace floeplan::codec {
 
 /// The plan's waypoints as a table for spreadsheets (RFC 4180 without quoting, LF): a header whose names
-/// carry the units, then one row a waypoint, the start first. What is not known is an empty cell.
+/// state the units, then one row per waypoint, the start first. Unknown values are empty cells.
 [[nodiscard]] std::string plan_csv(const planning::Plan& plan);
 
-/// A stored plan for map programs: a GeoJSON FeatureCollection of the route (as plan_feature gives it) and,
-/// in their order, its waypoints as Points with their row of the plan document as properties.
-/// Errors   std::runtime_error or nlohmann::json::exception when the stored document is not one
+/// A stored plan for map programs: a GeoJSON FeatureCollection of the route (from plan_feature), followed by
+/// its waypoints as Points, in order, whose properties are their rows in the plan document.
+/// Errors   std::runtime_error or nlohmann::json::exception when the stored document is not a plan
 [[nodiscard]] nlohmann::json plan_geojson(const repository::PlanRecord& plan);
 
-/// The plan as a GPX 1.1 route for chart plotters: every waypoint, the start included, with its time of
-/// arrival. UTF-8; control characters of the name are dropped, since XML has no way to write them.
+/// The plan as a GPX 1.1 route for chart plotters: every waypoint, including the start, with its time of
+/// arrival. UTF-8; control characters in the name are dropped, because XML cannot represent them.
 /// Frame    WGS84 degrees, seven decimals (1 cm), longitudes in [-180, 180)
 /// Source   Topografix, GPX 1.1 schema
 [[nodiscard]] std::string plan_gpx(const planning::Plan& plan, const std::string& plan_id,
@@ -30,8 +31,9 @@ namespace floeplan::codec {
 
 /// The plan as KML 2.2: the route as a line on the sea's surface and a placemark for each waypoint with its time of
 /// arrival. UTF-8.
-/// Frame    WGS84 degrees, seven decimals, longitude first; longitudes run on past 180 where the route does
-/// Source   Open Geospatial Consortium 12-007r2, KML 2.3, of which this is the part that 2.2 has too
+/// Frame    WGS84 degrees, seven decimals, longitude first; longitudes continue beyond 180 across the
+///          antimeridian
+/// Source   Open Geospatial Consortium 12-007r2, KML 2.3; only parts that exist in KML 2.2 are used
 [[nodiscard]] std::string plan_kml(const planning::Plan& plan, const std::string& plan_id,
                                    const std::string& name);
 

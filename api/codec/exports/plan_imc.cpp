@@ -14,13 +14,13 @@ using nlohmann::ordered_json;
 
 constexpr int depth_units = 1;        // ZUnits: depth
 constexpr int metres_per_second = 0;  // SpeedUnits
-constexpr int nobody = 65535;         // as source and destination: not addressed
+constexpr int nobody = 65535;         // as source and destination: no addressee
 constexpr int any_entity = 255;
-constexpr int any_attitude = -1;                 // of roll, pitch and yaw: left to the vehicle
-constexpr double longest_hold_s = 65'535.0;      // duration of StationKeeping, of 16 bits
-constexpr double longest_part_s = 8.0 * 3600.0;  // half of the longest timeout, and some room
+constexpr int any_attitude = -1;                 // roll, pitch and yaw are left to the vehicle
+constexpr double longest_hold_s = 65'535.0;      // largest duration of StationKeeping, 16 bits
+constexpr double longest_part_s = 8.0 * 3600.0;  // half of the longest timeout, with a margin
 
-/// Part of a leg: where it leads, and how long it takes.
+/// Part of a leg: its end and its duration.
 struct Part {
   geo::LonLat to;
   double duration_s{};
@@ -39,7 +39,7 @@ std::vector<Part> parts_of(const planning::Waypoint& from, const planning::Waypo
   return parts;
 }
 
-/// Depth of the dives on the leg to this waypoint: what its shoalest place allows, in metres.
+/// Depth of the dives on the leg to this waypoint, metres, as far as the shoalest place allows.
 double depth_of(const planning::Plan& plan, std::size_t waypoint, const vehicle::GliderProfile& vehicle,
                 const std::vector<std::optional<mission::Shoal>>& shoals) {
   double depth_m = vehicle.dive_depth.value;
@@ -81,7 +81,7 @@ ordered_json keep_station(geo::LonLat place, double duration_s, double depth_m, 
           {"custom", ""}};
 }
 
-/// The maneuvers one after the other.
+/// The list of maneuvers, with transitions from each to the next.
 class Maneuvers {
  public:
   void add(const char* kind, ordered_json data) {

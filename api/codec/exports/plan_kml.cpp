@@ -30,7 +30,7 @@ std::string plan_kml(const planning::Plan& plan, const std::string& plan_id, con
       "<kml xmlns=\"http://www.opengis.net/kml/2.2\">\n  <Document>\n    <name>" +
       title + "</name>\n    <description>Plan " + xml_text(plan_id) + ", departure " +
       core::iso8601(plan.departure) + ", arrival " + core::iso8601(plan.arrival) + "</description>\n";
-  // A line keeps to one side of the map when its longitudes do not jump at the antimeridian.
+  // Longitudes must not jump at the antimeridian, or map programs draw a line around the globe.
   text += "    <Placemark><name>" + title + "</name><LineString><tessellate>1</tessellate><coordinates>";
   double lon_deg = plan.waypoints.empty() ? 0.0 : geo::wrap_longitude(plan.waypoints.front().place.lon_deg);
   for (std::size_t i = 0; i < plan.waypoints.size(); ++i) {

@@ -6,10 +6,12 @@
 
 namespace floeplan::codec {
 
-/// Simulated flights as one NetCDF file: true and estimated track, attitude, velocity, energy and who steered.
-/// Format   CF-1.8, featureType trajectory, contiguous ragged arrays (CF-1.8, H.4.3); one trajectory for each flight
-/// `flights`    documents of flights, as codec::flight_document makes them; one at least
-/// `simulation` the document of the simulation that they belong to
+/// Simulated flights as one NetCDF file: true and estimated track, attitude, velocity, energy, and the mode
+/// that steered.
+/// Format   CF-1.8, featureType trajectory, contiguous ragged arrays (CF-1.8, H.4.3); one trajectory for each
+///          flight
+/// `flights`    documents from codec::flight_document; at least one
+/// `simulation` the document of the simulation to which they belong
 [[nodiscard]] std::string simulation_netcdf(const nlohmann::json& simulation,
                                             const std::vector<nlohmann::json>& flights);
 

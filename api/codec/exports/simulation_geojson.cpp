@@ -19,7 +19,7 @@ json line_feature(const json& flight, const char* lon, const char* lat, const ch
     const geo::LonLat place{track.at(lon)[i].get<double>(), track.at(lat)[i].get<double>()};
     if (way.empty() || !(place == way.back())) way.push_back(place);
   }
-  if (way.size() == 1) way.push_back(way.front());  // a LineString has two positions at least
+  if (way.size() == 1) way.push_back(way.front());  // a LineString needs at least two positions
   json properties{{"role", role}, {"run", flight.at("run")}};
   for (const char* key :
        {"seed", "end", "end_reason", "departure", "finished", "travel_time_s", "distance_m", "energy_j"})

@@ -20,7 +20,7 @@ double since_1970_s(const json& flight) {
   return core::unix_seconds(*core::parse_iso8601(flight.at("departure").get<std::string>()));
 }
 
-/// A column of the tracks of all flights, one after the other.
+/// A column of the tracks of all flights, flight after flight.
 std::vector<double> column(const std::vector<json>& flights, const std::string& name) {
   std::vector<double> values;
   for (const json& flight : flights) {
@@ -52,7 +52,7 @@ std::vector<std::int32_t> mode_flags(const std::vector<json>& flights) {
 
 struct Column {
   const char* name;
-  const char* source;  // in the track
+  const char* source;  // name of the column in the track
   Texts attributes;
 };
 

@@ -6,11 +6,12 @@
 
 namespace floeplan::codec {
 
-/// Points that a feature has at most: some megabytes of JSON.
+/// Largest number of points in a feature, which gives some megabytes of JSON.
 inline constexpr std::size_t most_track_points = 20'000;
 
-/// A glider's way as a GeoJSON Feature: a line with heights (minus the depths) where any depth is known, the time and
-/// the depth of each of its places, and the depth-averaged currents with their frame. A way of one place is a line from there to there.
+/// A glider's track as a GeoJSON Feature: a line with heights (minus the depths) if any depth is known, the
+/// time and depth of each position, and the depth-averaged currents with their frame. A track of one position
+/// becomes a line from there to there.
 [[nodiscard]] nlohmann::json glider_track_feature(const repository::StoredGliderTrack& stored);
 
 }  // namespace floeplan::codec

@@ -17,7 +17,7 @@ std::optional<core::Metres> metres_of(InputReader& reader, const std::string& ke
   return value ? std::optional{core::Metres{*value}} : std::nullopt;
 }
 
-/// The position of a feature, whose geometry must be a Point.
+/// The position of a feature; a geometry other than a Point is a violation.
 std::optional<geo::LonLat> read_point(const nlohmann::json& feature, core::Violations& violations) {
   static const nlohmann::json none = nlohmann::json::object();
   const nlohmann::json* geometry = feature.contains("geometry") ? &feature.at("geometry") : &none;
@@ -53,7 +53,7 @@ nlohmann::json iceberg_feature(const repository::StoredSighting& sighting) {
 }
 
 tl::expected<ocean::Iceberg, core::Violations> parse_iceberg_feature(const nlohmann::json& feature) {
-  constexpr double longest_m = 400'000.0;  // B-15, the longest that was measured, had 295 km
+  constexpr double longest_m = 400'000.0;  // B-15, the longest iceberg measured, was 295 km long
   constexpr double deepest_m = 1'000.0;
   constexpr double least_certain_m = 1e6;
   static const nlohmann::json none = nlohmann::json::object();

@@ -9,16 +9,16 @@
 
 namespace floeplan::codec {
 
-/// A sighting as a GeoJSON Feature; lengths that are not known are null.
+/// A sighting as a GeoJSON Feature; unknown lengths are null.
 [[nodiscard]] nlohmann::json iceberg_feature(const repository::StoredSighting& sighting);
 
-/// A sighting from a GeoJSON Feature with a Point. Properties: berg_id and observed are required, size, length_m,
-/// draft_m, position_uncertainty_m, shape and method may be there; others are left alone.
+/// Reads a sighting from a GeoJSON Feature with a Point. The properties berg_id and observed are required;
+/// size, length_m, draft_m, position_uncertainty_m, shape and method are optional; others are ignored.
 /// Errors   every violation, with its JSON pointer inside the feature
 [[nodiscard]] tl::expected<ocean::Iceberg, core::Violations> parse_iceberg_feature(
     const nlohmann::json& feature);
 
-/// The sightings of one berg as a line with the time of each of its places.
+/// The track of one berg as a line with the time of each position.
 [[nodiscard]] nlohmann::json iceberg_track_feature(const repository::IcebergTrack& track);
 
 }  // namespace floeplan::codec

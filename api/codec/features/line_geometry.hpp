@@ -7,9 +7,9 @@
 
 namespace floeplan::codec {
 
-/// A way as a GeoJSON LineString, or as a MultiLineString that is cut where it crosses the antimeridian (RFC 7946,
-/// 3.1.9).
-/// `heights_m`  above the surface, of each place; empty: the line has none
+/// A line as a GeoJSON LineString, or, if it crosses the antimeridian, as a MultiLineString cut there (RFC
+/// 7946, 3.1.9).
+/// `heights_m`  height of each position above the surface; empty: no heights
 [[nodiscard]] nlohmann::json line_geometry(const std::vector<geo::LonLat>& way,
                                            const std::vector<double>& heights_m = {});
 

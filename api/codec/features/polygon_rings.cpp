@@ -9,7 +9,8 @@ namespace {
 
 using nlohmann::json;
 
-/// To a metre, which is finer than any grid: products of a step and a count have long decimals.
+/// Rounds to the grid, then to about a metre, finer than any grid: a product of step and count can have many
+/// decimals.
 double at_node(double degrees, double step_deg) {
   constexpr double written = 1e5;
   return std::round(std::round(degrees / step_deg) * step_deg * written) / written;

@@ -6,16 +6,16 @@
 
 namespace floeplan::codec {
 
-/// What corners are brought to: a picture shows no more.
+/// Grid to which corners are rounded; a picture does not show more.
 struct CornerGrid {
   double lon_deg{1e-4};
   double lat_deg{1e-4};
 };
 
-/// The rings of a polygon as GeoJSON: the outline first, closed, longitudes running on past 180 degrees where it crosses the
-/// antimeridian. Each corner is at the nearest node of the grid, so that what two polygons share stays one line; a ring of
-/// which no area is left is left out.
-/// Returns  an empty array where nothing is left of the outline
+/// The rings of a polygon as GeoJSON: the outline first, closed; longitudes continue beyond 180 degrees where
+/// it crosses the antimeridian. Corners are rounded to the grid, so that a line that two polygons share stays
+/// one line. A ring without area after rounding is dropped.
+/// Returns  an empty array if the outline is dropped
 [[nodiscard]] nlohmann::json polygon_rings(const geo::Polygon& polygon, const CornerGrid& grid);
 
 }  // namespace floeplan::codec

@@ -7,10 +7,10 @@
 
 namespace floeplan::codec {
 
-/// Which stored data to use: "newest", "none", an id, or (of all but ice, wind and coastline) an array of ids. Area,
-/// departure and dive depth of the query are not read here.
+/// Reads which stored data to use: "newest", "none", an id, or (except for ice, wind and coastline) an array
+/// of ids. Area, departure and dive depth of the query are set elsewhere.
 void read_data(InputReader& reader, repository::EnvironmentQuery& data);
-/// Adds the members that `read_data` reads, every default written out.
+/// Adds the members that `read_data` reads, with all defaults filled in.
 void write_data(const repository::EnvironmentQuery& data, nlohmann::json& inputs);
 
 }  // namespace floeplan::codec

@@ -14,7 +14,7 @@ json time_json(const std::optional<core::UtcTime>& time) {
   return time ? json(core::iso8601(*time)) : json();
 }
 
-/// "PT3600S": one way to write a length of time, whatever way it was given in.
+/// "PT3600S": the same length of time always gives the same text, whatever the notation of the request.
 std::string duration_text(core::Seconds duration) { return "PT" + json(duration.count()).dump() + "S"; }
 
 }  // namespace

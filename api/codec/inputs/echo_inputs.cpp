@@ -11,9 +11,9 @@ using nlohmann::json;
 
 constexpr std::size_t longest_text = 10'000;
 constexpr std::size_t most_numbers = 10'000;
-constexpr int longest_pause_s = 10;  // a worker is kept as long
+constexpr int longest_pause_s = 10;  // limited because a worker is occupied during the pause
 
-/// The input without the wrapping that may say its media type.
+/// The input without the object {"value": ...} around it, which may state its media type.
 json unwrapped(const json& input) {
   return input.is_object() && input.contains("value") ? input.at("value") : input;
 }
@@ -48,8 +48,7 @@ constexpr EchoInput known_inputs[]{
     {"text", is_text, "a text of at most 10000 bytes"},
     {"value", is_text_or_integer, "a text of at most 10000 bytes or a whole number"},
     {"numbers", are_numbers, "an array of at most 10000 numbers"},
-    {"region", is_box,
-     "an object with \"bbox\", four or six numbers, and at most a \"crs\" beside it"},
+    {"region", is_box, "an object with \"bbox\", four or six numbers, and at most a \"crs\" beside it"},
 };
 
 }  // namespace

@@ -8,13 +8,13 @@
 
 namespace floeplan::codec {
 
-/// Inputs of the process "echo".
+/// Inputs of the process "echo", which returns them. For tests of clients.
 struct EchoInputs {
-  nlohmann::json values;  // by their names, as they go back
+  nlohmann::json values;  // the inputs by their names, in the form in which they are returned
   core::Seconds pause{0.0};
 };
 
-/// A value may stand alone or as {"value": ...}, as OGC API - Processes allows.
+/// A value may be given alone or as {"value": ...}, as OGC API - Processes allows.
 /// Errors   every violation, with its JSON pointer
 [[nodiscard]] tl::expected<EchoInputs, core::Violations> parse_echo_inputs(const nlohmann::json& inputs);
 [[nodiscard]] nlohmann::json to_json(const EchoInputs& inputs);

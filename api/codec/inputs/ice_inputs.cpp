@@ -11,7 +11,7 @@ using nlohmann::json;
 
 constexpr const char* under_ice = "under_ice";
 
-/// Reads the members of `under_ice` by read(members).
+/// Calls `read` with a reader of the members of `under_ice`.
 void read_members(InputReader& reader, const auto& read) {
   const json* object = reader.member(under_ice);
   if (object == nullptr) return;

@@ -9,21 +9,22 @@
 
 namespace floeplan::codec {
 
-/// How icebergs are kept clear of, and which sightings count.
+/// Reads the keep-out distances of icebergs, and which sightings count.
 void read_iceberg_rules(InputReader& reader, planning::IcebergRules& rules,
                         repository::EnvironmentQuery& data);
-/// Adds the members that `read_iceberg_rules` reads, every default written out.
+/// Adds the members that `read_iceberg_rules` reads, with all defaults filled in.
 void write_iceberg_rules(const planning::IcebergRules& rules, const repository::EnvironmentQuery& data,
                          nlohmann::json& inputs);
 
-/// The member `under_ice`: how the vehicle may work where there is sea ice.
+/// Reads the member `under_ice`: the rules for operating under sea ice.
 void read_under_ice(InputReader& reader, planning::UnderIceRules& rules);
-/// Adds the member that `read_under_ice` reads, every default written out.
+/// Adds the member that `read_under_ice` reads, with all defaults filled in.
 void write_under_ice(const planning::UnderIceRules& rules, nlohmann::json& inputs);
 
-/// The same member where surfacings are not planned: what the ice lets pass, and for how long.
+/// Reads the same member for processes that plan no surfacings: only whether and for how long the vehicle may
+/// pass under ice.
 void read_passing_under_ice(InputReader& reader, planning::UnderIceRules& rules);
-/// Adds the member that `read_passing_under_ice` reads, every default written out.
+/// Adds the member that `read_passing_under_ice` reads, with all defaults filled in.
 void write_passing_under_ice(const planning::UnderIceRules& rules, nlohmann::json& inputs);
 
 }  // namespace floeplan::codec

@@ -35,7 +35,7 @@ std::vector<std::string> read_uploads(InputReader& reader) {
   return uploads;
 }
 
-/// A text that is one of a few; noted when it is another one.
+/// A text that must be one of `values`; any other text is a violation.
 std::optional<std::string> choice(InputReader& reader, const std::string& key,
                                   const std::vector<std::string>& values) {
   auto text = reader.text(key);

@@ -12,18 +12,18 @@
 
 namespace floeplan::codec {
 
-/// Inputs of the process "ingest": what to read, and what the user says about it beyond the files themselves.
+/// Inputs of the process "ingest": the files to read, and what the user states about them.
 struct IngestInputs {
-  std::vector<std::string> uploads;  // ids; files that belong together in one request
+  std::vector<std::string> uploads;  // ids of uploads; files that belong together must be in one request
   std::optional<std::string> name;
-  std::optional<repository::DatasetKind> kind;  // empty: recognised
+  std::optional<repository::DatasetKind> kind;  // empty: recognised by content
   std::optional<std::string> crs;               // "EPSG:4326"
   std::optional<std::string> positive;          // "up" or "down"
   std::optional<std::string> variable;
-  std::optional<double> missing;      // marks missing values beside what the files declare
-  std::optional<core::UtcTime> time;  // for which an ice chart holds that does not say it
+  std::optional<double> missing;      // further value that marks missing values
+  std::optional<core::UtcTime> time;  // valid time of an ice chart that does not state one
   std::optional<geo::LonLat> at;
-  std::optional<std::string> unit;       // as of ingest::IngestOptions
+  std::optional<std::string> unit;       // as in ingest::IngestOptions
   std::optional<std::string> zone_kind;  // "no_go" or "stay_in"
 };
 

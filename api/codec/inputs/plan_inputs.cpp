@@ -25,7 +25,7 @@ constexpr std::size_t max_vias = 50;
 constexpr std::size_t max_remarks = 200;  // a mission file gives at most 100 messages
 constexpr std::size_t longest_remark = 1000;
 
-/// What both processes share: vehicle, margin, data and name.
+/// Reads what both processes share: vehicle, margin, data and name.
 void read_common(InputReader& reader, planning::PlanRequest& request, repository::EnvironmentQuery& data,
                  std::string& name) {
   request.flight = read_vehicle(reader, request.vehicle);
@@ -39,7 +39,7 @@ void read_common(InputReader& reader, planning::PlanRequest& request, repository
   name = reader.text("name").value_or("");
 }
 
-/// Reads sentences of the request that the answer repeats as warnings, and adds them to the warnings about its places.
+/// Reads the sentences in the member `remarks` and adds them to `warnings`; the answer repeats them.
 void read_remarks(InputReader& reader, std::vector<std::string>& warnings) {
   const json* remarks = reader.member("remarks");
   if (remarks == nullptr) return;
@@ -54,7 +54,7 @@ void read_remarks(InputReader& reader, std::vector<std::string>& warnings) {
   for (const json& remark : *remarks) warnings.push_back(remark.get<std::string>());
 }
 
-/// Goals from a file; without "from" the first of them is the start.
+/// Reads goals from a file; without "from" the first of them is the start.
 void read_goals(InputReader& reader, planning::PlanRequest& request, std::vector<std::string>& warnings) {
   if (reader.member("to") != nullptr || reader.member("via") != nullptr)
     reader.refuse<"goals-given-twice">("/goals_file");
@@ -80,8 +80,8 @@ void read_places(InputReader& reader, planning::PlanRequest& request) {
   }
 }
 
-/// Where a plan from end to end of a route would look. A judgement of its way has to see icebergs drift as it did, and
-/// they drift by the data of that area.
+/// The area that a plan between the ends of a route would use. Evaluating a plan's route must give icebergs
+/// the same drift, and the drift depends on the data of that area.
 geo::BoundingBox area_of_a_plan(planning::PlanRequest request) {
   request.via.clear();
   return request.from == request.to ? geo::bounding_box(std::vector{request.from})
@@ -94,7 +94,7 @@ geo::BoundingBox around_stops(const planning::PlanRequest& request) {
   return geo::bounding_box(stops);
 }
 
-/// Areas of data lie on this lattice, so that requests that differ little read, and may keep, the same.
+/// Areas of data are extended to this grid, so that similar requests read, and can cache, the same area.
 constexpr double lattice_deg = 0.25;
 
 void fill_data(const planning::PlanRequest& request, repository::EnvironmentQuery& data) {
@@ -104,7 +104,7 @@ void fill_data(const planning::PlanRequest& request, repository::EnvironmentQuer
   data.dive_depth = request.vehicle.dive_depth;
 }
 
-/// What an evaluation is told besides its route.
+/// Reads the inputs of an evaluation except the route.
 void read_conditions(InputReader& reader, EvaluateInputs& inputs) {
   read_departure(reader, inputs.request);
   read_common(reader, inputs.request, inputs.data, inputs.name);
@@ -181,7 +181,7 @@ tl::expected<EvaluateInputs, core::Violations> parse_evaluate_inputs(const json&
 }
 
 void cover_way(PlanInputs& inputs, const geo::BoundingBox& way) {
-  constexpr core::Metres round_the_way{20'000.0};  // what a vehicle in a simulation strays by, and more
+  constexpr core::Metres round_the_way{20'000.0};  // more than a simulated vehicle deviates from its route
   inputs.data.area =
       geo::united(inputs.data.area, geo::on_lattice(geo::grown(way, round_the_way), lattice_deg));
 }

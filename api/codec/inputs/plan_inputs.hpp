@@ -15,49 +15,48 @@
 namespace floeplan::codec {
 
 /// Inputs of process plan-route: what to plan, which data to use, and the user's name for the result.
-/// `data.area`, `data.depart` and `data.dive_depth` follow from the request.
+/// `data.area`, `data.depart` and `data.dive_depth` are derived from the request.
 struct PlanInputs {
   planning::PlanRequest request;
   repository::EnvironmentQuery data;
   std::string name;
-  std::vector<std::string> warnings;  // of a file that the places came from
+  std::vector<std::string> warnings;  // warnings about the file from which the waypoints come
 };
 
-/// Inputs of process evaluate-route: a given route, written out or named by the plan it belongs to.
+/// Inputs of process evaluate-route: a given route, as positions or by the id of its plan.
 struct EvaluateInputs {
   std::vector<geo::LonLat> route;      // empty when `plan_id` is given
-  std::optional<std::string> plan_id;  // its waypoints are the route
-  planning::PlanRequest request;       // departure, vehicle, margin; its places are the route's ends
+  std::optional<std::string> plan_id;  // the route is the waypoints of this plan
+  planning::PlanRequest request;       // departure, vehicle, margin; its start and goal are the route's ends
   repository::EnvironmentQuery data;
   std::string name;
-  std::vector<std::string> warnings;  // of the route: lines of its file, places that were given twice
+  std::vector<std::string> warnings;  // warnings about the route: lines of its file, repeated positions
 };
 
 /// Reads the `inputs` object of an execute request (or of a request file).
 /// Errors   every violation at once, each with the JSON pointer of its value relative to `inputs` ("/depart")
 [[nodiscard]] tl::expected<PlanInputs, core::Violations> parse_plan_inputs(const nlohmann::json& inputs);
 
-/// Widens the data asked for to some kilometres round the way of a plan that was made, which may lead further round
-/// than the request's own area reaches.
+/// Extends the area of the data to some kilometres around the route of a finished plan, which may leave the
+/// area derived from the request.
 void cover_way(PlanInputs& inputs, const geo::BoundingBox& way);
 
 [[nodiscard]] tl::expected<EvaluateInputs, core::Violations> parse_evaluate_inputs(
     const nlohmann::json& inputs);
 
-/// What such an object says besides the route, for a route of at least two places that is known otherwise and whose
-/// legs may be of any length.
+/// Reads such an object without its route, for a route from elsewhere with at least two waypoints, whose legs
+/// may have any length.
 [[nodiscard]] tl::expected<EvaluateInputs, core::Violations> parse_flight_inputs(
     const nlohmann::json& inputs, std::vector<geo::LonLat> route);
 
-/// Whose data a plan for the request is made in: its planning area, so rounded that requests that differ little read
-/// the same.
+/// The area of the data for a plan: its planning area, rounded so that similar requests read the same area.
 [[nodiscard]] geo::BoundingBox area_of_data(const planning::PlanRequest& request);
 
-/// The inputs with every default written out and keys in a fixed order: the same request gives the same text.
+/// The inputs with all defaults filled in and keys in a fixed order, so that equal requests give equal texts.
 [[nodiscard]] nlohmann::json to_json(const PlanInputs& inputs);
 [[nodiscard]] nlohmann::json to_json(const EvaluateInputs& inputs);
 
-/// Gives the evaluation its route, once the plan it names has been looked up; area and ends follow from it.
+/// Sets the route of an evaluation after its plan was looked up; the area and the ends are derived from it.
 void set_route(EvaluateInputs& inputs, std::vector<geo::LonLat> route);
 
 }  // namespace floeplan::codec

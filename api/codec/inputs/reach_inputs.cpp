@@ -19,7 +19,7 @@ using Direction = IsochroneRequest::Direction;
 
 constexpr double most_hours = IsochroneRequest::longest_span.count() / 3600.0;
 
-/// The place and the time that belong together; notes what is missing or does not go together.
+/// Reads place and time of one direction; a missing member or a wrong combination is a violation.
 void read_direction(InputReader& reader, IsochroneRequest& request) {
   const bool from = reader.member("from") != nullptr;
   const bool to = reader.member("to") != nullptr;
@@ -63,9 +63,9 @@ void read_hours(InputReader& reader, IsochroneRequest& request) {
     if (valid) {
       request.spans.emplace_back(3600.0 * hours[i].get<double>());
     } else {
-      reader.refuse<"wrong-shape-found">(
-          value->is_array() ? "/hours/" + std::to_string(i) : "/hours",
-          "a number of hours above 0 and at most " + json(most_hours).dump(), shown(hours[i]));
+      reader.refuse<"wrong-shape-found">(value->is_array() ? "/hours/" + std::to_string(i) : "/hours",
+                                         "a number of hours above 0 and at most " + json(most_hours).dump(),
+                                         shown(hours[i]));
     }
   }
 }

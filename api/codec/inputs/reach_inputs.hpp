@@ -11,20 +11,20 @@
 
 namespace floeplan::codec {
 
-/// Inputs of process reach. `data`'s area, period and dive depth follow from the request.
+/// Inputs of process reach. Area, period and dive depth of `data` are derived from the request.
 struct ReachInputs {
   planning::IsochroneRequest request;
   repository::EnvironmentQuery data;
   std::string name;
-  std::vector<std::string> warnings;  // what of the inputs is left out
+  std::vector<std::string> warnings;  // inputs that are ignored
 };
 
-/// "from" and "depart", or "to" and "arrive_by"; "hours" as one number or several; grid, vehicle, margin and data as
-/// process plan-route reads them.
+/// Reads "from" and "depart", or "to" and "arrive_by"; "hours" as one number or several; grid, vehicle,
+/// margin and data as in process plan-route.
 /// Errors   every violation at once, each with the JSON pointer of its value relative to `inputs`
 [[nodiscard]] tl::expected<ReachInputs, core::Violations> parse_reach_inputs(const nlohmann::json& inputs);
 
-/// The inputs with every default written out and keys in a fixed order.
+/// The inputs with all defaults filled in and keys in a fixed order.
 [[nodiscard]] nlohmann::json to_json(const ReachInputs& inputs);
 
 }  // namespace floeplan::codec

@@ -9,19 +9,19 @@
 
 namespace floeplan::codec {
 
-/// Which data are to go, and whether they are only to be named.
+/// Which data to remove, and whether only to list them.
 struct RetentionInputs {
   repository::RetentionRules rules;
   bool dry_run{false};
 };
 
-/// Reads {"older_than": "P30D", "max_bytes": 20000000000, "kind": "currents", "dry_run": true}; one of the first two
-/// must be there.
+/// Reads {"older_than": "P30D", "max_bytes": 20000000000, "kind": "currents", "dry_run": true}; at least one
+/// of the first two is required.
 /// Errors   every violation, with its JSON pointer
 [[nodiscard]] tl::expected<RetentionInputs, core::Violations> parse_retention_inputs(
     const nlohmann::json& inputs);
 
-/// What went, or would go, as API and command line show it.
+/// The removed data, or those that would be removed, for API and command line.
 [[nodiscard]] nlohmann::json retention_document(const std::vector<repository::StoredSize>& gone,
                                                 bool dry_run);
 

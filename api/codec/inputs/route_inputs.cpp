@@ -9,21 +9,22 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::size_t most_named = 20;  // repeated places that a warning names
-constexpr double same_place_m = 1.0;    // shorter legs are none to the planner
-constexpr double longest_leg_m = 5e6;   // longer ones it does not take
+constexpr std::size_t most_named = 20;  // repeated positions listed in a warning
+constexpr double same_place_m = 1.0;    // the planner accepts no shorter legs
+constexpr double longest_leg_m = 5e6;   // the planner accepts no longer legs
 
-/// Where a route stands in its request, and how one place of it is named there.
+/// Where a route is in its request, and how messages name its positions.
 struct Origin {
   std::string pointer;
-  bool is_json{true};  // else a file, whose places are counted
+  bool is_json{true};  // true: JSON; false: a file, whose positions are counted
 
   [[nodiscard]] std::string rule_pointer(std::size_t place) const {
     return is_json ? pointer + "/" + std::to_string(place) : pointer;
   }
 };
 
-/// Takes each run of the same place once, and notes legs that are too long. Places count from 0 as they were given.
+/// Drops repeated positions and adds violations for legs that are too long. Positions are counted from 0, as
+/// given.
 void settle(InputReader& reader, const Origin& origin, GivenRoute& route) {
   std::vector<geo::LonLat> kept;
   std::string repeated;
@@ -48,7 +49,8 @@ void settle(InputReader& reader, const Origin& origin, GivenRoute& route) {
   route.places = std::move(kept);
 }
 
-/// A file in a request, as {"name": ..., "text": ...}. Empty if it cannot be read; its faults are then noted.
+/// Reads a file in a request, {"name": ..., "text": ...}. Empty if it cannot be read; its faults are then
+/// violations.
 std::optional<RouteFile> read_file_member(InputReader& reader, const std::string& key,
                                           std::optional<geo::LonLat> from) {
   const json* file = reader.member(key);
@@ -69,7 +71,8 @@ std::optional<RouteFile> read_file_member(InputReader& reader, const std::string
   return std::nullopt;
 }
 
-/// Makes the route begin at the start. Files of this program begin with it already; a vehicle's own list does not.
+/// Makes the route begin at the start. Files of this program already contain the start; a vehicle's own list
+/// does not.
 void begin_at(geo::LonLat start, std::vector<geo::LonLat>& places) {
   const bool is_there =
       !places.empty() && geo::geodesic_between(start, places.front()).length.value < same_place_m;
@@ -80,7 +83,7 @@ void begin_at(geo::LonLat start, std::vector<geo::LonLat>& places) {
   }
 }
 
-/// A bare array of positions.
+/// The route in an array of positions.
 GivenRoute read_positions(InputReader& reader, const json& route) {
   auto places = reader.places(route, "/route", 2, max_places);
   if (!places) return {};
@@ -89,7 +92,7 @@ GivenRoute read_positions(InputReader& reader, const json& route) {
   return given;
 }
 
-/// The route that a GeoJSON object holds.
+/// The route in a GeoJSON object.
 GivenRoute read_geojson_route(InputReader& reader, const json& route) {
   const auto wanted = reader.text("route_name");
   const std::size_t faults_before = reader.violations().size();

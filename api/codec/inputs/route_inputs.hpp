@@ -10,22 +10,26 @@
 
 namespace floeplan::codec {
 
-/// A route to evaluate, as a request gives it.
+/// A route to evaluate, from a request.
 struct GivenRoute {
-  std::vector<geo::LonLat> places;     // two or more, no two in a row the same; empty with `plan_id`
-  std::optional<std::string> plan_id;  // of the plan whose waypoints are the route
-  std::vector<std::string> warnings;   // lines of its file, places that were given twice
+  std::vector<geo::LonLat> places;     // at least two, consecutive ones different; empty with `plan_id`
+  std::optional<std::string> plan_id;  // the route is the waypoints of this plan
+  std::vector<std::string> warnings;   // lines of its file, repeated positions
 };
 
-/// Reads the file in the member `key`, {"name": ..., "text": ...}, of several routes the one in `route_name`, from `from`, where that is given: a file that begins
-/// there is taken as it is. Empty where it cannot be read.
+/// Reads the file in the member `key`, {"name": ..., "text": ...}; of several routes in it the one named in
+/// `route_name`. If `from` is given, the route starts there; a file that begins there is unchanged. Empty if
+/// the file cannot be read.
 /// Edges    as for `read_route`
-/// Errors   noted: what is wrong with the file, fewer than two different places, legs of more than 5000 km
+/// Errors   are added to the reader: faults of the file, fewer than two different positions, legs of more
+///          than 5000 km
 [[nodiscard]] GivenRoute read_file_route(InputReader& reader, const std::string& key);
 
-/// Reads `route` (GeoJSON or a bare array of positions), `route_file` (from `from`, where that is given) or `plan_id`.
-/// Edges    a place within a metre of the one before it is taken once, and a warning names it
-/// Errors   noted: none or several of the three, fewer than two different places, legs of more than 5000 km
+/// Reads the route from `route` (GeoJSON or an array of positions), `route_file` (starting at `from` if
+/// given) or `plan_id`.
+/// Edges    a position within a metre of the one before is dropped, with a warning
+/// Errors   are added to the reader: none or several of the three, fewer than two different positions, legs
+///          of more than 5000 km
 [[nodiscard]] GivenRoute read_route(InputReader& reader);
 
 }  // namespace floeplan::codec

@@ -20,7 +20,7 @@ using simulation::SoundWater;
 constexpr double degree = std::numbers::pi / 180.0;
 constexpr int most_count = 1'000'000;
 
-/// A member that is a number, and the size of its unit in that of the setting.
+/// A numeric member, with the size of its unit in the unit of the setting.
 template <class Settings>
 struct Number {
   const char* key;
@@ -113,7 +113,8 @@ void read_counts(InputReader& members, std::span<const Count<Settings>> counts, 
   }
 }
 
-/// Twelve digits are more than any setting has; they make 3 degrees 3 again.
+/// Rounds to twelve significant digits, more than any setting has, so that converting 3 degrees to radians
+/// and back gives 3.
 double twelve_digits(double value) {
   if (value == 0.0) return 0.0;
   const double scale = std::pow(10.0, 12.0 - std::ceil(std::log10(std::abs(value))));
@@ -148,7 +149,7 @@ json water_json(const SoundWater& water) {
   return object;
 }
 
-/// Notes what is wrong with the members, or else with the settings that they make.
+/// Adds the faults of the members, or, if there are none, the faults of the resulting settings.
 template <class Settings>
 void judge(InputReader& reader, InputReader& members, const std::string& pointer, const Settings& settings) {
   members.refuse_unknown();

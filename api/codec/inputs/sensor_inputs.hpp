@@ -9,13 +9,13 @@
 
 namespace floeplan::codec {
 
-/// Settings of simulated sensors: the member `key` of the inputs is an object with those that differ from the defaults.
-/// Angles are in degrees, everything else in the units of its name.
+/// Reads settings of simulated sensors. The member `key` of the inputs is an object with those that differ
+/// from the defaults. Angles are in degrees, all other numbers in the unit in their name.
 [[nodiscard]] simulation::SonarSettings read_sonar(InputReader& reader, const std::string& key);
 [[nodiscard]] simulation::AltimeterSettings read_altimeter(InputReader& reader, const std::string& key);
 [[nodiscard]] simulation::AdcpSettings read_adcp(InputReader& reader, const std::string& key);
 
-/// All of them, written out.
+/// All settings of a sensor as JSON.
 [[nodiscard]] nlohmann::json sonar_json(const simulation::SonarSettings& settings);
 [[nodiscard]] nlohmann::json altimeter_json(const simulation::AltimeterSettings& settings);
 [[nodiscard]] nlohmann::json adcp_json(const simulation::AdcpSettings& settings);

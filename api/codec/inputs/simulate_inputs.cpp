@@ -83,7 +83,8 @@ json navigation_json(const simulation::NavigationErrors& errors) {
           {"current_sigma_m_s", errors.current.value}};
 }
 
-/// Checked by the reader of all choices of data; only what the request names is kept.
+/// Reads the choice of other data. It is checked like any choice of data, but only members in the request are
+/// kept.
 void read_other_data(InputReader& reader, SimulateInputs& result) {
   repository::EnvironmentQuery checked;
   json given = json::object();

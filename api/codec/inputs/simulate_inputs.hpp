@@ -16,7 +16,7 @@
 
 namespace floeplan::codec {
 
-/// Largest number of flights in a batch, and of flights whose whole track is stored.
+/// Largest number of flights in a batch, and of flights whose track is stored.
 inline constexpr int most_runs = 10'000;
 inline constexpr int most_tracks = 100;
 
@@ -29,20 +29,21 @@ struct SimulatedFile {
 struct SimulateInputs {
   std::string plan_id;
   std::vector<SimulatedFile>
-      mission_files;                   // flown instead of those that the plan is exported as; empty: those
-  std::optional<std::string> vehicle;  // what the vehicle that flies is; must be the plan's
+      // files to fly instead of the plan's own mission files; empty: the plan's own
+      mission_files;
+  std::optional<std::string> vehicle;  // name of the vehicle; must be the plan's
   int runs{1};
   std::uint64_t seed{1};
-  int tracks{1};         // flights kept whole, the first ones
-  bool avoidance{true};  // with sonar, ADCP and the obstacle avoidance system on board
+  int tracks{1};         // number of flights whose track is stored: the first ones
+  bool avoidance{true};  // simulates sonar, ADCP and the onboard avoidance system
   simulation::CurrentErrorSettings current_error{};
   simulation::SonarSettings sonar{};
   simulation::AltimeterSettings altimeter{};
   simulation::AdcpSettings adcp{};
   simulation::FlightSettings flight{.record_every = core::Seconds{60.0}};
-  std::optional<core::Seconds> longest;  // a flight; empty: as long as the plan lets expect
+  std::optional<core::Seconds> longest;  // longest duration of a flight; empty: derived from the plan
   nlohmann::json data =
-      nlohmann::json::object();  // members of the plan's inputs that choose other data than the plan's
+      nlohmann::json::object();  // members of plan inputs that choose other data than the plan's
   std::string name;
 };
 
@@ -50,7 +51,7 @@ struct SimulateInputs {
 [[nodiscard]] tl::expected<SimulateInputs, core::Violations> parse_simulate_inputs(
     const nlohmann::json& inputs);
 
-/// The inputs with every default written out and keys in a fixed order: the same request gives the same text.
+/// The inputs with all defaults filled in and keys in a fixed order, so that equal requests give equal texts.
 [[nodiscard]] nlohmann::json to_json(const SimulateInputs& inputs);
 
 }  // namespace floeplan::codec

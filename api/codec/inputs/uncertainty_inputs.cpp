@@ -31,11 +31,9 @@ void read_error_model(InputReader& members, planning::UncertaintyRules& rules) {
     members.refuse<"required-with">("/uncertainty/members", "an error model", "how many to draw, 2 to 64");
   if (members.member("members") != nullptr) {
     members.require_with("\"members\"", "current_error_m_s",
-                    "the standard deviation of each component's error, m/s");
-    members.require_with("\"members\"", "length_scale_m",
-                    "the correlation length of the error, metres");
-    members.require_with("\"members\"", "time_scale_s",
-                    "the correlation time of the error, seconds");
+                         "the standard deviation of each component's error, m/s");
+    members.require_with("\"members\"", "length_scale_m", "the correlation length of the error, metres");
+    members.require_with("\"members\"", "time_scale_s", "the correlation time of the error, seconds");
   }
 }
 
@@ -48,7 +46,7 @@ planning::UncertaintyRules read_uncertainty(InputReader& reader) {
   InputReader members{*value, "/uncertainty"};
   read_error_model(members, rules);
   read_fields(members, fields::robustness_fields(), rules);
-  // What plans of older versions say of their inputs names it beside any objective, null included.
+  // Stored inputs of older versions contain "quantile" with any objective, also with null; that is accepted.
   if (members.member("quantile") != nullptr && !value->contains("objective") &&
       !members.refused("/uncertainty/quantile"))
     members.refuse_member<"quantile-without-use">("quantile");

@@ -8,11 +8,11 @@
 
 namespace floeplan::codec {
 
-/// The member `uncertainty`: an error model of the currents (members, current_error_m_s, length_scale_m, time_scale_s,
-/// seed), what to make the best of (objective "mean" or "quantile", quantile), and arrive_before. With several
-/// currents given, these are the members and no error is drawn.
+/// Reads the member `uncertainty`: an error model of the currents (members, current_error_m_s,
+/// length_scale_m, time_scale_s, seed), what to optimise (objective "mean" or "quantile", quantile), and
+/// arrive_before. If the request names several currents, these are the members and no errors are drawn.
 [[nodiscard]] planning::UncertaintyRules read_uncertainty(InputReader& reader);
-/// Null when nothing was asked for.
+/// The rules as JSON; null if the request has none.
 [[nodiscard]] nlohmann::json uncertainty_json(const planning::UncertaintyRules& rules);
 /// The result's member `uncertainty`.
 [[nodiscard]] nlohmann::json uncertainty_document(const planning::UncertaintyReport& report);

@@ -15,13 +15,13 @@ using nlohmann::json;
 using vehicle::FlightChoices;
 using vehicle::GliderProfile;
 
-/// Whether the inputs say the speed themselves, or what it follows from.
+/// Whether the inputs state the speed, or values from which it follows.
 struct SpeedGiven {
   bool itself{false};
   bool by_glide{false};
 };
 
-/// What may be chosen, of a vehicle that dives no deeper than this.
+/// Fields of the flight, with the dive depth limited to the vehicle's depth rating.
 fields::Table<FlightChoices> flight_fields(core::Metres rating) {
   fields::Table<FlightChoices> table = fields::flight_fields();
   for (auto& row : table)
@@ -29,7 +29,7 @@ fields::Table<FlightChoices> flight_fields(core::Metres rating) {
   return table;
 }
 
-/// Adds what a pilot sets from mission to mission to the profile.
+/// Reads the settings that a pilot changes between missions into the profile.
 FlightChoices read_flight(InputReader& reader, GliderProfile& profile, SpeedGiven& given) {
   FlightChoices choices;
   read_fields(reader, flight_fields(profile.depth_rating), choices);
@@ -39,7 +39,7 @@ FlightChoices read_flight(InputReader& reader, GliderProfile& profile, SpeedGive
   return choices;
 }
 
-/// All that may be chosen, as the profile has it.
+/// The settings that can be chosen for a flight, with the profile's values.
 FlightChoices choices_of(const GliderProfile& profile) {
   return {.speed_through_water = profile.speed_through_water,
           .pitch = profile.pitch,
@@ -69,7 +69,7 @@ void read_thruster(InputReader& reader, GliderProfile& profile) {
   profile.thruster = thruster;
 }
 
-/// What the vehicle is.
+/// Reads the members of the vehicle's build.
 void read_build(InputReader& reader, GliderProfile& profile, SpeedGiven& given) {
   read_fields(reader, fields::build_fields(), profile);
   if (reader.member("buoyancy_cm3") != nullptr) given.by_glide = true;
@@ -78,7 +78,7 @@ void read_build(InputReader& reader, GliderProfile& profile, SpeedGiven& given) 
   read_thruster(reader, profile);
 }
 
-/// The known profile of this name; the default and a note at `pointer` when there is none.
+/// The known profile with this name; if there is none, a violation at `pointer` and the default.
 GliderProfile known(InputReader& reader, const std::string& pointer, const std::string& name) {
   if (const auto profile = vehicle::find_profile(name)) return *profile;
   std::string names;
@@ -110,7 +110,7 @@ FlightChoices read_vehicle(InputReader& reader, GliderProfile& profile) {
     profile = known(reader, "/vehicle", *name);
   }
   const FlightChoices choices = read_flight(reader, profile, given);
-  // Where the inputs leave the speed to pitch and buoyancy.
+  // The speed follows from pitch and buoyancy if the inputs do not state it.
   if (given.by_glide && !given.itself) profile = vehicle::at_speed_of_glide(std::move(profile));
   reader.refuse_rest(profile.violations());
   return choices;

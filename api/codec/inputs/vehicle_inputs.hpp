@@ -8,15 +8,15 @@
 
 namespace floeplan::codec {
 
-/// The vehicle: the name of a known profile, or an object that names one in "profile" and overrides any of its
-/// members; beside it the members of its flight (speed, pitch, depths, battery), which win over both. A pitch
-/// or buoyancy without a speed gives the speed of the steady glide.
-/// Returns  what the members beside it say
+/// Reads the vehicle: the name of a known profile, or an object that names one in "profile" and overrides any
+/// of its members. Members for the flight beside it (speed, pitch, depths, battery) have priority over both.
+/// A pitch or buoyancy without a speed gives the speed of a steady glide.
+/// Returns  the members for the flight
 vehicle::FlightChoices read_vehicle(InputReader& reader, vehicle::GliderProfile& profile);
-/// Adds the members that `read_vehicle` reads, every default written out.
+/// Adds the members that `read_vehicle` reads, with all defaults filled in.
 void write_vehicle(const vehicle::GliderProfile& profile, nlohmann::json& inputs);
 
-/// Every member of a profile, under the names that the object "vehicle" of the inputs has.
+/// All members of a profile, with the names that the input object "vehicle" uses.
 [[nodiscard]] nlohmann::json vehicle_json(const vehicle::GliderProfile& profile);
 
 }  // namespace floeplan::codec

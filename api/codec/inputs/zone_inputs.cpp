@@ -24,11 +24,11 @@ namespace {
 using nlohmann::json;
 
 constexpr std::size_t max_features = 1'000;
-constexpr std::size_t max_corners = 100'000;  // tested for every leg where a zone has its times
+// limited because every leg is tested against the corners of zones with a period
+constexpr std::size_t max_corners = 100'000;
 
-/// The places with others between those whose edge leads all the way round, as from -180 to 180, along a parallel or a
-/// pole: both ends are the same place.
-/// `written`: the positions with the longitudes that they were written with
+/// Adds corners to edges that lead around the whole Earth along a parallel or a pole, as from -180 to 180,
+/// because their two ends are the same position. `written`: the positions with their longitudes as written
 geo::Ring with_edges_round_the_earth(const json& written, const std::vector<geo::LonLat>& places) {
   constexpr int parts = 6;
   geo::Ring ring{places.front()};
@@ -45,7 +45,7 @@ geo::Ring with_edges_round_the_earth(const json& written, const std::vector<geo:
   return ring;
 }
 
-/// The corners of a closed ring, its first not repeated.
+/// The corners of a closed ring, without repeating the first.
 std::optional<geo::Ring> read_ring(InputReader& reader, const json& value, const std::string& pointer) {
   auto places = reader.places(value, pointer, 4, max_corners);
   if (!places) return std::nullopt;
@@ -70,9 +70,8 @@ std::optional<geo::Ring> read_ring(InputReader& reader, const json& value, const
   return ring;
 }
 
-/// Refuses holes of which no corner and no middle of an edge is inside the outline: an area that was meant to count
-/// would not.
-/// `pointer`: of the polygon's rings
+/// Refuses holes that have no corner and no middle of an edge inside the outline: the user probably meant
+/// separate areas, which would be ignored. `pointer`: JSON pointer of the polygon's rings
 void refuse_holes_outside(InputReader& reader, const geo::Polygon& polygon, const std::string& pointer) {
   std::vector<geo::LonLat> places;
   for (const geo::Ring& hole : polygon.holes) {
@@ -141,7 +140,7 @@ std::vector<geo::Polygon> read_geometry(InputReader& reader, const json& feature
   return polygons;
 }
 
-/// The property that an attribute of this name is meant for; nothing where it is for none.
+/// The property that an attribute with this name probably means; nullopt if it means none.
 std::optional<std::string> property_meant_by(std::string_view name) {
   switch (ocean::meaning_of_attribute(name)) {
     using enum ocean::AttributeMeaning;
@@ -156,8 +155,8 @@ std::optional<std::string> property_meant_by(std::string_view name) {
   }
 }
 
-/// Refuses properties that are meant for one of a zone's but are not written as such: "bottom" for "bottom_m" would
-/// leave the rule in force at every depth.
+/// Refuses properties that mean a zone's property but have another name: with "bottom" instead of "bottom_m",
+/// the rule would apply at all depths.
 void refuse_near_names(InputReader& members, const json& properties) {
   constexpr auto right_names =
       std::to_array<std::string_view>({"kind", "from", "until", "top_m", "bottom_m"});
@@ -169,7 +168,7 @@ void refuse_near_names(InputReader& members, const json& properties) {
   }
 }
 
-/// Everything of a zone but its area.
+/// Reads everything of a zone except its area.
 ocean::Zone read_properties(InputReader& reader, const json& feature, const std::string& pointer) {
   static const json none = json::object();
   const json* properties = feature.contains("properties") ? &feature.at("properties") : &none;
@@ -188,7 +187,7 @@ ocean::Zone read_properties(InputReader& reader, const json& feature, const std:
   zone.until = members.time("until");
   if (zone.until &&
       properties->at("until").get_ref<const std::string&>().size() == std::string_view{"2026-11-20"}.size())
-    *zone.until += std::chrono::days{1};  // of a day alone its end, as for zones of files
+    *zone.until += std::chrono::days{1};  // a day without a time means its end, as in zone files
   if (const auto top = members.number("top_m", {0.0, fields::deepest_m})) zone.top = {*top};
   if (const auto bottom = members.number("bottom_m", {0.0, fields::deepest_m})) zone.bottom = {*bottom};
   if (zone.from && zone.until && *zone.until < *zone.from) {
@@ -227,7 +226,7 @@ json geometry_json(std::span<const ocean::Zone> parts) {
   return {{"type", "MultiPolygon"}, {"coordinates", std::move(polygons)}};
 }
 
-/// One feature for zones that differ in nothing but their area.
+/// One feature for zones that differ only in their area.
 json feature_json(std::span<const ocean::Zone> parts) {
   const ocean::Zone& zone = parts.front();
   return {{"type", "Feature"},

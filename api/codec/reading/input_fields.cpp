@@ -15,11 +15,11 @@ using fields::Value;
 using nlohmann::json;
 using repository::DatasetChoice;
 
-constexpr std::size_t most_datasets = 64;  // as many as an ensemble may have members
+constexpr std::size_t most_datasets = 64;  // the largest number of ensemble members
 
 std::string in_quotes(std::string_view word) { return '"' + std::string{word} + '"'; }
 
-/// ""add" (to currents without tides) or "only" (tidal currents alone)".
+/// The allowed words with their meanings, for a message: `"add" (to currents without tides) or "only" (...)`.
 std::string known_words(const std::vector<fields::Word>& words) {
   std::string rule;
   for (std::size_t i = 0; i < words.size(); ++i) {
@@ -39,7 +39,7 @@ std::optional<Value> read_word(InputReader& reader, const Field& field) {
   return std::nullopt;
 }
 
-/// An array of ids, or nothing, and what is wrong is noted.
+/// Reads an array of ids; empty if it is wrong, which is a violation.
 std::optional<Value> read_ids(InputReader& reader, const std::string& key, const json& ids) {
   DatasetChoice choice{DatasetChoice::How::named, {}};
   if (ids.size() > most_datasets) {
@@ -69,11 +69,11 @@ std::optional<Value> read_datasets(InputReader& reader, const Field& field) {
   }
   const bool several = field.kind == Kind::datasets;
   if (several && value->is_array() && !value->empty()) return read_ids(reader, key, *value);
-  reader.refuse_member<"wrong-shape-found">(
-      key,
-      in_quotes(field.words.front().name) + ", " + in_quotes(field.words.back().name) +
-          (several ? ", an id or an array of ids" : " or an id"),
-      shown(*value));
+  reader.refuse_member<"wrong-shape-found">(key,
+                                            in_quotes(field.words.front().name) + ", " +
+                                                in_quotes(field.words.back().name) +
+                                                (several ? ", an id or an array of ids" : " or an id"),
+                                            shown(*value));
   return std::nullopt;
 }
 
@@ -92,7 +92,7 @@ struct AsJson {
   }
 };
 
-/// A value that is read as another type than the table holds it.
+/// Converts a value that was read to the table's type.
 template <class T>
 std::optional<Value> as_value(const std::optional<T>& read) {
   return read ? std::optional<Value>{*read} : std::nullopt;

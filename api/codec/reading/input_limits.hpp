@@ -7,7 +7,7 @@
 /// Limits that the inputs of several processes share.
 namespace floeplan::codec {
 
-/// Every finite number: for a number whose range the receiver checks.
+/// Any finite number; for numbers whose range is checked elsewhere.
 inline constexpr NumberRange any_number{std::numeric_limits<double>::lowest(),
                                         std::numeric_limits<double>::max()};
 

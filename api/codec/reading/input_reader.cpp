@@ -12,10 +12,10 @@ namespace {
 
 using nlohmann::json;
 
-/// A number as a person would write it: "0.35", "5000".
+/// A number without trailing digits: "0.35", "5000".
 std::string written(double value) { return json(value).dump(); }
 
-/// A key inside a JSON pointer (RFC 6901).
+/// A key escaped for a JSON pointer (RFC 6901).
 std::string escaped(const std::string& key) {
   std::string result;
   for (const char c : key) {

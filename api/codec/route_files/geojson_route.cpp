@@ -19,8 +19,9 @@ struct Feature {
   std::string name;
   std::vector<Line> lines{};
   Line points{};
-  std::string plan_id{};  // of a leg or a waypoint of a plan, which the server gives as features of their own
-  double index{};         // of it in the plan
+  // set for legs and waypoints of a plan, which the server returns as separate features
+  std::string plan_id{};
+  double index{};  // index of the leg or waypoint in the plan
 };
 
 std::string name_of(const json& feature, const json& properties) {
@@ -29,7 +30,7 @@ std::string name_of(const json& feature, const json& properties) {
   return text_at(feature, "id");
 }
 
-/// Gathers the geometries of a GeoJSON value.
+/// Collects the geometries of a GeoJSON value.
 class Gathering {
  public:
   explicit Gathering(InputReader& reader) : reader_{reader} {}
@@ -53,13 +54,12 @@ class Gathering {
   }
 
   [[nodiscard]] std::vector<Feature>& features() { return features_; }
-  /// Whether the server holds more features than it gave.
+  /// Whether the document is one page of several, so that features are missing.
   [[nodiscard]] bool is_a_page() const { return is_a_page_; }
 
  private:
   void gather_each(const json& value, const char* key, const std::string& pointer, std::size_t depth) {
-    if (!value.contains(key) || !value.at(key).is_array())
-      return reader_.refuse<"no-array">(pointer, key);
+    if (!value.contains(key) || !value.at(key).is_array()) return reader_.refuse<"no-array">(pointer, key);
     const json& members = value.at(key);
     for (std::size_t i = 0; i < members.size(); ++i)
       gather(members[i], pointer + "/" + key + "/" + std::to_string(i), depth + 1);
@@ -88,7 +88,7 @@ class Gathering {
     is_in_feature_ = true;
   }
 
-  /// Geometries that no feature is around are each one of their own.
+  /// The current feature; a geometry without a feature gets its own.
   Feature& feature() {
     if (!is_in_feature_) features_.emplace_back();
     return features_.back();
@@ -122,7 +122,8 @@ class Gathering {
   bool is_a_page_{false};
 };
 
-/// Brings the parts of each plan together, in their order, where its first one stands; other features stay as they are.
+/// Joins the features of each plan, in their order, at the position of the first one. Other features stay
+/// unchanged.
 std::vector<Feature> with_whole_plans(InputReader& reader, Gathering& all, const std::string& pointer) {
   std::vector<Feature> whole;
   std::map<std::string, std::vector<Feature>> parts;

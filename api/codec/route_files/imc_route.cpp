@@ -19,7 +19,7 @@ const json* array_at(const json& object, const char* key) {
   return found != object.end() && found->is_array() ? &*found : nullptr;
 }
 
-/// The message itself, or the one that PlanDB and PlanControl carry.
+/// The PlanSpecification: the message itself, or the argument of a PlanDB or PlanControl.
 const json* plan_in(const json& message) {
   if (!message.is_object()) return nullptr;
   if (text_at(message, "abbrev") == "PlanSpecification") return &message;
@@ -29,7 +29,7 @@ const json* plan_in(const json& message) {
              : nullptr;
 }
 
-/// Radians to a place; nothing for what is no angle in radians, degrees for instance.
+/// The position of a maneuver, in radians; nullopt if the numbers are out of range, for instance degrees.
 std::optional<geo::LonLat> place_in(const json& maneuver) {
   const auto lat = number_at(maneuver, "lat");
   const auto lon = number_at(maneuver, "lon");
@@ -38,12 +38,13 @@ std::optional<geo::LonLat> place_in(const json& maneuver) {
   return geo::LonLat{core::radians_to_degrees(*lon), core::radians_to_degrees(*lat)};
 }
 
-/// Patterns over an area: their places follow from rules that are the vehicle's.
+/// Whether a maneuver covers an area in a pattern. The vehicle computes its positions, so they are unknown
+/// here.
 bool is_pattern(const std::string& kind) {
   return kind == "Rows" || kind == "RowsCoverage" || kind == "CoverArea";
 }
 
-/// Adds the places of the maneuver called `here`. Returns what is wrong with it, empty when nothing is.
+/// Adds the positions of a maneuver; `here` names it in messages. Returns its fault, or nullopt.
 std::optional<core::Violation> add_places(const json& maneuver, const std::string& here,
                                           std::vector<geo::LonLat>& places) {
   const std::string kind = text_at(maneuver, "abbrev");
@@ -70,7 +71,7 @@ std::optional<core::Violation> add_places(const json& maneuver, const std::strin
   return std::nullopt;
 }
 
-/// Which maneuvers may follow which, but for the ends of a plan. That two may is left to a condition aboard.
+/// For each maneuver those that may follow it. Conditions of the transitions are ignored.
 std::map<std::string, std::set<std::string>> successors(const json& plan) {
   std::map<std::string, std::set<std::string>> next;
   const json* transitions = array_at(plan, "transitions");

@@ -31,7 +31,7 @@ int hex_digit(char c) {
   return -1;
 }
 
-/// Whether the check sum is right, where there is one.
+/// Whether the check sum is right, or absent.
 bool sums_up(std::string_view body, std::string_view sum) {
   if (sum.empty()) return true;
   if (sum.size() != check_sum_length) return false;
@@ -41,7 +41,8 @@ bool sums_up(std::string_view body, std::string_view sum) {
          hex_digit(sum[2]) >= 0;
 }
 
-/// Degrees of "05312.0000" with its hemisphere; nothing where it is no such angle of at most `most_deg`.
+/// Degrees of an angle such as "05312.0000" with its hemisphere; nullopt if it is invalid or greater than
+/// `most_deg`.
 std::optional<double> angle_of(std::string_view text, std::string_view side, std::size_t degree_digits,
                                char positive, char negative, double most_deg) {
   if (text.size() < degree_digits + 2 || side.size() != 1) return std::nullopt;
@@ -55,11 +56,11 @@ std::optional<double> angle_of(std::string_view text, std::string_view side, std
   return side[0] == negative ? -angle : angle;
 }
 
-/// A route as its sentences list it. Loggers repeat these sentences.
+/// A route as listed in RTE sentences, which loggers repeat.
 struct Listing {
   std::string name;
   std::vector<std::string> order;
-  int sentences{};  // that belong to it
+  int sentences{};  // number of sentences of the route
   int read{};
 
   friend bool operator==(const Listing&, const Listing&) = default;
@@ -71,7 +72,7 @@ std::optional<int> count_of(std::string_view text) {
   return static_cast<int>(*number);
 }
 
-/// What the sentences of a file have said so far.
+/// The content of the sentences read so far.
 struct Sentences {
   std::vector<std::string> order_of_waypoints;
   std::map<std::string, geo::LonLat> waypoints;
@@ -113,7 +114,7 @@ struct Sentences {
     const Fields fields = fields_of(body);
     const bool is_waypoint = fields[0].ends_with("WPL");
     if (!is_waypoint && !fields[0].ends_with("RTE"))
-      return;  // fixes, depths and whatever else a logger writes
+      return;  // other sentences of a logger, such as fixes and depths
     if (!sums_up(body, star == std::string_view::npos ? "" : line.substr(star)))
       return faults.refuse<"wrong-check-sum">(at_line(number));
     if (is_waypoint) {
@@ -138,7 +139,8 @@ std::vector<geo::LonLat> places_in_order(const Sentences& sentences, const std::
   return places;
 }
 
-/// Each route of the file once. Without route sentences: the waypoints in the order of the file.
+/// The routes of the file, repeated ones once; without RTE sentences, one route of all waypoints in their
+/// order.
 ReadRoutes routes_of(const Sentences& sentences) {
   FileRoutes file;
   core::Violations faults;

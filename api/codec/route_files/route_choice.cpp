@@ -11,13 +11,14 @@
 namespace floeplan::codec {
 namespace {
 
-constexpr std::size_t most_named = 8;      // routes that a refusal names
-constexpr std::size_t longest_name = 60;   // bytes of each
-constexpr double rounding = 1e-9;          // of a share of a line
+constexpr std::size_t most_named = 8;      // routes listed in a message
+constexpr std::size_t longest_name = 60;   // bytes of a name in a message
+constexpr double rounding = 1e-9;          // tolerance of a share of a line
 constexpr double same_place_deg = 1.5e-7;  // places are printed to 1e-7 degrees, 1 cm
 constexpr double beside_antimeridian_deg =
-    1.5e-5;                                       // cuts at 179.99999 are common, 1 m from it at the equator
-constexpr core::Metres cut_at_antimeridian{2.5};  // from one side to the other
+    // a cut at 179.99999, 1 m from the antimeridian at the equator, is common
+    1.5e-5;
+constexpr core::Metres cut_at_antimeridian{2.5};  // largest distance between the two ends of a cut
 
 template <messages::Code code, class... Given>
 tl::unexpected<core::Violations> refused(const Given&... values) {
@@ -37,7 +38,7 @@ std::string titles(const std::vector<NamedRoute>& routes) {
   return list + (routes.size() > shown ? ", ..." : "");
 }
 
-/// The index of the route that `wanted` names or, where no name is so, counts.
+/// The index of the route with this name, or, if there is none, with this number.
 tl::expected<std::size_t, core::Violations> named(const std::vector<NamedRoute>& routes,
                                                   const std::string& wanted) {
   const auto count = std::ranges::count(routes, wanted, &NamedRoute::name);
@@ -56,17 +57,16 @@ tl::expected<std::size_t, core::Violations> named(const std::vector<NamedRoute>&
   return refused<"no-such-route">(core::cut_short(wanted, longest_name), titles(routes));
 }
 
-/// The index of the only route that counts.
+/// The index of the only route that need not be named.
 tl::expected<std::size_t, core::Violations> only_one(const std::vector<NamedRoute>& routes) {
   const auto counts = [](const NamedRoute& route) { return route.aside.empty(); };
   const auto count = std::ranges::count_if(routes, counts);
   if (count == 1) return static_cast<std::size_t>(std::ranges::find_if(routes, counts) - routes.begin());
-  if (count == 0)
-    return refused<"no-route-shown">(titles(routes), routes.front().aside);
+  if (count == 0) return refused<"no-route-shown">(titles(routes), routes.front().aside);
   return refused<"several-routes">(count, titles(routes));
 }
 
-/// Programs that cut a line at the antimeridian may leave a little on either side.
+/// Whether a position is on the antimeridian; programs that cut a line there may leave a small distance.
 bool is_on_antimeridian(geo::LonLat place) {
   return std::abs(std::abs(place.lon_deg) - 180.0) <= beside_antimeridian_deg;
 }
@@ -79,7 +79,7 @@ bool touch(geo::LonLat a, geo::LonLat b) {
          std::abs(geo::longitude_difference(a.lon_deg, b.lon_deg)) <= same_place_deg;
 }
 
-/// Whether a line that is straight in longitude and latitude leads from one place to the other over this one.
+/// Whether `place` lies on the line from `from` to `to` that is straight in longitude and latitude.
 bool lies_between(geo::LonLat from, geo::LonLat place, geo::LonLat to) {
   const double before_deg = geo::longitude_difference(from.lon_deg, place.lon_deg);
   const double whole_deg = geo::longitude_difference(from.lon_deg, to.lon_deg);
@@ -95,7 +95,7 @@ std::string kilometres_between(geo::LonLat a, geo::LonLat b) {
   return text;
 }
 
-/// All parts of a route in one line; a gap is a fault or a warning.
+/// Joins all parts of a route; a gap is a violation or a warning, by `Gaps`.
 RouteFile joined(const NamedRoute& route, core::Violations& faults) {
   RouteFile line;
   const std::string subject =
@@ -135,8 +135,7 @@ tl::expected<RouteFile, core::Violations> choose_route(FileRoutes file,
   core::Violations faults;
   RouteFile route = joined(file.routes[*chosen], faults);
   if (!faults.empty()) return tl::unexpected(std::move(faults));
-  if (route.places.size() > max_places)
-    return refused<"too-many-places-in-route">(max_places);
+  if (route.places.size() > max_places) return refused<"too-many-places-in-route">(max_places);
   for (geo::LonLat& place : route.places) place.lon_deg = geo::wrap_longitude(place.lon_deg);
   route.warnings.insert(route.warnings.begin(), file.warnings.begin(), file.warnings.end());
   if (!wanted)

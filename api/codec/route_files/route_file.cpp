@@ -13,8 +13,8 @@ namespace {
 
 constexpr std::size_t max_bytes = 8 << 20;
 
-/// A list or mission of a Slocum, or the targets of a Seaglider. Decimal degrees are refused: nobody should fly what
-/// they would be taken for.
+/// Reads a list or mission of a Slocum, or the targets of a Seaglider. Decimal degrees are refused, because
+/// the vehicle would read them as degrees and minutes.
 ReadRoutes read_mission(const std::string& name, std::string_view bytes, std::optional<geo::LonLat> from) {
   const mission::Document document = mission::read_document(name, bytes);
   std::vector<geo::LonLat> places;
@@ -43,7 +43,7 @@ ReadRoutes read_mission(const std::string& name, std::string_view bytes, std::op
   return file;
 }
 
-/// Seaglider targets have lines of fields like lat=4807.5.
+/// Whether a text looks like Seaglider targets, whose lines have fields such as lat=4807.5.
 bool looks_like_targets(std::string_view bytes) {
   return bytes.find("lat=") != std::string_view::npos && bytes.find("lon=") != std::string_view::npos &&
          bytes.find('<') == std::string_view::npos;

@@ -12,7 +12,7 @@ namespace {
 using xml::Element;
 using Line = std::vector<geo::LonLat>;
 
-/// The points of that name right below the element.
+/// The points with this element name, directly below an element.
 Line points_of(const Element& element, std::string_view point, core::Violations& faults) {
   Line line;
   for (const Element& child : element.children) {
@@ -31,7 +31,7 @@ void add(std::vector<NamedRoute>& routes, NamedRoute route) {
   if (!route.parts.empty()) routes.push_back(std::move(route));
 }
 
-/// What OpenCPN writes of a route or track that is not shown: "opencpn:viz" among the extensions.
+/// Whether a route or track is hidden; OpenCPN writes this as "opencpn:viz" in its extensions.
 bool is_hidden_in_gpx(const Element& element) {
   const Element* const extensions = element.child("extensions");
   if (extensions == nullptr) return false;
@@ -56,7 +56,8 @@ class KmlReader {
   }
 
  private:
-  /// Everything below a folder, or the geometries of a placemark, each a route where no placemark is around.
+  /// Collects the geometries below a folder or in a placemark. A geometry outside of placemarks is a route of
+  /// its own.
   void gather(const Element& element, bool is_hidden) {
     is_hidden = is_hidden || element.text_of("visibility") == "0";
     NamedRoute route{element.text_of("name"), {}, Gaps::refused, is_hidden ? "hidden" : ""};
@@ -71,7 +72,8 @@ class KmlReader {
     add(lines_, std::move(route));
   }
 
-  /// Adds the lines to the route. False where the element is no geometry.
+  /// Adds a geometry's lines to the route, or its points to the list of points. False if the element is no
+  /// geometry.
   bool read_geometry(const Element& element, NamedRoute& route) {
     if (element.name == "LineString") {
       route.parts.push_back(coordinates_of(element));
@@ -90,7 +92,7 @@ class KmlReader {
     return true;
   }
 
-  /// "lon,lat,height lon,lat ...".
+  /// The positions in an element's coordinates, "lon,lat,height lon,lat ...".
   Line coordinates_of(const Element& element) {
     Line line;
     const Element* const coordinates = element.child("coordinates");
@@ -103,7 +105,7 @@ class KmlReader {
     return line;
   }
 
-  /// The elements gx:coord, "lon lat height".
+  /// The positions in the elements gx:coord, "lon lat height".
   Line track(const Element& element) {
     Line line;
     for (const Element& child : element.children)

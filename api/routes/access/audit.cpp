@@ -23,7 +23,7 @@ std::string location_of(const Response& response) {
   return {};
 }
 
-/// "plan-route" of "/processes/plan-route/execution".
+/// The process in the path of an execution: "plan-route" in "/processes/plan-route/execution".
 std::optional<std::string> process_of(const std::string& path) {
   constexpr std::string_view begin = "/processes/";
   constexpr std::string_view end = "/execution";
@@ -32,7 +32,8 @@ std::optional<std::string> process_of(const std::string& path) {
   return path.substr(begin.size(), path.size() - begin.size() - end.size());
 }
 
-/// Files for vehicles, plotters and papers; what the map shows of a plan is none.
+/// Whether a path is a download for vehicles, chart plotters or printing. The map's requests for a plan are
+/// not exports.
 bool is_export(const std::string& path) {
   constexpr std::array<std::string_view, 2> files{"/mission", "/tracks."};
   const auto slash = path.find_last_of('/');
@@ -78,7 +79,7 @@ Response list_entries(const Context& context, const Request& request, const Path
 }  // namespace
 
 std::optional<Deed> deed_of(const Request& request, const Response& response) {
-  const bool first_look = !request.resumption;  // a request that waits was written down when it began to
+  const bool first_look = !request.resumption;  // a waiting request was recorded at its start
   if (response.status >= 400 || !first_look) return std::nullopt;
   if (request.method == "POST") {
     if (request.path == "/missions/check" || request.path == "/session") return std::nullopt;

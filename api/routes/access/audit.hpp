@@ -8,18 +8,18 @@
 
 namespace floeplan::routes {
 
-/// What was done, and to what.
+/// An action for the audit log, and its object.
 struct Deed {
   std::string action;
   std::string target;
 };
 
-/// What an answered request did that somebody may have to answer for: jobs that it started (by the process' name),
-/// files it took ("export") or brought ("upload"), what it changed or removed, and logouts. Nothing when it failed or
-/// only looked. Logins are the ledger's.
+/// The action of a request that was answered, for the audit log: jobs started (by the name of the process),
+/// files exported ("export") or uploaded ("upload"), changes, removals and logouts. nullopt if the request
+/// failed or only read. Logins are recorded by LoginLedger.
 [[nodiscard]] std::optional<Deed> deed_of(const Request& request, const Response& response);
 
-/// Stores the deed, if there was one. A store that cannot take it is logged and does not take back what was done.
+/// Stores the action, if there was one. A failure of the store is logged; it does not undo the action.
 void write_down(const Context& context, const Request& request, const Response& response);
 
 }  // namespace floeplan::routes

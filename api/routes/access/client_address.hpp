@@ -6,8 +6,8 @@
 
 namespace floeplan::routes {
 
-/// The address of the client behind a proxy of ours: it adds it to the end of X-Forwarded-For, and what stands before came
-/// from outside. The peer's where there is no such header.
+/// The address of the client behind the operator's proxy: the last entry of X-Forwarded-For, which the proxy
+/// adds. Earlier entries come from outside and are not trusted. Without this header, the address of the peer.
 [[nodiscard]] std::string address_behind_proxy(const Request& request);
 
 }  // namespace floeplan::routes

@@ -64,7 +64,8 @@ Response preflight() {
 void LoginLedger::note(const Context& context, const Request& request, const std::string& action,
                        const std::string& caller) {
   const std::lock_guard lock{mutex_};
-  const bool over = request.now - began_ >= period || request.now < began_;  // a clock may be set back
+  // the clock may have been set back
+  const bool over = request.now - began_ >= period || request.now < began_;
   if (over) {
     tallies_.clear();
     began_ = request.now;
@@ -95,7 +96,8 @@ bool Doorkeeper::is_allowed_origin(const std::string& origin) const {
   return std::find(doors_.origins.begin(), doors_.origins.end(), origin) != doors_.origins.end();
 }
 
-/// Browsers name the page's site in Origin whenever a request may change something.
+/// Whether the request comes from a page of this server. Browsers state the page's site in Origin when a
+/// request may change data.
 bool Doorkeeper::is_own_page(const Request& request, const std::string& public_url) const {
   const std::string origin = request.header("origin");
   if (origin.empty()) {
@@ -116,7 +118,7 @@ void Doorkeeper::allow_origin(const Request& request, Response& response) const 
       "Content-Crs, ETag, Link, Location, Preference-Applied, Retry-After, WWW-Authenticate, X-Request-Id");
 }
 
-/// Notes the caller in the request; a refusal when what was shown is wrong.
+/// Records the caller in the request; returns a refusal if the credential is wrong.
 std::optional<Response> Doorkeeper::identify(const Context& context, Request& request) {
   const repository::TokenRepository tokens{context.db};
   if (doors_.open_without_tokens && !ever_any_tokens(context)) {
@@ -142,7 +144,7 @@ std::optional<Response> Doorkeeper::identify(const Context& context, Request& re
   if (!token || !codec::proves(*credential, token->digest)) {
     guard_.note_wrong(guess, request.now);
     ledger_.note(context, request, "log-in-refused", token ? token->name : "");
-    if (shown->by_cookie) return std::nullopt;  // of a login that has ended: as if it were not there
+    if (shown->by_cookie) return std::nullopt;  // the cookie of an expired login counts as none
     return wrong_credential(request);
   }
   guard_.note_right(guess, request.now);
@@ -159,7 +161,7 @@ std::optional<Response> Doorkeeper::identify(const Context& context, Request& re
   return std::nullopt;
 }
 
-/// Without tokens every page that a browser on this machine shows could do what its user can.
+/// Without this check, every page in a browser on this machine could do what its user may do.
 std::optional<Response> Doorkeeper::refuse_foreign_page(const Context& context,
                                                         const Request& request) const {
   const std::string& own = context.service.public_url;
@@ -172,7 +174,7 @@ std::optional<Response> Doorkeeper::refuse_foreign_page(const Context& context,
   return std::nullopt;
 }
 
-/// Notes in the request who asks; a refusal when the doors stay shut, whatever is asked for.
+/// Records the caller in the request; returns a refusal if the caller has no access at all.
 std::optional<Response> Doorkeeper::let_in(const Context& context, Request& request) {
   if (doors_.behind_proxy) request.peer = address_behind_proxy(request);
   if (auto refusal = identify(context, request)) return refusal;

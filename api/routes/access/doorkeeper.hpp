@@ -15,55 +15,58 @@
 
 namespace floeplan::routes {
 
-/// Writes logins, and what was shown in vain, into the audit log: one entry for each address, action and period, which says
-/// how often. However often somebody tries, the log of what else was done stays.
-/// Counts are written when they reach a power of two: "at least 64 times" may have been 127.
-/// Memory   bounded: addresses beyond the first `most_addresses` of a period share one entry
+/// Records logins and wrong credentials in the audit log: one entry for each address, action and period, with
+/// a count. Many attempts thus do not displace other entries of the log. A count is written when it reaches a
+/// power of two, so "at least 64 times" may be up to 127 times.
+/// Memory   bounded: addresses after the first `most_addresses` of a period share one entry
 /// Threads  any number at once
 class LoginLedger {
  public:
   static constexpr core::Seconds period{600.0};
   static constexpr std::size_t most_addresses = 200;
 
-  /// `caller`  name of the token that it was done with or that was guessed at; empty: of none that is known
+  /// `caller`  name of the token used or guessed at; empty: no known token
   void note(const Context& context, const Request& request, const std::string& action,
             const std::string& caller);
 
  private:
   struct Tally {
-    std::int64_t row{};  // in the audit log
+    std::int64_t row{};  // row in the audit log
     std::uint64_t times{};
   };
 
   std::mutex mutex_;
-  core::UtcTime began_{};  // of the period
+  core::UtcTime began_{};  // start of the period
   std::map<std::string, Tally> tallies_;
 };
 
 /// How the doors of a server stand.
 struct Doors {
-  /// Until the store gets its first token, and never again: only where this machine alone reaches the server.
+  /// Requests without a token are allowed until the store has its first token; only if no other machine
+  /// reaches the server.
   bool open_without_tokens{true};
-  bool secure{false};                // clients come by TLS: cookies may travel by nothing else
-  bool behind_proxy{false};          // every request comes from a proxy of ours that names its client
-  std::vector<std::string> origins;  // of other sites whose pages may ask, as "https://map.example"
+  bool secure{false};  // clients use TLS; cookies are then only sent over TLS
+  // all requests come through the operator's proxy, which states the client's address
+  bool behind_proxy{false};
+  // origins of other sites whose pages may send requests, as "https://map.example"
+  std::vector<std::string> origins;
 };
 
-/// Stands before the resources: finds out who asks and lets in, or refuses with 401, 403 or 429; answers what browsers
-/// ask across sites; writes down who did what.
+/// Access control in front of the resources. It identifies the caller and passes the request on, or refuses
+/// with 401, 403 or 429; it answers cross-origin requests of browsers and records actions in the audit log.
 ///
-/// A credential comes in the Authorization header (scripts) or as a cookie (browsers). A cookie alone changes nothing
-/// unless the browser says that the page is ours: SameSite keeps it home already, the Origin header is looked at as
-/// well.
-/// Without tokens, names that are not this machine's are refused to pages, which could otherwise reach a server on
-/// loopback through a name of their own.
+/// A credential comes in the Authorization header (scripts) or in a cookie (browsers). With a cookie, a
+/// request may change something only if it comes from a page of this server: the cookie is SameSite, and the
+/// Origin header is checked as well. On a server without tokens, pages may only use host names of this
+/// machine. Otherwise a page from outside could reach a server on loopback through its own domain name (DNS
+/// rebinding).
 /// Threads  any number at once
 class Doorkeeper {
  public:
   Doorkeeper(Doors doors, Router router) : doors_{std::move(doors)}, router_{std::move(router)} {}
 
   [[nodiscard]] Response answer(const Context& context, Request request);
-  /// The answer to a caller who may not send this file, before its body is there; nothing when he may.
+  /// The refusal of a file upload before its body is read; nullopt if the caller may send it.
   [[nodiscard]] std::optional<Response> refuse(const Context& context, Request request);
 
  private:

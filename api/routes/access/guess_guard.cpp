@@ -5,7 +5,8 @@
 namespace floeplan::routes {
 
 double RateLimit::done_by(const Record& record, core::UtcTime now) const {
-  const double forgiven = std::max((now - record.as_of) / interval_, 0.0);  // a clock may be set back
+  // the clock may have been set back
+  const double forgiven = std::max((now - record.as_of) / interval_, 0.0);
   return std::max(record.done - forgiven, 0.0);
 }
 

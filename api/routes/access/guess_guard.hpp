@@ -10,21 +10,22 @@
 
 namespace floeplan::routes {
 
-/// How often something may be done, for each of many who do it: `burst` times at once, then once for every `interval`.
-/// Memory   bounded; who did nothing for longest is forgotten first
+/// Limits how often each of many callers may do something: `burst` times at once, then once in every
+/// `interval`.
+/// Memory   bounded; the caller inactive for longest is dropped first
 /// Threads  one at a time
 class RateLimit {
  public:
   RateLimit(double burst, core::Seconds interval) : burst_{burst}, interval_{interval} {}
 
-  /// How long `who` has to wait; zero: not at all.
+  /// Time that `who` has to wait; zero: no wait.
   [[nodiscard]] core::Seconds wait(const std::string& who, core::UtcTime now) const;
   void note(const std::string& who, core::UtcTime now);
 
  private:
   static constexpr std::size_t most_known = 10'000;
   struct Record {
-    double done{};  // less what time has forgiven
+    double done{};  // number of events, reduced as time passes
     core::UtcTime as_of;
   };
 
@@ -46,36 +47,37 @@ class GuessGuard {
  public:
   static constexpr double burst = 10.0;
   static constexpr core::Seconds interval{6.0};
-  /// Logins that succeed: a crew of sixty may come at once from behind one address, each of them with three browsers.
+  /// Successful logins: a crew of sixty may log in at once from one address, each with three browsers.
   static constexpr double logins_of_address = 60.0;
   static constexpr double logins_of_token = 20.0;
   static constexpr core::Seconds login_interval{3.0};
 
-  /// Who shows what: `key` names the token and is empty for what is no credential, as `digest` is.
+  /// A credential and its sender. `key` identifies the token; `key` and `digest` are empty for an invalid
+  /// credential.
   struct Shown {
     std::string address;
     std::string key;
     std::string digest;
   };
 
-  /// How long to wait before what is shown is looked at; zero: not at all.
+  /// Time to wait before this credential is checked; zero: no wait.
   [[nodiscard]] core::Seconds wait(const Shown& shown, core::UtcTime now);
   void note_wrong(const Shown& shown, core::UtcTime now);
   void note_right(const Shown& shown, core::UtcTime now);
 
-  /// How long to wait before another login is opened; zero: not at all, and this one is counted.
+  /// Time to wait before another login; zero: no wait, and this login is counted.
   [[nodiscard]] core::Seconds wait_to_log_in(const Shown& shown, core::UtcTime now);
 
  private:
   static constexpr std::size_t most_addresses = 10'000;
-  static constexpr std::size_t most_proven = 64;  // of one address
+  static constexpr std::size_t most_proven = 64;  // largest number for one address
 
   std::mutex mutex_;
   RateLimit wrong_from_{burst, interval};
   RateLimit wrong_of_{burst, interval};
   RateLimit logins_from_{logins_of_address, login_interval};
   RateLimit logins_of_{logins_of_token, login_interval};
-  std::map<std::string, std::set<std::string>> proven_;  // digests by address
+  std::map<std::string, std::set<std::string>> proven_;  // digests of right credentials, by address
 };
 
 }  // namespace floeplan::routes

@@ -12,7 +12,7 @@ namespace floeplan::routes {
 /// Identifies the client of a request before any database access, so that clients can take turns. A credential that was
 /// accepted before counts as its token, so all logins of a token are one client. Any other credential counts as its network
 /// address, so that invented credentials do not make more clients. This grants no access.
-/// Memory   bounded: only hashes of credentials are kept; beyond a maximum all are forgotten at once
+/// Memory   bounded: only hashes of credentials are stored; when there are too many, all are dropped
 /// Threads  any number at once
 class KnownClients {
  public:
@@ -21,7 +21,7 @@ class KnownClients {
   explicit KnownClients(bool behind_proxy) : behind_proxy_{behind_proxy} {}
 
   [[nodiscard]] std::string client_of(const Request& request) const;
-  /// Notes who was let in with what the request shows; `caller` is empty when nobody was.
+  /// Records the caller for the credential in the request; `caller` is empty if access was refused.
   void learn(const Request& request, const std::string& caller);
 
  private:

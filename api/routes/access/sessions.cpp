@@ -9,13 +9,14 @@ namespace floeplan::routes {
 namespace {
 
 constexpr core::Seconds lifetime{12.0 *
-                                 3600.0};  // a pilot's watch; the token itself lasts until it is revoked
+                                 // length of a pilot's watch; the token itself is valid until it is revoked
+                                 3600.0};
 
 nlohmann::json caller_document(const Caller& caller) {
   return {{"name", caller.name}, {"role", repository::role_name(caller.role)}};
 }
 
-/// The token is shown in the header or the body, and was looked at before this is reached.
+/// Logs in with the token in the header or the body, which was checked before.
 Response log_in(const Context& context, const Request& request, const PathParameters&) {
   if (request.caller->token_key.empty()) {
     return problem_reply<"no-token">(request);

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::string_view cookie_name = "floeplan_session";
 
-/// The scheme's name may come in any case (RFC 9110, 11.1).
+/// Whether the scheme is Bearer; upper and lower case are equal (RFC 9110, 11.1).
 bool is_bearer(std::string_view header) {
   constexpr std::string_view scheme = "bearer ";
   if (header.size() < scheme.size()) return false;
@@ -48,8 +48,7 @@ std::optional<ShownCredential> shown_credential(const Request& request) {
   const std::string authorization = request.header("authorization");
   if (is_bearer(authorization))
     return ShownCredential{std::string{codec::trimmed(std::string_view{authorization}.substr(7))}, false};
-  if (!authorization.empty())
-    return ShownCredential{};  // of a scheme that is not ours: wrong, whatever it says
+  if (!authorization.empty()) return ShownCredential{};  // another scheme: an invalid credential
   if (auto token = token_of_body(request)) return ShownCredential{std::move(*token), false};
   if (auto cookie = cookie_of(request.header("cookie"))) return ShownCredential{std::move(*cookie), true};
   return std::nullopt;

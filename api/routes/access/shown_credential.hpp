@@ -7,18 +7,19 @@
 
 namespace floeplan::routes {
 
-/// What a request shows to prove who asks.
+/// The credential in a request.
 struct ShownCredential {
   std::string text;
-  bool by_cookie{false};  // of a login, which the browser adds by itself
+  bool by_cookie{false};  // from the cookie of a login, which the browser sends by itself
 };
 
-/// The credential of a request: from the Authorization header (scheme Bearer); for POST /session also from the member
-/// "token" of the body; otherwise from the cookie of a login. Nothing when there is none of them. Never from the
-/// address, which logs and histories keep.
+/// The credential of a request: from the Authorization header (scheme Bearer); for POST /session also from
+/// the member "token" of the body; otherwise from the cookie of a login. nullopt if there is none. Never from
+/// the URL, which logs and browser histories store.
 [[nodiscard]] std::optional<ShownCredential> shown_credential(const Request& request);
 
-/// The Set-Cookie header that logs in for `seconds`; with no text and 0 seconds, the one that logs out.
+/// The Set-Cookie header of a login that is valid for `seconds`; with an empty text and 0 seconds it logs
+/// out.
 [[nodiscard]] std::string login_cookie(const std::string& text, int seconds, bool secure);
 
 }  // namespace floeplan::routes

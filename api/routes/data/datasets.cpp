@@ -51,7 +51,7 @@ Response remove_dataset(const Context& context, const Request& request, const Pa
   return response;
 }
 
-/// By rules and never by a list: what went is in the answer, and in the log of who removed what.
+/// Removes datasets by rules, not by a list of ids; the answer and the audit log name the removed ones.
 Response prune_datasets(const Context& context, const Request& request, const PathParameters&) {
   const auto body = codec::parse_json(request.body);
   if (!body) return problem_reply<"invalid-json">(request, body.error());

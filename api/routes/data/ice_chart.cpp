@@ -16,12 +16,13 @@ namespace {
 using nlohmann::json;
 using repository::DatasetKind;
 
-/// Some two megabytes of text, more than a picture shows. Polygons beyond it are left out, which the answer says.
+/// Limits the answer to about two megabytes of text, more than a picture shows. The answer says if polygons
+/// are omitted.
 constexpr std::size_t most_corners = 100'000;
 
-/// One node for each column of the picture, as far apart northward as eastward.
+/// A grid with one node for each column of the picture, and the same distance northward as eastward.
 codec::CornerGrid corners_of(const geo::BoundingBox& area, std::int64_t columns) {
-  constexpr double least_width = 0.05;  // of a degree of longitude, near a pole
+  constexpr double least_width = 0.05;  // in degrees of longitude, near a pole
   const double middle_rad = core::degrees_to_radians(0.5 * (area.south_deg + area.north_deg));
   const double lon_deg = std::max(1e-5, geo::width_deg(area) / static_cast<double>(columns));
   return {lon_deg, lon_deg * std::max(least_width, std::cos(middle_rad))};

@@ -16,7 +16,7 @@ namespace {
 using repository::Dataset;
 using repository::DatasetKind;
 
-/// The window and the resolution that the map asks for.
+/// The area and the resolution that the map requests.
 struct View {
   geo::BoundingBox area;
   std::size_t nx{};
@@ -42,7 +42,8 @@ bool suits(const Dataset& dataset, DatasetKind kind, const geo::BoundingBox& are
          (!dataset.time_end || *time <= *dataset.time_end);
 }
 
-/// The named dataset, or the newest of the kind that meets area and time; else the problem to answer with.
+/// The named dataset, or the newest of the kind that covers area and time; otherwise the problem for the
+/// answer.
 tl::expected<Dataset, Response> choose_dataset(const Context& context, const Request& request,
                                                DatasetKind kind, const geo::BoundingBox& area,
                                                std::optional<core::UtcTime> time) {
@@ -81,7 +82,7 @@ codec::MapGrid empty_grid(const View& view, const Dataset& dataset) {
   return grid;
 }
 
-/// Calls `visit` for every place of the grid in the order of its values.
+/// Calls `visit` for each node of the grid, in the order of its values.
 template <class Visit>
 void for_each_place(const codec::MapGrid& grid, const Visit& visit) {
   for (std::size_t iy = 0; iy < grid.ny; ++iy) {
@@ -107,7 +108,7 @@ Response show_bathymetry(const Context& context, const Request& request, const P
   const auto dataset = choose_dataset(context, request, DatasetKind::bathymetry, view->area, std::nullopt);
   if (!dataset) return dataset.error();
   using repository::FieldOverviews;
-  // Some depths for each sample of the picture: no more can be seen.
+  // Up to 16 depths for each sample of the picture; more would not be visible.
   const std::size_t most_nodes = std::min(16 * view->nx * view->ny, FieldOverviews::plenty);
   const auto bathymetry = FieldOverviews{context.db}.bathymetry(dataset->id, view->area, most_nodes);
   if (!bathymetry) return problem_reply<"no-node-in-area">(request);
@@ -151,8 +152,8 @@ Response show_currents(const Context& context, const Request& request, const Pat
   return grid_reply(grid);
 }
 
-/// Step of the thickness of level ice: as fine as the picture needs; the steps still reach the thickness of ice
-/// shelves.
+/// Step of the encoded thickness of level ice: fine enough for the picture, and large enough for the
+/// thickness of ice shelves.
 constexpr double thickness_step_m = 0.04;
 
 Response show_sea_ice(const Context& context, const Request& request, const PathParameters&) {

@@ -22,7 +22,8 @@ Response show_probe(const Context& context, const Request& request, const PathPa
   if (!reader.violations().empty()) return invalid(request, reader.violations());
 
   service::ProbeQuery query;
-  // One that needs no turn keeps its last digit, so that the command line says the same of it.
+  // Only a longitude of 180 or more is wrapped, because wrapping can change the last digit, and the command
+  // line does not.
   query.place = {*lon < 180.0 ? *lon : geo::wrap_longitude(*lon), *lat};
   query.time = time.value_or(request.now);
   if (depth) query.depth = core::Metres{*depth};

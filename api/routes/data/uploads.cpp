@@ -56,7 +56,7 @@ Response add_upload(const Context& context, const Request& request, const PathPa
   const std::string owner = owner_of(request);
   const Upload upload = uploads.add(request.body_file->path, request.parameter("name").value_or(""),
                                     request.body_file->sha256, owner, request.now);
-  // Counted when it is there, so that files that come at the same time are not all found to fit.
+  // The quota is checked after storing, so that files sent at the same time are counted together.
   QuotaUse others = use_of(context, owner);
   --others.uploads;
   others.waiting_bytes -= upload.bytes;
@@ -69,7 +69,7 @@ Response add_upload(const Context& context, const Request& request, const PathPa
   return response;
 }
 
-/// A place in the list of uploads, the newest first.
+/// A position in the list of uploads, newest first.
 struct Place {
   std::int64_t created_us{};
   std::string id;
@@ -85,7 +85,7 @@ Place place_of(const Upload& upload) {
 
 std::string text_of(const Place& place) { return std::to_string(place.created_us) + "-" + place.id; }
 
-/// Reads a place that `text_of` wrote.
+/// Reads a position that `text_of` wrote.
 std::optional<Place> parse_place(const std::string& text) {
   Place place;
   const char* end = text.data() + text.size();
@@ -95,7 +95,7 @@ std::optional<Place> parse_place(const std::string& text) {
   return place;
 }
 
-/// The uploads that the caller may see: the caller's own; for an admin all of them.
+/// Lists the caller's own uploads; for an admin all uploads.
 Response list_uploads(const Context& context, const Request& request, const PathParameters&) {
   ParameterReader reader{request};
   const auto limit = static_cast<std::size_t>(std::min(reader.limit(), 1000));

@@ -42,7 +42,7 @@ Response show_edr_conformance(const Context&, const Request&, const PathParamete
   return json_reply({{"conformsTo", std::move(classes)}});
 }
 
-/// The part of the service's document that lies below /edr, as a document of its own.
+/// The part of the service's OpenAPI document below /edr, as a separate document.
 Response show_api(const Context& context, const Request&, const PathParameters&) {
   json document = json::parse(openapi::document());
   json paths = json::object();
@@ -74,14 +74,15 @@ json data_queries(const std::string& self) {
   return queries;
 }
 
-/// What all datasets of a collection cover together.
+/// The combined extent of all datasets of a collection.
 struct EdrExtent {
   std::vector<geo::BoundingBox> boxes;
   std::vector<ExtentPeriod> periods;
   std::set<double> depths_m;
 };
 
-/// Data without time hold for as long as anybody plans: since the WGS84 was defined, for a century.
+/// The period of a dataset. Data without time get a century from the definition of WGS84 on, long enough for
+/// any plan.
 ExtentPeriod period_of(const EdrShape& shape) {
   if (!shape.times.empty()) return {shape.times.front(), shape.times.back()};
   using namespace std::chrono;
@@ -110,7 +111,7 @@ json extent_json(const EdrExtent& extent) {
   return document;
 }
 
-/// `shapes`  of all its datasets, the newest first
+/// `shapes`  of all datasets of the collection, newest first
 json collection_json(const Context& context, const EdrCollection& collection,
                      const std::vector<EdrShape>& shapes) {
   const std::string self = base_of(context) + "/collections/" + collection.id;
@@ -130,7 +131,7 @@ json collection_json(const Context& context, const EdrCollection& collection,
             link("data", "application/vnd.cov+json", self + "/position", "At a place")}}};
 }
 
-/// Collections that data are stored for.
+/// All collections that have stored data.
 json all_collections(const Context& context) {
   json collections = json::array();
   for (const EdrCollection& collection : edr_collections()) {

@@ -17,9 +17,9 @@ namespace {
 
 using nlohmann::json;
 
-constexpr double most_values = 4e6;  // of an answer: about 30 MB of JSON
+constexpr double most_values = 4e6;  // limit of an answer: about 30 MB of JSON
 
-/// One coverage of the steps of all parts, which have the same places and depths, in the order of time.
+/// Joins parts with the same places and depths to one coverage with all their steps in order of time.
 codec::CoverageGrid joined_steps(const std::vector<codec::CoverageGrid>& parts) {
   struct Step {
     core::UtcTime time;
@@ -44,7 +44,7 @@ codec::CoverageGrid joined_steps(const std::vector<codec::CoverageGrid>& parts) 
   return all;
 }
 
-/// Steps of the run in the period that no run before it speaks of.
+/// Steps of a run in the period that no earlier run in the list covers.
 std::vector<core::UtcTime> new_steps(const EdrShape& run, const TimeSpan& span,
                                      const std::vector<std::pair<core::UtcTime, core::UtcTime>>& spoken_of) {
   std::vector<core::UtcTime> steps = times_of(run, span);
@@ -55,7 +55,7 @@ std::vector<core::UtcTime> new_steps(const EdrShape& run, const TimeSpan& span,
   return steps;
 }
 
-/// The answer with the steps of other runs in a period that was asked for, as plans join runs: at each time the newest
+/// Adds steps of other runs in the requested period. Runs are joined as in plans: at each time the newest run
 /// that covers it.
 codec::CoverageGrid with_other_runs(const EdrAttempt& answer, sql::Connection& db,
                                     const EdrCollection& collection, const Wanted& wanted,
@@ -196,8 +196,9 @@ tl::expected<codec::CoverageGrid, Response> first_with_values(
     const geo::BoundingBox& box,
     const std::function<tl::expected<EdrAttempt, Response>(const EdrShape&)>& ask) {
   auto datasets = edr_datasets(db, collection, box, wanted.span);
-  // A fine chart of a harbour, or a model of it, is not the answer to a whole bay.
-  constexpr double share_step = 1e-3;  // chosen: more than the rounding of coordinates in files makes
+  // Datasets that cover a larger share come first: a fine chart or model of a harbour must not answer for a
+  // whole bay.
+  constexpr double share_step = 1e-3;  // chosen: larger than the rounding of coordinates in files
   std::ranges::stable_sort(datasets, std::ranges::greater{}, [&](const auto& dataset) {
     return std::round(geo::share_held(dataset.bounds, box) / share_step);
   });

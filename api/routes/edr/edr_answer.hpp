@@ -11,54 +11,54 @@
 
 namespace floeplan::routes {
 
-/// CoverageJSON, by the older of its two media types when the client asks for that.
+/// The coverage as CoverageJSON; with the older of its two media types if the client asks for that.
 [[nodiscard]] Response coverage_reply(const Request& request, const nlohmann::json& coverage);
-/// `why`  a sentence for the client; empty: no dataset meets the place and the time at all
+/// `why`  a sentence for the client; empty: no dataset covers the place and time
 [[nodiscard]] Response no_data(const Request& request, const std::string& why = {});
 [[nodiscard]] bool has_value(const codec::CoverageGrid& coverage);
-/// The number as messages write it, with seven digits at most.
+/// The number with at most seven digits, for messages.
 [[nodiscard]] std::string number_text(double value);
-/// The refusal of an answer of so many values; empty: it is not too large.
+/// The refusal of an answer with too many values; nullopt if it is not too large.
 [[nodiscard]] std::optional<Response> refuse_if_too_large(const Request& request, double values);
-/// How many values the coverage has at each place.
+/// Number of values that the coverage has at each place.
 [[nodiscard]] double layers_of(const codec::CoverageGrid& coverage);
 
-/// A coverage of the wanted parameters, times and depths of a dataset, without places. `z_m`: the depth that goes
-/// with the place, before that of the query.
-/// Errors   why the dataset has nothing of the times or depths, as a sentence for the client
+/// A coverage with the requested parameters, times and depths of a dataset, still without places. `z_m`: the
+/// depth in the place of the query, which has priority over the query's z.
+/// Errors   why the dataset has no data at these times or depths, as a sentence for the client
 [[nodiscard]] tl::expected<codec::CoverageGrid, std::string> planned_coverage(const EdrCollection& collection,
                                                                               const EdrShape& shape,
                                                                               const EdrRequest& query,
                                                                               const Wanted& wanted,
                                                                               std::optional<double> z_m = {});
 
-/// Asks the field at every place of the coverage that is inside ([y][x]); the others stay empty.
+/// Samples the field at all places of the coverage with `is_inside` ([y][x]) true; the others stay empty.
 void fill(codec::CoverageGrid& coverage, const EdrField& field, const EdrCollection& collection,
           const Wanted& wanted, const std::vector<bool>& is_inside);
 
-/// What one dataset says.
+/// The answer of one dataset.
 struct EdrAttempt {
-  std::optional<codec::CoverageGrid> coverage{};  // empty: nothing
-  std::vector<bool> is_inside{};                  // [y][x] of it: was asked
-  /// Without a value: it was asked wherever it could have one, so that null is the answer.
+  std::optional<codec::CoverageGrid> coverage{};  // empty: no data
+  std::vector<bool> is_inside{};                  // [y][x] of the coverage: whether the place was sampled
+  /// True if the dataset was sampled wherever it may have values. If it has none, null is then the answer.
   bool is_conclusive{false};
-  std::string why{};  // there may be no value: a sentence for the client
+  std::string why{};  // why there is no value, as a sentence for the client
 };
 
-/// Which grids were asked. Of datasets on one grid only the first three are: land and gaps are mostly where they
-/// were, and a store may hold hundreds of runs.
+/// The grids of datasets already sampled. Only the first three datasets on the same grid are sampled, because
+/// land and gaps are mostly in the same places, and a store may contain hundreds of runs.
 class AskedGrids {
  public:
-  /// Whether to ask a dataset on the grid, which then counts as asked.
+  /// Whether to sample a dataset on this grid; if so, it is counted.
   [[nodiscard]] bool take(const ocean::HorizontalGrid& grid);
 
  private:
   std::vector<ocean::HorizontalGrid> asked_;
 };
 
-/// The coverage of the first dataset with a value, those first that hold most of the box; else of the first whose nulls
-/// are the answer; else a refusal.
-/// Where a period is asked for, the other runs of the same model add their steps in it that no newer run speaks of.
+/// The coverage of the first dataset with a value; datasets that cover most of the box come first. Otherwise
+/// the first conclusive answer; otherwise a refusal. If a period is requested, other runs of the same model
+/// add steps in it that no newer run covers.
 [[nodiscard]] tl::expected<codec::CoverageGrid, Response> first_with_values(
     sql::Connection& db, const Request& request, const EdrCollection& collection, const Wanted& wanted,
     const geo::BoundingBox& box,

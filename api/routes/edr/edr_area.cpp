@@ -13,7 +13,7 @@ EdrArea area_of_box(const geo::BoundingBox& box) {
   const geo::LonLat middle{geo::wrap_longitude(box.west_deg + geo::width_deg(box) / 2.0),
                            (box.south_deg + box.north_deg) / 2.0};
   return {.box = box,
-          .covers = [](geo::LonLat, double) { return true; },  // only places in the box are asked about
+          .covers = [](geo::LonLat, double) { return true; },  // only places in the box are tested
           .middles = {middle},
           .places_on_edges = true};
 }

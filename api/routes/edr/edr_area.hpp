@@ -10,14 +10,15 @@
 
 namespace floeplan::routes {
 
-/// The shape that a query of OGC API - EDR asks for.
+/// The shape of an OGC API - EDR query.
 struct EdrArea {
   geo::BoundingBox box;
-  /// Whether the place lies in the shape, on its edge, or no further than the tolerance (degrees of latitude) outside.
+  /// Whether a place is in the shape, on its edge, or outside by at most the tolerance, in degrees of
+  /// latitude.
   std::function<bool(geo::LonLat, double)> covers;
-  std::vector<geo::LonLat> middles;  // well inside each part of the shape; empty: it encloses no area
-  /// Whether a grid that is asked for with so many places a side begins and ends on the edges of the box, as the
-  /// standard has it for cubes; else each place is the middle of its share of the box.
+  std::vector<geo::LonLat> middles;  // a position inside each part of the shape; empty: the shape has no area
+  /// True: with a requested number of places per side, the first and last lie on the edges of the box, as the
+  /// standard requires for cubes. False: each place is the middle of its share of the box.
   bool places_on_edges{false};
 };
 

@@ -15,7 +15,7 @@ namespace {
 using repository::DatasetKind;
 using repository::FieldRepository;
 
-/// Towards which the water goes, clockwise from true north.
+/// The direction of flow, degrees clockwise from true north.
 double direction_deg(const geo::VelocityEn& velocity) {
   const double degrees = std::atan2(velocity.east.value, velocity.north.value) * 180.0 / std::numbers::pi;
   return degrees < 0.0 ? degrees + 360.0 : degrees;
@@ -71,13 +71,13 @@ class SeaIceField : public EdrField {
   ocean::IceField ice_;
 };
 
-/// Empty for data without time.
+/// The period to read; empty for data without time.
 std::optional<repository::Period> period_of(const EdrShape& shape, core::UtcTime from, core::UtcTime to) {
   if (shape.times.empty()) return std::nullopt;
   return repository::Period{from, to};
 }
 
-/// Between which depths; empty: at all.
+/// The depths to read; an empty limit is no limit.
 struct DepthRange {
   std::optional<core::Metres> shallowest;
   std::optional<core::Metres> deepest;
@@ -88,7 +88,7 @@ DepthRange range_of(const std::vector<double>& depths_m) {
   return {core::Metres{std::ranges::min(depths_m)}, core::Metres{std::ranges::max(depths_m)}};
 }
 
-/// How many nodes of the dataset's rows lie from one of the field's rows to the next.
+/// Distance of neighbouring rows of the field, counted in rows of the dataset.
 std::size_t nodes_apart(const ocean::Axis& all, const ocean::Axis& kept) {
   if (kept.size() < 2) return 1;
   const auto first = std::ranges::lower_bound(all.nodes(), kept.front());

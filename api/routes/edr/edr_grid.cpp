@@ -16,7 +16,7 @@
 namespace floeplan::routes {
 namespace {
 
-constexpr double usual_values = 5e5;  // that an answer has at most when nobody asks for a resolution
+constexpr double usual_values = 5e5;  // largest answer if the query does not state a resolution
 
 std::string place_text(geo::LonLat place) {
   return number_text(place.lon_deg) + " " + number_text(place.lat_deg);
@@ -30,7 +30,7 @@ core::UtcTime last_time(const codec::CoverageGrid& coverage) {
   return coverage.t.empty() ? core::UtcTime{} : coverage.t.back();
 }
 
-/// A query of a shape, for one dataset after the other.
+/// A query of a shape, to be sent to one dataset after the other.
 struct AreaQuery {
   const EdrCollection& collection;
   const Context& context;
@@ -45,7 +45,7 @@ struct AreaQuery {
   [[nodiscard]] EdrAttempt ask_at_middles(const EdrShape& shape, const codec::CoverageGrid& planned) const;
 };
 
-/// The dataset where no place of its grid lies in the shape: at the first middle of its parts with a value.
+/// Samples a dataset without nodes in the shape: at the middles of the shape's parts, until one has a value.
 EdrAttempt AreaQuery::ask_at_middles(const EdrShape& shape, const codec::CoverageGrid& planned) const {
   for (const geo::LonLat middle : area.middles) {
     const auto field = load_edr_field_at(context.db, shape, middle, first_time(planned), last_time(planned),

@@ -6,8 +6,8 @@
 
 namespace floeplan::routes {
 
-/// The data at all nodes inside a shape. Where no node lies inside, the data at the middle of the shape. An answer that would be
-/// too large is refused, with its size.
+/// The answer with the data at all nodes inside a shape; if there are none, with the data at the middle of
+/// the shape. An answer that would be too large is refused, with its size.
 [[nodiscard]] Response grid_reply(const EdrCollection& collection, const Context& context,
                                   const Request& request, EdrRequest& query, const Wanted& wanted,
                                   const EdrArea& area);

@@ -11,22 +11,23 @@ namespace {
 
 constexpr double metres_per_degree = 111'195.0;  // of latitude, mean of the WGS84 sphere of equal volume
 
-/// A node this close to the edge of a shape is in it: files keep coordinates as 4-byte floats, which round a
-/// longitude by 8e-6 degrees, and clients print few digits. Less where the nodes are close together.
+/// Tolerance for nodes at the edge of a shape: files store coordinates as 4-byte floats, which round a
+/// longitude by 8e-6 degrees, and clients print few digits. Smaller if the nodes are close together.
 double edge_tolerance_deg(const ocean::Axis& axis) {
   constexpr double rounding_deg = 1e-5;
   constexpr double share_of_step = 1e-3;
   return axis.size() > 1 ? std::min(rounding_deg, share_of_step * axis.mean_step()) : rounding_deg;
 }
 
-/// The box's share of an axis, counted on from its lower edge.
+/// The part of an axis that the box covers, with degrees increasing from its lower edge.
 struct Span {
   double from_deg{};
   double width_deg{};
   [[nodiscard]] double middle_deg() const { return from_deg + width_deg / 2.0; }
 };
 
-/// Longitudes of the nodes in the box, ascending and without a seam; a meridian that is stored twice comes once.
+/// Longitudes of the nodes in the box, ascending and continuous. A meridian that is stored twice appears
+/// once.
 std::vector<double> columns_in(const ocean::Axis& x, const Span& span, double tolerance_deg) {
   std::vector<double> inside;
   for (const double node_deg : x.nodes()) {
@@ -61,18 +62,18 @@ std::vector<double> spread(const Span& span, std::size_t count, bool on_edges) {
   return places;
 }
 
-/// How the places along one axis are found: nodes, or so many places between the edges of a span.
+/// How to choose places along an axis: nodes, or a number of places spread over a span.
 struct Side {
   std::vector<double> nodes;  // empty: spread
   Span span;
-  std::size_t count{};  // without leaving any out
+  std::size_t count{};  // number of places if none is omitted
   bool is_asked{false};
   bool on_edges{false};
 
   [[nodiscard]] std::size_t count_of_every(std::size_t step) const {
     return is_asked ? count : (count + step - 1) / step;
   }
-  /// Every so many nodes, the one next to `middle_deg` among them.
+  /// Every `step`-th node, including the one nearest to `middle_deg`.
   [[nodiscard]] std::vector<double> every(std::size_t step, double middle_deg) const {
     if (nodes.empty()) return spread(span, count_of_every(step), on_edges);
     const auto nearest =
@@ -93,7 +94,7 @@ Side side_of_nodes(std::vector<double> nodes) {
   return {.nodes = std::move(nodes), .span = {}, .count = count};
 }
 
-/// A side with as many places as nodes with the spacing of the data fit on it.
+/// A side with as many places as the spacing of the data gives.
 Side spaced_side(const Span& span, double length_m, core::Metres spacing) {
   const double count = spacing.value > 0.0 ? std::max(1.0, std::round(length_m / spacing.value)) : 1.0;
   return {.nodes = {}, .span = span, .count = static_cast<std::size_t>(count)};
@@ -102,7 +103,7 @@ Side spaced_side(const Span& span, double length_m, core::Metres spacing) {
 struct Sides {
   Side x;
   Side y;
-  bool at_nodes{false};  // along the axes that no number of places was asked for
+  bool at_nodes{false};  // true along axes without a requested number of places
 };
 
 std::optional<Sides> sides_of(const EdrArea& area, const EdrNodes& nodes, const EdrResolution& resolution) {
@@ -133,7 +134,7 @@ std::optional<Sides> sides_of(const EdrArea& area, const EdrNodes& nodes, const 
   return sides;
 }
 
-/// The least step with which the places are no more than allowed.
+/// The smallest step for which the number of places is allowed.
 std::size_t step_for(const Sides& sides, double most_places) {
   const std::size_t longest = std::max(sides.x.count, sides.y.count);
   std::size_t step = 1;
@@ -173,7 +174,7 @@ std::optional<EdrPlaces> places_in(const EdrArea& area, const EdrNodes& nodes,
   const std::size_t step = step_for(*sides, resolution.most_places);
   const geo::LonLat middle =
       area.middles.empty() ? area_of_box(area.box).middles.front() : area.middles.front();
-  // Longitudes count from the western edge on, as those of the nodes do.
+  // Longitudes increase from the western edge of the box, as those of the nodes do.
   const double middle_x_deg =
       area.box.west_deg + std::fmod(middle.lon_deg - area.box.west_deg + 720.0, 360.0);
   EdrPlaces places;

@@ -13,7 +13,8 @@ namespace {
 
 using nlohmann::json;
 
-/// The coverage at one of `places`. The answer consists of the coverages of all of them.
+/// The coverage at one place. `places` is the number of places, because all their coverages together are
+/// limited in size.
 tl::expected<json, Response> coverage_at(const EdrCollection& collection, const Context& context,
                                          const Request& request, const EdrRequest& query,
                                          const Wanted& wanted, const codec::WktPlace& at,
@@ -59,7 +60,7 @@ Response query_position(const EdrCollection& collection, const Context& context,
   return coverage_reply(request, codec::coverage_collection(std::move(coverages)));
 }
 
-/// Metres in the unit that was named; empty: it is not known.
+/// Metres in a unit; empty if the unit is unknown.
 std::optional<double> metres_in(const std::string& unit) {
   if (unit == "m" || unit == "metres" || unit == "meters") return 1.0;
   if (unit == "km" || unit == "kilometres" || unit == "kilometers") return 1000.0;
@@ -88,8 +89,7 @@ Response query_area(const EdrCollection& collection, const Context& context, con
   const Wanted wanted = query.wanted();
   const EdrArea area = coords ? area_of_polygons(coords->areas) : EdrArea{};
   if (coords && area.middles.empty()) query.refuse<"encloses-no-area">("coords");
-  if (coords && coords->has_z)
-    query.refuse<"area-with-depths">("coords");
+  if (coords && coords->has_z) query.refuse<"area-with-depths">("coords");
   if (!query.violations().empty()) return invalid(request, query.violations());
   return grid_reply(collection, context, request, query, wanted, area);
 }
@@ -102,8 +102,8 @@ Response query_cube(const EdrCollection& collection, const Context& context, con
   return grid_reply(collection, context, request, query, wanted, area_of_box(*box));
 }
 
-/// What the first dataset that has the period makes of the places: with a time and a depth each, where the data have
-/// such. nullopt: it has no step in the period.
+/// The trajectory as one dataset can answer it: its places get a time and a depth, if the data have these.
+/// nullopt: the dataset has no step in the period.
 std::optional<codec::CoverageTrajectory> planned_trajectory(const EdrCollection& collection,
                                                             const EdrShape& shape, const EdrRequest& query,
                                                             const Wanted& wanted,
@@ -120,13 +120,13 @@ std::optional<codec::CoverageTrajectory> planned_trajectory(const EdrCollection&
   for (const auto& at : way) {
     codec::CoverageTrajectory::Place place{.place = at.place, .z_m = {}, .time = {}};
     if (timed) place.time = at.time ? *at.time : times.front();
-    if (layered) place.z_m = at.z_m ? *at.z_m : depths.front();  // one was asked for, or all
+    if (layered) place.z_m = at.z_m ? *at.z_m : depths.front();  // a depth was requested, or the default
     coverage.places.push_back(place);
   }
   return coverage;
 }
 
-/// One more dataset that answers places of a trajectory.
+/// Adds a dataset that answers places of a trajectory.
 void add_source(codec::CoverageSource& source, const repository::Dataset& dataset) {
   if (source.dataset_id.empty()) {
     source.dataset_id = dataset.id.value;
@@ -136,7 +136,7 @@ void add_source(codec::CoverageSource& source, const repository::Dataset& datase
   }
 }
 
-/// Asks the dataset at those of the places that have no value yet. True: all have one now.
+/// Samples a dataset at the places that have no value yet. Returns true if all have one afterwards.
 bool fill_gaps(codec::CoverageTrajectory& coverage, std::vector<bool>& is_known, const Context& context,
                const EdrCollection& collection, const EdrShape& shape, const Wanted& wanted) {
   std::vector<geo::LonLat> places;

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t most_levels = 1000;
 
-/// The range as levels; a depth that is named twice is that depth, not the levels that happen to lie at it.
+/// The range as levels. A range with equal ends is this depth, not only levels that are exactly there.
 EdrLevels levels_between(double a, double b) {
   if (a == b) return {.values = {a}, .between = {}};
   return {.values = {}, .between = std::minmax(a, b)};
@@ -102,8 +102,8 @@ void EdrRequest::read_z() {
   if (!z) return;
   levels_ = parse_z(*z);
   if (!levels_ || above_the_surface(*levels_)) {
-    refuse<"wrong-shape">(
-        "z", "metres below the surface, positive down: one, several, from/to or Rn/first/step");
+    refuse<"wrong-shape">("z",
+                          "metres below the surface, positive down: one, several, from/to or Rn/first/step");
   }
 }
 

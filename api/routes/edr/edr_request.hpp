@@ -12,20 +12,20 @@
 
 namespace floeplan::routes {
 
-/// What every query asks besides its place.
+/// What a query requests besides its place.
 struct Wanted {
   TimeSpan span;
-  std::vector<std::size_t> parameters;  // indices
+  std::vector<std::size_t> parameters;  // indices of the parameters
 };
 
-/// The parameter z: "R4/0/50": four levels from 0 on, 50 apart; "0/200": the levels of the data in between; "0,50,100";
-/// "0".
+/// The parameter z: "R4/0/50" four levels from 0 on, 50 m apart; "0/200" all levels of the data in between;
+/// "0,50,100" or "0" single levels.
 struct EdrLevels {
   std::vector<double> values;
   std::optional<std::pair<double, double>> between;
 };
 
-/// A query of OGC API - EDR with what is wrong with it.
+/// Reads an OGC API - EDR query and collects its faults.
 class EdrRequest {
  public:
   EdrRequest(const EdrCollection& collection, const Request& request)
@@ -38,22 +38,22 @@ class EdrRequest {
   }
   [[nodiscard]] core::Violations violations() const;
 
-  /// The place, which must be there and of one of the kinds; a Z of it is a depth.
+  /// Reads the place, which is required and must be of one of the kinds; its Z is a depth.
   [[nodiscard]] std::optional<codec::WktGeometry> coords(std::initializer_list<codec::WktKind> kinds,
                                                          const std::string& rule);
-  /// The box of a cube; one of six numbers states the depths, too.
+  /// Reads the box of a cube query; a box of six numbers also gives the depths.
   [[nodiscard]] std::optional<geo::BoundingBox> box();
   [[nodiscard]] Wanted wanted();
-  /// Takes the depth that is part of the place (POINT Z); it counts instead of the parameter z.
+  /// Sets the depth that is part of the place (POINT Z); it replaces the parameter z.
   void take_depth(double depth_m) { levels_ = EdrLevels{.values = {depth_m}, .between = {}}; }
-  /// Refuses several depths, of which the answer would hold one.
+  /// Adds a violation if several depths are requested, because the answer has only one.
   void want_one_depth();
   /// Whether the query asks for the levels between two depths, both below the surface.
   [[nodiscard]] bool wants_levels_below() const {
     return levels_ && levels_->between && levels_->between->first > 0.0;
   }
-  /// The depths to ask the data at; empty where they have none, and where no level of theirs lies between those asked
-  /// for.
+  /// The depths at which to sample the data; empty if the data have none, or none of their levels is in the
+  /// requested range.
   [[nodiscard]] std::vector<double> depths(const EdrShape& shape) const;
 
  private:
@@ -67,7 +67,7 @@ class EdrRequest {
   std::optional<EdrLevels> levels_;
 };
 
-/// The moments to ask the data at: the one that was named, or the steps of the data in the period.
+/// The times at which to sample the data: the requested time, or the steps of the data in the period.
 [[nodiscard]] std::vector<core::UtcTime> times_of(const EdrShape& shape, const TimeSpan& span);
 
 }  // namespace floeplan::routes

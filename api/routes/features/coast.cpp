@@ -13,7 +13,7 @@ namespace {
 
 using nlohmann::json;
 
-/// More than this and the map asks for less than it shows; the largest islands are kept.
+/// Limit of an answer; beyond it the largest islands are kept. The map requests smaller areas.
 constexpr std::size_t max_vertices = 400'000;
 
 json polygon_json(json rings) {

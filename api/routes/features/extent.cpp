@@ -14,7 +14,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::size_t most_parts = 16;  // chosen: a page of metadata stays readable
+constexpr std::size_t most_parts = 16;  // chosen: keeps a page of metadata readable
 
 double outwards(double degrees, bool up) {
   const double scaled = degrees * 1e6;
@@ -28,7 +28,7 @@ json box_json(const geo::BoundingBox& box) {
                       outwards(box.north_deg, true)});
 }
 
-/// Each once, without those inside another.
+/// The boxes without repeated ones and without those inside another.
 std::vector<geo::BoundingBox> outermost(std::span<const geo::BoundingBox> boxes) {
   std::vector<geo::BoundingBox> kept;
   for (const geo::BoundingBox& box : boxes) {
@@ -45,10 +45,10 @@ json period_json(const ExtentPeriod& period) {
   return json::array({end_json(period.from), end_json(period.to)});
 }
 
-/// Ascending, those that meet joined.
+/// The periods in ascending order; those that touch are joined.
 std::vector<ExtentPeriod> joined(std::span<const ExtentPeriod> periods) {
   std::vector<ExtentPeriod> sorted{periods.begin(), periods.end()};
-  std::ranges::sort(sorted, {}, &ExtentPeriod::from);  // an open beginning before all others
+  std::ranges::sort(sorted, {}, &ExtentPeriod::from);  // an open begin comes first
   std::vector<ExtentPeriod> result;
   for (const ExtentPeriod& period : sorted) {
     const bool meets =

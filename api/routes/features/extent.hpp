@@ -10,22 +10,22 @@
 
 namespace floeplan::routes {
 
-/// The spatial extent of a collection as OGC API documents state it, in CRS84: the box round all of its parts first,
-/// which runs across the antimeridian (west beyond east) where that is shorter, then that of each part, where there
-/// are several but not many. Rounded away from the data, so that a client that prints fewer digits still asks for all
-/// of them.
-/// `boxes`  one or more
+/// The spatial extent of a collection in OGC API documents, in CRS84: first the box around all parts, which
+/// crosses the antimeridian (west greater than east) if that is smaller; then the boxes of the parts, if
+/// there are several but not many. Rounded outwards, so that a client that prints fewer digits still requests
+/// all data.
+/// `boxes`  at least one
 [[nodiscard]] nlohmann::json spatial_extent(std::span<const geo::BoundingBox> boxes);
 
-/// Both ends included; an end is open where it is empty.
+/// A period including both ends; an empty end is open.
 struct ExtentPeriod {
   std::optional<core::UtcTime> from;
   std::optional<core::UtcTime> to;
 };
 
-/// The temporal extent: the period of all parts first, then those that do not touch, where there are several but not
-/// many.
-/// `periods`  one or more
+/// The temporal extent: first the period of all parts, then the separate periods, if there are several but
+/// not many.
+/// `periods`  at least one
 [[nodiscard]] nlohmann::json temporal_extent(std::span<const ExtentPeriod> periods);
 
 }  // namespace floeplan::routes

@@ -12,7 +12,7 @@ namespace {
 
 using nlohmann::json;
 
-/// The feature in the body; positions are in CRS84, the only system that editing takes.
+/// The feature in the body. Positions must be in CRS84, the only system for editing.
 tl::expected<json, Response> read_feature(const Request& request) {
   const std::string type = request.header("content-type");
   if (!type.empty() && type.find("json") == std::string::npos) {
@@ -33,7 +33,7 @@ bool tag_fits(const Request& request, const json& feature) {
   return wanted.empty() || wanted == "*" || wanted.find('"' + feature_tag(feature)) != std::string::npos;
 }
 
-/// The feature that a request is about to change, or why it cannot be changed.
+/// The feature that a request wants to change, or the problem if it cannot be changed.
 tl::expected<json, Response> changeable(const FeatureCollection& collection, const Context& context,
                                         const Request& request, const std::string& id) {
   auto feature = collection.find(context, id);
@@ -48,7 +48,7 @@ tl::expected<json, Response> changeable(const FeatureCollection& collection, con
   return std::move(*feature);
 }
 
-/// 204 with the tag that the feature has now.
+/// Answers 204 with the new entity tag of the feature.
 Response changed(const FeatureCollection& collection, const Context& context, const std::string& id) {
   Response response;
   response.status = 204;

@@ -81,7 +81,7 @@ Response show_item(const FeatureCollection& collection, const Context& context, 
   return response;
 }
 
-/// A JSON schema of a whole feature, which GDAL reads the types of attributes from.
+/// The JSON schema of a feature, from which GDAL reads the types of attributes.
 Response show_schema(const FeatureCollection& collection) {
   json schema = openapi_schema(collection.schema);
   schema["$schema"] = "http://json-schema.org/draft-07/schema#";

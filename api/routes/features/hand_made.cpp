@@ -27,11 +27,11 @@ void widen(std::optional<core::UtcTime>& from, std::optional<core::UtcTime>& to,
   to = to ? std::max(*to, time) : time;
 }
 
-/// What the dataset holds, as text and as a summary.
+/// The content of the dataset, as text and as a summary.
 struct Contents {
   std::string text;
   std::vector<geo::LonLat> places;
-  std::vector<geo::BoundingBox> areas;  // which their edges may fill beyond those
+  std::vector<geo::BoundingBox> areas;  // boxes of areas, whose edges may extend beyond their corners
   std::int64_t rows{};
   std::optional<core::UtcTime> from;
   std::optional<core::UtcTime> to;

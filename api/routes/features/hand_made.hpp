@@ -7,19 +7,19 @@
 
 namespace floeplan::routes {
 
-/// Features that people make over the service are a dataset of their own for each kind (icebergs, zones), which plans
-/// obey beside those that were ingested, and cite with a digest of what it held.
+/// Features that users enter over the service are one dataset for each kind (icebergs, zones). Plans obey it
+/// together with ingested datasets, and cite it with a digest of its content at the time.
 
-/// Its id; it is made when it is not there yet.
+/// The id of this dataset, which is created if it does not exist.
 [[nodiscard]] repository::DatasetId hand_made_dataset(sql::Connection& db, repository::DatasetKind kind,
                                                       core::UtcTime now);
-/// States its bounds, period and digest anew after a change; removes it when nothing is left in it.
+/// Updates the dataset's bounds, period and digest after a change; removes the dataset if it is empty.
 void refresh_hand_made(sql::Connection& db, repository::DatasetKind kind, core::UtcTime now);
 
-/// Why features of the dataset cannot be changed: they are what a file says. Empty: they can.
+/// Why features of a dataset cannot be changed (they come from a file); empty if they can.
 [[nodiscard]] std::string objection_to_editing(const repository::DatasetId& dataset);
 
-/// Box and period of all datasets of a kind; the whole world when there are none.
+/// Box and period of all datasets of a kind; the whole world if there are none.
 [[nodiscard]] FeatureExtent extent_of_kind(sql::Connection& db, repository::DatasetKind kind);
 
 }  // namespace floeplan::routes

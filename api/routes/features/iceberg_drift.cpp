@@ -18,7 +18,7 @@ namespace {
 
 using nlohmann::json;
 
-/// What a picture shows and an answer in a moment allows: the currents of the whole box are read for it.
+/// Limits chosen for a picture and a quick answer: the currents of the whole box have to be read.
 constexpr double widest_deg = 10.0;
 constexpr double highest_deg = 5.0;
 constexpr core::Seconds longest{10.0 * 86400.0};
@@ -26,7 +26,7 @@ constexpr std::size_t most_bergs = 500;
 
 double rounded(double value, double per_unit) { return std::round(value * per_unit) / per_unit; }
 
-/// Column by column, at most an hour apart: where the berg is expected and how far from there it may be.
+/// The drift of a berg as columns, in steps of at most an hour: expected position and its error.
 json drift_of(const ocean::Iceberg& iceberg, const ocean::Environment& sea, core::UtcTime until) {
   json berg{{"berg_id", iceberg.id},
             {"observed", core::iso8601(iceberg.observed)},
@@ -50,7 +50,7 @@ json drift_document(const ocean::Environment& sea, core::UtcTime until) {
           {"datasets", codec::dataset_refs_json(sea.datasets)}};
 }
 
-/// Ids separated by commas; the planner's own choice without any.
+/// A choice of datasets from ids separated by commas; without the parameter the planner's default.
 repository::DatasetChoice named(const Request& request, const std::string& parameter) {
   const auto ids = request.parameter(parameter);
   if (!ids) return {};

@@ -21,19 +21,19 @@ using repository::StoredSighting;
 
 constexpr geo::BoundingBox whole_world{-180.0, -90.0, 180.0, 90.0};
 
-/// What the query parameters say of `latest`.
+/// Query parameters that belong to `latest`.
 struct Latest {
   repository::DatasetChoice choice;
   core::Seconds max_age{ocean::max_sighting_age};
-  std::optional<core::UtcTime> departure;  // of the vehicle; else it leaves at the moment asked for
+  std::optional<core::UtcTime> departure;  // departure of the vehicle; default: the requested time
   std::optional<std::string> berg_id;
 };
 
-/// The sightings that count for a plan that departs at that time and knows all sightings up to `as_of`; by ascending
-/// row.
+/// The sightings that count for a plan with this departure, among all sightings up to `as_of`; in ascending
+/// order of the row.
 std::vector<StoredSighting> latest_of_each(sql::Connection& db, const Latest& latest,
                                            const geo::BoundingBox& area, core::UtcTime as_of) {
-  core::Violations none;  // its datasets have been found, and all meet the whole world
+  core::Violations none;  // stays empty: the datasets exist, and all intersect the whole world
   auto known = repository::known_icebergs(db, repository::DatasetRepository{db}.list(),
                                           {.choice = latest.choice,
                                            .area = whole_world,
@@ -63,10 +63,10 @@ std::optional<std::string> filter_of(const FeatureQuery& query, const std::strin
   return found == query.filters.end() ? std::nullopt : std::optional{found->second};
 }
 
-/// The longest age that a plan can ask for, too.
+/// Largest age in a query, the same as for plans.
 constexpr double oldest_days = 30.0;
 
-/// Ids separated by commas.
+/// Ids of datasets, separated by commas in the query.
 std::vector<repository::DatasetId> datasets_of(const FeatureQuery& query) {
   std::vector<repository::DatasetId> ids;
   if (const auto text = filter_of(query, "dataset"))
@@ -74,7 +74,7 @@ std::vector<repository::DatasetId> datasets_of(const FeatureQuery& query) {
   return ids;
 }
 
-/// Empty: every sighting is asked for, not the latest of each berg.
+/// Reads the parameters of `latest`; empty if all sightings are requested, not the latest of each berg.
 tl::expected<std::optional<Latest>, problems::Problem> read_latest(const FeatureQuery& query) {
   const std::string wish = filter_of(query, "latest").value_or("false");
   const auto age = filter_of(query, "max_sighting_age_days");

@@ -13,13 +13,14 @@ namespace {
 
 using nlohmann::json;
 
-// Depths of the usual isobaths, a choice: close together where shallow-water gliders fly, every 1000 m in the deep sea.
+// Default depths of isobaths. Chosen: close together where shallow-water gliders fly, every 1000 m in the
+// deep sea.
 constexpr std::array<int, 21> usual_depths_m{5,   10,   20,   30,   50,   75,   100,  150,  200,  300,  400,
                                              500, 1000, 2000, 3000, 4000, 5000, 6000, 7000, 8000, 10000};
 constexpr int deepest_m = 12'000;
 
-/// The most nodes of an isobath map, a choice: some 500 by 500 suffice for a map of the area; a smaller area is drawn
-/// finer.
+/// Largest number of nodes of an isobath map. Chosen: about 500 by 500 are enough for a map of the area; a
+/// smaller area gets a finer one.
 constexpr std::size_t most_nodes = 250'000;
 
 json geometry_of(const std::vector<ocean::Isobath>& lines) {

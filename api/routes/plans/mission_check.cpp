@@ -22,30 +22,31 @@ namespace {
 
 using nlohmann::json;
 
-/// A mission file as a client sent it.
+/// A mission file from a client.
 struct UploadedFile {
   std::string name;  // without folders
   std::string bytes;
 };
 
-/// The mission files of one request, in the order in which they are flown.
+/// The mission files of one request, in the order of the flight.
 struct Uploads {
-  std::vector<UploadedFile> files;                   // one at least
-  nlohmann::json inputs = nlohmann::json::object();  // of the flight, where the body gives them
-  bool alone{false};                                 // the body is the file, and so the answer is one too
+  std::vector<UploadedFile> files;                   // at least one
+  nlohmann::json inputs = nlohmann::json::object();  // inputs of the flight in the body, if there are any
+  // true: the body is a single file, and the answer is a single document
+  bool alone{false};
 };
 
 using nlohmann::json;
 using Read = tl::expected<Uploads, core::Violations>;
 
 constexpr std::size_t longest_file_name = 200;
-constexpr std::size_t most_files = 100;  // numbers of argument files have two digits
+constexpr std::size_t most_files = 100;  // the number in a mission file's name has two digits
 
 Read fault(const std::string& where, const std::string& rule) {
   return tl::unexpected(core::Violations{{where, rule}});
 }
 
-/// Some browsers and scripts send the path of a file for its name.
+/// The file name without folders; some browsers and scripts send the whole path.
 std::string without_folder(const std::string& name) { return name.substr(name.find_last_of("/\\") + 1); }
 
 Read read_form(const Request& request) {
@@ -101,10 +102,10 @@ Read read_alone(const Request& request) {
   return uploads;
 }
 
-/// Reads the body by its Content-Type. `multipart/form-data`: each part with a file name is a file, whatever its
-/// encoding. `application/json`: {"files": [{"name", "text"}], "inputs": {...}}. Anything else: the body is one file,
-/// named by the parameter `name`.
-/// Errors   every violation; more than 100 files, names of more than 200 characters
+/// Reads the body according to its Content-Type. `multipart/form-data`: each part with a file name is a file,
+/// in any encoding. `application/json`: {"files": [{"name", "text"}], "inputs": {...}}. Any other type: the
+/// body is one file, with its name in the query parameter `name`.
+/// Errors   all violations; more than 100 files; names of more than 200 characters
 Read read_uploads(const Request& request) {
   const std::string type = core::lower_case(request.header("content-type"));
   Read uploads = type.starts_with("multipart/form-data") ? read_form(request)
@@ -124,7 +125,7 @@ const std::vector<std::string> texts{"depart",     "vehicle", "currents", "tides
                                      "bathymetry", "ice",     "icebergs", "coastline", "zones"};
 const std::vector<std::string> numbers{"speed_m_s", "dive_depth_m", "margin_m"};
 
-/// Adds what the query says of the flight to what the body says.
+/// Adds the query's inputs of the flight to those of the body.
 void add_query(const Request& request, json& inputs) {
   for (const std::string& name : texts) {
     if (const auto text = request.parameter(name)) inputs[name] = *text;
@@ -138,7 +139,7 @@ void add_query(const Request& request, json& inputs) {
   if (request.parameter("steady")) inputs["steady"] = request.parameter("steady") == "true";
 }
 
-/// Where the vehicle is, as the query or the inputs say it; out of the inputs it is taken.
+/// The vehicle's position in the query or the inputs; it is removed from the inputs.
 std::optional<geo::LonLat> take_start(const Request& request, json& inputs, core::Violations& faults) {
   ParameterReader query{request};
   codec::InputReader body{inputs, "/inputs"};
@@ -150,7 +151,8 @@ std::optional<geo::LonLat> take_start(const Request& request, json& inputs, core
   return from_query ? std::optional{from_query->front()} : from_body;
 }
 
-/// Judges the files in the body as one flight. A file that is rejected is an answer, not a fault of the request.
+/// Checks the files in the body as one flight. A file that is rejected is a valid answer, not a fault of the
+/// request.
 Response check_missions(const Context& context, const Request& request, const PathParameters&) {
   auto uploads = read_uploads(request);
   if (!uploads) return invalid(request, uploads.error());

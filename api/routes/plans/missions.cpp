@@ -63,7 +63,7 @@ Response with_plan(const Context& context, const Request& request, const PathPar
   return response;
 }
 
-/// "lon,lat;lon,lat": places in open water.
+/// Reads safe places in open water, "lon,lat;lon,lat", and the depth of icebergs.
 std::optional<mission::UnderIce> read_under_ice(ParameterReader& reader) {
   const auto draft = reader.number("iceberg_depth_m", 1.0, 1000.0);
   const auto safe = reader.places("safe");
@@ -77,7 +77,7 @@ std::optional<mission::UnderIce> read_under_ice(ParameterReader& reader) {
   return ice;
 }
 
-/// `format`, and the bands of a Seaglider's science file as "20:5:1110:60;200:10:1100:120".
+/// Reads `format`, and the depth bands of a Seaglider's science file, as "20:5:1110:60;200:10:1100:120".
 void read_seaglider(const Request& request, service::MissionRequest& wanted, core::Violations& faults) {
   const std::string format = request.parameter("format").value_or("gliderdos");
   wanted.seaglider = format == "seaglider";
@@ -97,7 +97,8 @@ void read_seaglider(const Request& request, service::MissionRequest& wanted, cor
   }
 }
 
-/// Writes the mission files and hands them to `answer`; every fault of request or plan is listed instead.
+/// Writes the mission files and passes them to `answer`; if request or plan have faults, the answer lists
+/// them.
 template <class Answer>
 Response with_files(const Context& context, const Request& request, const PlanRecord& record,
                     const Answer& answer) {
@@ -155,7 +156,7 @@ Response download_zip(const Context& context, const Request& request, const Path
                    });
 }
 
-/// Answers with the plan in one format that is a single file.
+/// The handler that answers with the plan in a format of a single file.
 auto download_as(const ExportFormat& format) {
   return [&format](const Context& context, const Request& request, const PathParameters& path) {
     ParameterReader reader{request};

@@ -34,12 +34,12 @@ namespace {
 
 using repository::PlanRecord;
 
-constexpr core::Metres around_route{30'000.0};  // of land and icebergs on the printed map
+constexpr core::Metres around_route{30'000.0};  // margin of the printed map, for land and icebergs
 constexpr double map_width = 720.0;
 constexpr double map_height = 420.0;
 constexpr double section_height = 150.0;
 
-/// The iceberg sightings that the plan obeyed: from its datasets, chosen by the rules of its request.
+/// The iceberg sightings that the plan obeyed: from its datasets, selected by the rules of its request.
 std::vector<repository::StoredSighting> obeyed_sightings(sql::Connection& db, const PlanRecord& record,
                                                          const planning::Plan& plan,
                                                          const repository::DatasetChoice& of_icebergs) {
@@ -51,11 +51,11 @@ std::vector<repository::StoredSighting> obeyed_sightings(sql::Connection& db, co
     query.as_of = repository::sightings_as_of(inputs->data);
     query.max_age = inputs->data.max_sighting_age;
   }
-  core::Violations none;  // its datasets have been found, and all meet the whole world
+  core::Violations none;  // stays empty: the datasets exist, and all intersect the whole world
   return repository::known_icebergs(db, repository::DatasetRepository{db}.list(), query, none).sightings;
 }
 
-/// Land and icebergs of the data that the plan was made with, as far as they are still stored.
+/// The map, with land and icebergs from the plan's data, as far as these are still stored.
 codec::MapPicture picture_of(sql::Connection& db, const PlanRecord& record, const planning::Plan& plan) {
   const geo::BoundingBox area = geo::grown(record.bounds, around_route);
   std::vector<geo::Polygon> land;
@@ -74,7 +74,8 @@ codec::MapPicture picture_of(sql::Connection& db, const PlanRecord& record, cons
   return codec::draw_map(plan, land, icebergs, map_width, map_height);
 }
 
-/// The ice dataset that the plan was made with, where that is one and still stored; else a probe chooses.
+/// The ice dataset of the plan, if it has exactly one and it is still stored; otherwise none, so that the
+/// probe chooses.
 std::vector<std::string> ice_dataset_of(sql::Connection& db, const planning::Plan& plan) {
   std::vector<std::string> ids;
   for (const auto& used : plan.datasets) {
@@ -84,7 +85,7 @@ std::vector<std::string> ice_dataset_of(sql::Connection& db, const planning::Pla
   return ids;
 }
 
-/// The sea ice at some sixty moments of the way, as the map's profile and its probe tell it.
+/// The sea ice at about sixty times along the route, sampled as for the map's profile.
 std::vector<codec::IceAbove> ice_above(sql::Connection& db, const planning::Plan& plan) {
   constexpr double moments = 60.0;
   std::vector<codec::IceAbove> ice;
@@ -118,7 +119,7 @@ codec::BriefPictures pictures_of(sql::Connection& db, const PlanRecord& record, 
   return pictures;
 }
 
-/// The plan in the format, which can hold it.
+/// The plan in a format that can represent it.
 std::string bytes_of(sql::Connection& db, const PlanRecord& record, const planning::Plan& plan,
                      const ExportFormat& format, const std::vector<messages::Message>& told,
                      const std::vector<geo::LonLat>& safe_places, core::UtcTime now) {
@@ -145,14 +146,15 @@ std::string bytes_of(sql::Connection& db, const PlanRecord& record, const planni
   throw std::invalid_argument{"export_plan: no format " + format.name};
 }
 
-/// Files that somebody flies a vehicle by, and that hold no depths of turns. The GeoJSON has them with each waypoint,
-/// the printed page says them.
+/// Whether a format is for flying but cannot state the depths at which dives turn. GeoJSON has them for each
+/// waypoint, and the printed page states them.
 bool lacks_upper_turns(const ExportFormat& format) {
   constexpr std::array<std::string_view, 5> lacking{"gpx", "kml", "csv", "nmea", "imc"};
   return std::ranges::find(lacking, format.name) != lacking.end();
 }
 
-/// The others name the time of each hold, or have the vehicle hold.
+/// Whether a format cannot represent holds. The other formats state the time of each hold, or make the
+/// vehicle hold.
 bool lacks_holds(const ExportFormat& format) {
   constexpr std::array<std::string_view, 4> lacking{"gpx", "kml", "nmea", "targets"};
   return std::ranges::find(lacking, format.name) != lacking.end();

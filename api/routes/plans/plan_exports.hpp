@@ -13,25 +13,25 @@
 
 namespace floeplan::routes {
 
-/// A way to write a plan as one file. One table for API and command line.
+/// A format of a plan as one file. The table is common to API and command line.
 struct ExportFormat {
-  std::string name;  // "gpx": names the flag's value and ends the address
+  std::string name;  // "gpx": value of the command line flag and end of the URL
   std::string content_type;
   std::string file_name;  // of the file; empty: what the plan is called and the format's name
   bool is_brief{false};   // a page to read, which says the dangers itself; no vehicle flies it
 };
 
-/// Every format but the mission files of a vehicle, in a fixed order.
+/// All formats except mission files, in a fixed order.
 [[nodiscard]] std::span<const ExportFormat> export_formats();
 
-/// `stem`  what the plan is called, where the format does not name its file
+/// `stem`  name for the plan, used if the format does not have a fixed file name
 [[nodiscard]] std::string export_file_name(const ExportFormat& format, const std::string& stem);
 
-/// What a person finds a downloaded plan by among others, as far as a file can be called so: its name, its departure
-/// and its id, "Kangia-20261122T0600Z-p1c2d3e4f5a6".
+/// A file name that helps to find a downloaded plan: its name (with characters that are allowed in file
+/// names), its departure and its id, "Kangia-20261122T0600Z-p1c2d3e4f5a6".
 [[nodiscard]] std::string download_stem(const repository::PlanRecord& record);
 
-/// A plan in some format, and what the pilot has to know of the file.
+/// A plan in a format, with messages for the pilot about the file.
 struct ExportedPlan {
   std::string bytes;
   std::vector<messages::Message> messages;

@@ -9,10 +9,11 @@ using nlohmann::json;
 using repository::PlanRecord;
 using repository::PlanRepository;
 
-// A part's key is that of its plan with its own index behind it; a plan has at most 10,000 waypoints.
+// The key of a part is the plan's row times this number plus the part's index; a plan has at most 10,000
+// waypoints.
 constexpr std::int64_t most_parts = 16'384;
 constexpr int plans_at_once = 100;
-/// More plans than this are not counted through for one page.
+/// If the filter matches more plans, their parts are not counted.
 constexpr std::int64_t most_plans_counted = 1000;
 
 using PartsOf = std::vector<codec::PlanPart> (*)(const PlanRecord&);
@@ -23,7 +24,7 @@ bool meets(const codec::PlanPart& part, const FeatureQuery& query) {
   return !query.area || geo::intersects(*query.area, part.bounds);
 }
 
-/// The parts of every plan, or of the one that is asked for, plan after plan.
+/// A page of the parts of all plans, or of the requested plan, plan after plan.
 FeaturePage parts_page(const Context& context, const FeatureQuery& query, PartsOf parts_of) {
   const PlanRepository plans{context.db};
   repository::PlanFilter filter{.area = query.area, .from = query.span.from, .to = query.span.to};
@@ -54,7 +55,7 @@ FeaturePage parts_page(const Context& context, const FeatureQuery& query, PartsO
   }
 }
 
-/// A part's id is that of its plan, a dot and its index.
+/// Finds a part by its id: the plan's id, a dot and the part's index.
 std::optional<json> find_part(const Context& context, const std::string& id, PartsOf parts_of) {
   const auto dot = id.rfind('.');
   const auto index = dot == std::string::npos ? std::nullopt : key_of(id.substr(dot + 1));

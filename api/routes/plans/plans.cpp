@@ -42,7 +42,7 @@ Response no_such_plan(const Request& request, const std::string& id) {
   return problem_reply<"unknown-plan">(request, id);
 }
 
-/// What has become of the plan's data, and whether it holds in those of today.
+/// Reports whether the plan's data have changed, and whether the plan is still valid in the newest data.
 Response show_check(const Context& context, const Request& request, const PathParameters& path) {
   const auto plan = PlanRepository{context.db}.find({path.at("plan_id")});
   if (!plan) return no_such_plan(request, path.at("plan_id"));
@@ -51,7 +51,7 @@ Response show_check(const Context& context, const Request& request, const PathPa
   return response;
 }
 
-/// Judged elsewhere than where it was asked for, a plan keeps its own rules.
+/// The inputs of the plan, so that it can be evaluated elsewhere by the same rules.
 Response show_inputs(const Context& context, const Request& request, const PathParameters& path) {
   const auto plan = PlanRepository{context.db}.find({path.at("plan_id")});
   if (!plan) return no_such_plan(request, path.at("plan_id"));

@@ -10,15 +10,15 @@
 
 namespace floeplan::routes {
 
-/// A file format for the flights of a simulation. API and command line share the table of formats.
+/// A file format for the flights of a simulation. The table is common to API and command line.
 struct SimulationFormat {
-  std::string name;  // ends the file's name and the address: "nc", "geojson"
+  std::string name;  // "nc", "geojson": end of the file's name and of the URL
   std::string content_type;
 };
 
 [[nodiscard]] std::span<const SimulationFormat> simulation_formats();
 
-/// One kept flight, or all of them. Empty when that run is not kept, or none is.
+/// Writes one stored flight, or all of them. nullopt if that run is not stored, or none is.
 [[nodiscard]] std::optional<std::string> export_simulation(sql::Connection& db,
                                                            const repository::SimulationRecord& record,
                                                            const SimulationFormat& format,

@@ -26,7 +26,7 @@ std::string address_of_simulation(const Context& context, const SimulationRecord
   return context.service.public_url + "/simulations/" + record.id.value;
 }
 
-/// Without the rows of its flights, of which there may be thousands.
+/// The simulation without the rows of its flights, which can be thousands.
 json summary_of(const Context& context, const SimulationRecord& record) {
   json summary = json::parse(record.document_json);
   summary.erase("flights");
@@ -85,7 +85,7 @@ Response show_flight(const Context& context, const Request& request, const PathP
   return json_reply(json::parse(flight->document_json));
 }
 
-/// All kept flights, or the one that the parameter `run` names.
+/// All stored flights, or the one in the parameter `run`.
 template <std::size_t format_number>
 Response export_tracks(const Context& context, const Request& request, const PathParameters& path) {
   ParameterReader reader{request};

@@ -34,7 +34,8 @@ Response created(const Context& context, const repository::JobRecord& job, bool 
   return response;
 }
 
-/// Second part of a synchronous execution: the results when the job has ended, the job when the time is up.
+/// Continues a synchronous execution: answers with the results if the job has ended, with the job if the time
+/// is up.
 Response resume(const Context& context, const Request& request) {
   const repository::JobId id{request.resumption->token};
   const auto job = repository::JobRepository{context.db}.find(id);
@@ -61,7 +62,8 @@ Response refused(const Request& request, SubmissionRefused reason) {
   throw std::logic_error{"SubmissionRefused without a reply"};
 }
 
-/// The answer to work that would store more than the caller's quota leaves room for; what a key has begun already goes on.
+/// The refusal of work whose result would exceed the caller's quota. A request that repeats an accepted key
+/// is not refused.
 std::optional<Response> over_quota(const Context& context, const Request& request,
                                    const Submission& submission) {
   if (submission.key && repository::KeptAnswers{context.db}.find(*submission.key)) return std::nullopt;
@@ -72,7 +74,7 @@ std::optional<Response> over_quota(const Context& context, const Request& reques
   return std::nullopt;
 }
 
-/// What is to be done, or the problem to answer with.
+/// The job to submit, or the problem for the answer.
 tl::expected<Submission, Response> submission_of(const Context& context, const Request& request,
                                                  const ProcessEntry& process) {
   const auto read = read_execution(request, process);
@@ -102,7 +104,8 @@ tl::expected<Submission, Response> submission_of(const Context& context, const R
   return if_room();
 }
 
-/// Without a preference the answer is the result, as the standard asks of processes that can do both.
+/// Executes a process. Without a Prefer header the answer is the result, as the standard requires if both
+/// modes exist.
 Response execute(const Context& context, const Request& request, const PathParameters& path) {
   if (request.resumption) return resume(context, request);
 

@@ -16,7 +16,7 @@ using nlohmann::json;
 
 constexpr const char* known_keys = "inputs, outputs, response, force";
 
-/// The names of the outputs that the client wants; none: all of them.
+/// The names of the requested outputs; empty means all.
 json wanted_outputs(const json& body, const ProcessEntry& process, messages::Faults& faults) {
   json wanted = json::array();
   if (!body.contains("outputs")) return wanted;
@@ -41,7 +41,8 @@ std::string read_response(const json& body, messages::Faults& faults) {
   return {};
 }
 
-/// A value with its media type or schema beside it (qualifiedInputValue of OGC 18-062r2, 7.11.2.3).
+/// Whether an input has its media type or schema beside the value (qualifiedInputValue of OGC 18-062r2,
+/// 7.11.2.3).
 bool is_qualified(const json& input) {
   constexpr auto known =
       std::to_array<std::string_view>({"value", "mediaType", "encoding", "schema", "format"});
@@ -51,7 +52,8 @@ bool is_qualified(const json& input) {
   return true;
 }
 
-/// The bare value of one input. What is not given as a value is refused: no other server is asked, and no text decoded.
+/// Replaces an input by its bare value. Links and encoded values are refused: the server fetches and decodes
+/// nothing.
 void unwrap(json& input, const std::string& pointer, messages::Faults& faults) {
   if (input.is_object() && input.contains("href") && !input.contains("type"))
     return faults.refuse<"link-not-followed">(pointer);
@@ -63,7 +65,7 @@ void unwrap(json& input, const std::string& pointer, messages::Faults& faults) {
   input = std::move(value);
 }
 
-/// Unwraps every input, also those that come as an array of qualified values.
+/// Unwraps every input, also arrays of qualified values.
 void unwrap_inputs(json& inputs, messages::Faults& faults) {
   if (!inputs.is_object()) return;
   for (auto& [name, input] : inputs.items()) {

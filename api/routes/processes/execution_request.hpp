@@ -11,12 +11,12 @@ namespace floeplan::routes {
 
 /// The body of an execute request (OGC API - Processes, Part 1, 7.11.2).
 struct ExecutionRequest {
-  nlohmann::json inputs;   // bare, also where they came as {"value": ...}
-  bool force{false};       // do the work again even where its result is there
-  std::string reply_json;  // which outputs the client wants, in which form; kept with the job
+  nlohmann::json inputs;   // the values, also if they were given as {"value": ...}
+  bool force{false};       // do the work even if its result exists
+  std::string reply_json;  // outputs and their form as requested; stored with the job
 };
 
-/// Errors   the problem to answer with, with every fault of the body but those of its inputs
+/// Errors   the problem for the answer, with all faults of the body except those of its inputs
 [[nodiscard]] tl::expected<ExecutionRequest, Response> read_execution(const Request& request,
                                                                       const ProcessEntry& process);
 

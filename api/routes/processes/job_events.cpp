@@ -8,23 +8,23 @@ namespace {
 
 using repository::JobRecord;
 
-constexpr core::Seconds heartbeat{15.0};  // proxies end connections that are silent for a minute
+constexpr core::Seconds heartbeat{15.0};  // proxies close connections without data for a minute
 constexpr int most_at_once = 1000;
 
-/// One event of the HTML standard's event stream; its id is the number of the job's last change.
+/// One event of an HTML event stream; its id is the number of the job's last change.
 std::string event_of(const JobRecord& job, const std::string& public_url) {
   return "id: " + std::to_string(job.change) + "\nevent: job\ndata: " +
          codec::job_document(job, public_url).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) +
          "\n\n";
 }
 
-/// The number of the last change that the client has seen: from a token of ours, or from its header.
+/// The number of the last change that the client has seen, from a Wait's token or from the request's header.
 std::optional<std::int64_t> change_of(const std::string& text) {
   const auto change = codec::parse_integer(text);
   return change && *change >= 0 ? change : std::nullopt;
 }
 
-/// The client's Last-Event-ID; empty: it has seen nothing.
+/// The client's Last-Event-ID; empty: it has seen no event.
 tl::expected<std::optional<std::int64_t>, Response> last_event(const Request& request) {
   const std::string text = request.header("last-event-id");
   if (text.empty()) return std::optional<std::int64_t>{};
@@ -43,7 +43,8 @@ Response piece(std::string text) {
   return response;
 }
 
-/// A piece with more to come after the change `seen`; a comment when there is nothing to tell for long.
+/// A piece of the stream, to be continued after the change `seen`; a comment if nothing has changed for the
+/// heartbeat.
 Response piece_of_more(const Request& request, std::string text, std::int64_t seen,
                        std::function<std::shared_ptr<void>(std::function<void()>)> subscribe) {
   const bool begins = !request.resumption;
@@ -54,8 +55,9 @@ Response piece_of_more(const Request& request, std::string text, std::int64_t se
   return response;
 }
 
-/// Every change of every job from now on, or from the last event that the client has seen. A job that changed several
-/// times in between comes once, as it stands, so that nothing has to be kept for a slow client.
+/// Streams the changes of all jobs from now on, or since the last event that the client has seen. A job that
+/// changed several times in between is sent once, in its present state, so that nothing has to be stored for
+/// a slow client.
 Response stream_all(const Context& context, const Request& request, const PathParameters&) {
   const repository::JobRepository jobs{context.db};
   const auto last = last_event(request);
@@ -72,7 +74,8 @@ Response stream_all(const Context& context, const Request& request, const PathPa
   });
 }
 
-/// One job until it has ended. A client that has seen its end gets 204, which tells it not to come again.
+/// Streams one job until it has ended. A client that has seen the end gets 204, which tells it not to
+/// reconnect.
 Response stream_one(const Context& context, const Request& request, const PathParameters& path) {
   const repository::JobId id{path.at("job_id")};
   const auto job = repository::JobRepository{context.db}.find(id);

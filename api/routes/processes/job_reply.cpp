@@ -12,7 +12,7 @@ using repository::JobStatus;
 
 namespace {
 
-/// One output alone: a text as plain text, everything else as JSON.
+/// A single output: a text as plain text, any other value as JSON.
 Response raw_value(const json& value) {
   if (!value.is_string()) return json_reply(value);
   Response response;
@@ -21,7 +21,7 @@ Response raw_value(const json& value) {
   return response;
 }
 
-/// The outputs that the client asked for, in the form it asked for: a document, unless one alone is wanted raw.
+/// The requested outputs in the requested form: as a document, or a single output as its raw value.
 Response wanted_results(const repository::JobRecord& job) {
   const json reply = json::parse(job.reply_json);
   const json wanted = reply.value("outputs", json::array());

@@ -18,13 +18,13 @@ using repository::JobRecord;
 
 constexpr int longest_poll_s = 30;
 
-/// Differs whenever a client would see a difference.
+/// A text that changes whenever the job changes visibly for a client.
 std::string fingerprint(const JobRecord& job) {
   return repository::status_name(job.status) + "|" + job.stage + "|" + std::to_string(job.progress);
 }
 
-/// Which jobs a client wants, by the parameters of OGC API - Processes, Part 1, 7.15. A job is of every type and
-/// process that it names, the last of repeated ones counts.
+/// Reads the filter of a list of jobs: parameters of OGC API - Processes, Part 1, 7.15. `type` can only be
+/// "process"; of a repeated parameter the last one counts.
 repository::JobFilter read_filter(ParameterReader& reader, const Request& request) {
   repository::JobFilter filter;
   if (const auto name = reader.one_of("status", {"accepted", "running", "successful", "failed", "dismissed"}))
@@ -64,7 +64,7 @@ Response list_jobs(const Context& context, const Request& request, const PathPar
   return json_reply(page);
 }
 
-/// With "Prefer: wait=N" the answer comes at the next change, at the latest after N seconds.
+/// Answers with the job; with "Prefer: wait=N" at its next change, or after N seconds.
 Response show_job(const Context& context, const Request& request, const PathParameters& path) {
   const auto job = repository::JobRepository{context.db}.find({path.at("job_id")});
   if (!job) return no_such_job(request, path.at("job_id"));
@@ -89,7 +89,7 @@ Response show_results(const Context& context, const Request& request, const Path
   return job ? results_reply(request, *job) : no_such_job(request, path.at("job_id"));
 }
 
-/// Stops a job that has not ended; removes one that has.
+/// Stops a job that has not ended; removes a job that has.
 Response dismiss_job(const Context& context, const Request& request, const PathParameters& path) {
   repository::JobRepository jobs{context.db};
   const auto job = jobs.find({path.at("job_id")});

@@ -5,26 +5,27 @@
 
 namespace floeplan::routes {
 
-/// What a process gives: an object, or an input of the same name given back.
+/// An output of a process: an object, or an input that is returned under its name.
 struct ProcessOutput {
   std::string name;
   std::string title;
 };
 
-/// A process as lists show it. Its inputs are described by a schema of the OpenAPI document.
+/// A process in lists. A schema of the OpenAPI document describes its inputs.
 struct ProcessEntry {
   std::string id;
   std::string title;
   std::string description;
-  std::string inputs_schema;  // name of the component
+  std::string inputs_schema;  // name of the schema component
   std::vector<ProcessOutput> outputs;
-  bool shares_results{true};  // what it gives follows from its inputs and the stored data alone
+  // the result depends only on the inputs and the stored data, so that jobs can share it
+  bool shares_results{true};
 };
 
-/// Every process, in the order of the list.
+/// All processes, in the order in which they are listed.
 [[nodiscard]] const std::vector<ProcessEntry>& all_processes();
 
-/// Null when there is none.
+/// The process with this id; null if there is none.
 [[nodiscard]] const ProcessEntry* find_process(const std::string& id);
 
 }  // namespace floeplan::routes

@@ -25,7 +25,7 @@ namespace {
 using nlohmann::json;
 using repository::DatasetKind;
 
-/// Notes every named dataset that is not there or is of another kind, before a job exists.
+/// Adds a violation for each named dataset that does not exist or is of another kind.
 void check_choice(sql::Connection& db, const repository::DatasetChoice& choice, const std::string& key,
                   DatasetKind kind, messages::Faults& faults) {
   for (const auto& id : choice.ids) {
@@ -145,7 +145,7 @@ std::string result_digest(const Context& context, const std::string& process,
 }
 
 bool result_stands(const Context& context, const repository::JobRecord& job) {
-  if (!job.result_json) return true;  // the job has not ended
+  if (!job.result_json) return true;  // not ended yet
   const json result = json::parse(*job.result_json);
   const auto id_of = [&](const char* output, const char* key) {
     return result.contains(output) ? result.at(output).value(key, "") : "";

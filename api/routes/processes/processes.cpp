@@ -12,7 +12,7 @@ namespace {
 
 using nlohmann::json;
 
-/// The inputs as the OpenAPI document describes them: one statement for both.
+/// The description of the inputs, taken from the OpenAPI document, so that both are equal.
 json inputs_of(const ProcessEntry& process) {
   const json& schema = component_schemas().at(process.inputs_schema);
   const json required = schema.value("required", json::array());

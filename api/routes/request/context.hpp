@@ -18,19 +18,19 @@
 
 namespace floeplan::routes {
 
-/// How the processes that read foreign files are confined.
+/// The sandbox of the processes that read files from outside.
 struct ReaderLayers {
   std::string layers;  // "seccomp, Landlock 7"
   bool enough{false};
 };
 
-/// The most that one owner may have of what others have to share. Generous: a season of a regional ocean model is 200 GB.
+/// Limits for each owner of shared resources. Generous: a season of a regional ocean model is 200 GB.
 struct Quotas {
-  std::uint64_t stored_bytes{500'000'000'000};  // of files as they were sent, of plans and of simulations
-  std::size_t uploads{500};                     // that wait to be ingested
+  std::uint64_t stored_bytes{500'000'000'000};  // dataset files as sent, plans and simulations
+  std::size_t uploads{500};                     // uploads that were not ingested yet
 };
 
-/// The quotas of a server that may be told others while it runs.
+/// The quotas, which can be changed while the server runs.
 /// Threads  any
 class QuotasInForce {
  public:
@@ -47,31 +47,32 @@ class QuotasInForce {
   std::atomic<std::size_t> uploads_{0};
 };
 
-/// What is the same for every request of a server.
+/// Properties of the server that are equal for all requests.
 struct ServiceInfo {
-  std::string public_url;         // links begin with it; no slash at its end
+  std::string public_url;         // beginning of links; without a slash at its end
   std::filesystem::path web;      // folder of the built client; empty: none
-  std::filesystem::path uploads;  // folder of what was sent and waits to be ingested
-  bool secure{false};             // clients come by TLS
+  std::filesystem::path uploads;  // folder of uploads that were not ingested yet
+  bool secure{false};             // clients use TLS
   std::shared_ptr<QuotasInForce> quotas{std::make_shared<QuotasInForce>(Quotas{})};
-  std::filesystem::path store{};                // folder of the database, to tell its size
-  std::size_t damaged_pages{0};                 // of the database, when the server began
-  std::shared_ptr<RequestCounts> counts{};      // empty: nobody counts
-  std::optional<ReaderLayers> reader_layers{};  // empty: nobody reads files here
-  std::function<std::size_t()> connections{};   // open now
-  /// What queries of places read last; empty: nothing is kept.
+  std::filesystem::path store{};                // folder of the database, to report its size
+  std::size_t damaged_pages{0};                 // damaged pages of the database when the server started
+  std::shared_ptr<RequestCounts> counts{};      // empty: requests are not counted
+  std::optional<ReaderLayers> reader_layers{};  // empty: this server reads no files from outside
+  std::function<std::size_t()> connections{};   // number of open connections
+  /// Cache of blocks for queries of places; empty: no cache.
   std::shared_ptr<repository::CurrentBlocks> current_blocks{};
 };
 
-/// What a resource answers from.
+/// What a resource needs to answer a request.
 struct Context {
-  sql::Connection& db;  // of this thread
+  sql::Connection& db;  // connection of this thread
   JobGateway& jobs;
   const ServiceInfo& service;
-  Remembered* remembered{nullptr};  // of the connection, refreshed for this request; null: nothing is kept
+  // cache of this thread's connection, refreshed for this request; null: no cache
+  Remembered* remembered{nullptr};
 };
 
-/// The parts of the path that stand for the pattern's names.
+/// Values of the path's parameters, by their names in the pattern.
 using PathParameters = std::map<std::string, std::string>;
 
 }  // namespace floeplan::routes

@@ -13,40 +13,41 @@
 
 namespace floeplan::routes {
 
-/// Work that somebody asks for.
+/// A request for a job.
 struct Submission {
   std::string process;
   std::string inputs_json;
-  std::string owner;                  // empty: nobody in particular
-  std::optional<std::string> digest;  // of all that the result follows from; empty: never shared
-  bool force{false};                  // do it again even if the result is there
-  std::string reply_json{"{}"};       // which outputs, in which form
-  std::optional<repository::IdempotencyKey> key{};  // the client's own name of the request
+  std::string owner;  // empty: a server without tokens
+  // digest of everything that determines the result; empty: the result is not shared
+  std::optional<std::string> digest;
+  bool force{false};                                // do the work even if its result exists
+  std::string reply_json{"{}"};                     // requested outputs and their form
+  std::optional<repository::IdempotencyKey> key{};  // the client's own key for the request
 };
 
-/// Why there is no job.
+/// Why no job was created.
 enum class SubmissionRefused {
-  queue_full,   // come again
-  key_reused,   // another request had the key
-  job_removed,  // the key's job was there, and is gone
+  queue_full,   // try again later
+  key_reused,   // the key was used for another request
+  job_removed,  // the key's job existed and was removed
 };
 
-/// What the resources need of the job system.
+/// The functions of the job system that the resources need.
 /// Threads  may be called from several threads at once, each with its own connection
 class JobGateway {
  public:
   virtual ~JobGateway() = default;
 
-  /// Puts a job into the durable queue; it is on disk, with its key, when the call returns. The same key again gives
-  /// the same job; so does a submission with the digest of a job whose result is there, or that the owner waits for.
+  /// Adds a job to the durable queue; it is on disk, with its key, when the call returns. Returns an existing
+  /// job for the same key, or for the same digest if its result exists or the owner already waits for it.
   [[nodiscard]] virtual tl::expected<repository::JobRecord, SubmissionRefused> submit(
       sql::Connection& db, const Submission& submission, core::UtcTime now) = 0;
-  /// Ends the job, stopping its work within a second. False when it is unknown or already ended.
+  /// Ends the job; its work stops within a second. False if it is unknown or has ended.
   virtual bool dismiss(sql::Connection& db, const repository::JobId& id, core::UtcTime now) = 0;
-  /// Calls `wake` after every change of the job until the returned object is gone.
+  /// Calls `wake` after each change of the job until the returned object is destroyed.
   [[nodiscard]] virtual std::shared_ptr<void> subscribe(const repository::JobId& id,
                                                         std::function<void()> wake) = 0;
-  /// The same for every job.
+  /// The same for all jobs.
   [[nodiscard]] virtual std::shared_ptr<void> subscribe_to_all(std::function<void()> wake) = 0;
 };
 

@@ -14,80 +14,83 @@
 
 namespace floeplan::routes {
 
-/// A response that was put off is asked for again with this.
+/// Passed to the handler when it is called again for a response that waits.
 struct Resumption {
-  std::string token;  // what the response that waited had put into its Wait
+  std::string token;  // the token in the Wait of the earlier response
   bool last{false};   // the time is up: answer now
 };
 
-/// A body that was written to disk while it came in. The file is removed after the answer unless it was moved away.
+/// A body that was written to disk while it was received. The file is removed after the answer unless it was
+/// moved.
 struct BodyFile {
   std::filesystem::path path;
   std::string sha256;  // lower-case hexadecimal
 };
 
-/// Who asks: the name is that of a token, and owns what is asked for.
+/// The caller: name and role of the token. The name is the owner of what the caller requests.
 struct Caller {
   std::string name;
   repository::Role role{repository::Role::viewer};
-  std::string token_key{};  // when the token itself was shown, not a login that was opened with it
+  std::string token_key{};  // set if the request contains the token itself, not a login with it
 };
 
-/// The caller of a server that runs open, for this machine alone.
+/// The caller on a server without tokens, which only this machine can reach.
 inline const Caller local_caller{"local", repository::Role::admin};
 
-/// An HTTP request, free of sockets.
+/// An HTTP request, independent of sockets.
 struct Request {
   std::string method;
   std::string path;  // percent-decoded, without the query
   std::vector<std::pair<std::string, std::string>>
-      query;                                   // decoded, in order; of repeats the last one counts
+      // decoded, in order; of a repeated parameter the last one counts
+      query;
   std::map<std::string, std::string> headers;  // names in lower case
   std::string body;
-  std::optional<BodyFile> body_file;  // then `body` is empty
+  std::optional<BodyFile> body_file;  // if set, `body` is empty
   core::UtcTime now;
-  std::string id;                // in the answer's X-Request-Id and in every line of the log
-  std::string peer;              // address of the client, or of the proxy before it
-  std::optional<Caller> caller;  // set by the doorkeeper; nothing: nobody has said who asks
+  std::string id;                // for X-Request-Id in the answer, and for the log
+  std::string peer;              // address of the client, or of the proxy
+  std::optional<Caller> caller;  // set by the doorkeeper; empty: not identified
   std::optional<Resumption> resumption;
 
-  /// Empty text when there is no such header.
+  /// The value of a header; empty if there is none.
   [[nodiscard]] std::string header(const std::string& lower_case_name) const;
   [[nodiscard]] std::optional<std::string> parameter(const std::string& name) const;
 };
 
-/// Asks the server to call the handler again with `token` after `wake` or when the time is up.
+/// Asks the server to call the handler again with `token`, after `wake` was called or when the time is up.
 struct Wait {
   core::Seconds at_most{};
   std::string token;
-  /// Begins to listen; the returned object ends it. `wake` may be called from any thread, any number of
-  /// times.
+  /// Starts listening until the returned object is destroyed. `wake` may be called from any thread and any
+  /// number of times.
   std::function<std::shared_ptr<void>(std::function<void()> wake)> subscribe;
 };
 
-/// An HTTP response, free of sockets. With `wait` set everything else is ignored, unless it streams.
+/// An HTTP response, independent of sockets. If `wait` is set, all other members are ignored unless the
+/// response streams.
 struct Response {
   int status{200};
   std::string content_type;
   std::vector<std::pair<std::string, std::string>> headers;
   std::string body;
   std::optional<Wait> wait;
-  /// The body is a piece of a stream. With `wait` the handler is asked for the next piece after a wake-up, or with
-  /// `last` when the time is up; a piece without `wait` is the stream's end.
+  /// The body is a piece of a stream. With `wait` the handler is called for the next piece after a wake-up,
+  /// or with `last` when the time is up. A piece without `wait` ends the stream.
   bool streams{false};
-  std::string route;   // pattern of the operation that answered, for log and counts; empty: none did
+  std::string route;   // pattern of the operation that answered, for the log and the counts; empty: none
   std::string caller;  // name, for the log
 };
 
-/// Notes that the response depends on this header of the request.
+/// Adds the name of a request header on which the response depends to Vary.
 void vary_by(Response& response, const std::string& header);
 
-/// Answers one request. May block on the store, so never called on an I/O thread; may be called from several
-/// at once.
+/// Answers one request. It may block on the store, so it must not run on an I/O thread. Several calls may run
+/// at the same time.
 using Handler = std::function<Response(const Request&)>;
 
-/// Splits "path?a=b" into path and query and decodes both. Nothing when a percent sign is not followed by two
-/// hexadecimal digits, or a NUL would result.
+/// Splits "path?a=b" into path and query and decodes both. nullopt if a percent sign is not followed by two
+/// hexadecimal digits, or a decoded character is NUL.
 struct Target {
   std::string path;
   std::vector<std::pair<std::string, std::string>> query;

@@ -12,10 +12,11 @@ inline constexpr const char* openapi_type = "application/vnd.oai.openapi+json;ve
 /// The component schemas of the OpenAPI document, by their names.
 [[nodiscard]] const nlohmann::json& component_schemas();
 
-/// The schema with every reference into the OpenAPI document put in its place, so that it stands alone.
+/// The schema with all references to the OpenAPI document replaced by their content, so that it is complete
+/// on its own.
 [[nodiscard]] nlohmann::json self_contained(const nlohmann::json& schema);
 
-/// A component of that name that stands alone.
+/// The component with this name, with all references replaced.
 [[nodiscard]] nlohmann::json openapi_schema(const std::string& component);
 
 }  // namespace floeplan::routes

@@ -12,7 +12,7 @@ namespace floeplan::routes {
   return is_known ? request.caller->name : std::string{};
 }
 
-/// Whether the caller may see what belongs to `owner` alone: the owner may, and an admin. To everybody else it does not
+/// Whether the caller may see an object of `owner`: only the owner and admins may. For all others it does not
 /// exist.
 [[nodiscard]] inline bool may_see_of(const Request& request, const std::string& owner) {
   const bool sees_all = request.caller && request.caller->role == repository::Role::admin;

@@ -5,7 +5,7 @@
 namespace floeplan::routes {
 namespace {
 
-/// Percent-encodes everything but the characters that never have a meaning of their own in a query or a path.
+/// Percent-encodes all characters except letters, digits and those in `kept`.
 std::string encoded(std::string_view text, std::string_view kept) {
   constexpr std::string_view digits = "0123456789ABCDEF";
   std::string result;

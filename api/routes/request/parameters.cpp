@@ -29,7 +29,7 @@ std::optional<core::UtcTime> parse_time(const std::string& text) {
   return core::parse_iso8601(text + "Z");
 }
 
-/// Longitudes as a client's map gives them, which may have been panned round the globe.
+/// The box with longitudes in the usual range; the map of a client may have been moved around the globe.
 geo::BoundingBox normalised(double west, double south, double east, double north) {
   if (east - west >= 360.0) return {-180.0, south, 180.0, north};
   const double wrapped_west = geo::wrap_longitude(west);
@@ -109,8 +109,8 @@ std::optional<BoxWithDepths> ParameterReader::read_box(FeatureCrs crs, bool with
   if (!text) return std::nullopt;
   const auto numbers = parse_numbers(*text);
   if (!with_depths && numbers && numbers->size() == 6) {
-    refuse<"wrong-shape">(
-        "bbox", "four numbers here, west,south,east,north: heights and depths are not searched");
+    refuse<"wrong-shape">("bbox",
+                          "four numbers here, west,south,east,north: heights and depths are not searched");
     return std::nullopt;
   }
   if (!numbers || (numbers->size() != 4 && numbers->size() != 6)) {

@@ -16,19 +16,19 @@
 
 namespace floeplan::routes {
 
-/// A period, open where empty; an instant has both ends equal.
+/// A period; an empty end is open; an instant has two equal ends.
 struct TimeSpan {
   std::optional<core::UtcTime> from;
   std::optional<core::UtcTime> to;
 };
 
-/// A box, and between which depths where six numbers say so, in their order.
+/// A box, with the two depths if it has six numbers, in their order.
 struct BoxWithDepths {
   geo::BoundingBox area;
   std::optional<std::pair<double, double>> depths_m;
 };
 
-/// What a row of requests says of a query parameter.
+/// A violation of a query parameter, with the message of this code.
 template <messages::Code code, class... Given>
 [[nodiscard]] core::Violation parameter_fault(const std::string& name, const Given&... values) {
   core::Violation violation = messages::fault<code>("?" + name, values...);
@@ -36,7 +36,7 @@ template <messages::Code code, class... Given>
   return violation;
 }
 
-/// Reads query parameters and collects what is wrong with them. Absent or wrong: empty, the latter noted.
+/// Reads query parameters and collects their faults. A parameter that is absent or wrong is empty.
 class ParameterReader {
  public:
   explicit ParameterReader(const Request& request) : request_{request} {}
@@ -47,21 +47,21 @@ class ParameterReader {
   [[nodiscard]] std::optional<std::string> one_of(const std::string& name,
                                                   const std::vector<std::string>& values);
   [[nodiscard]] bool flag(const std::string& name);
-  /// The page size: 100 unless told, at least 1; larger than 10000 counts as 10000.
+  /// The page size: default 100, at least 1; more than 10000 counts as 10000.
   [[nodiscard]] int limit();
   /// Key of the last row of the page before; 0 for the first page.
   [[nodiscard]] std::int64_t after();
-  /// Four numbers. Longitudes may run past 180. Six are refused: the data asked for have no depths.
+  /// Reads four numbers; longitudes may exceed 180. Six numbers are refused, because the data have no depths.
   [[nodiscard]] std::optional<geo::BoundingBox> bbox(FeatureCrs crs = FeatureCrs::crs84);
   /// Four numbers, or six: minx,miny,minz,maxx,maxy,maxz.
   [[nodiscard]] std::optional<BoxWithDepths> bbox_with_depths();
-  /// A reference system that is known; CRS84 unless told.
+  /// A known reference system; default CRS84.
   [[nodiscard]] FeatureCrs crs(const std::string& name);
-  /// Places as "lon,lat;lon,lat", at most 1000.
+  /// Positions as "lon,lat;lon,lat", at most 1000.
   [[nodiscard]] std::optional<std::vector<geo::LonLat>> places(const std::string& name);
-  /// ISO 8601; a time without zone counts as UTC, as some clients of the standard write it.
+  /// A time in ISO 8601. Without a zone it counts as UTC, because some clients of the standard omit it.
   [[nodiscard]] std::optional<core::UtcTime> time(const std::string& name);
-  /// An instant, or a period with ".." or nothing for an open end.
+  /// An instant, or a period; ".." or an empty text is an open end.
   [[nodiscard]] TimeSpan datetime();
 
   void require(const std::string& name, const std::string& rule);

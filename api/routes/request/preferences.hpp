@@ -5,11 +5,11 @@
 
 namespace floeplan::routes {
 
-/// True when an Accept header names HTML and ranks it at least as high as JSON. "*/*" alone is no wish for
+/// True if an Accept header names HTML with at least the rank of JSON. "*/*" does not count as a wish for
 /// HTML.
 [[nodiscard]] bool prefers_html(const std::string& accept);
 
-/// What a client wishes by the Prefer header (RFC 7240).
+/// The preferences of a client in the Prefer header (RFC 7240).
 struct Preferences {
   bool respond_sync{false};
   bool respond_async{false};

@@ -7,8 +7,9 @@
 namespace floeplan::routes {
 namespace {
 
-constexpr std::size_t largest = 32UL * 1024;           // chosen: to compress it holds up nobody noticeably
-constexpr std::size_t most_bytes = 4UL * 1024 * 1024;  // chosen: of each connection
+// chosen: compressing it delays other requests unnoticeably
+constexpr std::size_t largest = 32UL * 1024;
+constexpr std::size_t most_bytes = 4UL * 1024 * 1024;  // chosen; for each connection
 
 std::string key_of(const Request& request) {
   std::string key = request.path;
@@ -27,7 +28,7 @@ bool has_tag(const Response& response) {
   return false;
 }
 
-/// "/collections/plans/items/p1", and nothing below it.
+/// Whether a path is a feature, "/collections/plans/items/p1", and nothing below it.
 bool is_feature(std::string_view path) {
   constexpr std::string_view items = "/items/";
   const auto found = path.find(items);

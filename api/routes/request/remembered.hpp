@@ -10,21 +10,21 @@
 
 namespace floeplan::routes {
 
-/// Answers that one connection has found in the store and would find again. All are forgotten with the first change of
-/// anything in the store, whoever made it, so none is ever out of date.
+/// Cache of answers, one for each connection to the store. It is cleared at any change of the store by
+/// anyone, so its answers are never outdated.
 /// Threads  as the connection: one thread at a time
 class Remembered {
  public:
-  /// Before each request: forgets what may have changed since the last one.
+  /// Call before each request: clears the cache if the store has changed since the last call.
   /// Errors   sql::Failure when the store cannot be read
   void refresh(sql::Connection& db);
 
-  /// Null when there is none.
+  /// The cached answer; null if there is none.
   [[nodiscard]] const Response* find(const Request& request) const;
-  /// Small answers of status 200 alone, up to a bound in all. The answer gets its tag, if it has none.
+  /// Stores small answers with status 200, up to a total size. Adds an ETag to the answer if it has none.
   void keep(const Request& request, Response& response);
 
-  std::optional<bool> ever_any_tokens{};  // whether the store has ever held one; nothing: not looked yet
+  std::optional<bool> ever_any_tokens{};  // whether the store ever had a token; empty: not known yet
 
  private:
   std::optional<sql::Version> version_;
@@ -32,10 +32,10 @@ class Remembered {
   std::size_t bytes_{0};
 };
 
-/// Whether a request takes no longer than to read one small row, as scripts do that watch a job.
+/// Whether a request only reads the status of a job, which is fast. Scripts send such requests often.
 [[nodiscard]] bool asks_for_job_status(const Request& request);
 
-/// Whether the answer to a request follows from its path, its query and the store alone: a job's status or one feature,
+/// Whether path, query and store alone determine the answer to a request: the status of a job or one feature,
 /// without a wait.
 [[nodiscard]] bool follows_from_store(const Request& request);
 

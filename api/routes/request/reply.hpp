@@ -8,7 +8,7 @@
 
 namespace floeplan::routes {
 
-/// Bad UTF-8 from outside is replaced, never thrown over.
+/// A response with a JSON document. Invalid UTF-8 in texts from outside is replaced.
 [[nodiscard]] Response json_reply(const nlohmann::json& document, int status = 200,
                                   const std::string& content_type = "application/json");
 
@@ -16,7 +16,7 @@ namespace floeplan::routes {
 
 /// The problem as application/problem+json, or as application/json if the request accepts only that.
 [[nodiscard]] Response problem_reply(const Request& request, const problems::Problem& problem);
-/// With the problem of this code and these values.
+/// The same for the problem with this code and values.
 template <messages::Code code, class... Given>
 [[nodiscard]] Response problem_reply(const Request& request, const Given&... given) {
   return problem_reply(request, problems::problem<code>(given...));
@@ -26,7 +26,7 @@ template <messages::Code code, class... Given>
 [[nodiscard]] Response no_such_job(const Request& request, const std::string& id);
 [[nodiscard]] Response invalid(const Request& request, core::Violations violations);
 
-/// A link of OGC API documents.
+/// A link in OGC API documents.
 [[nodiscard]] nlohmann::json link(const std::string& rel, const std::string& type, const std::string& href,
                                   const std::string& title = "");
 

@@ -10,19 +10,20 @@
 
 namespace floeplan::routes {
 
-/// How many requests were answered, how and how fast, since the start.
-/// Memory   bounded: by operations and status codes, never by what clients write
+/// Numbers and durations of the requests answered since the start.
+/// Memory   bounded by operations and status codes, independent of what clients send
 /// Threads  any number at once
 class RequestCounts {
  public:
-  /// Upper bounds in seconds; the defaults of the Prometheus client libraries, with finer ones below.
+  /// Upper bounds of the histogram, seconds; the defaults of the Prometheus client libraries, with additional
+  /// smaller ones.
   static constexpr std::array bounds_s{0.001, 0.0025, 0.005, 0.01, 0.025, 0.05, 0.1,
                                        0.25,  0.5,    1.0,   2.5,  5.0,   10.0};
 
-  /// `route`: the pattern of the operation; empty when none answered.
+  /// `route`: pattern of the operation; empty if none answered.
   void add(const std::string& method, const std::string& route, int status,
            std::chrono::duration<double> taken);
-  /// In the text format of Prometheus, version 0.0.4.
+  /// The counts in Prometheus' text format, version 0.0.4.
   [[nodiscard]] std::string text() const;
 
  private:

@@ -30,7 +30,7 @@ bool is_parameter(std::string_view part) { return part.starts_with('{'); }
 
 bool takes_the_rest(std::string_view part) { return part.ends_with("...}"); }
 
-/// Runs for every route and request, so it makes nothing.
+/// Whether a path matches a pattern. Called for every route and request, so it allocates nothing.
 bool matches(const std::vector<std::string>& pattern, const std::vector<std::string_view>& given) {
   for (std::size_t i = 0; i < pattern.size(); ++i) {
     if (i >= given.size()) return false;
@@ -40,7 +40,7 @@ bool matches(const std::vector<std::string>& pattern, const std::vector<std::str
   return pattern.size() == given.size();
 }
 
-/// The parameters in a path that matches the pattern.
+/// The values of the parameters in a path that matches the pattern.
 PathParameters parameters_of(const std::vector<std::string>& pattern,
                              const std::vector<std::string_view>& given, std::string_view path) {
   PathParameters parameters;
@@ -60,7 +60,7 @@ std::string without_last_slash(std::string path) {
   return path;
 }
 
-/// Whether the parameter "f" names one of the formats; upper and lower case are alike.
+/// Whether `format` is one of the known ones; upper and lower case are equal.
 bool is_one_of(std::string_view format, std::span<const std::string_view> known) {
   const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
   return std::ranges::any_of(known, [&](std::string_view candidate) {
@@ -78,7 +78,7 @@ bool answers_in(const Route& route, std::string_view format) {
   return !route.gives_coverages && is_one_of(format, of_others);
 }
 
-/// The first thing wrong with the query that concerns every operation.
+/// The first fault of the query that is common to all operations: an unknown parameter or format.
 std::optional<core::Violation> query_fault(const Route& route, const Request& request) {
   for (const auto& [name, value] : request.query) {
     if (name == "f") {

@@ -9,12 +9,12 @@
 
 namespace floeplan::routes {
 
-/// What a client is told when the store does not do its part: that nothing of the request was done, and whether to come
-/// again. Where the store lies, and the rest of what the failure says, is for the log alone.
+/// The response when the store fails. It tells the client that nothing was changed and whether to try again.
+/// Details, such as the path of the store, are only for the log.
 [[nodiscard]] Response store_trouble_reply(const Request& request, const sql::Failure& failure);
 
-/// Names in a list, as its member "damaged", what it lacks because it cannot be read; a list that lacks nothing has no such
-/// member.
+/// Adds the member "damaged" to a list: the names of entries that cannot be read. Nothing is added if there
+/// are none.
 void name_damaged(nlohmann::json& list, const std::vector<repository::StoredThing>& damaged);
 
 }  // namespace floeplan::routes

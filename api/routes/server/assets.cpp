@@ -31,14 +31,14 @@ std::string media_type(const std::filesystem::path& file) {
   return found == types.end() ? "application/octet-stream" : found->second;
 }
 
-/// No part of the name may lead upwards, start with a dot or hide a separator.
+/// Whether a name is safe: no part leads upwards, begins with a dot or contains another separator.
 bool is_safe(const std::string& name) {
   if (name.empty() || name.find('\\') != std::string::npos || name.find("//") != std::string::npos)
     return false;
   return name.front() != '/' && name.front() != '.' && name.find("/.") == std::string::npos;
 }
 
-/// True for names as bundlers write them, "main-3f2a9c1d.js": they change whenever the content does.
+/// Whether a name contains a hash from the bundler, "main-3f2a9c1d.js". Such a name changes with the content.
 bool has_hash(const std::filesystem::path& file) {
   const std::string stem = file.stem().string();
   const auto dash = stem.find_last_of("-.");
@@ -55,7 +55,7 @@ Response show_asset(const Context& context, const Request& request, const PathPa
   return *asset;
 }
 
-/// A page of the guide by its name, or a file that pages show.
+/// Answers with a page of the guide, or with a file that its pages use.
 Response show_guide(const Context& context, const Request& request, const PathParameters& path) {
   const auto given = path.find("path");
   const std::filesystem::path name = given == path.end() ? "index" : given->second;

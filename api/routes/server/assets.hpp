@@ -8,7 +8,7 @@
 
 namespace floeplan::routes {
 
-/// A file below `folder` with its media type; nothing when it is not there or the name leads out of the
+/// A file below `folder` with its media type; nullopt if it does not exist or the name leads out of the
 /// folder.
 [[nodiscard]] std::optional<Response> read_asset(const std::filesystem::path& folder,
                                                  const std::string& name);

@@ -23,8 +23,8 @@ using nlohmann::json;
 
 using nlohmann::json;
 
-/// Patterns and templates differ where a parameter takes the rest of the path, and where one operation serves several
-/// templates ("/processes/{process_id}/execution").
+/// Whether a path template of the document belongs to an operation. They differ if a parameter takes the rest
+/// of the path, or if an operation serves several templates ("/processes/{process_id}/execution").
 bool is_template_of(const Route& route, const std::string& path) {
   const std::string_view pattern = route.pattern;
   std::size_t at = 0;
@@ -52,9 +52,9 @@ void describe(json& operation, const Route& route) {
     operation["responses"][status] = {{"$ref", "#/components/responses/Problem"}};
 }
 
-/// Adds to an OpenAPI document, for each of these operations, what it takes to be let in: the schemes of security, the
-/// least role ("x-role"), and the answers of whoever is not (401, 403, 429). Taken from the operations themselves, so
-/// that nobody has to keep the two alike.
+/// Adds the access rules of each operation to an OpenAPI document: the security schemes, the least role
+/// ("x-role"), and the responses without access (401, 403, 429). They are derived from the operations, so the
+/// document cannot differ from them.
 void describe_doors(json& document, const std::vector<Route>& routes) {
   for (auto& [path, operations] : document["paths"].items()) {
     for (const Route& route : routes) {
@@ -117,7 +117,7 @@ Response api_document(const std::string& url) {
   return response;
 }
 
-/// The document is large and the same for every request of a server: it and its tag are made once.
+/// The OpenAPI document with its entity tag. It is large and equal for all requests, so it is created once.
 class ApiDocument {
  public:
   Response at(const std::string& url) {

@@ -15,9 +15,9 @@ namespace {
 using repository::JobStatus;
 
 constexpr std::uintmax_t least_free_bytes =
-    64UL * 1024 * 1024;  // a plan, its log, and time to see the warning
+    64UL * 1024 * 1024;  // space for a plan and its log, with time to notice the warning
 
-/// Resident memory of this process; nothing where the system does not tell.
+/// Resident memory of this process, bytes; nullopt if the system does not state it.
 std::optional<std::uint64_t> resident_bytes() {
   std::ifstream in{"/proc/self/status"};
   for (std::string word; in >> word;) {
@@ -68,7 +68,7 @@ Response show_metrics(const Context& context, const Request&, const PathParamete
   return response;
 }
 
-/// What keeps the server from doing its work, in words; empty when nothing does.
+/// Why the server cannot work now, in words; empty if it can.
 std::string obstacle(const Context& context) {
   try {
     repository::JobRepository{context.db}.touch_queue();
@@ -81,7 +81,7 @@ std::string obstacle(const Context& context) {
   return "";
 }
 
-/// Healthy is a process that answers; ready is one that can take work.
+/// Readiness: whether the server can accept work. Health only means that the process answers.
 Response show_readiness(const Context& context, const Request& request, const PathParameters&) {
   const std::string found = obstacle(context);
   if (found.empty()) {

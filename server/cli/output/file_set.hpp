@@ -13,14 +13,15 @@ struct OutputFile {
   std::string bytes;
 };
 
-/// The first of the files that is there already; nothing when none is.
+/// The first of the files that exists already; nullopt if none does.
 [[nodiscard]] std::optional<std::filesystem::path> first_existing(const std::filesystem::path& folder,
                                                                   const std::vector<OutputFile>& files);
 
-/// Writes a set of files, making folders as needed. Every file is written in full beside its place before the first
-/// one is moved there, so a reader never sees half a file, and a disk that fills up leaves the old set as it was.
+/// Writes a set of files; folders are created as needed. All files are first written completely under
+/// temporary names and then renamed, so that a reader never sees half a file, and a full disk leaves the old
+/// files unchanged.
 /// Returns  the files written
-/// Errors   std::runtime_error that names the file; nothing of the new set is left then
+/// Errors   std::runtime_error that names the file; no new file is left
 std::vector<std::filesystem::path> write_set(const std::filesystem::path& folder,
                                              const std::vector<OutputFile>& files);
 

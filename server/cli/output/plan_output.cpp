@@ -18,7 +18,7 @@ namespace {
 
 using nlohmann::json;
 
-/// Beside the waypoints, so that the whole stays on one screen.
+/// Lines of a summary in addition to the waypoints, so that everything fits on one screen.
 constexpr std::size_t most_summary_lines = 25;
 
 /// "69 10.245 N": whole degrees and decimal minutes, as pilots read positions.
@@ -54,7 +54,7 @@ void print_table(const json& plan) {
   }
 }
 
-constexpr double worth_a_line_s = 30.0;  // a hold; of the table's minutes
+constexpr double worth_a_line_s = 30.0;  // shorter holds are not printed
 
 std::vector<std::string> wait_lines(const json& plan) {
   std::vector<std::string> lines;
@@ -66,7 +66,7 @@ std::vector<std::string> wait_lines(const json& plan) {
   return lines;
 }
 
-/// What refinement saved, and what more legs are worth.
+/// Prints the savings by refinement, and the travel times with other numbers of legs.
 void print_refinement(const json& plan) {
   const json refinement = plan.value("refinement", json());
   if (refinement.is_null()) return;
@@ -91,7 +91,7 @@ void print_refinement(const json& plan) {
   std::printf("\n");
 }
 
-/// The curve of a window of departures, the planned one marked.
+/// Prints all departures of a window, with a mark at the planned one.
 void print_departures(const json& document) {
   if (!document.contains("departures")) return;
   const std::string planned = document.value("departure", "");
@@ -107,7 +107,7 @@ void print_departures(const json& document) {
   }
 }
 
-/// The best of a window of departures in a line.
+/// One line about the best departure of a window.
 std::vector<std::string> departure_lines(const json& document) {
   if (!document.contains("departures")) return {};
   const json& all = document.at("departures");
@@ -135,7 +135,7 @@ std::string optimality_line(const json& plan) {
          " % slower than the best possible route in open water";
 }
 
-/// How long the vehicle stays below, and how deep: nothing where there is no ice.
+/// Lines about the time and the depth below ice; none if there is no ice.
 std::vector<std::string> ice_lines(const json& plan) {
   const json& surfacing = plan.at("surfacing");
   if (surfacing.is_null()) return {};
@@ -156,7 +156,7 @@ std::vector<std::string> ice_lines(const json& plan) {
   return lines;
 }
 
-/// Each planned surfacing and escape route.
+/// Prints all planned surfacings and escape routes.
 void print_surfacings(const json& plan) {
   const json& surfacing = plan.at("surfacing");
   if (surfacing.is_null()) return;
@@ -179,7 +179,7 @@ void print_surfacings(const json& plan) {
   }
 }
 
-/// What a weight on encounters cost, and what is passed under.
+/// Prints the cost of a weight on encounters, and the icebergs that the route passes under.
 void print_passages(const json& plan) {
   if (const json trade = plan.value("encounter_trade", json()); !trade.is_null()) {
     const json& before = trade.at("before");
@@ -227,7 +227,7 @@ std::vector<std::string> clearance_lines(const json& plan) {
   return lines;
 }
 
-/// What a summary says below the waypoints.
+/// The lines of a summary below the waypoints.
 std::vector<std::string> figure_lines(const json& plan) {
   std::vector<std::string> lines;
   for (const auto& part :
@@ -236,7 +236,7 @@ std::vector<std::string> figure_lines(const json& plan) {
   return lines;
 }
 
-/// "caution: ..." of the messages of a rank.
+/// The messages of a rank as lines: "caution: ...".
 std::vector<std::string> message_lines(const json& plan, messages::Rank rank) {
   const std::string name{messages::rank_name(rank)};
   std::vector<std::string> lines;
@@ -250,7 +250,7 @@ void print_each(const std::vector<std::string>& lines) {
   for (const std::string& line : lines) std::printf("%s\n", line.c_str());
 }
 
-/// The dangers, all of them, and as many cautions as there is room for.
+/// Prints all dangers, and as many cautions as fit in the summary.
 void print_gravest(const json& plan, std::size_t other_lines) {
   const std::vector<std::string> dangers = message_lines(plan, messages::Rank::danger);
   std::vector<std::string> cautions = message_lines(plan, messages::Rank::caution);

@@ -20,7 +20,8 @@ void replace_all(std::string& text, const std::string& from, const std::string& 
     text.replace(at, from.size(), to);
 }
 
-/// The flag of a pointer, with what is below it: "/via/2" becomes "--via 3", "/objective/energy" "--objective (energy)".
+/// The flag for a JSON pointer, with its remaining part: "/via/2" becomes "--via 3", "/objective/energy"
+/// "--objective (energy)".
 std::string with_flag(const std::string& pointer, const std::vector<InputFlag>& flags) {
   for (const InputFlag& known : flags) {
     if (!pointer.starts_with(known.pointer)) continue;
@@ -35,7 +36,7 @@ std::string with_flag(const std::string& pointer, const std::vector<InputFlag>& 
   return pointer;
 }
 
-/// Whether the rule is the rest of a sentence that the flag begins.
+/// Whether the rule begins with a verb, so that it completes a sentence that begins with the flag.
 bool is_predicate(const std::string& rule) {
   constexpr std::array verbs{"is",    "must", "has",     "needs", "takes",
                              "holds", "lies", "belongs", "does",  "cannot"};
@@ -49,13 +50,13 @@ std::vector<InputFlag> flags_of(fields::Process process) {
   std::vector<InputFlag> flags;
   for (const fields::Field& field : fields::fields_of(process))
     if (!field.flag.empty()) flags.push_back({fields::pointer_of(field), "--" + std::string{field.flag}});
-  flags.push_back({"/uncertainty/quantile", "--robust"});  // the share that stands in the place of "mean"
+  flags.push_back({"/uncertainty/quantile", "--robust"});  // a number given instead of "mean"
   return flags;
 }
 
 std::string in_words_of_flags(const core::Violation& violation, const std::vector<InputFlag>& flags) {
   if (flags.empty()) return (violation.field.empty() ? "" : violation.field + ": ") + violation.rule;
-  // What was given stands at the end, and may itself be a word in quotes.
+  // The user's text is at the end of the rule and may itself be a quoted word; it is not changed.
   const std::size_t given = std::min(violation.rule.find(", not \""), violation.rule.size());
   std::string rule = violation.rule.substr(0, given);
   for (const InputFlag& known : flags) {

@@ -8,21 +8,21 @@
 
 namespace floeplan::cli {
 
-/// A flag of a command and the part of its inputs that it sets.
+/// A flag of a command, with the member of the inputs that it sets.
 struct InputFlag {
-  std::string pointer;  // into the inputs, "/current_error/rms_m_s"
-  std::string flag;     // "--current-error"; of an argument its name, "PLAN"
+  std::string pointer;  // JSON pointer in the inputs: "/current_error/rms_m_s"
+  std::string flag;     // "--current-error"; for an argument its name, "PLAN"
 };
 
-/// The flags that the fields of a process have.
+/// The flags for the fields of a process.
 [[nodiscard]] std::vector<InputFlag> flags_of(fields::Process process);
 
-/// What is wrong, as somebody reads it who wrote flags and no JSON: "--from is required: the start, as LON,LAT".
-/// Pointers, names of members in quotes and arrays become flags and their texts. What was given stays as it was written.
+/// A violation in the terms of the command line: "--from is required: the start, as LON,LAT". JSON pointers, quoted
+/// names of members and arrays are replaced by flags and their notation. The text that the user gave is not changed.
 [[nodiscard]] std::string in_words_of_flags(const core::Violation& violation,
                                             const std::vector<InputFlag>& flags);
 
-/// Names every violation on stderr, and for scripts, with pointers, on stdout too. Returns the exit code.
+/// Prints all violations on stderr and, for scripts, with JSON pointers on stdout. Returns the exit code.
 int print_violations(const core::Violations& violations, bool json_out,
                      const std::vector<InputFlag>& flags = {});
 

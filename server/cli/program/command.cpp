@@ -15,7 +15,7 @@
 namespace floeplan::cli {
 namespace {
 
-constexpr core::Seconds quiet{1.0};  // progress of shorter work is not shown
+constexpr core::Seconds quiet{1.0};  // shorter work shows no progress
 
 }  // namespace
 
@@ -67,7 +67,7 @@ core::ProgressCallback terminal_progress(const SteadyClock& clock) {
   if (isatty(STDERR_FILENO) == 0) return [](std::string_view, double) {};
   struct Line {
     core::Seconds begin;
-    int percent{0};  // the most that was told
+    int percent{0};  // largest percentage reported
     std::string text{};
     ~Line() {
       if (!text.empty()) std::cerr << "\r\033[K" << std::flush;
@@ -76,7 +76,8 @@ core::ProgressCallback terminal_progress(const SteadyClock& clock) {
   return [clock, line = std::make_shared<Line>(clock())](std::string_view stage, double fraction) {
     line->percent = std::clamp(static_cast<int>(100.0 * fraction), line->percent, 99);
     if (clock() - line->begin < quiet) return;
-    const std::string_view in_short = stage.substr(0, stage.find(':'));  // a longer line would wrap and stay
+    // a longer line would wrap and could not be removed
+    const std::string_view in_short = stage.substr(0, stage.find(':'));
     std::string text = std::string{in_short} + ' ' + std::to_string(line->percent) + " %";
     if (text == line->text) return;
     line->text = std::move(text);

@@ -23,24 +23,24 @@ enum ExitCode : int { done = 0, could_not = 1, wrong_usage = 2, bad_data = 3 };
 
 struct ServeOptions;
 
-/// What every subcommand shares. Subcommands are registered on the parser and set `exit_code` when they run.
+/// State that all subcommands share. They are registered with the parser and set `exit_code` when they run.
 struct Program {
   std::filesystem::path
       store;  // --data, or --store of a folder: holds the store, or what comes on its way to a server's
   std::optional<std::string> server{};  // --store of a database server that keeps the store
   std::string log_level{"info"};        // --log-level, of the lines that a server writes
   int exit_code{done};
-  std::function<int(const ServeOptions&)> serve{};  // what the command serve runs
-  std::function<ServeOptions()> reread_serve{};     // as ServeOptions says
+  std::function<int(const ServeOptions&)> serve{};  // runs the command serve
+  std::function<ServeOptions()> reread_serve{};     // as in ServeOptions
 };
 
-/// A file of input data that can be read and holds what it may not: the program ends with `bad_data`.
+/// Thrown for a file of input data that was read but has invalid content; the exit code is then `bad_data`.
 class BadDataError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// Where the store lies when --data is not given: floeplan in the XDG data folder, else in ~/.local/share.
+/// The default of --data: floeplan in the XDG data folder, or else in ~/.local/share.
 [[nodiscard]] std::filesystem::path default_store();
 
 /// The store of a command that may create it.
@@ -57,23 +57,23 @@ void refuse_store_at_server(const Program& program);
 [[nodiscard]] sql::Connection open_existing_store(const Program& program);
 
 [[nodiscard]] core::UtcTime now();
-/// Time on the steady clock, which changes of the system time do not affect.
+/// Time of the steady clock, which changes of the system time do not affect.
 [[nodiscard]] core::Seconds steady_now();
 
 /// The path of this program's executable, however it was started.
 [[nodiscard]] std::filesystem::path own_program();
 
-/// One line on stderr: "floeplan: what; why; what to do". Returns `code`.
+/// Prints one line on stderr: "floeplan: what; why; what to do". Returns `code`.
 int complain(ExitCode code, const std::string& sentence);
-/// With the message of the catalogue.
+/// The same with a message of the catalogue.
 template <messages::Code message, class... Given>
 int complain(ExitCode code, const Given&... values) {
   return complain(code, messages::command_text<message>(values...));
 }
-/// One such line for each violation.
+/// Prints one line on stderr for each violation. Returns `code`.
 int complain(ExitCode code, const core::Violations& violations);
 
-/// Says that no plan is stored under this id.
+/// Prints that no plan is stored under this id.
 int complain_of_no_plan(const std::string& id);
 
 /// Shows stage and percent in one line on stderr. The line appears once the work has taken a second, is written anew as the

@@ -29,14 +29,14 @@ json place_of(const std::string& flag, const std::string& text) {
   return json::array({place->lon_deg, place->lat_deg});
 }
 
-/// Sets a member of an object that is a member of the inputs; what a request file has there that is none stays, to be
-/// refused with the rest of the inputs.
+/// Sets a member of an object in the inputs. If the request file has a value there that is no object, it
+/// stays, so that the check of all inputs refuses it.
 void set_inside(json& inputs, const std::string& object, const std::string& key, json value) {
   json& stated = inputs[object];
   if (stated.is_null() || stated.is_object()) stated[key] = std::move(value);
 }
 
-/// "mean", or the share that a quantile is of.
+/// Sets the uncertainty's objective: "mean", or a quantile given as a number.
 void set_robust(json& inputs, const std::string& text) {
   const auto numbers = parse_numbers(text);
   if (text != "mean" && (!numbers || numbers->size() != 1)) {
@@ -46,7 +46,8 @@ void set_robust(json& inputs, const std::string& text) {
   if (numbers) set_inside(inputs, "uncertainty", "quantile", numbers->front());
 }
 
-/// "time", "energy" or "weighted:W"; another word goes on, to be refused with the rest of the inputs.
+/// Sets the objective: "time", "energy" or "weighted:W". Any other word is kept, so that the check of all
+/// inputs refuses it.
 void set_objective(json& inputs, const std::string& text) {
   const std::string weighted = "weighted:";
   inputs["objective"] = text;
@@ -72,13 +73,13 @@ void set_hours(json& inputs, const std::string& text) {
   inputs["hours"] = *numbers;
 }
 
-/// A flag whose text is not simply the field's value.
+/// How to set a field whose flag has a special notation.
 struct OwnWay {
   void (*set)(json& inputs, const std::string& text);
-  const char* text;  // for the help
+  const char* text;  // description for the help
 };
 
-/// By the pointers of their fields.
+/// Fields with a special notation, by their JSON pointers.
 const std::map<std::string, OwnWay> own_ways{
     {"/uncertainty/objective", {set_robust, "mean, or a share of the members such as 0.9"}},
     {"/objective", {set_objective, "weighted:W counts each joule as W seconds"}},
@@ -103,7 +104,7 @@ std::string number_text(double number) {
   return {text, end};
 }
 
-/// ", metres, 0 to 1000".
+/// The range of a number for the help: ", metres, 0 to 1000".
 std::string range_text(const Field& field) {
   const std::string unit{fields::unit_in_words(field)};
   return (unit.empty() ? "" : ", " + unit) + (field.unit == "s" ? " or as PT2H" : "") + ", " +
@@ -124,7 +125,7 @@ struct UsualText {
   }
 };
 
-/// What the help shows behind the flag; numbers and texts show by themselves what they are.
+/// Placeholder for the flag's value in the help; numbers and texts need none.
 const char* value_text(const Field& field) {
   switch (field.kind) {
     case Kind::word: return "WORD";
@@ -140,7 +141,7 @@ const char* value_text(const Field& field) {
 
 bool is_usual(const Field& field) { return field.usual && std::get<bool>(*field.usual); }
 
-/// How the value is written on the command line.
+/// Description of a value's notation on the command line.
 std::string form_of(const Field& field) {
   if (const OwnWay* own_way = own_way_of(field)) return "; " + std::string{own_way->text};
   std::string words;
@@ -158,7 +159,7 @@ std::string form_of(const Field& field) {
   }
 }
 
-/// "Kept below the deepest keel when passing under, metres, 0 to 1000; default 20".
+/// The help of a flag: "Kept below the deepest keel when passing under, metres, 0 to 1000; default 20".
 std::string help_of(const Field& field) {
   std::string help{field.help};
   if (!field.flag_sets.empty()) return help + "; the flag selects " + std::string{field.flag_sets};
@@ -170,7 +171,7 @@ std::string help_of(const Field& field) {
   return field.usual ? help + std::visit(UsualText{field}, *field.usual) : help;
 }
 
-/// What a flag says, as a member of the inputs; null where it is not given.
+/// The value of a flag as a member of the inputs; null if the flag is not given.
 struct Said {
   const Field& field;
 
@@ -181,7 +182,7 @@ struct Said {
   json operator()(const std::optional<int>& number) const { return number ? json(*number) : json(); }
   json operator()(const std::optional<double>& number) const {
     if (!number) return {};
-    // JSON has no number for it, and the inputs would speak of null.
+    // JSON has no such number; null would mean that the flag is not given.
     return std::isfinite(*number) ? json(*number) : json("a number that is not finite");
   }
   json operator()(const std::optional<std::string>& text) const {
@@ -199,7 +200,7 @@ struct Said {
   }
 };
 
-/// A flag for a number, and one for none of it where the field has that.
+/// Adds a flag for a number, and the flag that sets the smallest number if the field has one.
 CLI::Option* add_number(CLI::App& command, const Field& field, const std::string& help,
                         std::optional<double>& number) {
   std::string names = flag_of(field);
@@ -216,7 +217,8 @@ CLI::Option* add_number(CLI::App& command, const Field& field, const std::string
   return option;
 }
 
-/// Sixteen times what the server takes by default: a longer text takes seconds to read before its content is refused.
+/// Sixteen times the server's default limit. Parsing a longer text takes seconds before its content could be
+/// refused.
 constexpr std::size_t most_bytes = 16UL * 1024 * 1024;
 
 }  // namespace
@@ -236,7 +238,7 @@ json read_object(const std::string& file, const std::string& what) {
   } catch (const json::parse_error& error) {
     throw BadDataError{messages::command_text<"file-not-json">(what, file, error.byte)};
   }
-  // The parser takes what the server refuses: one key twice, and nesting without an end.
+  // The parser accepts texts that the server refuses: repeated keys, and unlimited nesting.
   if (const auto checked = codec::parse_json(text); !checked)
     throw BadDataError{messages::command_text<"json-file-refused">(what, file, checked.error())};
   if (!object.is_object()) throw BadDataError{messages::command_text<"file-no-json-object">(what, file)};

@@ -12,17 +12,18 @@
 
 namespace floeplan::cli {
 
-/// The flags of `plan`, `evaluate`, `check` and `reach` that are fields of a process's inputs. They follow from the table of
-/// request fields (api/fields) and win over the members of a request file.
+/// The flags of `plan`, `evaluate`, `check` and `reach` that set fields of a process's inputs. They are
+/// derived from the table of request fields (api/fields) and have priority over the members of a request
+/// file.
 class InputFlags {
  public:
-  /// The file of which flags are members; `inputs` says whose inputs it holds.
+  /// Adds the flag for a request file; `inputs` names the process whose inputs it contains, for the help.
   void add_request(CLI::App& command, const std::string& inputs);
-  /// The flag of every field that has one.
+  /// Adds the flags of all fields that have one.
   void add(CLI::App& command, const std::vector<fields::Field>& list);
 
-  /// The inputs. Throws CLI::ValidationError (wrong usage) for a flag whose text cannot be read; for a request file
-  /// throws what `read_object` does.
+  /// The inputs. Throws CLI::ValidationError (wrong usage) for a flag with an invalid text, and for a request
+  /// file what `read_object` throws.
   [[nodiscard]] nlohmann::json inputs() const;
 
  private:
@@ -34,14 +35,15 @@ class InputFlags {
   };
 
   std::optional<std::string> request_file_;
-  std::deque<Flag> flags_;  // the parser holds on to them
+  std::deque<Flag> flags_;  // a deque, because the parser keeps references to its elements
 };
 
-/// The JSON object that a file holds; `what` names the file in a message. Throws std::runtime_error when it cannot be
-/// read, and BadDataError where the server would not take its text and when it is longer than 16 MB.
+/// Reads a JSON object from a file; `what` names the file in messages. Throws std::runtime_error when the
+/// file cannot be read, and BadDataError when it is longer than 16 MB or the server would refuse its text.
 [[nodiscard]] nlohmann::json read_object(const std::string& file, const std::string& what);
 
-/// A file as the inputs take it: {"name": ..., "text": ...}. Throws std::runtime_error when it cannot be read.
+/// A file in the form of an input: {"name": ..., "text": ...}. Throws std::runtime_error when it cannot be
+/// read.
 [[nodiscard]] nlohmann::json file_member(const std::string& file);
 
 }  // namespace floeplan::cli

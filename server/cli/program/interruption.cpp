@@ -7,7 +7,7 @@ namespace floeplan::cli {
 namespace {
 
 constexpr timespec look_every{.tv_sec = 0, .tv_nsec = 20'000'000};
-constexpr int ended_by_signal = 128;  // what shells add to the signal's number
+constexpr int ended_by_signal = 128;  // shells add the number of the signal to this
 
 }  // namespace
 

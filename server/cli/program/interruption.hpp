@@ -6,8 +6,10 @@
 
 namespace floeplan::cli {
 
-/// While it lives, SIGINT (Ctrl-C) and SIGTERM ask for a stop instead of ending the program; a second one ends it.
-/// Threads  make it before any thread that shall not be interrupted: they take over which signals are held back
+/// While an object of this class lives, SIGINT (Ctrl-C) and SIGTERM request a stop instead of ending the
+/// program; a second signal ends it.
+/// Threads  create it before threads that must not be interrupted, because they inherit the mask of blocked
+///          signals
 class Interruption {
  public:
   Interruption();

@@ -19,8 +19,8 @@ struct Reader {
   routes::Remembered remembered{};
 };
 
-/// Connections that are lent to one call at a time and kept for the next: the one that was lent last goes first, for it
-/// knows most.
+/// A pool of connections. Each is used by one call at a time. The most recently used one is given out first,
+/// because its cache is the fullest.
 class ConnectionPool {
  public:
   explicit ConnectionPool(std::function<sql::Connection()> open) : open_{std::move(open)} {}
@@ -30,7 +30,7 @@ class ConnectionPool {
     std::unique_ptr<Reader> reader = take();
     reader->remembered.refresh(reader->db);
     auto result = use(*reader);
-    give_back(std::move(reader));  // not after an exception: then its state is not known
+    give_back(std::move(reader));  // not after an exception, because the connection's state is then unknown
     return result;
   }
 
@@ -57,7 +57,7 @@ class ConnectionPool {
   std::vector<std::unique_ptr<Reader>> free_;
 };
 
-/// What `work` gives, or what a client is told when the store does not do its part.
+/// The result of `work`, or the response for the client if the store fails.
 template <class Result, class Work>
 Result or_store_trouble(const routes::Request& request, const Work& work) {
   try {

@@ -11,19 +11,20 @@
 
 namespace floeplan::cli {
 
-/// What a server asks of the API.
+/// The functions that the HTTP server needs from the API.
 struct Api {
   routes::Handler answer;
-  /// What is answered as soon as it is read, or was answered before and has not changed; nothing: ask `answer`.
+  /// Answers that are available at once: very fast ones, and cached ones that are still valid; nullopt: call
+  /// `answer`.
   std::function<std::optional<routes::Response>(const routes::Request&)> at_once;
-  /// Who is one client to the server.
+  /// Identifies the client of a request.
   std::function<std::string(const routes::Request&)> client_of;
-  /// Before a large body is taken in: the refusal of whoever may not send it.
+  /// The refusal of a caller who may not send this large body, before it is read.
   std::function<std::optional<routes::Response>(const routes::Request&)> refuse;
 };
 
-/// Joins the resources with store and job system: handlers that lend each call a connection of its own.
-/// `jobs` is borrowed and outlives them.
+/// Connects the resources with the store and the job system. Each call of a handler uses its own connection.
+/// `jobs` is borrowed and must live longer than the handlers.
 [[nodiscard]] Api make_api(std::function<sql::Connection()> open_store, routes::JobGateway& jobs,
                            routes::ServiceInfo service, routes::Doors doors);
 

@@ -33,11 +33,12 @@ namespace {
 
 constexpr std::size_t handler_threads = 4;
 constexpr std::uint64_t megabyte = 1'000'000;
-/// Bytes of kept currents around places. Ten days of hourly currents on 64 by 64 nodes at one depth take a sixteenth.
+/// Size of the cache of current blocks, bytes. Ten days of hourly currents on 64 x 64 nodes at one depth need
+/// a sixteenth.
 constexpr std::size_t most_kept_blocks = std::size_t{128} << 20;
 
-/// The built client: where it was said to be, beside the program, or in the source tree the program was built
-/// in.
+/// The folder of the built client: from the options, beside the program, or in the source tree from which the
+/// program was built.
 std::filesystem::path find_web(const ServeOptions& options) {
   if (options.web) return *options.web;
   std::error_code error;
@@ -49,7 +50,8 @@ std::filesystem::path find_web(const ServeOptions& options) {
   return {};
 }
 
-/// An address that stands for all of the machine's own is no address to ask at: then its name.
+/// A host name for links. An address that means all addresses of the machine cannot be used in a link; it is
+/// replaced by the machine's name.
 std::string reachable_host(const http::ListenAddress& address) {
   if (address.host == "0.0.0.0" || address.host == "::") {
     std::array<char, 256> name{};
@@ -63,7 +65,7 @@ std::string origin(const http::ListenAddress& address, std::uint16_t port, bool 
   return (tls ? "https://" : "http://") + reachable_host(address) + ":" + std::to_string(port);
 }
 
-/// Every connection takes a file descriptor; the system gives far fewer than it would, unless asked.
+/// Raises the limit of file descriptors; every connection needs one, and the default limit is low.
 void raise_descriptor_limit() {
   rlimit limit{};
   if (getrlimit(RLIMIT_NOFILE, &limit) != 0) return;
@@ -77,12 +79,13 @@ std::optional<http::TlsFiles> tls_of(const ServeOptions& options) {
   return http::TlsFiles{*options.tls_cert, *options.tls_key};
 }
 
-/// The limits of a server: as many connections as file descriptors and memory allow, with some descriptors left for
-/// files.
+/// The limits of a server: as many connections as file descriptors and memory allow, with some descriptors
+/// left for files.
 http::Limits limits_of(const ServeOptions& options) {
   raise_descriptor_limit();
   http::Limits limits;
-  constexpr std::size_t fit_by_tls = 4096;  // whose buffers take 85 KB for each, as measured: 350 MB in all
+  // with TLS, buffers need 85 KB per connection (measured): 350 MB in all
+  constexpr std::size_t fit_by_tls = 4096;
   if (options.tls_cert) limits.connections = fit_by_tls;
   rlimit descriptors{};
   constexpr rlim_t for_files = 256;
@@ -90,12 +93,13 @@ http::Limits limits_of(const ServeOptions& options) {
     const rlim_t left = std::max(descriptors.rlim_cur, 2 * for_files) - for_files;
     limits.connections = std::min<std::size_t>(limits.connections, left);
   }
-  if (options.behind_proxy) limits.connections_per_address = limits.connections;  // all come from the proxy
+  // because all come from the proxy
+  if (options.behind_proxy) limits.connections_per_address = limits.connections;
   limits.connections_per_address = std::min(limits.connections_per_address, limits.connections);
   return limits;
 }
 
-/// The settings that take effect at once when the options are read again; all others stay as they are.
+/// The settings that can change while the server runs; all other options need a restart.
 http::Settings settings_of(const ServeOptions& options) {
   return {.limits = limits_of(options),
           .most_upload_bytes = options.max_upload_mb * megabyte,
@@ -181,7 +185,7 @@ void log_shut_doors(const ServeOptions& options) {
         {"tokens=0 the last one was revoked, and nobody is let in until floeplan token add makes another"});
 }
 
-/// What confines the processes that read files, as one of them tells; the log says it, too.
+/// The sandbox layers of reading processes, as one of them reports; also logs them.
 routes::ReaderLayers logged_layers(const ingest::Guard& guard) {
   const auto layers = ingest::layers_in_force(guard);
   const std::string text = layers ? sandbox::to_text(*layers) : "not known";
@@ -203,7 +207,7 @@ void serve_until_stopped(const ServeOptions& options, const http::ListenAddress&
   log_shut_doors(options);
   const auto open_own = [&options] { return open_store(options); };
   jobs::JobBoard board;
-  Api api;  // needs the port, so it is filled in once that is known
+  Api api;  // set after the port is known
   const std::filesystem::path uploads = options.store / "uploads";
   const service::IngestPlace place{{.program = own_program(),
                                     .staging = options.store / "incoming",
@@ -271,7 +275,7 @@ int serve(const ServeOptions& options) {
   if (options.https_only && !options.tls_cert && !options.behind_proxy)
     return complain<"https-only-without-tls">(wrong_usage);
   log::to_stderr(options.log_level);
-  std::signal(SIGHUP, SIG_IGN);  // until there is something that it could reload
+  std::signal(SIGHUP, SIG_IGN);  // ignored until reloading is possible
   try {
     if (const auto fault = fault_of(options, *address)) return complain(wrong_usage, *fault);
     serve_until_stopped(options, *address);

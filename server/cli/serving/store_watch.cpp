@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 constexpr std::chrono::seconds between_looks{1};
 constexpr int looks_between_checkpoints = 10;
 
-/// Which file a name stands for; empty: none.
+/// Identifies the file behind a name; empty: no file.
 using Identity = std::optional<std::pair<dev_t, ino_t>>;
 
 Identity identity_of(const fs::path& file) {
@@ -74,8 +74,8 @@ void watch(const std::stop_token& stop, const std::vector<WatchedFile>& files, s
 
 }  // namespace
 
-/// The files are looked up before the thread starts, so that none can be taken away between the first answer of
-/// the server and the first look.
+/// The files are identified before the thread starts, so that a replacement between the server's first answer
+/// and the first check is noticed.
 StoreWatch::StoreWatch(const fs::path& store)
     : thread_{[db = repository::open_store(store), files = watched_files(store)](
                   const std::stop_token& stop) mutable { watch(stop, files, std::move(db)); }} {}

@@ -5,11 +5,11 @@
 
 namespace floeplan::cli {
 
-/// Watches over the files of an open store, once a second. When somebody has removed or replaced the database or its log
-/// under the running server, whatever is acknowledged from then on would be lost: the process ends at once, with code 1 and
-/// a line in the log. It closes nothing first, since that would remove by name a log that is no longer its own. Every ten
-/// seconds what the log holds is moved to the database, where its pages have checksums.
-/// Edges  made when the store is open, so that the log is there
+/// Checks the files of an open store once a second. If somebody has removed or replaced the database or its
+/// log while the server runs, all later commits would be lost. The process then ends at once with code 1 and
+/// a line in the log. It closes nothing, because closing would remove by name a log that is not its own any
+/// more. Every ten seconds the content of the log is moved to the database, whose pages have checksums.
+/// Edges  create it after opening the store, so that the log exists
 class StoreWatch {
  public:
   explicit StoreWatch(const std::filesystem::path& store);

@@ -4,7 +4,7 @@
 
 namespace floeplan::ingest {
 
-/// The faults of a file as a refusal tells them: of a great many the first, and how many more.
+/// The faults of a file for a refusal: of more than fifty only the first, and the number of the others.
 [[nodiscard]] Messages report_of(Messages faults);
 
 }  // namespace floeplan::ingest

@@ -30,7 +30,7 @@ void collect(CPLErr severity, CPLErrorNum /*number*/, const char* message) {
   static_cast<GdalMessages*>(CPLGetErrorHandlerUserData())->add(message);
 }
 
-/// What GDAL does instead of asking a server.
+/// Replaces GDAL's request to a server by an error.
 CPLHTTPResult* answer_nothing(const char* /*url*/, CSLConstList /*options*/, GDALProgressFunc /*progress*/,
                               void* /*of_progress*/, CPLHTTPFetchWriteFunc /*write*/, void* /*of_write*/,
                               void* /*own*/) {
@@ -41,8 +41,8 @@ CPLHTTPResult* answer_nothing(const char* /*url*/, CSLConstList /*options*/, GDA
   return answer;
 }
 
-/// GDAL opens names that begin with "/vsi" by servers, in archives, through other names: whatever names a file may hold,
-/// none of that is left but memory, which is this program's own.
+/// GDAL opens names that begin with "/vsi" on servers, in archives or through other names. A file may contain
+/// such names, so all of them are closed, except GDAL's own memory "/vsimem/".
 void close_other_ways_to_files() {
   CPLHTTPSetFetchCallback(&answer_nothing, nullptr);
   static const CPLStringList prefixes{VSIGetFileSystemsPrefixes()};  // GDAL keeps the pointers
@@ -50,7 +50,7 @@ void close_other_ways_to_files() {
       calls{VSIAllocFilesystemPluginCallbacksStruct(), &VSIFreeFilesystemPluginCallbacksStruct};
   calls->open = [](void*, const char*, const char*) -> void* { return nullptr; };
   calls->stat = [](void*, const char*, VSIStatBufL*, int) { return -1; };
-  // GDAL forgets what it replaces, which lives until the process ends.
+  // GDAL does not free the handlers that are replaced here. They live until the process ends.
   static auto* const replaced = new std::vector<VSIFilesystemHandler*>;
   for (int i = 0; i < prefixes.size(); ++i) {
     const std::string_view prefix{prefixes[i]};
@@ -65,7 +65,8 @@ void close_other_ways_to_files() {
 void register_drivers() {
   static std::once_flag once;
   std::call_once(once, [] {
-    CPLSetConfigOption("GDAL_PAM_ENABLED", "NO");  // a file beside the data must not change what they mean
+    // an .aux.xml file beside the data must not change their meaning
+    CPLSetConfigOption("GDAL_PAM_ENABLED", "NO");
     close_other_ways_to_files();
     GDALRegister_GTiff();
     GDALRegister_netCDF();
@@ -74,10 +75,10 @@ void register_drivers() {
     GDALRegister_BAG();
     GDALRegister_AAIGrid();
     GDALRegister_XYZ();
-    GDALRegister_MEM();  // target of a resampling, never a source
+    GDALRegister_MEM();  // resampling writes into it; no file is read with it
     RegisterOGRGeoJSON();
     RegisterOGRGeoPackage();
-    RegisterOGRMEM();  // what a KML file holds, as it was read
+    RegisterOGRMEM();  // the content of KML files is read into it
     RegisterOGRS57();
     RegisterOGRShape();
   });

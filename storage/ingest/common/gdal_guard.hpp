@@ -5,16 +5,16 @@
 
 namespace floeplan::ingest {
 
-/// Registers the GDAL drivers that `storage/ingest` reads with, and no others: no virtual formats. GDAL asks no server from then
-/// on, and opens no name in archives or through other names; files and its memory are left.
-/// Idempotent.
+/// Registers only the GDAL drivers that `storage/ingest` reads with; none of them is a virtual format.
+/// Afterwards GDAL contacts no server and opens only plain files and its own memory, no archives and no other
+/// virtual names. May be called again; the second call does nothing.
 /// Threads  may be called from several threads at once
 void register_drivers();
 
 /// "GDAL 3.6.2"
 [[nodiscard]] std::string gdal_version();
 
-/// Collects what GDAL reports on this thread for as long as it lives, instead of letting GDAL print it.
+/// As long as an object of this class lives, it collects GDAL's reports on this thread; GDAL prints nothing.
 class GdalMessages {
  public:
   GdalMessages();

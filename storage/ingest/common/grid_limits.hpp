@@ -4,9 +4,9 @@
 
 namespace floeplan::ingest {
 
-/// What this program accepts of one grid; larger ones are for the pilot to cut out the area of.
+/// The largest number of points of one grid. From a larger grid the pilot has to cut out an area.
 inline constexpr std::uint64_t max_grid_points = 10'000'000;
-/// The most values of one variable, all times and levels together.
+/// The largest number of values of one variable, over all times and levels.
 inline constexpr std::uint64_t max_grid_values = 4'000'000'000;
 
 }  // namespace floeplan::ingest

@@ -5,8 +5,8 @@
 
 namespace floeplan::ingest {
 
-/// Calls `work(first, count)` until all of `size` numbers are done: in blocks whose count is a constant, then once with
-/// what is left. At the level of optimisation of a release GCC 12 makes vector instructions only of loops whose length
+/// Calls `work(first, count)` for all indices below `size`: in blocks of 64, a count that the compiler knows,
+/// then once with the rest. At the optimisation level of a release, GCC 12 vectorises only loops whose length
 /// it knows.
 template <class Work>
 void in_blocks(std::size_t size, const Work& work) {

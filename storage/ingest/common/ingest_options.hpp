@@ -9,22 +9,24 @@
 
 namespace floeplan::ingest {
 
-/// What the user said about a file beyond the file itself.
+/// What the user states about a file and the file does not.
 struct IngestOptions {
   std::optional<std::string> name{};              // default: the file's name without its ending
-  std::optional<repository::DatasetKind> kind{};  // default: recognised
+  std::optional<repository::DatasetKind> kind{};  // default: recognised by content
   std::optional<std::string> crs{};               // "EPSG:4326", for files that state none
   std::optional<std::string> positive{};          // "up" or "down", for bathymetry that does not say
-  std::optional<geo::LonLat> at{};  // of a station of the tide whose file does not say where it is
+  std::optional<geo::LonLat> at{};                // place of a tide station, if its file does not state one
   /// Where the file states none: "m", "cm", "mm" or "ft" of a tide station's amplitudes, "share" or "percent" of a
   /// concentration of sea ice.
   std::optional<std::string> unit{};
   std::optional<std::string> zone_kind{};  // "no_go" or "stay_in", for zones that do not say
-  std::optional<std::string> variable{};   // of several pairs of currents or concentrations the one to use
-  std::optional<double> missing{};         // what marks missing values in NetCDF that does not declare it
-  /// For which sea ice holds, or when a run of ADCIRC began, where the file does not say it.
+  // the variable to use if there are several pairs of currents or several concentrations
+  std::optional<std::string> variable{};
+  // the value that marks missing values in NetCDF files that declare none
+  std::optional<double> missing{};
+  /// Valid time of sea ice, or start of an ADCIRC run, if the file does not state it.
   std::optional<core::UtcTime> time{};
-  std::optional<std::string> archive{};  // name of the one that the files were unpacked from
+  std::optional<std::string> archive{};  // name of the archive that the files were unpacked from
 };
 
 }  // namespace floeplan::ingest

@@ -4,7 +4,7 @@
 
 namespace floeplan::ingest {
 
-/// What stands where a field has no value.
+/// Marks grid nodes without a value.
 inline constexpr float missing = std::numeric_limits<float>::quiet_NaN();
 
 }  // namespace floeplan::ingest

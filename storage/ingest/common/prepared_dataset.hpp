@@ -14,11 +14,12 @@
 
 namespace floeplan::ingest {
 
-/// Where the values of a dataset lie. A file that an older program kept otherwise makes a new dataset with another id.
+/// Where a dataset has its values. If an older program stored a file in another way, reading it again makes a
+/// second dataset with its own id.
 enum class Keeping { on_a_grid, at_own_points, at_points_of_components };
 
-/// One kind of data in a file, read and checked to its end, and the way to write it once its dataset is in
-/// the list.
+/// One kind of data of a file, completely read and checked, with the function that writes it to the store.
+/// The dataset's row must be inserted first.
 struct PreparedDataset {
   repository::DatasetKind kind{};
   std::vector<std::string> variables;  // as the file names them

@@ -9,7 +9,8 @@
 
 namespace floeplan::ingest {
 
-/// What is told of a file: its faults, or what its reader assumed, changed and left out. Rows of the catalogue.
+/// Messages about a file: its faults, or what its reader assumed, changed and ignored. All come from the
+/// message catalogue.
 using Messages = std::vector<messages::Message>;
 
 /// A value, or why the file is refused: a message for each fault.
@@ -25,8 +26,8 @@ using Checked = tl::expected<T, Messages>;
   return refuse(std::move(faults));
 }
 
-/// The message for a part of the file, "line 12" or "feature 3": its text begins with the part, which is one of its
-/// values.
+/// The message `told` with the part of the file that it is about ("line 12", "feature 3"). The part begins
+/// the text and is one of the message's values.
 [[nodiscard]] messages::Message about(const std::string& part, messages::Message told);
 
 /// The faults as text, for another message or for the output of a failed test.

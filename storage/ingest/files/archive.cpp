@@ -21,8 +21,7 @@
 namespace floeplan::ingest {
 namespace {
 
-/// A file that gzip compressed, unpacked for an archive reader with its checksums compared, which libarchive leaves
-/// out.
+/// Unpacks a gzip file for a libarchive reader and compares its checksums, which libarchive itself does not.
 class GzipStream {
  public:
   explicit GzipStream(const std::filesystem::path& file);
@@ -31,8 +30,8 @@ class GzipStream {
   ~GzipStream();
 
   [[nodiscard]] bool is_gzip() const;
-  /// Opens the reader on the unpacked bytes; this object outlives it.
-  /// Returns  as libarchive's functions do
+  /// Opens the reader on the unpacked bytes. This object must outlive the reader.
+  /// Returns  ARCHIVE_OK or an error code of libarchive
   int feed(archive* reader);
 
  private:
@@ -69,7 +68,7 @@ long GzipStream::read(archive* reader, void* self, const void** block) {
 namespace fs = std::filesystem;
 using namespace std::string_view_literals;
 
-constexpr std::size_t most_entries = 100'000;  // a Zarr store of a year has so many chunks
+constexpr std::size_t most_entries = 100'000;  // a Zarr store of one year has about as many chunks
 constexpr std::size_t most_folders_deep = 16;
 constexpr std::size_t longest_name = 200;  // bytes
 constexpr std::size_t through_magic_of_tar = 512;
@@ -84,7 +83,7 @@ messages::Message damaged(struct archive* opened) {
   return messages::ingest_file_message<"archive-damaged">(reason != nullptr ? reason : "no reason given");
 }
 
-/// The formats and compressions that agencies send files in. What runs other programs stays out.
+/// Opens the formats and compressions that agencies use. Those that start other programs stay off.
 Archive new_reader() {
   Archive opened{archive_read_new()};
   for (const auto support :
@@ -95,9 +94,9 @@ Archive new_reader() {
   return opened;
 }
 
-/// Where an entry goes below the folder; nothing where its name leads elsewhere.
+/// The path of an entry below the folder; empty if its name leads out of the folder.
 std::optional<fs::path> safe_name(std::string name) {
-  std::ranges::replace(name, '\\', '/');  // of archives that were made on Windows
+  std::ranges::replace(name, '\\', '/');  // archives made on Windows
   if (name.empty() || name.front() == '/' || (name.size() > 1 && name[1] == ':')) return std::nullopt;
   fs::path result;
   std::size_t depth = 0;
@@ -111,14 +110,14 @@ std::optional<fs::path> safe_name(std::string name) {
   return result.empty() ? std::nullopt : std::optional{result};
 }
 
-/// What systems leave in archives beside what somebody put there: "__MACOSX/._ice.shp", "Thumbs.db".
+/// Whether an entry was added by an operating system: "__MACOSX/._ice.shp", "Thumbs.db".
 bool is_litter(const fs::path& name) {
   const std::string file = name.filename();
   return *name.begin() == "__MACOSX" || file.starts_with("._") || file == ".DS_Store" ||
          file == "Thumbs.db" || file == "desktop.ini";
 }
 
-/// An entry's name; of one compressed file, which has none, the archive's without its ending.
+/// An entry's name. A single compressed file has none; it gets the archive's name without the ending.
 std::string name_of(struct archive* opened, archive_entry* entry, const fs::path& archive) {
   if (archive_format(opened) == ARCHIVE_FORMAT_RAW) return archive.stem();
   const char* name = archive_entry_pathname_utf8(entry);
@@ -126,7 +125,7 @@ std::string name_of(struct archive* opened, archive_entry* entry, const fs::path
   return name != nullptr ? name : "";
 }
 
-/// Counts what was unpacked against what may be.
+/// How much more may be unpacked.
 struct Room {
   std::uint64_t left_bytes{};
   std::size_t left_entries{most_entries};
@@ -172,7 +171,7 @@ Checked<void> lay_out(struct archive* opened, archive_entry* entry, const fs::pa
   return write_entry(opened, folder / *place, room);
 }
 
-/// What explains data and is none, as far as its content does not say otherwise.
+/// Whether the ending is that of a document. Its content may still be data.
 bool is_document(const fs::path& file) {
   constexpr std::array endings{".txt", ".xml", ".html", ".htm", ".pdf", ".md",   ".doc", ".docx", ".png",
                                ".jpg", ".gif", ".svg",  ".qml", ".sld", ".lyr",  ".url", ".css",  ".md5",

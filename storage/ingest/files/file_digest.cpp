@@ -13,7 +13,7 @@ namespace floeplan::ingest {
 
 namespace {
 
-/// SHA-256 of blocks of bytes handed in one after the other.
+/// SHA-256 of bytes that are added block by block.
 class Digest {
  public:
   Digest() : context_{EVP_MD_CTX_new(), &EVP_MD_CTX_free} {

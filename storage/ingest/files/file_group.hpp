@@ -5,8 +5,8 @@
 
 namespace floeplan::ingest {
 
-/// Files that make one dataset: the first holds a component of the currents or the whole data, the others what belongs
-/// to it. Most groups are of one file.
+/// Files that make one dataset. The first holds all data or one component of the currents, the others the
+/// rest. Most groups have one file.
 using FileGroup = std::vector<std::filesystem::path>;
 
 }  // namespace floeplan::ingest

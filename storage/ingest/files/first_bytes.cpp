@@ -7,7 +7,7 @@
 namespace floeplan::ingest {
 
 std::string first_bytes(const std::filesystem::path& file, std::uintmax_t most) {
-  std::error_code unknown;  // the size is then the largest number
+  std::error_code unknown;  // on an error file_size returns the largest number
   const std::uintmax_t size = std::filesystem::file_size(file, unknown);
   std::string bytes(static_cast<std::size_t>(std::min(size, most)), '\0');
   std::ifstream in{file, std::ios::binary};

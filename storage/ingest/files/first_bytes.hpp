@@ -6,7 +6,8 @@
 
 namespace floeplan::ingest {
 
-/// At most `most` bytes from the beginning of a file; fewer where it ends, none where it cannot be read.
+/// At most `most` bytes from the beginning of a file; fewer if the file is shorter, none if it cannot be
+/// read.
 [[nodiscard]] std::string first_bytes(const std::filesystem::path& file, std::uintmax_t most);
 
 }  // namespace floeplan::ingest

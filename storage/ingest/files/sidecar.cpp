@@ -10,7 +10,7 @@
 namespace floeplan::ingest {
 namespace {
 
-/// The name that a file shares with the one that it belongs to, in lower case. Nothing of other files.
+/// The name that a sidecar shares with its main file, in lower case; nullopt for files that are no sidecars.
 std::optional<std::string> shared_name(const std::filesystem::path& file) {
   constexpr auto endings = std::to_array<std::string_view>(
       {".shp.xml", ".aux.xml", ".dbf", ".shx", ".prj", ".cpg", ".sbn", ".sbx", ".qix", ".qpj", ".tfw"});

@@ -27,7 +27,7 @@ struct BentPlane {
   [[nodiscard]] std::vector<float> as_kept(std::span<const float> values) const;
 };
 
-/// Returns  nullopt when the file holds no tables of positions over the variable's plane
+/// Returns  nullopt if the file has no tables of positions over the variable's horizontal dimensions
 /// Errors   damaged tables; dimensions whose meaning is not known
 [[nodiscard]] Checked<std::optional<BentPlane>> bent_plane_of(const std::shared_ptr<const NetcdfFile>& file,
                                                               const NetcdfVariable& variable);

@@ -25,7 +25,8 @@ bool CentreTables::fits(const NetcdfVariable& table) const {
   if (staggering_.collocated)
     return y.name == y_name_ && x.name == x_name_ && y.size == staggering_.rows &&
            x.size == staggering_.columns;
-  // ROMS calls the dimensions of its centres so; with a row and a column more on each side, or cut on one.
+  // Names of the dimensions of ROMS' centres. They may have one more row and column on each side, or be cut
+  // on one side.
   return lower(y.name) == "eta_rho" && lower(x.name) == "xi_rho" &&
          y.size >= staggering_.rows + staggering_.first_row &&
          x.size >= staggering_.columns + staggering_.second_column;

@@ -10,20 +10,20 @@
 
 namespace floeplan::ingest {
 
-/// Finds what a model states at the centres of its staggered grid (ROMS' rho points).
+/// Finds and reads tables that a model has at the centres of its staggered grid (ROMS' rho points).
 /// Shape  [row][column] of all centres of the staggering
 class CentreTables {
  public:
-  /// `variable` is the first component; where the components are collocated its plane is that of the centres.
+  /// `variable` is the first component; if the components are collocated, its points are the centres.
   CentreTables(const Staggering& staggering, const NetcdfVariable& variable, PlaneDimensions plane);
 
   /// Whether a variable's last two dimensions can be those of the centres.
   [[nodiscard]] bool fits(const NetcdfVariable& table) const;
-  /// The plane of a table with its leading dimensions at `leading` (one index each), scale applied, fill as NaN, as is
-  /// what the table does not reach.
+  /// Reads a table's last two dimensions at the indices `leading` of the others. Scale is applied; NaN for
+  /// the fill value and for centres that the table does not have.
   [[nodiscard]] Checked<std::vector<double>> read(const NetcdfVariable& table,
                                                   const std::vector<std::uint64_t>& leading) const;
-  /// Angle of the grid's first axis, radians counterclockwise from east; empty where the file has none.
+  /// Angle of the grid's first axis, radians anticlockwise from east; empty if the file has none.
   [[nodiscard]] Checked<std::vector<double>> angle(const NetcdfFiles& files) const;
   [[nodiscard]] Checked<WaterMask> mask(const NetcdfFiles& files) const;
 
@@ -31,7 +31,7 @@ class CentreTables {
   [[nodiscard]] const NetcdfVariable* find(const NetcdfFiles& files, std::string_view name) const;
 
   Staggering staggering_;
-  std::string y_name_;  // of the collocated plane; empty when staggered
+  std::string y_name_;  // name of the dimension of the collocated points; empty when staggered
   std::string x_name_;
 };
 

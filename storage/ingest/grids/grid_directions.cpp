@@ -12,13 +12,14 @@ namespace floeplan::ingest {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr double agreement = 3.0 * pi / 180.0;  // of a stated angle with the positions, at most places
+constexpr double agreement = 3.0 * pi / 180.0;  // between a stated angle and the positions, for most points
 constexpr double quarter_turn_tolerance = 30.0 * pi / 180.0;  // grids of models are nearly orthogonal
-constexpr double most_exceptions = 0.02;  // folds, seams and places that were never filled in
+// share of points that may disagree: folds, seams and points without a position
+constexpr double most_exceptions = 0.02;
 
 double wrapped(double angle) { return std::remainder(angle, 2.0 * pi); }
 
-/// The way along the first axis past a centre.
+/// Direction of the first axis at a centre.
 std::optional<double> first_axis(const Staggering& way, const Positions& first, geo::LonLat centre,
                                  std::size_t row, std::size_t column) {
   if (!way.collocated)
@@ -39,7 +40,7 @@ std::optional<double> second_axis(const Staggering& way, const Positions& second
   return geo::direction_at(centre, second.at(before, column), second.at(after, column));
 }
 
-/// The mean of the model's angles on either side of a point; empty where it states none.
+/// The mean of the model's angles at the centres on either side of a point; empty if it states none.
 std::optional<double> stated_beside(const std::vector<double>& stated, const CentresBeside& centres) {
   const auto at = [&](std::optional<std::size_t> centre) {
     return stated.empty() || !centre || !std::isfinite(stated[*centre]) ? std::nullopt
@@ -51,8 +52,8 @@ std::optional<double> stated_beside(const std::vector<double>& stated, const Cen
   return before ? before : after;
 }
 
-/// Angle of the way along a line of points at its first one, `end`: of the parabola through three of them, unless they
-/// make a bend that no grid has.
+/// Direction of a line of points at its first point `end`, radians: the tangent of the parabola through three
+/// points. A sharp bend, which no grid has, gives the direction to the second point.
 std::optional<double> way_from(geo::LonLat end, geo::LonLat next, geo::LonLat one_more) {
   const geo::UnitVector p = geo::unit_vector(end);
   const geo::UnitVector q = geo::unit_vector(next);
@@ -64,7 +65,7 @@ std::optional<double> way_from(geo::LonLat end, geo::LonLat next, geo::LonLat on
   return straight && bent && std::abs(wrapped(*bent - *straight)) < quarter_turn_tolerance ? bent : straight;
 }
 
-/// Angle of the way along a row or a column of points past one of them.
+/// Direction of a row or a column of points at one of them, radians.
 std::optional<double> way_past(const Positions& points, std::size_t row, std::size_t column, bool along_row) {
   const std::size_t count = along_row ? points.columns : points.rows;
   const std::size_t number = along_row ? column : row;

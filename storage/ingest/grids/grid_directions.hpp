@@ -9,28 +9,30 @@
 
 namespace floeplan::ingest {
 
-/// Whether the coordinates along an axis, where it has any, fall while its index grows.
+/// For each axis, whether its coordinates decrease with the index.
 struct FallingAxes {
   bool first{false};
   bool second{false};
 };
 
-/// From the positions: the way from one point to the next. `stated` is the model's own angle at the centres, radians;
-/// it is used where it agrees with the positions, because they may be rounded.
-/// Errors   an angle that contradicts the positions; a grid that is mirrored, so that the second axis does not lie a
-///          quarter turn counterclockwise from the first
+/// The axes of a grid at its centres, from the positions of neighbouring points. `stated` is the model's own
+/// angle at the centres, radians; it is used where it agrees with the positions, because positions may be
+/// rounded.
+/// Errors   the stated angle contradicts the positions; the grid is mirrored, so that its second axis is not
+///          a quarter turn anticlockwise from the first
 [[nodiscard]] Checked<GridDirections> directions_of(const Staggering& staggering, const Positions& first,
                                                     const Positions& second, FallingAxes falling,
                                                     const std::vector<double>& stated);
 
-/// The axis of each point's component: those of the first, then those of the second, whose axis lies a quarter turn
-/// counterclockwise from the first. `stated` is the model's angle at all its centres, of which the two beside a point
-/// count; from the positions where there is none.
-/// Precondition  a staggering that is not collocated, and that directions_of does not refuse
+/// The axis of each component's points: first all points of the first component, then those of the second,
+/// whose axis is a quarter turn anticlockwise from the first axis. `stated` is the model's angle at all
+/// centres; a point takes the mean of the two beside it, or its direction from the positions if there is no
+/// stated angle.
+/// Precondition  not collocated, and directions_of has accepted the grid
 [[nodiscard]] ocean::ComponentAxes axes_of_components(const Staggering& staggering, const Positions& first,
                                                       const Positions& second, FallingAxes falling,
                                                       const std::vector<double>& stated);
-/// The same of components that point east and north.
+/// The same for components that point east and north.
 [[nodiscard]] ocean::ComponentAxes axes_east_and_north(const Positions& first, const Positions& second);
 
 }  // namespace floeplan::ingest

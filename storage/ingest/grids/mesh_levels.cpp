@@ -21,10 +21,10 @@ const NetcdfVariable* find_first(const NetcdfFile& file, std::initializer_list<s
   return nullptr;
 }
 
-/// A length at every point of a mesh, once for all or at every time.
+/// A table of lengths at every point of a mesh, constant or for every time.
 class PointTable {
  public:
-  /// nullopt of a variable that does not lie so, or is no length.
+  /// nullopt if the variable does not have these dimensions or is not a length.
   static std::optional<PointTable> of(const NetcdfVariable* table, const std::string& points,
                                       const AxisNodes& times) {
     if (table == nullptr || !table->is_numeric() || table->dimensions().empty() ||
@@ -45,7 +45,7 @@ class PointTable {
   }
   [[nodiscard]] const NetcdfVariable& variable() const { return *table_; }
 
-  /// Metres, NaN where missing.
+  /// The lengths at one time, metres; NaN where missing.
   [[nodiscard]] Checked<std::vector<double>> read(std::size_t time) const {
     std::vector<std::uint64_t> start;
     std::vector<std::size_t> count;
@@ -78,12 +78,12 @@ messages::Message too_deep(const NetcdfVariable& table, double depth_m) {
 class SigmaLevels : public BedLevels {
  public:
   struct Parts {
-    std::shared_ptr<const NetcdfFile> file;  // kept open
+    std::shared_ptr<const NetcdfFile> file;  // a reference that keeps the file open
     std::vector<double> sigma;               // [level] or [level][point], in the file's order
     std::size_t levels{};
-    PointTable bed;  // its depth
+    PointTable bed;  // depth of the bed
     std::optional<PointTable>
-        surface;  // empty: the depth counts from the surface of the moment, or of the mean
+        surface;  // elevation of the surface; empty: depths count from the instantaneous or the mean surface
   };
 
   explicit SigmaLevels(Parts parts) : parts_{std::move(parts)} {
@@ -110,7 +110,8 @@ class SigmaLevels : public BedLevels {
       const std::size_t row = level == parts_.levels ? 0 : file_level(level);
       const double sigma =
           level == parts_.levels ? -1.0 : parts_.sigma[per_point ? row * result.size() + i : row];
-      const double bed = (*bed_m)[i] > 0.0 ? (*bed_m)[i] : 0.0;  // tidal flats
+      // tidal flats above the mean surface have negative depths
+      const double bed = (*bed_m)[i] > 0.0 ? (*bed_m)[i] : 0.0;
       const double above_mean = std::isfinite(surface_m[i]) ? surface_m[i] : 0.0;
       result[i] = static_cast<float>(-sigma * (bed + above_mean));
     }
@@ -122,16 +123,16 @@ class SigmaLevels : public BedLevels {
   bool upwards_{false};
 };
 
-/// Levels whose heights a table gives.
+/// Levels whose heights are given in a table.
 class HeightLevels : public BedLevels {
  public:
   struct Parts {
-    std::shared_ptr<const NetcdfFile> file;  // kept open
+    std::shared_ptr<const NetcdfFile> file;  // a reference that keeps the file open
     const NetcdfVariable* table{nullptr};
     std::size_t level_dimension{};
     std::size_t point_dimension{};
     AxisNodes times;
-    double factor{1.0};  // metres upwards in one of its unit
+    double factor{1.0};  // metres per unit of the table, positive up
   };
 
   static Checked<std::shared_ptr<const BedLevels>> of(Parts parts) {
@@ -191,7 +192,7 @@ class HeightLevels : public BedLevels {
                                    : heights_m_[level * points() + point]);
   }
 
-  /// NaN of a column without levels.
+  /// Highest or lowest level of a column, as `choose` decides; NaN for a column without levels.
   template <class Choose>
   [[nodiscard]] double extreme(std::size_t point, const Choose& choose) const {
     double found = std::numeric_limits<double>::quiet_NaN();
@@ -222,7 +223,7 @@ class HeightLevels : public BedLevels {
 
   Parts parts_;
   bool upwards_{true};
-  mutable std::vector<float> heights_m_;  // of the time that was read last, in the file's order
+  mutable std::vector<float> heights_m_;  // heights of the time read last, in the file's order
   mutable std::optional<std::size_t> time_read_;
 };
 

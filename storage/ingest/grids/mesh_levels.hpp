@@ -11,19 +11,19 @@
 
 namespace floeplan::ingest {
 
-/// Where the levels of a mesh lie that follow the sea bed.
+/// Levels of a mesh that follow the sea bed.
 struct MeshLevels {
   std::shared_ptr<const BedLevels> levels;
-  bool in_faces{false};  // known in the faces of the mesh, else at its nodes
+  bool in_faces{false};  // true: their depths are known in the faces of the mesh; false: at its nodes
 };
 
-/// The levels along which a variable of a mesh lies:
-///  - by a table of their heights at every point and time (SCHISM's zcor); the uppermost is the surface, the lowest the
-///    bed
-///  - by the formula of an ocean_sigma_coordinate: shares of the way from the surface (0) to the bed (-1), with the
-///    variables that the formula names (Delft3D FM), else FVCOM's siglay, h and zeta; the mean surface, with a warning,
-///    where the file has none
-/// Errors   levels or depths that are missing or impossible; coordinates of another formula
+/// The levels of a variable on a mesh:
+///  - from a table of their heights at every point and time (SCHISM's zcor); the uppermost is the surface,
+///    the lowest the bed
+///  - from the formula of an ocean_sigma_coordinate: fractions of the water depth from the surface (0) to the
+///    bed (-1), with the variables that the formula names (Delft3D FM), or with FVCOM's siglay, h and zeta.
+///    If the file has no elevation of the surface, the mean surface is used, with a warning
+/// Errors   levels or depths that are missing or impossible; a coordinate with another formula
 /// Source   CF conventions 1.8, appendix D, ocean_sigma_coordinate
 [[nodiscard]] Checked<MeshLevels> mesh_levels(const std::shared_ptr<const NetcdfFile>& file,
                                               const NetcdfVariable& variable, const NetcdfLayout& layout,

@@ -12,7 +12,7 @@ namespace floeplan::ingest {
 namespace {
 
 constexpr std::uint64_t max_nodes = 3'000'000;
-constexpr std::uint64_t most_corners = 12;  // chosen: Delft3D FM allows six
+constexpr std::uint64_t most_corners = 12;  // corners of a face. Chosen; Delft3D FM allows six
 
 /// The variables that describe a mesh.
 struct Description {
@@ -24,7 +24,7 @@ struct Description {
   const NetcdfVariable* middle_lats{nullptr};
 };
 
-/// The longitudes and latitudes among variables that are named, separated by blanks.
+/// The longitudes and the latitudes among several variables whose names are given, separated by blanks.
 struct NamedCoordinates {
   const NetcdfVariable* lons{nullptr};
   const NetcdfVariable* lats{nullptr};
@@ -75,7 +75,7 @@ bool is_whole(const Description& description) {
          description.lons->dimensions()[0].name == description.lats->dimensions()[0].name;
 }
 
-/// Numbers of nodes for each face, whichever dimension comes first.
+/// The shape of the table with the corners of the faces; either dimension may come first.
 struct FaceTable {
   std::size_t corner_dimension{};
   std::size_t corners{};
@@ -90,7 +90,7 @@ std::optional<FaceTable> table_of(const NetcdfVariable& faces) {
     if ((corners == 3 || corners == 4) && count > 0 && (count > 4 || corner == 1))
       return FaceTable{corner, static_cast<std::size_t>(corners), static_cast<std::size_t>(count)};
   }
-  // Room for more corners than most faces have, as Delft3D FM leaves it.
+  // Delft3D FM has space for more corners than most faces have.
   const std::uint64_t corners = dimensions[1].size;
   if (corners > 4 && corners <= most_corners && dimensions[0].size > 0)
     return FaceTable{1, static_cast<std::size_t>(corners), static_cast<std::size_t>(dimensions[0].size)};
@@ -101,8 +101,7 @@ messages::Message damaged(const NetcdfVariable& faces) {
   return messages::ingest_grid_message<"mesh-damaged">(faces.name());
 }
 
-/// Without what stands in the place of corners that a face does not have: numbers before the first node, or its own
-/// corners once more.
+/// Removes entries for corners that a face does not have: invalid node numbers, or its own corners repeated.
 void drop_repeats(std::vector<std::uint32_t>& corners) {
   while (corners.size() > 3 &&
          std::find(corners.begin(), corners.end() - 1, corners.back()) != corners.end() - 1)
@@ -119,7 +118,7 @@ Checked<MeshFaces> read_faces(const Description& description, std::size_t nodes)
   const auto values = table.read_all();
   if (!values) return refuse(values.error());
 
-  // Without a word UGRID counts from zero and FVCOM from one.
+  // If no start_index is stated, UGRID counts from zero and FVCOM from one.
   const double start = table.numeric_attribute("start_index").value_or(description.by_ugrid ? 0.0 : 1.0);
   const auto at = [&](std::size_t face, std::size_t corner) {
     return (shape->corner_dimension == 0 ? (*values)[corner * shape->count + face]
@@ -143,7 +142,7 @@ Checked<MeshFaces> read_faces(const Description& description, std::size_t nodes)
   return faces;
 }
 
-/// Empty where the file has none, or not one for each face.
+/// The positions of the faces; empty if the file has none, or not one for each face.
 Checked<std::vector<geo::LonLat>> read_middles(const Description& description, std::size_t faces) {
   std::vector<geo::LonLat> middles;
   if (description.middle_lons == nullptr || description.middle_lats == nullptr) return middles;

@@ -12,7 +12,7 @@
 
 namespace floeplan::ingest {
 
-/// Faces of a mesh, three corners or more each, in turn round the face, as indices of nodes.
+/// The faces of a mesh, each with three or more corners in order around the face, given as indices of nodes.
 class MeshFaces {
  public:
   using Corners = std::span<const std::uint32_t>;
@@ -29,24 +29,25 @@ class MeshFaces {
 
  private:
   std::vector<std::uint32_t> corners_;
-  std::vector<std::size_t> ends_;  // of each face among them
+  std::vector<std::size_t> ends_;  // for each face the index after its last corner
 };
 
 /// A horizontal mesh as a file describes it.
 struct MeshTopology {
   std::vector<geo::LonLat> nodes;
   MeshFaces faces;
-  std::vector<geo::LonLat> middles;  // of the faces, where the file has places for them; else empty
+  // positions for values in the faces, if the file states them; otherwise empty
+  std::vector<geo::LonLat> middles;
   std::string node_dimension;
   std::string face_dimension;
 };
 
-/// Whether a variable lies on a mesh: along the nodes or the faces of a topology (UGRID) or along FVCOM's dimensions.
+/// Whether a variable lies on a mesh: on the nodes or faces of a UGRID topology, or on FVCOM's dimensions.
 [[nodiscard]] bool lies_on_mesh(const NetcdfFile& file, const NetcdfVariable& variable);
 
 /// The mesh of a file, by the UGRID conventions or as FVCOM writes it (nv, lon, lat).
-/// Errors   no mesh; nodes without longitude and latitude; faces with corners that do not exist, or with more than twelve;
-///          more than this program accepts
+/// Errors   no mesh; nodes without longitude and latitude; faces with corners that do not exist, or with more
+///          than twelve; more nodes or faces than this program accepts
 /// Source   UGRID conventions 1.0, section "2D triangular and flexible mesh topology"; FVCOM user manual
 [[nodiscard]] Checked<MeshTopology> mesh_topology(const NetcdfFile& file);
 

@@ -5,8 +5,8 @@
 
 namespace floeplan::ingest {
 
-/// Times and levels of a source as a NetCDF file lays them out; how its points lie is left to the source.
-/// `follows_bed`  whether levels that are no depths can be placed above the sea bed
+/// Times and levels of a source, from the layout of a NetCDF file. The caller adds the horizontal shape.
+/// `follows_bed`  whether levels without depths can be placed relative to the sea bed
 [[nodiscard]] inline SourceShape shape_in_time_and_depth(const NetcdfLayout& layout, bool follows_bed) {
   SourceShape shape;
   if (layout.times_s) shape.times_s = layout.times_s->nodes;

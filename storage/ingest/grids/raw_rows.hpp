@@ -4,9 +4,10 @@
 
 namespace floeplan::ingest {
 
-/// Rows of depths or elevations as a file has them.
-/// Shape    values_m is [y][x], y ascending; NaN where missing. lowest_m and highest_m are alike, or empty where no
-///          cell reaches beyond its value: the range of all that is known of a node's cell
+/// Rows of depths or elevations, in metres, with the sign of the file.
+/// Shape    values_m is [y][x], y ascending; NaN where missing. lowest_m and highest_m have the same shape
+///          and are the range of all values known in a node's cell; they are empty if each cell has only its
+///          one value
 struct RawRows {
   std::vector<float> values_m;
   std::vector<float> lowest_m{};

@@ -10,11 +10,11 @@ namespace {
 
 constexpr double longest_side_over_median = 20.0;
 constexpr double most_gap_over_side =
-    2.0;  // between columns or halves of a row that are neighbours all the same
+    2.0;  // columns, or halves of a row, up to this many spacings apart still count as neighbours
 
 std::uint32_t index(std::size_t point) { return static_cast<std::uint32_t>(point); }
 
-/// Joins the last column to the first where the grid goes round the globe without repeating a column.
+/// Joins the last column to the first if the grid goes around the globe without repeating a column.
 void close_the_circle(ocean::Mesh& mesh, std::size_t columns, std::size_t rows) {
   const auto at = [&](std::size_t row, std::size_t column) { return row * columns + column; };
   const auto apart_m = [&](std::size_t a, std::size_t b) {
@@ -30,8 +30,8 @@ void close_the_circle(ocean::Mesh& mesh, std::size_t columns, std::size_t rows) 
                             index(at(row + 1, columns - 1))});
 }
 
-/// Joins the two halves of the last row where it is folded onto itself between the two northern poles of a tripolar
-/// grid.
+/// Joins the two halves of the last row if the row is folded onto itself between the two northern poles of a
+/// tripolar grid.
 void close_the_fold(ocean::Mesh& mesh, std::size_t columns, std::size_t rows) {
   if (rows < 2 || columns < 4) return;
   const std::size_t top = (rows - 1) * columns;

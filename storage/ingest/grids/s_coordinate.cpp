@@ -11,7 +11,7 @@
 namespace floeplan::ingest {
 namespace {
 
-constexpr double max_surface_m = 20.0;  // the highest tides are of 16 m
+constexpr double max_surface_m = 20.0;  // the highest tides reach 16 m
 
 const NetcdfVariable* find(const NetcdfFiles& files, const std::vector<std::string>& names) {
   for (const std::string& name : names)
@@ -51,7 +51,7 @@ std::optional<SCoordinate> form_of(const NetcdfFiles& files, const NetcdfVariabl
   return by_number;
 }
 
-/// Values along the levels, in the file's order.
+/// Values along the levels, in the file's order; between -1 and 0.
 Checked<std::vector<double>> level_values(const NetcdfVariable& variable, std::size_t levels) {
   auto values = variable.read_all();
   if (!values) return values;
@@ -64,7 +64,7 @@ Checked<std::vector<double>> level_values(const NetcdfVariable& variable, std::s
 class SLevels : public BedLevels {
  public:
   struct Parts {
-    NetcdfFiles files;  // kept open
+    NetcdfFiles files;  // references that keep the files open
     SCoordinate form{};
     std::vector<double> s;  // of each level, in the file's order
     std::vector<double> stretching;
@@ -115,11 +115,11 @@ class SLevels : public BedLevels {
 
   Parts parts_;
   bool upwards_;
-  mutable std::vector<double> surface_m_;  // of the time that was read last
+  mutable std::vector<double> surface_m_;  // elevation of the surface at the time read last
   mutable std::optional<std::size_t> time_read_;
 };
 
-/// The standard name of levels whose formula is another one than those below; empty where it is not.
+/// The standard name of levels with a formula that this program does not know; empty if it is known.
 std::string unread_layout_of(const NetcdfVariable* coordinate) {
   const std::string name = coordinate == nullptr ? "" : lower(coordinate->attribute("standard_name"));
   const bool read = name == "ocean_s_coordinate" || name == "ocean_s_coordinate_g1" ||

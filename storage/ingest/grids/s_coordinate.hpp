@@ -10,11 +10,11 @@
 
 namespace floeplan::ingest {
 
-/// The ways in which models let their levels follow the sea bed.
+/// The formulas by which models let their levels follow the sea bed.
 enum class SCoordinate {
-  g1,    // of ROMS and CROCO, Vtransform 1
-  g2,    // of ROMS and CROCO, Vtransform 2
-  sigma  // shares of the way from the surface to the bed; no stretching, no critical depth
+  g1,    // ROMS and CROCO, Vtransform 1
+  g2,    // ROMS and CROCO, Vtransform 2
+  sigma  // fractions of the depth from the surface to the bed; no stretching, no critical depth
 };
 
 /// Height of a level above the mean surface of the sea, metres (negative under water).
@@ -28,9 +28,9 @@ enum class SCoordinate {
 /// Source   Song and Haidvogel 1994, J. Comp. Phys. 115; ROMS documentation, "Vertical S-coordinate"
 [[nodiscard]] std::optional<double> s_stretching(int form, double s, double theta_s, double theta_b);
 
-/// The levels of a ROMS or CROCO file, or of any other on a regular or bent grid whose coordinate is one of those forms,
-/// at all centres of its grid. Where the file has no free surface its mean is taken,
-/// with a warning.
+/// The levels, at all centres of its grid, of a file with one of these formulas: ROMS, CROCO or any other
+/// model on a regular or curvilinear grid. If the file has no free surface, the mean surface is used, with a
+/// warning.
 /// Errors   parameters that are missing or contradict each other
 [[nodiscard]] Checked<std::shared_ptr<const BedLevels>> s_coordinate_levels(
     const NetcdfFiles& files, const NetcdfFile& file, const NetcdfVariable& variable,

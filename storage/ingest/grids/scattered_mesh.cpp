@@ -13,8 +13,8 @@
 namespace floeplan::ingest {
 namespace {
 
-/// In a square grid the diagonal is 1.41 sides long and twice the side 1.41 diagonals: halfway between no tolerance
-/// and a side that crosses one missing node.
+/// Chosen: on a square grid the median side is the cell's side or its diagonal. A diagonal is 1.41 sides
+/// long, two sides are 1.41 diagonals; a side across one missing node has to be longer than this limit.
 constexpr double longest_over_median = 1.35;
 
 double longest_side_of(const ocean::Mesh& mesh, const ocean::Mesh::Cell& cell) {

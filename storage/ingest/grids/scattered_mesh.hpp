@@ -7,10 +7,10 @@
 
 namespace floeplan::ingest {
 
-/// Joins places that say nothing of their neighbours to triangles (Delaunay), seen in the plane that touches the Earth
-/// in their middle. A triangle with a side longer than 1.35 times what half of the triangles do not exceed is none: of a
-/// square grid the diagonals stay, and a node that is missing, as over land, leaves a hole.
-/// Outside  nullopt for fewer than three places, for places on a line, and for places that half the Earth lies between
+/// Joins scattered places, whose neighbours are not stated, to triangles (Delaunay), in the plane that
+/// touches the Earth in their middle. Triangles with a side longer than 1.35 times the median length are
+/// dropped. On a square grid the diagonals then stay, and a missing node, as over land, leaves a hole.
+/// Outside  nullopt for fewer than three places, for places on a line, and for places half the Earth apart
 [[nodiscard]] std::optional<ocean::Mesh> mesh_of_places(std::vector<geo::LonLat> places);
 
 }  // namespace floeplan::ingest

@@ -9,9 +9,12 @@
 namespace floeplan::ingest {
 namespace {
 
-constexpr double same_place_share = 0.02;  // of the spacing: the rounding of float32 and of packed tables
-constexpr double meeting_share = 0.15;  // the right arrangement meets within a few per cent, a wrong one not
-constexpr std::size_t sampled = 400;    // points compared
+// points closer than this share of the spacing coincide: rounding of float32 and of packed tables
+constexpr double same_place_share = 0.02;
+// greatest median distance of the half-way points, as a share of the spacing: a few per cent in the right
+// arrangement
+constexpr double meeting_share = 0.15;
+constexpr std::size_t sampled = 400;  // number of points compared
 
 double median(std::vector<double> values) {
   if (values.empty()) return INFINITY;
@@ -20,7 +23,7 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
-/// Distances at points spread over a block, where both ends have a place.
+/// Typical distance between pairs of points, over a sample of pairs in which both have a position.
 template <class Distance>
 double typical(std::size_t rows, std::size_t columns, const Distance& distance) {
   const std::size_t total = rows * columns;
@@ -105,7 +108,7 @@ Checked<Staggering> points_after_centres(std::size_t first_rows, std::size_t fir
   const std::size_t apart_rows = std::max(first_rows, second_rows) - std::min(first_rows, second_rows);
   const std::size_t apart_columns =
       std::max(first_columns, second_columns) - std::min(first_columns, second_columns);
-  // Half-way between two centres there must be both.
+  // A point half-way between two centres needs both of them.
   const std::size_t rows = std::min({first_rows, second_rows, less(centre_rows, 1)});
   const std::size_t columns = std::min({first_columns, second_columns, less(centre_columns, 1)});
   const Staggering way = arranged(1, 1, rows, columns, rows, columns);

@@ -14,7 +14,7 @@ struct GridDirections {
 
   /// Directions of a grid whose first axis points east at each of its points.
   [[nodiscard]] static GridDirections along_east(std::size_t points);
-  /// Adds the angle of the next point, in radians; empty: it is not known, and counts as east.
+  /// Adds the angle of the next point, in radians; an unknown angle (empty) counts as east.
   void add(std::optional<double> angle);
   void set(std::size_t point, double angle);
   /// The largest angle between the grid's first axis and east, degrees.
@@ -27,8 +27,8 @@ struct EastNorth {
   float north{};
 };
 
-/// Turns what is measured along the axes of a grid to true east and true north: the only place where it is done.
-/// Accuracy  of single precision; NaN where a component is NaN
+/// Rotates components along the axes of a grid to true east and true north. No other code does this.
+/// Accuracy  single precision; NaN if a component is NaN
 [[nodiscard]] inline EastNorth to_true_north(double along_first, double along_second,
                                              const GridDirections& directions, std::size_t point) {
   const auto cosine = static_cast<double>(directions.cosine[point]);

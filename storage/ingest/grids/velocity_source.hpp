@@ -12,14 +12,14 @@
 
 namespace floeplan::ingest {
 
-/// The points at which a source knows the currents, its levels and its times.
+/// The points, levels and times at which a source has currents.
 struct SourceShape {
   std::size_t columns{};  // points are numbered [row][column]
-  std::size_t rows{1};    // 1: the points are in no order (a mesh)
-  std::size_t levels{1};  // from the surface down
+  std::size_t rows{1};    // 1: the points have no rows (a mesh)
+  std::size_t levels{1};  // number of levels, from the surface down
   std::vector<double> times_s;
-  std::optional<std::vector<double>> depths_m;  // of the levels, where they are the same at every point
-  bool levels_follow_bed{false};                // then level_depths() tells where each level lies
+  std::optional<std::vector<double>> depths_m;  // depths of the levels, if they are the same at every point
+  bool levels_follow_bed{false};                // true: level_depths() gives the depth of each level
 
   [[nodiscard]] std::size_t points() const { return columns * rows; }
 };
@@ -28,14 +28,15 @@ struct SourceShape {
 struct VelocitySlice {
   std::vector<float> east;
   std::vector<float> north;
-  std::int64_t undeclared_fill{};        // values taken as missing although the file does not say so
-  repository::SampleSteps east_steps{};  // in which the file counts them, if it does
+  // values that count as missing although the file does not declare them so
+  std::int64_t undeclared_fill{};
+  repository::SampleSteps east_steps{};  // steps in which the file stores the values, if they are packed
   repository::SampleSteps north_steps{};
-  FlagCount flagged{};  // by the file's own quality flags; the bad ones are missing
+  FlagCount flagged{};  // values with the file's own quality flags; the bad ones are missing
 };
 
-/// Currents of one file or of several as their model has them: whatever the layout, brought to one set of points
-/// and turned to true east and north, one level at a time.
+/// Currents of one file or several files, whatever the layout of their model: both components at the same
+/// points, rotated to true east and north, one level at a time.
 /// Threads  one thread at a time
 class VelocitySource {
  public:
@@ -44,8 +45,8 @@ class VelocitySource {
   [[nodiscard]] virtual geo::LonLat place(std::size_t point) const = 0;
   /// Errors  the file can no longer be read
   [[nodiscard]] virtual Checked<VelocitySlice> read(std::size_t time, std::size_t level) const = 0;
-  /// Depth of a level below the surface of the sea at every point, metres, NaN over land; the level after the
-  /// last is the sea bed. Only where the levels follow the bed.
+  /// Depth of a level below the sea surface at every point, metres, NaN over land; the level after the last
+  /// is the sea bed. Only for sources whose levels follow the bed.
   [[nodiscard]] virtual Checked<std::vector<float>> level_depths(std::size_t time,
                                                                  std::size_t level) const = 0;
 };

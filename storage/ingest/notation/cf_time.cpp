@@ -47,7 +47,7 @@ std::optional<CfCalendar> calendar_named(std::string_view name) {
   return std::nullopt;
 }
 
-/// Reads numbers and signs off the front of a text.
+/// Reads numbers and signs from the beginning of a text.
 class Scanner {
  public:
   explicit Scanner(std::string_view text) : rest_{text} {}
@@ -175,7 +175,8 @@ std::optional<double> day_number(CfCalendar calendar, const Date& date) {
     case CfCalendar::standard: {
       const std::tuple named{date.year, date.month, date.day};
       const bool before_reform = named < std::tuple{1582, 10, 15};
-      if (before_reform && named > std::tuple{1582, 10, 4}) return std::nullopt;  // the days left out then
+      // the reform skipped these days
+      if (before_reform && named > std::tuple{1582, 10, 4}) return std::nullopt;
       return day_number(before_reform ? CfCalendar::julian : CfCalendar::proleptic_gregorian, date);
     }
     case CfCalendar::proleptic_gregorian:
@@ -198,8 +199,8 @@ std::optional<double> day_number(CfCalendar calendar, const Date& date) {
   return std::nullopt;
 }
 
-/// The year of a starting date, counted so that year 0 comes before year 1: -4713 of the calendars that history used
-/// is 4713 BC, the year -4712. nullopt: programs do not agree on which year is meant.
+/// The starting date's year in a count with a year 0: the historical year -4713 (4713 BC) becomes -4712.
+/// nullopt: programs do not agree which year is meant.
 std::optional<int> year_with_zero(CfCalendar calendar, const Date& date) {
   switch (calendar) {
     case CfCalendar::standard:
@@ -208,7 +209,8 @@ std::optional<int> year_with_zero(CfCalendar calendar, const Date& date) {
       return date.year < 0 ? date.year + 1 : date.year;
     case CfCalendar::proleptic_gregorian: {
       if (date.year >= 0) return date.year;
-      // The beginning of the Julian Day, with and without a year 0; no other date of these years tells which.
+      // Beginning of the Julian Day, in counts with and without a year 0. Other dates of these years do not
+      // show which count is used.
       if (date.month != 11 || date.day != 24 || (date.year != -4713 && date.year != -4714))
         return std::nullopt;
       return -4713;
@@ -231,9 +233,11 @@ Date model_date(CfCalendar calendar, double day) {
   return date;
 }
 
-/// The date that the Julian calendar has on this day since 1970-01-01, if today's calendar has such a date too.
+/// The Julian calendar's date on a day, given as days since 1970-01-01, if the Gregorian calendar has this
+/// date too.
 std::optional<Date> julian_date(double day) {
-  for (int behind = -2; behind <= 13; ++behind) {  // of the Gregorian calendar, from the year 1 to 2100
+  // days that the Julian date lags behind the Gregorian one, from the year 1 to 2100
+  for (int behind = -2; behind <= 13; ++behind) {
     const std::chrono::year_month_day date{
         std::chrono::sys_days{std::chrono::days{static_cast<int>(day) - behind}}};
     const Date named{static_cast<int>(date.year()), static_cast<int>(static_cast<unsigned>(date.month())),

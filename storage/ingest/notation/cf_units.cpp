@@ -61,7 +61,7 @@ std::optional<double> find(const std::array<Word, N>& words, std::string_view te
   return found->second;
 }
 
-/// Lower case without the signs that only separate: "m.s^-1", "m s**-1" and "m_s-1" all become "ms-1".
+/// The unit in lower case without separators: "m.s^-1", "m s**-1" and "m_s-1" all become "ms-1".
 std::string bare(std::string_view unit) {
   std::string text = lower(unit);
   std::erase_if(text,

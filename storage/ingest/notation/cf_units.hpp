@@ -5,13 +5,13 @@
 
 namespace floeplan::ingest {
 
-/// Metres per second in one of the unit, whichever of the usual spellings is used: "m s-1", "ms-1", "m/s",
+/// Metres per second per unit, for all usual spellings of a speed's unit: "m s-1", "ms-1", "m/s",
 /// "meter second-1", "meters/second", "cm/s", "km/h", "knots".
 /// Outside  nullopt for a unit that is not a speed or not known
 [[nodiscard]] std::optional<double> speed_factor(std::string_view unit);
 
-/// Metres in one of the unit: "m", "metres", "METERS", "km", "feet", "fathoms", ...; also a
-/// multiple of one, as "100 km" of the Arctic products of Copernicus.
+/// Metres per unit: "m", "metres", "METERS", "km", "feet", "fathoms", ...; also multiples, as "100 km" in the
+/// Arctic products of Copernicus.
 /// Outside  nullopt for a unit that is not a length or not known
 [[nodiscard]] std::optional<double> length_factor(std::string_view unit);
 

@@ -14,7 +14,7 @@
 namespace floeplan::ingest {
 namespace {
 
-constexpr std::size_t longest_text = 65'536;  // WKT of compound systems takes some thousand bytes
+constexpr std::size_t longest_text = 65'536;  // WKT of compound systems takes a few thousand bytes
 
 bool consists_of(std::string_view text, std::string_view others) {
   return !text.empty() && std::ranges::all_of(text, [&](unsigned char c) {
@@ -31,7 +31,7 @@ bool is_code(std::string_view text) {
          std::ranges::any_of(authorities, [&](auto start) { return small.starts_with(start); });
 }
 
-/// A name that OGC gives in the form of an address; GDAL takes it apart and asks nobody.
+/// A name of the OGC in the form of a URL; GDAL parses it and contacts no server.
 bool is_name_of_ogc(std::string_view text) {
   constexpr auto starts = std::to_array<std::string_view>(
       {"http://www.opengis.net/def/crs/", "https://www.opengis.net/def/crs/", "http://opengis.net/def/crs/",
@@ -41,14 +41,14 @@ bool is_name_of_ogc(std::string_view text) {
   });
 }
 
-/// "WGS84", "NAD83"
+/// Whether the text has the form of a name: "WGS84", "NAD83".
 bool is_name(std::string_view text) {
   return !text.empty() && std::isalpha(static_cast<unsigned char>(text.front())) != 0 &&
          consists_of(text, " _");
 }
 
-/// Whether a definition names a grid or a file from which PROJ would shift the datum. "@null" is no grid; GDAL writes it
-/// into the definition of the maps of web browsers.
+/// Whether a definition names a grid or a file for a datum shift of PROJ. "@null" is no grid; GDAL writes it
+/// into the definition of web map projections.
 bool names_files(const std::string& definition) {
   const std::string small = lower(definition);
   for (const char* const word :
@@ -60,7 +60,7 @@ bool names_files(const std::string& definition) {
   return false;
 }
 
-/// Parameters of projections, figures and units, each with a number or a plain word.
+/// Whether a text is a PROJ string whose parameters are known and have a number or a plain word.
 bool is_proj_string(const std::string& text) {
   constexpr auto keys = std::to_array<std::string_view>(
       {"proj",    "lat_0",   "lat_1",   "lat_2",   "lat_3",    "lat_ts", "lat_b",     "lon_0",    "lon_1",

@@ -33,7 +33,7 @@ DelimitedText::DelimitedText(std::string_view header) : separator_{separator_of(
   if (header.starts_with("\xEF\xBB\xBF")) header.remove_prefix(3);
   for (std::string& name : fields(header)) {
     std::string plain = plain_name(name);
-    if (separator_ == ' ' && plain.empty()) continue;  // a mark of a comment that stands alone
+    if (separator_ == ' ' && plain.empty()) continue;  // a comment mark on its own
     columns_.push_back(std::move(plain));
     headers_.push_back(std::move(name));
   }

@@ -10,7 +10,7 @@ namespace {
 
 bool is_near(double a, double b, double tolerance) { return std::abs(a - b) <= tolerance; }
 
-/// The ellipsoids that are used as they are; GRS80 counts as WGS84.
+/// The known ellipsoid of a CRS; GRS80 counts as WGS84.
 std::optional<geo::Ellipsoid> ellipsoid_of(const OGRSpatialReference& crs) {
   OGRErr error = OGRERR_NONE;
   const double semi_major_m = crs.GetSemiMajor(&error);
@@ -23,7 +23,8 @@ std::optional<geo::Ellipsoid> ellipsoid_of(const OGRSpatialReference& crs) {
   return std::nullopt;
 }
 
-/// NAD27, ED50 and others lie up to hundreds of metres beside WGS84 although some share its ellipsoid's size.
+/// False for datums up to hundreds of metres away from WGS84 (NAD27, ED50, ...), even if the ellipsoid has
+/// the same size.
 bool on_world_datum(const OGRSpatialReference& crs) {
   const char* datum = crs.GetAttrValue("DATUM");
   if (datum == nullptr) return true;
@@ -33,7 +34,7 @@ bool on_world_datum(const OGRSpatialReference& crs) {
   return true;
 }
 
-/// The radii that models take for a sphere lie between the half axes of WGS84, or are the longer one of Hughes 1980.
+/// Models use radii between the semi-axes of WGS84, or the longer semi-axis of Hughes 1980.
 bool is_sphere(const OGRSpatialReference& crs) {
   const double radius_m = crs.GetSemiMajor();
   return crs.GetInvFlattening() == 0.0 && radius_m >= 6'356'752.0 && radius_m <= 6'378'273.0;

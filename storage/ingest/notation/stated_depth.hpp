@@ -8,8 +8,9 @@
 namespace floeplan::ingest {
 
 /// A depth as people write it: "20", "20 m", "66 ft".
-/// `unit`   of a number that states none; empty: metres
-/// Outside  nothing for what is no number with a known unit, above the surface or deeper than 11000 m
+/// `unit`   for a number without a unit; empty: metres
+/// Outside  nullopt for a text that is not a number with a known unit, above the surface or deeper than 11000
+///          m
 [[nodiscard]] std::optional<core::Metres> stated_depth(std::string_view text, std::string_view unit);
 
 /// A layer between two depths.
@@ -18,7 +19,8 @@ struct StatedDepths {
   core::Metres bottom;
 };
 
-/// Two depths with a dash or "to" between them: "20-100", "0 m to 200 m"; a unit behind the second one is of both.
+/// Two depths with a dash or "to" between them: "20-100", "0 m to 200 m"; a unit after the second applies to
+/// both.
 [[nodiscard]] std::optional<StatedDepths> stated_depths(std::string_view text, std::string_view unit);
 
 }  // namespace floeplan::ingest

@@ -49,7 +49,7 @@ std::optional<StatedPeriod> year_or_month(std::string_view text) {
   return StatedPeriod{midnight(month / 1), midnight((month + std::chrono::months{1}) / 1)};
 }
 
-/// A time as GDAL spells it, as ISO 8601; other texts as they are.
+/// GDAL's spelling of a time converted to ISO 8601; other texts stay unchanged.
 std::string iso_of_gdal(std::string_view text) {
   std::string iso{text};
   if (text.size() < day_length || text[4] != '/' || text[7] != '/') return iso;
@@ -95,7 +95,7 @@ std::optional<StatedInterval> stated_interval(std::string_view text) {
 }
 
 bool could_be_date(std::string_view text) {
-  constexpr std::size_t unix_seconds = 10;  // digits, since 2001; of milliseconds 13
+  constexpr std::size_t unix_seconds = 10;  // number of digits since 2001; milliseconds have 13
   constexpr std::size_t unix_milliseconds = 13;
   const auto digits =
       static_cast<std::size_t>(std::ranges::count_if(text, [](char c) { return c >= '0' && c <= '9'; }));

@@ -7,7 +7,7 @@
 
 namespace floeplan::ingest {
 
-/// Why a position that a file states is no place on the Earth; empty when it is one.
+/// Why a position in a file is not a place on the Earth; empty if it is one.
 [[nodiscard]] std::optional<messages::Message> fault_of_place(geo::LonLat place);
 
 }  // namespace floeplan::ingest

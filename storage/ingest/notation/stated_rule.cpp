@@ -39,7 +39,7 @@ bool is_any_of(std::string_view text, std::initializer_list<std::string_view> wo
   return std::ranges::any_of(words, [&](std::string_view other) { return word == other; });
 }
 
-/// Rules that are told by their words alone, whatever the attribute's name.
+/// The rule that a text states without doubt, whatever the attribute's name.
 std::optional<ocean::ZoneKind> plain_rule(std::string_view text) {
   std::string word = core::plain_word(text);
   for (const std::string_view ending : {"zone", "area"})

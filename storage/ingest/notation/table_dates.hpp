@@ -7,9 +7,9 @@
 
 namespace floeplan::ingest {
 
-/// The whole text as a whole number.
+/// The number, if the whole text is a whole number.
 [[nodiscard]] std::optional<int> whole_number(std::string_view text);
-/// "11/7/2014", or "08/16/26" for a year of this century: the beginning of the day, UTC.
+/// "11/7/2014" (month first), or "08/16/26" for a year of this century: the beginning of the day, UTC.
 [[nodiscard]] std::optional<core::UtcTime> us_date(std::string_view text);
 /// "2014342": the beginning of the 342nd day of 2014, UTC.
 [[nodiscard]] std::optional<core::UtcTime> year_and_day(std::string_view text);

@@ -4,7 +4,8 @@
 
 namespace floeplan::ingest {
 
-/// Text of a table as UTF-8, without blanks around it; tables without a stated encoding hold Latin-1 as a rule.
+/// Text of a table as UTF-8, without blanks around it. Tables without a stated encoding usually contain
+/// Latin-1.
 [[nodiscard]] std::string table_text(const char* text);
 
 }  // namespace floeplan::ingest

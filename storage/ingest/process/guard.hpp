@@ -6,14 +6,14 @@
 
 namespace floeplan::ingest {
 
-/// How foreign files are kept away from this process.
+/// How files from outside are kept away from this process.
 struct Guard {
   std::filesystem::path
-      program;  // ours: started as `program read-files STAGING FILE...`, it calls read_foreign_files
+      // this program's own file; started as `program read-files STAGING FILE...`, it calls read_foreign_files
+      program;
   std::filesystem::path staging;  // folder for data that are not complete yet; on the store's disk
-  std::optional<std::uint64_t>
-      most_cpu_s{};                // computing time, where it shall be less than files of a size may take
-  bool allow_weak_sandbox{false};  // read files even where the machine cannot confine their readers
+  std::optional<std::uint64_t> most_cpu_s{};  // limit of computing time, if lower than the limit by file size
+  bool allow_weak_sandbox{false};  // read files even on a machine that cannot confine their readers
 };
 
 }  // namespace floeplan::ingest

@@ -21,8 +21,8 @@
 namespace floeplan::ingest {
 namespace {
 
-/// Whether every file is in a group, and heads one at most: what a broken process says is not believed. Several groups
-/// may need the same file beside their own.
+/// Whether every file is in a group and is the first of at most one. The answer of the process is checked,
+/// because a file may have broken it. Several groups may need the same further file.
 bool groups_all(const Grouped& grouped, std::size_t count) {
   std::set<std::size_t> seen;
   std::set<std::size_t> heads;
@@ -35,8 +35,8 @@ bool groups_all(const Grouped& grouped, std::size_t count) {
   return seen.size() == count;
 }
 
-/// Puts together what belongs together. A file on which the process breaks down is left out and asked about no more: it
-/// makes a group of its own, and is refused when it is read.
+/// Lets a confined process group the files. A file that breaks the process is not given to it again: it makes
+/// a group of its own, and is refused when it is read.
 std::vector<FileGroup> guarded_groups(const Guard& guard, FileGroup files, const std::stop_token& stop) {
   std::vector<FileGroup> groups;
   while (files.size() > 1 && !stop.stop_requested()) {
@@ -60,15 +60,15 @@ std::vector<FileGroup> guarded_groups(const Guard& guard, FileGroup files, const
   return groups;
 }
 
-/// A store for the reader of one group of files. It lists what is stored already, so that the same file is not read
-/// twice. Only the reader opens it afterwards.
+/// Creates a store for the reader of one group of files. It lists the datasets that are stored already, so
+/// that no file is read twice. Afterwards only the reader opens it.
 void prepare_scratch_store(sql::Connection& db, const std::filesystem::path& folder) {
   auto scratch = repository::open_scratch_store(folder);
   repository::DatasetRepository listed{scratch};
   for (const auto& dataset : repository::DatasetRepository{db}.list()) listed.insert(dataset);
 }
 
-/// What a reader hands over, in a store of this process's own until all of it is here.
+/// Receives the rows that a reader sends, in a store of this process's own, until they are complete.
 class Delivery {
  public:
   explicit Delivery(const std::filesystem::path& parent) : parent_{parent} {}
@@ -81,8 +81,8 @@ class Delivery {
     receiver_->take(parcel);
   }
 
-  /// Takes over what came, if that is what was reported.
-  /// Errors   repository::BrokenParcel when it is not
+  /// Takes the received datasets over into `db`, if they are those that were reported.
+  /// Errors   repository::BrokenParcel when they are not
   std::vector<repository::DatasetId> take_over(sql::Connection& db,
                                                const std::vector<IngestReport>& reports) {
     std::vector<std::string> reported;
@@ -107,21 +107,21 @@ class Delivery {
   std::optional<repository::DatasetReceiver> receiver_;
 };
 
-/// Requires `told.breakdown`.
+/// The report for files on which the reader broke down. Requires `told.breakdown`.
 IngestReport refused_by_breakdown(const FileGroup& files, const IngestOptions& options, const Told& told) {
   IngestReport report = refused(files, options, {*told.breakdown});
   report.technical_cause = told.technical_cause;
   return report;
 }
 
-/// Whether a reader can have said this of its files.
+/// Whether a report is consistent; a broken reader may send anything.
 bool is_possible(const IngestReport& report) {
   return (report.status == IngestStatus::refused) == !report.dataset &&
          report.errors.empty() != !report.dataset;
 }
 
-/// Completes a report of the reader with the dataset as it is now stored here. Another process may have stored the same
-/// file meanwhile, or removed it.
+/// Completes a reader's report with the dataset as it is stored now. Meanwhile another process may have
+/// stored the same file or removed it.
 IngestReport completed(sql::Connection& db, IngestReport report,
                        const std::vector<repository::DatasetId>& taken_over) {
   if (!report.dataset) return report;
@@ -165,12 +165,13 @@ std::optional<std::vector<IngestReport>> ingest_one_group(sql::Connection& db, c
   return reports;
 }
 
-/// Archives are unpacked here; what comes out of them is read like any other file.
+/// The files to read: archives are unpacked, and their files are read like any other file.
 class Arrivals {
  public:
   Arrivals(const Guard& guard, const IngestOptions& options) : guard_{guard}, options_{options} {}
 
-  /// Returns  why the file is refused; empty: what it holds is among files()
+  /// Adds a file, or the files of an archive.
+  /// Returns  why the file is refused; empty: its content is among files()
   std::optional<IngestReport> add(const std::filesystem::path& file, const std::stop_token& stop) {
     if (!is_archive(file)) {
       files_.push_back(file);
@@ -195,7 +196,7 @@ class Arrivals {
 
   [[nodiscard]] const FileGroup& files() const { return files_; }
 
-  /// The files that were given and that these came from or are.
+  /// The files given by the user: these files, or the archives that they come from.
   [[nodiscard]] FileGroup given(const FileGroup& files) const {
     FileGroup given;
     for (const auto& file : files) {
@@ -206,7 +207,7 @@ class Arrivals {
     return given;
   }
 
-  /// A dataset that is alone in its archive is called as the archive is: "doc.kml" says nothing.
+  /// The only dataset of an archive gets the archive's name, because a name such as "doc.kml" says nothing.
   [[nodiscard]] IngestOptions options_for(const FileGroup& files,
                                           const std::vector<FileGroup>& groups) const {
     IngestOptions options = options_;
@@ -221,7 +222,7 @@ class Arrivals {
     return options;
   }
 
-  /// Names what lay beside the data in the archive, once.
+  /// Adds a warning with the names of other files in the archive, in the first report about it only.
   void tell_left_out(const FileGroup& files, IngestReport& report) {
     const auto archive = archive_of_.find(files.front());
     if (archive == archive_of_.end()) return;

@@ -15,16 +15,18 @@
 
 namespace floeplan::ingest {
 
-/// What confines the processes that read files, as one of them tells; empty: it told nothing.
-/// Errors   std::runtime_error when it cannot be started
+/// The sandbox layers that confine processes which read files, as reported by such a process; empty: it
+/// reported nothing.
+/// Errors   std::runtime_error when the process cannot be started
 [[nodiscard]] std::optional<sandbox::Layers> layers_in_force(const Guard& guard);
 
-/// Reads several files as ingest_files does, but opens none of them itself: a child process that is confined and bounded
-/// reads each group of files into a store of its own, and hands over the rows as plain values; what has arrived whole is
-/// taken over in one transaction. A file that breaks its reader, or takes more time or memory than a file of its size
-/// may, is refused and costs nothing else. Every file is refused where the machine cannot confine its reader.
+/// Reads several files as ingest_files does, but opens none of them in this process. A confined child process
+/// with limits reads each group of files into a store of its own and hands over the rows as plain values; a
+/// complete group is stored in one transaction. A file that crashes its reader, or needs more time or memory
+/// than its size allows, is refused without effect on others. Every file is refused if the machine cannot
+/// confine its reader.
 /// `reported`  called with each report as soon as it is known; may be empty
-/// Returns  the reports; of a group during which `stop` was requested none, and none of those after it
+/// Returns  the reports; none for a group during which `stop` was requested, nor for later groups
 /// Errors   std::runtime_error when the store or the machine fails
 [[nodiscard]] std::vector<IngestReport> guarded_ingest(
     sql::Connection& db, const Guard& guard, const std::vector<std::filesystem::path>& files,

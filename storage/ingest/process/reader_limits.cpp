@@ -16,7 +16,7 @@ constexpr bool sanitized = false;
 
 constexpr std::uint64_t megabyte = 1'000'000;
 
-/// Bytes of a file, or of everything in a folder; 0 of what is not there.
+/// Bytes of a file, or of everything in a folder; 0 if it does not exist.
 std::uint64_t bytes_of(const std::filesystem::path& path) {
   std::error_code error;
   if (!std::filesystem::is_directory(path, error)) {
@@ -43,14 +43,14 @@ void set_limit(decltype(RLIMIT_CPU) resource, std::uint64_t most) {
 ReaderLimits limits_for(const std::vector<std::filesystem::path>& files) {
   std::uint64_t bytes = 0;
   for (const std::filesystem::path& file : files) bytes += bytes_of(file);
-  // Seconds: for a small file half of the 10 s after which a damaged one has to be given up by the clock, because a
-  // machine may be busy with other things. For each megabyte a tenth of the rate at which files of currents, the
-  // largest there are, are read on one slow core.
+  // Seconds. A damaged small file must be given up within 10 s of elapsed time; it gets half of this, because
+  // the machine may be busy. Each megabyte adds half a second, ten times as long as one slow core takes to
+  // read files of currents, the largest files.
   const std::uint64_t cpu_s = (sanitized ? 60 : 5) + bytes / megabyte / (sanitized ? 1 : 2);
   return {.memory_bytes = 480 * megabyte,
           .address_bytes = 4'000 * megabyte,  // libraries alone map about 500 MB
           .cpu_s = cpu_s,
-          .wall_s = 60 + 10 * cpu_s,  // a machine may be busy with other things
+          .wall_s = 60 + 10 * cpu_s,  // the machine may be busy
           .file_bytes = 512 * megabyte + 20 * bytes,
           .open_files = 128};
 }

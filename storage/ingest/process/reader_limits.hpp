@@ -6,21 +6,22 @@
 
 namespace floeplan::ingest {
 
-/// What a process that reads foreign files may take of the machine.
+/// Limits on the resources of a process that reads files from outside.
 struct ReaderLimits {
-  std::uint64_t memory_bytes{};   // private memory; what maps a file for reading does not count
-  std::uint64_t address_bytes{};  // everything it maps
+  std::uint64_t memory_bytes{};   // private memory; a file mapped for reading does not count
+  std::uint64_t address_bytes{};  // all mapped addresses
   std::uint64_t cpu_s{};          // computing time
-  std::uint64_t wall_s{};         // time by the clock, watched from outside
-  std::uint64_t file_bytes{};     // of the largest file that it writes
+  std::uint64_t wall_s{};         // elapsed time, watched by the parent process
+  std::uint64_t file_bytes{};     // size of the largest file that it writes
   std::uint64_t open_files{};
 };
 
-/// Enough for every good file of this size, and too little for a small file that pretends to be a large one.
+/// Limits that are enough for every valid file of this size, but too little for a small file that pretends to
+/// be large.
 [[nodiscard]] ReaderLimits limits_for(const std::vector<std::filesystem::path>& files);
 
-/// Bounds this process, for good. Without bounds on memory under the address and thread sanitizers, which map
-/// terabytes.
+/// Sets the limits for this process, permanently. Memory is not limited under the address and thread
+/// sanitizers, which map terabytes.
 /// Errors   std::system_error when the system refuses
 void keep_to(const ReaderLimits& limits);
 

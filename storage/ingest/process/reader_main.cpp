@@ -27,17 +27,18 @@
 namespace floeplan::ingest {
 namespace {
 
-/// Nobody waits for the answers of a process whose parent is gone.
+/// The system kills this process when its parent ends, because nobody would read its answers.
 void bind_to_parent() { prctl(PR_SET_PDEATHSIG, SIGKILL); }
 
-/// Slice after slice takes and gives back the same megabytes; handing them to the kernel each time takes longer than
-/// reading.
+/// Keeps freed memory in this process. Each slice needs the same megabytes; returning them to the kernel each
+/// time takes longer than reading the slice.
 void keep_freed_memory() {
-  mallopt(M_MMAP_THRESHOLD, 32 << 20);  // the largest that the library accepts
+  mallopt(M_MMAP_THRESHOLD, 32 << 20);  // bytes; the largest that the library accepts
   mallopt(M_TRIM_THRESHOLD, 256 << 20);
 }
 
-/// The pipe to the parent. Libraries print what they please on standard output and error; that goes nowhere.
+/// Writes events to the pipe to the parent. Output that libraries print on standard output and error is
+/// discarded.
 class Reporter {
  public:
   Reporter() : pipe_{fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, STDERR_FILENO + 1)} {
@@ -55,7 +56,7 @@ class Reporter {
   void send(std::string_view bytes) const {
     while (!bytes.empty()) {
       const ssize_t count = write(pipe_, bytes.data(), bytes.size());
-      if (count <= 0) _exit(1);  // nobody listens
+      if (count <= 0) _exit(1);  // the parent has closed the pipe
       bytes.remove_prefix(static_cast<std::size_t>(count));
     }
   }
@@ -64,7 +65,7 @@ class Reporter {
   int pipe_;
 };
 
-/// A line for each whole percent, not for each call.
+/// Reports progress once for each whole percent, not for each call.
 core::ProgressCallback progress_to(const Reporter& reporter) {
   return [&reporter, last_stage = std::string{}, last_percent = -1.0](std::string_view stage,
                                                                       double share) mutable {
@@ -87,7 +88,7 @@ Grouped group(const std::vector<std::filesystem::path>& files, const Reporter& r
   return grouped;
 }
 
-/// Tells what the archive holds, or why it is refused.
+/// Unpacks an archive and reports its content, or why it is refused.
 ReaderEvent unpacked(const std::filesystem::path& archive, const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder);
   const auto is_data = [](const std::filesystem::path& file) { return format_of(file).has_value(); };
@@ -122,8 +123,8 @@ void work(const ReaderRequest& request, const std::filesystem::path& staging,
   for (IngestReport& report : reports) reporter.tell(Reported{std::move(report)});
 }
 
-/// Takes everything from this process that reading does not need.
-/// Returns  whether it may be given foreign bytes
+/// Takes away every right that reading does not need.
+/// Returns  whether the confinement is strong enough to open files from outside
 bool is_confined(const ReaderRequest& request, const std::filesystem::path& staging,
                  const std::vector<std::filesystem::path>& files, const Reporter& reporter) {
   keep_to(request.limits);

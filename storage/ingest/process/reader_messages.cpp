@@ -67,7 +67,7 @@ json to_json(const messages::Message& message) {
 messages::Value value_of(const json& value) {
   if (value.is_number_integer()) return value.get<std::int64_t>();
   if (value.is_string()) return value.get<std::string>();
-  return value.is_null() ? std::nan("") : value.get<double>();  // JSON has no number that is none
+  return value.is_null() ? std::nan("") : value.get<double>();  // JSON has no NaN; it is written as null
 }
 
 messages::Message message_of(const json& object) {
@@ -165,7 +165,8 @@ std::optional<ReaderEvent> event_of(const json& event) {
   return std::nullopt;
 }
 
-/// What libraries say of a damaged file need not be UTF-8.
+/// A document as text. Messages of libraries about a damaged file may not be valid UTF-8; invalid bytes are
+/// replaced.
 std::string text_of(const json& document) {
   return document.dump(-1, ' ', false, json::error_handler_t::replace);
 }

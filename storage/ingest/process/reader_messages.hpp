@@ -12,23 +12,24 @@
 
 namespace floeplan::ingest {
 
-/// What a process that reads foreign files is to do.
+/// The task of a process that reads files from outside.
 struct ReaderRequest {
   enum class Task {
-    unpack,  // lay out what the one file, an archive, holds
-    group,   // say which of the files belong together
-    probe,   // say how it is confined
+    unpack,  // unpack the one file, which is an archive
+    group,   // report which of the files belong together
+    probe,   // report how it is confined
     ingest   // read the files, which make one group, into the store
   };
   Task task{Task::ingest};
   IngestOptions options;
   core::UtcTime now;
   ReaderLimits limits;
-  bool allow_weak_sandbox{false};  // work in fewer layers than are needed
+  bool allow_weak_sandbox{false};  // work even if the sandbox has fewer layers than required
 };
 
-/// What it tells while it works, in this order as often as there is something to tell.
-struct Confined {  // before it opens a file
+/// The events that the process reports while it works. Each kind can occur several times; Confined comes
+/// before a file is opened.
+struct Confined {  // before a file is opened
   sandbox::Layers layers;
 };
 struct Progressed {
@@ -39,13 +40,13 @@ struct LooksAt {
   std::size_t file{};  // index of the file that is opened to find its group
 };
 struct Grouped {
-  std::vector<std::vector<std::size_t>> groups;  // of the files' numbers
+  std::vector<std::vector<std::size_t>> groups;  // each group as indices of files
 };
 struct UnpackedArchive {  // names below `unpacked_folder` of the staging folder
   std::vector<std::string> data;
   std::vector<std::string> left_out;
 };
-struct RowsFollow {  // the line is followed by a parcel of rows of the datasets that were read
+struct RowsFollow {  // a parcel of rows of the datasets follows this line
   std::size_t bytes{};
 };
 struct Reported {
@@ -53,27 +54,27 @@ struct Reported {
 };
 struct Failed {
   enum class Cause {
-    memory,  // more than the limit
-    reader,  // an error that no reader has foreseen
-    store,   // the machine's, not the file's
-    sandbox  // it cannot be confined
+    memory,  // more memory than the limit
+    reader,  // an exception that the reader does not expect
+    store,   // a fault of the machine, not of the file
+    sandbox  // the process cannot be confined
   };
   Cause cause{Cause::reader};
   std::string reason;
 };
-struct Finished {};  // the last one; without it the process broke down
+struct Finished {};  // the last event; without it the process broke down
 
 using ReaderEvent = std::variant<Confined, Progressed, LooksAt, Grouped, UnpackedArchive, RowsFollow,
                                  Reported, Failed, Finished>;
 
-/// JSON texts. An event is one line without its end.
+/// JSON texts. An event is one line, without the line end.
 [[nodiscard]] std::string to_text(const ReaderRequest& request);
 [[nodiscard]] std::string to_text(const ReaderEvent& event);
 
-/// Errors   std::runtime_error for a text that is none
+/// Errors   std::runtime_error for a text that is not a request
 [[nodiscard]] ReaderRequest parse_reader_request(const std::string& text);
-/// Nothing of a line that is no event: the process that wrote it may have been broken by a file. Of a dataset in a
-/// report only the id is there.
+/// nullopt for a line that is not an event: a file may have broken the process that wrote it. A dataset in a
+/// report has only its id.
 [[nodiscard]] std::optional<ReaderEvent> parse_reader_event(const std::string& line);
 
 }  // namespace floeplan::ingest

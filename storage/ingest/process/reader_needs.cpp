@@ -21,7 +21,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The folder of PROJ's data, such as EPSG's reference systems. PROJ looks through its folders in the same order.
+/// The folder of PROJ's data, such as EPSG's reference systems: the first of its folders that has them, as in
+/// PROJ itself.
 fs::path folder_of_proj() {
   const CPLStringList folders{OSRGetPROJSearchPaths()};
   std::error_code ignored;
@@ -36,7 +37,7 @@ fs::path folder_of_gdal() {
   return found == nullptr ? fs::path{} : fs::path{found}.parent_path();
 }
 
-/// The folder of the C library's character sets, one library for each, which texts of shapefiles need.
+/// The folder of the C library's character sets, one library file each. Texts of shapefiles need them.
 fs::path folder_of_character_sets() {
   Dl_info library{};
   if (dladdr(reinterpret_cast<const void*>(&std::snprintf), &library) == 0) return {};
@@ -47,7 +48,7 @@ void add_data_of_libraries(std::vector<fs::path>& paths) {
   paths.insert(paths.end(),
                {folder_of_proj(), folder_of_gdal(), folder_of_character_sets(), "/dev/null", "/dev/urandom"});
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-  std::error_code ignored;  // to say where something happened
+  std::error_code ignored;  // an error means that the file does not exist
   paths.insert(paths.end(), {fs::read_symlink("/proc/self/exe", ignored), "/proc/self/", "/usr/lib"});
 #endif
   std::erase(paths, fs::path{});
@@ -58,7 +59,7 @@ bool is_sensor_cache_name(const fs::path& file) {
   return ending == ".cac" || ending == ".ccc";
 }
 
-/// The names of files in one folder, without their endings and in lower case, with a dot behind.
+/// Names of the files in one folder: lower case, without the ending, with the dot before it.
 using Stems = std::vector<std::string>;
 
 void add_what_lies_beside(const fs::path& folder, const Stems& stems, std::vector<fs::path>& paths) {

@@ -7,13 +7,13 @@
 
 namespace floeplan::ingest {
 
-/// Has every library read its settings and find its data now, as long as this process may open files, and keeps them
-/// from loading plugins.
+/// Makes every library read its settings and find its data now, while this process may still open files, and
+/// keeps them from loading plugins.
 void prepare_libraries();
 
-/// What a process that reads `files` needs: the files; what lies beside them and has their name with another ending, as
-/// the parts of a shapefile and the updates of a chart have; beside logs of Slocum gliders the lists of their sensors;
-/// the data of the libraries. It writes to `staging` alone.
+/// The files that a process needs to read `files`: the files themselves; files beside them with the same name
+/// and another ending, such as parts of a shapefile and updates of a chart; the sensor lists beside logs of
+/// Slocum gliders; the data of the libraries. The process may write only to `staging`.
 [[nodiscard]] sandbox::FileNeeds needs_of_reader(const std::vector<std::filesystem::path>& files,
                                                  const std::filesystem::path& staging);
 

@@ -18,12 +18,12 @@
 namespace floeplan::ingest {
 namespace {
 
-constexpr std::size_t longest_line = 4'000'000;  // a report with thousands of refused rows
+constexpr std::size_t longest_line = 4'000'000;  // bytes; a report with thousands of refused rows
 
 std::system_error failure(int number, const char* what) { return {number, std::generic_category(), what}; }
 
-/// Nothing comes from the outside, so nothing there makes a library load a plugin, speak to the network or find other
-/// data than the system's. Sanitizers keep their options.
+/// The environment of the process. Nothing is inherited, so no variable makes a library load a plugin, use
+/// the network or find other data than the system's. Only the options of sanitizers are kept.
 std::vector<std::string> environment(const std::string& home) {
   std::vector<std::string> variables{"LC_ALL=C.UTF-8",
                                      "TZ=UTC0",
@@ -36,7 +36,8 @@ std::vector<std::string> environment(const std::string& home) {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
   for (const char* name : {"ASAN_OPTIONS", "UBSAN_OPTIONS", "TSAN_OPTIONS"})
     if (const char* value = std::getenv(name)) variables.push_back(std::string{name} + "=" + value);
-  variables.emplace_back("LSAN_OPTIONS=detect_leaks=0");  // it traces its own process, which no reader may
+  // the leak checker traces its own process, which a confined reader may not do
+  variables.emplace_back("LSAN_OPTIONS=detect_leaks=0");
 #endif
   return variables;
 }
@@ -49,7 +50,7 @@ std::vector<char*> pointers(std::vector<std::string>& words) {
   return result;
 }
 
-/// What a new process begins with: nothing to read, `output` to write to, nothing else open.
+/// Open files of a new process: standard input is empty, standard output is `output`, nothing else is open.
 class FileActions {
  public:
   explicit FileActions(int output) {
@@ -68,7 +69,7 @@ class FileActions {
   posix_spawn_file_actions_t actions_{};
 };
 
-/// Becomes readable when a stop is requested.
+/// A file descriptor that becomes readable when a stop is requested.
 class StopSignal {
  public:
   explicit StopSignal(const std::stop_token& stop)
@@ -103,7 +104,7 @@ ReaderProcess::ReaderProcess(const std::filesystem::path& program, const std::ve
   if (pipe2(ends.data(), O_CLOEXEC) != 0) throw failure(errno, "no pipe to a process that reads files");
   std::vector<std::string> words{"floeplan"};
   words.insert(words.end(), arguments.begin(), arguments.end());
-  fcntl(ends[1], F_SETPIPE_SZ, 1 << 20);  // a parcel of rows at once; with less it takes longer
+  fcntl(ends[1], F_SETPIPE_SZ, 1 << 20);  // the pipe holds a whole parcel of rows; a smaller pipe is slower
   std::vector<std::string> variables = environment(home.string());
   const FileActions actions{ends[1]};
   const int error = posix_spawn(&pid_, program.c_str(), actions.get(), nullptr, pointers(words).data(),
@@ -146,7 +147,7 @@ ReaderProcess::Reading ReaderProcess::read_bytes(std::size_t count, const std::s
   return Reading::line;
 }
 
-/// Waits for some more output.
+/// Waits for more output of the process.
 ReaderProcess::Reading ReaderProcess::read_more(const std::stop_token& stop,
                                                 std::chrono::steady_clock::time_point deadline) {
   const StopSignal stop_signal{stop};
@@ -166,7 +167,7 @@ ReaderProcess::Reading ReaderProcess::read_more(const std::stop_token& stop,
 }
 
 int ReaderProcess::kill() {
-  // To the system -1 means every process there is.
+  // For kill(), the process id -1 means every process of the user.
   if (pid_ <= 0) throw std::logic_error{"ReaderProcess: its process has ended before"};
   ::kill(pid_, SIGKILL);
   return collect();

@@ -11,14 +11,14 @@
 
 namespace floeplan::ingest {
 
-/// A child process that is told what to do by its arguments and tells what it does by lines on its standard output.
-/// It inherits no open file and nothing of the environment. Its end is certain: it is killed with this object, and kills
-/// itself when its parent is killed.
-/// Threads  one thread at a time; the thread that started it outlives it
+/// A child process that gets its task by arguments and reports by lines on its standard output. It inherits
+/// no open files and none of the environment. It always ends: the destructor kills it, and the system kills
+/// it when the parent ends.
+/// Threads  one thread at a time; the thread that started the process must live longer than this object
 class ReaderProcess {
  public:
   /// `home`   the folder that takes the place of the user's home and of the system's for temporary files
-  /// Errors   std::system_error when the program cannot be started
+  /// `home`   the folder that replaces the user's home and the system's folder for temporary files
   ReaderProcess(const std::filesystem::path& program, const std::vector<std::string>& arguments,
                 const std::filesystem::path& home);
   ReaderProcess(const ReaderProcess&) = delete;
@@ -26,19 +26,19 @@ class ReaderProcess {
   ~ReaderProcess();
 
   enum class Reading { line, ended, stopped, too_late };
-  /// The next line, without its end, in `line()`; or why there is none: the output has ended, `stop` was requested, the
-  /// deadline is over.
+  /// Reads the next line into `line()`, without its line end; or returns why there is none: the output has
+  /// ended, `stop` was requested, or the deadline has passed.
   [[nodiscard]] Reading read_line(const std::stop_token& stop,
                                   std::chrono::steady_clock::time_point deadline);
   [[nodiscard]] const std::string& line() const { return line_; }
-  /// Bytes that follow a line, in `line()`; `line` when all are there.
+  /// Reads the bytes that follow a line into `line()`; returns `line` when all have arrived.
   [[nodiscard]] Reading read_bytes(std::size_t count, const std::stop_token& stop,
                                    std::chrono::steady_clock::time_point deadline);
 
-  /// Kills what still runs and returns how it ended, as waitpid gives it.
-  /// Errors   std::logic_error when its end was told before
+  /// Kills the process if it still runs, and returns its wait status, as waitpid does.
+  /// Errors   std::logic_error when the status was returned before
   int kill();
-  /// Waits for the end of a process whose output has ended; returns as kill().
+  /// Waits until a process whose output has ended exits; returns its wait status.
   int wait();
 
  private:

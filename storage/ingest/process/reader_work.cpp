@@ -51,7 +51,8 @@ void note(const Failed& failed, const ReaderLimits& limits, Told& told) {
   }
 }
 
-/// Listens to a process until it has finished, died or was stopped. What it says may be a file's doing.
+/// Listens to a process until it has finished, has died or was stopped. A damaged file may have changed what
+/// it sends.
 class Listening {
  public:
   Listening(ReaderProcess& process, const ReaderRequest& request, const std::stop_token& stop,
@@ -76,9 +77,9 @@ class Listening {
   }
 
  private:
-  static constexpr std::size_t most_reports = 100;  // a group holds a few kinds of data
+  static constexpr std::size_t most_reports = 100;  // of one group, which holds a few kinds of data
 
-  /// Whether the process may still send something. If not, `told_` says why.
+  /// Whether the reading succeeded, so that more can follow. If not, `told_` says why.
   bool heard(ReaderProcess::Reading reading) {
     switch (reading) {
       case ReaderProcess::Reading::line: return true;
@@ -91,7 +92,8 @@ class Listening {
     return false;
   }
 
-  // Each says whether it can have been said: nothing before the process is confined.
+  // Each overload returns whether the event is possible now. No event may come before the process is
+  // confined.
   bool take(const Confined& confined) {
     if (told_.layers) return false;
     told_.layers = confined.layers;

@@ -41,7 +41,8 @@ StagingFolder::~StagingFolder() {
   close(lock_);
 }
 
-// A folder between its creation and its lock could be taken for one that was left behind; the creator then tries again.
+// A folder that is not yet locked may be removed as if it were abandoned; its creator then creates another
+// one.
 void StagingFolder::remove_abandoned(const fs::path& parent) {
   std::error_code error;
   for (fs::directory_iterator entry{parent, error}, end; !error && entry != end; entry.increment(error)) {

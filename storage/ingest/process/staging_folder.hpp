@@ -4,9 +4,9 @@
 
 namespace floeplan::ingest {
 
-/// A new folder below `parent`, for this process alone, that is removed with everything in it at the end.
-/// Those that killed processes left behind are removed, too, told by the lock that a living process holds on its own.
-/// Errors   std::system_error when it cannot be created
+/// A new folder below `parent` for this process alone; the destructor removes it with everything in it. The
+/// constructor also removes folders of killed processes: a living process holds a lock on its folder.
+/// Errors   std::system_error when the folder cannot be created
 class StagingFolder {
  public:
   explicit StagingFolder(const std::filesystem::path& parent);
@@ -14,7 +14,7 @@ class StagingFolder {
   StagingFolder& operator=(const StagingFolder&) = delete;
   ~StagingFolder();
 
-  /// Removes those below `parent` whose process was killed; does nothing where there is no such folder.
+  /// Removes the folders below `parent` whose process was killed. Does nothing if `parent` does not exist.
   static void remove_abandoned(const std::filesystem::path& parent);
 
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }

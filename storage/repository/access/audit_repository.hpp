@@ -9,18 +9,19 @@
 
 namespace floeplan::repository {
 
-/// Something that somebody did and may have to answer for.
+/// An action of a user that is recorded for accountability.
 struct AuditEntry {
   std::int64_t row{};  // given by the store, ascending in time
   core::UtcTime at;
-  std::string caller;  // name of a token
-  std::string peer;    // address it came from
+  std::string caller;  // name of the token used
+  std::string peer;    // network address of the request
   std::string action;  // "plan-route", "export", "upload", "remove", ...
-  std::string target;  // what it was done to: the path, or the id of the job
+  std::string target;  // object of the action: a path, or the id of a job
   std::string request_id;
 };
 
-/// Entries are added and read; one that counts may count further. Those beyond the newest `most_entries` go.
+/// The log of actions. Entries are added and read; an entry with a count can be updated. Only the newest
+/// `most_entries` are kept.
 /// Threads  as the connection: one thread at a time
 class AuditRepository {
  public:
@@ -28,11 +29,11 @@ class AuditRepository {
 
   static constexpr std::int64_t most_entries = 1'000'000;  // some 150 MB: years of a busy station
 
-  /// Returns  its row
+  /// Adds an entry. Returns its row.
   std::int64_t add(const AuditEntry& entry);
-  /// Gives an entry that counts its new count.
+  /// Replaces the target of an entry that contains a count.
   void restate(std::int64_t row, const std::string& target);
-  /// Newest first, at most `limit` with a row below `before` (0: from the newest).
+  /// At most `limit` entries with a row below `before`, newest first; 0: from the newest.
   [[nodiscard]] std::vector<AuditEntry> list(std::int64_t before, int limit) const;
 
  private:

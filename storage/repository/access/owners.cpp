@@ -5,7 +5,7 @@
 namespace floeplan::repository {
 namespace {
 
-/// Adds up to whole numbers that an index of the owner has, so that no document is read.
+/// The sums use only columns in an index on the owner, so no document is read.
 constexpr const char* stored_bytes =
     "SELECT CAST((SELECT coalesce(sum(file_size_bytes), 0) FROM dataset WHERE owner = ?1) + "
     "(SELECT coalesce(sum(stored_bytes), 0) FROM plan WHERE owner = ?1) + "

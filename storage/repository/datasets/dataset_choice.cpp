@@ -9,7 +9,7 @@
 namespace floeplan::repository {
 namespace {
 
-/// Why a named dataset cannot be used; empty: it can.
+/// Why a named dataset cannot be used; empty if it can.
 std::optional<core::Violation> objection(const Dataset& dataset, DatasetKind kind,
                                          const geo::BoundingBox& area) {
   const std::string field = "/" + kind_name(kind);

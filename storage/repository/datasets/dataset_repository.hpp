@@ -17,16 +17,17 @@ class DatasetRepository {
   explicit DatasetRepository(sql::Connection& db) : db_{db} {}
 
   void insert(const Dataset& dataset);
-  /// States bounds, period, rows and provenance of the dataset anew.
+  /// Replaces the stored bounds, period, number of rows and provenance of a dataset.
   void update(const Dataset& dataset);
   [[nodiscard]] std::optional<Dataset> find(const DatasetId& id) const;
   /// Newest first; ties by id.
   [[nodiscard]] std::vector<Dataset> list() const;
-  /// The same, past datasets of which the description is damaged; what they hold is not read.
+  /// The same list without datasets whose entry is damaged. The data themselves are not checked.
   [[nodiscard]] PartialList<Dataset> list_past_damage() const;
-  /// The ids of all datasets with the digests of their contents, in one text that changes with any of them.
+  /// A text of the ids of all datasets and the digests of their contents; it changes whenever a dataset
+  /// changes.
   [[nodiscard]] std::string contents() const;
-  /// Removes the dataset and everything that belongs to it. False when there is none.
+  /// Removes the dataset and all its data. False if there is no such dataset.
   bool remove(const DatasetId& id);
 
  private:

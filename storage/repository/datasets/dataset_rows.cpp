@@ -13,7 +13,8 @@ namespace floeplan::repository {
 namespace {
 
 constexpr std::size_t parcel_bytes = std::size_t{1} << 20;
-constexpr std::int64_t highest_row_number = std::int64_t{1} << 53;  // added to others without an overflow
+// row numbers up to this can be added to others without overflow
+constexpr std::int64_t highest_row_number = std::int64_t{1} << 53;
 
 template <class T>
 void append(std::string& out, T value) {
@@ -48,7 +49,7 @@ std::string names_of(const std::vector<sql::Column>& columns) {
   return names;
 }
 
-/// Sends the rows that `condition`, with a text for its parameter, chooses.
+/// Sends the rows selected by `condition`, whose parameter is a text.
 void send_rows(sql::Connection& db, const std::string& table, const std::string& condition,
                const std::string& parameter, const std::function<void(std::string_view)>& send) {
   const std::vector<sql::Column> columns = sql::columns_of(db, table);
@@ -111,7 +112,7 @@ void bind_value(sql::Statement& insert, int parameter, const sql::Column& column
   }
 }
 
-/// Datasets that every list of the store can show.
+/// The datasets received; throws if one is invalid.
 std::vector<Dataset> checked_datasets(sql::Connection& db) {
   std::vector<Dataset> datasets;
   try {
@@ -128,7 +129,8 @@ std::vector<Dataset> checked_datasets(sql::Connection& db) {
   return datasets;
 }
 
-/// A row that breaks a rule of the schema was made up; everything else is the machine's fault.
+/// Runs `work`. A row that violates the schema is a fault of the sender; every other failure is the
+/// machine's.
 template <class Work>
 void blaming_the_sender(const Work& work) {
   try {
@@ -147,7 +149,7 @@ void send_datasets(sql::Connection& db, const std::vector<DatasetId>& ids,
   for (const DatasetId& id : ids) {
     send_rows(db, "dataset", "id = ?1", id.value, send);
     for (const std::string& table : tables) {
-      // The unary plus keeps the database from an index, so that rows without numbers keep their order.
+      // The unary plus prevents use of an index, so that rows without numbers keep their order.
       const std::string chosen = "+dataset_row = (SELECT row FROM dataset WHERE id = ?1)";
       send_rows(db, table, chosen, id.value, send);
       if (const std::string boxes = boxes_of(table); sql::has_table(db, boxes))
@@ -169,7 +171,7 @@ void DatasetReceiver::open_table(const std::string& name) {
   std::vector<sql::Column> columns = sql::columns_of(db_, name);
   std::string values;
   for (std::size_t i = 0; i < columns.size(); ++i) values += (i == 0 ? "?" : ", ?") + std::to_string(i + 1);
-  // A trigger may have filled the box of a row already, with the same.
+  // A trigger may already have inserted the same box.
   const bool may_be_there = name.ends_with(boxes_of(""));
   auto insert = std::make_unique<sql::Statement>(
       db_, std::string{may_be_there ? "INSERT OR REPLACE" : "INSERT"} + " INTO " + name + " (" +

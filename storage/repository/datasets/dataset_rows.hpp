@@ -16,38 +16,40 @@
 
 namespace floeplan::repository {
 
-/// How data leave a process that has read foreign bytes: as rows of plain values. A database that such a process wrote
-/// is never opened by another one.
+/// Data leave a process that reads files from outside as rows of plain values. A database file that such a
+/// process wrote is never opened by another process.
 ///
-/// A parcel holds rows of one table: the name of the table (one byte for its length), then the values of row after row,
-/// each one byte that says whether it is there, and, by the type of its column here, an integer or a number of 8 bytes,
-/// or 4 bytes for a length and as many of a text or blob. Both processes run the same program on the same machine.
+/// A parcel holds rows of one table: the name of the table (one byte for its length), then the values row by
+/// row. Each value has one byte that tells whether it is null; then, by the type of its column in this
+/// schema, 8 bytes of an integer or a floating point number, or 4 bytes for the length of a text or blob and
+/// its bytes. Both processes run the same program on the same machine.
 
-/// No parcel is larger: nearly all are about a megabyte, but one row is never divided.
+/// The largest parcel. Most have about a megabyte, but a single row is never divided.
 inline constexpr std::size_t largest_parcel_bytes = std::size_t{256} << 20;
 
-/// Hands over all rows of these datasets, parcel by parcel.
+/// Passes all rows of these datasets to `send`, parcel by parcel.
 void send_datasets(sql::Connection& db, const std::vector<DatasetId>& ids,
                    const std::function<void(std::string_view parcel)>& send);
 
-/// What a parcel holds cannot have been sent by send_datasets: its sender is broken.
+/// Thrown when a parcel cannot come from send_datasets, so that its sender must be broken.
 struct BrokenParcel : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Puts rows into an empty scratch store of this process's own, by this program's schema alone.
+/// Puts rows into an empty scratch store of this process, which has this program's own schema.
 class DatasetReceiver {
  public:
-  /// `db`  outlives this
+  /// `db`  must live longer than this object
   explicit DatasetReceiver(sql::Connection& db);
 
-  /// Errors   BrokenParcel for an unknown table, a value that is none, a row that the schema does not take;
+  /// Adds the rows of a parcel.
+  /// Errors   BrokenParcel for an unknown table, an invalid value, or a row that violates the schema;
   ///          sql::Failure when the disk is full
   void take(std::string_view parcel);
 
-  /// Commits all that came.
+  /// Commits all rows received.
   /// Returns  the ids of the datasets
-  /// Errors   BrokenParcel where rows belong to a dataset that did not come, or a dataset cannot be
+  /// Errors   BrokenParcel when rows belong to a dataset that was not sent, or when a dataset is invalid
   [[nodiscard]] std::vector<DatasetId> finish();
 
  private:

@@ -26,10 +26,10 @@ namespace {
 struct Table {
   std::string name;
   std::vector<sql::Column> columns;
-  std::int64_t row_offset{};  // from a row's number there to its number here
+  std::int64_t row_offset{};  // added to a row's number in the other store
 };
 
-/// 0 of a table whose rows have no numbers.
+/// The highest row number; 0 for a table whose rows have no numbers.
 std::int64_t highest_row(sql::Connection& db, const Table& table) {
   const bool has_numbers = std::ranges::find(table.columns, "row", &sql::Column::name) != table.columns.end();
   return has_numbers ? sql::highest_row(db, table.name) : 0;
@@ -41,7 +41,7 @@ Table table_of(sql::Connection& db, const std::string& name) {
   return table;
 }
 
-/// What copies a table, or the R*Tree of its boxes, with the numbers of rows as they are here.
+/// SQL that copies a table, or the R*Tree of its boxes, and converts row numbers to those of this store.
 std::string copy(const Table& table, const std::string& into, const std::vector<sql::Column>& columns,
                  std::int64_t dataset_offset) {
   std::string names;
@@ -52,7 +52,7 @@ std::string copy(const Table& table, const std::string& into, const std::vector<
     values += separator + column;
     if (column == "row") values += " + " + std::to_string(table.row_offset);
     if (column == "dataset_row") values += " + " + std::to_string(dataset_offset);
-    // Hidden under a name that nothing else can have, since a dataset that this one replaces has its own still.
+    // A unique temporary id hides the dataset, because a dataset to be replaced still has the real id.
     if (table.name == "dataset" && column == "id")
       values += " || '~' || (row + " + std::to_string(table.row_offset) + ")";
   }
@@ -65,22 +65,23 @@ void run_for(sql::Connection& db, const std::string& sql, std::int64_t row) {
   statement.run();
 }
 
-/// A dataset on its way: hidden from every list until all of it is here.
+/// A dataset that is being copied; hidden from every list until it is complete.
 struct Arrival {
   DatasetId id;
   std::int64_t there{};  // its row in the other store
   std::int64_t here{};
 };
 
-/// Rows that are copied before the dataset is shown: its grid, and the samples on it that make up nearly all of its
-/// size.
+/// Rows that are copied before the dataset is shown: its grid and the samples on it, which are nearly all of
+/// its size.
 constexpr const char* early_table = "grid";
 constexpr const char* large_table = "field_chunk";
-/// About 10 MB of samples: the lock on writing is held for some tens of milliseconds.
+/// About 10 MB of samples, which hold the write lock for some tens of milliseconds.
 constexpr std::int64_t rows_at_once = 1024;
-/// Writers that wait ask again after 25 ms at most, so one of them gets its turn in the pauses.
+/// Waiting writers retry after at most 25 ms, so one of them can start during the pauses.
 constexpr std::chrono::milliseconds least_pause{5};
-constexpr const char* abandoned_after = "3600";  // seconds; of a process that died while it copied
+// seconds after which incomplete data of a dead process are removed
+constexpr const char* abandoned_after = "3600";
 
 void remove_arrivals_of_the_dead(sql::Connection& db) {
   const std::string abandoned = std::string{"arriving_s < unixepoch() - "} + abandoned_after;
@@ -88,7 +89,7 @@ void remove_arrivals_of_the_dead(sql::Connection& db) {
   if (any.step()) sql::execute(db, "DELETE FROM main.dataset WHERE " + abandoned);
 }
 
-/// What is there and not here, or here in a form that what is there replaces.
+/// Datasets that are only in the other store, or are outdated in this store only.
 constexpr const char* fresh_datasets =
     "SELECT row, id FROM arrived.dataset AS there WHERE NOT EXISTS (SELECT 1 FROM main.dataset AS here WHERE "
     "here.id = there.id AND here.outdated <= there.outdated) ORDER BY row";
@@ -119,9 +120,9 @@ std::vector<Arrival> announce(sql::Connection& db) {
   return arrivals;
 }
 
-/// The last of the next rows to copy; empty when all are here.
+/// Number of the last row in the next batch; empty if all rows are copied.
 std::optional<std::int64_t> end_of_batch(sql::Connection& db, const Arrival& arrival, std::int64_t after) {
-  // The unary plus keeps the database from the index by dataset, whose rows would have to be sorted each time.
+  // The unary plus prevents use of the index by dataset, whose rows would have to be sorted each time.
   sql::Statement query{db, std::string{"SELECT max(number) FROM (SELECT rowid AS number FROM arrived."} +
                                large_table +
                                " WHERE +dataset_row = ?1 AND rowid > ?2 ORDER BY rowid LIMIT ?3)"};
@@ -130,7 +131,7 @@ std::optional<std::int64_t> end_of_batch(sql::Connection& db, const Arrival& arr
   return query.integer(0);
 }
 
-/// In many short transactions with pauses between them, so that others can write meanwhile.
+/// Copies in many short transactions with pauses in between, so that others can write meanwhile.
 void copy_samples(sql::Connection& db, const Arrival& arrival) {
   const Table samples = table_of(db, large_table);
   const std::string sql = "INSERT" +
@@ -160,7 +161,7 @@ void copy_the_rest(sql::Connection& db, const Arrival& arrival) {
     const std::int64_t offset = arrival.here - arrival.there;
     run_for(db, "INSERT" + copy(table, table.name, table.columns, offset) + "WHERE dataset_row = ?1",
             arrival.there);
-    const std::string box = boxes_of(table.name);  // where a trigger has filled it already, with the same
+    const std::string box = boxes_of(table.name);  // a trigger may already have inserted the same box
     if (!sql::has_table(db, box)) continue;
     run_for(db,
             "INSERT OR REPLACE" + copy(table, box, sql::columns_of(db, box), offset) +
@@ -173,7 +174,7 @@ void remove_row(sql::Connection& db, const Arrival& arrival) {
   run_for(db, "DELETE FROM main.dataset WHERE row = ?1", arrival.here);
 }
 
-/// Shows everything at once. What another process has stored meanwhile stays as that one stored it.
+/// Shows all datasets at once. A dataset that another process has stored meanwhile is kept.
 std::vector<DatasetId> show(sql::Connection& db, const std::vector<Arrival>& arrivals) {
   sql::Transaction transaction{db};
   sql::defer_references(db);
@@ -197,7 +198,8 @@ std::vector<DatasetId> show(sql::Connection& db, const std::vector<Arrival>& arr
   return ids;
 }
 
-/// The other file was written next to foreign data: a view or a trigger that does not belong there must not run.
+/// Checks the schema of the other file. It was written beside data from outside: unexpected views or triggers
+/// must not run.
 void refuse_another_schema(sql::Connection& db) {
   if (!sql::has_only_tables_of_main(db, "arrived"))
     throw std::runtime_error{messages::store_text<"data-of-another-form">()};

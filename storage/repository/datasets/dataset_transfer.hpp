@@ -8,11 +8,12 @@
 
 namespace floeplan::repository {
 
-/// Takes over every dataset that the store in `folder` holds and this one does not, with all its data; one that is
-/// outdated here and not there is replaced. They show up together at the end; others can write to this store while large data are copied. The other store has the same schema
-/// and is left as it is. What a process left behind that died while it copied is removed after an hour.
-/// Returns  the ids of what was taken over
-/// Errors   sql::Failure when either store fails; this one is then as it was
+/// Copies every dataset of the store in `folder` that this store does not have, with all its data. A dataset
+/// that is outdated here but not there is replaced. All appear together at the end; others can write to this
+/// store while large data are copied. The other store has the same schema and is not changed. Incomplete data
+/// of a process that died while copying are removed after an hour.
+/// Returns  the ids of the copied datasets
+/// Errors   sql::Failure when either store fails; this store is then unchanged
 std::vector<DatasetId> take_over_datasets(sql::Connection& db, const std::filesystem::path& folder);
 
 }  // namespace floeplan::repository

@@ -15,7 +15,7 @@ core::UtcTime last_use(const Dataset& dataset) {
   return std::max(dataset.time_end.value_or(dataset.provenance.ingested), dataset.provenance.ingested);
 }
 
-/// Whether it is the last word on its kind.
+/// Whether no dataset of the same kind has a period that ends later.
 bool is_last_of_kind(const Dataset& dataset, const std::vector<StoredSize>& stored) {
   return std::ranges::none_of(stored, [&](const StoredSize& other) {
     return other.dataset.kind == dataset.kind &&

@@ -24,11 +24,11 @@ constexpr std::size_t largest_blob_bytes = std::size_t{1} << 30;
   throw sql::Failure{messages::store_text<"stored-data-damaged">(why), sql::Trouble::damaged};
 }
 
-/// Puts the bytes of each number together again.
+/// Joins the bytes of each number.
 /// `planes`  all first bytes, then all second bytes, ...
 template <class T, class Bits>
 void unshuffle(std::span<const std::byte> planes, std::span<T> values) {
-  // Blocks of a fixed length become vector instructions: four times as fast as number by number.
+  // The compiler vectorises blocks of a fixed length: four times as fast as number by number.
   constexpr std::size_t block = 16;
   const std::size_t count = values.size();
   std::array<Bits, block> numbers{};
@@ -103,7 +103,8 @@ void BlobCodec::check(std::span<const std::byte> blob) { (void)decompress(blob, 
 
 std::size_t BlobCodec::unpacked_bytes(std::span<const std::byte> blob) {
   const auto bytes = ZSTD_getFrameContentSize(blob.data(), blob.size());
-  if (bytes > largest_blob_bytes) refuse("not a compressed block");  // includes the library's error values
+  // error values of the library are larger, too
+  if (bytes > largest_blob_bytes) refuse("not a compressed block");
   return bytes;
 }
 

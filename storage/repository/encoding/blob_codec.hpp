@@ -13,10 +13,12 @@ struct ZSTD_DCtx_s;
 
 namespace floeplan::repository {
 
-/// Arrays of numbers as compressed blobs and back, every bit kept (NaN payloads and signed zeros too).
+/// Packs arrays of numbers into compressed blobs and unpacks them. Every bit is kept, also of NaN payloads
+/// and signed zeros.
 /// Format   little-endian, shuffled (all first bytes, then all second bytes, ...), one zstd frame with a
-///          checksum. Neighbouring values of a smooth field share their high bytes; shuffling joins those. Floats that
-///          are multiples of steps: those (see write_as_steps), told by their odd length, in the same frame
+///          checksum. Shuffling brings together the high bytes, which are similar for neighbouring values of
+///          a smooth field. Floats that are multiples of a step are stored as counts instead (see
+///          write_as_steps); their odd length shows this
 /// Threads  one thread at a time
 /// Errors   sql::Failure (damaged) from `unpack` and `check` for a damaged blob or one of another length
 class BlobCodec {
@@ -26,23 +28,24 @@ class BlobCodec {
   BlobCodec& operator=(const BlobCodec&) = delete;
   ~BlobCodec();
 
-  /// All return views of scratch memory, valid until the next call.
+  /// All overloads return a view of scratch memory, which is valid until the next call.
   [[nodiscard]] std::span<const std::byte> pack(std::span<const float> values);
   [[nodiscard]] std::span<const std::byte> pack(std::span<const double> values);
   [[nodiscard]] std::span<const std::byte> pack(std::span<const std::uint32_t> values);
 
-  /// Packs the samples as whole numbers of steps, if every sample is one.
+  /// Packs the samples as counts of steps if every sample is a multiple of the step; otherwise as floats.
   [[nodiscard]] std::span<const std::byte> pack(std::span<const float> values, const SampleSteps& steps);
 
-  /// A view of scratch memory, valid until the next call: fields are read by the thousand of such blobs.
+  /// A view of scratch memory, valid until the next call. Not a copy, because fields consist of thousands of
+  /// such blobs.
   [[nodiscard]] std::span<const float> unpack_floats(std::span<const std::byte> blob, std::size_t count);
   [[nodiscard]] std::vector<double> unpack_doubles(std::span<const std::byte> blob, std::size_t count);
   [[nodiscard]] std::vector<std::uint32_t> unpack_numbers(std::span<const std::byte> blob, std::size_t count);
 
-  /// Compares a blob with its checksum.
+  /// Verifies the checksum of a blob.
   void check(std::span<const std::byte> blob);
 
-  /// How many bytes the blob holds once unpacked.
+  /// Size of the blob's content after unpacking, bytes.
   [[nodiscard]] static std::size_t unpacked_bytes(std::span<const std::byte> blob);
 
  private:
@@ -54,7 +57,7 @@ class BlobCodec {
   template <class T, class Bits>
   std::span<const std::byte> pack_as(std::span<const T> values);
   std::span<const std::byte> compress();
-  /// The bytes as they were before they were compressed, still shuffled.
+  /// The decompressed bytes, still shuffled.
   std::span<const std::byte> decompress(std::span<const std::byte> blob, std::size_t bytes);
 
   std::unique_ptr<ZSTD_CCtx_s, Release> compressor_;

@@ -7,7 +7,7 @@
 namespace floeplan::repository {
 namespace {
 
-constexpr double slack_deg = 1e-4;  // some steps of 32-bit numbers near 540
+constexpr double slack_deg = 1e-4;  // some rounding steps of 32-bit numbers near 540
 constexpr std::array turns_deg{-360.0, 0.0, 360.0};
 
 }  // namespace

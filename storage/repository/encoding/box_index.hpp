@@ -7,7 +7,7 @@
 
 namespace floeplan::repository {
 
-/// How many parameters `box_condition` takes.
+/// Number of parameters in `box_condition`.
 inline constexpr int box_parameters = 8;
 
 /// SQL condition on `row`: the rows of a table of boxes whose box comes near the area. It may hold for rows that just miss
@@ -19,7 +19,7 @@ void bind_box(sql::Statement& statement, int first_parameter, const geo::Boundin
 /// The box as the table of boxes keeps it: eastwards from [-180, 180).
 struct UnrolledBox {
   double west_deg{};
-  double east_deg{};  // not less than west, so up to 540
+  double east_deg{};  // not less than west, so up to 540 degrees
 };
 
 [[nodiscard]] UnrolledBox unrolled(const geo::BoundingBox& box);

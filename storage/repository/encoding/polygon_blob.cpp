@@ -23,7 +23,7 @@ std::vector<double> flattened(const geo::Polygon& polygon) {
   return numbers;
 }
 
-/// A count that stands in a blob, which may come from a process that a file has broken.
+/// A count in a blob. It is checked, because a damaged file may have broken the process that wrote it.
 std::size_t count_at(const std::vector<double>& numbers, std::size_t index) {
   const double count = numbers.at(index);
   if (!(count >= 0.0 && count <= static_cast<double>(numbers.size())))

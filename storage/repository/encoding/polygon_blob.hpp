@@ -8,10 +8,10 @@
 
 namespace floeplan::repository {
 
-/// A polygon as one blob, every bit of its places kept: how many rings (the outer first), the places of each, all
-/// longitudes, all latitudes.
+/// A polygon as one blob; every bit of its positions is kept. It holds the number of rings (the outer one
+/// first), the number of positions in each, all longitudes, all latitudes.
 /// Errors   std::runtime_error from `unpack_polygon` for a damaged blob
-/// The packed view is valid until the codec's next call.
+/// The packed view is valid until the next call of the codec.
 [[nodiscard]] std::span<const std::byte> pack_polygon(BlobCodec& codec, const geo::Polygon& polygon);
 [[nodiscard]] geo::Polygon unpack_polygon(BlobCodec& codec, std::span<const std::byte> blob);
 

@@ -36,7 +36,7 @@ bool write_as_steps(std::span<const float> samples, const SampleSteps& steps, st
   std::byte* const high = low + samples.size();
 
   const double steps_per_unit =
-      1.0 / steps.step;  // a division for each sample would take a third of the time
+      1.0 / steps.step;  // a division per sample would take a third of the whole time
   std::int32_t last = 0;
   for (std::size_t i = 0; i < samples.size(); ++i) {
     std::uint32_t code = missing_code;
@@ -64,7 +64,7 @@ bool read_steps(std::span<const std::byte> bytes, std::span<float> out) {
   const std::byte* const low = bytes.data() + header_bytes;
   const std::byte* const high = low + out.size();
 
-  std::uint32_t count = 0;  // of two's complement
+  std::uint32_t count = 0;  // in two's complement
   for (std::size_t i = 0; i < out.size(); ++i) {
     const auto code = std::to_integer<std::uint32_t>(low[i]) | (std::to_integer<std::uint32_t>(high[i]) << 8);
     if (code == missing_code) {

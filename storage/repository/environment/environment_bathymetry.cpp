@@ -16,7 +16,7 @@ namespace floeplan::repository {
 namespace {
 
 constexpr core::Metres coarse_spacing{5000.0};
-/// Two arrays of 4 bytes each and the cells while they are filled: about 50 MB.
+/// Limit of a combined grid: two arrays of 4 bytes per node, and the cells while it is filled, about 50 MB.
 constexpr std::size_t most_mosaic_nodes = 2'000'000;
 
 std::string in_metres_or_km(core::Metres length) {
@@ -24,7 +24,7 @@ std::string in_metres_or_km(core::Metres length) {
                                : std::to_string(std::lround(length.value / 1000.0)) + " km";
 }
 
-/// A dataset and how far its nodes lie apart.
+/// A dataset and the spacing of its nodes.
 struct Layer {
   Dataset dataset;
   core::Metres spacing;
@@ -42,7 +42,7 @@ std::vector<Layer> layers_of(const EnvironmentDraft& draft, const std::vector<Da
   return layers;
 }
 
-/// Whether there is a depth wherever it is asked in the area, by 65 x 65 places.
+/// Whether there is a depth at each of 65 x 65 places in the area.
 bool covers(const ocean::Bathymetry& bathymetry, const geo::BoundingBox& area) {
   return holds_all_over(area, 64, [&](geo::LonLat place) { return bathymetry.depth(place).has_value(); });
 }
@@ -67,7 +67,7 @@ void add_bathymetry(EnvironmentDraft& draft) {
   const auto found =
       candidates(draft.stored, DatasetKind::bathymetry, query.bathymetry, query.area, draft.violations);
   const FieldRepository fields{draft.db, draft.reading.stop};
-  std::optional<ocean::Bathymetry> alone;  // the first layer, while no other is needed
+  std::optional<ocean::Bathymetry> alone;  // the first layer, as long as no other is needed
   std::optional<BathymetryMosaic> mosaic;
   std::vector<Dataset> used;
   const std::vector<Layer> layers = layers_of(draft, found);

@@ -18,7 +18,7 @@ CurrentGridCache::Part cache_part_of(const EnvironmentDraft& draft, const Datase
   return {row, core::unix_seconds(period->from), core::unix_seconds(period->to)};
 }
 
-/// What was kept of an earlier reading of the same, or else what `read` gives.
+/// The grid from the cache of earlier readings, or else the result of `read`.
 template <class Read>
 std::shared_ptr<const ocean::CurrentGrid> kept_or_read(const Reading& reading,
                                                        const CurrentGridCache::Key& key, const Read& read) {
@@ -60,9 +60,10 @@ std::vector<JoinedPart> joined_parts(const EnvironmentDraft& draft, const std::v
   const EnvironmentQuery& query = draft.query;
   if (!period_of(found[which])) return {};
   if (named) return join_runs(draft.db, {found[which]}, 0, {}, query.depart, query.may_begin_later);
-  // A run that ends before the first moment may still be followed by one that begins after it.
+  // A run that ends before the first moment may be followed by one that begins after it.
   constexpr core::Seconds before{2.0 * 86400.0};
-  // Bounds the memory where a year of runs is stored; no mission that is planned at once lasts longer.
+  // Limits the memory if a year of runs is stored. Chosen: no mission that is planned in one piece lasts
+  // longer.
   constexpr core::Seconds beyond{30.0 * 86400.0};
   const core::UtcTime last = query.until ? std::max(query.depart, query.until->time) : query.depart;
   return join_runs(draft.db, found, which, {drift_start(draft) - before, last + beyond}, query.depart,

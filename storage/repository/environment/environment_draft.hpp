@@ -15,7 +15,7 @@
 
 namespace floeplan::repository {
 
-/// The environment while it is put together.
+/// The environment while it is being assembled.
 struct EnvironmentDraft {
   sql::Connection& db;  // borrowed
   const EnvironmentQuery& query;
@@ -29,7 +29,7 @@ struct EnvironmentDraft {
   void refuse(DatasetKind kind, const Given&... values) {
     violations.push_back(messages::fault<code>("/" + kind_name(kind), values...));
   }
-  /// Takes over what another part of the same environment has to say.
+  /// Adds messages, datasets and violations of another part of the same environment.
   void append_report(const EnvironmentDraft& part) {
     const auto append = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
     append(environment.messages, part.environment.messages);
@@ -40,7 +40,7 @@ struct EnvironmentDraft {
     environment.datasets.push_back(
         {dataset.id.value, kind_name(dataset.kind), dataset.name, dataset.provenance.sha256, dataset.run});
   }
-  /// One of several datasets that were joined in time.
+  /// The same for one of several datasets that were joined in time.
   void cite(const Dataset& dataset, const Period& used) {
     cite(dataset);
     environment.datasets.back().from = used.from;
@@ -48,47 +48,49 @@ struct EnvironmentDraft {
   }
 };
 
-/// The period that a dataset states; empty where it states none.
+/// The period that a dataset states; empty if it states none.
 [[nodiscard]] std::optional<Period> period_of(const Dataset& dataset);
 [[nodiscard]] std::string period_text(const Period& period);
 /// "Disko (currents-1) covers ... to ...".
 [[nodiscard]] std::string coverage_text(const Dataset& dataset, const Period& period);
 [[nodiscard]] bool covers(const Period& period, core::UtcTime time);
-/// Whether data of this period serve a departure of the query.
+/// Whether data of this period can be used for a departure of the query.
 [[nodiscard]] bool covers_begin(const Period& period, const EnvironmentQuery& query);
-/// Which part of currents is read.
+/// The part of currents that is read.
 struct CurrentsBox {
   geo::BoundingBox area;
-  std::optional<core::Metres> deepest;  // empty: all levels
+  std::optional<core::Metres> deepest;  // deepest level needed; empty: all levels
 };
 
-/// The time from which the forecast of the icebergs' drift needs currents and wind.
+/// The time from which the forecast of iceberg drift needs currents and wind.
 [[nodiscard]] core::UtcTime drift_start(const EnvironmentDraft& draft);
-/// The runs of the product of `found[which]`, joined around the departure; that dataset alone where it was named.
+/// The model runs of the product that `found[which]` belongs to, joined around the departure. If it was
+/// named, only itself.
 [[nodiscard]] std::vector<JoinedPart> joined_parts(const EnvironmentDraft& draft,
                                                    const std::vector<Dataset>& found, std::size_t which,
                                                    bool named);
-/// The period of the parts; of the dataset where nothing was joined.
+/// The period of the joined parts; the dataset's own period if nothing was joined.
 [[nodiscard]] std::optional<Period> joined_period(const Dataset& dataset,
                                                   const std::vector<JoinedPart>& parts);
-/// Does what load_joined does, through the cache of the reading if it has one; null: there are no data.
+/// Does what load_joined does, using the reading's cache if there is one; null: no data.
 [[nodiscard]] std::shared_ptr<const ocean::CurrentGrid> read_joined(const EnvironmentDraft& draft,
                                                                     const std::vector<JoinedPart>& parts,
                                                                     const CurrentsBox& box,
                                                                     core::UtcTime from);
-/// The steps of one dataset; null: nothing there. No period: all steps.
+/// The time steps of one dataset; null: no data. No period: all steps.
 [[nodiscard]] std::shared_ptr<const ocean::CurrentGrid> read_currents(const EnvironmentDraft& draft,
                                                                       const Dataset& dataset,
                                                                       const CurrentsBox& box,
                                                                       const std::optional<Period>& period);
-/// Names every part, and, where there are several, from when until when it was used.
+/// Lists every part among the environment's datasets, and, if there are several, the period in which each was
+/// used.
 void cite_joined(EnvironmentDraft& draft, const std::vector<JoinedPart>& parts);
-/// Says what the plan goes without: that the kind was left out, if that was the choice, else that none is stored here.
+/// Adds the message that a kind of data is missing: `left_out` if the user chose none, otherwise `missing`.
 void tell_of_gap(EnvironmentDraft& draft, const DatasetChoice& choice, messages::Message left_out,
                  messages::Message missing);
 
-/// Whether `holds(place)` at all nodes of a lattice that cuts the area into `pieces` along either side, its edges
-/// included.
+/// Whether `holds(place)` is true at all nodes of a lattice that divides the area into `pieces` along each
+/// side, edges included.
 template <class Holds>
 [[nodiscard]] bool holds_all_over(const geo::BoundingBox& area, int pieces, const Holds& holds) {
   const double width_deg = geo::width_deg(area);

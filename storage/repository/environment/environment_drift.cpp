@@ -20,7 +20,7 @@ core::Metres deepest_keel(const EnvironmentDraft& draft) {
   return deepest;
 }
 
-/// Down to the first level at or below `deepest`.
+/// Number of levels down to the first at or below `deepest`.
 std::size_t levels_to(const FieldShape& shape, core::Metres deepest) {
   if (!shape.depths_m) return 1;
   const auto above = static_cast<std::size_t>(std::ranges::count_if(

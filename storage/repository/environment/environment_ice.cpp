@@ -12,27 +12,29 @@
 namespace floeplan::repository {
 namespace {
 
-/// No mission that is planned at once lasts longer.
+/// Chosen: no mission that is planned in one piece lasts longer.
 constexpr core::Seconds longest_mission{30.0 * 86400.0};
-/// Ice that ended longer than this before the departure says nothing of the keels that there are then: a judgement.
+/// Chosen: ice that ended longer than this before the departure says nothing about keels at the departure.
 constexpr core::Seconds longest_memory{30.0 * 86400.0};
-/// More than one a day of such a mission. A judgement.
+/// Chosen: more than one a day of such a mission.
 constexpr std::size_t most_products = 40;
-/// Older ones of a time that newer ones tell of all over, but for land or gaps: looked at for what is in the gaps.
-/// A judgement: each is read.
+/// Chosen, because each has to be read: how many older products are checked for values in gaps of newer ones
+/// that cover their whole time and area except gaps or land.
 constexpr int most_looks_into_gaps = 3;
 
-/// Areas that are all ice, such as fast ice, of a chart without codes: the variable that ingest names then. Outside
-/// them nothing is known, so that as the newest ice they would hide a concentration that is.
+/// Whether a dataset has only areas of complete ice, such as fast ice, from a chart without codes; ingest
+/// then names this variable. It has no values outside the areas, so as the newest ice it would hide known
+/// concentrations.
 bool is_areas_alone(const Dataset& dataset) { return dataset.variables == std::vector<std::string>{"ice"}; }
 
-/// When a plan may need ice: from the earliest departure until after the latest that is asked for.
+/// The period in which a plan may need ice: from the earliest departure to the end of a mission with the
+/// latest one.
 Period mission_of(const EnvironmentQuery& query) {
   const core::UtcTime latest = query.until ? std::max(query.depart, query.until->time) : query.depart;
   return {query.depart, latest + longest_mission};
 }
 
-/// The period for which data of this one are held.
+/// The period in which data of this period are used, because they are held before and after it.
 Period with_hold(const Period& period) {
   return {period.from - ocean::longest_ice_hold, period.to + ocean::longest_ice_hold};
 }
@@ -42,12 +44,12 @@ bool is_over(const Dataset& dataset, const Period& mission) {
   return period && with_hold(*period).to < mission.from;
 }
 
-/// Whether something of data of this period counts in the mission: all of it, or what keels were known last.
+/// Whether data of this period are used in the mission: as ice, or as the last known keels.
 bool counts_in(const Period& period, const Period& mission) {
   return with_hold(period).from <= mission.to && period.to >= mission.from - longest_memory;
 }
 
-/// One that is used.
+/// A dataset that is used.
 struct Product {
   Dataset dataset;
   Period period;
@@ -65,14 +67,15 @@ bool reaches_all_of(const geo::BoundingBox& area, const ocean::HorizontalGrid& g
   return holds_all_over(area, 16, [&](geo::LonLat place) { return grid.locate(place).has_value(); });
 }
 
-/// Whether one of these moments counts before one of those where both know the place.
+/// Whether `these` data are preferred to `those` at a moment, if both have a value.
 bool counts_before(const ocean::IceMoment& these, const ocean::IceMoment& those) {
   if (these.standing != those.standing) return these.standing > those.standing;
   return these.standing != ocean::IceStanding::own && these.away < those.away;
 }
 
-/// Whether data with these steps count before newer ones with those at any time of the mission. Between the times that
-/// are looked at nothing changes but how far away the nearest steps are, and that evenly.
+/// Whether data with `these` steps are preferred to newer data with `those` steps at any time of the mission.
+/// It is enough to check some times: between them only the distances to the nearest steps change, and
+/// linearly.
 bool ever_counts_before(const ocean::Axis& these, const ocean::Axis& those, const Period& mission) {
   const double from_s = core::unix_seconds(mission.from);
   const double to_s = core::unix_seconds(mission.to);
@@ -97,7 +100,8 @@ bool ever_counts_before(const ocean::Axis& these, const ocean::Axis& those, cons
   return is_before(to_s);
 }
 
-/// Those before it that tell of all the times, and of all the area but for gaps, of which data with these steps do.
+/// The preferred products that have data at all times of data with these steps, and in the whole area except
+/// gaps.
 std::vector<const Product*> covering(const ocean::Axis& steps_s, const Period& mission,
                                      const std::vector<Product>& before) {
   std::vector<const Product*> found;
@@ -118,7 +122,7 @@ bool knows_always(const ocean::IceField& ice, geo::LonLat place) {
   });
 }
 
-/// Whether the ice tells something of the area at a node where none of these products always does.
+/// Whether the ice has a value at a node of the area where none of these products always has one.
 bool fills_a_gap(const ocean::IceField& ice, const geo::BoundingBox& area,
                  const std::vector<const Product*>& products) {
   const ocean::IceField::Samples& samples = ice.samples();
@@ -136,7 +140,7 @@ bool fills_a_gap(const ocean::IceField& ice, const geo::BoundingBox& area,
   return false;
 }
 
-/// The one that counts at a time where all know the place.
+/// The product that is preferred at a time, if all have a value at a place.
 const Product& first_then(const std::vector<Product>& used, core::UtcTime time) {
   const Product* first = &used.front();
   for (const Product& product : used)
@@ -190,8 +194,8 @@ void adopt_ice(EnvironmentDraft& draft, const std::vector<Product>& used) {
   }
 }
 
-/// Those that are asked first, first: by their order, but what is over before the mission, and at last areas alone,
-/// after the rest, so that they are read only for what the rest leaves open.
+/// Order in which datasets are read: those of the mission, then those that end before it, and last those with
+/// areas only. So these are read only for what the others leave open.
 std::vector<Dataset> in_order(std::vector<Dataset> found, const Period& mission) {
   std::ranges::stable_partition(found, [&](const Dataset& dataset) { return !is_over(dataset, mission); });
   std::ranges::stable_partition(found, std::not_fn(is_areas_alone));
@@ -243,7 +247,7 @@ Choice choose(EnvironmentDraft& draft, const std::vector<Dataset>& found) {
   return choice;
 }
 
-/// Areas that are left out beside other ice.
+/// Reports datasets with areas only that are not used because there is other ice.
 void tell_of_unused_areas(EnvironmentDraft& draft, const std::vector<Dataset>& found,
                           const std::vector<Product>& used) {
   for (const Dataset& dataset : found) {

@@ -22,7 +22,7 @@
 namespace floeplan::repository {
 namespace {
 
-/// Says which bergs were seen too long ago: they may be there, and nobody avoids them.
+/// Warns of bergs that were seen too long ago: they may still be there, but the plan does not avoid them.
 void tell_of_old_sightings(EnvironmentDraft& draft, const KnownIcebergs& known) {
   std::vector<std::string> dropped;
   std::vector<std::string> lists;
@@ -41,8 +41,8 @@ void tell_of_old_sightings(EnvironmentDraft& draft, const KnownIcebergs& known) 
                                                          known.oldest, core::shortened_list(dropped)));
 }
 
-/// Says which bergs were only seen later than counts: they may have been there before, and nobody avoids them. Where the
-/// user set the moment, that is a wish.
+/// Warns of bergs whose first sighting is later than the time up to which sightings count: they may have been
+/// there before, but the plan does not avoid them. If the user set that time, this is intended.
 void tell_of_later_sightings(EnvironmentDraft& draft, const KnownIcebergs& known) {
   if (known.later.empty()) return;
   const core::UtcTime as_of = sightings_as_of(draft.query);
@@ -64,8 +64,8 @@ void tell_of_later_sightings(EnvironmentDraft& draft, const KnownIcebergs& known
           : messages::data_message<"sightings-after-departure">(dropped.size(), as_of, let_count, names));
 }
 
-/// Names the datasets that had something to say, those that were wanted by name and what people reported here; else the
-/// newest that speaks of the area.
+/// Lists the datasets with sightings, the named ones and the reports by hand; if there are none, the newest
+/// that intersects the area.
 void cite_sightings(EnvironmentDraft& draft, const KnownIcebergs& known) {
   const bool named = draft.query.icebergs.how == DatasetChoice::How::named;
   const bool nothing = known.sightings.empty() && known.too_old.empty();
@@ -83,8 +83,8 @@ void cite_sightings(EnvironmentDraft& draft, const KnownIcebergs& known) {
   if (draft.environment.datasets.size() > 1) draft.tell(messages::data_message<"icebergs-joined">(joined));
 }
 
-/// Where the vehicle may leave later than at `depart`, sightings up to the last moment count, and each as
-/// long as it is not too old for the departure, of which the earliest is the one known here.
+/// Adds the icebergs. If the vehicle may leave later than at `depart`, sightings up to the latest time count.
+/// A sighting counts if it is young enough for the earliest departure.
 void add_icebergs(EnvironmentDraft& draft) {
   const EnvironmentQuery& query = draft.query;
   const core::UtcTime as_of = sightings_as_of(query);
@@ -133,7 +133,7 @@ void add_coastline(EnvironmentDraft& draft) {
   }
 }
 
-/// An iceberg in a desert is avoided like any other, but somebody has to know that its place is wrong.
+/// Warns of icebergs on land. They are avoided like any other, but their position must be wrong.
 void tell_of_icebergs_on_land(EnvironmentDraft& draft) {
   const std::vector<ocean::Iceberg>& icebergs = draft.environment.icebergs;
   std::vector<geo::LonLat> places;
@@ -191,7 +191,7 @@ void add_wind(EnvironmentDraft& draft) {
   }
 }
 
-/// Says so where zones that are stored for the area are left out: nothing in the plan shows it otherwise.
+/// Reports zones of the area that are not used, because nothing else in the plan shows it.
 void tell_of_zones_left_out(EnvironmentDraft& draft) {
   const DatasetChoice all;
   for (const Dataset& dataset :
@@ -237,7 +237,8 @@ tl::expected<ocean::Environment, core::Violations> load_environment(sql::Connect
                          .stored = DatasetRepository{db}.list(),
                          .environment = {},
                          .violations = {}};
-  // The oldest sighting says from when on currents are needed; in the report icebergs come after the depths.
+  // Icebergs first: the oldest sighting decides from when currents are needed. In the report they come after
+  // the depths.
   EnvironmentDraft icebergs = draft;
   add_icebergs(icebergs);
   draft.environment.icebergs = std::move(icebergs.environment.icebergs);

@@ -9,21 +9,20 @@
 
 namespace floeplan::repository {
 
-/// Puts together the snapshot for one job from the newest (or the named) datasets that meet the area and
-/// the period, all as they stood at one moment.
-/// Errors   a violation for each named dataset that does not exist, is of another kind or shares nothing
-///          with the area, and for a departure (or a moment to cover) outside the period of the currents
-///          unless they are held steady
-/// Edges    currents are read from the last step before departure (before the oldest iceberg sighting in use,
-///          when icebergs drift) to their end: how long a plan takes is not yet known. Currents without time are
-///          held steady. Drifting icebergs are also read up to 100 km beyond the area, and with them the
-///          currents that carry them, down to their keels (less far where these are more than 32 million
-///          samples); messages name those of which the current is not known. Icebergs there that are left out for
-///          the age of their sightings are a danger. Ice is taken that
-///          counts at some time of a mission of 30 days from the latest departure on, or that ended no more than 30
-///          days before the earliest; a named one whose period, lengthened by ocean::longest_ice_hold, does not cover
-///          the earliest departure is refused
-/// Stops    early once `reading.stop` is requested; what is returned then is incomplete and must not be used
+/// Assembles the snapshot for one job from the newest (or the named) datasets that intersect the area and the
+/// period. All are read in the same state of the store.
+/// Errors   a violation for each named dataset that does not exist, is of another kind or does not intersect
+///          the area; for a departure (or a time to cover) outside the period of the currents, unless they
+///          are held steady; for a named ice dataset whose period, extended by ocean::longest_ice_hold, does
+///          not cover the earliest departure
+/// Edges    Currents are read from the last step before the departure to their end, because the duration of a
+///          plan is not known yet; if icebergs drift, from the last step before the oldest sighting in use.
+///          Currents without time are held steady. Icebergs are read up to 100 km beyond the area, because
+///          they may drift into it, with the currents there down to their keels (less far if these are more
+///          than 32 million samples). Messages name icebergs whose current is not known, and icebergs ignored
+///          for the age of their sightings, which are a danger. Ice is read for a mission of 30 days from the
+///          latest departure on, and from up to 30 days before the earliest.
+/// Stops    early once `reading.stop` is requested; the result is then incomplete and must not be used
 [[nodiscard]] tl::expected<ocean::Environment, core::Violations> load_environment(
     sql::Connection& db, const EnvironmentQuery& query, const Reading& reading = {});
 

@@ -13,49 +13,51 @@
 
 namespace floeplan::repository {
 
-/// The last moment that the data have to cover, and the input that asks for it.
+/// The latest time that the data have to cover, and the name of the input that demands it.
 struct CoveredUntil {
   std::string input;
   core::UtcTime time;
 };
 
-/// What a job wants to know of the sea.
+/// The data of the sea that a job needs.
 struct EnvironmentQuery {
   geo::BoundingBox area;
-  /// Around the start, the via points and the goal: the part of the area that messages name where data are missing in
-  /// all of it. Empty: they name the area.
+  /// Area around the start, the via points and the goal. Messages about data missing in all of it name it
+  /// instead of the whole area. Empty: they name the area.
   std::optional<geo::BoundingBox> around_stops{};
   core::UtcTime depart;
-  std::optional<CoveredUntil> until;  // covered too; empty: however long it takes
-  bool may_begin_later{false};        // `depart` is the earliest possible one: data may begin after it
+  std::optional<CoveredUntil> until;  // to be covered as well; empty: the duration is not known
+  bool may_begin_later{false};        // `depart` is the earliest departure; data may begin later
   core::Metres dive_depth{200.0};
   DatasetChoice currents;
-  DatasetChoice wind;  // only where icebergs drift, unless one is named
-  bool steady{false};  // one time step, or the mean of all, for every time
+  DatasetChoice wind;  // read only if icebergs drift, unless one is named
+  bool steady{false};  // currents held steady: one time step, or the mean of all steps, for all times
   TidesQuery tides;
   DatasetChoice bathymetry;
   DatasetChoice ice;
   DatasetChoice icebergs;
-  std::optional<core::UtcTime>
-      icebergs_as_of;  // default: the departure, or `until` where data may begin later
-  /// By the rule of ocean::oldest_that_counts. Where data may begin later, icebergs count that are young enough for the
-  /// earliest departure, each with the departure for which it is too old.
+  std::optional<core::UtcTime> icebergs_as_of;  // default: the departure, or `until` if data may begin later
+  /// Oldest sighting that counts, by the rule of ocean::oldest_that_counts. If data may begin later, a
+  /// sighting counts if it is young enough for the earliest departure; it also has the departure for which it
+  /// becomes too old.
   core::Seconds max_sighting_age{ocean::max_sighting_age};
-  bool iceberg_drift{true};  // also what their drift needs: tracks, and currents from the sightings on
+  // also reads tracks of icebergs, and currents since the sightings, for their drift
+  bool iceberg_drift{true};
   DatasetChoice coastline;
-  DatasetChoice zones;  // obeyed are all that meet the area, unless some are named
+  DatasetChoice zones;  // default: all zones that intersect the area are obeyed
 };
 
-/// The part of the area that messages about missing data name.
+/// The area to name in messages about missing data.
 [[nodiscard]] geo::BoundingBox named_area(const EnvironmentQuery& query);
 
-/// After this no sighting counts: `icebergs_as_of`, else the departure, or the last moment where data may begin later.
+/// The latest time of a sighting that counts: `icebergs_as_of`, or else the departure, or `until` if data may
+/// begin later.
 [[nodiscard]] core::UtcTime sightings_as_of(const EnvironmentQuery& query);
 
-/// What reading the store for a job may look at beside the store.
+/// What reading the store for a job needs besides the store.
 struct Reading {
   std::stop_token stop{};
-  CurrentGridCache* kept_currents{nullptr};  // borrowed; null: everything is read anew
+  CurrentGridCache* kept_currents{nullptr};  // borrowed; null: nothing is cached
 };
 
 }  // namespace floeplan::repository

@@ -13,7 +13,7 @@ namespace {
 
 std::string in_metres(double length_m) { return std::to_string(std::lround(length_m)) + " m"; }
 
-/// The currents as the plan uses them: where they are held steady, one field for every time.
+/// The currents as used in the plan: their mean over time if they are held steady.
 std::shared_ptr<const ocean::CurrentGrid> as_they_count(const ocean::Environment& environment,
                                                         std::shared_ptr<const ocean::CurrentGrid> currents) {
   const bool varies = currents && currents->samples().times_s.size() > 1;
@@ -21,8 +21,8 @@ std::shared_ptr<const ocean::CurrentGrid> as_they_count(const ocean::Environment
   return std::make_shared<const ocean::CurrentGrid>(currents->time_mean());
 }
 
-/// What carries icebergs, as large as the currents of the area may be or as 32 million samples, two floats
-/// each, are: 256 MB, shared by the members of an ensemble.
+/// Reads the currents that carry icebergs: at most as many samples as the area's currents or 32 million, two
+/// floats each (256 MB), divided among the members of an ensemble.
 template <class Read>
 std::shared_ptr<const ocean::CurrentGrid> read_drift(const EnvironmentDraft& draft, const Dataset& dataset,
                                                      const ocean::CurrentGrid::Samples& of_area,
@@ -33,8 +33,8 @@ std::shared_ptr<const ocean::CurrentGrid> read_drift(const EnvironmentDraft& dra
   return box ? as_they_count(draft.environment, read(*box)) : nullptr;
 }
 
-/// Reads the currents of the area by `read`, a function of a CurrentsBox, and those that carry icebergs.
-/// False: there are none.
+/// Reads the currents of the area and those that carry icebergs; `read` is a function of a CurrentsBox.
+/// Returns false if there are none.
 template <class Read>
 bool adopt_currents(EnvironmentDraft& draft, const Dataset& dataset, std::size_t members, const Read& read) {
   auto currents = read(CurrentsBox{draft.query.area, draft.query.dive_depth});
@@ -70,7 +70,8 @@ bool covers_end(const Period& period, const EnvironmentQuery& query) {
   return !query.until || covers(period, query.until->time);
 }
 
-/// `periods` says which dataset covers which period; `begins` whether one of them covers the departure.
+/// Adds the violation. `periods` lists the period of each dataset; `begins`: one of them covers the
+/// departure.
 void refuse_period(EnvironmentDraft& draft, const std::string& periods, bool begins) {
   const bool at_end = draft.query.until && (begins || draft.query.may_begin_later);
   const std::string input = at_end ? draft.query.until->input : "depart";
@@ -79,7 +80,7 @@ void refuse_period(EnvironmentDraft& draft, const std::string& periods, bool beg
       messages::fault<"outside-the-currents">("/" + input, time, periods, at_end ? "Stay" : "Depart"));
 }
 
-/// Several currents are the members of an ensemble: every one must serve, the first is the one planned in.
+/// Several currents are members of an ensemble. All of them must be usable; the plan is made with the first.
 void add_ensemble(EnvironmentDraft& draft, const std::vector<Dataset>& found) {
   const EnvironmentQuery& query = draft.query;
   std::vector<std::shared_ptr<const ocean::CurrentGrid>> members;
@@ -115,7 +116,8 @@ void add_ensemble(EnvironmentDraft& draft, const std::vector<Dataset>& found) {
   draft.environment.drift_members = std::move(drift_members);
 }
 
-/// Whoever has currents stored expects them to count: that none reaches the area is a mistake, often of coordinates.
+/// If currents are stored, a pilot expects them to be used. If none intersects the area, coordinates are
+/// probably wrong.
 void refuse_other_waters(EnvironmentDraft& draft) {
   if (draft.query.currents.how != DatasetChoice::How::newest || draft.query.tides.wanted()) return;
   std::vector<std::string> elsewhere;
@@ -164,7 +166,7 @@ void add_currents(EnvironmentDraft& draft) {
                 messages::data_message<"currents-missing">(geo::bounds_text(named_area(query))));
 }
 
-/// Tides go on as long as an iceberg's drift is followed, or as long as the request wants the currents to be covered.
+/// Tides are computed for as long as the drift of icebergs is followed, or the request needs currents.
 ocean::TidePeriod period_of_tides(const EnvironmentDraft& draft) {
   constexpr core::Seconds longest{30.0 * 86400.0};
   core::UtcTime end = draft.query.depart + longest;

@@ -20,7 +20,7 @@ std::string titles(const std::vector<Dataset>& datasets) {
   return text;
 }
 
-/// Whether a name says that its currents are without tides.
+/// Whether a dataset's name says that its currents contain no tide.
 bool says_detided(const ocean::DatasetRef& dataset) {
   constexpr std::array words{"detide",   "de-tide",   "de_tide",  "notide",   "no-tide",   "no_tide",
                              "nontidal", "non-tidal", "subtidal", "residual", "geostroph", "without tide"};
@@ -35,7 +35,8 @@ std::string in_minutes(core::Seconds time) {
   return std::to_string(std::lround(time.count() / 60.0)) + " min";
 }
 
-/// Where the tide ends before the currents do, or before the period where these have no times.
+/// The end of the tide if it ends before the currents, or, for currents without times, before the period;
+/// otherwise empty.
 std::optional<core::UtcTime> early_end(const ocean::CurrentGrid& currents, const ocean::TidePeriod& period) {
   const core::UtcTime end = core::from_unix_seconds(currents.times_s().back());
   const core::UtcTime wanted = currents.samples().times_s.size() > 1
@@ -45,7 +46,7 @@ std::optional<core::UtcTime> early_end(const ocean::CurrentGrid& currents, const
   return end;
 }
 
-/// What the pilot has to know of the sum.
+/// Adds the messages for the pilot about currents with tides.
 void report_tides(ocean::Environment& environment, const Tides& tides, TidesMode mode,
                   const ocean::TidePeriod& period) {
   const ocean::CurrentGrid& currents = *environment.currents;
@@ -84,8 +85,7 @@ Tides load_tides(sql::Connection& db, const std::vector<Dataset>& stored, const 
     if (query.mode) violations.push_back(messages::fault<"mode-without-tides">("/tides_mode"));
     return tides;
   }
-  if (!query.mode)
-    violations.push_back(messages::fault<"tides-without-mode">("/tides_mode"));
+  if (!query.mode) violations.push_back(messages::fault<"tides-without-mode">("/tides_mode"));
   const bool named = query.choice.how == DatasetChoice::How::named;
   for (const Dataset& dataset : candidates(stored, DatasetKind::tides, query.choice, area, violations)) {
     auto model = TideRepository{db}.load(dataset.id, area);
@@ -99,8 +99,7 @@ Tides load_tides(sql::Connection& db, const std::vector<Dataset>& stored, const 
     tides.datasets.push_back(dataset);
     if (!named) break;
   }
-  if (!named && tides.models.empty())
-    violations.push_back(messages::fault<"no-tide-model-here">("/tides"));
+  if (!named && tides.models.empty()) violations.push_back(messages::fault<"no-tide-model-here">("/tides"));
   return tides;
 }
 

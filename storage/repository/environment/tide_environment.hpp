@@ -12,13 +12,14 @@
 
 namespace floeplan::repository {
 
-/// What tidal currents are for: the user says it, because no file tells reliably whether it holds the tide already.
+/// The use of tidal currents. The user states it, because no file reliably says whether its currents include
+/// the tide.
 enum class TidesMode {
-  add,  // to currents without tides
-  only  // instead of any other currents
+  add,  // add them to currents without tides
+  only  // use them instead of other currents
 };
 
-/// Which tides a job uses. Nothing is taken unasked.
+/// The tides that a job uses; by default none.
 struct TidesQuery {
   DatasetChoice choice{DatasetChoice::How::none, {}};
   std::optional<TidesMode> mode;
@@ -26,28 +27,29 @@ struct TidesQuery {
   [[nodiscard]] bool wanted() const { return choice.how != DatasetChoice::How::none; }
 };
 
-/// The tide models of a job, and the datasets they come from.
+/// The tide models of a job, and their datasets.
 struct Tides {
   std::vector<ocean::TideGrid> models;
   std::vector<Dataset> datasets;
 };
 
-/// Reads the models that the query names (or the newest one with currents) around the area.
-/// Errors   adds violations for a mode that is missing or given without tides, for datasets that do not exist, are of
-///          another kind, share nothing with the area or hold no tidal currents; fields "/tides" and "/tides_mode"
+/// Reads the named models (or the newest with currents) around the area.
+/// Errors   adds violations for a mode that is missing or given without tides, and for datasets that do not
+///          exist, are of another kind, do not intersect the area or have no tidal currents; fields "/tides"
+///          and "/tides_mode"
 [[nodiscard]] Tides load_tides(sql::Connection& db, const std::vector<Dataset>& stored,
                                const TidesQuery& query, const geo::BoundingBox& area,
                                core::Violations& violations);
 
-/// The same models around another area, as far as they are there.
+/// Reads the same models around another area; models without data there are omitted.
 [[nodiscard]] Tides load_again(sql::Connection& db, const Tides& tides, const geo::BoundingBox& area);
 
-/// Puts the tidal currents into the environment, into every member of an ensemble too, and says in its messages what
-/// that implies. `period` counts where the currents have no times of their own.
+/// Adds the tidal currents to the environment, also to every member of an ensemble, and messages about the
+/// consequences. `period` is used if the currents have no times.
 void lay_tides(ocean::Environment& environment, const Tides& tides, TidesMode mode,
                const ocean::TidePeriod& period);
 
-/// The same for the currents that carry icebergs, by models that reach around them.
+/// The same for the currents that carry icebergs; the models must cover their area.
 void lay_drift_tides(ocean::Environment& environment, const Tides& tides, TidesMode mode,
                      const ocean::TidePeriod& period);
 

@@ -9,11 +9,12 @@
 
 namespace floeplan::repository {
 
-/// The one variable of a coastline dataset that holds ice shelves and no land: it is used beside the newest coastline
-/// and does not replace it.
+/// Name of the only variable of a coastline dataset with ice shelves and no land. Such a dataset is used
+/// together with the newest coastline and does not replace it.
 inline constexpr const char* ice_shelves_alone = "ice_shelf";
 
-/// Leaves the first coastline of a list and every dataset of ice shelves, which say nothing of other land.
+/// Keeps the first coastline of a list and all datasets with ice shelves only, because they do not replace
+/// land.
 void keep_newest_coastline(std::vector<Dataset>& datasets);
 
 /// Land polygons, indexed by their boxes (R*Tree).
@@ -23,7 +24,7 @@ class CoastlineRepository {
   explicit CoastlineRepository(sql::Connection& db) : db_{db} {}
 
   void insert(const DatasetId& dataset, const std::vector<geo::Polygon>& land);
-  /// Every polygon whose box meets the area, whole, in the order of insertion.
+  /// All polygons whose box intersects the area, uncut, in the order of insertion.
   [[nodiscard]] std::vector<geo::Polygon> load(const DatasetId& dataset, const geo::BoundingBox& area) const;
 
  private:

@@ -15,8 +15,8 @@
 namespace floeplan::repository {
 namespace {
 
-/// Numbers that the blob of a track has of each point, one row after the other: time, longitude, latitude, depth (NaN:
-/// not known) and whether the place is a fix (1) or reckoned (0).
+/// Rows of numbers in the blob of a track, one number per point: time, longitude, latitude, depth (NaN:
+/// unknown), and whether the position is a fix (1) or reckoned (0).
 constexpr std::size_t planes = 5;
 constexpr int first_of_box = 6;
 
@@ -93,7 +93,7 @@ StoredGliderTrack read_track(sql::Connection& db, const sql::Row& row, BlobCodec
   return stored;
 }
 
-/// Whether the way from one point to the next comes into the area; rather said of a way that just passes it.
+/// Whether a track enters the area between its points. May be true for a track that passes close to it.
 bool comes_into(const geo::BoundingBox& area, const std::vector<ocean::TrackPoint>& points) {
   if (points.size() == 1) return geo::contains(area, points.front().place);
   for (std::size_t i = 1; i < points.size(); ++i) {
@@ -103,7 +103,8 @@ bool comes_into(const geo::BoundingBox& area, const std::vector<ocean::TrackPoin
   return false;
 }
 
-/// `SELECT <what> FROM glider_track` with the filter's conditions, bound. The area is only narrowed down.
+/// `SELECT <what> FROM glider_track` with the filter's conditions and values. The area is only a coarse
+/// condition.
 sql::Statement select_tracks(sql::Connection& db, const std::string& what, const GliderTrackFilter& filter,
                              std::int64_t after, const std::string& order = " ORDER BY row") {
   std::string sql = "SELECT " + what + " FROM glider_track WHERE row > ?1";
@@ -123,7 +124,7 @@ sql::Statement select_tracks(sql::Connection& db, const std::string& what, const
   return query;
 }
 
-/// At most `most` of the currents, evenly chosen.
+/// At most `most` of the currents, evenly distributed.
 std::vector<ocean::DepthAveragedCurrent> chosen(const std::vector<ocean::DepthAveragedCurrent>& currents,
                                                 std::size_t most) {
   if (currents.size() <= most) return currents;

@@ -13,48 +13,48 @@
 namespace floeplan::repository {
 
 struct StoredGliderTrack {
-  std::int64_t row{};  // names the track
+  std::int64_t row{};  // identifies the track
   DatasetId dataset;
-  std::int64_t point_count{};    // in the store; a list gives fewer of a long track
-  std::int64_t current_count{};  // as well
+  std::int64_t point_count{};    // number in the store; a list has fewer points of a long track
+  std::int64_t current_count{};  // number in the store
   std::optional<core::Metres> deepest{};
-  std::optional<geo::VelocityEn> mean_current{};  // of all its currents
+  std::optional<geo::VelocityEn> mean_current{};  // mean of all its currents
   ocean::GliderTrack track;
 };
 
-/// Which tracks a list wants. Everything empty: all.
+/// Conditions for a list of tracks. Empty members are no condition.
 struct GliderTrackFilter {
-  std::optional<geo::BoundingBox> area{};  // tracks that come into it, between their points, too
+  std::optional<geo::BoundingBox> area{};  // tracks that enter the area, also between two points
   std::optional<core::UtcTime> from{};     // tracks that end at this time or later
   std::optional<core::UtcTime> to{};       // tracks that begin at this time or earlier
   std::optional<DatasetId> dataset{};
   std::optional<std::string> glider{};
 };
 
-/// Tracks by ascending row, and whether there are more.
+/// Tracks in ascending order of their row, and whether there are more.
 struct GliderTrackPage {
   std::vector<StoredGliderTrack> tracks;
   bool more{false};
 };
 
-/// Ways of gliders and the depth-averaged currents that they met.
+/// Tracks of gliders and the depth-averaged currents along them.
 /// Threads  as the connection: one thread at a time
 class GliderTrackRepository {
  public:
-  /// The most points, and the most currents, of each track in a list: enough to draw it.
+  /// Largest number of points, and of currents, of each track in a list; enough to draw it.
   static constexpr std::size_t most_listed = 500;
-  /// A page has no more points than this and those of its last track.
+  /// Limit of points on a page; the last track may exceed it.
   static constexpr std::size_t most_on_a_page = 100'000;
 
   explicit GliderTrackRepository(sql::Connection& db) : db_{db} {}
 
-  /// Adds the tracks of a dataset, which must be in the list of datasets.
-  /// Errors   std::invalid_argument for a track without points, or of a dataset that is not there
+  /// Adds tracks to a dataset, which must be in the list of datasets.
+  /// Errors   std::invalid_argument for a track without points, or if the dataset does not exist
   void insert(const DatasetId& dataset, const std::vector<ocean::GliderTrack>& tracks);
 
-  /// With every point.
+  /// A track with all its points.
   [[nodiscard]] std::optional<StoredGliderTrack> find(std::int64_t row) const;
-  /// At most `limit` tracks with a row above `after`, long ones thinned.
+  /// At most `limit` tracks with a row above `after`; long tracks have fewer points.
   [[nodiscard]] GliderTrackPage list(const GliderTrackFilter& filter, std::int64_t after, int limit) const;
   [[nodiscard]] std::int64_t count(const GliderTrackFilter& filter) const;
 

@@ -10,7 +10,7 @@
 
 namespace floeplan::repository {
 
-/// An attribute of a polygon of an ice chart and its code, as the chart has them: "CT", "91".
+/// An attribute of a chart's polygon and its code: "CT", "91".
 struct IceCode {
   std::string name;
   std::string code;
@@ -24,16 +24,16 @@ struct ChartPolygon {
   geo::Polygon area;
 };
 
-/// The polygons of ice charts, indexed by their boxes (R*Tree), for people to look at: plans obey the grid that the same
-/// dataset has. Charts that were stored by older versions have none.
+/// The polygons of ice charts, indexed by their boxes (R*Tree), for display. Plans use the grid of the same
+/// dataset. Charts stored by older versions have no polygons.
 /// Threads  as the connection: one thread at a time
 class IceChartRepository {
  public:
   explicit IceChartRepository(sql::Connection& db) : db_{db} {}
 
-  /// Names and codes hold no blank and no equals sign.
+  /// Names and codes must not contain a blank or an equals sign.
   void insert(const DatasetId& dataset, const std::vector<ChartPolygon>& polygons);
-  /// Every polygon whose box meets the area, whole, in the order of insertion.
+  /// All polygons whose box intersects the area, uncut, in the order of insertion.
   [[nodiscard]] std::vector<ChartPolygon> load(const DatasetId& dataset, const geo::BoundingBox& area) const;
 
  private:

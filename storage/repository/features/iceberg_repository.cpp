@@ -24,7 +24,7 @@ std::optional<double> in_metres(std::optional<core::Metres> length) {
   return length ? std::optional{length->value} : std::nullopt;
 }
 
-/// Longitudes from -180 to 180, whichever way the source counts them.
+/// A position with its longitude in [-180, 180].
 geo::LonLat read_place(const sql::Row& row, int first_column = 1) {
   const double lon_deg = row.real(first_column);
   return {std::abs(lon_deg) > 180.0 ? geo::wrap_longitude(lon_deg) : lon_deg, row.real(first_column + 1)};
@@ -44,8 +44,8 @@ StoredSighting read_sighting(const sql::Row& row) {
                       .method = row.text(11)}};
 }
 
-/// `SELECT <what> FROM sighting` with the filter's conditions, bound. The area is only narrowed down: check
-/// each place.
+/// `SELECT <what> FROM sighting` with the filter's conditions and values. The area is only a coarse
+/// condition: check each position.
 sql::Statement select_sightings(sql::Connection& db, const std::string& what, const SightingFilter& filter,
                                 std::int64_t after, const std::string& order = " ORDER BY row") {
   std::string sql = "SELECT " + what + " FROM sighting WHERE row > ?1";
@@ -159,8 +159,8 @@ std::vector<ocean::IcebergFix> IcebergRepository::earlier(const StoredSighting& 
 
 std::vector<StoredSighting> IcebergRepository::latest(const DatasetId& dataset, const geo::BoundingBox& area,
                                                       core::UtcTime as_of, core::Seconds max_age) const {
-  // The area comes last: a berg that has left it must not be found where it was before. A sighting without a
-  // berg's name is a berg of its own.
+  // The area is checked last, so that a berg that has left it is not found at its earlier position. A
+  // sighting without a name is a berg of its own.
   sql::Statement query{
       db_, "SELECT " + sighting_columns +
                "FROM sighting AS own WHERE dataset_row = (SELECT row FROM dataset WHERE id = ?1) "

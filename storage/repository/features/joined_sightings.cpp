@@ -17,13 +17,13 @@ namespace {
 
 constexpr geo::BoundingBox whole_world{-180.0, -90.0, 180.0, 90.0};
 
-/// Bergs drift at 0.2 m/s as a rule and at 1 m/s in the strongest currents; half as much again is no drift.
+/// Bergs usually drift at 0.2 m/s, and at 1 m/s in the strongest currents; 1.5 m/s is no drift.
 constexpr double fastest_drift_m_s = 1.5;
-/// How far apart two positions of one berg may be: weekly lists round to minutes of arc, and bergs have tens of
-/// kilometres.
+/// How far apart two sightings of one berg may be at the same time: weekly lists round to minutes of arc, and
+/// bergs are tens of kilometres long.
 constexpr double position_error_m = 20'000.0;
 
-/// Same for datasets that name their bergs alike.
+/// A key that is equal for datasets that use the same names of bergs.
 std::string source_of(const Dataset& dataset) {
   std::string source = dataset.id == hand_made_id(DatasetKind::icebergs) ? dataset.id.value : "";
   for (const std::string& variable : dataset.variables) source += '\n' + variable;
@@ -35,7 +35,7 @@ bool may_be_one_berg(geo::LonLat a, core::UtcTime at_a, geo::LonLat b, core::Utc
   return geo::geodesic_between(a, b).length.value <= position_error_m + fastest_drift_m_s * between_s;
 }
 
-/// What sightings of one berg share: its name, or, without one, the place.
+/// Identifies sightings of one berg: by its name, or without one by its position.
 using BergKey = std::tuple<std::string, double, double>;
 
 BergKey key_of(const ocean::Iceberg& berg) {
@@ -57,8 +57,8 @@ Part part_of(const Dataset& dataset, std::vector<StoredSighting> sightings) {
   return part;
 }
 
-/// Whether `newer`, under the same key, says the same or something newer of the same berg. `comes_first`: so does its
-/// dataset, which decides between equals.
+/// Whether `newer`, with the same key, replaces `older`, because it is the same berg seen later or at the
+/// same time. `comes_first`: its dataset comes first, which decides between equal times.
 bool replaces(const ocean::Iceberg& newer, const ocean::Iceberg& older, bool comes_first) {
   if (newer.observed == older.observed && newer.place == older.place) return comes_first;
   if (newer.id.empty() || newer.observed < older.observed) return false;
@@ -76,7 +76,7 @@ bool is_replaced(const ocean::Iceberg& berg, const std::vector<Part>& parts, std
   return false;
 }
 
-/// Where the berg was seen before by all datasets of its source: oldest first, one fix for each moment.
+/// Earlier fixes of the berg in all datasets of its source: oldest first, one for each time.
 std::vector<ocean::IcebergFix> track_of(const IcebergRepository& repository, const StoredSighting& sighting,
                                         const std::vector<Part>& parts, const std::string& source,
                                         core::Seconds track_age) {
@@ -101,7 +101,7 @@ std::vector<StoredSighting> joined_sightings(sql::Connection& db, const std::vec
                                              const geo::BoundingBox& area, core::UtcTime as_of,
                                              core::Seconds max_age, core::Seconds track_age) {
   const IcebergRepository repository{db};
-  // A berg that one dataset shows here may since have been seen elsewhere by another.
+  // A berg that one dataset has in the area may later have been seen elsewhere by another.
   const geo::BoundingBox& searched = datasets.size() == 1 ? area : whole_world;
   std::vector<Part> parts;
   parts.reserve(datasets.size());

@@ -6,23 +6,23 @@
 
 namespace floeplan::repository {
 
-/// The newest word of several datasets on each iceberg, so that a file with two bergs hides none of the sixty that came
-/// before it. Datasets of one source (the same columns) speak of the same bergs: of a berg the newest sighting by
-/// `as_of` counts, and its track is that of all of them. What people reported by hand, sightings without a name and
-/// those of other sources stand for themselves: one berg twice is safer than none.
-/// Two sightings under one name that lie farther apart than a berg drifts in the time between them are of two bergs;
-/// feeds number theirs anew.
-/// `max_age`  of sightings before `as_of`
-/// Returns    in the order of the datasets, then by row; those in the area; with `earlier` fixes no older than
-///            `track_age` before each, none where that is zero
+/// The newest sightings of all icebergs in several datasets. Joining them keeps a new file with two bergs
+/// from hiding the sixty of an older file. Datasets of one source (with the same columns) use the same names:
+/// for each berg the newest sighting up to `as_of` counts, and its track has the sightings of all of them.
+/// Reports by hand, sightings without a name and other sources are not joined: a berg counted twice is safer
+/// than a berg missed. Two sightings with one name are of different bergs if they are farther apart than a
+/// berg drifts in the time between, because some feeds reuse numbers.
+/// `max_age`  oldest sighting that counts, before `as_of`
+/// Returns    the sightings in the area, in the order of the datasets, then by row; each with its `earlier`
+///            fixes from up to `track_age` before it; none if that is zero
 [[nodiscard]] std::vector<StoredSighting> joined_sightings(sql::Connection& db,
                                                            const std::vector<Dataset>& datasets,
                                                            const geo::BoundingBox& area, core::UtcTime as_of,
                                                            core::Seconds max_age,
                                                            core::Seconds track_age = core::Seconds{0.0});
 
-/// The first sighting in the area after `as_of`, up to `until`, of each berg that none of `counted` is of, by the same
-/// rule of which sightings are of one berg. In the order of the datasets, then by row.
+/// For each berg that is not in `counted`, the first sighting in the area after `as_of`, up to `until`; bergs
+/// are identified by the same rule. In the order of the datasets, then by row.
 [[nodiscard]] std::vector<StoredSighting> first_seen_after(sql::Connection& db,
                                                            const std::vector<Dataset>& datasets,
                                                            const geo::BoundingBox& area, core::UtcTime as_of,

@@ -11,36 +11,39 @@
 
 namespace floeplan::repository {
 
-/// Which icebergs somebody wants to know of.
+/// Conditions for the icebergs that a caller needs.
 struct SightingQuery {
   DatasetChoice choice;
-  geo::BoundingBox area;    // that the datasets are to speak of
-  core::Metres reach{0.0};  // bergs as far beyond the area count too: they may drift into it
-  core::UtcTime as_of;      // no later sighting counts
-  core::UtcTime depart;     // of the vehicle; which sighting is too old then says ocean::oldest_that_counts
+  geo::BoundingBox area;    // area that the datasets must intersect
+  core::Metres reach{0.0};  // bergs up to this far outside the area count too, because they may drift into it
+  core::UtcTime as_of;      // the latest time of a sighting that counts
+  // departure of the vehicle; ocean::oldest_that_counts gives the oldest sighting for it
+  core::UtcTime depart;
   core::Seconds max_age{ocean::max_sighting_age};
-  core::Seconds track_age{0.0};  // each with its earlier fixes no older than this; zero: without
+  core::Seconds track_age{0.0};  // age of earlier fixes to return with each sighting; zero: none
   bool also_left_out{
-      false};  // list those left out for their age or as seen later, up to ocean::left_out_are_told
+      // also return sightings that are ignored for their age or as too late, up to ocean::left_out_are_told
+      false};
 };
 
-/// What the store knows of icebergs, as plans obey it and the map shows it.
+/// The stored icebergs that plans avoid and the map shows.
 struct KnownIcebergs {
-  std::vector<Dataset> here;              // of the choice those that meet the area; named ones, within reach
-  std::vector<Dataset> consulted;         // those that the sightings were taken from
-  std::vector<StoredSighting> sightings;  // of each berg the newest, in the order of the datasets
-  std::vector<StoredSighting> too_old;    // that nobody has seen since `oldest`, where wanted
+  // datasets of the choice that intersect the area; named ones: that are within reach
+  std::vector<Dataset> here;
+  std::vector<Dataset> consulted;         // datasets that were searched for sightings
+  std::vector<StoredSighting> sightings;  // the newest of each berg, in the order of the datasets
+  std::vector<StoredSighting> too_old;    // bergs not seen since `oldest`; only if requested
   std::vector<StoredSighting>
-      later;             // the first after `as_of` of each berg that no sighting here is of; the same
-  core::UtcTime oldest;  // the earliest sighting that counts
+      // first sighting after `as_of` of each berg without a sighting above; only if requested
+      later;
+  core::UtcTime oldest;  // the earliest time of a sighting that counts
 
   [[nodiscard]] bool speaks_here(const DatasetId& dataset) const;
 };
 
-/// Without a word on datasets every file with sightings young enough to count is consulted, wherever they lie: a berg
-/// may have left the area since the one that saw it here; where none of them speaks of the area, the newest that does
-/// as well.
-/// What people reported by hand is always consulted.
+/// Finds the icebergs. By default every dataset with sightings young enough is searched, wherever it lies,
+/// because a berg seen in the area by one may have left it according to another. If none of these intersects
+/// the area, the newest that does is searched too. Reports by hand are always searched.
 /// Errors   adds the violations of `candidates`
 [[nodiscard]] KnownIcebergs known_icebergs(sql::Connection& db, const std::vector<Dataset>& stored,
                                            const SightingQuery& query, core::Violations& violations);

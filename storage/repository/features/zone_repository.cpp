@@ -36,7 +36,8 @@ std::optional<double> bottom_m(const ocean::Zone& zone) {
   return std::isfinite(zone.bottom.value) ? std::optional{zone.bottom.value} : std::nullopt;
 }
 
-/// `SELECT <what> FROM zone` with the filter's conditions, bound. The area is only narrowed down: check each outline.
+/// `SELECT <what> FROM zone` with the filter's conditions and values. The area is only a coarse condition:
+/// check each outline.
 sql::Statement select_zones(sql::Connection& db, const std::string& what, const ZoneFilter& filter,
                             std::int64_t after, const std::string& order = " ORDER BY row") {
   std::string sql = "SELECT " + what + " FROM zone WHERE row > ?1";
@@ -58,7 +59,7 @@ sql::Statement select_zones(sql::Connection& db, const std::string& what, const 
   return query;
 }
 
-// The first seven columns as read_zone takes them.
+// The first seven columns are those that read_zone expects.
 const std::string stored_columns =
     "name, kind, from_s, until_s, top_m, bottom_m, rings, row, (SELECT id FROM dataset WHERE dataset.row = "
     "dataset_row)";

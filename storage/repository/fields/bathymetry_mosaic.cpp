@@ -9,11 +9,11 @@
 namespace floeplan::repository {
 namespace {
 
-constexpr double metres_per_degree = 111'195.0;  // of a sphere of 6371 km; the grid need not be exact
+constexpr double metres_per_degree = 111'195.0;  // on a sphere of 6371 km; the grid need not be exact
 constexpr float no_depth = std::numeric_limits<float>::quiet_NaN();
 constexpr float none = std::numeric_limits<float>::infinity();
 
-/// Nodes from `low` to at least `high`.
+/// Nodes from `low` to `high` or just beyond.
 ocean::Axis nodes_between(double low, double high, double step) {
   std::vector<double> nodes;
   const auto steps = static_cast<std::size_t>(std::max(1.0, std::ceil((high - low) / step - 1e-9)));
@@ -34,7 +34,7 @@ ocean::HorizontalGrid grid_over(const geo::BoundingBox& area, core::Metres spaci
   dy *= coarser;
   const double south = std::max(area.south_deg - dy, -90.0);
   const double north = std::min(area.north_deg + dy, 90.0);
-  // Round the globe the last column would lie on the first one.
+  // Around the whole globe, the last column must not coincide with the first.
   const double east = std::min(width + 2.0 * dx, 360.0 - dx);
   const ocean::Axis y = nodes_between(0.0, north - south, std::min(dy, north - south));
   std::vector<double> latitudes;

@@ -9,8 +9,8 @@
 
 namespace floeplan::repository {
 
-/// Which samples of a dataset of currents. A row number is never given twice, and what is stored under it never
-/// changes.
+/// Identifies samples of a currents dataset. Row numbers are never reused and the data of a row never change,
+/// so a cached block stays valid.
 struct CurrentBlock {
   std::int64_t dataset_row{};
   std::vector<NodeRun> x;
@@ -21,7 +21,7 @@ struct CurrentBlock {
   friend bool operator==(const CurrentBlock&, const CurrentBlock&) = default;
 };
 
-/// Blocks of currents as they were read from the store.
+/// Cache of blocks of currents read from the store.
 using CurrentBlocks = RecentlyUsed<CurrentBlock, ocean::CurrentGrid>;
 
 }  // namespace floeplan::repository

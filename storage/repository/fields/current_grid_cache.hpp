@@ -13,13 +13,14 @@
 
 namespace floeplan::repository {
 
-/// Grids of currents as they were read from the store, for others who want just the same: whoever tries a departure, a
-/// speed or a way after another reads the same tens of millions of samples each time.
-/// Memory   as of RecentlyUsed, by the bytes of samples
+/// Cache of grids of currents read from the store. Callers that try several departures, speeds or routes need
+/// the same tens of millions of samples each time.
+/// Memory   as in RecentlyUsed, counted in bytes of samples
 /// Threads  all members may be called from several threads at once
 class CurrentGridCache {
  public:
-  /// Steps of one dataset. A row number is never given twice, and what is stored under it never changes.
+  /// Steps of one dataset. Row numbers are never reused and the data of a row never change, so a cached grid
+  /// stays valid.
   struct Part {
     std::int64_t dataset_row{};
     std::optional<double> first_s;  // seconds since 1970; empty: all steps
@@ -27,7 +28,7 @@ class CurrentGridCache {
 
     friend bool operator==(const Part&, const Part&) = default;
   };
-  /// All that a grid follows from.
+  /// Everything that determines a grid.
   struct Key {
     std::vector<Part> parts;
     geo::BoundingBox area;
@@ -39,7 +40,7 @@ class CurrentGridCache {
 
   explicit CurrentGridCache(std::size_t most_bytes) : grids_{most_bytes} {}
 
-  /// Null where it is not kept.
+  /// The cached grid; null if there is none.
   [[nodiscard]] std::shared_ptr<const ocean::CurrentGrid> find(const Key& key) { return grids_.find(key); }
   void keep(const Key& key, const std::shared_ptr<const ocean::CurrentGrid>& grid);
 

@@ -8,7 +8,7 @@ namespace {
 
 std::int64_t whole_number(std::size_t number) { return static_cast<std::int64_t>(number); }
 
-/// The nodes that chunk number `chunk` covers along an axis of `count` nodes.
+/// The nodes in chunk number `chunk` along an axis of `count` nodes.
 NodeRun nodes_of_chunk(std::size_t chunk, std::size_t side, std::size_t count) {
   const std::size_t first = chunk * side;
   return {first, std::min(side, count - first)};

@@ -12,7 +12,7 @@
 
 namespace floeplan::repository {
 
-/// How a dataset's slices are cut: squares of `side` nodes, smaller ones at the far edges.
+/// How a dataset's slices are divided: squares of `side` nodes; smaller ones at the end of each axis.
 struct ChunkLayout {
   std::int64_t dataset_row{};
   std::size_t x_count{};
@@ -20,20 +20,21 @@ struct ChunkLayout {
   std::size_t side{};
 };
 
-/// Which slice of which variable.
+/// Identifies a slice of a variable.
 struct SliceKey {
   std::string variable;
   std::size_t time_index{};
   std::size_t depth_index{};
 };
 
-/// Writes slices of one dataset, replacing what was there.
+/// Writes slices of one dataset, replacing stored ones.
 /// Threads  as the connection: one thread at a time
 class ChunkWriter {
  public:
   ChunkWriter(sql::Connection& db, const ChunkLayout& layout);
-  /// Shape  values are [y][x], whole rows from `first_row` on, which begins a chunk, to the end of one
-  /// `steps`  in which the values may have been counted
+  /// Shape  values are [y][x], whole rows from `first_row`, the first row of a chunk, to the last row of a
+  ///        chunk
+  /// `steps`  steps in which the file stores the values, if they are packed
   void write(const SliceKey& slice, std::size_t first_row, std::span<const float> values,
              const SampleSteps& steps = {});
 
@@ -48,12 +49,11 @@ class ChunkWriter {
 class ChunkReader {
  public:
   ChunkReader(sql::Connection& db, const ChunkLayout& layout);
-  /// Fills `out`, [y][x] of the window; NaN where nothing was ever written.
+  /// Fills `out`, [y][x] of the window; NaN where nothing is stored.
   void read(const SliceKey& slice, const GridWindow& window, std::span<float> out);
 
  private:
-  /// One rectangle of stored nodes, to be put into `out` from column `out_x` on; `out` has rows of
-  /// `out_width`.
+  /// Copies a rectangle of stored nodes to `out`, from column `out_x` on; `out` has rows of `out_width`.
   void read_part(const SliceKey& slice, NodeRun x, NodeRun y, std::size_t out_x, std::size_t out_width,
                  std::span<float> out);
 

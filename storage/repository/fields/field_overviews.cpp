@@ -29,7 +29,8 @@ std::string name_of_level(const std::string& variable, std::size_t number) {
   return number == 0 ? variable : variable + "/" + std::to_string(nodes_apart);
 }
 
-/// Which nodes of an axis are kept; the last is, so that nothing is lost at the rim.
+/// Indices of the nodes of an axis that an overview keeps, always including the last, so that it covers the
+/// same range.
 std::vector<std::size_t> kept_of(std::size_t count) {
   std::vector<std::size_t> kept;
   for (std::size_t i = 0; i < count; i += stride) kept.push_back(i);
@@ -43,7 +44,7 @@ ocean::Axis thinned(const ocean::Axis& axis) {
   return ocean::Axis{std::move(nodes)};
 }
 
-/// The field itself, then what is, or would be, made of it.
+/// The field itself, then all its overviews, whether stored or not.
 std::vector<Level> levels_of(const std::string& variable, const ocean::HorizontalGrid& field) {
   std::vector<Level> levels{{variable, field}};
   while (levels.back().grid.size() > FieldOverviews::plenty) {

@@ -11,18 +11,19 @@
 
 namespace floeplan::repository {
 
-/// Every fourth node of a large field of one time and depth, every sixteenth, and so on: whoever looks at much of it
-/// from afar need not read all of it. For pictures; what is between these nodes is not in them.
+/// Coarser copies of a large field of one time and depth: every fourth node, every sixteenth, and so on, so
+/// that a display of a large area need not read the whole field. For pictures only: values between these
+/// nodes are missing.
 /// Threads  as the connection: one thread at a time
 class FieldOverviews {
  public:
-  /// More than any picture or answer shows, and 16 MB as 4-byte floats, unpacked in some hundredths of a second: fields
-  /// with no more nodes have no overviews.
+  /// Fields with at most this number of nodes have no overviews. No picture or answer shows more; it is 16 MB
+  /// as 4-byte floats, unpacked in some hundredths of a second.
   static constexpr std::size_t plenty = 4'000'000;
 
   explicit FieldOverviews(sql::Connection& db) : db_{db} {}
 
-  /// Makes those of a variable that is stored whole; of a small field there are none.
+  /// Makes the overviews of a variable that is stored completely; none for a small field.
   /// Memory   256 rows of the field
   void make(const DatasetId& id, const std::string& variable);
 

@@ -22,17 +22,17 @@
 namespace floeplan::repository {
 namespace {
 
-/// Measured on model currents and on topography: smaller squares compress worse and unpack more slowly, larger ones
-/// gain two per cent and make a small area read more.
+/// Chosen by measurement on model currents and topography: smaller squares compress worse and unpack more
+/// slowly; larger ones gain two per cent, but a small area then reads more.
 constexpr std::size_t chunk_side = FieldRepository::rows_together;
 
-/// Sizes of what is stored of a field, without its axes.
+/// Sizes of the stored data of a field; its axes are not included.
 struct StoredLayout {
   ChunkLayout chunks;
-  std::size_t samples{};      // of a slice
-  std::size_t depth_count{};  // 0: no such axis
+  std::size_t samples{};      // number of samples in a slice
+  std::size_t depth_count{};  // 0: no depth axis
   std::size_t time_count{};
-  std::optional<NativeLayout> native{};  // empty: the samples are on the grid
+  std::optional<NativeLayout> native{};  // empty: the samples are at the nodes of the grid
 };
 
 std::optional<StoredLayout> find_layout(sql::Connection& db, const DatasetId& id) {
@@ -48,7 +48,8 @@ std::optional<StoredLayout> find_layout(sql::Connection& db, const DatasetId& id
   if (!layout.native) return layout;
   layout.chunks = layout.native->chunks;
   layout.samples = layout.native->points;
-  if (layout.native->bed_levels > 0) layout.depth_count = layout.native->bed_levels + 1;  // and the bed
+  // one more for the sea bed
+  if (layout.native->bed_levels > 0) layout.depth_count = layout.native->bed_levels + 1;
   return layout;
 }
 
@@ -78,7 +79,7 @@ std::int64_t stored_size(const std::optional<ocean::Axis>& axis) {
   return axis ? static_cast<std::int64_t>(axis->size()) : 0;
 }
 
-/// Levels between which both depths can be interpolated; no depths: all levels.
+/// The levels needed to interpolate at both depths. Without depths: all levels.
 AxisWindow levels_between(const ocean::Axis& depths_m, std::optional<core::Metres> shallowest,
                           std::optional<core::Metres> deepest) {
   const auto& nodes = depths_m.nodes();
@@ -92,7 +93,8 @@ AxisWindow levels_between(const ocean::Axis& depths_m, std::optional<core::Metre
           ocean::Axis{{nodes.begin() + first, nodes.begin() + last + 1}}};
 }
 
-/// Steps from the last at or before the period to the first at or after it. nullopt: they do not meet.
+/// The steps from the last at or before the period to the first at or after it. nullopt: no step is in or
+/// around the period.
 std::optional<AxisWindow> steps_around(const ocean::Axis& times_s, const std::optional<Period>& period) {
   if (!period) return whole(times_s);
   const double from = core::unix_seconds(period->from);
@@ -130,12 +132,12 @@ std::vector<float> read_block(ChunkReader& reader, const std::string& variable, 
   return samples;
 }
 
-/// Which of a dataset's currents are to be read.
+/// The part of a dataset's currents to read.
 struct StoredCurrents {
   geo::BoundingBox area;
   ChunkLayout chunks;
   std::optional<NativeLayout> native;
-  ocean::HorizontalGrid grid;  // whole
+  ocean::HorizontalGrid grid;  // grid of the whole dataset
   GridWindow window;
   bool has_depths{};
   AxisWindow depths;
@@ -239,7 +241,7 @@ void FieldRepository::write_slice(const DatasetId& id, const std::string& variab
     throw std::invalid_argument{"a slice must lie within the times and depths of its dataset"};
   }
   if (!layout.native) return write(db_, layout.chunks, {variable, time_index, depth_index}, 0, values, steps);
-  std::vector<float> rows{values.begin(), values.end()};  // the last one filled up
+  std::vector<float> rows{values.begin(), values.end()};  // the last block is padded
   rows.resize(layout.chunks.x_count * layout.chunks.y_count, std::numeric_limits<float>::quiet_NaN());
   write(db_, layout.chunks, {variable, time_index, depth_index}, 0, rows, steps);
 }

@@ -21,18 +21,20 @@
 
 namespace floeplan::repository {
 
-/// Shape of the gridded data of one dataset. Of data that are kept at a model's own points the grid is the one on which
-/// they are interpolated when they are read, and the depths are those of plans where the levels follow the sea bed.
+/// Shape of the gridded data of one dataset. For data stored at a model's own points, `grid` is the grid to
+/// which they are interpolated when read. If their levels follow the sea bed, `depths_m` are the depths to
+/// which they are interpolated.
 struct FieldShape {
   ocean::HorizontalGrid grid;
   std::optional<ocean::Axis> depths_m;  // empty: no depth axis
   std::optional<ocean::Axis> times_s;   // empty: no time
 };
 
-/// A model's own points, at which the data of a dataset are kept.
+/// A model's own points, at which a dataset's data are stored.
 struct NativePoints {
-  const ocean::Mesh& mesh;   // numbered by `in_blocks`
-  std::size_t bed_levels{};  // that follow the sea bed; 0: the levels are the depths of the shape
+  const ocean::Mesh& mesh;  // numbered by `in_blocks`
+  // number of levels that follow the sea bed; 0: the levels are the depths of the shape
+  std::size_t bed_levels{};
 };
 
 /// Period of time, both ends included.
@@ -52,7 +54,7 @@ struct Period {
 /// Threads  as the connection: one thread at a time
 class FieldRepository {
  public:
-  /// Rows of a slice that are packed together.
+  /// Number of rows of a slice that are packed together.
   static constexpr std::size_t rows_together = 64;
 
   explicit FieldRepository(sql::Connection& db, std::stop_token stop = {})
@@ -60,40 +62,42 @@ class FieldRepository {
 
   void create(const DatasetId& id, const FieldShape& shape);
   void create(const DatasetId& id, const FieldShape& shape, const NativePoints& native);
-  /// One horizontal slice [y][x], or [point], NaN where missing; indices are 0 where the shape has no such axis.
-  /// `steps`  in which the values were counted, where that is known: they take less room then
+  /// Writes one horizontal slice [y][x], or [point], NaN where missing. An index is 0 if the shape has no
+  /// such axis.
+  /// `steps`  steps in which the file stores the values, if they are packed; they then need less space
   void write_slice(const DatasetId& id, const std::string& variable, std::size_t time_index,
                    std::size_t depth_index, std::span<const float> values, const SampleSteps& steps = {});
-  /// Some whole rows of the only slice, [y][x], where a grid is too large to be held at once: from a multiple of
-  /// `rows_together` on to another, or to the last row.
+  /// Writes some whole rows of the only slice, [y][x], of a grid that is too large for memory. The first row is
+  /// a multiple of `rows_together`, and so is the end, unless it is the last row.
   void write_rows(const DatasetId& id, const std::string& variable, std::size_t first_row,
                   std::span<const float> values);
 
   [[nodiscard]] std::optional<FieldShape> shape(const DatasetId& id) const;
 
-  /// About how many nodes load_currents has in an area, or more: of data at a model's own points it is not known before
-  /// they are read. 0 when the dataset is unknown or has no node there.
+  /// An upper estimate of the number of nodes that load_currents returns for an area; for data at a model's
+  /// own points the exact number is known only after reading. 0 when the dataset is unknown or has no node
+  /// there.
   [[nodiscard]] std::size_t most_nodes(const DatasetId& id, const geo::BoundingBox& area) const;
 
-  /// The nodes around `area` (one more on each side), the times around `period` and the levels down to the first at or
-  /// below `deepest`, from the last level at or above `shallowest` on. nullopt when the dataset is unknown or shares no
-  /// node with the area, or no time with the period. A dataset whose period ends before or begins after `period` yields
-  /// nullopt; `period` empty means all times.
+  /// Reads currents: the nodes around `area` (one more on each side); the steps around `period`, all if it is
+  /// empty; the levels from the last at or above `shallowest` to the first at or below `deepest`. nullopt
+  /// when the dataset is unknown, has no node in the area, or ends before or begins after the period.
   [[nodiscard]] std::optional<ocean::CurrentGrid> load_currents(
       const DatasetId& id, const geo::BoundingBox& area, std::optional<Period> period,
       std::optional<core::Metres> deepest, std::optional<core::Metres> shallowest = {}) const;
-  /// The same about a place, with all the nodes that are packed together with those around it: they are unpacked in any
-  /// case, and who asks for one place asks for those beside it next. null: as above.
+  /// The same around a place, with all nodes that are packed together with those around it: they have to be
+  /// unpacked anyway, and the next request is often for a neighbouring place. Null: as nullopt above. `kept`
+  /// is the cache.
   [[nodiscard]] std::shared_ptr<const ocean::CurrentGrid> load_currents_at(
       const DatasetId& id, geo::LonLat place, std::optional<Period> period,
       std::optional<core::Metres> deepest, std::optional<core::Metres> shallowest, CurrentBlocks& kept) const;
   [[nodiscard]] std::optional<ocean::Bathymetry> load_bathymetry(const DatasetId& id,
                                                                  const geo::BoundingBox& area) const;
-  /// Does what load_currents does, without depths. It has thickness if a slice of thickness was ever written.
+  /// As load_currents, without depths. The result has a thickness if any slice of thickness is stored.
   [[nodiscard]] std::optional<ocean::IceField> load_ice(const DatasetId& id, const geo::BoundingBox& area,
                                                         std::optional<Period> period) const;
 
-  /// Names of the variables that were ever written, ascending.
+  /// Names of all stored variables, ascending.
   [[nodiscard]] std::vector<std::string> variables(const DatasetId& id) const;
   /// Variables without depth and time on the nodes around `area`, [variable][y][x]; NaN where nothing was written. Of data
   /// on a grid alone.

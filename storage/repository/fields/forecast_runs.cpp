@@ -13,7 +13,7 @@ struct Step {
   std::size_t run{};
 };
 
-/// Every step that no newer run speaks of, ascending.
+/// All steps that no newer run covers, ascending.
 std::vector<Step> steps_in_force(std::span<const std::vector<double>> runs_s) {
   std::vector<Step> steps;
   for (std::size_t run = 0; run < runs_s.size(); ++run) {
@@ -36,7 +36,7 @@ double longest_step(const std::vector<double>& times_s) {
 }
 
 bool follows(const Step& before, const Step& after, std::span<const std::vector<double>> runs_s) {
-  constexpr double rounding_s = 1.0;  // of times that a file keeps as fractions of a day
+  constexpr double rounding_s = 1.0;  // rounding of times that a file states as fractions of a day
   if (before.run == after.run) return true;
   const double allowed = std::max(longest_step(runs_s[before.run]), longest_step(runs_s[after.run]));
   return after.time_s - before.time_s <= allowed + rounding_s;
@@ -69,7 +69,7 @@ bool same_depths(const Samples& a, const Samples& b) {
   return same_axis(*a.depths_m, *b.depths_m);
 }
 
-/// The same currents at more depths, between which they are linear as before.
+/// The same currents at more depths; the new ones are interpolated linearly.
 Samples at_more_depths(Samples samples, const ocean::Axis& depths_m) {
   const ocean::CurrentGrid currents{std::move(samples)};
   Samples more = currents.samples();
@@ -90,7 +90,8 @@ Samples at_more_depths(Samples samples, const ocean::Axis& depths_m) {
   return more;
 }
 
-/// At all depths of both. They differ at a place of a model whose levels follow its surface, which no two times have alike.
+/// Interpolates both to all depths of either. Depths differ if a model's levels follow its surface, which
+/// changes in time.
 void bring_to_same_depths(Samples& a, Samples& b) {
   std::vector<double> depths_m = a.depths_m->nodes();
   depths_m.insert(depths_m.end(), b.depths_m->nodes().begin(), b.depths_m->nodes().end());
@@ -163,7 +164,7 @@ std::optional<ocean::CurrentGrid> load_joined(sql::Connection& db, const std::ve
 
   std::optional<Samples> joined;
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    // The steps of one part lie around a `from` that falls between two parts, too.
+    // If `from` lies between two parts, the earlier part is needed too: its last step is before `from`.
     const bool is_over = i + 1 < parts.size() && parts[i + 1].used.from <= from;
     if (is_over) continue;
     const auto loaded = load(parts[i]);

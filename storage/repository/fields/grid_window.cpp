@@ -15,13 +15,13 @@ AxisWindow part(const ocean::Axis& axis, std::size_t first, std::size_t last) {
               {begin + static_cast<std::ptrdiff_t>(first), begin + static_cast<std::ptrdiff_t>(last) + 1}}};
 }
 
-/// How many nodes lie within one turn of the first: all, unless the seam is stored twice (0 and 360).
+/// Number of nodes within one turn from the first: all, unless the seam is stored twice (0 and 360).
 std::size_t distinct_longitudes(const ocean::Axis& x) {
   const auto end = std::ranges::lower_bound(x.nodes(), x.front() + 360.0 - 1e-6);
   return static_cast<std::size_t>(end - x.nodes().begin());
 }
 
-/// Window of an axis that goes round the globe. Its nodes are numbered on and on eastwards, turn after turn.
+/// Window of an axis around the globe. Its nodes are numbered eastwards, continuing after each turn.
 AxisWindow window_round_the_globe(const ocean::Axis& x, double west_deg, double width_deg) {
   const auto turn = static_cast<std::ptrdiff_t>(distinct_longitudes(x));
   const auto begin = x.nodes().begin();
@@ -43,7 +43,7 @@ AxisWindow window_round_the_globe(const ocean::Axis& x, double west_deg, double 
     const std::ptrdiff_t turns = i / turn;
     nodes.push_back(begin[i % turn] + 360.0 * static_cast<double>(turns));
   }
-  // Numbers beyond one turn mean the same nodes again, a turn further east.
+  // A number beyond one turn means the same node again, 360 degrees further east.
   const auto run = [](std::ptrdiff_t from, std::ptrdiff_t to) {
     return NodeRun{static_cast<std::size_t>(from), static_cast<std::size_t>(to - from)};
   };
@@ -51,8 +51,8 @@ AxisWindow window_round_the_globe(const ocean::Axis& x, double west_deg, double 
   return {{run(first, turn), run(0, last + 1 - turn)}, ocean::Axis{std::move(nodes)}};
 }
 
-/// Window of an axis with a gap. An area that reaches both ends round the back of the globe gets everything
-/// between.
+/// Window of an axis that does not go around the globe. An area that reaches both ends across the gap gets
+/// the whole axis.
 std::optional<AxisWindow> window_of_longitudes(const ocean::Axis& x, double west_deg, double width_deg) {
   const double west =
       west_deg - 360.0 * (std::floor((west_deg - x.front()) / 360.0) + 1.0);  // a turn before the axis
@@ -77,13 +77,14 @@ struct Extent {
   }
 };
 
-/// The window of an area in grid coordinates, found from a lattice of samples. It is widened by a part of their distance,
-/// because the area's edge is curved between them. Where the projection has no value, the window has no limit.
+/// The window of an area in grid coordinates, found from a lattice of samples. It is widened by a part of
+/// their spacing, because the area's edge is curved between them. Where the projection has no value, the
+/// window has no limit.
 std::optional<GridWindow> window_of_projected(const ocean::HorizontalGrid& grid,
                                               const geo::BoundingBox& area) {
   constexpr int steps = 48;
-  // As a share of the distance of two samples: an arc of up to a right angle rises above its chord by a fifth of it
-  // at most.
+  // As a share of the spacing of two samples: an arc of up to a right angle rises above its chord by at most
+  // a fifth of the chord.
   constexpr double bulge = 0.25;
   const double width = geo::width_deg(area);
   Extent x;

@@ -11,16 +11,15 @@
 
 namespace floeplan::repository {
 
-/// Depths of every dataset that has some in an area.
+/// Depths in an area from all datasets that have some there.
 struct JoinedBathymetry {
   ocean::Bathymetry depths;
-  std::vector<DatasetId>
-      datasets;  // that are used, the one that comes first where several know a depth in front
+  std::vector<DatasetId> datasets;  // datasets in use; if several have a depth at a node, the first counts
 };
 
-/// The depths of an area for those who look at it from afar: of all bathymetry stored, the finest first as for plans,
-/// on no more than about `most_nodes` nodes. Where a dataset has several nodes in a cell, the depth is their mean.
-/// Outside  nullopt when no dataset has a node there
+/// The depths of an area for display: from all stored bathymetry, the finest first as in plans, on about
+/// `most_nodes` nodes at most. If a dataset has several nodes in a cell, the depth is their mean.
+/// Outside  nullopt when no dataset has a node in the area
 [[nodiscard]] std::optional<JoinedBathymetry> joined_bathymetry(sql::Connection& db,
                                                                 const geo::BoundingBox& area,
                                                                 std::size_t most_nodes);

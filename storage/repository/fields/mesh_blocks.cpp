@@ -23,9 +23,9 @@ using ocean::Mesh;
 constexpr std::size_t together = MeshBlocks::points_together;
 constexpr std::uint32_t no_point = std::numeric_limits<std::uint32_t>::max();
 
-constexpr std::uint32_t curve_bits = 31;  // of each coordinate: a few millimetres
+constexpr std::uint32_t curve_bits = 31;  // for each coordinate; a resolution of a few millimetres
 
-/// How far along Hilbert's curve a point of a square lies.
+/// Position of a point of a square along Hilbert's curve.
 std::uint64_t along_hilbert(std::uint64_t x, std::uint64_t y) {
   std::uint64_t along = 0;
   for (std::uint64_t half = std::uint64_t{1} << (curve_bits - 1); half > 0; half /= 2) {
@@ -42,7 +42,7 @@ std::uint64_t along_hilbert(std::uint64_t x, std::uint64_t y) {
   return along;
 }
 
-/// How far along the curve a place lies.
+/// Position of a place along the curve around the globe.
 std::uint64_t along_curve(geo::LonLat place) {
   const geo::UnitVector u = geo::unit_vector(place);
   const double size = std::abs(u.x) + std::abs(u.y) + std::abs(u.z);
@@ -58,7 +58,7 @@ std::uint64_t along_curve(geo::LonLat place) {
   return along_hilbert(step(x), step(y));
 }
 
-/// Cells of one block, which are those whose first corner is one of its points.
+/// Cells of one block: those whose first corner is one of its points.
 struct Block {
   std::vector<std::uint32_t> corners;
   geo::BoundingBox box;
@@ -76,7 +76,7 @@ std::vector<Block> blocks_of(const Mesh& mesh) {
     if (block.corners.empty()) continue;
     std::vector<geo::LonLat> places;
     for (const std::uint32_t corner : block.corners) places.push_back(mesh.points[corner]);
-    // Sides bend beyond the corners, and a cell may hold a pole.
+    // The box is enlarged, because sides are curved between the corners, and a cell may contain a pole.
     block.box = geo::grown(geo::bounding_box(places), core::Metres{block.longest_side_m});
   }
   return blocks;
@@ -88,7 +88,7 @@ std::vector<Block> blocks_of(const Mesh& mesh) {
       sql::Trouble::damaged};
 }
 
-/// What every block's row says without its points and cells.
+/// The row of a block without its points and cells.
 struct BlockRow {
   std::size_t block{};
   geo::BoundingBox box;
@@ -124,7 +124,7 @@ double longest_side_of(const std::vector<BlockRow>& rows) {
   return longest_m;
 }
 
-/// Corners of cells, as the whole mesh numbers its points, and the blocks of these points.
+/// Corners of cells, as point numbers of the whole mesh, and the blocks of these points.
 struct StoredCells {
   std::vector<std::uint32_t> corners;
   std::set<std::size_t> blocks;
@@ -216,12 +216,12 @@ MeshPart MeshBlocks::around(std::int64_t dataset_row, const geo::BoundingBox& ar
 
   const std::vector<BlockRow> rows = block_rows(db_, dataset_row);
   std::vector<BlockRow> near = that_meet(rows, area);
-  if (part.mesh.in_faces)  // a node of a cell in the area depends on all faces round it
+  if (part.mesh.in_faces)  // a node of a cell in the area depends on all faces around it
     near = that_meet(rows, geo::grown(area, core::Metres{longest_side_of(near)}));
   BlobCodec codec;
   const StoredCells cells = read_cells(db_, dataset_row, near, codec);
 
-  std::map<std::size_t, std::uint32_t> first_of;  // point of the part, by block
+  std::map<std::size_t, std::uint32_t> first_of;  // first point of each block in the part
   sql::Statement query{db_,
                        "SELECT lons_deg, lats_deg FROM mesh_block WHERE dataset_row = ?1 AND block = ?2"};
   for (const std::size_t block : cells.blocks) {
@@ -236,7 +236,7 @@ MeshPart MeshBlocks::around(std::int64_t dataset_row, const geo::BoundingBox& ar
     for (std::size_t i = 0; i < count; ++i) part.mesh.points.push_back({lons[i], lats[i]});
   }
   part.mesh.cells.reserve(cells.corners.size() / 4);
-  std::size_t block = point_count;  // none yet
+  std::size_t block = point_count;  // no block yet
   std::uint32_t first = 0;
   for (std::size_t i = 0; i < cells.corners.size(); i += 4) {
     Mesh::Cell cell{};

@@ -37,7 +37,7 @@ class VelocityReader {
 
   [[nodiscard]] Components components() const { return components_; }
 
-  /// Where each point has one component alone, north is empty.
+  /// The currents of one level. If each point has only one component, `north` is empty.
   [[nodiscard]] PointVelocities velocities(std::size_t time, std::size_t level) {
     if (components_ == Components::one) return {read({"component_m_s", time, level}), {}};
     PointVelocities slice{read({"u_m_s", time, level}), read({"v_m_s", time, level})};
@@ -64,7 +64,7 @@ class VelocityReader {
   Components components_;
 };
 
-/// Interpolates what a reader reads at the nodes of a lattice, as the model's points have it.
+/// Interpolates values at a model's points to the nodes of a lattice.
 class NodeSampling {
  public:
   /// Errors  as refuse_overlapping_cells
@@ -82,7 +82,8 @@ class NodeSampling {
     return std::get<ocean::MeshSampling>(sampling_).apply(slice);
   }
 
-  /// At the nodes; of components apart those at the points of the first and then those of the second.
+  /// Depths of a level at the nodes; if each point has one component, first at those of the first, then of
+  /// the second.
   [[nodiscard]] std::vector<float> depths(const std::vector<float>& level) const {
     if (const auto* apart = std::get_if<ocean::StaggeredSampling>(&sampling_)) {
       auto [first, second] = apart->apply_to_numbers(level);
@@ -160,7 +161,7 @@ ocean::CurrentGrid read_native_currents(sql::Connection& db, const NativeLayout&
     for (std::size_t level = levels.first; level < levels.first + levels.count; ++level)
       add_slice(sampling.velocities(reader.velocities(time, level)), samples);
   }
-  samples.u.resize(slices * lattice.size());  // of those that were not read once it stopped
+  samples.u.resize(slices * lattice.size());  // pads slices that were not read because of a stop
   samples.v.resize(slices * lattice.size());
   return ocean::CurrentGrid{std::move(samples)};
 }

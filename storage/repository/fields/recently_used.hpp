@@ -9,9 +9,9 @@
 
 namespace floeplan::repository {
 
-/// What took long to make, for others who want just the same.
-/// Memory   at most so many bytes, by what whoever keeps a value says of it: those that were used last; a larger value
-///          is not kept. Whoever uses a value keeps it alive beyond that
+/// A cache of values that take long to make.
+/// Memory   at most `most_bytes`, by the sizes that callers state: the values used last. A larger value is
+///          not kept. A caller that still uses a value keeps it alive after it was dropped
 /// Threads  all members may be called from several threads at once
 template <class Key, class Value>
 class RecentlyUsed {
@@ -20,7 +20,7 @@ class RecentlyUsed {
 
   [[nodiscard]] std::size_t most_bytes() const { return most_bytes_; }
 
-  /// Null where it is not kept.
+  /// The cached value; null if there is none.
   [[nodiscard]] std::shared_ptr<const Value> find(const Key& key) {
     const std::scoped_lock lock{mutex_};
     const auto found = std::ranges::find(entries_, key, &Entry::key);
@@ -31,7 +31,7 @@ class RecentlyUsed {
 
   void keep(const Key& key, const std::shared_ptr<const Value>& value, std::size_t bytes) {
     if (bytes > most_bytes_) return;
-    std::list<Entry> dropped;  // freed after the lock
+    std::list<Entry> dropped;  // destroyed after the lock is released
     const std::scoped_lock lock{mutex_};
     if (std::ranges::find(entries_, key, &Entry::key) != entries_.end()) return;
     while (bytes_ + bytes > most_bytes_) {
@@ -51,7 +51,7 @@ class RecentlyUsed {
 
   std::size_t most_bytes_;
   std::mutex mutex_;
-  std::list<Entry> entries_;  // the one used last first
+  std::list<Entry> entries_;  // most recently used first
   std::size_t bytes_{};
 };
 

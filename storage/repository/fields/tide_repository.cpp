@@ -32,7 +32,7 @@ std::optional<TideQuantity> parse_quantity(const std::string& text) {
   return std::nullopt;
 }
 
-/// "M2 east cosine" and "M2 east sine" hold the real and the imaginary part.
+/// Names of the stored variables: "M2 east cosine" has the real part, "M2 east sine" the imaginary part.
 std::string variable_of(tide::Constituent constituent, TideQuantity quantity, bool imaginary) {
   return tide::constituent_name(constituent) + " " + quantity_name(quantity) +
          (imaginary ? " sine" : " cosine");

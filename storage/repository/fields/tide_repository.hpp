@@ -14,30 +14,30 @@
 
 namespace floeplan::repository {
 
-/// Harmonic constants of one quantity at a place where it was measured or asked for.
+/// Harmonic constants of one quantity at a place where it was measured or computed.
 struct TideStation {
-  std::string name;  // empty: the source gives none
+  std::string name;  // empty: not named in the source
   geo::LonLat place;
   ocean::TideQuantity quantity{ocean::TideQuantity::elevation};
   std::vector<tide::HarmonicConstant> constants;
 };
 
-/// Tides: models on a grid, and stations.
+/// Tides: tide models on a grid, and stations.
 /// Threads  as the connection: one thread at a time
 class TideRepository {
  public:
   explicit TideRepository(sql::Connection& db) : db_{db} {}
 
   void create(const DatasetId& id, const ocean::HorizontalGrid& grid);
-  /// One field [y][x] of a grid that was created.
+  /// Writes one field [y][x] of a grid that was created before.
   void write(const DatasetId& id, tide::Constituent constituent, ocean::TideQuantity quantity,
              std::span<const std::complex<float>> field);
-  /// The nodes around `area`, at least one on each side where the grid has one. nullopt when the dataset has no grid or
-  /// shares no node with the area.
+  /// The nodes around `area`, at least one on each side if the grid has one. nullopt when the dataset has no
+  /// grid, or no node in the area.
   [[nodiscard]] std::optional<ocean::TideGrid> load(const DatasetId& id, const geo::BoundingBox& area) const;
 
   void insert(const DatasetId& id, const std::vector<TideStation>& stations);
-  /// In the order of insertion.
+  /// The stations of a dataset, in the order of insertion.
   [[nodiscard]] std::vector<TideStation> stations(const DatasetId& id) const;
 
  private:

@@ -7,8 +7,8 @@
 
 namespace floeplan::repository {
 
-/// Every table whose rows belong to datasets, by name. They are found by their column: a new kind of data takes part
-/// without a word here.
+/// All tables whose rows belong to datasets, sorted by name. They are found by their column `dataset_row`, so
+/// tables of a new kind of data are included without a change here.
 [[nodiscard]] std::vector<std::string> tables_of_data(sql::Connection& db);
 
 /// Name of the R*Tree with the boxes of a table's rows, whether or not the table has one.

@@ -33,7 +33,7 @@ sql::Connection open_store(const fs::path& store) {
   const std::int64_t schema = sql::schema_number(*db);
   if (schema > 0 && (schema < newest_schema() || !sql::has_page_checksums(*db))) {
     refuse_newer_schema(schema);
-    db.reset();  // who puts another database in the place of this one has to be alone
+    db.reset();  // the database can only be replaced when nobody else has it open
     (void)bring_up_to_date(store);
     db = sql::Connection::open(store);
   }

@@ -7,14 +7,13 @@
 
 namespace floeplan::repository {
 
-/// Opens the store in this folder, creating it or bringing it up to this program's schema first.
-/// Errors   std::runtime_error for a store that a newer program has written, for a file that is damaged or
-/// not a store,
-///          and when the folder cannot be written
+/// Opens the store in this folder. Creates it, or migrates it to this program's schema, if necessary.
+/// Errors   std::runtime_error for a store written by a newer program, for a file that is damaged or not a
+///          store, and when the folder cannot be written
 [[nodiscard]] sql::Connection open_store(const std::filesystem::path& store);
 
-/// A store of the same schema whose contents nobody misses after a kill: where data lie until they are complete.
-/// The folder exists.
+/// Opens a store of the same schema for temporary data. It may be lost when the process is killed.
+/// `folder`  must exist
 [[nodiscard]] sql::Connection open_scratch_store(const std::filesystem::path& folder);
 
 /// Opens the store that a database server keeps, setting it up first where there is none.

@@ -11,32 +11,33 @@
 
 namespace floeplan::repository {
 
-/// A part of a list of things, and the things that cannot be read of what it would hold. Only for things of which one says
-/// nothing of another, such as plans: a list of icebergs that lacks one would pass for open water.
+/// Part of a list of things, and the damaged things that may belong to it. Only for things that are independent of
+/// each other, such as plans. Not for icebergs: a missing one would look like open water.
 template <class Record>
 struct PartialList {
   std::vector<Record> whole;
-  std::vector<StoredThing> damaged;  // whether a filter would have let them through is not known
+  std::vector<StoredThing> damaged;  // whether they meet the filter is not known
 };
 
-/// Which part of a table a list has.
+/// The part of a table that a list shows.
 struct ListPart {
-  std::int64_t behind{};  // row of the last thing of the part before; of a descending list 0: from the newest
-  int limit{};            // most whole things
+  // row of the last thing of the part before; in a descending list 0 means: from the newest
+  std::int64_t behind{};
+  int limit{};  // largest number of undamaged things
   bool descending{false};
 };
 
-/// A thing that a list comes across, in the list's order.
+/// A thing in a list, in the list's order.
 struct MetThing {
   StoredThing thing;
-  bool is_damaged{false};  // known without reading it to its end
+  bool is_damaged{false};  // true: known to be damaged before reading all of it
 };
 [[nodiscard]] std::vector<MetThing> things_behind(sql::Connection& db, const ThingTable& table,
                                                   const ListPart& part);
 
-/// Reads a list at once, and where that meets damage row by row.
-/// Parameters  at_once  reads the whole part with one query
-///             of_row   the record of one row; nothing for one that the list does not want
+/// Reads a list with one query; if this meets damage, row by row.
+/// Parameters  at_once  reads the whole part with one query of_row   returns the record of one row; nullopt
+///             if it does not meet the filter
 /// Errors      sql::Failure for other trouble than damage
 template <class AtOnce, class OfRow>
 [[nodiscard]] auto list_past_damage(sql::Connection& db, const ThingTable& table, const ListPart& part,

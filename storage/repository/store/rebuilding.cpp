@@ -38,13 +38,13 @@ void run_with(sql::Connection& db, const std::string& sql, std::int64_t row) {
 template <class Work>
 bool copied_past_indices(sql::Connection& db, const Work& work) {
   return sql::past_damaged_indices([&](const char* index) {
-    sql::Transaction part{db};  // what was copied before it met damage goes again
+    sql::Transaction part{db};  // undoes what was copied before the damage was met
     work(index);
     part.commit();
   });
 }
 
-/// A thing with all that belongs to it; false, and nothing of it, where any is damaged.
+/// Copies a thing with all its rows. If any of them is damaged, copies nothing and returns false.
 bool copy_thing(sql::Connection& db, const ThingTable& table, std::int64_t row) {
   sql::Transaction thing{db};
   const bool own = sql::meets_no_damage(
@@ -67,7 +67,7 @@ bool copy_thing(sql::Connection& db, const ThingTable& table, std::int64_t row) 
   return true;
 }
 
-/// Copies a table that belongs to no stored thing: as a whole, or, where that fails, row by row as far as possible.
+/// Copies a table whose rows belong to no thing: as a whole, or, if that fails, all rows that can be read.
 bool copy_table_beside(sql::Connection& db, const std::string& table) {
   const auto copy_all = [&](const char* index) { sql::execute(db, insert_from_old(db, table, index)); };
   if (copied_past_indices(db, copy_all)) return true;
@@ -80,7 +80,7 @@ bool copy_table_beside(sql::Connection& db, const std::string& table) {
 std::vector<StoredThing> copy_all(sql::Connection& db, const core::ProgressCallback& progress) {
   std::vector<StoredThing> lost;
   for (const ThingTable& table : thing_tables) {
-    if (!sql::has_table(db, std::string{table.table})) continue;  // of an older schema
+    if (!sql::has_table(db, std::string{table.table})) continue;  // a store of an older schema
     ThingList list = things_in(db, old, table);
     std::ranges::move(list.damaged, std::back_inserter(lost));
     for (std::size_t i = 0; i < list.readable.size(); ++i) {

@@ -15,23 +15,24 @@ namespace fs = std::filesystem;
 
 enum class Losses { refused, accepted };
 enum class OldDatabase {
-  settled,    // one file, which keeps its place until the new one takes it
-  unreadable  // or gone: with a log that cannot be moved into it
+  settled,    // a single file, which stays until the new one replaces it
+  unreadable  // missing, or with a log that cannot be merged into it
 };
 
 std::string in_words(const StoredThing& thing) {
   return "the " + thing.kind + (thing.id.empty() ? " in row " + std::to_string(thing.row) : " " + thing.id);
 }
 
-/// The one place whose damage shows in no checksum says whether there are any. Nothing may be written then.
+/// Refuses a damaged header. It says whether pages have checksums, so its damage is not found by a checksum.
 void refuse_changed_header(const fs::path& database) {
   const auto header = sql::header_of(database);
   if (header.schema < first_schema_with_checksums || header.has_checksums) return;
   throw sql::Failure{messages::store_text<"header-damaged">(database.string()), sql::Trouble::damaged};
 }
 
-/// Builds the new database beside the old one, of which `from` may be the file, and puts it in its place as the last step:
-/// a kill before leaves the store as it was, or, of one that could not be read, without a database until it is restored again.
+/// Builds the new database beside the old one (`from` may be the old file) and replaces the old one in the
+/// last step. If the process is killed before, the store is unchanged; a store that could not be read has no
+/// database until it is restored.
 Replacement replace(const fs::path& store, const fs::path& from, const std::string& why, Losses losses,
                     OldDatabase was, const core::ProgressCallback& progress) {
   const fs::path beside = store / "rebuilding";
@@ -65,7 +66,8 @@ Replacement bring_up_to_date(const fs::path& store, const core::ProgressCallback
   sql::settle(database);
   const auto header = sql::header_of(database);
   refuse_newer_schema(header.schema);
-  if (header.schema == newest_schema() && header.has_checksums) return {};  // somebody else did meanwhile
+  // another process has migrated it meanwhile
+  if (header.schema == newest_schema() && header.has_checksums) return {};
   return replace(store, database, "schema-" + std::to_string(newest_schema()), Losses::refused,
                  OldDatabase::settled, progress);
 }

@@ -9,23 +9,24 @@
 
 namespace floeplan::repository {
 
-/// A database that was put in the place of a store's.
+/// Result of replacing a store's database.
 struct Replacement {
-  std::vector<StoredThing> lost;  // what could not be read, and is not in it
-  std::filesystem::path kept;     // the database that was there before; empty: there was none
+  std::vector<StoredThing> lost;  // things that could not be read and are not in the new database
+  std::filesystem::path kept;     // path of the old database; empty: there was none
 };
 
-/// Brings a store with an older schema, or without checksums, up to date.
-/// Errors   std::runtime_error for a newer schema; sql::Failure when anything is damaged, or somebody uses the store
+/// Migrates a store with an older schema or without checksums.
+/// Errors   std::runtime_error for a newer schema; sql::Failure when anything is damaged, or the store is in
+///          use
 Replacement bring_up_to_date(const std::filesystem::path& store, const core::ProgressCallback& progress = {});
 
-/// Saves what is whole of a damaged store.
-/// Errors   sql::Failure when its schema cannot be read, or somebody uses the store
+/// Rebuilds a damaged store from its undamaged things.
+/// Errors   sql::Failure when its schema cannot be read, or the store is in use
 Replacement repair_store(const std::filesystem::path& store, const core::ProgressCallback& progress = {});
 
-/// Puts a backup, of this schema or an older one, in the place of a store.
-/// Errors   std::runtime_error for a file that is no store, of a newer schema or damaged, before anything is changed;
-///          sql::Failure when somebody uses the store
+/// Replaces a store by a backup of this schema or an older one.
+/// Errors   std::runtime_error, before anything is changed, for a file that is not a store, has a newer
+///          schema or is damaged; sql::Failure when the store is in use
 Replacement restore_store(const std::filesystem::path& store, const std::filesystem::path& backup,
                           const core::ProgressCallback& progress = {});
 

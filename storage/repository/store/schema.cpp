@@ -44,10 +44,10 @@ void bring_to_newest_schema(sql::Connection& db) {
   refuse_newer_schema(before);
   if (before == newest_schema()) return;
 
-  // Dropping a table that others refer to would empty them, too.
+  // With references enforced, dropping a table would also delete the rows that refer to it.
   const sql::WithoutReferences without_references{db};
   sql::Transaction transaction{db};
-  // Asked again: another program may have migrated the store in the meantime.
+  // Read again, because another program may have migrated the store meanwhile.
   const std::int64_t found = sql::schema_number(db);
   refuse_newer_schema(found);
   for (auto schema = static_cast<std::size_t>(found); schema < schema_scripts().size(); ++schema) {

@@ -33,7 +33,7 @@ StoreLock::StoreLock(const std::filesystem::path& store) {
     close(descriptor_);
     throw std::runtime_error{messages::store_text<"store-served">(store.string(), holder_of(file))};
   }
-  // For people alone: the lock holds without it.
+  // The process id is for people only; the lock does not depend on it.
   std::ofstream{file, std::ios::trunc} << getpid() << '\n';
 }
 

@@ -4,9 +4,9 @@
 
 namespace floeplan::repository {
 
-/// The right to serve a store, which one process has at a time. It goes with the process, however that ends; nothing is
-/// left to clean up.
-/// Errors   std::runtime_error that names the process which has it, or why the lock file cannot be opened
+/// The right to serve a store, which only one process has at a time. The system releases the lock when the
+/// process ends in any way.
+/// Errors   std::runtime_error that names the process with the lock, or why the lock file cannot be opened
 class StoreLock {
  public:
   explicit StoreLock(const std::filesystem::path& store);

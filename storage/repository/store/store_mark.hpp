@@ -4,7 +4,8 @@
 
 namespace floeplan::repository {
 
-/// A mark in a folder that holds a store, or held one, so that without its database it is not taken for a new one.
+/// Marks a folder of a store. If its database is lost, the folder is not mistaken for an empty one and given
+/// a new store.
 void mark_as_store(const std::filesystem::path& folder);
 [[nodiscard]] bool is_marked_as_store(const std::filesystem::path& folder);
 

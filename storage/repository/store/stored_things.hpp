@@ -9,19 +9,19 @@
 
 namespace floeplan::repository {
 
-/// What a user knows by an id or a name, with all rows that belong to it: a dataset with its grid and samples, a
-/// simulation with its flights.
+/// An object that users know by an id or a name, with all rows that belong to it: a dataset with its grid and
+/// samples, a simulation with its flights.
 struct StoredThing {
   std::string kind;    // "dataset", "plan", ...
-  std::string id;      // empty: what says it is damaged, too
-  std::int64_t row{};  // in its table; of an unknown thing the first that it can be
+  std::string id;      // empty: the id itself is damaged
+  std::int64_t row{};  // row in its table; if unknown, the first row that it can have
 };
 
-/// How things of one kind are stored.
+/// The table and columns in which objects of one kind are stored.
 struct ThingTable {
   std::string_view table;
-  std::string_view name;  // the column by which users know it, which has an index of its own
-  std::string_view key;   // the column of other tables whose rows belong to it; empty: none do
+  std::string_view name;  // column with the id or name that users know; it has its own index
+  std::string_view key;   // column of other tables that refers to it; empty: none
   std::string_view kind;
 };
 
@@ -33,24 +33,25 @@ inline constexpr ThingTable token_table{"token", "name", "token_row", "token"};
 inline constexpr ThingTable thing_tables[]{dataset_table, plan_table, simulation_table, job_table,
                                            token_table};
 
-/// The things of one table in the order of their rows.
+/// The objects of one table, in the order of their rows.
 struct ThingList {
-  std::vector<StoredThing> readable;  // in the table itself; what belongs to them was not looked at
-  std::vector<StoredThing> damaged;   // in the table itself
+  // readable in the table itself; their rows in other tables were not checked
+  std::vector<StoredThing> readable;
+  std::vector<StoredThing> damaged;  // damaged in the table itself
 };
 
-/// Reads past damaged pages as far as any page tells of a thing.
-/// Parameters  schema   "main", or the name of an attached store
-///             reading  `number`: long texts are not looked at, and a thing may be damaged that is said to be readable
-/// Errors      sql::Failure when the store fails otherwise than by damage, or damage hides its schema
+/// Lists the objects of a table, also after damaged pages, as far as the pages show them.
+/// Parameters  schema   "main", or the name of an attached store reading  `number`: long texts are not read,
+///             so an object listed as readable may be damaged
+/// Errors      sql::Failure when the store fails for another reason than damage, or the schema is unreadable
 [[nodiscard]] ThingList things_in(sql::Connection& db, const std::string& schema, const ThingTable& table,
                                   sql::RowReading reading = sql::RowReading::whole);
 
-/// Tables with rows that belong to things of a table, by name. They are found by their column.
+/// Tables whose rows refer to objects of this table, sorted by name. They are found by their column.
 [[nodiscard]] std::vector<std::string> tables_below(sql::Connection& db, const std::string& schema,
                                                     const ThingTable& table);
 
-/// Tables whose rows belong to no thing: the audit log, answers that are kept.
+/// Tables whose rows belong to no object: the audit log, kept answers.
 [[nodiscard]] std::vector<std::string> tables_beside(sql::Connection& db, const std::string& schema);
 
 }  // namespace floeplan::repository

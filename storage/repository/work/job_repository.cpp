@@ -23,7 +23,7 @@ constexpr std::array<std::pair<JobStatus, const char*>, 5> status_names{
 constexpr std::array<std::pair<JobClass, const char*>, 3> class_names{
     {{JobClass::interactive, "interactive"}, {JobClass::batch, "batch"}, {JobClass::ingest, "ingest"}}};
 
-// Shared by SELECT and RETURNING; read_job reads them in this order.
+// Columns of SELECT and RETURNING, in the order in which read_job reads them.
 const std::string job_columns =
     "row, id, process, request_json, status, stage, progress, attempts, created_s, started_s, finished_s, "
     "updated_s, "
@@ -51,7 +51,7 @@ JobRecord read_job(const sql::Row& row) {
           .change = row.integer(17)};
 }
 
-/// Newest first. `rows` is a condition on the row that ?1 stands for.
+/// Jobs, newest first. `rows` is a condition on the row in parameter ?1.
 sql::Statement select_jobs(sql::Connection& db, const std::string& rows, std::int64_t row, int limit,
                            const JobFilter& filter) {
   const std::string duration = "(coalesce(finished_s, updated_s) - started_s)";
@@ -82,7 +82,7 @@ std::vector<JobRecord> read_jobs(sql::Statement& query) {
   return jobs;
 }
 
-/// Rows of the jobs that wait or run and can be read to their end.
+/// Rows of all waiting or running jobs that can be read completely.
 std::set<std::int64_t> whole_unfinished_jobs(sql::Connection& db) {
   std::set<std::int64_t> unfinished;
   {
@@ -101,11 +101,11 @@ std::set<std::int64_t> whole_unfinished_jobs(sql::Connection& db) {
   return unfinished;
 }
 
-/// The jobs that a statement on the queue looks at: all of them, or in a store where some cannot be read those that can.
-/// One job that is damaged must not hold up the others.
+/// The jobs that a statement on the queue considers: all, or, in a store with damaged jobs, only the readable
+/// ones, so that a damaged job does not block the others.
 class Queue {
  public:
-  /// Where the text says {jobs} it reads from them; ?9 is taken.
+  /// Prepares `sql` with the jobs in place of {jobs}. Parameter ?9 is reserved.
   [[nodiscard]] sql::Statement statement(sql::Connection& db, std::string sql) const {
     constexpr std::string_view place = "{jobs}";
     const std::string jobs =
@@ -118,9 +118,9 @@ class Queue {
     return prepared;
   }
 
-  /// After damage was met: first everything that cannot be read, then the job that was to be written, whose row may share
-  /// a page with one that is damaged.
-  /// Returns  whether that leaves fewer than before
+  /// Call after damage was met. The first time excludes all jobs that cannot be read; after that the job that
+  /// was to be written, because its row may be on a page with a damaged one.
+  /// Returns  whether another job was excluded
   [[nodiscard]] bool leave_out(sql::Connection& db, std::optional<std::int64_t> row) {
     if (rows_) return row && rows_->erase(*row) > 0;
     rows_ = whole_unfinished_jobs(db);
@@ -134,12 +134,12 @@ class Queue {
     return list + "]";
   }
 
-  std::optional<std::set<std::int64_t>> rows_;  // empty: all
+  std::optional<std::set<std::int64_t>> rows_;  // empty: all jobs
 };
 
-/// Changes the jobs for which the condition holds. Where that meets damage, one after the other: a job that cannot be read
-/// or not be written, for its row may share a page with one that is damaged, stays as it is and holds up no other.
-/// `bind`  binds the parameters of both texts; ?9 is taken
+/// Changes the jobs that meet the condition. If this meets damage, changes them one by one; jobs that cannot
+/// be read, or not written because their page has a damaged row, stay unchanged.
+/// `bind`  binds the parameters of both texts; ?9 is reserved
 template <class Bind>
 void update_jobs(sql::Connection& db, const std::string& set, const std::string& condition,
                  const Bind& bind) {
@@ -164,8 +164,8 @@ std::optional<std::string> name_of(std::optional<JobClass> only) {
   return only ? std::optional{class_name(*only)} : std::nullopt;
 }
 
-/// The oldest claimable job of the class and the owner whose turn it is. A read, which many idle workers may do at once,
-/// before anybody asks for the right to write.
+/// Row of the next job to claim, see JobRepository::claim. Only reads, so that idle workers do not wait for
+/// each other's write lock.
 std::optional<std::int64_t> next_in_turn(sql::Connection& db, const Queue& queue, core::UtcTime now,
                                          std::optional<JobClass> only,
                                          std::optional<std::int64_t> most_of_owner) {
@@ -191,12 +191,12 @@ std::optional<std::int64_t> next_in_turn(sql::Connection& db, const Queue& queue
   return query.step() ? std::optional{query.integer(0)} : std::nullopt;
 }
 
-/// Begins no writing where there is nothing to write.
+/// Fails jobs that were started too often. Does not write if there are none.
 void fail_exhausted(sql::Connection& db, core::UtcTime now) {
   const std::string exhausted =
       "status = 'running' AND (lease_until_s IS NULL OR lease_until_s <= ?1) AND attempts >= ?2";
   const auto bind = [&](sql::Statement& statement) { statement.bind_all(now, JobRepository::max_attempts); };
-  bool any = true;  // where damage leaves that open
+  bool any = true;  // stays true if damage prevents the check
   (void)sql::meets_no_damage([&] {
     sql::Statement query{db, "SELECT 1 FROM job WHERE " + exhausted + " LIMIT 1"};
     bind(query);

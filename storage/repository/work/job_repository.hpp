@@ -21,51 +21,54 @@ struct JobId {
 enum class JobStatus { accepted, running, successful, failed, dismissed };
 
 [[nodiscard]] std::string status_name(JobStatus status);
-/// Errors   std::runtime_error for a name that is none
+/// The status with this name. Errors   std::runtime_error for another name
 [[nodiscard]] JobStatus parse_status(const std::string& name);
 
-/// How long somebody waits for a job, and with it which workers take it. Workers of any class take the first first.
+/// The class of a job: how urgent it is, and which workers take it. Workers for all classes take the first
+/// class first.
 enum class JobClass {
-  interactive,  // somebody waits for one plan, one evaluation, one flight
-  batch,  // many parts that each take as long as an interactive job: flights, departures, members of an ensemble
-  ingest  // reads files, which may take minutes
+  interactive,  // a user waits for one plan, one evaluation, one flight
+  batch,        // many parts of the length of an interactive job: flights, departures, ensemble members
+  ingest        // reads files, which may take minutes
 };
 
 [[nodiscard]] std::string class_name(JobClass job_class);
-/// Errors   std::runtime_error for a name that is none
+/// The class with this name. Errors   std::runtime_error for another name
 [[nodiscard]] JobClass parse_class(const std::string& name);
 
-/// A job as it stands in the store.
+/// A job in the store.
 struct JobRecord {
   std::int64_t row{};  // given by the store, ascending in the order of submission
   JobId id;
   std::string process;       // "plan-route"
-  std::string request_json;  // the execute request's inputs
+  std::string request_json;  // inputs of the request
   JobClass job_class{JobClass::interactive};
-  std::string owner{};                  // who asked for it; empty: nobody in particular
-  std::optional<std::string> digest{};  // of all that the result follows from; empty: shared with nobody
-  std::string reply_json{"{}"};         // which outputs the client wants, and in which form
+  std::string owner{};  // who requested it; empty: a server without tokens
+  // digest of everything that determines the result; empty: the result is not shared
+  std::optional<std::string> digest{};
+  std::string reply_json{"{}"};  // the outputs that the client wants, and their form
   JobStatus status{JobStatus::accepted};
-  std::string stage;  // of the running work, in words
+  std::string stage;  // name of the current stage of the work
   double progress{};  // 0 to 1
-  int attempts{};     // how often a worker has begun it
+  int attempts{};     // number of times that a worker has started it
   core::UtcTime created;
   std::optional<core::UtcTime> started;
   std::optional<core::UtcTime> finished;
   core::UtcTime updated;
-  std::optional<std::string> result_json;  // when successful
-  std::string message;    // why it failed or was dismissed, or gave no route although it was successful
-  std::int64_t change{};  // given by the store: grows over all jobs with every change that a client sees
+  std::optional<std::string> result_json;  // set if successful
+  std::string message;  // why it failed, was dismissed, or succeeded without finding a route
+  // assigned by the store: increases over all jobs with every change that a client can see
+  std::int64_t change{};
 };
 
-/// Which jobs a list wants. Everything empty: all.
+/// Conditions for a list of jobs. Empty members are no condition.
 struct JobFilter {
   std::optional<JobStatus> status{};
   std::optional<std::string> process{};
   std::optional<std::string> owner{};
   std::optional<core::UtcTime> created_from{};
   std::optional<core::UtcTime> created_to{};
-  std::optional<core::Seconds> least_duration{};  // from its start to its end, or so far
+  std::optional<core::Seconds> least_duration{};  // time from its start to its end, or to now
   std::optional<core::Seconds> most_duration{};
 };
 
@@ -81,51 +84,52 @@ class JobRepository {
 
   void submit(const JobRecord& job);
   [[nodiscard]] std::optional<JobRecord> find(const JobId& id) const;
-  /// Newest first, at most `limit` with a row below `before` (0: from the newest).
+  /// At most `limit` jobs with a row below `before`, newest first; 0: from the newest.
   [[nodiscard]] std::vector<JobRecord> list(std::int64_t before, int limit,
                                             const JobFilter& filter = {}) const;
-  /// The same, past jobs that are damaged.
+  /// The same without damaged jobs.
   [[nodiscard]] PartialList<JobRecord> list_past_damage(std::int64_t before, int limit,
                                                         const JobFilter& filter = {}) const;
-  /// A job whose result follows from the same: the newest that was successful, else this owner's newest that has not
-  /// ended. Nothing where one of them cannot be read: the work is then done anew.
+  /// A job with the same digest: the newest successful one, or else this owner's newest that has not ended.
+  /// nullopt also if one of them cannot be read; the work is then done again.
   [[nodiscard]] std::optional<JobRecord> find_shared(const std::string& digest,
                                                      const std::string& owner) const;
-  /// Jobs that changed after the change of this number, in the order of their last changes, at most `limit`.
-  /// A job that changed several times comes once, as it stands.
+  /// At most `limit` jobs with a change number above `change`, in the order of their last changes. A job that
+  /// changed several times is listed once, in its present state.
   [[nodiscard]] std::vector<JobRecord> changed_since(std::int64_t change, int limit) const;
-  /// The number of the last change of all.
+  /// The highest change number of all jobs.
   [[nodiscard]] std::int64_t last_change() const;
   [[nodiscard]] std::int64_t count(JobStatus status) const;
-  /// Writes to the queue as a new job would, and changes nothing.
-  /// Errors  sql::Failure where a job could not be taken
+  /// Writes to the queue as a new job would, but changes nothing.
+  /// Errors  sql::Failure when a new job could not be stored
   void touch_queue();
 
-  /// An accepted job, or a running one whose lease ran out, made this worker's until `now + lease`: of the first class
-  /// the oldest of the owner with the fewest running jobs of this class, of several owners the one whose last began
-  /// longest ago. Of one owner's batches of one process no two run at the same time: their order is kept, and one owner
-  /// does not take the workers of all.
-  /// Jobs that cannot be read or written are passed over: one that is damaged holds up no other.
-  /// `only`           jobs of this class; empty: of any
-  /// `most_of_owner`  owners with so many running jobs of the class are passed over; empty: none is
+  /// Assigns a job to this worker until `now + lease`: an accepted job, or a running one whose lease has
+  /// expired. Chosen are, in this order: the first class; the owner with the fewest running jobs of this
+  /// class; of several such owners the one whose last job started longest ago; the owner's oldest job. Batch
+  /// jobs of one owner and one process never run at the same time, so that they keep their order and one
+  /// owner does not occupy all workers. Damaged jobs are skipped and do not block others.
+  /// `only`           only jobs of this class; empty: of any class
+  /// `most_of_owner`  owners with this number of running jobs of the class are skipped; empty: no limit
   [[nodiscard]] std::optional<JobRecord> claim(const std::string& worker, core::UtcTime now,
                                                core::Seconds lease, std::optional<JobClass> only = {},
                                                std::optional<std::int64_t> most_of_owner = {});
-  /// Reports progress and renews the lease. False when the job was dismissed or is no longer this worker's:
-  /// stop then.
+  /// Reports progress and renews the lease. False when the job was dismissed or now belongs to another
+  /// worker; the worker must then stop.
   [[nodiscard]] bool renew(const JobId& id, const std::string& worker, const std::string& stage,
                            double progress, core::UtcTime now, core::Seconds lease);
-  /// False when the job is no longer this worker's; the result is then dropped.
-  /// `message`  why the result holds no route; empty: it holds what was asked for
+  /// Stores the result. False when the job now belongs to another worker; the result is then discarded.
+  /// `message`  why the result contains no route; empty if it does
   bool succeed(const JobId& id, const std::string& worker, const std::string& result_json, core::UtcTime now,
                const std::string& message = "");
   bool fail(const JobId& id, const std::string& worker, const std::string& message, core::UtcTime now);
-  /// Gives back every running job of this worker (a graceful stop), not counted as an attempt.
+  /// Returns all running jobs of this worker to the queue (on a graceful stop); this does not count as an
+  /// attempt.
   void hand_back(const std::string& worker, core::UtcTime now);
-  /// At start: every running job whose worker belongs to this store's previous server process becomes
-  /// claimable at once.
+  /// Call at the start of a server: all running jobs, which belonged to workers of the previous server
+  /// process, can be claimed at once.
   void release_all_leases(core::UtcTime now);
-  /// Dismisses an accepted or running job. False when it is unknown or already ended.
+  /// Dismisses an accepted or running job. False when it is unknown or has ended.
   bool dismiss(const JobId& id, core::UtcTime now);
   bool remove(const JobId& id);
 

@@ -9,21 +9,23 @@
 
 namespace floeplan::repository {
 
-/// A client's own name for one request, so that sending it again after a broken line does nothing twice.
+/// A client's own key for a request. Sending the request again with the key, after a broken connection, has
+/// no second effect.
 struct IdempotencyKey {
   std::string owner;
   std::string key;
-  std::string request_sha256;  // of everything that the answer follows from
+  std::string request_sha256;  // digest of everything that determines the answer
 };
 
-/// What was answered to a request that had a key: a job, or a text.
+/// The answer to a request with a key: a job, or a text.
 struct KeptAnswer {
   std::string request_sha256;
   std::optional<JobId> job;
   std::optional<std::string> answer;
 };
 
-/// Answers by the keys of their requests, for a day. Insert one in the transaction that does what was asked for.
+/// Answers by the keys of their requests, kept for a day. Insert an answer in the transaction that carries
+/// out the request.
 /// Threads  as the connection: one thread at a time
 class KeptAnswers {
  public:

@@ -6,7 +6,7 @@
 namespace floeplan::repository {
 namespace {
 
-// The documents come last, so that rows which a filter leaves out are not read to their end.
+// The documents are the last columns, so that they are not read for rows that do not meet the filter.
 constexpr const char* select_plan =
     "SELECT row, west_deg, south_deg, east_deg, north_deg, id, name, created_s, departure_s, arrival_s, "
     "request_json, "
@@ -28,7 +28,7 @@ PlanRecord read_plan(const sql::Row& row) {
           .document_json = row.text(11)};
 }
 
-/// `rows` is a condition on the row that ?1 stands for.
+/// Prepares a query of plans. `rows` is a condition on the row in parameter ?1.
 sql::Statement select_plans(sql::Connection& db, const std::string& what, const std::string& rows,
                             std::int64_t row, const PlanFilter& filter) {
   std::string sql = what + "WHERE " + rows;

@@ -21,7 +21,7 @@ using nlohmann::json;
 constexpr std::size_t id_length = 32;
 constexpr std::string_view hexadecimal = "0123456789abcdef";
 
-/// Nobody can guess the id of somebody else's upload.
+/// A random id, so that nobody can guess the id of another user's upload.
 std::string random_id() {
   std::random_device source;
   std::string text;
@@ -32,7 +32,7 @@ std::string random_id() {
   return text;
 }
 
-/// The only texts that ever become part of a path.
+/// Whether a text is an id. Only ids become part of a path.
 bool is_id(const std::string& text) {
   return text.size() == id_length && text.find_first_not_of(hexadecimal) == std::string::npos;
 }
@@ -49,14 +49,14 @@ core::UtcTime time_of_change(const fs::path& path) {
   return std::chrono::time_point_cast<core::Seconds>(changed);
 }
 
-/// Nothing of a description that the disk has changed: the list of the others does without it.
+/// The upload of a description; nullopt if the description is damaged, so that a list can skip it.
 std::optional<Upload> parse_upload(const std::string& id, const json& document) {
   try {
     Upload upload{.id = id,
                   .name = document.at("name"),
                   .bytes = document.at("bytes"),
                   .sha256 = document.at("sha256"),
-                  .owner = document.value("owner", ""),  // of versions that knew none
+                  .owner = document.value("owner", ""),  // absent in older versions
                   .created = core::from_unix_seconds(document.at("created_s").get<double>()),
                   .expires = core::from_unix_seconds(document.at("expires_s").get<double>())};
     if (upload.name != plain_file_name(upload.name)) return std::nullopt;
@@ -129,7 +129,8 @@ std::vector<Upload> UploadRepository::list() const {
 bool UploadRepository::remove(const std::string& id) {
   if (!is_id(id)) return false;
   std::error_code error;
-  const fs::path gone = folder_ / (id + ".gone");  // from one moment to the next, however long the rest takes
+  // renamed first, so that it disappears at once, however long the deletion takes
+  const fs::path gone = folder_ / (id + ".gone");
   fs::rename(folder_ / id, gone, error);
   if (error) return false;
   fs::remove_all(gone, error);

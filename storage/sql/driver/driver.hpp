@@ -11,8 +11,8 @@
 
 namespace floeplan::sql {
 
-/// What a connection sees: while it has the same version, it reads the same. Versions of two connections say nothing of
-/// each other. What the numbers mean is the driver's own.
+/// Identifies the state that a connection sees: the same version means the same data. Versions of two
+/// connections cannot be compared. The meaning of the numbers depends on the driver.
 struct Version {
   std::array<std::uint32_t, 12> numbers{};
 
@@ -39,11 +39,11 @@ class PreparedStatement {
   /// NULL where a value of this type might be.
   virtual void bind_null(int parameter, ColumnType type) = 0;
 
-  /// Moves on to the next row. False: there is none.
+  /// Moves to the next row. False: there is none.
   [[nodiscard]] virtual bool step() = 0;
-  /// Runs to the end, ready to be bound and run again. Returns how many rows were changed.
+  /// Runs the statement to its end and resets it. Returns the number of changed rows.
   virtual int run() = 0;
-  /// Ready to be bound and run again.
+  /// Resets the statement, so that it can be bound and run again.
   virtual void reset() = 0;
 
   [[nodiscard]] virtual bool is_null(int column) const = 0;
@@ -77,14 +77,14 @@ class Driver {
   virtual void commit() = 0;
   /// Begins a transaction that reads as of its first read, and waits for nobody.
   virtual void begin_reading() = 0;
-  /// Changes with every commit, whoever made it, and costs next to nothing.
+  /// A value that changes with every commit of any connection. Cheap.
   [[nodiscard]] virtual Version version() = 0;
 
-  /// Writes the whole database, as it stands at one moment, into a new file.
+  /// Writes the whole database in its present state to a new file.
   virtual void back_up(const std::filesystem::path& file) = 0;
-  /// Whether the pages of the database end with checksums.
+  /// Whether the pages of the database have checksums.
   [[nodiscard]] virtual bool has_page_checksums() = 0;
-  /// Numbers of the pages, from 1, whose bytes in the file are not those that were written.
+  /// Numbers of the pages, from 1, whose bytes in the file have changed.
   [[nodiscard]] virtual std::vector<std::uint32_t> damaged_pages() = 0;
 };
 

@@ -5,11 +5,11 @@
 
 namespace floeplan::sql {
 
-/// What keeps a database from its work; `other` is also what a statement of ours does wrong.
+/// Why a database operation failed; `other` includes errors in this program's statements.
 enum class Trouble { damaged, disk_full, held_by_another, not_writable, other };
 
-/// The database could not do what it was asked: damaged, full, locked for too long, or a constraint broken.
-/// what() says which, and what to do, for a person.
+/// Thrown when a database operation fails: damage, full disk, locked for too long, or a violated constraint.
+/// what() tells the user the reason and what to do.
 class Failure : public std::runtime_error {
  public:
   explicit Failure(const std::string& what, Trouble trouble = Trouble::other)

@@ -22,15 +22,16 @@ std::string damage_in(SQLite::Database& database) {
   return found == "ok" ? "" : found;
 }
 
-/// In one step: the copy is of one moment, and in a write-ahead log nobody waits for it.
+/// Copies in one step, so the copy is of one state; with a write-ahead log nobody has to wait.
 void copy_into(SQLite::Database& from, const fs::path& file) {
   SQLite::Database to{file.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE, 0, checked_files()};
-  fs::permissions(file, fs::perms::owner_read | fs::perms::owner_write);  // it holds tokens
+  // only for the owner, because it contains tokens
+  fs::permissions(file, fs::perms::owner_read | fs::perms::owner_write);
   {
     SQLite::Backup backup{to, from};
     backup.executeStep(-1);
   }
-  to.exec("PRAGMA journal_mode = DELETE");  // one file that can be carried away
+  to.exec("PRAGMA journal_mode = DELETE");  // a single file, without a log
   const std::string damage = damage_in(to);
   if (!damage.empty()) throw Failure{messages::store_text<"backup-not-sound">(damage)};
 }

@@ -9,14 +9,14 @@ class Database;
 
 namespace floeplan::sql::sqlite {
 
-/// Writes the whole database, as it stands at one moment, into a new file; others go on reading and writing meanwhile.
-/// The file is there complete and on disk, or not at all.
-/// Errors   Failure when the file exists, cannot be written, or does not come out sound
+/// Writes the whole database in its present state to a new file; others can read and write meanwhile. The
+/// file is complete and on disk, or does not exist.
+/// Errors   Failure when the file exists, cannot be written, or fails the check afterwards
 void back_up(SQLite::Database& database, const std::filesystem::path& file);
 
-/// What is wrong with the pages and indices of a database file that is not to be changed, in words; empty when nothing is.
-/// Reads all of it. Also says so when it is no database of ours.
-/// Errors   Failure when it cannot be opened
+/// The fault of a database file's pages and indices, in words; empty if there is none. Reads the whole file
+/// and does not change it. A file that is not a database of Floeplan is a fault, too.
+/// Errors   Failure when the file cannot be opened
 [[nodiscard]] std::string damage_of(const std::filesystem::path& file);
 
 }  // namespace floeplan::sql::sqlite

@@ -31,7 +31,7 @@ std::int32_t big_endian(std::span<const unsigned char> bytes) {
 
 fs::path log_of(const fs::path& database) { return database.string() + "-wal"; }
 
-/// A name that nothing has yet: "floeplan.sqlite.before-repair", "floeplan.sqlite.before-repair-2", ...
+/// An unused name: "floeplan.sqlite.before-repair", "floeplan.sqlite.before-repair-2", ...
 fs::path free_name(const fs::path& place, const std::string& why) {
   fs::path name = place.string() + ".before-" + why;
   for (int i = 2; fs::exists(name); ++i) name = place.string() + ".before-" + why + "-" + std::to_string(i);
@@ -99,7 +99,7 @@ fs::path put_in_place(const fs::path& finished, const fs::path& place, const std
     fs::path kept;
     if (fs::exists(place)) {
       kept = free_name(place, why);
-      std::error_code no_links;  // on some file systems
+      std::error_code no_links;  // some file systems have no hard links
       fs::create_hard_link(place, kept, no_links);
       if (no_links) fs::copy_file(place, kept);
       flush(kept);

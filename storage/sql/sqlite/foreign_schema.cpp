@@ -24,7 +24,7 @@ int when_a_connection_opens(sqlite3* db, const char** /*message*/, const sqlite3
   return SQLITE_OK;
 }
 
-/// A path as a URI takes it, for reading a file that nobody changes.
+/// A path as a URI for SQLite, to read a file that nobody changes.
 std::string uri_of(const std::filesystem::path& file) {
   constexpr std::string_view digits = "0123456789ABCDEF";
   std::string uri = "file://";
@@ -39,8 +39,8 @@ std::string uri_of(const std::filesystem::path& file) {
   return uri + "?immutable=1";
 }
 
-/// The words and signs of a statement; words in capitals, quoted names without their quotes and with a mark before them,
-/// so that no name is taken for a word of the language. Comments are left out.
+/// The words and signs of a statement, without comments. Words are in capitals; quoted names are without
+/// quotes and marked, so that they are not mistaken for keywords.
 class Words {
  public:
   explicit Words(std::string_view sql) : rest_{sql} {
@@ -118,7 +118,8 @@ std::optional<std::string> active_part_of_statement(const std::string& sql) {
   const Words words{sql};
   const std::string what = words.at(0) == "CREATE" ? words.at(1) : "";
   if (what == "INDEX" || what == "UNIQUE" || what == "TRIGGER") return std::nullopt;
-  if (what == "TABLE")  // "total REAL AS (...)" is a generated column; AS in a cast is followed by a type
+  // "total REAL AS (...)" is a generated column; in a cast, AS is followed by a type, not by a bracket
+  if (what == "TABLE")
     return words.follow_each_other("AS", "(") ? std::optional{"a computed column"} : std::nullopt;
   if (what == "VIEW") return "a view";
   if (what != "VIRTUAL") return "something that is no table";

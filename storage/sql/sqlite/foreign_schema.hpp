@@ -6,20 +6,21 @@
 
 namespace floeplan::sql::sqlite {
 
-/// From now on every connection of this process, also of libraries, refuses to run functions and modules of other
-/// libraries from what a database's schema says (views, triggers, computed columns), and keeps the tables of its own
-/// bookkeeping from being written.
+/// From now on, no connection of this process, also of libraries, runs functions or modules of other
+/// libraries because a database's schema (views, triggers, computed columns) calls them, and none writes
+/// SQLite's internal tables directly.
 /// Source   sqlite.org/c3ref/c_dbconfig_defensive.html: DEFENSIVE, TRUSTED_SCHEMA
 void distrust_schemas();
 
-/// What in the schema of somebody else's database could run code or reach other files when it is read: views, computed
-/// columns, virtual tables but R*Trees. Tables, indexes and triggers (which only writing fires) are what GDAL and QGIS
-/// write. The database is opened for reading alone, as one that nobody changes, and nothing of it is run.
-/// Returns  a few words for a person; nothing: it has no such thing
-/// Errors   Failure when the file is damaged or no database
+/// Looks for parts of another program's database that could run code or reach other files when it is read:
+/// views, computed columns, virtual tables other than R*Trees. Tables, indexes and triggers (which run only
+/// on writing) are allowed; GDAL and QGIS write them. The database is opened read-only and immutable, and
+/// none of its code is run.
+/// Returns  the part in a few words for the user; nullopt: there is none
+/// Errors   Failure when the file is damaged or not a database
 [[nodiscard]] std::optional<std::string> active_part_of(const std::filesystem::path& file);
 
-/// The same of one statement of a schema.
+/// The same for one statement of a schema.
 [[nodiscard]] std::optional<std::string> active_part_of_statement(const std::string& sql);
 
 }  // namespace floeplan::sql::sqlite

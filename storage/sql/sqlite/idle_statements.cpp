@@ -11,7 +11,7 @@
 namespace floeplan::sql::sqlite {
 namespace {
 
-// How many idle statements are kept, a choice: looking through them costs little beside parsing a statement.
+// Number of cached statements. Chosen: searching them is cheap compared with parsing a statement.
 constexpr std::size_t most_idle = 64;
 
 }  // namespace
@@ -30,7 +30,7 @@ std::unique_ptr<SQLite::Statement> IdleStatements::take(SQLite::Database& databa
 
 void IdleStatements::give_back(std::unique_ptr<SQLite::Statement> statement) noexcept {
   try {
-    if (statement->tryReset() != SQLITE_OK) return;  // it failed; a new one starts from a known state
+    if (statement->tryReset() != SQLITE_OK) return;  // a failed statement is not kept
     statement->clearBindings();
   } catch (const std::exception&) {
     return;

@@ -12,22 +12,23 @@ class Statement;
 
 namespace floeplan::sql::sqlite {
 
-/// The statements of one connection that are not in use: to parse and plan one anew takes several times as long as to
-/// run it, and a server runs the same few all day. Holds the ones that were used last, up to a bound.
+/// Cache of one connection's statements that are not in use. Parsing and planning a statement takes several
+/// times as long as running it, and a server runs the same statements all day. Keeps the most recently used
+/// ones, up to a limit.
 /// Threads  as the connection: one thread at a time
 class IdleStatements {
  public:
   IdleStatements();
   ~IdleStatements();
 
-  /// One that is free, without values, or a new one.
+  /// A cached statement with this text, without bound values, or a new one.
   /// Errors   SQLite::Exception when the database refuses
   [[nodiscard]] std::unique_ptr<SQLite::Statement> take(SQLite::Database& database, const std::string& sql);
-  /// Ends its run, which lets go of all locks, and keeps it for the next user.
+  /// Ends the statement's run, which releases all locks, and puts it into the cache.
   void give_back(std::unique_ptr<SQLite::Statement> statement) noexcept;
 
  private:
-  std::vector<std::unique_ptr<SQLite::Statement>> idle_;  // the one used last at the end
+  std::vector<std::unique_ptr<SQLite::Statement>> idle_;  // most recently used last
 };
 
 }  // namespace floeplan::sql::sqlite

@@ -9,10 +9,10 @@
 
 namespace floeplan::sql::sqlite {
 
-/// The library's exception as ours; `file` is the database's path.
+/// Converts the library's exception to a Failure; `file` is the database's path.
 [[nodiscard]] Failure failure_of(const SQLite::Exception& cause, const std::string& file);
 
-/// Whatever the library throws inside `work` leaves as a Failure.
+/// Runs `work` and converts exceptions of the library to Failure.
 template <class Work>
 auto translated(const SQLite::Database& database, const Work& work) {
   try {

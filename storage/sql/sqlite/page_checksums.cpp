@@ -16,7 +16,7 @@
 namespace floeplan::sql::sqlite {
 namespace {
 
-constexpr std::size_t page_size_at = 16;  // two bytes, big-endian; 1 stands for 65536
+constexpr std::size_t page_size_at = 16;  // two bytes, big-endian; 1 means 65536
 constexpr std::size_t reserved_at = 20;
 constexpr std::size_t smallest_page = 512;
 constexpr std::size_t largest_page = 65536;
@@ -34,7 +34,8 @@ bool is_whole(std::span<const std::byte> page) {
   return std::ranges::equal(sum_of(page), page.last(checksum_bytes));
 }
 
-/// SQLite reads and writes a database by whole pages, but for its header and the counter in it.
+/// Whether an access is of a whole page. SQLite accesses whole pages, except for the header and the counter
+/// in it.
 bool is_page(std::size_t bytes, sqlite3_int64 offset) {
   return bytes >= smallest_page && bytes <= largest_page && std::has_single_bit(bytes) &&
          offset % static_cast<sqlite3_int64>(bytes) == 0;
@@ -52,7 +53,7 @@ std::size_t page_size_of(std::span<const std::byte> header) {
   return size == 1 ? largest_page : size;
 }
 
-/// A database file: SQLite's own file lies behind it in the same memory.
+/// An open database file; the object of SQLite's own file follows it in memory.
 struct CheckedFile {
   sqlite3_file base;
   bool has_sums;
@@ -83,7 +84,7 @@ int write_checked(sqlite3_file* file, const void* buffer, int bytes, sqlite3_int
   if (has_header(data.size(), offset)) self.has_sums = reserves_sums(data);
   if (!self.has_sums || !is_page(data.size(), offset))
     return self.own()->pMethods->xWrite(self.own(), buffer, bytes, offset);
-  std::array<std::byte, largest_page> page;  // not initialised: it is filled as far as it is used
+  std::array<std::byte, largest_page> page;  // not initialised, because only the part that is filled is used
   std::ranges::copy(data, page.begin());
   std::ranges::copy(sum_of(data), page.begin() + bytes - checksum_bytes);
   return self.own()->pMethods->xWrite(self.own(), page.data(), bytes, offset);
@@ -115,7 +116,7 @@ int shm_lock(sqlite3_file* file, int offset, int count, int flags) {
 void shm_barrier(sqlite3_file* file) { own(file)->pMethods->xShmBarrier(own(file)); }
 int shm_unmap(sqlite3_file* file, int remove) { return own(file)->pMethods->xShmUnmap(own(file), remove); }
 
-/// Without xFetch (version 3): pages mapped into memory would be read past the comparison.
+/// Version 2, without xFetch: pages mapped into memory would not be verified.
 constexpr sqlite3_io_methods methods{.iVersion = 2,
                                      .xClose = close_file,
                                      .xRead = read_checked,
@@ -147,7 +148,7 @@ int open_checked(sqlite3_vfs* vfs, const char* name, sqlite3_file* file, int fla
   return result;
 }
 
-/// SQLite's usual file system, but for the opening of files.
+/// SQLite's usual file system, except for the opening of files.
 struct CheckedFiles {
   sqlite3_vfs vfs;
 
@@ -201,7 +202,7 @@ std::vector<std::byte> bytes_in_file(sqlite3* database, std::uint64_t offset, st
   if (data.empty()) return data;
   const int result = file->pMethods->xRead(file, data.data(), static_cast<int>(data.size()),
                                            static_cast<sqlite3_int64>(offset));
-  if (result == SQLITE_IOERR_SHORT_READ) data.clear();  // cut off at this moment
+  if (result == SQLITE_IOERR_SHORT_READ) data.clear();  // the file was truncated at this moment
   if (result != SQLITE_OK && result != SQLITE_IOERR_SHORT_READ)
     throw Failure{messages::store_text<"database-not-read">(), Trouble::not_writable};
   return data;

@@ -26,10 +26,10 @@
 namespace floeplan::sql::sqlite {
 namespace {
 
-/// The header of the write-ahead log's index, which every commit changes. It takes no lock, for it looks at memory that all
-/// share. Nothing where the index is not there yet. A header that is being written as it is read is like none that is whole:
-/// the number of the change in it has no second.
-/// Edges    changes of tables themselves, and what is undone again, may count or not
+/// The header of the write-ahead log's index, which every commit changes. Reads shared memory without a lock.
+/// nullopt if there is no index yet. If the header is being written, the value read differs from every
+/// complete header, because it has a change counter that occurs only once.
+/// Edges    changes of the tables' definitions, and changes that are rolled back, may or may not change it
 /// Source   sqlite.org/walformat.html, 2.1
 std::optional<Version> log_version(sqlite3* database) {
   sqlite3_file* file = nullptr;
@@ -44,24 +44,26 @@ std::optional<Version> log_version(sqlite3* database) {
   return version;
 }
 
-/// Whether a page stays unlike its checksum: who writes it at this moment has done so a little later.
+/// Whether a page differs from its checksum in several checks; another process may be writing it during the
+/// first.
 bool stays_damaged(sqlite3* database, std::uint64_t offset, std::size_t page_bytes) {
   constexpr int looks = 5;
   constexpr std::chrono::milliseconds between{20};
   for (int look = 0; look < looks; ++look) {
     if (look > 0) std::this_thread::sleep_for(between);
     const auto page = bytes_in_file(database, offset, page_bytes);
-    if (page.size() < page_bytes || is_whole_page(page)) return false;  // cut off meanwhile, or whole
+    if (page.size() < page_bytes || is_whole_page(page)) return false;  // truncated meanwhile, or undamaged
   }
   return true;
 }
 
-/// Numbers of the pages, from 1, whose bytes in the file are not those that were written. Others may read and write the
-/// database meanwhile. Of a file whose header reserves no bytes for checksums the first: nothing is known of the rest.
+/// Numbers of the pages, from 1, whose bytes in the file have changed. Others may read and write the database
+/// meanwhile. Only page 1 if the header says that there are no checksums, because nothing is then known about
+/// the others.
 /// Errors   Failure when the file cannot be read
 std::vector<std::uint32_t> damaged_pages_of(sqlite3* database) {
   const auto header = bytes_in_file(database, 0, header_bytes);
-  if (header.empty()) return {};  // a database that nothing was moved to yet
+  if (header.empty()) return {};  // a new database, whose content is still in the log
   const PageLayout layout = layout_of_pages(header);
   if (layout.page_bytes == 0 || !layout.has_checksums) return {1};
   constexpr std::size_t pages_at_once = 256;
@@ -78,11 +80,11 @@ std::vector<std::uint32_t> damaged_pages_of(sqlite3* database) {
 }
 
 constexpr int busy_timeout_ms = 10'000;
-// A connection serves one thread at a time, so it need not lock itself.
+// A connection is used by one thread at a time, so it needs no mutex.
 constexpr int open_flags = SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE | SQLITE_OPEN_NOMUTEX;
 
-/// Ours already, or so new that nobody has put anything into it. The contents are looked at first: another program
-/// may be creating the store at this moment, and puts its mark and its tables there at once.
+/// Accepts only a database of Floeplan, or an empty new one. The content is read before the mark, because
+/// another program may be creating the store now and writes mark and tables in one transaction.
 void refuse_foreign_file(SQLite::Database& database) {
   const bool is_empty = database.execAndGet("SELECT count(*) FROM sqlite_schema").getInt() == 0;
   const int mark = database.execAndGet("PRAGMA application_id").getInt();
@@ -90,15 +92,15 @@ void refuse_foreign_file(SQLite::Database& database) {
   throw Failure{messages::store_text<"database-of-another-program">(database.getFilename())};
 }
 
-/// In a database that does not exist yet; one that does keeps its form.
+/// Reserves space for checksums in a new database; an existing one keeps its page layout.
 void reserve_checksums(SQLite::Database& database) {
   int bytes = checksum_bytes;
   if (sqlite3_file_control(database.getHandle(), "main", SQLITE_FCNTL_RESERVE_BYTES, &bytes) != SQLITE_OK)
     throw Failure{messages::store_text<"no-checksums">(database.getFilename())};
 }
 
-/// The busy timeout does not hold while the journal mode changes: two programs that create the store at once would
-/// otherwise see an error here.
+/// The busy timeout does not apply to a change of the journal mode. Without the loop, two programs that
+/// create the store at the same time would see an error here.
 void use_write_ahead_log(SQLite::Database& database) {
   const auto deadline = std::chrono::steady_clock::now() + std::chrono::milliseconds{busy_timeout_ms};
   while (true) {
@@ -112,7 +114,7 @@ void use_write_ahead_log(SQLite::Database& database) {
   }
 }
 
-/// The numbers of a version that are put together from two counters.
+/// A version combined from two counters.
 Version version_from(std::int64_t of_others, std::int64_t own_rows) {
   Version version;
   auto number = version.numbers.begin();
@@ -129,7 +131,7 @@ SqliteDriver::SqliteDriver(std::unique_ptr<SQLite::Database> database, Sharing s
     : database_{std::move(database)}, idle_{std::make_unique<IdleStatements>()}, sharing_{sharing} {
   database_->exec("PRAGMA foreign_keys = ON");
   database_->exec("PRAGMA synchronous = FULL");
-  database_->exec("PRAGMA journal_size_limit = 67108864");  // bytes: an ingestion's log shrinks again
+  database_->exec("PRAGMA journal_size_limit = 67108864");  // bytes; shrinks the log after a large ingestion
 }
 
 SqliteDriver::~SqliteDriver() = default;
@@ -140,7 +142,8 @@ std::unique_ptr<Driver> SqliteDriver::open(const std::filesystem::path& store) {
   if (error) throw Failure{messages::store_text<"store-folder-not-made">(store.string(), error.message())};
 
   using std::filesystem::perms;
-  if (is_new_folder) std::filesystem::permissions(store, perms::owner_all, error);  // it holds tokens
+  // only for the owner, because it contains tokens
+  if (is_new_folder) std::filesystem::permissions(store, perms::owner_all, error);
   auto use = StoreUse::shared(store);
   const std::string file = database_in(store).string();
   const bool is_new = !std::filesystem::exists(file);
@@ -164,7 +167,8 @@ std::unique_ptr<Driver> SqliteDriver::open_scratch(const std::filesystem::path& 
     std::unique_ptr<SqliteDriver> scratch{new SqliteDriver{
         std::make_unique<SQLite::Database>(file, open_flags, busy_timeout_ms), Sharing::alone}};
     scratch->database_->exec("PRAGMA journal_mode = MEMORY; PRAGMA synchronous = OFF");
-    scratch->database_->exec("PRAGMA trusted_schema = ON");  // it is ours, and its triggers fill R*Trees
+    // the schema is this program's own; its triggers fill R*Trees
+    scratch->database_->exec("PRAGMA trusted_schema = ON");
     return scratch;
   } catch (const SQLite::Exception& cause) {
     throw failure_of(cause, file);

@@ -17,15 +17,15 @@ class IdleStatements;
 
 /// A connection to a database of SQLite: foreign keys on, full synchronisation and a busy timeout, so that a committed
 /// transaction survives a kill and a power cut.
-/// Errors   Failure when the file cannot be opened, is damaged, or is a database of another program; such a file is left as
-///          it is
+/// Errors   Failure when the file cannot be opened, is damaged, or is a database of another program; such a
+///          file is not changed
 class SqliteDriver : public Driver {
  public:
-  /// `<store>/floeplan.sqlite`, created with its folder, with a write-ahead log and pages with checksums. Nobody puts another
-  /// file in its place while the connection lasts.
+  /// Opens `<store>/floeplan.sqlite`, with a write-ahead log and page checksums; creates it, and its folder,
+  /// if missing. Nobody can replace the file while the connection exists.
   [[nodiscard]] static std::unique_ptr<Driver> open(const std::filesystem::path& store);
-  /// `<folder>/floeplan.sqlite` for data that are thrown away when anything goes wrong: nothing waits for the disk, and
-  /// nobody else may have it open for writing.
+  /// Opens `<folder>/floeplan.sqlite` for temporary data. It does not wait for the disk, so the data may be
+  /// lost, and nobody else may have it open for writing.
   [[nodiscard]] static std::unique_ptr<Driver> open_scratch(const std::filesystem::path& folder);
   /// A private database in memory.
   [[nodiscard]] static std::unique_ptr<Driver> in_memory();
@@ -47,13 +47,13 @@ class SqliteDriver : public Driver {
   [[nodiscard]] std::vector<std::uint32_t> damaged_pages() override;
 
  private:
-  /// Whether others may have the database open, too, with a write-ahead log.
+  /// Whether others may have the database open as well, which needs a write-ahead log.
   enum class Sharing { shared, alone };
   SqliteDriver(std::unique_ptr<SQLite::Database> database, Sharing sharing);
 
-  std::optional<StoreUse> use_;  // ends after the database is closed
+  std::optional<StoreUse> use_;  // destroyed after the database is closed
   std::unique_ptr<SQLite::Database> database_;
-  std::unique_ptr<IdleStatements> idle_;  // of database_
+  std::unique_ptr<IdleStatements> idle_;  // cached statements of database_
   Sharing sharing_;
 };
 

@@ -51,7 +51,7 @@ int SqliteStatement::run() {
 }
 
 void SqliteStatement::reset() {
-  statement_->tryReset();  // says once more how the last run ended, which its step has told already
+  statement_->tryReset();  // returns the error of the last run again, which step() has already reported
 }
 
 bool SqliteStatement::is_null(int column) const {

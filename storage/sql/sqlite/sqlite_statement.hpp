@@ -14,7 +14,7 @@ namespace floeplan::sql::sqlite {
 
 class IdleStatements;
 
-/// A statement of SQLite, lent by those of its connection that are idle, to which it goes back.
+/// A statement of SQLite, taken from the connection's cache of idle statements and returned to it.
 class SqliteStatement : public PreparedStatement {
  public:
   SqliteStatement(SQLite::Database& database, IdleStatements& idle, const std::string& sql);

@@ -17,7 +17,7 @@
 namespace floeplan::sql::sqlite {
 namespace {
 
-constexpr std::chrono::seconds patience{10};  // that of a connection that waits for another's transaction
+constexpr std::chrono::seconds patience{10};  // as long as a connection waits for another one's transaction
 constexpr std::chrono::milliseconds between_looks{20};
 
 std::string reason() { return std::generic_category().message(errno); }

@@ -8,12 +8,13 @@ namespace floeplan::sql::sqlite {
 /// the only user: SQLite finds the log of a database by its name, so another process with the old file open would write its
 /// log into the new one. The mark is a lock on `<store>/floeplan.use`, which the system releases when a process dies.
 /// Threads  any
-/// Errors   Failure (held_by_another) after ten seconds without the lock; (not_writable) where there can be no lock
+/// Errors   Failure (held_by_another) after ten seconds without the lock; (not_writable) if the lock file
+///          cannot be made
 class StoreUse {
  public:
-  /// Beside others.
+  /// Marks the store as in use; other processes may use it at the same time.
   [[nodiscard]] static StoreUse shared(const std::filesystem::path& store);
-  /// While nobody else uses it, of this process neither.
+  /// Marks the store as in use by this object only; other users are excluded, also in this process.
   [[nodiscard]] static StoreUse alone(const std::filesystem::path& store);
 
   StoreUse(StoreUse&& other) noexcept;

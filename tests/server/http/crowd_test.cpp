@@ -11,12 +11,12 @@ namespace net = boost::asio;
 using support::echo;
 using support::get;
 
-/// Connections that a test opens and holds.
+/// Connections that a test opens and keeps open.
 class Crowd {
  public:
   explicit Crowd(const support::RunningServer& server) : server_{server} {}
 
-  /// One more, that has sent these bytes.
+  /// Opens another connection and sends these bytes.
   net::ip::tcp::socket& join(const std::string& bytes = "") {
     net::ip::tcp::socket& socket = sockets_.emplace_back(io_);
     socket.connect(server_.endpoint());
@@ -65,7 +65,7 @@ TEST(Crowd, MayNotFillTheMemoryWithBodies) {
   EXPECT_TRUE(server.exchange(head + "5\r\n\r\nsmall").ends_with("small"));
 }
 
-/// What a proxy before us may read in another way must not be read at all.
+/// A request that a proxy in front of the server may read differently must be refused.
 TEST(Smuggling, IsRefused) {
   const support::RunningServer server{echo};
   const std::string post = "POST / HTTP/1.1\r\nHost: x\r\nConnection: close\r\n";

@@ -14,7 +14,7 @@ namespace {
 
 using testing::ElementsAre;
 
-/// Requests by name, and the order in which they got their threads.
+/// Named requests, and the order in which they got their threads.
 class FairLineTest : public testing::Test {
  protected:
   void come(const std::string& client, const std::string& request) {

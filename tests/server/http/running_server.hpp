@@ -12,7 +12,7 @@
 
 namespace floeplan::support {
 
-/// A server on a free port of the loopback address with its thread.
+/// A server with its own thread on a free port of the loopback address.
 class RunningServer {
  public:
   explicit RunningServer(routes::Handler handler, http::Limits limits = {}, http::Equipment equipment = {})
@@ -29,13 +29,13 @@ class RunningServer {
     return {boost::asio::ip::make_address("127.0.0.1"), server_.port()};
   }
 
-  /// Returns once a connection that is opened from now on finds the new settings.
+  /// Returns when new connections get the new settings.
   void reload() {
     server_.reload();
-    (void)exchange("GET / HTTP/1.1\r\nHost: x\r\nConnection: close\r\n\r\n");  // goes the same way, after it
+    (void)exchange("GET / HTTP/1.1\r\nHost: x\r\nConnection: close\r\n\r\n");  // is handled after the reload
   }
 
-  /// Sends the bytes and reads until the server ends the connection.
+  /// Sends the bytes and reads until the server closes the connection.
   [[nodiscard]] std::string exchange(const std::string& bytes) const {
     boost::asio::io_context io;
     boost::asio::ip::tcp::socket socket{io};
@@ -45,7 +45,7 @@ class RunningServer {
   static std::string exchange(boost::asio::ip::tcp::socket& socket, const std::string& bytes) {
     boost::system::error_code error;
     boost::asio::write(socket, boost::asio::buffer(bytes),
-                       error);  // the server may refuse before it has read all
+                       error);  // the server may refuse before it has read everything
     std::string answer;
     boost::asio::read(socket, boost::asio::dynamic_buffer(answer), error);
     return answer;

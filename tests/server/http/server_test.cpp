@@ -115,7 +115,7 @@ TEST(Server, AsksAWaitingHandlerAgainWhenItIsWoken) {
   EXPECT_TRUE(server.exchange(get("/later")).starts_with("HTTP/1.1 200"));
 }
 
-/// A stream of numbers up to three, a new one after each wake-up or when its time has come.
+/// Streams the numbers up to three, a new one after each wake-up or timeout.
 routes::Response count(const routes::Request& request) {
   routes::Response response;
   response.content_type = "text/event-stream";
@@ -146,7 +146,7 @@ TEST(Server, RefusesMoreStreamsThanItMayHold) {
   EXPECT_NE(answer.find("Retry-After: 30\r\n"), std::string::npos);
 }
 
-/// Asks in the name of a client, on a connection of its own.
+/// A request of a client on its own connection.
 class Asking {
  public:
   Asking(const RunningServer& server, const std::string& target, const std::string& client) {
@@ -154,7 +154,7 @@ class Asking {
     boost::asio::write(socket_, boost::asio::buffer(get(target, "X-Client: " + client + "\r\n")));
   }
   std::string answer() { return RunningServer::exchange(socket_, ""); }
-  /// The first line of the answer, as soon as it has come.
+  /// Waits for the first line of the answer.
   std::string first_line() {
     boost::asio::read_until(socket_, boost::asio::dynamic_buffer(begin_), "\r\n");
     return begin_.substr(0, begin_.find('\r'));

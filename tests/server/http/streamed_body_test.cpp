@@ -18,7 +18,7 @@ namespace {
 
 namespace net = boost::asio;
 
-/// A server that streams what is posted to /file and answers with what it found on the disk.
+/// A server that streams uploads to /file to disk and answers with the stored content.
 class StreamedBody : public testing::Test {
  protected:
   StreamedBody() : thread_{[this] { server_.run(); }} {}

@@ -15,7 +15,8 @@ using State = StrictHead::State;
 
 const std::string good = "POST /a HTTP/1.1\r\nHost: x\r\nContent-Length: 3\r\nAccept:\t*/*\r\n\r\n";
 
-/// Headers that servers read in different ways, each with a request behind it that one of the readings would let through.
+/// Headers that servers interpret differently, each followed by a request that one of the interpretations
+/// would let through.
 std::vector<std::string> ambiguous_requests() {
   const std::string begin = "POST /a HTTP/1.1\r\nHost: x\r\n";
   const std::string hidden = "GET /hidden HTTP/1.1\r\nHost: x\r\n\r\n";
@@ -74,7 +75,7 @@ TEST(StrictHead, FindsTheEndHoweverTheBytesCome) {
   });
 }
 
-/// Whatever control character stands wherever: it is refused, or the header has not ended yet.
+/// A control character in any place is refused, or the header is not complete yet.
 TEST(StrictHead, TakesNoControlCharacterAnywhere) {
   for (std::size_t at = 0; at < good.size(); ++at) {
     for (const char c : {'\0', '\x01', '\x0b', '\x7f', '\r', '\n'}) {

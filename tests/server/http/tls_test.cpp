@@ -16,7 +16,7 @@ namespace net = boost::asio;
 using support::echo;
 using support::get;
 
-/// A certificate for localhost that the program openssl has signed by its own key.
+/// A self-signed certificate for localhost, made with the program openssl.
 class Tls : public testing::Test {
  protected:
   void SetUp() override {
@@ -32,11 +32,11 @@ class Tls : public testing::Test {
     return std::system(command.c_str()) == 0;
   }
 
-  /// What the server answers over TLS of the given versions; empty when they do not agree.
+  /// The server's answer over TLS with the given versions; empty if they cannot agree on one.
   std::string exchange(const support::RunningServer& server, int lowest, int highest,
                        const std::string& bytes, const char* ciphers = nullptr) const {
     net::ssl::context context{net::ssl::context::tls_client};
-    SSL_CTX_set_security_level(context.native_handle(), 0);  // old versions may at least be tried
+    SSL_CTX_set_security_level(context.native_handle(), 0);  // so that old versions are at least tried
     SSL_CTX_set_min_proto_version(context.native_handle(), lowest);
     SSL_CTX_set_max_proto_version(context.native_handle(), highest);
     if (ciphers != nullptr) SSL_CTX_set_cipher_list(context.native_handle(), ciphers);
@@ -77,7 +77,7 @@ TEST_F(Tls, IsVersion1Point2OrLater) {
   EXPECT_EQ(exchange(server, TLS1_VERSION, TLS1_1_VERSION, get("/")), "");
 }
 
-/// By keys of both kinds, since each brings ciphers of its own.
+/// With both kinds of keys, because each has its own ciphers.
 TEST_F(Tls, SpeaksVersion1Point2WithForwardSecrecyAndAuthenticatedEncryptionAlone) {
   for (const char* kind : {"ec -pkeyopt ec_paramgen_curve:P-256", "rsa:2048"}) {
     ASSERT_TRUE(make_certificate(files_, kind));
@@ -109,7 +109,7 @@ TEST_F(Tls, RefusesFilesThatDoNotBelongTogetherOrAreNotThere) {
   EXPECT_THROW(serve_with({files_.certificate, files_.certificate}), std::runtime_error);
 }
 
-/// A client that stays, by TLS.
+/// A TLS client that keeps its connection open.
 class TlsClient {
  public:
   explicit TlsClient(const support::RunningServer& server) {

@@ -39,7 +39,7 @@ export const seaIce = (box: Box, nx: number, ny: number, time: string, dataset: 
 export const coast = (box: Box, signal: AbortSignal): Promise<{ features: CoastFeature[] }> =>
   json(address('/map/coast', { bbox: box.join(',') }), { signal });
 
-/** `columns`: how fine; corners nearer to each other are one. */
+/** `columns`: resolution of the picture; corners closer together than a column are merged. */
 export const iceChart = (box: Box, columns: number, dataset: string, signal: AbortSignal): Promise<IceChart> =>
   json(address('/map/ice-chart', { bbox: box.join(','), nx: columns, dataset }), { signal });
 
@@ -63,7 +63,7 @@ export const zones = (): Promise<FeaturePage<ZoneFeature>> => json(address('/col
 
 interface Tagged {
   id: string;
-  tag: string | undefined; // of its state now, to be shown with the next change
+  tag: string | undefined; // entity tag of its present state, sent with the next change
 }
 
 const collections = { icebergs: 'icebergs', zones: 'nogo-zones' };
@@ -71,7 +71,7 @@ const itemsOf = (kind: keyof typeof collections): string => `/collections/${coll
 const tagOf = (response: Response): string | undefined => response.headers.get('etag') ?? undefined;
 const ifStill = (tag: string | undefined): Record<string, string> => (tag === undefined ? {} : { 'If-Match': tag });
 
-/** A feature as it is now. */
+/** The present state of a feature, with its entity tag. */
 export async function feature(kind: keyof typeof collections, id: number | string): Promise<{ feature: IcebergFeature | ZoneFeature; tag: string | undefined }> {
   const response = await request(`${itemsOf(kind)}/${encodeURIComponent(id)}`, { headers: { Accept: 'application/geo+json' }, cache: 'no-store' });
   return { feature: (await response.json()) as IcebergFeature | ZoneFeature, tag: tagOf(response) };
@@ -97,13 +97,13 @@ interface DriftQuery {
   as_of: string;
   until: string;
   choice: IcebergChoice;
-  currents: string | undefined; // undefined: those that a plan would take
+  currents: string | undefined; // undefined: the currents that a plan would take
 }
 
 export const drift = ({ box, choice, ...query }: DriftQuery, signal: AbortSignal): Promise<{ bergs: IcebergDrift[]; numberMatched: number }> =>
   json(address('/map/drift', { bbox: box.join(','), ...query, ...choiceOf(choice) }), { signal });
 
-/** All of them: the server lists the oldest first, and the newest matter most. */
+/** All stored plans. The server lists the oldest first, but the newest matter most, so all pages are read. */
 export async function plans(): Promise<PlanFeature[]> {
   const all: PlanFeature[] = [];
   let after: string | undefined;
@@ -118,14 +118,15 @@ export async function plans(): Promise<PlanFeature[]> {
 
 export const plan = (planId: string): Promise<PlanFeature> => json(`/collections/plans/items/${encodeURIComponent(planId)}`);
 
-/** What a plan was asked for, by whomever. */
+/** The inputs that a plan was made with, whoever made it. */
 export const planInputs = (planId: string): Promise<PlanInputs> => json(`/collections/plans/items/${encodeURIComponent(planId)}/inputs`);
 
 export const deletePlan = async (planId: string): Promise<void> => {
-  await request(`/collections/plans/items/${encodeURIComponent(planId)}`, { method: 'DELETE', keepalive: true }); // also while the page is left
+  // completes even if the page is left
+  await request(`/collections/plans/items/${encodeURIComponent(planId)}`, { method: 'DELETE', keepalive: true });
 };
 
-/** `accept`: the pilot has confirmed the dangers of the plan, without which the server hands out no files of it. */
+/** `accept`: the pilot has confirmed the plan's dangers; without it the server refuses files of a plan with dangers. */
 export const mission = (planId: string, query: ExportQuery, accept: boolean): Promise<MissionPreview> =>
   json(address(`/collections/plans/items/${encodeURIComponent(planId)}/mission`, { ...query, ...accepted(accept) }));
 
@@ -133,7 +134,7 @@ const accepted = (accept: boolean): { accept_dangers?: boolean } => (accept ? { 
 
 export type ExportFormat = 'zip' | 'gpx' | 'kml' | 'geojson' | 'csv' | 'nmea' | 'imc' | 'targets' | 'html' | 'pdf';
 
-/** Where the browser downloads a plan from; `query` is of the archive of mission files alone. */
+/** The address from which the browser downloads a plan; only the archive of mission files uses `query`. */
 export const downloadAddress = (planId: string, format: ExportFormat, query: ExportQuery, accept: boolean): string =>
   address(`/collections/plans/items/${encodeURIComponent(planId)}/mission.${format}`, { ...(format === 'zip' ? query : {}), ...accepted(accept) });
 
@@ -147,7 +148,7 @@ export const probe = ([lon, lat]: Position, time: string, choice: Partial<Iceber
   return json(address('/probe', { lon: Number(lon.toFixed(6)), lat: Number(lat.toFixed(6)), time, ...ages, dataset: dataset === '' ? undefined : dataset }));
 };
 
-/** Hands work to a process; the answer is its job. */
+/** Submits work to a process; the answer is the job. */
 const submit = (process: string, inputs: object): Promise<JobStatus> =>
   json(`/processes/${process}/execution`, {
     method: 'POST',
@@ -170,8 +171,8 @@ export const deleteUpload = async (id: string): Promise<void> => {
 };
 
 /**
- * Sends a file and tells how many bytes have left; the server refuses it when it arrives with another digest. Only
- * XMLHttpRequest tells of progress while it sends.
+ * Sends a file and reports the bytes sent; the server refuses a file whose digest differs. Uses XMLHttpRequest, because
+ * fetch reports no progress while sending.
  */
 export function sendFile(file: Blob, name: string, sha256: string, signal: AbortSignal, progress: (bytes: number) => void): Promise<Upload> {
   return new Promise((resolve, reject) => {
@@ -205,7 +206,7 @@ function bodyOf({ responseText }: XMLHttpRequest): object | undefined {
 
 const answered = { 'Content-Type': 'application/json', Prefer: 'respond-sync' };
 
-/** Plans and answers with the plan itself: for what takes a moment only. */
+/** Plans synchronously and returns the plan; only for requests that take a moment. */
 export const planNow = (inputs: PlanInputs): Promise<PlanResults> =>
   json('/processes/plan-route/execution', { method: 'POST', headers: answered, body: JSON.stringify({ inputs }) });
 
@@ -217,7 +218,7 @@ export const reach = (inputs: ReachInputs, signal: AbortSignal): Promise<{ reach
 
 export const jobs = (): Promise<{ jobs: JobStatus[] }> => json(address('/jobs', { limit: 50 }));
 
-/** Answers at the job's next change, or after `wait_s`. */
+/** Returns the job at its next change, or after `wait_s`. */
 export const job = (id: string, wait_s: number, signal: AbortSignal): Promise<JobStatus> =>
   json(`/jobs/${encodeURIComponent(id)}`, { headers: { Prefer: `wait=${wait_s}` }, signal });
 
@@ -239,5 +240,5 @@ export const deleteSimulation = async (id: string): Promise<void> => {
   await request(`/simulations/${encodeURIComponent(id)}`, { method: 'DELETE' });
 };
 
-/** Where the browser downloads the flights of a simulation from. */
+/** The address from which the browser downloads the flights of a simulation. */
 export const tracksAddress = (id: string, format: 'nc' | 'geojson'): string => `/simulations/${encodeURIComponent(id)}/tracks.${format}`;

@@ -10,12 +10,12 @@ const grace_ms = 60_000;
 /** Deleted plans that are still in the store. */
 const leaving = new Map<string, { plan: Plan; timer: ReturnType<typeof setTimeout> }>();
 
-/** Without those that somebody has deleted here. */
+/** The stored plans without those that were deleted in this page. */
 export const withoutDeleted = (stored: Plan[]): Plan[] => stored.filter(({ plan_id }) => !leaving.has(plan_id));
 
 const changesOf = (id: string): string => `plan ${id}`;
 
-/** Takes a plan off the desk at once, and out of the store when undo can no longer bring it back. */
+/** Removes a plan from the page at once, and from the store when undo is no longer possible. */
 export function deletePlan(plan: Plan): void {
   const id = plan.plan_id;
   const [index, wasShown, wasSelected] = [plans.peek().indexOf(plan), shown.peek().includes(id), selectedId.peek() === id];
@@ -46,7 +46,7 @@ async function carryOut(plan: Plan): Promise<void> {
   }
 }
 
-/** Whoever leaves the page has no undo any more. Call once. */
+/** Deletes at once when the page is left, because undo is then no longer possible. Call once. */
 export function deleteOnLeaving(): void {
   window.addEventListener('pagehide', () => {
     for (const { plan, timer } of leaving.values()) {

@@ -13,7 +13,7 @@ import * as api from './client';
 import { Latest } from './latest';
 import type { Box, IcebergFeature } from '../contract/data_types';
 
-/** What the server forecasts at once. */
+/** Limits of one forecast request: the server's own. */
 const widest_deg = 10;
 const highest_deg = 5;
 const longest_ms = 10 * 86_400_000;
@@ -42,7 +42,7 @@ export function followDrift(): void {
     if (loaded?.key === key && contains(loaded.box, box)) return;
     loaded = { key, box };
     const until_ms = Math.max(as_of_ms, Math.min(end_ms, as_of_ms + longest_ms));
-    // Those that plans join are left to the server, which knows the runs.
+    // For joined currents the server chooses, because it knows the runs.
     const currentsWish = draft.peek().currents === 'newest' ? undefined : currents.id;
     untracked(() => {
       latest.run(
@@ -53,21 +53,21 @@ export function followDrift(): void {
           driftsLeftOut.value = answer.numberMatched - answer.bergs.length;
         },
         () => {
-          drifts.value = []; // asked again with other sightings or another view only
+          drifts.value = []; // asked again only after the sightings or the view have changed
         },
       );
     });
   });
 }
 
-/** The server refuses a named dataset that has nothing where it is asked. */
+/** The choice without datasets that have no iceberg in view, because the server refuses those. */
 const thoseIn = (bergs: IcebergFeature[], { datasets, ...others }: IcebergChoice): IcebergChoice => ({
   ...others, datasets: datasets?.filter((id) => bergs.some(({ properties }) => properties.dataset_id === id)),
 });
 
 const keyOf = ({ berg_id, observed }: { berg_id: string; observed: string }): string => `${berg_id}|${observed}`;
 
-/** Around all sightings, with room for a single one. */
+/** A box around all sightings, widened so that a single sighting has room. */
 const boxOf = (bergs: IcebergFeature[]): Box | undefined => {
   const [first, ...others] = bergs.map(({ geometry: { coordinates: [lon, lat] } }): Box => [lon, lat, lon, lat]);
   return first && widened(others.reduce(around, first));
@@ -79,7 +79,7 @@ const widened = ([west, south, east, north]: Box): Box =>
     ? [-180, south - room_deg, 180, north + room_deg]
     : [wrapLongitude(west - room_deg), south - room_deg, wrapLongitude(east + room_deg), north + room_deg];
 
-/** The middle of a box as far as the server answers. */
+/** The middle part of a box, as large as the server accepts. */
 function bounded(box: Box): Box {
   const width = Math.min(width_deg(box), widest_deg);
   const height = Math.min(box[3] - box[1], highest_deg);

@@ -13,7 +13,7 @@ import type { Plan, PlanInputs } from '../contract/types';
 const pause_ms = 80;
 const quick_ms = 300;
 
-/** Asks the server anew whenever the route under change has changed; a newer question ends the older. Call once. */
+/** Evaluates the edited route whenever it has changed; a newer request aborts the older. Call once. */
 export function followRouteEdit(): void {
   let asked: string | undefined;
   let question: AbortController | undefined;
@@ -39,8 +39,10 @@ export function followRouteEdit(): void {
   });
 }
 
-/** The server lays out the sea round the route before it is changed: the first change is then judged as quickly as the
- * next. What it answers is known, and what fails will be told of that change. */
+/**
+ * Evaluates the unchanged route, so that the server has read the data and the first change is evaluated as quickly as
+ * later ones. The answer is not used; a failure will show with the first change.
+ */
 function prepare({ conditions, route }: RouteEdit): void {
   api.evaluateRoute({ ...conditions, route }, new AbortController().signal).catch(() => undefined);
 }
@@ -76,7 +78,7 @@ function spoken(verdict: Verdict, { origin }: RouteEdit): string {
 
 export const editedName = ({ origin }: RouteEdit): string => `${titleOf(origin).replace(/ \(edited\)$/, '')} (edited)`;
 
-/** Makes the edited route a plan of its own, as drawn; true when it is stored. */
+/** Stores the edited route, as drawn, as a new plan; returns whether it was stored. */
 export async function saveEdit(): Promise<boolean> {
   const edit = routeEdit.value;
   const [from, ...others] = edit?.route ?? [];

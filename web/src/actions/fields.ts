@@ -14,7 +14,7 @@ import { Latest } from './latest';
 import { followIcebergs } from './sightings';
 import type { Box, Dataset } from '../contract/data_types';
 
-/** Keeps what is loaded of the sea in step with the view, the clock and the chosen data. Call once. */
+/** Keeps the loaded data in step with the view, the clock and the chosen datasets. Call once. */
 export function followFields(): void {
   followBathymetry();
   followCoast();
@@ -36,7 +36,10 @@ interface Window {
   ny: number;
 }
 
-/** The window to ask for: the view with a rim, within the dataset; the old one while it still serves. */
+/**
+ * The window to request: the view with a margin, inside the dataset; the old window as long as it is large and fine
+ * enough.
+ */
 function windowFor(dataset: Dataset, seen: View, cell_px: number, most: number, old: Window | undefined): Window | undefined {
   const needed = intersection(seen.box, dataset.bbox);
   if (!needed) return undefined;
@@ -112,7 +115,10 @@ function followCoast(): void {
   });
 }
 
-/** The polygons of the chart in use for a little more than the view, as fine as the screen shows them. */
+/**
+ * Loads the polygons of the chosen ice chart for an area a little larger than the view, at the resolution of the
+ * screen.
+ */
 function followIceChart(): void {
   const latest = new Latest();
   let loaded: { dataset: string; box: Box; columns: number } | undefined;
@@ -127,7 +133,7 @@ function followIceChart(): void {
       loaded = undefined;
       return;
     }
-    // A part of the chart is loaded as finely as the whole view.
+    // A smaller part of the chart is loaded at the same resolution as the whole view.
     const columns = Math.min(8192, Math.max(64, Math.round((seen.width_px * width_deg(box)) / width_deg(seen.box))));
     const fine = loaded && width_deg(box) / columns > 0.6 * (width_deg(loaded.box) / loaded.columns);
     const needed = intersection(seen.box, chart.bbox);
@@ -149,17 +155,17 @@ function followIceChart(): void {
 
 const rememberedGrids = 24;
 
-/** A field whose steps are loaded around the clock's time. */
+/** A field with time steps, which are loaded around the clock's time. */
 interface Stepped {
   dataset: () => Dataset | undefined;
   times_ms: () => number[];
-  longestGap_ms?: number; // between two steps further apart nothing is known
-  longestHold_ms?: number; // for so long beyond all steps the nearest stands for them
+  longestGap_ms?: number; // there is no value between two steps further apart than this
+  longestHold_ms?: number; // up to this long before the first and after the last step, that step's values are used
   cell_px: number;
   load: (box: Box, nx: number, ny: number, time: string, dataset: string) => Promise<Grid>;
   pair: Signal<TimedPair | undefined>;
   fault: Signal<string | undefined>;
-  name: string; // as in "No current data here"
+  name: string; // name in messages: "No current data here"
 }
 
 function followStepped({ dataset: chosenDataset, times_ms, longestGap_ms, longestHold_ms = 0, cell_px, load: ask, pair, fault, name }: Stepped): void {
@@ -169,12 +175,12 @@ function followStepped({ dataset: chosenDataset, times_ms, longestGap_ms, longes
   let shownKey = '';
   let loadingKey = '';
 
-  // A grid on its way is never aborted: the next clock step may want it, and its bytes are remembered.
+  // A request for a grid is never aborted: the next clock step may need it, and the answer is cached.
   const load = (from: Window, at_ms: number): Promise<Grid> => {
     const key = [from.dataset, from.box, from.nx, from.ny, at_ms].join('|');
     const known = remembered.get(key);
     if (known) {
-      remembered.delete(key); // and added again as the newest
+      remembered.delete(key); // added again below as the newest
       remembered.set(key, known);
       return known;
     }

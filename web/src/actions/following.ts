@@ -5,7 +5,7 @@ const pollWait_s = 1;
 
 export const isUnderWay = ({ status }: JobStatus): boolean => status === 'accepted' || status === 'running';
 
-/** Follows a job to its end and tells each state on the way; dismisses it when `signal` is aborted. */
+/** Follows a job to its end and reports each state; dismisses the job when `signal` is aborted. */
 export async function follow(begun: JobStatus, signal: AbortSignal, tell: (status: JobStatus) => void): Promise<JobStatus> {
   let status = begun;
   while (isUnderWay(status)) {
@@ -16,7 +16,7 @@ export async function follow(begun: JobStatus, signal: AbortSignal, tell: (statu
   return status;
 }
 
-/** The job's next state; never asks more than once a second, even of a server that does not wait. */
+/** The job's next state. Asks at most once a second, even if the server answers without waiting. */
 async function nextState(status: JobStatus, signal: AbortSignal): Promise<JobStatus> {
   const asked_ms = Date.now();
   try {

@@ -16,7 +16,7 @@ const changedMeanwhile = 412;
 
 const statusOf = (error: unknown): number => (error instanceof api.ApiError ? error.problem.status : 0);
 
-/** Keeps the lists in step with the store: read again whenever its datasets have changed. Call once. */
+/** Reads the lists of manual entries again whenever their datasets in the store have changed. Call once. */
 export function followHandMade(): void {
   let known = '';
   effect(() => {
@@ -38,7 +38,10 @@ async function readLists(hasBergs: boolean, hasZones: boolean): Promise<void> {
   }
 }
 
-/** After a change the datasets have another digest, which everything that shows them follows. */
+/**
+ * Reads the list of datasets after a change: the changed dataset has another digest, so everything that shows it is
+ * updated.
+ */
 async function readStore(): Promise<void> {
   takeStored(await api.datasets());
 }
@@ -93,7 +96,7 @@ function faultOf(error: unknown): { state: 'conflict' | 'removed' | 'failed'; de
   }
 }
 
-/** After a conflict: what the form holds takes the place of the other's change. */
+/** After a conflict: overwrites the other user's change with the form's content. */
 export async function saveOverTheirs(): Promise<void> {
   const form = openForm.value;
   if (!form?.before) return;
@@ -106,7 +109,7 @@ export async function saveOverTheirs(): Promise<void> {
   }
 }
 
-/** Takes it out of the store, as long as it is what the list shows. */
+/** Removes an entry from the store, if it is still the same as in the list. */
 export async function retire(kind: HandMadeKind, shown: HandMade): Promise<void> {
   if (forbids('pilot', 'Retiring icebergs and zones')) return;
   handFault.value = undefined;
@@ -125,14 +128,14 @@ export async function retire(kind: HandMadeKind, shown: HandMade): Promise<void>
   await readStore();
 }
 
-/** Without what the server adds by itself. */
+/** The entry without members that the server adds. */
 function bare(feature: HandMade): NewFeature {
   const { geometry, properties } = feature;
   const stated = Object.entries(properties).filter(([name, value]) => value !== null && value !== '' && name !== 'dataset_id' && name !== 'safe_length_m');
   return { type: 'Feature', geometry, properties: Object.fromEntries(stated) };
 }
 
-/** Records a change for undo here, and in the one list of changes of the whole page. */
+/** Records a change for undo in this list and in the list of all changes of the page. */
 function note(change: HandChange): void {
   handChanges.value = { done: [...handChanges.value.done, change], undone: [] };
   remember({ title: change.title, back: () => turn('done', 'undone'), again: () => turn('undone', 'done') });

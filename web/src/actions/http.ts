@@ -1,17 +1,19 @@
 import { lock } from '../model/login';
 import type { Problem } from '../contract/types';
 
-/** The server refused or could not be reached; `problem` is what it said, or a description of the silence. */
+/** Thrown when the server refuses a request or cannot be reached; `problem` is its answer, or `silence`. */
 export class ApiError extends Error {
   constructor(readonly problem: Problem) {
     super(problem.detail || problem.title);
   }
 }
 
-/** What a JSON pointer names, without what all of them begin with. */
+/** The name in a JSON pointer, without the parts that all pointers begin with. */
 const placeOf = (pointer: string): string => pointer.replace(/^[/?](inputs\/|properties\/)?/, '');
 
-/** The faults that the server lists, each behind the name of its place. Where it lists none, a sentence about what went wrong. */
+/**
+ * The faults that the server lists, each after the name of its place; if it lists none, one sentence about the failure.
+ */
 export function faultsOf(error: unknown, nameOf: (place: string) => string = (place) => place): string[] {
   if (!(error instanceof ApiError)) return [error instanceof Error ? error.message : String(error)];
   const listed = (error.problem.errors ?? []).map(({ pointer, detail }) => `${nameOf(placeOf(pointer))} ${detail}`.trim());
@@ -21,13 +23,16 @@ export function faultsOf(error: unknown, nameOf: (place: string) => string = (pl
 /** The same in one line. */
 export const wordsOf = (error: unknown): string => faultsOf(error).join('; ');
 
-/** The dangers for which the server hands out no files of a plan until the pilot has confirmed them; empty: another refusal. */
+/**
+ * The dangers of a plan that the pilot has to confirm before the server returns files; empty if the request failed for
+ * another reason.
+ */
 export const dangersIn = (error: unknown): string[] =>
   error instanceof ApiError && error.problem.type.endsWith('/dangerous-plan') ? (error.problem.errors ?? []).map(({ detail }) => detail) : [];
 
 type Query = Record<string, string | number | boolean | undefined>;
 
-/** Addresses are relative to the origin that served the page: no other host is ever named. */
+/** The address of a request, relative to the page's origin, because the page only uses its own server. */
 export function address(path: string, query: Query = {}): string {
   const search = new URLSearchParams();
   for (const [key, value] of Object.entries(query)) {
@@ -54,10 +59,10 @@ async function problemOf(response: Response): Promise<Problem> {
   }
 }
 
-/** What stands for an answer where there is none. */
+/** The problem if the server does not answer. */
 export const silence: Problem = { type: 'about:blank', title: 'No connection', status: 0, detail: 'The Floeplan server does not answer.' };
 
-/** Whoever shows no token and needs one gets this answer to everything. */
+/** Status of every answer to a caller who needs a token and sent none. */
 const unknown_caller = 401;
 
 export function noteRefusal(status: number): void {

@@ -6,16 +6,16 @@ import * as api from './client';
 import { follow } from './following';
 import type { FileReport, IngestOptions, Upload } from '../contract/data_types';
 
-/** Small enough that the page stays lively between two pieces. */
+/** Size of the pieces in which a file is read; small, so that the page stays responsive. */
 const piece_bytes = 1 << 20;
 
 
 const running = new Map<number, AbortController>();
 
-/** The files themselves, as long as one of them may have to be sent again. */
+/** The files of imports that may have to be sent again. */
 const given = new Map<number, { files: File[]; options: IngestOptions }>();
 
-/** Sends files that belong together and has them read into the store; what comes of it is kept in `imports`. */
+/** Sends files that belong together and has the server ingest them; the state is in `imports`. */
 export async function importFiles(files: File[], options: IngestOptions): Promise<void> {
   if (files.length === 0) return;
   const names = distinct(files.map(({ name }) => name));
@@ -25,11 +25,14 @@ export async function importFiles(files: File[], options: IngestOptions): Promis
   await sendAndRead(number, []);
 }
 
-/** Whether something of an import did not arrive or was not read, and can still be sent. */
+/** Whether a part of an import failed and can be sent again. */
 export const maySendAgain = (one: Import): boolean =>
   given.has(one.number) && (one.state.stage === 'failed' || (one.state.stage === 'done' && one.files.some(({ stage }) => stage === 'failed')));
 
-/** Sends what has not arrived, as when a login had ended, and has it read; what was read before stays as it is. */
+/**
+ * Sends failed files again, for example after a login has expired, and has them ingested; files already ingested are
+ * not repeated.
+ */
 export async function sendAgain(number: number): Promise<void> {
   const now = importOf(number);
   if (!now || !maySendAgain(now)) return;
@@ -59,7 +62,7 @@ async function sendAndRead(number: number, reports: FileReport[]): Promise<void>
   if (!now || !maySendAgain(now)) given.delete(number);
 }
 
-/** Has refused files read once more, with what a person says about them; they are on the server still. */
+/** Has the server ingest refused files again with further options; they are still on the server. */
 export async function readAgain(number: number, report: FileReport, options: IngestOptions): Promise<void> {
   const now = importOf(number);
   if (now?.state.stage !== 'done') return;
@@ -95,7 +98,9 @@ async function carryOut(number: number, work: (signal: AbortSignal) => Promise<v
   }
 }
 
-/** One file: its digest first, then its bytes. Undefined when it failed, which its row then says. */
+/**
+ * Sends one file: computes its digest, then sends its bytes. Undefined if it failed; its row then shows the failure.
+ */
 async function send(number: number, index: number, file: File, name: string, signal: AbortSignal): Promise<Upload | undefined> {
   const tell = (part: Parameters<typeof changeFile>[2]): void => changeFile(number, index, part);
   try {
@@ -147,7 +152,7 @@ async function read(number: number, uploads: Upload[], options: IngestOptions, s
   if (reports.some(({ status }) => status === 'stored')) takeStored(await api.datasets());
 }
 
-/** What was read need not lie on the server twice; what was refused stays for another try. */
+/** Removes uploads of ingested files from the server; refused files stay for another attempt. */
 function settleUploads(number: number, reports: FileReport[]): void {
   const files = importOf(number)?.files ?? [];
   const refused = new Set(reports.filter(({ status }) => status === 'refused').flatMap((report) => uploadsOf(report, files)));
@@ -155,7 +160,7 @@ function settleUploads(number: number, reports: FileReport[]): void {
   removeUploads([...new Set(settled)]);
 }
 
-/** An upload that cannot be removed now expires by itself. */
+/** Removes uploads. If that fails, they expire on the server. */
 function removeUploads(uploads: Upload[]): void {
   for (const { id } of uploads) void api.deleteUpload(id).catch(() => undefined);
 }

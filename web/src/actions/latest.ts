@@ -2,8 +2,8 @@ import { ApiError } from './client';
 import { loading } from '../model/field';
 
 /**
- * Keeps only the newest of several loads of one thing: a newer one aborts the older, and a late answer of an older one
- * is never delivered.
+ * Keeps only the newest of several loads of the same thing: a newer load aborts the older, and a late answer of an
+ * older load is ignored.
  */
 export class Latest {
   private controller: AbortController | undefined;

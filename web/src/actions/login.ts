@@ -4,7 +4,7 @@ import * as api from './client';
 import { resumePlanning } from './planning';
 import { refresh } from './session';
 
-/** Asks who one is and reads what the store holds; waits for a token where the server wants one. Called at start. */
+/** Asks the server who the user is and reads the store; asks for a token if the server needs one. Call at start. */
 export async function enter(): Promise<void> {
   try {
     unlock(await api.whoAmI());
@@ -13,13 +13,13 @@ export async function enter(): Promise<void> {
       lock();
       return;
     }
-    // Whatever else is wrong shows when the store is read.
+    // Any other failure shows when the store is read.
   }
   await refresh();
   void resumePlanning();
 }
 
-/** Shows a token to the server; why it was not taken, if so. */
+/** Sends a token to the server; returns why it was refused, or undefined. */
 export async function signIn(token: string): Promise<string | undefined> {
   let who: Caller;
   try {
@@ -34,7 +34,7 @@ export async function signIn(token: string): Promise<string | undefined> {
   return undefined;
 }
 
-/** Ends the login. The page starts anew, so that nothing of the store stays on the screen. */
+/** Logs out; returns the failure, if any. The page is reloaded, so that no data stay on the screen. */
 export async function signOut(): Promise<string | undefined> {
   try {
     await api.logOut();

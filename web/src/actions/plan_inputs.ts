@@ -8,8 +8,10 @@ import { ask } from '../model/view';
 import * as api from './client';
 import type { Plan } from '../contract/types';
 
-/** A plan from elsewhere is judged by its own rules: they are learnt from the server before it is. Where they cannot be had,
- * they are guessed, which the edit panel says. */
+/**
+ * Reads the inputs of a plan made elsewhere from the server, so that its route is evaluated by its own rules. If they
+ * cannot be read, they are guessed, and the edit panel says so.
+ */
 export async function learnRequest(planId: string): Promise<void> {
   if (requestOf(planId)) return;
   try {

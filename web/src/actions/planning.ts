@@ -21,7 +21,7 @@ import type { Change, JobStatus, Plan, PlanInputs } from '../contract/types';
 
 let cancelled: AbortController | undefined;
 
-/** Sends the draft, follows its job to the end and shows what came of it. */
+/** Sends the draft, follows its job and shows the result. */
 export async function plan(): Promise<void> {
   if (running.value || forbids('pilot', 'Planning')) return;
   const why = whyNotPlanned.value;
@@ -40,13 +40,13 @@ export async function plan(): Promise<void> {
   await planWith(form.inputs);
 }
 
-/** Plans once more for another departure, everything else as a plan was asked for. */
+/** Plans again with another departure and otherwise the same inputs. */
 export async function planAt(planned: Plan, departure: string): Promise<void> {
   await learnRequest(planned.plan_id);
   await planWith(withDeparture(requestOf(planned.plan_id) ?? guessedRequest(planned), departure));
 }
 
-/** What a plan may have been asked for where the server cannot tell. */
+/** Assumed inputs of a plan, if the server does not have them. */
 function guessedRequest(planned: Plan): PlanInputs {
   const places = routeOf(planned);
   const [from = [0, 0], to = [0, 0]] = [places[0], places.at(-1)] as [Position?, Position?];
@@ -60,7 +60,7 @@ async function planWith(inputs: PlanInputs): Promise<void> {
   await attend(named, Date.now(), () => api.submitPlan(named));
 }
 
-/** Takes up the job that this tab waited for when its page was left. Called when the store has been read. */
+/** Continues to follow the job that this tab waited for when its page was left. Call after the store was read. */
 export async function resumePlanning(): Promise<void> {
   const left = unfinished();
   if (!left || running.value) return;
@@ -70,7 +70,7 @@ export async function resumePlanning(): Promise<void> {
 const isUnknown = (error: unknown): boolean => error instanceof api.ApiError && error.problem.status === 404;
 const isSilence = (error: unknown): boolean => error instanceof api.ApiError && error.problem.status === 0;
 
-/** Stays with a job to its end; one that is taken up again and no longer known to the server is let go without a word. */
+/** Follows a job to its end. A resumed job that the server no longer knows is dropped without a message. */
 async function attend(inputs: PlanInputs, started_ms: number, begin: () => Promise<JobStatus>, isLeft = false): Promise<void> {
   running.value = { status: undefined, started_ms };
   cancelled = new AbortController();
@@ -80,7 +80,7 @@ async function attend(inputs: PlanInputs, started_ms: number, begin: () => Promi
     await carryOut(begun, inputs, started_ms, cancelled.signal);
     keepUnfinished(undefined);
   } catch (error) {
-    // Silence may be the page's own end, or pass: the job is asked for again when the page is next opened.
+    // A missing answer may be temporary or caused by leaving the page: the job is asked for again when the page is opened.
     if (!isSilence(error)) keepUnfinished(undefined);
     if (!cancelled.signal.aborted && !(isLeft && isUnknown(error))) showRefusal(error);
   } finally {
@@ -88,7 +88,7 @@ async function attend(inputs: PlanInputs, started_ms: number, begin: () => Promi
   }
 }
 
-/** Makes a change that the server proposed, and plans again. */
+/** Applies a change proposed by the server and plans again. */
 export async function planWithChange(change: Change): Promise<void> {
   const part = editFor(change, draft.value);
   if (!part) return;
@@ -96,7 +96,7 @@ export async function planWithChange(change: Change): Promise<void> {
   await plan();
 }
 
-/** Leaves the currents out, which undo brings back, and plans again. */
+/** Plans again without currents; undo restores the choice. */
 export async function planWithoutCurrents(): Promise<void> {
   edit({ currents: 'none' });
   await plan();
@@ -126,7 +126,7 @@ async function carryOut(begun: JobStatus, inputs: PlanInputs, started_ms: number
   }
 }
 
-/** The plans of the alternatives, which are stored by themselves. One that somebody has deleted meanwhile is left out. */
+/** The stored plans of the alternatives, without those deleted meanwhile. */
 async function alternativesOf({ alternatives = [] }: Plan): Promise<Plan[]> {
   const asked = await Promise.allSettled(alternatives.map(({ plan_id }) => api.plan(plan_id)));
   return withoutDeleted(asked.flatMap((answer) => (answer.status === 'fulfilled' ? [answer.value.properties] : [])));
@@ -135,7 +135,7 @@ async function alternativesOf({ alternatives = [] }: Plan): Promise<Plan[]> {
 function showPlan(answer: Plan, alternatives: Plan[]): void {
   if (answer.departures) rightTab.value = 'departures';
   add({ ...answer, created: answer.created ?? new Date().toISOString() }, alternatives);
-  drawer.value = undefined; // on a narrow screen it lies over the map
+  drawer.value = undefined; // on a narrow screen the drawer covers the map
   setTime(Date.parse(answer.departure));
   ask({ do: 'fit', places: [answer, ...alternatives].flatMap(routeOf) });
   const beside = alternatives.length === 0 ? '' : ` ${alternatives.length} alternative${alternatives.length === 1 ? '' : 's'}.`;
@@ -156,7 +156,7 @@ function showRefusal(error: unknown): void {
   failure.value = { kind: 'failed', title: 'Planning failed', detail: String(error) };
 }
 
-/** Gives the running job up. */
+/** Cancels the running job. */
 export function cancelPlanning(): void {
   cancelled?.abort();
 }

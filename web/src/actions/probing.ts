@@ -8,13 +8,13 @@ import type { Position } from '../contract/data_types';
 import type { Probe } from '../contract/types';
 import * as api from './client';
 
-/** What is known of a place at the clock's time, by the data that the map shows. */
+/** The data at a place at the clock's time, from the datasets that the map shows. */
 const askOf = (place: Position): Promise<Probe> =>
   api.probe(place, isoOf(time_ms.value), { ...icebergChoice.value, datasets: probedDatasets.value });
 
 let probes = 0;
 
-/** Asks the server for everything known at a place and the clock's time. */
+/** Probes a place at the clock's time and shows the answer. */
 export async function probeAt(place: Position): Promise<void> {
   const [lon, lat] = place;
   const number = ++probes;
@@ -27,10 +27,10 @@ export async function probeAt(place: Position): Promise<void> {
   }
 }
 
-/** Between two questions for the pointer. */
+/** Pause between two requests for the pointer. */
 const pause_ms = 100;
 
-/** Keeps what is read out in step with the pointer and the clock, one question after another. Call once. */
+/** Keeps the read-out in step with the pointer and the clock, one request at a time. Call once. */
 export function followPointer(): void {
   const wanted = computed(() => pointer.value && { place: pointer.value, time_ms: time_ms.value, datasets: probedDatasets.value });
   let isAsking = false;

@@ -10,7 +10,7 @@ const atOnce = 4;
 const remembered = new Map<string, Promise<ProfilePoint[]>>();
 const most = 20;
 
-/** What lies along a plan: the server is asked at some sixty moments, a few at a time. */
+/** The data along a plan: the server is asked for about sixty times, a few at a time. */
 export function profileOf(plan: Plan): Promise<ProfilePoint[]> {
   const known = remembered.get(plan.plan_id);
   if (known) return known;
@@ -24,7 +24,10 @@ export function profileOf(plan: Plan): Promise<ProfilePoint[]> {
   return profile;
 }
 
-/** Its icebergs, and of every other kind the one dataset that it was made with, as far as they are stored. Runs that were joined are left to the server. */
+/**
+ * Datasets to probe: the plan's icebergs, and for every other kind its dataset if it used only one, as far as they are
+ * stored. For joined runs the server chooses.
+ */
 function datasetsOf({ datasets: used }: Plan): string[] {
   const isAlone = (kind: string): boolean => used.filter((one) => one.kind === kind).length === 1;
   const isStored = (id: string): boolean => datasets.value?.some((one) => one.id === id) ?? false;

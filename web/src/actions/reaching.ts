@@ -8,7 +8,7 @@ import * as api from './client';
 
 let question: AbortController | undefined;
 
-/** Asks how far the vehicle of the set-up comes from its start in each of the hours, and shows it. */
+/** Computes and shows the isochrones of the set-up from its start for each of the hours. */
 export async function showReach(): Promise<void> {
   const hours = hoursIn(reachHours.value);
   const form = inputsOf({ ...draft.value, to: draft.value.from, via: '', goals_file: emptyDraft.goals_file });
@@ -40,7 +40,7 @@ export async function showReach(): Promise<void> {
   }
 }
 
-/** Gives up what is asked for and takes what is shown off the map. */
+/** Aborts the request and removes the isochrones from the map. */
 export function hideReach(): void {
   question?.abort();
   reach.value = undefined;

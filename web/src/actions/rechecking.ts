@@ -9,13 +9,13 @@ import * as api from './client';
 import { learnRequest } from './plan_inputs';
 import type { Conditions, Plan } from '../contract/types';
 
-/** For a plan under way: the sightings since its departure, beside those that counted at the departure. Ages count at the departure. */
+/** For a plan under way: also use sightings since its departure. Ages still count at the departure. */
 function sightingsSince(plan: Plan): Conditions {
   const [, newest_ms] = sightingsFor(plan);
   return newest_ms > Date.parse(plan.departure) ? { icebergs_as_of: isoOf(newest_ms) } : {};
 }
 
-/** Judges a plan's route, as it is, on the newest data of the kinds that have been renewed since. */
+/** Evaluates a plan's unchanged route with the newest data of those kinds that have newer data. */
 export async function recheck(plan: Plan): Promise<void> {
   const tell = (verdict: Recheck): void => {
     rechecks.value = { ...rechecks.value, [plan.plan_id]: verdict };

@@ -17,11 +17,11 @@ import { withoutDeleted } from './deleting';
 
 const faultOf = (error: unknown): string => (error instanceof Error ? error.message : String(error));
 
-/** Reads what the store holds; called at start and again when a person asks for it. */
+/** Reads the content of the store. Call at start and when the user asks for it. */
 export async function refresh(): Promise<void> {
   try {
     const planned = api.plans();
-    planned.catch(() => undefined); // told below, unless something else fails first
+    planned.catch(() => undefined); // reported below, unless another request fails first
     const [stored, known] = await Promise.all([api.datasets(), api.vehicles()]);
     takeStored(stored);
     vehicles.value = known.vehicles;
@@ -34,7 +34,7 @@ export async function refresh(): Promise<void> {
   }
 }
 
-/** The plans that the address names, as far as they are stored; else the newest. */
+/** Shows the stored plans named in the address, or else the newest plan. */
 function showFirst({ plans = [], selected }: Link): void {
   const stored = plans.filter((id) => model.plans.value.some(({ plan_id }) => plan_id === id));
   model.shown.value = stored;
@@ -42,14 +42,14 @@ function showFirst({ plans = [], selected }: Link): void {
   if (chosen !== undefined) model.select(chosen);
 }
 
-/** Lets positions be read by where the data lie. Call once. */
+/** Lets the reading of positions use the area of the data. Call once. */
 export function followDataArea(): void {
   effect(() => {
     dataArea.value = chosenCurrents.value || chosenBathymetry.value ? homeBox.value : undefined;
   });
 }
 
-/** Lets the set-up never ask for data that have been removed. Call once. */
+/** Removes datasets that are no longer stored from the set-up. Call once. */
 export function followStore(): void {
   effect(() => {
     if (datasets.value === undefined) return;
@@ -58,7 +58,9 @@ export function followStore(): void {
   });
 }
 
-/** Lets the clock's range follow the currents, the plans on the map, the flight and the coverage shown. Call once. */
+/**
+ * Keeps the clock's range in step with the currents, and with the plans, the flight and the coverage shown. Call once.
+ */
 export function followSpans(): void {
   let opened = false;
   effect(() => {
@@ -79,7 +81,10 @@ export function followSpans(): void {
   followSpansOf(() => coveredDatasets.value.map(({ id, time_start, time_end }) => ({ id, from: time_start, to: time_end })));
 }
 
-/** Tracks may be years older than all else: the clock covers them where nothing else needs it, and the one that was chosen. */
+/**
+ * Tracks may be years older than all other data: the clock covers them only if there are no other data, or if a track
+ * was chosen.
+ */
 function followTrackSpans(): void {
   const wanted = computed(() => {
     if (!chosenCurrents.value && model.shownPlans.value.length === 0) return gliderTracks.value;
@@ -102,7 +107,7 @@ function followTrackSpans(): void {
 
 const firstHourOf = (time: string): number => Math.ceil(Date.parse(time) / hour_ms) * hour_ms;
 
-/** Keeps the clock over what is listed now; what has no times asks for nothing. */
+/** Keeps the listed periods in the clock's range; an entry without times needs none. */
 function followSpansOf(listed: () => { id: string; from: string | null; to: string | null }[]): void {
   let before: string[] = [];
   effect(() => {
@@ -118,8 +123,8 @@ function followSpansOf(listed: () => { id: string; from: string | null; to: stri
 }
 
 /**
- * The clock starts now where the data cover now, else at their first whole hour, and the departure with it; then it goes
- * where the address says.
+ * Sets the clock at start: to now if the data cover it, otherwise to their first whole hour, and the departure to the
+ * same; then to the time in the address, if there is one.
  */
 function openAt(start_ms: number, end_ms: number): void {
   const now_ms = Math.floor(Date.now() / hour_ms) * hour_ms;
@@ -129,7 +134,7 @@ function openAt(start_ms: number, end_ms: number): void {
   if (opening.time_ms !== undefined) setTime(opening.time_ms);
 }
 
-/** Takes a dataset out of the store; why it could not be, if so. */
+/** Deletes a dataset; returns why it failed, or undefined. */
 export async function deleteDataset(id: string): Promise<string | undefined> {
   try {
     await api.deleteDataset(id);

@@ -7,11 +7,11 @@ import * as api from './client';
 import { Latest } from './latest';
 import type { IcebergFeature } from '../contract/data_types';
 
-/** While the clock runs the sightings of its whole hour are shown; once it rests so long, those of its very moment. */
+/** While the clock moves, sightings are those of its whole hour; after this pause, those of its exact time. */
 const rest_ms = 200;
 const most = 200;
 
-/** Keeps the icebergs that the set-up asks for in step with the clock. Call once. */
+/** Keeps the icebergs of the set-up in step with the clock. Call once. */
 export function followIcebergs(): void {
   const latest = new Latest();
   const remembered = new Map<string, IcebergFeature[]>();

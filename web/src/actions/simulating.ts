@@ -9,7 +9,7 @@ import type { Plan } from '../contract/types';
 
 let cancelled: AbortController | undefined;
 
-/** Flies a plan as the form asks, and opens what came of it. */
+/** Simulates a plan with the form's settings and opens the result. */
 export async function fly(plan: Plan): Promise<void> {
   if (flying.value) return;
   const inputs = inputsFor(plan);
@@ -43,7 +43,7 @@ export async function fly(plan: Plan): Promise<void> {
 
 export const cancelFlight = (): void => cancelled?.abort();
 
-/** The request, or why there is none. */
+/** The inputs, or why the form has none. */
 function inputsFor({ plan_id }: Plan): SimulateInputs | string {
   const { runs, current_error_m_s, seed, avoidance } = flightForm.value;
   const [count, error, number] = [numberIn(runs), numberIn(current_error_m_s), numberIn(seed)];
@@ -60,7 +60,7 @@ export async function listSimulations(planId: string): Promise<void> {
   }
 }
 
-/** Opens a simulation with its first flight, when one is kept. */
+/** Opens a simulation and its first flight, if that is stored. */
 export async function openSimulation(id: string): Promise<void> {
   try {
     const simulation = await api.simulation(id);

@@ -1,11 +1,14 @@
-/** The server's documents on what it holds, field for field. Positions are decimal degrees, longitude first; times are ISO 8601 in UTC. */
+/**
+ * The server's documents about stored data, with the same fields. Positions are decimal degrees, longitude first; times
+ * are ISO 8601 in UTC.
+ */
 
 export type Position = [lon: number, lat: number];
 export type Box = [west: number, south: number, east: number, north: number];
 
 export type DatasetKind = 'bathymetry' | 'currents' | 'ice' | 'icebergs' | 'coastline' | 'tides' | 'wind' | 'zones' | 'glider-tracks';
 
-/** The kinds that a plan is made on; tracks of gliders are only kept and shown. */
+/** Kinds of data that plans use; glider tracks are only stored and shown. */
 export type PlanningKind = Exclude<DatasetKind, 'glider-tracks'>;
 
 export interface Dataset {
@@ -29,14 +32,14 @@ export interface Dataset {
 
 export interface Upload {
   id: string;
-  name: string; // as the server keeps it
+  name: string; // name on the server
   bytes: number;
   sha256: string;
   created: string;
   expires: string;
 }
 
-/** What a person may say about files beyond the files themselves. */
+/** What the user states about files and the files do not. */
 export interface IngestOptions {
   name?: string;
   kind?: DatasetKind;
@@ -52,7 +55,7 @@ export interface IngestOptions {
 
 export type IngestInputs = IngestOptions & { uploads: string[] };
 
-/** What became of one kind of data in a file. */
+/** The result for one kind of data in a file. */
 export interface FileReport {
   file: string;
   status: 'stored' | 'refused' | 'unchanged';
@@ -111,14 +114,14 @@ export interface IcebergFeature {
   properties: IcebergProperties;
 }
 
-/** Where an iceberg has been that was seen more than once. */
+/** The track of an iceberg that was seen more than once. */
 export interface IcebergTrackFeature {
   type: 'Feature';
   id: number | string;
   properties: { berg_id: string; from: string; until: string; sightings: number; times: string[]; dataset_id: string };
 }
 
-/** Where a glider has been, with the depth-averaged currents that it met. */
+/** The track of a glider, with its depth-averaged currents. */
 export interface GliderTrackFeature {
   type: 'Feature';
   id: number | string;
@@ -130,14 +133,15 @@ export interface GliderTrackFeature {
     deepest_m: number | null;
     mean_east_m_s: number | null;
     mean_north_m_s: number | null;
-    current_frame: 'stated' | 'true' | 'vehicle' | null; // vehicle: in axes of its own, so they point elsewhere than on the map
+    // vehicle: along the vehicle's own axes, so directions on the map are wrong
+    current_frame: 'stated' | 'true' | 'vehicle' | null;
     times: string[];
     currents: { time: string; lon: number; lat: number; east_m_s: number; north_m_s: number }[];
     dataset_id: string;
   };
 }
 
-/** A stored zone; plans obey it wherever it meets their way. */
+/** A stored zone; plans obey it wherever it meets their route. */
 export interface ZoneFeature {
   type: 'Feature';
   id: number | string;
@@ -145,22 +149,22 @@ export interface ZoneFeature {
   properties: {
     kind: AreaProperties['kind'];
     name: string | null;
-    from: string | null; // since ever
-    until: string | null; // for ever
+    from: string | null; // null: no beginning
+    until: string | null; // null: no end
     top_m: number | null;
-    bottom_m: number | null; // to the sea bed
+    bottom_m: number | null; // null: to the sea bed
     dataset_id: string;
   };
 }
 
-/** A feature on its way into the store. */
+/** A feature to be stored. */
 export interface NewFeature {
   type: 'Feature';
   geometry: { type: 'Point'; coordinates: Position } | { type: 'Polygon'; coordinates: Position[][] };
   properties: object;
 }
 
-/** Where a berg is expected, column by column from its sighting on. */
+/** The forecast drift of a berg, as columns that begin with its sighting. */
 export interface IcebergDrift {
   berg_id: string;
   observed: string;
@@ -171,7 +175,7 @@ export interface IcebergDrift {
   error_m: number[];
 }
 
-/** Something that a list lacks because it is damaged in the server's store. */
+/** An entry missing in a list because it is damaged in the server's store. */
 export interface DamagedThing {
   type: string;
   kind: string;
@@ -214,7 +218,7 @@ export interface IceChart {
   dataset_id: string;
   dataset_name: string;
   time: string | null;
-  complete: boolean; // false: too much for a picture, some polygons were left out
+  complete: boolean; // false: some polygons were omitted because a picture cannot show so many
   features: { type: 'Feature'; properties: IceEgg; geometry: { type: 'Polygon'; coordinates: Position[][] } }[];
 }
 

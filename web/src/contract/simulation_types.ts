@@ -1,6 +1,6 @@
 import type { DatasetRef, Told } from './types';
 
-/** Documents of flights in the test bed, field for field as far as the page reads them. */
+/** Documents of simulated flights, with the fields that the page uses. */
 
 export interface SimulateInputs {
   plan_id: string;
@@ -45,7 +45,7 @@ export interface SimulationSummary extends Told {
   planned_travel_time_s: number;
   seed: string;
   avoidance: boolean;
-  tracks: number; // flights that were kept whole, the first ones
+  tracks: number; // number of flights whose track is stored: the first ones
   runs: number;
   arrived: number;
   collisions: number;
@@ -65,8 +65,8 @@ export interface Run {
   clearance_m: number | null;
   energy_j: number;
   distance_m: number;
-  why?: string | null; // it did not arrive; simulations of older versions do not tell
-  could_be_saved?: boolean | null; // by full knowledge; null where nothing was touched
+  why?: string | null; // why it did not arrive; missing in simulations of older versions
+  could_be_saved?: boolean | null; // whether full knowledge could have prevented the contact; null if there was none
 }
 
 export interface Simulation extends SimulationSummary {
@@ -76,7 +76,7 @@ export interface Simulation extends SimulationSummary {
 export type FlightMode = 'mission' | 'path' | 'reactive' | 'given up';
 
 export interface Track {
-  time_s: number[]; // since the departure
+  time_s: number[]; // seconds since the departure
   lon: number[];
   lat: number[];
   depth_m: number[];
@@ -97,7 +97,7 @@ export interface FlightEvent {
   depth_m: number;
 }
 
-/** A flight that was kept whole. */
+/** A flight whose track is stored. */
 export interface Flight {
   run: number;
   end: FlightEnd;

@@ -7,13 +7,13 @@ type RequestFields = typeof requestFields;
 
 export type Method = RequestFields['method']['words'][number];
 
-/** A file with places, as it is sent along with a request. */
+/** A file with positions that is sent with a request. */
 export interface RouteFile {
   name: string;
   text: string;
 }
 
-/** What the table of request fields says of a value. */
+/** The type of a field's value, from the table of request fields. */
 type ValueOf<Told> = Told extends { kind: 'number' | 'whole_number' }
   ? number
   : Told extends { kind: 'boolean' }
@@ -24,12 +24,12 @@ type ValueOf<Told> = Told extends { kind: 'number' | 'whole_number' }
         ? string | string[]
         : string;
 
-/** Fields whose values have a shape of their own. */
+/** Fields whose values are structures. */
 interface ShapedInputs {
   from?: Position; // required without goals_file
   to?: Position;
   via?: Position[];
-  goals_file?: RouteFile; // in place of `to` and `via`
+  goals_file?: RouteFile; // replaces `to` and `via`
   vehicle?: string | ({ profile?: string } & Record<string, unknown>);
   spacing_m?: number | [along: number, across: number];
   objective?: 'time' | 'energy' | { time: number; energy: number };
@@ -44,13 +44,13 @@ type PlainName = {
 
 export type PlanInputs = ShapedInputs & { -readonly [Name in PlainName]?: ValueOf<RequestFields[Name]> };
 
-/** What a route is judged under: a request without the way. */
+/** The conditions for evaluating a route: a request without its route. */
 export type Conditions = Omit<Pick<PlanInputs, Extract<(typeof namesOfConditions)[number], keyof PlanInputs>>, 'name'> &
   Pick<PlanInputs, 'under_ice'>;
 
 export type EvaluateInputs = Conditions & ({ route: Position[] } | { plan_id: string });
 
-/** What the pilot is told; programs go by code and values. */
+/** A message for the pilot; programs use its code and values. */
 export interface Message {
   code: string;
   rank: 'danger' | 'caution' | 'note';
@@ -59,7 +59,7 @@ export interface Message {
   text: string;
 }
 
-/** The part of an answer that tells the pilot something: its sentences again as messages, newer than the rest. */
+/** The part of an answer with messages. Older servers send only their sentences. */
 export interface Told {
   messages?: Message[];
   dangers?: string[];
@@ -71,21 +71,21 @@ export interface Waypoint {
   lon: number;
   lat: number;
   eta: string;
-  wait_s?: number; // between the arrival and the next leg; plans of older servers have none
+  wait_s?: number; // hold between the arrival and the next leg; missing in plans of older servers
   leg_m: number | null;
   course_deg: number | null;
   speed_over_ground_m_s: number | null;
   depth_m: number | null;
-  current_east_m_s?: number | null; // mean over the leg, newer than the rest
+  current_east_m_s?: number | null; // mean over the leg; missing in plans of older servers
   current_north_m_s?: number | null;
   may_surface?: boolean | null;
   since_last_surfacing_s?: number | null;
   position_error_m?: number | null;
   least_upper_turn_m?: number | null;
-  leg_upper_turn_m?: number | null; // the deepest on the leg; plans of older servers have none
-  ice_free_before_m?: number | null; // of the way up to here; newer than the rest
+  leg_upper_turn_m?: number | null; // greatest depth on the leg; missing in plans of older servers
+  ice_free_before_m?: number | null; // length of the ice-free route up to here; missing in plans of older servers
   error_without_fix_m?: number | null;
-  nearest_ice_m?: number | null; // where there is some within 200 km
+  nearest_ice_m?: number | null; // only if there is ice within 200 km
 }
 
 /** A stretch of the leg to a waypoint with ice or icebergs above. */
@@ -109,7 +109,7 @@ export interface Surfacing {
     lat: number;
     time: string;
     position_error_m: number;
-    nearest_ice_m?: number | null; // where there is some within that error
+    nearest_ice_m?: number | null; // only if there is ice within the position error
   }[];
   escapes: {
     waypoint: number;
@@ -119,11 +119,11 @@ export interface Surfacing {
     time_s: number;
     energy_j?: number;
     way: [number, number][];
-    propulsion?: ('buoyancy' | 'thruster')[]; // one for each leg of the way
+    propulsion?: ('buoyancy' | 'thruster')[]; // for each leg of the escape route
   }[];
 }
 
-/** One departure of a window that was asked for. */
+/** One departure of a window. */
 export interface Departure {
   departure: string;
   arrival: string | null;
@@ -144,7 +144,7 @@ export interface Uncertainty {
   chance: number | null;
 }
 
-/** A route on the other side of something large, stored as a plan of its own. */
+/** A route around the other side of a large obstacle, stored as a separate plan. */
 export interface Alternative {
   plan_id: string;
   name: string;
@@ -152,16 +152,16 @@ export interface Alternative {
   travel_time_s: number;
   distance_m: number;
   energy_j: number | null;
-  message: Message; // round what it leads
+  message: Message; // names what the route leads around
 }
 
-/** Another value for one input that would make the request possible. */
+/** Another value of one input with which a plan would be possible. */
 export interface Change {
   input: string;
   from: unknown;
   to: unknown;
   text: string;
-  with?: Change[]; // to be made as well
+  with?: Change[]; // further changes that belong to it
 }
 
 export interface DatasetRef {
@@ -169,7 +169,7 @@ export interface DatasetRef {
   kind: DatasetKind;
   name: string;
   sha256: string;
-  from?: string; // the steps used, where several runs were joined in time
+  from?: string; // the steps used, if several runs were joined in time
   until?: string;
 }
 
@@ -188,7 +188,7 @@ export interface Plan extends Told {
   energy?: { usable_j: number } | null;
   iceberg_encounters?: number | null;
   departures?: Departure[];
-  alternatives?: Alternative[]; // where they were asked for, the best first
+  alternatives?: Alternative[]; // only if requested; best first
   uncertainty?: Uncertainty | null;
   optimality_gap: number | null;
   optimality_gap_reason: string;
@@ -201,8 +201,8 @@ export interface Plan extends Told {
     reinsertions: number;
     fifo_violations: number;
     worst_fifo_violation: { lon: number; lat: number; refused: string; opens: string; gain_s: number | null } | null;
-    cut_short?: boolean; // absent in plans of older versions
-    possible_gain_s?: number | null; // likewise
+    cut_short?: boolean; // missing in plans of older versions
+    possible_gain_s?: number | null; // missing in plans of older versions
     seconds: number;
   };
   refinement?: {
@@ -216,7 +216,7 @@ export interface Plan extends Told {
   leg_trade?: { legs: number; travel_time_s: number }[];
   clearances: { iceberg_m: number | null; iceberg_id?: string | null; land_m: number | null; bottom_m: number | null };
   datasets: DatasetRef[];
-  sightings?: { as_of: string; max_age_days: number; oldest: string }; // which sightings of icebergs counted
+  sightings?: { as_of: string; max_age_days: number; oldest: string }; // the sightings of icebergs that counted
   created?: string;
 }
 
@@ -229,7 +229,7 @@ export interface Infeasible extends Told {
   suggestion: string;
   binding_constraint?: string;
   changes?: Change[];
-  changes_cut_short?: boolean; // not every change was tried
+  changes_cut_short?: boolean; // not all changes were tried
   departures?: Departure[];
   datasets: DatasetRef[];
 }
@@ -311,11 +311,11 @@ export interface Probe {
 export interface Violation {
   pointer: string;
   detail: string;
-  code?: string; // of the rule, in the catalogue of messages
+  code?: string; // code of the rule in the catalogue of messages
   values?: Record<string, number | string>;
 }
 
-/** RFC 9457. */
+/** An error response (RFC 9457). */
 export interface Problem {
   type: string;
   title: string;

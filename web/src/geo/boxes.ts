@@ -1,14 +1,14 @@
 import type { Box, Position } from '../contract/data_types';
 import { wrapLongitude } from './geodesic';
 
-/** Boxes run from west eastwards: one across the antimeridian has a west greater than its east. */
+/** Boxes extend eastwards from their west: a box across the antimeridian has a west greater than its east. */
 
-/** How many degrees a box is wide, 0 to 360. */
+/** Width of a box in degrees, 0 to 360. */
 export function width_deg([west, , east]: Box): number {
   return east >= west ? east - west : east - west + 360;
 }
 
-/** Smallest box around places near each other; longitudes are taken nearest to the first one. */
+/** The smallest box around places close together; longitudes are taken relative to the first. */
 export function boxAround(places: Position[]): Box | undefined {
   const first = places[0];
   if (!first) return undefined;
@@ -24,7 +24,9 @@ export function boxAround(places: Position[]): Box | undefined {
   return [wrapLongitude(west), south, wrapLongitude(east), north];
 }
 
-/** What two boxes share; undefined when nothing. Of two shared pieces the one nearer the west of `a` is given. */
+/**
+ * The common part of two boxes; undefined if there is none. If there are two parts, the one closer to the west of `a`.
+ */
 export function intersection(a: Box, b: Box): Box | undefined {
   const south = Math.max(a[1], b[1]);
   const north = Math.min(a[3], b[3]);
@@ -69,7 +71,10 @@ export function grown(box: Box, share: number): Box {
   return [wrapLongitude(box[0] - width * share), south, wrapLongitude(box[0] + width * (1 + share)), north];
 }
 
-/** The border of a box as a closed ring along its parallels and meridians, a place every half degree of longitude at least. */
+/**
+ * The border of a box as a closed ring along its parallels and meridians, with a place at least every half degree of
+ * longitude.
+ */
 export function borderOf(box: Box): Position[] {
   const [west, south, , north] = box;
   const pieces = Math.max(4, Math.ceil(width_deg(box) / 0.5));
@@ -83,7 +88,7 @@ export function centreOf(box: Box): Position {
   return [wrapLongitude(box[0] + width_deg(box) / 2), (box[1] + box[3]) / 2];
 }
 
-/** Numbers in an address: four decimals (11 m) keep the cache useful. */
+/** The box for an address, rounded to four decimals (11 m), so that the cache finds it again. */
 export function rounded(box: Box): Box {
   return box.map((value) => Math.round(value * 1e4) / 1e4) as Box;
 }

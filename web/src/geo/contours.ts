@@ -5,7 +5,7 @@ export interface Lattice {
   values: Float32Array;
 }
 
-/** What takes shapes in lattice units, x along the columns and y along the rows; a Path2D is one. */
+/** Receives shapes in lattice units, x along the columns and y along the rows; a Path2D is one. */
 export interface Sink {
   moveTo(x: number, y: number): void;
   lineTo(x: number, y: number): void;
@@ -13,7 +13,7 @@ export interface Sink {
   rect(x: number, y: number, width: number, height: number): void;
 }
 
-/** The corners of a cell in the order in which they are walked round: the edge after each leads to the next. */
+/** The corners of a cell in order around it: the edge after each corner leads to the next. */
 const corners = [[0, 0], [1, 0], [1, 1], [0, 1]] as const;
 
 const none = -1;
@@ -40,8 +40,8 @@ function crossing({ nx, values }: Lattice, i: number, j: number, corner: number,
 }
 
 /**
- * Adds the area in which the values, bilinear within a cell, reach a level. All its pieces run the same way round, so that no
- * seam shows between them. Where two corners across a cell reach it and the others do not, they are taken to be joined.
+ * Adds the area in which the values, bilinear within a cell, reach a level. All its pieces have the same orientation,
+ * so that no seam shows between them. If only two opposite corners reach it, their areas are taken to be joined.
  */
 export function addAreaAbove(lattice: Lattice, level: number, sink: Sink): void {
   eachRow(lattice, (i, j) => cornersAbove(lattice, i, j, level), 15, sink, (i, j, above) => {
@@ -67,7 +67,10 @@ export function addUnknown(lattice: Lattice, sink: Sink): void {
 
 const isIn = (above: number, corner: number): boolean => (above & (1 << corner % 4)) !== 0;
 
-/** Cells that are wholly in become one rectangle for each run of them in a row; the others, unless wholly out, are handed on. */
+/**
+ * Runs of cells that are completely inside become one rectangle for each row; cells that are partly inside are passed
+ * to `part`.
+ */
 function eachRow(
   { nx, ny }: Lattice, aboveAt: (i: number, j: number) => number, whole: number, sink: Sink, part: (i: number, j: number, above: number) => void,
 ): void {
@@ -87,7 +90,7 @@ function eachRow(
   }
 }
 
-/** Adds the lines along which the values pass a level, each in one piece as long as there are values, so that it can be dashed. */
+/** Adds the lines at a level, each as long as possible, so that it can be dashed. */
 export function addLineAt(lattice: Lattice, level: number, sink: Sink): void {
   const { nx, ny } = lattice;
   const next = new Map<number, number>(); // from the edge where a line leaves a cell to the edge of its next end
@@ -103,7 +106,7 @@ export function addLineAt(lattice: Lattice, level: number, sink: Sink): void {
       const above = cornersAbove(lattice, i, j, level);
       if (above <= 0 || above === 15) continue;
       for (let k = 0; k < 4; ++k) {
-        if (!isIn(above, k) || isIn(above, k + 1)) continue; // the line begins where the walk goes out
+        if (!isIn(above, k) || isIn(above, k + 1)) continue; // the line begins where the walk around the cell leaves the area
         let end = (k + 1) % 4;
         while (isIn(above, end) || !isIn(above, end + 1)) end = (end + 1) % 4;
         const [from, to] = [edgeOf(i, j, k), edgeOf(i, j, end)];

@@ -19,7 +19,9 @@ export const formatLon = (lon: number, style: CoordinateStyle): string => part(l
 export const formatPosition = ([lon, lat]: Position, style: CoordinateStyle): string =>
   `${formatLat(lat, style)} ${formatLon(lon, style)}`;
 
-/** What goes back into a text field: thousandths of a minute (2 m), so that a picked place survives editing. */
+/**
+ * The text of a position for a field: thousandths of a minute (2 m), so that a picked place stays the same when edited.
+ */
 export function editablePosition([lon, lat]: Position): string {
   const one = (value: number, letters: string): string => {
     const thousandths = Math.round(Math.abs(value) * 60_000);
@@ -91,7 +93,7 @@ function halves(text: string): [string, string] | undefined {
 
 const plain = ({ value, letter }: Angle): boolean => letter === undefined && Number.isFinite(value);
 
-/** Degrees and minutes in one number, as a glider writes them (DDMM.mm); undefined where the minutes are none. */
+/** Splits DDMM.mm of a glider into degrees and minutes; undefined if the minutes exceed 59. */
 function fromGlider({ value, letter }: Angle): Angle | undefined {
   const size = Math.abs(value);
   const degrees = Math.floor(size / 100);
@@ -99,10 +101,10 @@ function fromGlider({ value, letter }: Angle): Angle | undefined {
   return minutes < 60 ? { value: Math.sign(value) * (degrees + minutes / 60), letter } : undefined;
 }
 
-/** Nothing but DDMM.mm has a latitude of thousands; the longitude is then written the same way. */
+/** Whether the numbers are DDMM.mm: only then can a latitude be in the thousands. */
 const areGliders = (lat: Angle, lon: Angle): boolean => Math.abs(lat.value) >= 1000 && Math.abs(lon.value) >= 100;
 
-/** One reading of the text: points are decimal, commas part. */
+/** Reads the text with points as decimal signs and commas as separators. */
 function readAs(text: string, isNear: (place: Position) => boolean): Parsed<Position> {
   const pieces = halves(text);
   const first = pieces && parseAngle(pieces[0]);
@@ -133,10 +135,10 @@ function readAs(text: string, isNear: (place: Position) => boolean): Parsed<Posi
 }
 
 /**
- * A position as people write it: degrees and decimal minutes, decimal degrees with points or commas, degrees-minutes-seconds, or a
- * glider's DDMM.mm; latitude first unless letters say otherwise; west and south by letter or by minus. What can be read in two
- * ways is refused.
- * @param isNear whether a place is where there are data: figures in the wrong order are told by it
+ * A position as people write it: degrees and decimal minutes, decimal degrees with points or commas,
+ * degrees-minutes-seconds, or a glider's DDMM.mm; latitude first unless letters say otherwise; west and south by letter
+ * or by minus. A text with two possible readings is refused.
+ * @param isNear whether a place is near the data; shows numbers in the wrong order
  */
 export function parsePosition(text: string, isNear: (place: Position) => boolean = () => true): Parsed<Position> {
   if (text.trim() === '') return fail('Give a position, as 69°10.2′N 51°21.0′W or 69.17, -51.35.');

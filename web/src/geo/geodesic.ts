@@ -1,9 +1,9 @@
 import type { Position } from '../contract/data_types';
 
 /**
- * Geodesics on WGS84 by Vincenty's formulae, good to a millimetre over the distances of a mission.
- * Source  Vincenty 1975, Survey Review 23(176): 88-93. Almost antipodal points do not converge: the great circle of the
- * mean radius answers for them.
+ * Geodesics on WGS84 by Vincenty's formulae, exact to a millimetre over the distances of a mission. Almost antipodal points
+ * do not converge; for them the great circle on the mean radius is used.
+ * Source  Vincenty 1975, Survey Review 23(176): 88-93.
  */
 
 const a = 6378137;
@@ -32,7 +32,7 @@ function deltaSigma(B: number, sinSigma: number, cosSigma: number, cos2m: number
   );
 }
 
-/** Where one arrives after `distance_m` along the geodesic that leaves `from` at `azimuth_deg`. */
+/** The end of the geodesic of length `distance_m` that leaves `from` at `azimuth_deg`. */
 export function destination(from: Position, azimuth_deg: number, distance_m: number): Position {
   const alpha1 = azimuth_deg * radians;
   const tanU1 = (1 - f) * Math.tan(from[1] * radians);

@@ -69,11 +69,11 @@ export function sample(grid: Grid, variable: number, lon: number, lat: number): 
   return south * (1 - fy) + north * fy;
 }
 
-/** A field between two moments; outside of them there is none. */
+/** A field at a time between two grids. */
 export interface TimedPair {
   before: Grid;
   after: Grid;
-  share: number; // of `after`, 0 to 1
+  share: number; // weight of `after`, 0 to 1
 }
 
 /** Linear in time between two grids. */

@@ -1,9 +1,10 @@
 import { unproject, type ProjectionCode } from './projections';
 
 /**
- * Longitude and latitude of every node of a lattice in a projection, interpolated between exact ones that lie `apart` nodes
- * from each other: two orders of magnitude cheaper than projecting each, and off by far less than a node away from the pole.
- * `left` and `top` are the corner of the first node's cell, `resolution` the metres between nodes; columns run right, rows down.
+ * Longitude and latitude of every node of a lattice in a projection, interpolated between exact positions `apart` nodes
+ * from each other. This is a hundred times faster than projecting each node; away from the pole the error is far below
+ * a node. `left` and `top` are the corner of the first node's cell, `resolution` the metres between nodes; columns run
+ * right, rows down.
  */
 export class PlaceLattice {
   private readonly columns: number;

@@ -33,7 +33,7 @@ const converters: Record<ProjectionCode, Converter> = {
   'EPSG:3857': proj4('WGS84', 'EPSG:3857'),
 };
 
-/** South of this a polar view says nothing of use: rings there run out to a billion metres. */
+/** Southern limit of polar views: further south, distances in the projection grow up to a billion metres. */
 export const polarSouthLimit_deg = 35;
 
 /** Latitude beyond which Web Mercator is infinite for practical purposes. */

@@ -9,7 +9,7 @@ interface Section {
   address: string;
 }
 
-/** Where the map keeps what a person chose (model/settings). */
+/** Key under which the map stores the user's settings (model/settings). */
 const settingsKey = 'floeplan.settings';
 const mostResults = 30;
 const excerptLength = 160;
@@ -22,7 +22,7 @@ function chosenTheme(): unknown {
   }
 }
 
-/** The theme of the map: the one that was chosen there, else the system's. */
+/** Applies the theme chosen in the map, or else the system's. */
 function followTheme(): void {
   const system = window.matchMedia('(prefers-color-scheme: dark)');
   const show = (): void => {
@@ -41,11 +41,11 @@ async function readIndex(): Promise<MiniSearch<Section>> {
   const index = new MiniSearch<Section>({
     fields: ['heading', 'page', 'text'],
     storeFields: ['page', 'heading', 'text', 'address'],
-    // A flag or a code is found as a whole and by its words.
+    // A flag or a code is indexed as a whole and by its parts.
     tokenize: (text) => text.split(/[^\p{L}\p{N}_-]+/u).flatMap((word) => [word, ...(word.includes('-') ? word.split('-') : [])]).filter(Boolean),
     searchOptions: {
       boost: { heading: 3, page: 2 },
-      // Many messages speak of a thing that one page explains.
+      // Troubleshooting counts less, because many of its messages mention a subject that another page explains.
       boostDocument: (_id, _term, stored) => (stored?.['page'] === 'Troubleshooting' ? 0.3 : 1),
       prefix: true,
       fuzzy: 0.2,
@@ -56,7 +56,7 @@ async function readIndex(): Promise<MiniSearch<Section>> {
   return index;
 }
 
-/** The words round the first one that was found. */
+/** The text around the first term found. */
 function excerpt(text: string, terms: readonly string[]): string {
   const flat = text.replaceAll(/\s+/g, ' ').trim();
   const at = Math.max(0, ...terms.map((term) => flat.toLowerCase().indexOf(term)).filter((place) => place >= 0).slice(0, 1));
@@ -76,7 +76,7 @@ function line({ page, heading, text, address }: Section, terms: readonly string[
   return item;
 }
 
-/** The field above the page: what is found stands in the page's place until the field is empty again. */
+/** Search in the field above the page: results replace the page until the field is empty. */
 function search(form: HTMLFormElement): void {
   const field = form.querySelector('input');
   const results = document.getElementById('results');
@@ -94,7 +94,7 @@ function search(form: HTMLFormElement): void {
     try {
       index ??= readIndex();
       const found = (await index).search(words);
-      if (field.value.trim() !== words) return; // typed on meanwhile
+      if (field.value.trim() !== words) return; // the user has typed on
       status.textContent = found.length === 0 ? `Nothing is found for “${words}”.` : found.length === 1 ? '1 place' : `${found.length} places`;
       list.replaceChildren(...found.slice(0, mostResults).map((one) => line(one as unknown as Section, one.terms)));
     } catch {
@@ -110,7 +110,7 @@ function search(form: HTMLFormElement): void {
   field.addEventListener('keydown', ({ key }) => {
     if (key === 'Escape') clear();
   });
-  // A place further down the page that is shown already.
+  // The result is on the page that is already shown.
   list.addEventListener('click', ({ target }) => {
     if (target instanceof HTMLAnchorElement && target.pathname === location.pathname) clear();
   });

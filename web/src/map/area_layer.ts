@@ -25,8 +25,8 @@ import { toMap } from './projections';
 import { StillLayer } from './still_layer';
 
 /**
- * Stored zones and the areas of the set-up and of the selected plan, hatched where they are closed, and the tool that draws one; in
- * outline those that the set-up leaves out or that are not stored yet. Sides are geodesics.
+ * Stored zones, and areas of the set-up and of the selected plan, hatched where they are closed; as outlines those that
+ * the set-up does not use or that are not stored yet; and the tool that draws an area. Sides are geodesics.
  */
 export function areaLayer(): { layer: VectorLayer<VectorSource>; draw: Draw } {
   const source = new VectorSource();
@@ -72,7 +72,8 @@ export function areaLayer(): { layer: VectorLayer<VectorSource>; draw: Draw } {
   draw.on('drawstart', ({ feature }) => {
     const sketch = feature.getGeometry() as Polygon;
     const count = (): void => {
-      drawnCorners.value = Math.max(0, (sketch.getCoordinates()[0]?.length ?? 0) - 2); // the pointer's place and the closing one are none yet
+      // without the pointer's place and the closing corner
+      drawnCorners.value = Math.max(0, (sketch.getCoordinates()[0]?.length ?? 0) - 2);
     };
     sketch.on('change', count);
     count();
@@ -130,7 +131,7 @@ function areaStyle({ kind, name, from, until, top_m, bottom_m }: Area, colours: 
   });
 }
 
-/** An outline only: no plan obeys it. */
+/** Only an outline, because no plan obeys the area. */
 function asideStyle({ name }: Area, why: string, colours: Palette): Style {
   return new Style({
     stroke: new Stroke({ color: colours.stale, width: 1.5, lineDash: [2, 4] }),
@@ -140,7 +141,7 @@ function asideStyle({ name }: Area, why: string, colours: Palette): Style {
   });
 }
 
-/** Diagonal lines, so that a closed area is not told by its colour alone. */
+/** Diagonal lines, so that a closed area does not depend on colour alone. */
 function hatching(color: string): ColorLike {
   const size = 10;
   const canvas = document.createElement('canvas');

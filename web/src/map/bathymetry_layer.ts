@@ -11,7 +11,7 @@ import { visible } from '../model/layers';
 import { depthLimits_m, palette, type Palette } from '../theme/palette';
 import { projection } from '../model/settings';
 
-/** Depth tints with a thin line between them; hatched where the vehicle finds too little water. */
+/** Depth tints with a thin line between them; hatched where the water is too shallow for the vehicle. */
 export function bathymetryLayer(): ImageLayer<ImageCanvas> {
   const layer = new ImageLayer<ImageCanvas>({ zIndex: 0 });
   effect(() => {

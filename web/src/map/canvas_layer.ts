@@ -12,7 +12,10 @@ export interface Frame {
   toCoordinate(pixel: readonly [number, number]): [number, number];
 }
 
-/** The matrix from units along two axes to pixels, by the places of their origin and of the end of one unit of each. */
+/**
+ * The matrix from units along two axes to pixels, from the positions of the origin and of the end of one unit on each
+ * axis.
+ */
 export function screenMatrix(frame: Frame, origin: Place, first: Place, second: Place): DOMMatrix {
   const [[x, y], [x1, y1], [x2, y2]] = [frame.toPixel(origin), frame.toPixel(first), frame.toPixel(second)];
   return new DOMMatrix([x1 - x, y1 - y, x2 - x, y2 - y, x, y]);
@@ -21,8 +24,8 @@ export function screenMatrix(frame: Frame, origin: Place, first: Place, second: 
 type Place = readonly [number, number];
 
 /**
- * A layer painted by a function, anew only where the view has moved or `changed()` was called since. Its canvas lies in a div:
- * OpenLayers would take a bare canvas for the render target of the layers above it.
+ * A layer painted by a function, only when the view has moved or `changed()` was called. Its canvas is inside a div,
+ * because OpenLayers would draw the layers above into a bare canvas.
  */
 export class CanvasLayer extends Layer {
   private readonly frame = document.createElement('div');
@@ -46,7 +49,7 @@ export class CanvasLayer extends Layer {
     if (wanted === this.painted) return this.frame;
     this.painted = wanted;
     this.frame.dataset['layer'] = String(this.get('name'));
-    this.frame.dataset['paints'] = String(++this.paints); // what tests count
+    this.frame.dataset['paints'] = String(++this.paints); // counted by tests
 
     const device = [Math.round(width * ratio), Math.round(height * ratio)] as const;
     if (this.canvas.width !== device[0] || this.canvas.height !== device[1]) [this.canvas.width, this.canvas.height] = device;

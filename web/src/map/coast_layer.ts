@@ -10,8 +10,8 @@ import { CanvasLayer, type Frame } from './canvas_layer';
 import { toMap } from './projections';
 
 /**
- * Land. It lies over the currents, so that no arrow is seen ashore. Its outlines are one path in the projection, made once for what
- * is loaded: tens of thousands of corners handed over in each frame would cost the clock its pace.
+ * Land, drawn over the currents, so that no arrow is on land. Its outlines are one path in the projection, created once
+ * for the loaded data, because passing tens of thousands of corners in each frame would slow down the clock.
  */
 export function coastLayer(): CanvasLayer {
   let land = new Path2D();

@@ -15,10 +15,10 @@ import { palette } from '../theme/palette';
 import { toMap } from './projections';
 import { StillLayer } from './still_layer';
 
-/** Farther south a polar map is torn apart, and no mission goes there. */
+/** Southern limit on polar maps, which are distorted further south; no mission goes there. */
 const southernmost_deg = 35;
 
-/** Where chosen datasets have values: their borders, with their names. */
+/** Borders of chosen datasets, with their names. */
 export function coverageLayer(): VectorLayer<VectorSource> {
   const source = new VectorSource();
   const layer = new StillLayer({ source, zIndex: 4 });

@@ -9,7 +9,7 @@ import type { Position } from '../contract/data_types';
 import { currentLimits_m_s, palette } from '../theme/palette';
 import { CanvasLayer, type Frame } from './canvas_layer';
 
-/** How far apart arrows stand on the screen, at least. */
+/** Least distance between arrows on the screen. */
 const spacing_px = 34;
 
 interface Stand {
@@ -19,8 +19,8 @@ interface Stand {
 }
 
 /**
- * Arrows of the current at the clock's time, each turned from true east and north into the view at its own place. They
- * stand on a lattice of the projection, so that they keep still while the map is moved.
+ * Arrows of the current at the clock's time, rotated from true east and north to the view at each place. They are on a
+ * lattice of the projection, so that they do not move when the map is moved.
  */
 export function currentsLayer(): CanvasLayer {
   const stands = new Stands();
@@ -32,7 +32,7 @@ export function currentsLayer(): CanvasLayer {
   return layer;
 }
 
-/** The lattice points in view; their places and directions are kept until they leave. */
+/** The lattice points in view; their positions and directions are cached while in view. */
 class Stands {
   private known = new Map<string, Stand>();
   private shown: { window: string; stands: Stand[] } = { window: '', stands: [] };

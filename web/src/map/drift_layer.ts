@@ -11,23 +11,26 @@ import { palette } from '../theme/palette';
 import { CanvasLayer, screenMatrix, type Frame } from './canvas_layer';
 import { toMap } from './projections';
 
-/** Farther out than this many metres in a pixel, rings would hide the map; so would ticks, and lines that swing with the tide. */
+/**
+ * Beyond this many metres per pixel, rings would hide the map (rings_m); so would ticks and the loops of tidal drift
+ * (tides_m).
+ */
 const rings_m = 150;
 const tides_m = 60;
 
-/** And lines of any kind, where bergs lie close together. */
+/** Beyond this, all drift lines would hide the map where bergs are close together. */
 const lines_m = 300;
 
-/** Rings and lines of many bergs overlap: each lets the plans and the others shine through. */
+/** Opacity of rings and lines: many overlap, and plans below must stay visible. */
 const most = 'b0';
 const half = '80';
 
 const isShown = computed(() => visible.value.drift && visible.value.icebergs);
 
-/** The lines of a crowd would hide the map; where its bergs are expected is shown all the same. */
+/** Lines of very many bergs would hide the map; only their expected positions are shown. */
 const hasLines = computed(() => isShown.value && drifts.value.length <= crowd);
 
-/** The lines of all bergs in metres from a place amidst them, which a canvas draws more exactly than metres from a pole. */
+/** The lines of all bergs in metres from a place among them, because a canvas draws large coordinates less exactly. */
 interface Lines {
   origin: Position;
   plain: Path2D;
@@ -52,13 +55,16 @@ const linesNow = computed<Lines | undefined>(() => {
     addLine(lines.tidal, driftLineOf(drift));
     for (const [x, y] of placed(ticksOf(drift))) {
       lines.ticks.moveTo(x, y);
-      lines.ticks.lineTo(x, y); // a dot, by the round end of the stroke
+      lines.ticks.lineTo(x, y); // drawn as a dot by the round line cap
     }
   }
   return lines;
 });
 
-/** Where each berg is expected to go: a thin line with a tick every six hours; seen from afar, a pale one without the tides. */
+/**
+ * The forecast track of each berg: a thin line with a tick every six hours; at small scales a pale line without the
+ * tides.
+ */
 export function driftLayer(): CanvasLayer {
   return painting((frame) => paintLines(frame, linesNow.peek()), [linesNow, palette]);
 }
@@ -86,14 +92,16 @@ function paintLines(frame: Frame, lines: Lines | undefined): void {
   stroke(lines.ticks, reach, 3.6);
 }
 
-/** Where a berg is expected, in the projection, and how far plans keep from there. */
+/** The expected position of a berg in the projection, with its keep-out radius. */
 interface Ghost {
   at: Position;
   radius: number;
 }
 
-/** The forecast of a berg on the map. Between its hourly steps it drifts in a straight line, which lies within metres of the
- * geodesic. The projections keep angles: a circle of some kilometres is one on the map, too, but for a thousandth of its radius. */
+/**
+ * The forecast of a berg on the map. Between hourly steps it is a straight line, within metres of the geodesic. The
+ * projections preserve angles, so a circle of some kilometres stays a circle, within a thousandth of its radius.
+ */
 interface Track {
   code: ProjectionCode;
   places: Position[];
@@ -103,7 +111,7 @@ interface Track {
 
 const tracks = new WeakMap<IcebergDrift, Track>();
 
-/** Projected once: every step of the clock asks every berg. */
+/** The projected forecast, cached because each clock step needs it for every berg. */
 function trackOf(drift: IcebergDrift, code: ProjectionCode): Track {
   const known = tracks.get(drift);
   if (known?.code === code) return known;
@@ -128,7 +136,10 @@ const ghostsNow = computed<Ghost[]>(() => {
   });
 });
 
-/** Where each berg is expected at the clock's time, in the ring that plans keep out of: it grows with the error of the position. */
+/**
+ * The expected position of each berg at the clock's time, with its keep-out circle, which grows with the position
+ * error.
+ */
 export function ghostLayer(): CanvasLayer {
   return painting((frame) => paintGhosts(frame, ghostsNow.peek()), [ghostsNow, palette]);
 }
@@ -173,7 +184,7 @@ function paintGhosts(frame: Frame, ghosts: Ghost[]): void {
   context.setLineDash([]);
 }
 
-/** A layer above the areas and below the plans, painted anew where one of these has changed. */
+/** A layer above the areas and below the plans, repainted when one of `causes` has changed. */
 function painting(paint: (frame: Frame) => void, causes: ReadonlySignal<unknown>[]): CanvasLayer {
   const layer = new CanvasLayer(paint, 5);
   effect(() => layer.setVisible(isShown.value));

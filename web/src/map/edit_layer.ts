@@ -15,13 +15,13 @@ import { projection } from '../model/settings';
 import { palette, planColour, type Palette } from '../theme/palette';
 import { toMap } from './projections';
 
-/** Drawn 16 px wide, held within 22 px of its middle. */
+/** Handles are drawn 16 px wide and can be grabbed within 22 px of their centre. */
 const handleRadius_px = 8;
 const hold_px = 14;
 
 /**
- * The route under change with a handle on each waypoint and a small one half-way along each leg, which becomes a new
- * waypoint when it is dragged. The line follows the hand at once; the model hears of it when the hand lets go.
+ * The edited route with a handle on each waypoint and a small one in the middle of each leg, which becomes a new
+ * waypoint when it is dragged. The line follows the pointer; the model changes when it is released.
  */
 export function editLayer(): { layer: VectorLayer<VectorSource>; drag: Translate } {
   const source = new VectorSource();
@@ -81,7 +81,7 @@ function placeOf(feature: Feature): Position {
   return unproject(projection.peek(), [x, y]);
 }
 
-/** The route as it would be if the dragged handle were let go now. */
+/** The route if the dragged handle were released now. */
 function routeWith(feature: Feature): Position[] | undefined {
   const route = openEdit.peek()?.route;
   const handle = feature.get('handle') as number | undefined;
@@ -96,7 +96,7 @@ function colourOf(edit: RouteEdit, colours: Palette): string {
   return planColour(colours, style);
 }
 
-/** Dotted while its figures are not known. */
+/** The line is dotted while the route has not been evaluated. */
 function lineStyles({ verdict }: RouteEdit, color: string, colours: Palette): Style[] {
   const lineDash = verdict.state === 'ok' ? [] : [3, 7];
   return [

@@ -20,7 +20,7 @@ import { toMap } from './projections';
 
 const placed = (lon: number[], lat: number[]): Position[] => lon.map((x, i) => [x, lat[i] ?? NaN]);
 
-/** The flight played back: as flown, as the vehicle believed to fly, its manoeuvres, surfacings and contacts. */
+/** The flight played back: true track, estimated track, manoeuvres, surfacings and contacts. */
 export function flightLayer(): VectorLayer<VectorSource> {
   const source = new VectorSource();
   const layer = new VectorLayer({ source, zIndex: 6 });
@@ -67,7 +67,10 @@ const contact = ({ danger, casing }: Palette): Style[] =>
     (stroke) => new Style({ image: new RegularShape({ points: 4, radius: 11, radius2: 0, angle: Math.PI / 4, stroke: new Stroke(stroke) }) }),
   );
 
-/** The flown vehicle at the clock's time, where it believes to be with one sigma, and how near its sonar sees something. */
+/**
+ * The simulated vehicle at the clock's time, its estimated position with one standard deviation, and the distance of
+ * the nearest sonar return.
+ */
 export function flownVehicleLayer(): VectorLayer<VectorSource> {
   const source = new VectorSource();
   const layer = new VectorLayer({ source, zIndex: 9 });

@@ -78,7 +78,7 @@ function angleText(value: number, positive: string, negative: string, step_deg: 
 const frameLeft_px = 24;
 const halfHeight_px = 8;
 
-/** Writes each label where its line meets the frame, and none over another. */
+/** Writes each label where its line meets the frame, without overlaps. */
 class Labels {
   private readonly taken: { x: number; y: number; half: number }[] = [];
 

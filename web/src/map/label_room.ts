@@ -12,8 +12,8 @@ const gap_px = 4;
 const reach_px = ({ text }: Label): number => Math.max(height_px, figure_px * text.length + gap_px);
 
 /**
- * Which names have room beside each other at a resolution; the earlier in the list go first, and it holds however the map is
- * turned. OpenLayers would thin them, too, but then it paints every layer of the map in two passes, in each frame.
+ * Which names have room beside each other at a resolution, whatever the rotation; earlier names in the list have
+ * priority. OpenLayers could do this, too, but would then paint every layer twice in each frame.
  */
 export function labelsWithRoom(labels: Label[]): (resolution: number) => ReadonlySet<Label> {
   let known: { resolution: number; withRoom: Set<Label> } | undefined;

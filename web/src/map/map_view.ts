@@ -58,10 +58,13 @@ const opened = signal(false);
 const hitTolerance_px = 14;
 const animation_ms = 250;
 
-/** How far an arrow key moves the map with Shift, so that its middle meets a place. */
+/** Step of an arrow key with Shift, small enough to bring a place to the middle. */
 const fineStep_px = 8;
 
-/** Makes the map in `target` and ties it to the model. `probe` is told where the probe tool was used. */
+/**
+ * Creates the map in `target` and connects it with the model. `probe` is called with the place where the probe tool is
+ * used.
+ */
 export function createMap(target: HTMLElement, probe: (place: Position) => void): void {
   registerProjections();
   const bergs = icebergLayer();
@@ -97,13 +100,16 @@ export function createMap(target: HTMLElement, probe: (place: Position) => void)
   publishState(map, target, [vehicles, flown], waypoints);
 }
 
-/** Whether the arrow keys move a waypoint rather than the map. */
+/** Whether arrow keys move a waypoint instead of the map. */
 const holdsWaypoint = (): boolean => openEdit.peek() !== undefined && selectedWaypoint.peek() !== undefined && tool.peek() === 'pan';
 
 const reducedMotion = (): boolean => window.matchMedia('(prefers-reduced-motion: reduce)').matches;
 const duration = (): number => (reducedMotion() ? 0 : animation_ms);
 
-/** A new view on each change of projection, with the centre and the true scale of the old one. The first is the home box. */
+/**
+ * Creates a new view when the projection changes, with the same centre and true scale. The first view shows the home
+ * box.
+ */
 function followProjection(map: Map): void {
   effect(() => {
     const code = projection.value;
@@ -151,15 +157,18 @@ function cornersOf([west, south, east, north]: Box): Position[] {
   return places;
 }
 
-/** What lies over the map's edges, clockwise from the top: tools on the left and, where the map is wide, the legend on the right. */
+/**
+ * Width of the screen elements over the map's edges, clockwise from the top: tools on the left and, where the map is
+ * wide, the legend on the right.
+ */
 function coveredEdges_px(map: Map): [number, number, number, number] {
   return (map.getSize()?.[0] ?? 0) > 600 ? [70, 270, 80, 100] : [70, 20, 60, 60];
 }
 
-/** How far south the map is fitted to: in a polar projection to where its shapes are still told apart. */
+/** Southern limit for fitting the map: in a polar projection shapes are too distorted further south. */
 const southEnd_deg = (code: ProjectionCode): number => (projections[code].polar ? 40 : -84);
 
-/** What lies beyond the end of a polar projection is shown in the one that has it. Whether the map changes to that. */
+/** Changes to Mercator if the places lie outside of the polar projections. Returns whether it changed. */
 function leavesPolesFor(places: Position[]): boolean {
   const end_deg = southEnd_deg(projection.peek());
   if (!projections[projection.peek()].polar || places.length === 0 || places.some(([, lat]) => lat >= end_deg)) return false;
@@ -186,7 +195,7 @@ function followCommands(map: Map): void {
 function carryOut(map: Map, wish: Command): void {
   const places = wish.do === 'fit' ? wish.places : wish.do === 'centre' ? [wish.place] : [];
   if (leavesPolesFor(places)) {
-    queueMicrotask(() => carryOut(map, wish)); // on the view of the new projection, which is not there yet
+    queueMicrotask(() => carryOut(map, wish)); // after the view of the new projection exists
     return;
   }
   const current = map.getView();
@@ -306,7 +315,7 @@ function use(map: Map, event: MapBrowserEvent, place: Position, probe: (place: P
   );
 }
 
-/** Counts, motion and readiness as attributes of the map's element, for tests and for the curious. */
+/** Publishes counts, motion and readiness as attributes of the map's element, for tests. */
 function publishState(map: Map, target: HTMLElement, vehicles: VectorLayer<VectorSource>[], waypoints: VectorLayer<VectorSource>): void {
   const inDrawingOrder = map.getAllLayers().sort((a, b) => (a.getZIndex() ?? 0) - (b.getZIndex() ?? 0));
   target.dataset['layers'] = inDrawingOrder.map((layer) => layer.get('name') as string).join(' ');
@@ -338,11 +347,11 @@ function publishState(map: Map, target: HTMLElement, vehicles: VectorLayer<Vecto
   map.on('rendercomplete', settle);
   map.on('postrender', ({ frameState }) => {
     target.dataset['moving'] = String(map.getView().getAnimating() || map.getView().getInteracting());
-    // One layer that lets OpenLayers thin its labels has every layer painted twice.
+    // If a single layer lets OpenLayers thin its labels, every layer is painted twice.
     target.dataset['passes'] = frameState?.declutter ? '2' : '1';
   });
   effect(() => {
     if (isLoading.value) settle();
-    else map.render(); // what came may have changed nothing that is drawn
+    else map.render(); // the new data may not have changed anything drawn
   });
 }

@@ -20,8 +20,9 @@ import { palette, type Palette } from '../theme/palette';
 import { StillLayer } from './still_layer';
 
 /**
- * Start, goal and places between of the set-up, the safe places of an export (R for recovery), the berg that is being reported, the place where planning failed, those that
- * dangers and cautions of the selected plan and the messages of its alternatives speak of, and the place last probed.
+ * Start, goal and via points of the set-up; safe places of an export (R for recovery); the berg being reported; the
+ * place where planning failed; places of dangers and cautions of the selected plan and of its alternatives' messages;
+ * the place probed last.
  */
 export function markerLayer(): VectorLayer<VectorSource> {
   const source = new VectorSource();
@@ -90,7 +91,7 @@ function target(colours: Palette): Style[] {
   return [ring(4.5, colours.casing), ring(2, colours.ink)];
 }
 
-/** A triangle with an exclamation mark; ringed where a person asked for its message. */
+/** A triangle with an exclamation mark; with a ring if the user asked for its message. */
 function alarm(asked: boolean, colour: string, colours: Palette): Style[] {
   const sign = new Style({
     image: new RegularShape({ points: 3, radius: 12, fill: new Fill({ color: colour }), stroke: new Stroke({ color: colours.casing, width: 2 }) }),

@@ -61,8 +61,8 @@ function lineStyles({ style }: ShownPlan, isBelowIce: boolean, selected: boolean
 const holdRing_px = 11;
 
 /**
- * Waypoints of the selected plan unless a copy of it is under change: a dot each, a square where it may not surface, and the
- * number where there is room. The chosen one, start, goal and holds have it before the others.
+ * Waypoints of the selected plan, unless a copy of it is being edited: a dot each, a square where the vehicle may not
+ * surface, and the number if there is room. The chosen waypoint, start, goal and holds get their number first.
  */
 export function waypointLayer(): VectorLayer<VectorSource> {
   const source = new VectorSource();
@@ -97,7 +97,7 @@ export function waypointLayer(): VectorLayer<VectorSource> {
   return layer;
 }
 
-/** A hold is a ring round the waypoint, as a vessel swings at anchor, with its time below. */
+/** Marks of a waypoint; a hold is a ring around it with its duration below. */
 function markStyles(waypoint: Waypoint, style: number, chosen: boolean, colours: Palette): Style[] {
   const colour = planColour(colours, style);
   const fill = new Fill({ color: chosen ? colour : colours.casing });

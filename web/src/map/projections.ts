@@ -5,7 +5,7 @@ import { project, projectionCodes, projections, unproject, type ProjectionCode }
 
 const polarExtent = [-6e6, -6e6, 6e6, 6e6];
 
-/** Tells OpenLayers of the polar projections; needed before the first view. */
+/** Registers the polar projections with OpenLayers; call before the first view is created. */
 export function registerProjections(): void {
   for (const code of projectionCodes) {
     if (!projections[code].polar || get(code)) continue;

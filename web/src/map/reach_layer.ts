@@ -15,7 +15,7 @@ import { labelsWithRoom, type Label } from './label_room';
 import { toMap } from './projections';
 import { StillLayer } from './still_layer';
 
-/** Where the vehicle can be after so many hours: a line around each, the later the thinner, named at its northern end. */
+/** Isochrones: one line for each number of hours, thinner for later ones, labelled at the northern end. */
 export function reachLayer(): VectorLayer<VectorSource> {
   const source = new VectorSource();
   const layer = new StillLayer({ source, zIndex: 3 });

@@ -12,21 +12,21 @@ import { projection } from '../model/settings';
 import { palette, seaIceHatches, surfacingDash, unknownHatch, type Hatch } from '../theme/palette';
 import { CanvasLayer, screenMatrix, type Frame } from './canvas_layer';
 
-/** How far apart the nodes stand on the screen at which the ice is looked up, at least. */
+/** Least distance on the screen between nodes at which the ice is sampled. */
 const spacing_px = 7;
 
-/** How often the ice is drawn anew from one step of the data to the next: in between it changes too little to be seen. */
+/** Number of redraws between two time steps; smaller changes would not be visible. */
 const stages = 100;
 
 /** Distance between two thickness labels, in nodes. */
 const figuresApart = { columns: 12, rows: 7 };
 
-/** Exact places are worked out so many nodes apart: some forty pixels. */
+/** Exact positions are computed every this many nodes (about forty pixels), the others interpolated. */
 const exactApart = 6;
 
 /**
- * Sea ice at the clock's time: hatched the denser the more of the sea is covered, with its thickness in figures, its edge, and the
- * line beyond which the vehicle may not surface. Dashes where the data have no value, so that blank means open water.
+ * Sea ice at the clock's time: denser hatching for higher concentration, thickness as numbers, the ice edge, and the
+ * line beyond which the vehicle may not surface. Dashes mark missing data, so that blank means open water.
  */
 export function seaIceLayer(): CanvasLayer {
   const stand = new Stand();
@@ -64,7 +64,7 @@ export function seaIceLayer(): CanvasLayer {
   return layer;
 }
 
-/** Nodes in view, as numbers of a lattice of the projection that lies still while the map is moved. */
+/** The nodes in view, numbered on a lattice of the projection that does not move with the map. */
 interface Nodes {
   code: ProjectionCode;
   step: number; // metres of the projection
@@ -74,7 +74,7 @@ interface Nodes {
   ny: number;
 }
 
-/** A figure of the thickness: where, in lattice units, and in which order to read it from the two grids. */
+/** A thickness label: its position in lattice units and on the Earth. */
 interface Sounding {
   x: number;
   y: number;
@@ -82,7 +82,7 @@ interface Sounding {
   lat: number;
 }
 
-/** The shapes of one moment, in lattice units. */
+/** The shapes at one time, in lattice units. */
 interface Shapes {
   areas: { path: Path2D; hatch: Hatch }[];
   unknown: Path2D;
@@ -94,8 +94,8 @@ interface Shapes {
 type Drawn = Omit<Shapes, 'figures'>;
 
 /**
- * What is kept from frame to frame: places change with the view, values with the data, shapes with the clock. While the clock plays
- * each frame makes a part of the next shapes, and the last ones are painted until all parts are there.
+ * Cache between frames: positions change with the view, values with the data, shapes with the clock. While the clock
+ * plays, each frame computes a part of the next shapes, and the last complete ones are painted.
  */
 class Stand {
   private nodes: Nodes | undefined;
@@ -231,7 +231,7 @@ function paint(frame: Frame, stand: Stand, now: TimedPair | undefined): void {
   const { step, left, top } = nodes;
   const place = (x: number, y: number): [number, number] => [(left + x) * step, -(top + y) * step];
   const drawn = moved(shapes, screenMatrix(frame, place(0, 0), place(1, 0), place(0, 1)));
-  const anchor = frame.toPixel([0, 0]); // hatching moves with the map
+  const anchor = frame.toPixel([0, 0]); // the hatching moves with the map
 
   context.fillStyle = hatching(context, unknownHatch, colours.unknown, anchor);
   context.fill(drawn.unknown);
@@ -279,7 +279,7 @@ function stroke(context: CanvasRenderingContext2D, path: Path2D, colour: string,
 
 const patterns = new Map<string, CanvasPattern>();
 
-/** The pattern of a hatch; made once for each colour and sharpness of the screen. */
+/** The pattern of a hatch, cached by colour and screen resolution. */
 function hatching(context: CanvasRenderingContext2D, { tile_px, marks, width }: Hatch, colour: string, [x, y]: [number, number]): CanvasPattern | string {
   const sharpness = window.devicePixelRatio;
   const key = `${marks} ${tile_px} ${colour} ${sharpness}`;

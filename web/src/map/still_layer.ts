@@ -6,15 +6,18 @@ import type VectorSource from 'ol/source/Vector.js';
 let made = 0;
 
 /**
- * A layer of features on a canvas of its own, drawn anew only where its features or the view have changed. OpenLayers draws every
- * layer in every frame, and while the clock plays most of them stay as they are.
+ * A layer of features on its own canvas, redrawn only when its features or the view have changed. OpenLayers redraws
+ * every layer in every frame, but while the clock plays most layers stay the same.
  */
 export class StillLayer extends VectorLayer<VectorSource> {
   constructor(options: Options<VectorSource>) {
-    super({ ...options, className: `still-layer-${++made}` }); // a class of its own keeps other layers off its canvas
+    super({ ...options, className: `still-layer-${++made}` }); // a unique class name gives it its own canvas
   }
 
-  /** Without features it needs no canvas; but nothing that was there is found under the pointer any more. */
+  /**
+   * Without features no canvas is drawn, but the frame is prepared, so that removed features are no longer found under
+   * the pointer.
+   */
   override render(state: FrameState | null, target: HTMLElement): HTMLElement | null {
     if (this.getSource()?.isEmpty() === false) return super.render(state, target);
     if (state) this.getRenderer()?.prepareFrame(state);
@@ -32,7 +35,7 @@ class StillRenderer extends CanvasVectorLayerRenderer {
 
   override renderFrame(state: FrameState): HTMLElement {
     const { center, resolution, rotation } = state.viewState;
-    // With the end of a movement features are laid out anew for the same view.
+    // At the end of a movement the features are laid out again for the same view.
     const wanted = [...state.size, state.pixelRatio, ...center, resolution, rotation, ...state.viewHints, this.getLayer().getRevision()].join();
     if (this.picture && wanted === this.drawn) return this.picture;
     this.drawn = wanted;

@@ -17,7 +17,9 @@ import { palette, type Palette } from '../theme/palette';
 import { toMap } from './projections';
 import { StillLayer } from './still_layer';
 
-/** Where the selected plan surfaces, and from its waypoints the ways to open water: that of the chosen waypoint is drawn thicker. */
+/**
+ * Planned surfacings of the selected plan, and its escape routes to open water; that of the chosen waypoint is thicker.
+ */
 export function surfacingLayer(): VectorLayer<VectorSource> {
   const source = new VectorSource();
   const layer = new StillLayer({ source, zIndex: 7 });
@@ -29,7 +31,7 @@ export function surfacingLayer(): VectorLayer<VectorSource> {
     source.clear(true);
     for (const { waypoint, way, time_s } of plan?.surfacing?.escapes ?? []) {
       const end = way.at(-1);
-      if (time_s === 0 || !end) continue; // it may surface at once
+      if (time_s === 0 || !end) continue; // the vehicle may surface there at once
       const line = new Feature<Geometry>(new LineString(toMap(code, densify(way, 2000))));
       line.setStyle(escapeStyles(waypoint === chosen, colours));
       const refuge = new Feature<Geometry>(new Point(project(code, end)));

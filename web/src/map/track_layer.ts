@@ -16,11 +16,11 @@ import { palette, type Palette } from '../theme/palette';
 import { toMap } from './projections';
 import { StillLayer } from './still_layer';
 
-/** Pixels of an arrow for each metre a second, and how many of them a track carries at most. */
+/** Length of an arrow in pixels per m/s, and the largest number of arrows of a track. */
 const px_per_m_s = 90;
 const most_arrows = 150;
 
-/** Where gliders have been, and the depth-averaged currents that they met on the way. */
+/** Tracks of gliders with their depth-averaged currents. */
 export function trackLayer(): VectorLayer<VectorSource> {
   const source = new VectorSource();
   const layer = new StillLayer({ source, zIndex: 5 });

@@ -33,7 +33,7 @@ export function areaOf({ geometry, properties }: StatedArea): Area {
 const inWords = ({ kind, name, corners, from, until, top_m = '', bottom_m = '' }: Area): string =>
   [kind, name, cornersText(corners), from, until, top_m, bottom_m].join('\n');
 
-/** Whether two areas ask the same in the same place, to the accuracy of their corners as text. */
+/** Whether two areas are equal in every field, with the accuracy of their corners as text. */
 export const isSameArea = (a: Area, b: Area): boolean => inWords(a) === inWords(b);
 
 export const newArea = (corners: Position[], number: number): Area => ({
@@ -54,7 +54,7 @@ export function cornersIn(text: string): { corners: Position[] } | { fault: stri
   return corners.length < 3 ? { fault: 'An area needs three corners or more.' } : { corners };
 }
 
-/** What is wrong with the times or depths of areas, in words that name the area. */
+/** Faults of the times or depths of areas, in sentences that name the area. */
 export function faultOfAreas(areas: Area[]): string | undefined {
   const faulty = areas.find(({ from, until }) => [from, until].some((text) => text.trim() !== '' && parseTime(text) === undefined));
   if (faulty) return `${faulty.name}: write its times in UTC as 2026-11-20 06:00.`;
@@ -64,7 +64,7 @@ export function faultOfAreas(areas: Area[]): string | undefined {
 
 const depthIn = (text: string): number => Number(text.trim().replace(',', '.'));
 
-/** The areas as the request states them. */
+/** The areas in the form of the request. */
 export function areasInputs(areas: Area[]): Areas {
   const time = (text: string): string | undefined => {
     const at_ms = parseTime(text);

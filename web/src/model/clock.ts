@@ -19,7 +19,7 @@ export const spans = signal<Record<string, Span>>({});
 
 const emptyStart_ms = time_ms.peek();
 
-/** The period that the clock covers, in whole hours; a day around its time where nothing needs more. */
+/** The period that the clock covers, in whole hours; a day around its time if nothing needs more. */
 export const range = computed<Span>(() => {
   const all = Object.values(spans.value);
   if (all.length === 0) return { start_ms: emptyStart_ms, end_ms: emptyStart_ms + 24 * hour_ms };
@@ -27,7 +27,7 @@ export const range = computed<Span>(() => {
   const end = Math.max(...all.map((span) => span.end_ms));
   return { start_ms: Math.floor(start / hour_ms) * hour_ms, end_ms: Math.max(Math.ceil(end / hour_ms) * hour_ms, start + hour_ms) };
 });
-/** The slider spans at most this until a person zooms out, although a track or a model may last for years. */
+/** The slider spans at most this until the user zooms out, although a track or a model may last for years. */
 const usual_ms = 31 * day_ms;
 const narrowest_ms = 6 * hour_ms;
 

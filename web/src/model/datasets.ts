@@ -7,7 +7,7 @@ import { draft, emptyDraft, fill } from './setup/draft';
 import { icebergs } from './field';
 import { hour_ms } from './time';
 
-/** Everything the store holds, newest first; undefined until the server has answered. */
+/** All stored datasets, newest first; undefined until the server has answered. */
 export const datasets = signal<Dataset[] | undefined>(undefined);
 export const vehicles = signal<Vehicle[]>([]);
 
@@ -19,7 +19,7 @@ export function takeStored(stored: StoredDatasets): void {
   damagedDatasets.value = stored.damaged ?? [];
 }
 
-/** Why the server could not be read at start; empty where it could. */
+/** Why the server could not be read at start; empty if it could. */
 export const connectionFault = signal<string | undefined>(undefined);
 
 export const isEmptyStore = computed(() => datasets.value?.length === 0 && damagedDatasets.value.length === 0);
@@ -50,10 +50,10 @@ export function chosenAll(kind: PlanningKind): Dataset[] {
   return ids.flatMap((id) => candidates.find((dataset) => dataset.id === id) ?? []);
 }
 
-/** The first of them, which the map shows. */
+/** The first dataset of them, which the map shows. */
 export const chosen = (kind: PlanningKind): Dataset | undefined => chosenAll(kind)[0];
 
-/** The datasets that the set-up names of all kinds but icebergs, of which plans under way may name more. */
+/** The datasets that the set-up names, of all kinds but icebergs, of which plans under way may name more. */
 export const namedDatasets = computed<string[]>(() =>
   kinds.flatMap((kind) => {
     const wish = draft.value[kind];
@@ -88,7 +88,9 @@ export const lastSighted = computed<Dataset | undefined>(() =>
   chosenIcebergs.value.reduce<Dataset | undefined>((newest, one) => ((one.time_end ?? '') > (newest?.time_end ?? '') ? one : (newest ?? one)), undefined),
 );
 export const chosenCoastline = computed(() => chosen('coastline'));
-/** The newest sea ice that covers the clock's time, of those that plans may use; where none does, the nearest in time. */
+/**
+ * The newest sea ice that covers the clock's time, of the datasets that plans may use; otherwise the nearest in time.
+ */
 export const chosenSeaIce = computed(() => {
   const candidates = draft.value.ice === 'newest' ? ofKind('ice') : chosenAll('ice');
   const tellsOf = ({ time_start, time_end }: Dataset): boolean =>
@@ -98,7 +100,10 @@ export const chosenSeaIce = computed(() => {
   return candidates.find(tellsOf) ?? candidates.reduce<Dataset | undefined>((best, one) => (best && !(away_ms(one) < away_ms(best)) ? best : one), undefined);
 });
 
-/** The area to open on: where currents and depths are both known, else where one of them is, else where there is ice or a glider was. */
+/**
+ * The area shown first: where both currents and depths are known, otherwise where one of them is, otherwise the area of
+ * ice or of a glider.
+ */
 export const homeBox = computed<Box>(() => {
   const currents = chosenCurrents.value?.bbox;
   const bathymetry = chosenBathymetry.value?.bbox;

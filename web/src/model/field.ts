@@ -14,7 +14,10 @@ export const currentsFault = signal<string | undefined>(undefined);
 export const seaIce = signal<TimedPair | undefined>(undefined);
 export const seaIceFault = signal<string | undefined>(undefined);
 
-/** The newest sighting of each iceberg that counts for a departure at the clock's time, and the first moment they were asked for. */
+/**
+ * For each iceberg the newest sighting that counts for a departure at the clock's time; and the first time for which
+ * they were requested.
+ */
 export const icebergs = signal<IcebergFeature[]>([]);
 export const icebergsAsOf_ms = signal<number | undefined>(undefined);
 

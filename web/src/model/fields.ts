@@ -2,7 +2,7 @@ import { namesOfConditions, namesOfReach, requestFields } from '../contract/requ
 
 type Told = typeof requestFields;
 
-/** The fields of a request with this kind of value that the set-up asks for: those with a label. */
+/** The fields of a request with this type of value that are shown in the set-up, which are those with a label. */
 type NameOf<Kind extends string> = { [Name in keyof Told]: Told[Name] extends { kind: Kind; label: string } ? Name : never }[keyof Told];
 export type NumberField = NameOf<'number' | 'whole_number'>;
 export type CheckField = NameOf<'boolean'>;
@@ -12,10 +12,10 @@ interface Telling {
   kind: string;
   usual?: number | string | boolean;
   flag?: string;
-  group?: string; // the part of the set-up that it stands in
+  group?: string; // the part of the set-up with the field
   label?: string;
   unit?: string;
-  factor?: number; // how many units of the request make one unit of the form
+  factor?: number; // the number of units of the request in one unit of the form
   blank?: string; // what an empty field means
   hint?: string;
 }
@@ -28,7 +28,7 @@ export const numberFields = namesOf('number', 'whole_number') as NumberField[];
 export const checkFields = namesOf('boolean') as CheckField[];
 export const timeFields = namesOf('time') as TimeField[];
 
-/** How many units of the request make one unit of the form. */
+/** The number of units of the request in one unit of the form. */
 export const factorOf = (name: NumberField): number => fields[name]?.factor ?? 1;
 
 /** Whether a switch is on by default. */
@@ -42,7 +42,7 @@ export interface FormTexts {
   inputMode: 'text' | 'decimal' | 'numeric';
 }
 
-/** How a form asks for a field: its label, unit and hint. The placeholder says what an empty input means. */
+/** The presentation of a field in a form: its label, unit and hint. The placeholder says what an empty input means. */
 export function formOf(name: string): FormTexts {
   const { kind, usual, label = '', unit, factor = 1, blank, hint } = fields[name] ?? { kind: 'text' };
   const usualText = typeof usual === 'number' ? String(Number((usual / factor).toPrecision(12))) : undefined;

@@ -1,4 +1,6 @@
-/** The text of a file. It is UTF-16 where a byte order mark, or a zero byte beside the first character, shows that; else UTF-8. */
+/**
+ * The text of a file: UTF-16 if it has a byte order mark or a zero byte beside the first character, otherwise UTF-8.
+ */
 export function textOf(bytes: ArrayBuffer): string {
   const [first = 0, second = 0] = new Uint8Array(bytes.slice(0, 2));
   const isLittle = (first === 0xff && second === 0xfe) || (first !== 0 && second === 0);

@@ -7,7 +7,7 @@ import { time_ms } from './clock';
 import { byHand } from './datasets';
 import { fieldOf, isoOf, parseTime } from './time';
 
-/** Manual entries: icebergs and zones that people report themselves. Each is a feature that can be changed. */
+/** Manual entries: icebergs and zones that users report. Each is a feature that can be changed. */
 export type HandMadeKind = 'icebergs' | 'zones';
 export type HandMade = IcebergFeature | ZoneFeature;
 
@@ -28,7 +28,10 @@ export interface BergForm {
   position_uncertainty_m: string;
 }
 
-/** The entry that is made or changed. `tag` is the entity tag of the version that the change began from. The server refuses the change if somebody else has changed the entry since. */
+/**
+ * The entry being added or changed. `tag` is the entity tag of the version that the change began from. The server
+ * refuses the change if another user has changed the entry since.
+ */
 export interface OpenForm {
   kind: HandMadeKind;
   before?: HandMade;
@@ -65,7 +68,7 @@ export const bergForm = ({ geometry, properties }: IcebergFeature): BergForm => 
   position_uncertainty_m: textOf(properties.position_uncertainty_m),
 });
 
-/** A new iceberg, seen now, or at the clock's time where that lies in the past. */
+/** A new iceberg, seen now, or at the clock's time if that is in the past. */
 export const newBerg = (place = ''): OpenForm => ({
   kind: 'icebergs', faults: {}, state: 'typing',
   berg: {
@@ -93,7 +96,7 @@ export const isBerg = (feature: HandMade): feature is IcebergFeature => feature.
 
 export const nameOf = (feature: HandMade): string => (isBerg(feature) ? feature.properties.berg_id : feature.properties.name || 'Zone without a name');
 
-/** The feature that a form asks for, or every fault beside its field. */
+/** The feature described by a form, or every fault beside its field. */
 export function featureOf({ before, berg, zone }: OpenForm): { feature: NewFeature } | { faults: OpenForm['faults'] } {
   if (berg) return bergFeature(berg, before && isBerg(before) ? before : undefined);
   if (!zone) return { faults: { zone: 'Draw the zone or type its corners.' } };
@@ -123,7 +126,8 @@ function bergFeature(form: BergForm, before: IcebergFeature | undefined): { feat
   }
   if (!place.ok || observed_ms === undefined || Object.keys(faults).length > 0) return { faults };
 
-  // Values that were not touched are sent as they were stored: a field shows a place only to 2 m and a moment to the minute.
+  // Values that were not touched are sent as they were stored, because a field shows a place only to 2 m and a time to the
+  // minute.
   const old = before && bergForm(before);
   return {
     feature: {

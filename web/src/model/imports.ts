@@ -2,17 +2,17 @@ import { computed, signal } from '@preact/signals';
 import type { FileReport, Upload } from '../contract/data_types';
 import type { JobStatus } from '../contract/types';
 
-/** A file on its way into the store. */
+/** A file being imported. */
 export interface SentFile {
   name: string;
   size: number;
   stage: 'waiting' | 'checking' | 'sending' | 'sent' | 'read' | 'failed';
-  bytes: number; // of the stage that are done
+  bytes: number; // the part of the file that the present stage has done
   upload?: Upload;
   fault?: string;
 }
 
-/** Files that were given together and are read together: a dataset may lie in several. */
+/** Files that were chosen together and are ingested together, because a dataset may be spread over several. */
 export interface Import {
   number: number;
   files: SentFile[];
@@ -57,13 +57,13 @@ export function forgetImport(number: number): void {
 export const isLive = ({ state }: Import): boolean => state.stage === 'sending' || state.stage === 'reading';
 export const importing = computed(() => imports.value.some(isLive));
 
-/** Uploads of the files that a report speaks of: it names those that were read together, joined by " + ". */
+/** The uploads of the files that a report is about: it names files that were ingested together, joined by " + ". */
 export function uploadsOf(report: FileReport, files: SentFile[]): Upload[] {
   const names = report.file.split(' + ');
   return files.flatMap(({ upload }) => (upload && names.includes(upload.name) ? [upload] : []));
 }
 
-/** Names that differ from each other, as the server's reader tells files apart by them. */
+/** Different names for the files, because the server distinguishes files by their names. */
 export function distinct(names: string[]): string[] {
   const used = new Set<string>();
   return names.map((name) => {

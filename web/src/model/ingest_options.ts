@@ -1,13 +1,13 @@
 import type { IngestOptions, Position } from '../contract/data_types';
 import { parsePosition } from '../geo/coordinates';
 
-/** What a person says about files beyond the files themselves: texts until they are sent; empty where the file decides. */
+/** The form of options for files, as texts; empty: the file decides. */
 export type IngestForm = Record<OptionName, string>;
 export type OptionName = keyof IngestOptions;
 
 interface Option {
   title: string;
-  choices?: [value: string, title: string][]; // else free text
+  choices?: [value: string, title: string][]; // if missing, free text
   placeholder?: string;
 }
 
@@ -42,20 +42,20 @@ export const emptyForm = Object.fromEntries(optionNames.map((name) => [name, '']
 const optionNamed = (flag: string): OptionName | undefined => optionNames.find((name) => name === flag.replaceAll('-', '_'));
 const flags = /--([a-z-]+[a-z])/g;
 
-/** The options that a refusal asks for: it names them as the command line does. */
+/** The options that a refusal asks for; it names them by their command line flags. */
 export function askedFor(errors: string[]): OptionName[] {
   const named = errors.flatMap((text) => [...text.matchAll(flags)].flatMap(([, flag = '']) => optionNamed(flag) ?? []));
   return optionNames.filter((name) => named.includes(name));
 }
 
-/** A refusal with its options as the form calls them. */
+/** A refusal with the form's names of the options. */
 export const inWords = (error: string): string =>
   error.replace(flags, (whole, flag: string) => {
     const option = optionNamed(flag);
     return option ? `“${ingestOptions[option].title}”` : whole;
   });
 
-/** The options as the request states them, or what is wrong with them. */
+/** The options in the form of the request, or the faults in them. */
 export function optionsOf(form: IngestForm): { options: IngestOptions } | { fault: string } {
   const isText = (name: OptionName) => name !== 'at' && name !== 'missing';
   const stated = optionNames.filter((name) => isText(name) && form[name].trim() !== '').map((name) => [name, form[name].trim()]);

@@ -26,11 +26,11 @@ const stages: Record<string, string> = {
 
 const impossible = 'not possible as asked: ';
 
-/** Why the route of a running job is not possible as asked, while the server looks for what would help. */
+/** Why the requested route of a running job is impossible, while the server searches for changes that would help. */
 export const causeIn = (status: JobStatus | undefined): string | undefined =>
   status?.stage.startsWith(impossible) ? asSentence(status.stage.slice(impossible.length)) : undefined;
 
-/** How a job ended, in a list; one that was done may have found that there is no route. */
+/** The end of a job, for a list; a job that was done may have found that there is no route. */
 export const outcomeTitle = ({ status, message }: JobStatus): string =>
   status === 'successful' && message.startsWith('no route') ? 'no route' : status;
 
@@ -43,7 +43,7 @@ export function stageTitle(status: JobStatus | undefined): string {
   return stages[stage] ?? (stage ? stage.charAt(0).toUpperCase() + stage.slice(1).replaceAll('_', ' ') : 'Working');
 }
 
-/** What stands in the way where the currents are too strong, end before the route, or do not cover it. */
+/** The reason if the currents are too strong, end before the route, or do not cover it. */
 const ofCurrents = ['current', 'data_area', 'data_period'];
 
 /** Whether there may be a plan without currents. */

@@ -2,7 +2,7 @@ import type { Position } from '../contract/data_types';
 import { projectionCodes, type ProjectionCode } from '../geo/projections';
 import { isoOf } from './time';
 
-/** What an address carries, so that a colleague opens the same view. */
+/** The content of an address, with which another user opens the same view. */
 export interface Link {
   projection?: ProjectionCode;
   centre?: Position;
@@ -27,7 +27,7 @@ export function written({ projection, centre, metresPerPixel, time_ms, hidden, p
   return parts.toString().replaceAll('%2C', ',').replaceAll('%3A', ':');
 }
 
-/** What can be read of an address; whatever cannot is left out. */
+/** The readable parts of an address; the others are ignored. */
 export function readLink(hash: string): Link {
   const parts = new URLSearchParams(hash.replace(/^#/, ''));
   const list = (name: string): string[] | undefined => parts.get(name)?.split(',').filter((word) => /^[\w-]{1,64}$/.test(word));

@@ -9,19 +9,19 @@ export interface Caller {
   expires?: string; // of a login that was made in this page
 }
 
-/** Who the server takes the person for; undefined as long as it has not said so. */
+/** The user as identified by the server; undefined until it has answered. */
 export const caller = signal<Caller | undefined>(undefined);
 
-/** Set while the server answers nobody without a token: at first, or because a login has ended. */
+/** Set while the server requires a token: at first, or because a login has ended. */
 export const locked = signal<'first' | 'ended' | undefined>(undefined);
 
-/** What the server calls everyone as long as its store holds no token. */
+/** The server's name for all users while its store has no token. */
 const everyone = 'local';
 
-/** The one who signed in; undefined also where nobody has to. */
+/** The user who signed in; undefined if no login is needed. */
 export const signedIn = computed(() => (caller.value?.name === everyone ? undefined : caller.value));
 
-/** The server has answered that it knows nobody who asks: they are asked for their token. */
+/** Asks for a token, because the server has refused an unidentified caller. */
 export function lock(): void {
   locked.value = caller.peek() ? 'ended' : 'first';
   dialog.value = 'login';
@@ -34,7 +34,7 @@ export function unlock(who: Caller): void {
 
 const roles: readonly Role[] = ['viewer', 'pilot', 'admin'];
 
-/** What a role may, in the words of the login dialog. */
+/** The permissions of a role, as shown in the login dialog. */
 export const rights: Record<Role, string> = {
   viewer: 'look at everything and export missions',
   pilot: 'look, plan, simulate and add data',
@@ -46,14 +46,14 @@ export function may(role: Role): boolean {
   return who === undefined || roles.indexOf(who.role) >= roles.indexOf(role);
 }
 
-/** Why something is not for this person, told before it is tried; undefined where it is. */
+/** Why the user may not do this; undefined if allowed. */
 export function whyNot(role: Role, what: string): string | undefined {
   const who = caller.value;
   if (!who || may(role)) return undefined;
   return `${what} needs the role ${role}; you are signed in as ${who.name}, ${who.role}.`;
 }
 
-/** Whether an action is refused here, and then says so: for what keys and gestures begin. */
+/** Whether an action is not allowed; if so, shows the reason. For actions started by keys and gestures. */
 export function forbids(role: Role, what: string): boolean {
   const reason = whyNot(role, what);
   if (reason !== undefined) tell(reason);

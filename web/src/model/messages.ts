@@ -9,13 +9,13 @@ export type Rank = Message['rank'];
 /** Ranks, the most serious first. Danger: the vehicle may be lost. Caution: the plan may fail. Note: good to know. */
 export const ranks: readonly Rank[] = ['danger', 'caution', 'note'];
 
-/** How the server marks a danger where nothing else shows the rank. */
+/** The server's mark of a danger in places that show no rank. */
 const mark = /^Danger: /;
 
 /** A sentence without a known code. Answers that were stored before messages had codes hold such sentences. */
 export const bareMessage = (rank: Rank, text: string): Message => ({ code: '', rank, place: null, values: {}, text: text.replace(mark, '') });
 
-/** What an answer of the server tells the pilot, the gravest first. */
+/** The messages of an answer for the pilot, the most serious first. */
 export function messagesOf({ messages, dangers = [], warnings }: Told): Message[] {
   if (messages) return messages;
   return [
@@ -29,7 +29,10 @@ export const ofRank = (told: Told, rank: Rank): Message[] => messagesOf(told).fi
 /** "1 danger", "3 cautions" */
 export const countOf = (count: number, rank: Rank): string => `${count} ${rank}${count === 1 ? '' : 's'}`;
 
-/** To be read out after a result: " 1 danger. 2 cautions."; empty where there are none. Notes can wait. */
+/**
+ * The text for screen readers after a result: " 1 danger. 2 cautions."; empty if there are none. Notes are not
+ * announced.
+ */
 export function warnedOf(told: Told): string {
   const counted = (['danger', 'caution'] as const).map((rank) => ({ rank, count: ofRank(told, rank).length }));
   return counted.filter(({ count }) => count > 0).map(({ rank, count }) => ` ${countOf(count, rank)}.`).join('');

@@ -19,10 +19,13 @@ export const asSentence = (text: string): string => {
   return begun + (isOpen ? '.' : '');
 };
 
-/** A place as the server's sentences have it: longitude and latitude to four decimals. */
+/** A position in the server's sentences: longitude and latitude to four decimals. */
 const placeInText = /(-?\d{1,3}\.\d{4}), (-?\d{1,2}\.\d{4})/g;
 
-/** A sentence of the server in the words of this page: “Longest hold” where it says --max-hold, and positions as the page writes them. */
+/**
+ * A sentence of the server in the terms of this page: “Longest hold” for --max-hold, and positions in the page's
+ * notation.
+ */
 export const inPageWords = (text: string): string =>
   text
     .replace(orderOfNumbers, '')

@@ -6,7 +6,7 @@ import { changeBerg } from './hand_made';
 import { announce, dialog } from './screen';
 import { tool } from './view';
 
-/** Gives a place on the map to the tool that waits for one. `probe` is called where the tool asks what is known at the place. */
+/** Passes a place on the map to the tool that waits for one. `probe` is called for the probe tool. */
 export function takePlace(place: Position, probe: (place: Position) => void): void {
   const written = editablePosition(place);
   switch (tool.peek()) {
@@ -36,7 +36,7 @@ export function takePlace(place: Position, probe: (place: Position) => void): vo
       probe(place);
       return;
     case 'area':
-    case 'zone': // the drawing tool takes it
+    case 'zone': // the drawing tool handles it
     case 'pan':
   }
 }

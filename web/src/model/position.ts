@@ -3,7 +3,7 @@ import type { Box, Position } from '../contract/data_types';
 import { contains } from '../geo/boxes';
 import { parsePosition, type Parsed } from '../geo/coordinates';
 
-/** The area of the stored data that a plan needs; undefined where it is not known yet, or there are none. */
+/** The area of the stored data that a plan needs; undefined if it is not known yet or there are no data. */
 export const dataArea = signal<Box | undefined>(undefined);
 
 const isNear = ([lon, lat]: Position): boolean => !dataArea.value || contains(dataArea.value, [lon, lat, lon, lat]);

@@ -14,10 +14,10 @@ export const probed = signal<{ lon: number; lat: number; answer: Probe | undefin
 /** The last answer for the pointer, and where it was then. */
 export const readOut = signal<{ place: Position; answer: Probe } | undefined>(undefined);
 
-/** The datasets that the server is to ask; of a kind of which none is among them it takes those that a plan would take. */
+/** The datasets that the server is asked for; for a kind with none of them it takes those that a plan would take. */
 export const probedDatasets = computed<string[]>(() => [...namedDatasets.value, ...(icebergChoice.value?.datasets ?? [])]);
 
-/** Whether plans of the set-up, and so the map, do without the data of a kind. */
+/** Whether plans of the set-up, and therefore the map, do not use a kind of data. */
 export const isLeftOut = (kind: PlanningKind): boolean => draft.value[kind] === 'none';
 
 export const bedInWords = ({ land, depth_m }: Probe): string => (land ? 'land' : depth(depth_m));

@@ -2,7 +2,7 @@ import { computed, effect, signal } from '@preact/signals';
 import type { CoordinateStyle } from '../geo/coordinates';
 import { projectionCodes, type ProjectionCode } from '../geo/projections';
 
-/** How a person wants the screen to look; kept in this browser. */
+/** Settings of the user for the screen, stored in this browser. */
 export interface Settings {
   projection: ProjectionCode;
   distance: 'km' | 'nm';

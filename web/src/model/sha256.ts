@@ -1,4 +1,7 @@
-/** The digest of a file taken in pieces, so that no file is ever held whole. Source  FIPS 180-4, section 6.2. */
+/**
+ * The digest of a file that is read in pieces, so that it is never in memory as a whole. Source  FIPS 180-4, section
+ * 6.2.
+ */
 
 const primes = ((): number[] => {
   const found: number[] = [];

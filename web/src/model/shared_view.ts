@@ -6,7 +6,7 @@ import { selectedId, shown } from './plan/plans';
 import { change, projection } from './settings';
 import { view } from './view';
 
-/** What the address of the page asked for when it was opened. */
+/** The view in the address of the page when it was opened. */
 export const opening: Link = readLink(location.hash);
 
 const pause_ms = 300;

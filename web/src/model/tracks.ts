@@ -5,7 +5,7 @@ import { destination, inverse } from '../geo/geodesic';
 /** The stored tracks of gliders. */
 export const gliderTracks = signal<GliderTrackFeature[]>([]);
 
-/** The track that a person asked to see. The clock then covers its period, however long ago that is. */
+/** The track that the user chose. The clock then covers its period, however long ago that is. */
 export const chosenTrackId = signal<GliderTrackFeature['id'] | undefined>(undefined);
 export const chosenTrack = computed(() => gliderTracks.value.find(({ id }) => id === chosenTrackId.value));
 

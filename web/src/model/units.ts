@@ -1,6 +1,6 @@
 import { settings } from './settings';
 
-/** Figures with their unit; "–" where there is no value, never 0. */
+/** Numbers with their unit; "–" if there is no value, never 0. */
 
 const metresPerNauticalMile = 1852;
 const knotsPerMetreSecond = 3600 / 1852;

@@ -1,14 +1,14 @@
 import { signal } from '@preact/signals';
 
 interface SeaIcePalette {
-  veil: string; // laid once over each step of concentration
+  veil: string; // colour laid over the map once for each step of concentration
   hatch: string;
   edge: string;
   figure: string;
   unknown: string; // hatching where the data have no value
 }
 
-/** Colours that are painted rather than styled: the map's canvases cannot read style sheets. */
+/** Colours for painting on the map's canvases, which cannot read style sheets. */
 export interface Palette {
   sea: string;
   depthTints: readonly [string, string, string, string, string]; // shallow to deep
@@ -123,8 +123,8 @@ export interface Hatch {
 }
 
 /**
- * What each step of concentration adds to the one before: dots, slanting lines, more of them, lines across. Denser means more ice
- * without any colour, on paper and for every eye.
+ * The marks that each step of concentration adds: dots, slanting lines, more of them, crossing lines. Denser means more
+ * ice, without colour.
  */
 export const seaIceHatches: readonly [Hatch, Hatch, Hatch, Hatch] = [
   { tile_px: 12, marks: 'M3 9 h0.01 M9 3 h0.01', width: 2 },

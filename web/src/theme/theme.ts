@@ -2,7 +2,7 @@ import { effect, signal } from '@preact/signals';
 import { settings } from '../model/settings';
 import { dark, light, palette } from './palette';
 
-/** Carries the chosen theme, or the system's, to the style sheet and to the painted colours. Call once. */
+/** Applies the chosen theme, or the system's, to the style sheet and to the painted colours. Call once. */
 export function followTheme(): void {
   const query = window.matchMedia('(prefers-color-scheme: dark)');
   const systemIsDark = signal(query.matches);

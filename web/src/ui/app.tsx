@@ -20,7 +20,7 @@ const JobsDialog = dialogLater(async () => (await import('./dialogs/jobs_dialog'
 const ExportDialog = dialogLater(async () => (await import('./export/export_dialog')).ExportDialog);
 const CompareDialog = dialogLater(async () => (await import('./plans/compare_dialog')).CompareDialog);
 
-/** The screen: left what is asked, right what was got, below one clock, the map between. */
+/** The screen: on the left the set-up, on the right the results, the clock below, the map between them. */
 export function App(): VNode {
   return (
     <div class="app" data-drawer={drawer.value}>

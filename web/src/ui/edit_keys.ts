@@ -6,10 +6,10 @@ import { tool, view } from '../model/view';
 
 const step_m = { plain: 100, shift: 1000, alt: 10 };
 
-/** Where the arrows point on the screen, clockwise from up. */
+/** Directions of the arrow keys on the screen, clockwise from up. */
 const arrows_deg: Record<string, number> = { ArrowUp: 0, ArrowRight: 90, ArrowDown: 180, ArrowLeft: 270 };
 
-/** Keys of the route under change; true when the key was one of them. */
+/** Handles keys for the edited route; true if the key was used. */
 export function editByKey(event: KeyboardEvent): boolean {
   const edit = openEdit.peek();
   if (!edit || event.ctrlKey || event.metaKey) return false;
@@ -33,7 +33,7 @@ export function editByKey(event: KeyboardEvent): boolean {
   return true;
 }
 
-/** Tab goes from waypoint to waypoint; past either end it leaves the map as everywhere. */
+/** Tab selects the next waypoint; after the last or before the first it leaves the map as usual. */
 function nextByKey(event: KeyboardEvent, chosen: number | undefined, last: number): boolean {
   const next = chosen === undefined ? undefined : chosen + (event.shiftKey ? -1 : 1);
   if (next === undefined || next < 0 || next > last) return false;

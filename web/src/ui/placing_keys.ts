@@ -9,13 +9,13 @@ import { tool, view } from '../model/view';
 
 const focusedMap = (): Element | null => document.querySelector('#map:focus-visible');
 
-/** A tool that was chosen by key goes on by key: its place is the middle of the map. */
+/** After a tool was chosen by key, moves the focus to the map, whose middle is then its place. */
 export function goOnByKey(event: MouseEvent): void {
   const isByKey = event.detail === 0;
   if (isByKey && tool.peek() !== 'pan') document.getElementById('map')?.focus();
 }
 
-/** Space sets the place under the cross in the middle of the map, or a corner there; Enter too, where there are no corners to close. */
+/** Space sets the place (or corner) at the cross in the map's middle; Enter does so too unless it closes an area. */
 export function placeByKey(event: KeyboardEvent): boolean {
   const place = view.peek()?.centre;
   const isKey = event.key === ' ' || (event.key === 'Enter' && !isDrawing.peek());
@@ -25,7 +25,7 @@ export function placeByKey(event: KeyboardEvent): boolean {
   return true;
 }
 
-/** Reads out what lies under the cross whenever the map has come to rest. Call once. */
+/** Announces the position at the cross when the map stops moving. Call once. */
 export function readOutCross(): void {
   effect(() => {
     const now = view.value;

@@ -61,11 +61,11 @@ const actions: Record<string, () => void> = {
 const takesText = 'input:not([type=range]):not([type=checkbox]):not([type=radio]), textarea, select';
 const takesSpace = 'button, a, summary, input[type=checkbox], input[type=radio]';
 
-/** Fields whose text is taken in when it is complete: until then the browser's own undo of letters is the better one. */
+/** Text fields whose value is used only when it is complete: until then the browser's own undo of letters is used. */
 const undoesLetters = 'textarea, input:not([type=range]):not([type=checkbox]):not([type=radio])';
 const takesLetters = 'form.setup input';
 
-/** Ctrl+Z, and with Shift or as Ctrl+Y the way back; whether the key was one of them. */
+/** Handles undo (Ctrl+Z) and redo (Ctrl+Shift+Z, Ctrl+Y); true if the key was one of them. */
 function undoByKey(event: KeyboardEvent, target: Element | undefined): boolean {
   if (!(event.ctrlKey || event.metaKey) || event.altKey) return false;
   if (target?.matches(undoesLetters) && !target.matches(takesLetters)) return false;
@@ -76,11 +76,11 @@ function undoByKey(event: KeyboardEvent, target: Element | undefined): boolean {
   return true;
 }
 
-/** Single keys, as long as no text field or dialog has the focus and the person has not switched them off. */
+/** Handles single-key shortcuts, unless a text field or dialog has the focus or the user has switched them off. */
 export function listenForShortcuts(): void {
   document.addEventListener('keydown', (event) => {
     if (event.key === 'Escape' && dialog.peek() === undefined) {
-      if (tool.peek() === 'safe') dialog.value = 'export'; // where the place was to be picked from
+      if (tool.peek() === 'safe') dialog.value = 'export'; // the dialog from which the tool was chosen
       tool.value = 'pan';
       selectedWaypoint.value = undefined;
       openBergId.value = undefined;

@@ -21,7 +21,7 @@ constexpr std::uint64_t i_runs_west = 0x80;
 constexpr std::uint64_t j_runs_north = 0x40;
 constexpr std::uint64_t offset_rows = 0x0F;
 
-/// The octets at which the templates have what they share.
+/// Octet numbers of the values that all templates have.
 struct Octets {
   std::size_t first_lat{};
   std::size_t first_lon{};
@@ -35,7 +35,7 @@ constexpr Octets of_latitude_longitude{47, 51, 55, 64, 68, 72};  // templates 3.
 constexpr Octets of_mercator{39, 43, 47, 65, 69, 60};            // template 3.10
 constexpr Octets of_plane{39, 43, 47, 56, 60, 65};               // templates 3.20, 3.30
 
-/// Nodes along one axis in ascending order: the first one of the file, and the last.
+/// `count` equidistant nodes between the file's first and last node, in ascending order.
 std::vector<double> nodes_between(double first, double last, std::size_t count) {
   const double low = std::min(first, last);
   const double step = count > 1 ? std::abs(last - first) / static_cast<double>(count - 1) : 0.0;
@@ -88,7 +88,7 @@ class GridReader {
     return static_cast<double>(section_.signed_at(octet, 4)) * 1e-6;
   }
 
-  /// Degrees in one unit of an angle of templates 3.0 and 3.1.
+  /// Degrees per unit of the angles in templates 3.0 and 3.1.
   [[nodiscard]] double angle_unit() const {
     const std::uint64_t basic = section_.at(39, 4);
     const std::uint64_t parts = section_.at(43, 4);
@@ -98,7 +98,7 @@ class GridReader {
     return static_cast<double>(basic) / static_cast<double>(parts);
   }
 
-  /// Degrees between neighbours; nullopt where the file does not state them.
+  /// Degrees between neighbouring nodes; nullopt if the file does not state the increment.
   [[nodiscard]] std::optional<double> increment(std::size_t octet, std::uint64_t flag) const {
     const bool given = (section_.at(octets().component_flags, 1) & flag) != 0;
     if (!given || section_.is_missing(octet, 4) || section_.at(octet, 4) == 0) return std::nullopt;
@@ -112,13 +112,14 @@ class GridReader {
                                                                      (sense > 0.0 ? up : down) + step));
   }
 
-  /// "in 12 steps of 0.25 degrees", where a file states the step.
+  /// ", in 12 steps of 0.25 degrees"; empty if the file does not state the step.
   [[nodiscard]] static std::string in_words(std::size_t count, std::optional<double> step) {
     if (!step) return {};
     return ", in " + std::to_string(count - 1) + " steps of " + number(*step, 9) + " degrees";
   }
 
-  /// By how much the last node may lie beside its place: increments and nodes are rounded to their unit.
+  /// By how much the stated last node may differ from the computed one: increments and nodes are rounded to
+  /// their unit.
   [[nodiscard]] double rounding(std::size_t count, double step) const {
     return std::max(0.25 * step, angle_unit() * (0.5 * static_cast<double>(count) + 2.0));
   }
@@ -141,7 +142,7 @@ class GridReader {
     return nodes_between(first, last, count);
   }
 
-  /// Longitudes of the columns, from the western edge on, which lies within -180 and 180.
+  /// Longitudes of the columns in ascending order. The first, the western edge, lies between -180 and 180.
   [[nodiscard]] std::vector<double> longitudes() const {
     const double first = static_cast<double>(section_.signed_at(51, 4)) * angle_unit();
     const auto step = increment(64, 0x20);
@@ -183,7 +184,7 @@ class GridReader {
     return {longitudes(), latitudes(), std::move(plane)};
   }
 
-  /// The figure of the Earth by code table 3.2; an inverse flattening of 0 is a sphere.
+  /// The figure of the Earth (code table 3.2); an inverse flattening of 0 means a sphere.
   [[nodiscard]] std::shared_ptr<OGRSpatialReference> figure() const {
     const auto scaled = [&](std::size_t scale, std::size_t value) {
       return static_cast<double>(section_.at(value, 4)) *
@@ -214,14 +215,14 @@ class GridReader {
     }
   }
 
-  /// Metres between neighbours of a projection.
+  /// Metres between neighbouring nodes of a projection.
   [[nodiscard]] double spacing_m(std::size_t octet) const {
     if (section_.at(octet, 4) == 0 || section_.is_missing(octet, 4))
       fail_grib(messages::ingest_grib_message<"grib-spacing-missing">());
     return static_cast<double>(section_.at(octet, 4)) * 1e-3;
   }
 
-  /// From the first node on, which the projection puts on its plane.
+  /// The grid on a projection plane: projects the first node and continues with the increments.
   [[nodiscard]] GribGrid on(std::shared_ptr<OGRSpatialReference> plane) const {
     plane->SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
     const std::unique_ptr<OGRSpatialReference> geographic{plane->CloneGeogCS()};
@@ -245,7 +246,8 @@ class GridReader {
   [[nodiscard]] GribGrid on_mercator() const {
     if (section_.at(61, 4) != 0) fail_grib(messages::ingest_grib_message<"grib-mercator-turned">());
     auto plane = figure();
-    // The meridian of the first node, so that no seam lies within the grid.
+    // The meridian of the first node is the central one, so that the grid does not cross the seam at 180
+    // degrees from it.
     const double first_lon = micro_degrees(43);
     if (plane->SetMercator2SP(micro_degrees(48), 0.0, first_lon, 0.0, 0.0) != OGRERR_NONE) fail_unusable();
     GribGrid grid = on(std::move(plane));
@@ -253,7 +255,7 @@ class GridReader {
     return grid;
   }
 
-  /// Where a Mercator grid ends by its increments has to be where it says that it ends.
+  /// Refuses a Mercator grid whose stated last node is not where its increments end.
   void refuse_another_end(const GribGrid& grid) const {
     if (section_.is_missing(52, 4) || section_.is_missing(56, 4)) return;
     OGRSpatialReference plane{*grid.plane};
@@ -279,7 +281,8 @@ class GridReader {
     const double pole = (centre & 0x80U) != 0 ? -1.0 : 1.0;
     const double true_lat = micro_degrees(48);
     if (true_lat == 0.0) fail_grib(messages::ingest_grib_message<"grib-polar-scale-missing">());
-    // Some producers give that latitude without its sign; then the first node has to lie on that side.
+    // Some producers give this latitude without its sign. The first node must then lie in the pole's
+    // hemisphere.
     if (pole * true_lat < 0.0 && pole * micro_degrees(39) <= 0.0)
       fail_grib(messages::ingest_grib_message<"grib-pole-contradicts">(pole > 0.0 ? "north" : "south"));
     auto plane = figure();

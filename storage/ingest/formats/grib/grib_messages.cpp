@@ -37,7 +37,7 @@ double seconds_of_unit(std::uint64_t unit) {
   }
 }
 
-/// Whether vectors of a grid are along its axes, by the resolution and component flags of its template.
+/// Whether vectors point along the grid's axes; the resolution and component flags of its template say so.
 bool is_along_grid(const GribSection& grid, int grid_template) {
   const bool latitude_longitude = grid_template == 0 || grid_template == 1;
   const bool projected = grid_template == 10 || grid_template == 20 || grid_template == 30;
@@ -47,7 +47,7 @@ bool is_along_grid(const GribSection& grid, int grid_template) {
   return (flags & 8U) != 0;
 }
 
-/// Value of a surface, whose scale factor stands at octet `first`; empty if the value is missing.
+/// Value of a surface: scale factor at octet `first`, scaled value behind it; empty if missing.
 std::optional<double> surface_value(const GribSection& product, std::size_t first) {
   if (product.is_missing(first, 1) && product.is_missing(first + 1, 4)) return std::nullopt;
   return static_cast<double>(product.signed_at(first + 1, 4)) *
@@ -80,7 +80,7 @@ void describe_product(GribField& field, const GribSection& product, double refer
   const double begins_s = field.valid_s;
   field.valid_s = seconds_of_date(product, end_of_period);
   const auto statistic = static_cast<int>(product.at(end_of_period + 12, 1));
-  field.statistic = statistic == 255 ? 0 : statistic;  // 255: not told
+  field.statistic = statistic == 255 ? 0 : statistic;  // 255: not stated
   if (statistic == 0 && begins_s < field.valid_s) field.valid_s = (begins_s + field.valid_s) / 2.0;
 }
 
@@ -128,7 +128,7 @@ class Walker {
     const std::uint64_t kind = head.at(5, 1);
     if (length < 5 || length - 5 > end - at_) fail_cut_grib();
     if (kind < 1 || kind > 7) fail_cut_grib();
-    if (kind == 2 || kind >= 5) {  // local use, and what GDAL decodes
+    if (kind == 2 || kind >= 5) {  // section 2 is for local use; GDAL decodes sections 5 and later
       at_ += length - 5;
       if (kind == 7) add(field, reference_s);
       return;
@@ -137,7 +137,7 @@ class Walker {
     const GribSection section{head.octets() + take(length - 5)};
     if (kind == 1) {
       reference_s = seconds_of_date(section, 13);
-      const bool is_run = section.at(12, 1) <= 1;  // code table 1.2: analysis, start of forecast
+      const bool is_run = section.at(12, 1) <= 1;  // code table 1.2: 0 analysis, 1 start of forecast
       field.run_s = is_run ? reference_s : std::nullopt;
     }
     if (kind == 3) {

@@ -9,7 +9,8 @@
 
 namespace floeplan::ingest {
 
-/// Thrown where a GRIB2 file cannot be followed, with the message of its refusal; caught at the readers' edges.
+/// Thrown when a GRIB2 file cannot be read, with the message of its refusal. The readers' public functions
+/// catch it.
 struct BadGrib {
   messages::Message reason;
 };
@@ -18,7 +19,7 @@ struct BadGrib {
 
 [[noreturn]] inline void fail_cut_grib() { fail_grib(messages::ingest_grib_message<"grib-cut-short">()); }
 
-/// Numbers out of a section of a GRIB2 message, by the octet numbers of the manual (from 1).
+/// Reads numbers from a section of a GRIB2 message; octets are counted from 1, as in the manual.
 /// Errors  BadGrib for octets beyond its end
 class GribSection {
  public:
@@ -31,14 +32,14 @@ class GribSection {
       value = value << 8U | static_cast<unsigned char>(octets_[first - 1 + i]);
     return value;
   }
-  /// The first bit is the sign.
+  /// A signed number: its first bit is the sign, the others the magnitude.
   [[nodiscard]] std::int64_t signed_at(std::size_t first, std::size_t count) const {
     const std::uint64_t value = at(first, count);
     const std::uint64_t sign = std::uint64_t{1} << (8 * count - 1);
     const auto size = static_cast<std::int64_t>(value & ~sign);
     return (value & sign) != 0 ? -size : size;
   }
-  /// Whether all bits of a number are set, which says that it is missing.
+  /// Whether all bits of a number are set, which marks a missing value.
   [[nodiscard]] bool is_missing(std::size_t first, std::size_t count) const {
     return at(first, count) == (count == 8 ? ~std::uint64_t{0} : (std::uint64_t{1} << (8 * count)) - 1);
   }

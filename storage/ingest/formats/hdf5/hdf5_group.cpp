@@ -15,16 +15,16 @@ using Attribute = Hdf5Handle<H5Aclose>;
 using Type = Hdf5Handle<H5Tclose>;
 using Space = Hdf5Handle<H5Sclose>;
 
-constexpr std::size_t longest_text = 65'536;   // bytes; the head of an object, which holds it, has no more
-constexpr hssize_t most_numbers = 10'000'000;  // chosen: as many as a grid may have points
-constexpr hssize_t most_texts = 1000;          // chosen: tables of texts describe what a product has
+constexpr std::size_t longest_text = 65'536;   // bytes; texts lie in an object header, which is no larger
+constexpr hssize_t most_numbers = 10'000'000;  // the largest number of points of a grid
+constexpr hssize_t most_texts = 1000;          // chosen: tables of texts describe the values of a product
 constexpr std::size_t largest_number = 16;     // bytes of one number
 
 tl::unexpected<Messages> unreadable_part(const std::string& name) {
   return refuse(messages::ingest_hdf5_message<"hdf-part-unreadable">(name));
 }
 
-/// A single attribute that holds a single value; an invalid handle where there is none.
+/// The attribute with this name if it holds a single value; otherwise an invalid handle.
 Attribute single_attribute(hid_t object, const std::string& name) {
   if (H5Aexists(object, name.c_str()) <= 0) return Attribute{H5I_INVALID_HID};
   Attribute attribute{H5Aopen(object, name.c_str(), H5P_DEFAULT)};
@@ -34,12 +34,12 @@ Attribute single_attribute(hid_t object, const std::string& name) {
   return attribute;
 }
 
-/// A text that the library fills up to `most` bytes with zeros or blanks.
+/// A text in a buffer of `most` bytes, which the library fills up with zeros or blanks.
 std::string bounded_text(const char* bytes, std::size_t most) {
   return trimmed({bytes, strnlen(bytes, most)});
 }
 
-/// The type in memory that takes a text of this type of a file: its length, its characters and its padding are kept.
+/// The type in memory for a text of this type of a file; it keeps length, character set and padding.
 Type text_in_memory(hid_t in_file) {
   Type type{H5Tcopy(H5T_C_S1)};
   const bool variable = H5Tis_variable_str(in_file) > 0;
@@ -49,13 +49,14 @@ Type text_in_memory(hid_t in_file) {
   return type;
 }
 
-/// The type of one part of a table's elements; an invalid handle where there is none.
+/// The type of one part of a table's elements; an invalid handle if there is no such part.
 Type type_of_part(hid_t compound, const std::string& part) {
   const int index = H5Tget_member_index(compound, part.c_str());
   return Type{index < 0 ? H5I_INVALID_HID : H5Tget_member_type(compound, static_cast<unsigned>(index))};
 }
 
-/// Whether every part lies inside an element of a table: the library copies each from where it is said to lie.
+/// Whether every part lies inside an element of a table. The library would copy a part from outside without a
+/// check.
 bool parts_lie_inside(hid_t compound) {
   const std::size_t size = H5Tget_size(compound);
   const int parts = H5Tget_nmembers(compound);
@@ -165,7 +166,7 @@ Checked<std::vector<std::string>> Hdf5Table::texts(const std::string& part) cons
 
 Checked<Hdf5Group> Hdf5Group::root_of(const std::filesystem::path& file) {
   const QuietHdf5 quiet;
-  // Objects keep the file open until the last of them is closed.
+  // Open objects keep the file open until the last of them is closed.
   const Hdf5Handle<H5Fclose> opened{H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT)};
   if (!opened) return unreadable_part(file.filename());
   Hdf5Group root;

@@ -19,16 +19,16 @@ class Hdf5Table {
   /// Length of each dimension.
   [[nodiscard]] const std::vector<std::size_t>& shape() const { return shape_; }
   [[nodiscard]] bool has(const std::string& part) const;
-  /// One part of so many rows from one on, of a table of two dimensions.
+  /// One part of `rows` rows from `first_row` on, in a table of two dimensions.
   /// Shape   [row][column]
-  /// Errors  no such part, or one that is no number; damage
+  /// Errors  there is no such part, or it is not numeric; damage
   [[nodiscard]] Checked<std::vector<float>> numbers(const std::string& part, std::size_t first_row,
                                                     std::size_t rows) const;
   /// One part of all elements, whatever the shape, the last index fastest.
-  /// Errors  no such part, or one that is no number; more than ten million elements; damage
+  /// Errors  there is no such part, or it is not numeric; more than ten million elements; damage
   [[nodiscard]] Checked<std::vector<double>> all_numbers(const std::string& part) const;
   /// One part of all elements of a table of one dimension.
-  /// Errors  no such part, or one that is no text; more than a thousand elements; damage
+  /// Errors  there is no such part, or it is no text; more than a thousand elements; damage
   [[nodiscard]] Checked<std::vector<std::string>> texts(const std::string& part) const;
 
  private:
@@ -39,7 +39,7 @@ class Hdf5Table {
   std::vector<std::size_t> shape_;
 };
 
-/// A group of an HDF5 file, opened for reading. Whoever opens a file has let check_hdf5_references look at it.
+/// A group of an HDF5 file, opened for reading. Call check_hdf5_references on the file first.
 /// Threads  one thread at a time
 class Hdf5Group {
  public:
@@ -50,14 +50,14 @@ class Hdf5Group {
   [[nodiscard]] std::optional<double> number(const std::string& attribute) const;
   /// An attribute that is one text, without the blanks round it.
   [[nodiscard]] std::optional<std::string> text(const std::string& attribute) const;
-  /// What a dataset of single characters spells, as NetCDF writes its texts; empty where there is none, or a longer one
-  /// than a thousand.
+  /// The text of a dataset of single characters, as NetCDF stores texts; empty if there is no such dataset or
+  /// it is longer than a thousand characters.
   [[nodiscard]] std::string characters(const std::string& dataset) const;
-  /// The rows of a dataset of whole numbers with so many columns, one after the other.
-  /// Errors  there is none of this name and shape; more than ten million rows; damage
+  /// The rows of a dataset of whole numbers with this number of columns, one after the other.
+  /// Errors  no dataset of this name and shape; more than ten million rows; damage
   [[nodiscard]] Checked<std::vector<std::int64_t>> integers(const std::string& dataset,
                                                             std::size_t columns) const;
-  /// Names of what it holds, sorted.
+  /// Names of the group's members, sorted.
   [[nodiscard]] std::vector<std::string> members() const;
   /// Errors  there is none of this name; damage
   [[nodiscard]] Checked<Hdf5Group> group(const std::string& name) const;

@@ -25,7 +25,7 @@ class Hdf5Handle {
   hid_t id_;
 };
 
-/// The library prints each of its errors unless it is told not to, as it is while this lives.
+/// Switches off the library's printing of errors while an object of this class lives.
 class QuietHdf5 {
  public:
   QuietHdf5() {

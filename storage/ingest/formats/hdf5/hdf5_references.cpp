@@ -16,10 +16,11 @@ namespace floeplan::ingest {
 namespace {
 
 constexpr std::uintmax_t looked_at = 64U << 20U;
-constexpr std::string_view heap_signature{"GCOL\x01\0\0\0", 8};  // with its version, and zeros
-constexpr std::size_t heap_header_bytes = 16;                    // of a heap, and of an object in it
+constexpr std::string_view heap_signature{"GCOL\x01\0\0\0", 8};  // signature, version 1, three zero bytes
+// header of a heap, and of an object in a heap
+constexpr std::size_t heap_header_bytes = 16;
 
-/// A little-endian number; where lengths have eight bytes, as every library writes them today.
+/// A little-endian number at byte `at`. All libraries of today write lengths with eight bytes.
 template <class Number>
 Number heap_number(std::string_view bytes, std::size_t at) {
   Number number{};
@@ -27,7 +28,8 @@ Number heap_number(std::string_view bytes, std::size_t at) {
   return number;
 }
 
-/// Objects one after the other, padded to eight bytes; number 0 is the room that is left.
+/// Whether all objects fit into their heap. They follow each other, padded to eight bytes; object 0 is the
+/// free space.
 bool objects_fit(std::string_view heap) {
   std::size_t at = heap_header_bytes;
   while (at + heap_header_bytes <= heap.size()) {
@@ -40,9 +42,9 @@ bool objects_fit(std::string_view heap) {
   return true;
 }
 
-/// Whether the heaps in which an HDF5 file keeps texts and lists of varying length hold what they say: HDF5 1.10 copies as
-/// many bytes as an object claims to have, also from beyond its heap, and dies.
-/// Accuracy heaps in the first 64 MB are looked at, where nearly all files have theirs: more would take longer than
+/// Whether the heaps of an HDF5 file, which hold texts and lists of varying length, are consistent. HDF5 1.10
+/// copies as many bytes as an object claims, even from beyond its heap, and crashes. Accuracy only heaps in
+/// the first 64 MB are checked, where nearly all files have theirs; checking more takes longer than
 ///          reading the values
 /// Source   HDF5 file format specification 3.0, section III.E, "Disk Format: Level 1E - Global Heap"
 bool hdf5_heaps_are_whole(const std::filesystem::path& file) {
@@ -52,7 +54,8 @@ bool hdf5_heaps_are_whole(const std::filesystem::path& file) {
        at = all.find(heap_signature, at + 1)) {
     if (at + heap_header_bytes > all.size()) return true;
     const auto size = heap_number<std::uint64_t>(all, at + 8);
-    const bool goes_on = all.size() == looked_at && size > all.size() - at;  // beyond what is looked at
+    // the heap continues beyond the checked bytes
+    const bool goes_on = all.size() == looked_at && size > all.size() - at;
     if (goes_on) return true;
     if (size > all.size() - at || !objects_fit(all.substr(at, static_cast<std::size_t>(size)))) return false;
   }
@@ -64,7 +67,7 @@ bool is_built_in(H5Z_filter_t filter) {
   return filter >= H5Z_FILTER_DEFLATE && filter <= H5Z_FILTER_SCALEOFFSET;
 }
 
-/// Why a dataset cannot be read from this file and by this program alone; empty: it can.
+/// Why a dataset needs other files or programs to be read; empty if it does not.
 std::optional<std::string> foreign_part_of(hid_t creation) {
   const H5D_layout_t layout = H5Pget_layout(creation);
   if (layout == H5D_VIRTUAL) return "is put together from other files (a virtual dataset)";
@@ -83,7 +86,7 @@ std::optional<std::string> foreign_part_of(hid_t creation) {
   return std::nullopt;
 }
 
-/// The same of what a name stands for.
+/// The same for the object with this name in a group.
 std::optional<std::string> foreign_part_of(hid_t parent, const char* name) {
   const Hdf5Handle<H5Oclose> object{H5Oopen(parent, name, H5P_DEFAULT)};
   if (!object) return "cannot be opened";
@@ -93,8 +96,8 @@ std::optional<std::string> foreign_part_of(hid_t parent, const char* name) {
   return foreign_part_of(creation.get());
 }
 
-/// Looks at one link; `found` is a Checked<bool>. Stops at the first that leads out of the file, or that cannot be
-/// followed. A soft link leads to another name of this file, at which the walk looks, too.
+/// Called for each link of the file; `found` is a Checked<bool>. Stops at the first link that leads out of
+/// the file or cannot be followed. A soft link points to another name in this file, which is visited as well.
 herr_t visit(hid_t parent, const char* name, const H5L_info_t* link, void* found) {
   std::optional<std::string> reason;
   switch (link->type) {

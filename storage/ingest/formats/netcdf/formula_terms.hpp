@@ -7,8 +7,8 @@
 
 namespace floeplan::ingest {
 
-/// The variable that a vertical coordinate names for one of the terms of its formula ("depth: h"); empty when it names
-/// none, or is null.
+/// The variable that a vertical coordinate names for a term of its formula: "h" for "depth: h". Empty if it
+/// names none or `coordinate` is null.
 /// Source  CF conventions 1.8, section 4.3.3
 [[nodiscard]] inline std::string formula_term(const NetcdfVariable* coordinate, const std::string& wanted) {
   if (coordinate == nullptr) return {};
@@ -18,8 +18,8 @@ namespace floeplan::ingest {
   return {};
 }
 
-/// Whether a depth of the sea bed counts from the surface of the moment, so that the surface above its mean is part of
-/// it already.
+/// Whether a depth of the sea bed counts from the instantaneous sea surface. The elevation of the surface is
+/// then part of it already.
 [[nodiscard]] inline bool is_depth_of_the_moment(const NetcdfVariable& bed) {
   return bed.attribute("standard_name") == "sea_floor_depth_below_sea_surface";
 }

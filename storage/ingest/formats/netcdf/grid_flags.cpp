@@ -20,7 +20,8 @@ std::optional<std::size_t> position_in(const NetcdfVariable& flags, const Netcdf
   return static_cast<std::size_t>(found - all.begin());
 }
 
-/// The variable's layout over the dimensions of its flags; empty where they lack its plane, or lie along another one.
+/// The variable's layout, with the dimension numbers of its flags; empty if the flags lack one of the
+/// variable's horizontal dimensions, or have one that it lacks.
 std::optional<NetcdfLayout> layout_beside(const NetcdfVariable& flags, const NetcdfVariable& variable,
                                           const NetcdfLayout& layout) {
   const auto moved = [&](std::size_t dimension) {

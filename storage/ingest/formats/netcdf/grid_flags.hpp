@@ -10,13 +10,14 @@
 
 namespace floeplan::ingest {
 
-/// How many values carry flags.
+/// Numbers of values that are flagged as bad and as doubtful.
 struct FlagCount {
   std::int64_t bad{};
   std::int64_t doubtful{};
 };
 
-/// The counts for two components at the same points: of each kind the greater.
+/// The count for a vector of two components at the same points: the greater number of bad and of doubtful
+/// values.
 [[nodiscard]] inline FlagCount of_both(FlagCount a, FlagCount b) {
   return {std::max(a.bad, b.bad), std::max(a.doubtful, b.doubtful)};
 }
@@ -25,14 +26,15 @@ struct FlagCount {
 class GridFlags {
  public:
   GridFlags() = default;
-  /// Flags along all dimensions of the variable or along some, the plane among them. Told: flags whose meanings are not
-  /// known, and those that cannot be read beside the values, which stay unflagged.
+  /// Finds the flags that lie along all dimensions of the variable or some of them, the horizontal ones
+  /// included. Warns of flags whose meanings are not known and of flags that cannot be read; their values
+  /// count as not flagged.
   /// `layout`  of the variable
   GridFlags(const NetcdfFile& file, const NetcdfVariable& variable, const NetcdfLayout& layout,
             Messages& warnings);
 
   [[nodiscard]] bool empty() const { return flags_.empty(); }
-  /// For each value of a slice whether it is bad; values that are missing are none, and counted are neither.
+  /// Whether each value of a slice is bad. A missing value is neither bad nor counted.
   /// `values`  as read_slice gives them, NaN where missing
   [[nodiscard]] Checked<std::vector<bool>> bad_among(const std::vector<double>& values, std::size_t time,
                                                      std::size_t level, FlagCount& count) const;
@@ -40,7 +42,7 @@ class GridFlags {
  private:
   struct Flags {
     QualityFlags meaning;
-    NetcdfLayout layout;  // of the flags, with the nodes of the variable
+    NetcdfLayout layout;  // layout of the flags, with the nodes of the variable
   };
 
   std::vector<Flags> flags_;

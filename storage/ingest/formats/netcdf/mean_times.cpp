@@ -26,10 +26,11 @@ bool is_mean_over(const NetcdfVariable& variable, const NetcdfVariable& time) {
 
 Checked<AxisNodes> times_of_means(const NetcdfFile& file, const NetcdfVariable& variable,
                                   const NetcdfVariable& coordinate, AxisNodes stated, Messages& warnings) {
-  constexpr double most_moved_s = 1.0;  // rounding of times in files
+  constexpr double most_moved_s = 1.0;  // files round their times by less than this
   const NetcdfVariable* bounds = file.find(coordinate.attribute("bounds"));
   if (bounds == nullptr || !is_mean_over(variable, coordinate)) return stated;
-  // Bounds count as their coordinate does; what they state themselves is at most the same again, often cut short.
+  // Bounds have the unit and the calendar of their coordinate. Their own attributes only repeat these, and
+  // are often incomplete.
   const auto decoder = CfTime::parse(coordinate.attribute("units"), coordinate.attribute("calendar"));
   if (!decoder) return refuse(decoder.error());
   const auto edges = bounds->read_all();

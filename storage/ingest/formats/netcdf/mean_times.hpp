@@ -8,9 +8,9 @@
 
 namespace floeplan::ingest {
 
-/// The times of a variable that holds means over intervals: the middle of each interval, whichever moment of it the file
-/// states. Other variables, and files that do not state the intervals, keep their times.
-/// `stated`  as time_nodes reads them from `coordinate`
+/// The times of a variable that holds means over intervals: the middle of each interval, whether the file
+/// states its begin, middle or end. Times of other variables, and of files without intervals, stay unchanged.
+/// `stated`  the times that time_nodes reads from `coordinate`
 /// Errors    intervals that cannot be decoded, or that are not in the order of the times
 /// Source    CF conventions 1.8, sections 7.1 (bounds) and 7.3 (cell methods)
 [[nodiscard]] Checked<AxisNodes> times_of_means(const NetcdfFile& file, const NetcdfVariable& variable,

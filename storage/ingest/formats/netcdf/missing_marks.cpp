@@ -14,8 +14,9 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// Written for land or missing values: round numbers of nines and tens, and the flags that fill up a byte (120 for
-/// land in concentrations by the ASI method; 251 to 255 in those of NSIDC).
+/// Whether producers use this number for land or missing values: numbers of nines, powers of ten, and flags
+/// near the end of a byte's range (120 for land in concentrations of the ASI algorithm; 251 to 255 in those
+/// of NSIDC).
 bool is_customary(double value) {
   constexpr std::array sizes{99.0,  999.0, 9999.0, 99999.0, 10000.0, 32767.0, 32768.0,
                              120.0, 251.0, 252.0,  253.0,   254.0,   255.0};

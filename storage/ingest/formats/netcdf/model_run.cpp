@@ -8,7 +8,7 @@
 namespace floeplan::ingest {
 
 std::optional<core::UtcTime> model_run_of(const NetcdfFile& file) {
-  constexpr std::uint64_t most_values = 100'000;  // one a step
+  constexpr std::uint64_t most_values = 100'000;  // some files repeat the time for each time step
   const auto& variables = file.variables();
   const auto stated = std::ranges::find_if(variables, [](const NetcdfVariable& variable) {
     return variable.attribute("standard_name") == "forecast_reference_time" && variable.is_numeric();

@@ -7,8 +7,8 @@
 
 namespace floeplan::ingest {
 
-/// When the model run began that a file holds, by its variable of the standard name forecast_reference_time; empty
-/// where it states none, several, or one that cannot be decoded.
+/// Start of the model run that a file holds, from its variable with the standard name
+/// forecast_reference_time; empty if the file states none or several, or the time cannot be decoded.
 /// Source  CF standard name table, forecast_reference_time: "the data time, the time of the analysis from which the
 ///         forecast was made"
 [[nodiscard]] std::optional<core::UtcTime> model_run_of(const NetcdfFile& file);

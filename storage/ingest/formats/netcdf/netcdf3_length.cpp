@@ -46,7 +46,7 @@ std::uint64_t size_of_type(std::uint32_t type) {
 
 std::uint64_t padded(std::uint64_t bytes) { return (bytes + 3) / 4 * 4; }
 
-/// Big-endian numbers off the front of the file.
+/// Reads big-endian numbers from the beginning of the file.
 class Reader {
  public:
   explicit Reader(const std::filesystem::path& file) : in_{file, std::ios::binary} {}
@@ -70,7 +70,7 @@ class Reader {
   std::ifstream in_;
 };
 
-/// The parts of the header that decide where the values end.
+/// The parts of the header from which the end of the values follows.
 class Header {
  public:
   explicit Header(const std::filesystem::path& file) : in_{file} {
@@ -106,7 +106,7 @@ class Header {
  private:
   struct Variable {
     std::uint64_t begin{};
-    std::uint64_t bytes{};  // of all values, or of one record, without padding
+    std::uint64_t bytes{};  // bytes of all values, or of one record, without padding
     bool is_record{};
   };
 
@@ -151,7 +151,7 @@ class Header {
       }
       read_attributes();
       variable.bytes = product(values, size_of_type(in_.word()));
-      in_.integer(count_bytes_);  // vsize: redundant, and too small for large variables
+      in_.integer(count_bytes_);  // vsize is redundant, and too small for large variables
       variable.begin = in_.integer(offset_bytes_);
       if (variable.begin > std::numeric_limits<std::uint64_t>::max() / 4)
         throw BadHeader{"an offset is absurd"};

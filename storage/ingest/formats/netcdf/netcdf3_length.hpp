@@ -7,8 +7,8 @@
 
 namespace floeplan::ingest {
 
-/// Length in bytes that the header of a classic NetCDF file (CDF-1, CDF-2, CDF-5) says the file must have.
-/// Libraries do not check it: they read zeros or fail late where the end of the file is missing.
+/// The least length in bytes of a classic NetCDF file (CDF-1, CDF-2, CDF-5), computed from its header.
+/// Libraries do not check it: if the end of the file is missing, they read zeros or fail late.
 /// Edges    the padding after the last value may be absent and is not counted
 /// Errors   the header itself is damaged or cut short
 /// Source   NetCDF Classic Format Specification, Unidata 2020, sections "header" and "Note on vsize"

@@ -44,10 +44,10 @@ std::optional<messages::Message> first_missing(const std::string& name, const st
   return messages::ingest_netcdf_message<"axis-with-gaps">(name);
 }
 
-// Enough to see what is out of order, and that a latitude lies beyond a pole.
+// Enough digits to show which values are out of order, or that a latitude is beyond a pole.
 constexpr int digits = 12;
 
-/// "-90.5 to 90": of all values.
+/// The range of all values as text: "-90.5 to 90".
 std::string extent_text(const std::vector<double>& values) {
   const auto [least, greatest] = std::ranges::minmax(values);
   return number(least, digits) + " to " + number(greatest, digits);

@@ -9,7 +9,7 @@
 
 namespace floeplan::ingest {
 
-/// What the values of a coordinate variable measure.
+/// The quantity that a coordinate variable holds.
 enum class AxisRole {
   longitude,
   latitude,
@@ -18,11 +18,12 @@ enum class AxisRole {
   projected_x,
   projected_y,
   model_level,  // follows the sea bed; its depths come from a formula or a table
-  other_level,  // no depth and no height: a pressure, a temperature, a number of a level, a height above the sea bed
+  // not a depth or height: a pressure, a temperature, a level number, a height above the sea bed
+  other_level,
   unknown
 };
 
-/// The role of a coordinate by its standard name, its unit, its axis attribute and, at last, its name.
+/// The role of a coordinate: found by its standard name, unit, axis attribute and, last, its name.
 [[nodiscard]] AxisRole role_of(const NetcdfVariable& coordinate);
 
 /// Coordinates in ascending order and, for each, its index in the file.
@@ -31,14 +32,14 @@ struct AxisNodes {
   std::vector<std::size_t> source;
 };
 
-/// Ascending longitudes, as the file counts them (-247, 20 to 380 stay); a step back across the seam is
-/// unrolled, and a last column that repeats the first is left out.
+/// Ascending longitudes in the file's own range (-247, or 20 to 380, stay as they are). A jump back at the
+/// seam is unwrapped, and a last column that repeats the first is dropped.
 [[nodiscard]] Checked<AxisNodes> longitude_nodes(const std::string& name, std::vector<double> values);
 /// Ascending latitudes within [-90, 90].
 [[nodiscard]] Checked<AxisNodes> latitude_nodes(const std::string& name, std::vector<double> values);
-/// Ascending values of any other axis that runs up or down.
+/// Ascending values of any other axis, whose values in the file ascend or descend.
 [[nodiscard]] Checked<AxisNodes> monotonic_nodes(const std::string& name, std::vector<double> values);
-/// Ascending times in whatever order the file has them; equal times are refused.
+/// Ascending times; the file may have them in any order, but equal times are refused.
 [[nodiscard]] Checked<AxisNodes> sorted_nodes(const std::string& name, std::vector<double> values);
 
 }  // namespace floeplan::ingest

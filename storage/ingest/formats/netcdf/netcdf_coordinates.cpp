@@ -24,7 +24,8 @@ bool is_scalar(const NetcdfVariable& variable) {
                              [](const NetcdfDimension& dimension) { return dimension.size == 1; });
 }
 
-/// A level by its standard name or its axis, not by its name or unit: a scalar may be anything.
+/// Whether a variable is a level by its standard name or axis. Its name and unit do not count: a scalar may
+/// be anything.
 bool declares_a_level(const NetcdfVariable& variable) {
   const std::string standard_name = lower(variable.attribute("standard_name"));
   return standard_name == "depth" || standard_name == "height" || standard_name == "altitude" ||
@@ -32,7 +33,7 @@ bool declares_a_level(const NetcdfVariable& variable) {
          variable.attribute("axis") == "Z";
 }
 
-/// By how much times may be off that were rounded to float32.
+/// Largest rounding error, in seconds, of times that were stored as float32.
 double rounding_of_float32_s(const NetcdfVariable& coordinate, const std::vector<double>& values,
                              const CfTime& decoder) {
   if (!coordinate.is_float32() || values.empty()) return 0.0;
@@ -42,7 +43,7 @@ double rounding_of_float32_s(const NetcdfVariable& coordinate, const std::vector
   return at && next ? 0.5 * std::abs((*at - *next).count()) : 0.0;
 }
 
-/// Whether it says itself, not by its name alone, what it measures along its dimension.
+/// Whether a variable declares by its attributes, not only by its name, what it measures along its dimension.
 bool declares_its_role(const NetcdfVariable& variable) {
   const std::string unit = variable.attribute("units");
   const bool declared = !variable.attribute("standard_name").empty() || !variable.attribute("axis").empty() ||

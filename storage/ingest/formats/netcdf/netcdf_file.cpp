@@ -18,13 +18,15 @@
 namespace floeplan::ingest {
 namespace {
 
-/// GDAL 3.6 takes the classic format with 64-bit numbers (CDF-5) for NetCDF only when it is told so.
+/// The name to give to GDAL. GDAL 3.6 recognises the classic format with 64-bit numbers (CDF-5) only with a
+/// prefix.
 std::string name_for_gdal(const std::filesystem::path& file) {
   const std::string path = std::filesystem::absolute(file).string();
   return first_bytes(file, 4) == "CDF\x05" ? "NETCDF:\"" + path + "\"" : path;
 }
 
-/// The group and those round it, up to the root; null where there is none of the name.
+/// A group and its parent groups, innermost first, the root last; contains a null first if there is no such
+/// group.
 std::vector<std::shared_ptr<GDALGroup>> way_out(std::shared_ptr<GDALGroup> root, const std::string& path) {
   std::vector<std::shared_ptr<GDALGroup>> way{std::move(root)};
   std::istringstream names{path.substr(1)};
@@ -86,7 +88,8 @@ void NetcdfFile::add_variables_of(GDALGroup& group) {
     if (const char* text = attribute->ReadAsString())
       attributes_.emplace(attribute->GetName(), trimmed(text));
 
-  // What a group round this one calls by the name of a variable or of a dimension of another length is hidden.
+  // A parent's variable is hidden if the group has a variable of its name, or one of its dimensions with
+  // another length.
   std::map<std::string, std::uint64_t> sizes;
   for (const NetcdfVariable& variable : variables_)
     for (const NetcdfDimension& dimension : variable.dimensions())
@@ -128,7 +131,8 @@ void NetcdfFile::list_groups_below(const GDALGroup& group, const std::string& pa
   for (const std::string& name : group.GetGroupNames()) {
     const auto below = group.OpenGroup(name);
     if (!below || groups_.size() == most_groups) continue;
-    const std::string path_below = path + "/" + name;  // not groups_.back(): the list grows below
+    // a copy, because groups_ grows in the call and would invalidate a reference to its last element
+    const std::string path_below = path + "/" + name;
     groups_.push_back(path_below);
     list_groups_below(*below, path_below, depth + 1);
   }

@@ -11,8 +11,8 @@
 namespace floeplan::ingest {
 namespace {
 
-/// A two-dimensional table of longitudes or latitudes over the variable's own horizontal dimensions; null
-/// when none.
+/// A two-dimensional table of longitudes or latitudes over the variable's own horizontal dimensions; null if
+/// there is none.
 const NetcdfVariable* table_of(const NetcdfFile& file, const NetcdfVariable& variable,
                                const NetcdfLayout& layout, AxisRole role) {
   const std::string& x = variable.dimensions()[layout.x_dimension].name;
@@ -24,8 +24,8 @@ const NetcdfVariable* table_of(const NetcdfFile& file, const NetcdfVariable& var
   return nullptr;
 }
 
-/// Whether the file's own tables of positions put a corner of the grid elsewhere than its projection does.
-/// Files with a projection on a sphere, or in units that are not what they say, are many kilometres off.
+/// Whether the file's own tables of positions put a corner of the grid elsewhere than its projection. A
+/// projection on a sphere, or a wrong unit, leads to differences of many kilometres.
 bool contradicts_tables(const NetcdfFile& file, const NetcdfVariable& variable, const NetcdfLayout& layout,
                         const ocean::HorizontalGrid& grid) {
   const NetcdfVariable* lon_table = table_of(file, variable, layout, AxisRole::longitude);

@@ -8,10 +8,10 @@
 
 namespace floeplan::ingest {
 
-/// Where the nodes of a variable lie: in longitude and latitude, or in the projection that the file states, else
-/// in `stated_crs` ("EPSG:3413").
-/// Errors   a projection that is not stated or cannot be used; one that puts the grid elsewhere than the file's own
-///          tables of longitude and latitude do
+/// The grid of a variable's nodes: in longitude and latitude, or in the projection that the file states; if
+/// it states none, in `stated_crs` ("EPSG:3413").
+/// Errors   no projection is stated, or it cannot be used; the projection puts the grid elsewhere than the
+///          file's own tables of longitude and latitude
 [[nodiscard]] Checked<ocean::HorizontalGrid> grid_of(const NetcdfFile& file, const NetcdfVariable& variable,
                                                      const NetcdfLayout& layout,
                                                      const std::optional<std::string>& stated_crs);

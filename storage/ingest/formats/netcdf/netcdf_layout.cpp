@@ -77,8 +77,8 @@ std::optional<messages::Message> fault_of_size(const NetcdfDimension& dimension,
   return std::nullopt;
 }
 
-/// Why a variable is refused along one of whose dimensions it is not known what varies.
-/// The group that holds the coordinates of a dimension, of a file that does not see them from where it is read.
+/// The group that holds the coordinates of a dimension, if the group in use does not see them; otherwise
+/// empty.
 std::optional<std::string> group_with_coordinates(const NetcdfFile& file, const std::string& dimension) {
   for (const std::string& group : file.groups())
     if (file.only(group).find(dimension) != nullptr) return group;
@@ -102,7 +102,8 @@ messages::Message unknown_dimension(const NetcdfFile& file, const std::string& d
   return messages::ingest_netcdf_message<"dimension-without-coordinates">(dimension, variable);
 }
 
-/// Role of a dimension without a coordinate variable. The levels of terrain-following models often have tables alone.
+/// Role of a dimension without a coordinate variable. Terrain-following levels often have only tables of
+/// heights.
 AxisRole role_of_dimension(const NetcdfFile& file, const NetcdfDimension& dimension) {
   const std::string name = lower(dimension.name);
   if (heights_along(file, dimension) != nullptr) return AxisRole::model_level;
@@ -120,7 +121,7 @@ AxisNodes indices(std::uint64_t count) {
   return axis;
 }
 
-/// A level that stands beside the variable holds as one along a dimension would.
+/// A scalar level beside the variable counts as a depth dimension with one level.
 Checked<bool> add_level_beside(const NetcdfFile& file, const NetcdfVariable& variable, NetcdfLayout& layout) {
   const NetcdfVariable* level = layout.depth_dimension ? nullptr : level_beside(file, variable);
   if (level == nullptr) return true;
@@ -132,7 +133,7 @@ Checked<bool> add_level_beside(const NetcdfFile& file, const NetcdfVariable& var
   return true;
 }
 
-/// Checks the size of a slice and adds the time and the level that a file states once for all.
+/// Checks the size of a slice; adds the time and the level that the file states once for all data.
 Checked<NetcdfLayout> finished(const NetcdfFile& file, const NetcdfVariable& variable, NetcdfLayout layout) {
   if (layout.x.nodes.size() * layout.y.nodes.size() > max_slice_nodes)
     return refuse(messages::ingest_netcdf_message<"too-many-nodes">("the grid", layout.x.nodes.size(),

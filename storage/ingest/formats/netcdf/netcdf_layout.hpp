@@ -11,35 +11,35 @@
 
 namespace floeplan::ingest {
 
-/// How a variable lies on the Earth, in depth and in time: which of its dimensions is what, and the
-/// coordinates along it.
+/// How a variable is arranged in space and time: the meaning of each of its dimensions, and the coordinates
+/// along them.
 struct NetcdfLayout {
   std::size_t x_dimension{};
   std::size_t y_dimension{};
   std::optional<std::size_t> depth_dimension;
   std::optional<std::size_t> time_dimension;
-  AxisNodes x;  // degrees east, or the projection's own coordinate in metres, or mere indices
+  AxisNodes x;  // degrees east, metres of the projection, or only indices
   AxisNodes y;
   bool projected{false};
   std::optional<AxisNodes> depths_m;  // positive down; also a scalar level, with one node and no dimension
-  std::size_t bed_levels{};           // levels of the depth dimension where they follow the sea bed; else 0
+  std::size_t bed_levels{};           // number of levels if they follow the sea bed; otherwise 0
   std::optional<AxisNodes> times_s;   // seconds since 1970-01-01T00:00:00Z; also a scalar time, with one node
   Messages warnings;
 };
 
-/// Finds the layout of a variable on a regular grid, longitude and latitude or projected, dimensions in any
-/// order.
+/// Finds the layout of a variable on a regular grid, in longitude and latitude or projected. Dimensions may
+/// have any order.
 /// Errors   curvilinear, staggered, terrain-following and unstructured grids are refused by name; so are
 ///          times that cannot be decoded and sizes that would not fit into memory
 [[nodiscard]] Checked<NetcdfLayout> layout_of(const NetcdfFile& file, const NetcdfVariable& variable);
 
-/// The layout of a variable whose places are in tables: x and y are indices. Of a mesh, whose points follow one
-/// dimension alone, that is both `y_dimension` and `x_dimension`. Levels may follow the sea bed.
+/// The layout of a variable whose positions are in tables; x and y are indices. The points of a mesh have one
+/// dimension only, which is then both `y_dimension` and `x_dimension`. Levels may follow the sea bed.
 /// Errors   as layout_of
 [[nodiscard]] Checked<NetcdfLayout> layout_over(const NetcdfFile& file, const NetcdfVariable& variable,
                                                 std::size_t y_dimension, std::size_t x_dimension);
 
-/// Why the variable is not on a regular grid that this program reads; nullopt when nothing speaks against it.
+/// Why a variable is not on a regular grid that this program reads; nullopt if no reason is found.
 [[nodiscard]] std::optional<messages::Message> unsupported_grid(const NetcdfFile& file,
                                                                 const NetcdfVariable& variable);
 
@@ -49,7 +49,7 @@ struct NetcdfLayout {
                                                       const NetcdfLayout& layout, std::size_t time_index,
                                                       std::size_t depth_index);
 
-/// Reads some rows of a slice from `first` on, counted along the layout's y.
+/// Reads `rows` rows of a slice from `first_row` on, counted along the layout's y.
 [[nodiscard]] Checked<std::vector<double>> read_rows(const NetcdfVariable& variable,
                                                      const NetcdfLayout& layout, std::size_t time_index,
                                                      std::size_t depth_index, std::size_t first_row,

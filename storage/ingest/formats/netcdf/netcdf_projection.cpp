@@ -17,8 +17,9 @@
 namespace floeplan::ingest {
 namespace {
 
-/// GDAL before 3 wrote axes of an unknown direction for polar projections, which PROJ does not accept; the coordinates
-/// of NetCDF say themselves which is which. NSIDC's concentrations carry them.
+/// Removes AXIS elements of unknown direction. GDAL before version 3 wrote them for polar projections,
+/// NSIDC's files contain them and PROJ refuses them. They are not needed: the coordinates of NetCDF state
+/// their axis.
 std::string without_unknown_axes(std::string wkt) {
   for (std::size_t at = wkt.find(",AXIS["); at != std::string::npos; at = wkt.find(",AXIS[", at)) {
     const std::size_t end = wkt.find(']', at);
@@ -44,8 +45,9 @@ bool has_any(const NetcdfVariable& variable, std::initializer_list<const char*> 
   return false;
 }
 
-/// Where the attributes of CF leave out the figure of the Earth, GDAL assumes WGS84; a PROJ string beside them may name
-/// a sphere, on which the grid lies up to 20 km elsewhere.
+/// The reference system of a PROJ string beside the CF attributes, if those do not state the figure of the
+/// Earth. GDAL then assumes WGS84, but the PROJ string may name a sphere, on which the grid lies up to 20 km
+/// elsewhere.
 std::shared_ptr<OGRSpatialReference> crs_with_stated_figure(const NetcdfVariable& mapping) {
   if (has_any(mapping, {"crs_wkt", "spatial_ref", "semi_major_axis", "semi_minor_axis", "inverse_flattening",
                         "earth_radius", "reference_ellipsoid_name", "horizontal_datum_name"}))
@@ -53,7 +55,7 @@ std::shared_ptr<OGRSpatialReference> crs_with_stated_figure(const NetcdfVariable
   for (const char* const name : {"proj4", "proj4_string", "proj4text", "proj4_params", "proj_string"}) {
     std::string proj = mapping.attribute(name);
     if (proj.find("+proj=") == std::string::npos) continue;
-    // The axes are turned into metres by their own unit.
+    // Metres, because the axes are converted to metres by their own unit.
     if (const std::size_t at = proj.find("+units=km"); at != std::string::npos)
       proj.replace(at, 9, "+units=m");
     if (auto crs = crs_of_text(proj); crs && crs->IsProjected() != 0) return crs;
@@ -61,15 +63,16 @@ std::shared_ptr<OGRSpatialReference> crs_with_stated_figure(const NetcdfVariable
   return nullptr;
 }
 
-/// "crs", or "crs: x y" of CF 1.7, where the coordinates follow the mapping that they are of.
+/// The variable in grid_mapping: "crs", or "crs: x y" of CF 1.7, where the coordinates of the mapping follow
+/// its name.
 const NetcdfVariable* mapping_of(const NetcdfFile& file, const NetcdfVariable& variable) {
   const std::string text = variable.attribute("grid_mapping");
   const std::string name = text.substr(0, text.find_first_of(": "));
   return name.empty() ? nullptr : file.find(name);
 }
 
-/// Longitudes and latitudes round a turned pole. They are turned on a sphere, whatever the figure of the Earth that the
-/// file states or leaves out: its radius plays no part.
+/// Longitudes and latitudes around a rotated pole. They are rotated on a sphere, whatever figure of the Earth
+/// the file states: the radius does not matter.
 /// Source  CF conventions 1.8, appendix F, rotated_latitude_longitude
 std::shared_ptr<OGRSpatialReference> turned_pole(const NetcdfVariable& mapping) {
   if (mapping.attribute("grid_mapping_name") != "rotated_latitude_longitude") return nullptr;
@@ -89,7 +92,7 @@ std::shared_ptr<OGRSpatialReference> turned_pole(const NetcdfVariable& mapping) 
 struct Axes {
   const NetcdfVariable* y{nullptr};
   const NetcdfVariable* x{nullptr};
-  bool turned{false};  // degrees round a pole that is not the Earth's
+  bool turned{false};  // true: degrees around a rotated pole
 };
 
 std::optional<Axes> axes_of(const NetcdfFile& file, const NetcdfVariable& variable, std::size_t y_dimension,
@@ -104,7 +107,7 @@ std::optional<Axes> axes_of(const NetcdfFile& file, const NetcdfVariable& variab
   return axes.turned || projected ? std::optional{axes} : std::nullopt;
 }
 
-/// Coordinates in the order of the file.
+/// Coordinate values in the order of the file.
 Checked<std::vector<double>> values_of(const NetcdfVariable& coordinate, bool turned) {
   if (turned) return coordinate.read_all();
   Messages warnings;
@@ -158,7 +161,8 @@ Checked<std::vector<geo::LonLat>> places_by_projection(const NetcdfFile& file, c
   const GdalMessages messages;
   OGRSpatialReference crs{*projection_of(file, variable)};
   crs.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
-  // Its own longitude and latitude: from a sphere to WGS84 would be no step on the Earth.
+  // Longitude and latitude on the same figure of the Earth, because the step from a sphere to WGS84 must not
+  // move points.
   OGRSpatialReference geographic;
   geographic.SetGeogCS("own", "own", "own", crs.GetSemiMajor(), crs.GetInvFlattening());
   geographic.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);

@@ -42,14 +42,15 @@ NetcdfVariable::NetcdfVariable(std::string name, std::shared_ptr<GDALMDArray> ar
     for (const double fill : attribute->ReadAsDoubleArray())
       fills_.push_back(is_float32() ? static_cast<double>(static_cast<float>(fill)) : fill);
   }
-  // Zarr states a fill there alone. The netCDF driver must not be asked: where the type of the attribute is wider than
-  // the variable's, GDAL 3.6 writes it past the end of its buffer, and else casts it to another number.
+  // Zarr states a fill value only here. The netCDF driver must not be asked for it: if the attribute's type
+  // is wider than the variable's, GDAL 3.6 writes past the end of its buffer; otherwise it may change the
+  // number.
   if (of_zarr && fills_.empty()) {
     bool stated = false;
     const double no_data = array_->GetNoDataValueAsDouble(&stated);
     if (stated) fills_.push_back(no_data);
   }
-  // The unit of a variable that counts since a date is not among GDAL's attributes in every version.
+  // Some versions of GDAL do not list the unit of a variable that counts from a date among its attributes.
   if (!array_->GetUnit().empty()) attributes_.emplace("units", trimmed(array_->GetUnit()));
 
   bool given = false;
@@ -87,7 +88,7 @@ std::shared_ptr<OGRSpatialReference> NetcdfVariable::crs() const { return array_
 
 Checked<std::vector<double>> NetcdfVariable::read_packed(const std::vector<std::uint64_t>& start,
                                                          const std::vector<std::size_t>& count) const {
-  // GDAL converts number by number, three times as slowly as this program does.
+  // The values are read in their own type: GDAL's conversion is three times slower than this program's.
   switch (array_->GetDataType().GetNumericDataType()) {
     case GDT_Int16: return read_as<std::int16_t>(start, count);
     case GDT_Int32: return read_as<std::int32_t>(start, count);
@@ -176,7 +177,7 @@ void NetcdfVariable::unpack(std::span<double> values) const {
       some[i] = std::abs(some[i]) <= largest ? whole : missing;
     }
     for (const double mark : also_missing_) {
-      const double rounding = 1e-6 * std::abs(mark);  // of single precision, and of scaling
+      const double rounding = 1e-6 * std::abs(mark);  // rounding by single precision and by scaling
       for (std::size_t i = 0; i < count; ++i)
         some[i] = std::abs(some[i] - mark) <= rounding ? missing : some[i];
     }

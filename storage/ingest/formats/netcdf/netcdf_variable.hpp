@@ -21,14 +21,14 @@ struct NetcdfDimension {
   std::uint64_t size{};
 };
 
-/// One variable of a NetCDF file: what it says of itself, and its packed values.
+/// One variable of a NetCDF file: its attributes and its packed values.
 class NetcdfVariable {
  public:
   NetcdfVariable(std::string name, std::shared_ptr<GDALMDArray> array, bool of_zarr);
 
   [[nodiscard]] const std::string& name() const { return name_; }
   [[nodiscard]] const std::vector<NetcdfDimension>& dimensions() const { return dimensions_; }
-  /// Its place among them; empty: none is called so.
+  /// Index of the dimension with this name; empty if there is none.
   [[nodiscard]] std::optional<std::size_t> dimension_named(std::string_view name) const;
   /// Text of an attribute, trimmed; empty when it is absent.
   [[nodiscard]] std::string attribute(const std::string& name) const;
@@ -37,7 +37,7 @@ class NetcdfVariable {
   [[nodiscard]] std::vector<double> numbers(const std::string& name) const;
   [[nodiscard]] bool is_float32() const;
   [[nodiscard]] bool is_numeric() const;
-  /// The CRS its grid mapping describes; null when there is none.
+  /// The CRS that its grid mapping describes; null if there is none.
   [[nodiscard]] std::shared_ptr<OGRSpatialReference> crs() const;
 
   /// Packed values (no scale, no fill) of the block that starts at `start` and has `count` values along each
@@ -47,15 +47,15 @@ class NetcdfVariable {
                                                          const std::vector<std::size_t>& count) const;
   /// All values of a small variable (coordinates), scale and offset applied, fill as NaN.
   [[nodiscard]] Checked<std::vector<double>> read_all() const;
-  /// All texts of a variable of characters, trimmed; empty of numbers, of a text without dimensions, of over 1000
-  /// texts.
+  /// All texts of a variable of characters, trimmed. Empty if it is numeric, has no dimensions or holds more
+  /// than 1000 texts.
   [[nodiscard]] std::vector<std::string> texts() const;
-  /// What a packed value stands for: scale and offset applied; NaN where it is the fill or the missing value.
+  /// The value of a packed number: scale and offset applied; NaN for the fill value or the missing value.
   /// The fill is compared with the packed value, in the variable's own precision.
   [[nodiscard]] double unpacked(double packed) const;
-  /// The same of many.
+  /// Unpacks many values in place.
   void unpack(std::span<double> values) const;
-  /// Takes a value that the file does not declare, unpacked, for a mark of what is missing.
+  /// Adds an unpacked value that counts as missing although the file does not declare it.
   void also_missing(double value) { also_missing_.push_back(value); }
   [[nodiscard]] double scale() const { return scale_; }
   [[nodiscard]] double offset() const { return offset_; }

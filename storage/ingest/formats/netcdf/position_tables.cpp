@@ -18,7 +18,7 @@ namespace {
 
 using Names = std::vector<std::string_view>;
 
-/// What the longitudes of the points are called: NEMO, ROMS, MOM and POP.
+/// Names of the tables of longitude for these points in NEMO, ROMS, MOM and POP.
 const Names& names_of(GridPoints points) {
   static const Names first{"glamu",       "lon_u", "geolon_u", "nav_lon_u", "nav_lon_grid_u",
                            "longitude_u", "ulon",  "ulong",    "geolon_c"};
@@ -39,7 +39,7 @@ bool is_called(std::string_view name, const Names& names) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// The dimensions longer than one, if they are two and all others come before them.
+/// The last two dimensions, if all dimensions before them have length 1.
 std::optional<std::array<NetcdfDimension, 2>> table_dimensions(const NetcdfVariable& variable) {
   const auto& all = variable.dimensions();
   if (!variable.is_numeric() || all.size() < 2) return std::nullopt;
@@ -57,7 +57,7 @@ bool is_longitude_table(const NetcdfVariable& variable) {
          role_of(variable) == AxisRole::longitude;
 }
 
-/// The table of latitudes beside one of longitudes: of the same name but for that word.
+/// The table of latitudes that belongs to a table of longitudes: the same name, with "lat" for "lon".
 const NetcdfVariable* latitudes_beside(const NetcdfFile& file, const NetcdfVariable& lons) {
   constexpr std::array<std::pair<std::string_view, std::string_view>, 4> words{
       {{"longitude", "latitude"}, {"long", "lat"}, {"lon", "lat"}, {"glam", "gphi"}}};
@@ -86,7 +86,7 @@ bool names_it(const NetcdfVariable& variable, const std::string& table) {
 struct Table {
   const NetcdfVariable* lons{nullptr};
   const NetcdfVariable* lats{nullptr};
-  int rank{};  // larger is better
+  int rank{};  // a larger rank is preferred
 };
 
 int rank_of(const NetcdfVariable& table, const NetcdfVariable& variable, bool own_file, GridPoints points) {
@@ -96,7 +96,7 @@ int rank_of(const NetcdfVariable& table, const NetcdfVariable& variable, bool ow
   return is_neutral(name) || name.ends_with("_rho") ? 1 : 0;
 }
 
-/// Tables over the variable's own plane, best first.
+/// All tables over the variable's horizontal dimensions, best first.
 std::vector<Table> tables_over(const NetcdfFiles& files, const NetcdfFile& file,
                                const NetcdfVariable& variable, PlaneDimensions plane, GridPoints points) {
   const NetcdfDimension& y = variable.dimensions()[plane.y];
@@ -120,7 +120,7 @@ std::vector<Table> tables_over(const NetcdfFiles& files, const NetcdfFile& file,
   return found;
 }
 
-/// Nothing when the table holds one value everywhere.
+/// Reads a table of positions; empty if it holds the same value everywhere.
 Checked<std::optional<Positions>> read_table(const Table& table) {
   const auto dimensions = table_dimensions(*table.lons).value();
   if (dimensions[0].size == 0 || dimensions[1].size == 0 ||
@@ -149,7 +149,7 @@ Checked<std::optional<Positions>> read_table(const Table& table) {
   return std::optional{std::move(positions)};
 }
 
-/// Every combination of plain axes of longitude and latitude.
+/// Positions from axes of longitude and latitude: all combinations of their values.
 Checked<std::optional<Positions>> positions_of_axes(const NetcdfFile& file, const NetcdfVariable& variable,
                                                     PlaneDimensions plane) {
   const NetcdfVariable* y = coordinate_of(file, variable.dimensions()[plane.y]);
@@ -181,7 +181,7 @@ std::optional<PlaneDimensions> plane_of(const NetcdfFile& file, const NetcdfVari
                                lower(dimension.name).starts_with("s_rho");
     if (!level_or_time) found.push_back(i);
   }
-  // What comes before the last two is a time or a depth without coordinates.
+  // Dimensions before the last two are a time or a depth without coordinates.
   if (found.size() < 2) return std::nullopt;
   found.erase(found.begin(), found.end() - 2);
   return PlaneDimensions{found[0], found[1]};

@@ -10,49 +10,51 @@
 
 namespace floeplan::ingest {
 
-/// Which points of a staggered grid are meant.
+/// Points of a staggered grid: those of the first velocity component, of the second, or the cell centres.
 enum class GridPoints { first_component, second_component, centres };
 
-/// Where the points of a variable lie.
+/// Positions of the points of a variable.
 /// Shape    [row][column]
 struct Positions {
   std::vector<geo::LonLat> places;
   std::size_t rows{};
   std::size_t columns{};
-  bool from_plain_axes{false};  // not from tables: they may be only nominal
+  bool from_plain_axes{false};  // from one-dimensional axes, whose positions may only be nominal
 
   [[nodiscard]] geo::LonLat at(std::size_t row, std::size_t column) const {
     return places[row * columns + column];
   }
 };
 
-/// The two dimensions along which a variable's places vary.
+/// The two horizontal dimensions of a variable, as indices among its dimensions.
 struct PlaneDimensions {
   std::size_t y{};
   std::size_t x{};
 };
 
-/// The dimensions that are neither time nor depth nor levels; nullopt when they are not two.
+/// The two dimensions that are neither time nor depth nor levels; nullopt if there are not two.
 [[nodiscard]] std::optional<PlaneDimensions> plane_of(const NetcdfFile& file, const NetcdfVariable& variable);
 
-/// Positions from two-dimensional tables of longitude and latitude, which the variable names ("coordinates"), or which
-/// lie on its own dimensions and are called as its points are in NEMO, ROMS, MOM and POP; else from plain axes of
-/// longitude and latitude, or from a projection on which no grid of the store lies. Tables that hold one value
-/// everywhere do not count: some producers leave them empty.
+/// Positions of a variable's points. First choice are two-dimensional tables of longitude and latitude: those
+/// that the variable names ("coordinates"), or those over its own dimensions with the names that NEMO, ROMS,
+/// MOM and POP use for these points. Otherwise axes of longitude and latitude, or a projection that the store
+/// has no grid for. A table with the same value everywhere does not count: some producers leave their tables
+/// empty.
 /// Returns  nullopt when there are none
 /// Errors   tables of more points than this program accepts, or that are damaged
 [[nodiscard]] Checked<std::optional<Positions>> positions_of(const NetcdfFiles& files, const NetcdfFile& file,
                                                              const NetcdfVariable& variable,
                                                              PlaneDimensions plane, GridPoints points);
 
-/// Positions of the centres between staggered points, from tables of their own ("lon_rho").
+/// Positions of the cell centres of a staggered grid, from tables of their own ("lon_rho").
 [[nodiscard]] Checked<std::optional<Positions>> centre_positions(const NetcdfFiles& files);
 
-/// Whether tables of two dimensions, or a projection on which no grid of the store lies, say where the variable lies.
+/// Whether the positions of a variable follow from two-dimensional tables, or from a projection that the
+/// store has no grid for.
 [[nodiscard]] bool has_positions(const NetcdfFiles& files, const NetcdfFile& file,
                                  const NetcdfVariable& variable, PlaneDimensions plane);
 
-/// Whether a file holds tables of positions at all.
+/// Whether a file holds tables of positions for any variable.
 [[nodiscard]] bool holds_position_tables(const NetcdfFile& file);
 
 }  // namespace floeplan::ingest

@@ -13,7 +13,7 @@ namespace {
 
 enum class Worth { good, doubtful, bad, unknown };
 
-/// Whether one of the words stands in a meaning, and no "not" or "no" before it.
+/// Whether a meaning contains one of the words without "not", "no" or "non" before it.
 bool says(std::string_view meaning, std::initializer_list<std::string_view> words) {
   return std::ranges::any_of(words, [&](std::string_view word) {
     const std::size_t at = meaning.find(word);
@@ -23,7 +23,8 @@ bool says(std::string_view meaning, std::initializer_list<std::string_view> word
   });
 }
 
-/// Worth of a value whose flag has this meaning, as "probably_bad_data". A value that nobody has judged counts as good.
+/// How good a value with a flag of this meaning ("probably_bad_data") is. A value that was not checked counts
+/// as good.
 Worth worth_of(std::string_view meaning) {
   if (says(meaning, {"bad", "fail", "missing", "reject", "invalid", "incorrect", "erroneous", "unusable",
                      "unacceptable", "masked"}) ||
@@ -40,13 +41,13 @@ Worth worth_of(std::string_view meaning) {
   return is_judged_good || is_open ? Worth::good : Worth::unknown;
 }
 
-/// Words that blanks part, or against the conventions commas.
+/// Words separated by blanks or, against the conventions, by commas or semicolons.
 std::vector<std::string> words_in(std::string text) {
   std::ranges::replace_if(text, [](char c) { return c == ',' || c == ';'; }, ' ');
   return words_between_blanks(text);
 }
 
-/// Numbers of an attribute, which some producers write as a text.
+/// Numbers of an attribute. Some producers write them as a text.
 std::vector<double> numbers_in(const NetcdfVariable& flags, const char* name) {
   std::vector<double> numbers = flags.numbers(name);
   if (!numbers.empty()) return numbers;
@@ -55,7 +56,7 @@ std::vector<double> numbers_in(const NetcdfVariable& flags, const char* name) {
   return numbers;
 }
 
-/// The mark of each meaning; empty where values, masks and meanings do not fit together.
+/// The mark for each meaning; empty if the numbers of values, masks and meanings differ.
 std::vector<FlagMark> marks_of(const NetcdfVariable& flags, std::size_t meanings) {
   const std::vector<double> values = numbers_in(flags, "flag_values");
   const std::vector<double> masks = numbers_in(flags, "flag_masks");
@@ -113,7 +114,8 @@ bool has_the_same_dimensions(const NetcdfVariable& a, const NetcdfVariable& b) {
                             &NetcdfDimension::name);
 }
 
-/// Whether a variable that is named beside another judges it, as an error or a number of observations does not.
+/// Whether a variable named beside another one holds its quality flags. Errors and numbers of observations
+/// are no flags.
 bool is_flag(const NetcdfVariable& variable) {
   const std::string name = lower(variable.name());
   const std::string standard_name = lower(variable.attribute("standard_name"));
@@ -125,7 +127,7 @@ bool is_flag(const NetcdfVariable& variable) {
 bool any_covers(const std::vector<FlagMark>& marks, double flag) {
   return std::ranges::any_of(marks, [flag](const FlagMark& mark) {
     if (!mark.mask) return flag == mark.value;
-    if (!(std::abs(flag) < 9e15)) return false;  // no whole number, or NaN
+    if (!(std::abs(flag) < 9e15)) return false;  // NaN, or too large to be a whole number
     return (static_cast<std::int64_t>(flag) & *mark.mask) == static_cast<std::int64_t>(mark.value);
   });
 }

@@ -16,7 +16,7 @@ constexpr double ten_metres = 10.0;
 bool is_decimal(char c) { return c >= '0' && c <= '9'; }
 bool is_letter(char c) { return c >= 'a' && c <= 'z'; }
 
-/// A number of a text, the letters behind it, and the word before and behind both.
+/// A number in a text, the letters after it (its unit), and the words before and after.
 struct Measure {
   double value{};
   std::string unit;
@@ -30,7 +30,7 @@ std::string word_at(std::string_view text, std::size_t at) {
   return std::string{text.substr(at, end - at)};
 }
 
-/// Numbers with a unit, "10-metre" and "2.5m" included, in lower case.
+/// All numbers with a unit in a text, in lower case; also "10-metre" and "2.5m".
 std::vector<Measure> measures_in(const std::string& text) {
   std::vector<Measure> found;
   std::string before;
@@ -79,7 +79,7 @@ WindLevel wind_level(const Measure& measure) {
   return {!is_pressure(measure.unit) && measure.value == ten_metres, words_for(measure)};
 }
 
-/// "u100", "100u", "ua850", "u100m": a component and a level without more.
+/// Whether the name is only a component and a level: "u100", "100u", "ua850", "u100m".
 bool is_component_at_level(std::string_view part) {
   const auto front = std::ranges::find_if(part, is_decimal);
   const auto back = std::find_if(front, part.end(), [](char c) { return !is_decimal(c); });
@@ -103,7 +103,8 @@ std::optional<WindLevel> wind_level_in_name(const std::string& name) {
   return std::nullopt;
 }
 
-/// A level of GRIB that cfgrib and others keep beside the data; near the ground the other words count.
+/// The level in the attributes that cfgrib and other converters add; empty near the ground, where names tell
+/// the level.
 std::optional<WindLevel> wind_level_of_grib(const NetcdfVariable& variable) {
   const std::string type = lower(variable.attribute("GRIB_typeOfLevel"));
   if (type.empty() || type == "heightaboveground" || type == "heightabovesea" || type == "surface" ||

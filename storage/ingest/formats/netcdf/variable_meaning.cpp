@@ -33,7 +33,7 @@ constexpr Meaning methods[]{{"standard_deviation", Statistic::deviation},
                             {"mean_absolute_value", Statistic::mean_of_sizes},
                             {"mean_of_upper_decile", Statistic::percentile}};
 
-/// Whole parts of a name: "uo_std".
+/// Parts of a name, compared as a whole: "uo_std".
 constexpr Meaning name_parts[]{{"std", Statistic::deviation},
                                {"stdev", Statistic::deviation},
                                {"stddev", Statistic::deviation},
@@ -84,13 +84,13 @@ constexpr Meaning name_parts[]{{"std", Statistic::deviation},
                                {"gust", Statistic::gust},
                                {"gusts", Statistic::gust}};
 
-/// Ends of a part: "uostd".
+/// Ends of a part of a name: "uostd".
 constexpr Meaning name_ends[]{{"std", Statistic::deviation},
                               {"stdev", Statistic::deviation},
                               {"stddev", Statistic::deviation},
                               {"err", Statistic::uncertainty}};
 
-/// Anywhere in a text: these mean one thing only.
+/// Phrases that have only one meaning, wherever they stand in a text.
 constexpr Meaning phrases[]{{"standard deviation", Statistic::deviation},
                             {"standard_deviation", Statistic::deviation},
                             {"std dev", Statistic::deviation},
@@ -129,7 +129,8 @@ constexpr Meaning phrases[]{{"standard deviation", Statistic::deviation},
                             {"anomal", Statistic::anomaly},
                             {"wind gust", Statistic::gust}};
 
-/// The first or the last word of a text: elsewhere they may speak of how the numbers were made.
+/// Words that count only as the first or the last word of a text; elsewhere they may describe how the values
+/// were made.
 constexpr Meaning outer_words[]{{"maximum", Statistic::maximum},   {"max", Statistic::maximum},
                                 {"max.", Statistic::maximum},      {"minimum", Statistic::minimum},
                                 {"min", Statistic::minimum},       {"min.", Statistic::minimum},
@@ -166,12 +167,12 @@ bool is_digits(const std::string& part) {
   return !part.empty() && std::ranges::all_of(part, [](char c) { return c >= '0' && c <= '9'; });
 }
 
-/// What was removed from a quantity is not what it is: "bias_corrected_u".
+/// Whether a part of a name says that something was removed: "bias_corrected_u" holds no bias.
 bool undoes(const std::string& part) {
   return contains_any(part, {"correct", "adjust", "remov"}) || part == "free";
 }
 
-/// By its modifier, or by words that producers join to the name as if CF knew them.
+/// The statistic in a standard name: its modifier, or words that producers append against the CF conventions.
 Statistic statistic_in_standard_name(const NetcdfVariable& variable) {
   const std::vector<std::string> words = words_of(lower(variable.attribute("standard_name")));
   for (std::size_t i = 1; i < words.size(); ++i)
@@ -179,11 +180,11 @@ Statistic statistic_in_standard_name(const NetcdfVariable& variable) {
   return statistic_in_name(variable.attribute("standard_name"));
 }
 
-/// By any of its axes: a mean over the area of a maximum over time is no state, either.
+/// The statistic of any axis: a spatial mean of a maximum over time is not the quantity, either.
 Statistic statistic_in_cell_methods(const NetcdfVariable& variable) {
   for (const CellMethod& cell : cell_methods_of(variable)) {
     Statistic found = find_whole(methods, cell.method);
-    if (found == Statistic::none) found = find_whole(name_parts, cell.method);  // not of CF, but plain
+    if (found == Statistic::none) found = find_whole(name_parts, cell.method);  // not in CF, but clear
     if (found != Statistic::none) return found;
   }
   return Statistic::none;
@@ -197,7 +198,7 @@ std::string standard_name_of(const NetcdfVariable& variable) {
 }
 
 std::vector<CellMethod> cell_methods_of(const NetcdfVariable& variable) {
-  std::string plain;  // without comments, and a blank behind every colon
+  std::string plain;  // without comments, and with a blank after every colon
   int depth = 0;
   for (const char c : lower(variable.attribute("cell_methods"))) {
     if (c == '(') ++depth;

@@ -8,22 +8,22 @@
 
 namespace floeplan::ingest {
 
-/// A standard name without the modifier behind it, lower case: "sea_ice_area_fraction" of "sea_ice_area_fraction
+/// A standard name in lower case without its modifier: "sea_ice_area_fraction" for "sea_ice_area_fraction
 /// standard_error".
 [[nodiscard]] std::string standard_name_of(const NetcdfVariable& variable);
 
-/// One statement of cell_methods, lower case: "time: lat: mean" is {time, lat}, mean.
+/// One statement of cell_methods, lower case: "time: lat: mean" has the axes {time, lat} and the method mean.
 struct CellMethod {
   std::vector<std::string> axes;
   std::string method;
-  std::vector<std::string> where;  // the words behind the method: "over years", "where sea"
+  std::vector<std::string> where;  // the words after the method: "over years", "where sea"
 };
 
-/// Comments in brackets are left out.
+/// The statements of cell_methods, without comments in brackets.
 /// Source  CF conventions 1.11, section 7.3
 [[nodiscard]] std::vector<CellMethod> cell_methods_of(const NetcdfVariable& variable);
 
-/// What numbers may be in place of the quantity that their variable names.
+/// What the values of a variable may be instead of the quantity in its name.
 enum class Statistic {
   none,
   deviation,
@@ -47,22 +47,22 @@ enum class Statistic {
   detection_limit
 };
 
-/// "a standard deviation", "a quality flag"; empty of none.
+/// "a standard deviation", "a quality flag"; empty for none.
 [[nodiscard]] std::string in_words(Statistic statistic);
 
-/// What the numbers of a variable are where they are not the quantity itself; none where they are: at an instant, as a
-/// mean or as a median. Told by the modifier of the standard name, by cell_methods, by the name, by the long name, in
-/// this order; any of them is enough.
+/// The statistic that a variable holds instead of the quantity itself. An instantaneous value, a mean and a
+/// median count as the quantity: none. Checked in this order: the modifier of the standard name,
+/// cell_methods, the name, the long name; the first that names a statistic decides.
 /// Source  CF conventions 1.11, appendix C (modifiers) and appendix E (cell methods)
 [[nodiscard]] Statistic statistic_of(const NetcdfVariable& variable);
 
-/// The same of a name alone, such as that of a group.
+/// The statistic in a name alone, such as that of a group.
 [[nodiscard]] Statistic statistic_in_name(std::string_view name);
 
-/// The same of a text alone, such as the description of a band.
+/// The statistic in a text alone, such as the description of a band.
 [[nodiscard]] Statistic statistic_in_words(std::string_view text);
 
-/// The parts of a name between signs that are neither letters nor digits, lower case.
+/// The parts of a name, lower case; signs that are neither letters nor digits separate them.
 [[nodiscard]] std::vector<std::string> parts_of_name(std::string_view name);
 
 }  // namespace floeplan::ingest

@@ -17,7 +17,7 @@
 namespace floeplan::ingest {
 namespace {
 
-// dataCodingFormat
+// Codes of dataCodingFormat.
 constexpr double stations = 1.0;
 constexpr double regular_grid = 2.0;
 constexpr double ungeorectified_grid = 3.0;
@@ -32,7 +32,7 @@ tl::unexpected<Messages> s100_lacks(const std::string& what) {
   return refuse(messages::ingest_hdf5_message<"s-hundred-incomplete">(what));
 }
 
-/// Why values that lie so are not read.
+/// The refusal of values in this layout.
 messages::Message refusal_of_layout(const std::string& feature, double data_coding_format) {
   if (data_coding_format == stations || data_coding_format == stations_one_by_one)
     return messages::ingest_hdf5_message<"s-hundred-of-stations">(feature, number(data_coding_format));
@@ -47,8 +47,8 @@ messages::Message refusal_of_layout(const std::string& feature, double data_codi
       data_coding_format >= 1.0 && index < words.size() ? words.at(index) : "a layout that is not known");
 }
 
-/// Where in its cell a value lies, as a share of the cell from its south-western corner along x and y. A file that says
-/// nothing has its first value at the grid's origin, as one with code 1 has.
+/// Where a value lies in its cell, as a share of the cell from its south-western corner along x and y.
+/// Without an offset code the first value lies at the grid's origin, as with code 1.
 std::optional<std::array<double, 2>> place_in_cell(const Hdf5Group& feature) {
   constexpr std::array<std::array<double, 2>, 5> places{
       {{0.0, 0.0}, {1.0, 1.0}, {1.0, 0.0}, {0.0, 1.0}, {0.5, 0.5}}};
@@ -57,7 +57,7 @@ std::optional<std::array<double, 2>> place_in_cell(const Hdf5Group& feature) {
   return places.at(static_cast<std::size_t>(code) - 1);
 }
 
-/// Whether rows follow each other from south to north, and in each the values from west to east.
+/// Whether rows run from south to north and the values of each row from west to east.
 bool runs_row_by_row(const Hdf5Group& feature, const Hdf5Group& area) {
   if (feature.number("sequencingRule.type").value_or(1.0) != 1.0) return false;  // linear
   std::string order = lower(feature.text("sequencingRule.scanDirection").value_or("longitude,latitude"));
@@ -95,7 +95,7 @@ Checked<geo::GridFrame> s100_frame(const Hdf5Group& file) {
   return *frame;
 }
 
-/// What Group_F says of the values of a feature.
+/// The descriptions of a feature's values in the group Group_F.
 Checked<std::map<std::string, S100Value>> described_values(const Hdf5Group& file,
                                                            const std::string& feature) {
   const auto descriptions = file.group("Group_F");
@@ -115,7 +115,7 @@ Checked<std::map<std::string, S100Value>> described_values(const Hdf5Group& file
   return values;
 }
 
-/// "SurfaceCurrent.01", where it is the only one.
+/// The only area of a feature: "SurfaceCurrent.01".
 Checked<Hdf5Group> only_area(const Hdf5Group& feature, const std::string& name) {
   std::vector<std::string> areas;
   for (const std::string& member : feature.members())
@@ -141,7 +141,7 @@ Checked<std::vector<Hdf5Group>> records_in(const Hdf5Group& area) {
   return records;
 }
 
-/// The triangles of a mesh, where there are some. A triangle with a corner twice has no area and is left out.
+/// The triangles of a mesh, if it has any. Triangles with the same corner twice have no area and are dropped.
 Checked<std::vector<std::array<std::uint32_t, 3>>> triangles_in(const Hdf5Group& positioning,
                                                                 std::size_t places) {
   constexpr const char* name = "triangles";

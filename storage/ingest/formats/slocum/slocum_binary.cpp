@@ -36,7 +36,7 @@ double value_at(const char* bytes, std::size_t size, bool swapped) {
   }
 }
 
-/// Whether the bytes of numbers stand in the other order than this machine's; empty: the known bytes are not there.
+/// Whether the byte order of numbers differs from this machine's; empty if the known bytes are missing.
 std::optional<bool> order_of(std::string_view bytes, std::size_t& at) {
   constexpr std::size_t known = 16;
   if (bytes.size() < at + known || bytes.substr(at, 2) != "sa") return std::nullopt;
@@ -51,13 +51,13 @@ std::optional<bool> order_of(std::string_view bytes, std::size_t& at) {
   return std::nullopt;
 }
 
-/// Takes the cycles apart.
+/// Decodes the cycles of a log one after the other.
 class Cycles {
  public:
   Cycles(std::string_view bytes, std::size_t at, std::vector<LoggedSensor> sensors, bool swapped)
       : bytes_{bytes}, at_{at}, sensors_{std::move(sensors)}, swapped_{swapped} {}
 
-  /// Moves `row` on to the next cycle. False: there is none that is whole.
+  /// Reads the next cycle into `row`. False if no complete cycle is left.
   bool next(SlocumRow& row) {
     const std::size_t state_bytes = (sensors_.size() + 3) / 4;
     const std::size_t states = at_ + 1;

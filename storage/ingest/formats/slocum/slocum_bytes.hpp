@@ -7,19 +7,19 @@
 
 namespace floeplan::ingest {
 
-/// Whether the first bytes of a file are those of a binary log of a Slocum, or of a list of sensors, in compressed
-/// blocks (dcd, scd, ... and ccc): the first block begins with the first tag as it is.
+/// Whether a file begins like a compressed Slocum log or sensor list (dcd, scd, ... and ccc): the first block
+/// starts with the first tag, uncompressed.
 [[nodiscard]] bool is_compressed_slocum(std::string_view head);
 
-/// What stands in a file of a Slocum, unpacked where it is compressed.
+/// The content of a Slocum file, unpacked if it was compressed.
 struct SlocumBytes {
   std::string bytes;
-  bool damaged{false};  // a block cannot be unpacked: it and what follows it are left out
+  bool damaged{false};  // a block could not be unpacked; this block and all later ones are missing
 };
 
-/// At most `most` bytes from the beginning.
-/// Format   of a compressed file: blocks, each its length in two bytes, the higher one first, and as many bytes of
-///          LZ4's block format. A last block that is not whole is left out
+/// At most `most` bytes from the beginning of the content.
+/// Format   a compressed file consists of blocks: the length in two bytes, the higher one first, then as many
+///          bytes in LZ4's block format. An incomplete last block is ignored
 /// Source   dbdreader, decompress.py (github.com/smerckel/dbdreader)
 [[nodiscard]] SlocumBytes slocum_bytes(const std::filesystem::path& file, std::uintmax_t most);
 

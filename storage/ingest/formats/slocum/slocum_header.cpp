@@ -14,15 +14,15 @@ namespace floeplan::ingest {
 namespace {
 
 constexpr std::uintmax_t most_cache_bytes = 4'000'000;
-constexpr int most_sensors = 20'000;  // a Slocum's list of 2019 has 2,142
+constexpr int most_sensors = 20'000;  // a Slocum's list of 2019 has 2,142 sensors
 constexpr int most_tags = 100;
 
-/// The lines "key: value" at the beginning of a log.
+/// The values of the lines "key: value" at the beginning of a log.
 struct Tags {
   int sensors{};
-  int listed{};  // sensors in the file's own list; 0: it is factored
+  int listed{};  // sensors in the file's own list; 0: the log is factored
   std::string cache_crc;
-  std::size_t size{};  // of the lines, in bytes
+  std::size_t size{};  // length of the lines in bytes
 };
 
 std::string_view next_line(std::string_view bytes, std::size_t& at) {
@@ -65,7 +65,7 @@ Checked<Tags> tags_of(std::string_view bytes) {
   return tags;
 }
 
-/// In which unit masterdata lists a sensor, and its position, current, axes, depth and time are read.
+/// The unit of a sensor in masterdata, for the sensors of positions, currents, axes, depths and times.
 std::string_view unit_of(std::string_view sensor) {
   if (sensor.starts_with("x_utm_to_lmc_")) return "nodim";
   if (sensor == "x_lmc_utm_zone_digit") return "byte";
@@ -81,7 +81,8 @@ messages::Message in_another_unit(const std::string& sensor, const std::string& 
   return messages::ingest_track_message<"sensor-unit-altered">(sensor, unit, unit_of(sensor));
 }
 
-/// Lines "s: T <number> <index in a cycle> <bytes> <name> <unit>"; F and -1: not in this log.
+/// Reads lines "s: T <number> <index in a cycle> <bytes> <name> <unit>"; F and -1 mark a sensor that is not
+/// in this log.
 Checked<std::vector<LoggedSensor>> sensors_in(std::string_view bytes, std::size_t& at, int lines,
                                               int wanted) {
   std::vector<LoggedSensor> sensors;
@@ -115,7 +116,7 @@ Checked<std::vector<LoggedSensor>> sensors_in(std::string_view bytes, std::size_
   return sensors;
 }
 
-/// Compressed or not.
+/// Whether a file has the name of the cache with this checksum, compressed or not.
 bool is_cache_name(const std::filesystem::path& file, const std::string& crc) {
   const std::string name = lower(file.filename().string());
   return name == crc + ".cac" || name == crc + ".ccc";
@@ -138,7 +139,7 @@ std::optional<std::filesystem::path> cache_beside(const std::filesystem::path& l
   return std::nullopt;
 }
 
-/// A checksum as text, fit to be part of a file's name.
+/// Whether a text is a checksum and so can safely be part of a file name.
 bool is_crc(const std::string& text) {
   return !text.empty() && text.size() <= 8 && text.find_first_not_of("0123456789abcdef") == std::string::npos;
 }

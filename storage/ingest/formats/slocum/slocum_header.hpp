@@ -12,37 +12,37 @@
 
 namespace floeplan::ingest {
 
-/// Whether the first bytes of a file are those of a Slocum's binary log (dbd, sbd, mbd and the like), unpacked where it
-/// was compressed.
+/// Whether a file is a binary Slocum log (dbd, sbd, mbd and the like): by its first bytes, unpacked if they
+/// were compressed.
 [[nodiscard]] bool is_slocum_binary(std::string_view head);
 [[nodiscard]] bool holds_slocum_binary(const std::filesystem::path& file);
 
-/// Whether they are those of a cache: the list of sensors that logs refer to by its checksum, "1f35be3b.cac".
+/// Whether a file is a sensor cache: a list of sensors to which logs refer by its checksum, "1f35be3b.cac".
 [[nodiscard]] bool is_sensor_cache(std::string_view head);
 [[nodiscard]] bool holds_sensor_cache(const std::filesystem::path& file);
 
-/// Whether a cache, by its name, is the one that a log refers to.
+/// Whether the name of a cache is the one to which a log refers.
 [[nodiscard]] bool is_cache_of(const std::filesystem::path& cache, const std::filesystem::path& log);
 
-/// What is left of the files of a group.
+/// The files of a group without its sensor caches.
 [[nodiscard]] FileGroup without_sensor_caches(const FileGroup& files);
 
-/// A sensor that each cycle of a log has two bits for.
+/// A sensor of a log; each cycle has two bits for it.
 struct LoggedSensor {
   std::size_t bytes{};
-  std::optional<std::size_t> wanted{};  // its place in slocum_sensors
+  std::optional<std::size_t> wanted{};  // its index in slocum_sensors; empty: not used
 };
 
-/// What stands before the cycles of a log, or in the cache that it refers to.
+/// The header of a log, with the sensors from the log itself or from its cache.
 struct SlocumHeader {
   std::vector<LoggedSensor> sensors;  // in the order of their bits
-  std::size_t size{};                 // in the log, in bytes
+  std::size_t size{};                 // length of the header in the log, bytes
 };
 
-/// Takes the beginning of a binary log apart; `bytes` are the log's. The list of sensors of a factored log is in its
-/// cache: among `given`, else beside the log.
+/// Decodes the beginning of a binary log; `bytes` are the log's. A factored log has its list of sensors in a
+/// cache, which is taken from `given` or found beside the log.
 /// Format   lines "key: value"; the list of sensors unless factored
-/// Errors   a sensor in another unit than masterdata's; a cache that is not there or does not fit
+/// Errors   a sensor in another unit than in masterdata; the sensor cache is missing or does not match
 [[nodiscard]] Checked<SlocumHeader> slocum_header_of(const std::filesystem::path& log, std::string_view bytes,
                                                      const FileGroup& given);
 

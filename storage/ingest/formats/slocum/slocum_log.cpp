@@ -27,7 +27,8 @@ std::string tag(std::string_view head, std::string_view key) {
   return {};
 }
 
-/// Cuts the part behind the last hyphen off, and the hyphen; all of a text without one.
+/// Removes the last hyphen and the part after it from `text`, and returns the part; without a hyphen, the
+/// whole text.
 std::string_view cut_last_part(std::string_view& text) {
   const std::size_t hyphen = text.rfind('-');
   const std::string_view part = hyphen == std::string_view::npos ? text : text.substr(hyphen + 1);
@@ -40,8 +41,8 @@ bool is_number(std::string_view text, std::size_t least_digits, std::size_t most
          std::ranges::all_of(text, [](char c) { return c >= '0' && c <= '9'; });
 }
 
-/// The parts of "unit-7-2026-330-1-12": glider, year, day, mission of the day, segment; a glider's name may hold
-/// hyphens. Empty for any other text.
+/// The parts of "unit-7-2026-330-1-12": glider, year, day, mission of the day, segment. The glider's name may
+/// contain hyphens. Empty for any other text.
 SlocumName name_in(const std::string& full, const std::string& kind) {
   std::string_view glider = full;
   const std::string_view segment = cut_last_part(glider);

@@ -14,7 +14,8 @@
 
 namespace floeplan::ingest {
 
-/// Sensors of a Slocum's log that its way, its currents and the axes of these follow from, in the order of SlocumRow.
+/// Sensors from which the track, the currents and the axes of the currents are computed, in the order of
+/// SlocumRow.
 inline constexpr auto slocum_sensors = std::to_array<std::string_view>(
     {"m_present_time", "m_lat", "m_lon", "m_gps_lat", "m_gps_lon", "m_gps_status", "m_depth", "x_dr_state",
      "m_water_vx", "m_water_vy", "m_initial_water_vx", "m_initial_water_vy", "m_final_water_vx",
@@ -41,7 +42,7 @@ enum class SlocumSensor {
   utm_zone
 };
 
-/// What was logged in one cycle, in the log's own units; empty where a sensor was not updated.
+/// The values of one cycle of a log, in the log's own units; empty for a sensor that was not updated.
 struct SlocumRow {
   std::array<std::optional<double>, slocum_sensors.size()> values{};
 
@@ -50,15 +51,15 @@ struct SlocumRow {
   }
 };
 
-/// Which of a glider's logs a file is, by the tags before its rows, else by the file's name: "comet-2019-222-2-154" is segment 154 of the third
-/// mission of comet that was begun on day 223 of 2019.
+/// Identifies a log, by the tags before its rows or else by its file name: "comet-2019-222-2-154" is segment
+/// 154 of the third mission that comet began on day 223 of 2019 (the format counts days and missions from 0).
 struct SlocumName {
-  std::string glider;   // "comet"; empty: neither tells
-  std::string mission;  // "comet-2019-222-2.dbd": the same of all segments of one kind
+  std::string glider;   // "comet"; empty: unknown
+  std::string mission;  // "comet-2019-222-2.dbd": equal for all segments of one kind
   int segment{};
 };
 
-/// What is told of a log beyond its rows.
+/// What a log states apart from its rows.
 struct SlocumLog {
   SlocumName name;
   std::array<bool, slocum_sensors.size()> has{};  // whether the log lists the sensor
@@ -66,25 +67,26 @@ struct SlocumLog {
   Messages warnings{};
 };
 
-/// The name of a log by the tags "key: value" at its beginning, else by that of its file up to the first full stop.
+/// The name of a log from the tags "key: value" at its beginning, or else from its file name up to the first
+/// full stop.
 [[nodiscard]] SlocumName slocum_name_of(const std::filesystem::path& file);
 
-/// Whether a text is a log: comma-separated with the names of sensors, or as the vendor's dbd2asc writes it.
+/// Whether a text is a log: comma-separated with sensor names, or as written by the vendor's dbd2asc.
 [[nodiscard]] bool is_slocum_text(std::string_view head);
 
-/// The sensors that a log is read for: `slocum_sensors` and what tells how its positions are to be read.
+/// The sensors to read from a log: `slocum_sensors`, and those that show the notation of positions.
 [[nodiscard]] std::vector<std::string_view> slocum_columns();
 
-/// Gives the rows of a log in their order to `take`, with positions in packed degrees and minutes, to which decimal ones
-/// are brought (see simulation::settle_positions).
-/// Errors   positions whose notation nothing tells
+/// Passes the rows of a log to `take` in their order. Positions are in packed degrees and minutes; decimal
+/// degrees are converted (see simulation::settle_positions).
+/// Errors   the notation of positions is unknown
 [[nodiscard]] Checked<SlocumLog> take_slocum_table(SlocumLog log, simulation::LogTable table,
                                                    const std::function<void(const SlocumRow&)>& take);
 
-/// Reads a log as text, as `take_slocum_table`. A last line without its end may have lost digits; it is refused and
-/// counted.
+/// Reads a log in text form, as `take_slocum_table` does. A last line without a line end may have lost
+/// digits; it is refused and counted.
 /// Bounds   128 MB of text
-/// Errors   lines that are no row; no line of names; those of `take_slocum_table`
+/// Errors   lines that are not rows; no line of sensor names; those of `take_slocum_table`
 [[nodiscard]] Checked<SlocumLog> read_slocum_text(const std::filesystem::path& file,
                                                   const std::function<void(const SlocumRow&)>& take);
 

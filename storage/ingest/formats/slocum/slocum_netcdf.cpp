@@ -13,7 +13,7 @@
 namespace floeplan::ingest {
 namespace {
 
-constexpr std::uint64_t most_rows = 2'000'000;  // 25 sensors of 16 bytes: 800 MB
+constexpr std::uint64_t most_rows = 2'000'000;  // with 25 sensors of 16 bytes 800 MB
 
 std::optional<MeasurementLine> line_of(const NetcdfFile& file, std::string_view sensor) {
   return MeasurementLine::of(file, file.find(std::string{sensor}));

@@ -18,7 +18,7 @@ constexpr std::size_t header_bytes = 4096;
 constexpr std::uint32_t most_stations = 100'000;
 constexpr std::string_view length_key = "[END OF FILE] = ";
 
-/// "-330": three and a half hours west.
+/// Hours of a number hhmm: "-330" is -3.5 h, west of Greenwich.
 double hours_of(std::int32_t hours_and_minutes) {
   return hours_and_minutes / 100 + (hours_and_minutes % 100) / 60.0;
 }

@@ -10,11 +10,11 @@
 
 namespace floeplan::ingest {
 
-/// Whether a file begins as a database of harmonic constants of XTide does.
+/// Whether a file begins like a database of harmonic constants for XTide.
 [[nodiscard]] bool is_tcd(std::string_view head);
 
-/// Compares a file with the length that its header states.
-/// Errors   a file that was cut short, or whose header states no length
+/// Compares a file's length with the length in its header.
+/// Errors   the file was cut short, or its header states no length
 [[nodiscard]] Checked<bool> is_whole_tcd(const std::filesystem::path& file);
 
 struct TcdConstituent {
@@ -23,9 +23,9 @@ struct TcdConstituent {
 };
 
 struct TcdConstant {
-  std::size_t constituent{};  // of the file's list
+  std::size_t constituent{};  // index in the file's list of constituents
   double amplitude{};         // in the unit of the station, greater than 0
-  double phase_deg{};         // behind the standard time of the station's zone
+  double phase_deg{};         // lag behind the equilibrium tide, in the standard time of the station's zone
 };
 
 struct TcdStation {
@@ -33,9 +33,9 @@ struct TcdStation {
   double lon_deg{};
   double lat_deg{};
   std::string unit;                    // "feet", "meters"; of a current "knots", "knots^2"
-  double zone_h{};                     // hours east of UTC that its phases count from
-  bool has_constants{true};            // else its tides are stated as differences from another station's
-  std::vector<TcdConstant> constants;  // none: not stated
+  double zone_h{};                     // hours east of UTC; phases count in this zone's time
+  bool has_constants{true};            // false: the tides are given as differences from another station
+  std::vector<TcdConstant> constants;  // empty: not stated
 };
 
 struct TcdFile {
@@ -43,9 +43,9 @@ struct TcdFile {
   std::vector<TcdStation> stations;
 };
 
-/// Reads a file that is_whole_tcd has looked at through libtcd, which ends the process where a record breaks its rules.
-/// Errors   a file that libtcd cannot open; more than 100,000 stations
-/// Threads  one at a time in a process: libtcd knows one file
+/// Reads a file with libtcd, which ends the process at an invalid record. Call is_whole_tcd first.
+/// Errors   libtcd cannot open the file; more than 100,000 stations
+/// Threads  one at a time in a process: libtcd keeps one open file
 /// Source   libtcd 2.2.2, libtcd.html: "Format of the TCD file", TIDE_RECORD
 [[nodiscard]] Checked<TcdFile> read_tcd(const std::filesystem::path& file);
 

@@ -12,7 +12,7 @@
 namespace floeplan::ingest {
 namespace {
 
-/// ISO 8601 text of a field of dates or times.
+/// ISO 8601 text of a date or time attribute.
 std::string iso_of_field(const OGRFeature& feature, int index) {
   int year = 0;
   int month = 0;
@@ -21,7 +21,9 @@ std::string iso_of_field(const OGRFeature& feature, int index) {
   int minute = 0;
   float second = 0.0F;
   int zone =
-      0;  // 0: not stated, 1: local time of nobody knows where, 100: UTC, one more for every quarter of an hour east
+      // GDAL's zone flag. 0: unknown, 1: unspecified local time, 100: UTC, plus 1 for every quarter of an
+      // hour east
+      0;
   feature.GetFieldAsDateTime(index, &year, &month, &day, &hour, &minute, &second, &zone);
   std::array<char, 64> text{};
   std::snprintf(text.data(), text.size(), "%04d-%02d-%02d", year, month, day);

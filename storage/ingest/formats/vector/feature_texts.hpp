@@ -9,11 +9,12 @@ class OGRFeature;
 
 namespace floeplan::ingest {
 
-/// The value of an attribute: numbers and texts as the file writes them, dates and times in ISO 8601 and not as GDAL
-/// spells them, which no file holds; a time without a zone stays without one. Empty where it has none.
+/// The value of an attribute as text: numbers and texts as in the file, dates and times in ISO 8601 instead
+/// of GDAL's own notation. A time without a zone keeps none. Empty if the attribute has no value.
 [[nodiscard]] std::string text_of_field(const OGRFeature& feature, int index);
 
-/// The first attribute with one of these names (as `core::plain_word` has them) that has a value.
+/// The value of the first attribute with one of these names (in the form of `core::plain_word`) that has a
+/// value.
 [[nodiscard]] std::optional<std::string> text_of_feature(const OGRFeature& feature,
                                                          std::span<const std::string_view> names);
 

@@ -12,7 +12,8 @@ Checked<std::shared_ptr<GDALDataset>> open_geojson(const std::filesystem::path& 
   register_drivers();
   const GdalMessages messages;
   const char* const drivers[] = {"GeoJSON", nullptr};
-  const char* const options[] = {"DATE_AS_STRING=YES", nullptr};  // times are parsed where a zone is demanded
+  // as text, because GDAL would lose whether a time states its zone
+  const char* const options[] = {"DATE_AS_STRING=YES", nullptr};
   const std::string path = std::filesystem::absolute(file).string();
   std::shared_ptr<GDALDataset> dataset{
       GDALDataset::Open(path.c_str(), GDAL_OF_VECTOR | GDAL_OF_VERBOSE_ERROR, drivers, options)};

@@ -29,7 +29,7 @@ using Attributes = std::vector<std::pair<std::string, std::string>>;
 
 std::string named_line(const Element& element) { return "line " + std::to_string(element.line); }
 
-/// Adds the places of "lon,lat,height lon,lat ..." to a line.
+/// Adds the positions in an element's coordinates, "lon,lat,height lon,lat ...", to a line.
 Checked<bool> read_coordinates(const Element& holder, OGRSimpleCurve& line) {
   const Element* const coordinates = holder.child("coordinates");
   std::string_view rest = coordinates == nullptr ? std::string_view{} : xml::trimmed(coordinates->text);
@@ -82,7 +82,7 @@ bool is_geometry(std::string_view name) {
 
 Checked<Geometry> geometry_of(const Element& element);
 
-/// A multipolygon of polygons alone, else a collection.
+/// Combines the parts of an element: a multipolygon if all parts are polygons, otherwise a collection.
 Checked<Geometry> collection_of(const Element& element) {
   std::vector<Geometry> parts;
   for (const Element& child : element.children) {
@@ -106,11 +106,11 @@ Checked<Geometry> geometry_of(const Element& element) {
   return std::make_unique<OGRLineString>();
 }
 
-/// What an element of time spans, as the file writes it; empty texts: unbounded, or there is none.
+/// The time span of an element, as texts of the file; an empty text: unbounded or not stated.
 struct TimeTexts {
   std::string begin;
   std::string end;
-  std::string when;  // of a TimeStamp
+  std::string when;  // the time of a TimeStamp
 };
 
 TimeTexts time_of(const Element& feature) {
@@ -123,7 +123,8 @@ TimeTexts time_of(const Element& feature) {
   return {};
 }
 
-/// The narrower of both. What is no time stays, for the reader of the attributes to refuse.
+/// The narrower of two time spans. A text that is not a time is kept, so that the reader of the attributes
+/// refuses it.
 TimeTexts narrower(const TimeTexts& outer, const TimeTexts& inner) {
   const auto of_both = [](const std::string& one, const std::string& other, bool is_end) {
     const auto of_one = stated_period(one);
@@ -136,13 +137,14 @@ TimeTexts narrower(const TimeTexts& outer, const TimeTexts& inner) {
   return {of_both(outer.begin, inner.begin, false), of_both(outer.end, inner.end, true), ""};
 }
 
-/// Elements that hold text alone, at any depth, with their names.
+/// Adds the elements that contain only text, at any depth, under their names.
 void add_leaves(const Element& element, Attributes& attributes) {
   if (element.children.empty()) attributes.emplace_back(element.name, trimmed(element.text));
   for (const Element& child : element.children) add_leaves(child, attributes);
 }
 
-/// Data with their values, SimpleData declared or not, and elements of other namespaces.
+/// The attributes in ExtendedData: Data with their values, SimpleData (declared or not), elements of other
+/// namespaces.
 Attributes extended_data_of(const Element& feature) {
   Attributes attributes;
   for (const Element& holder : feature.children) {
@@ -161,7 +163,7 @@ Attributes extended_data_of(const Element& feature) {
   return attributes;
 }
 
-/// The first attribute that would say what a zone is; empty: none.
+/// The name of the first attribute that says what a zone is; empty if none does.
 std::string word_of_zone(const Attributes& attributes) {
   for (const auto& [name, text] : attributes)
     if (!text.empty() && says_what_a_zone_is(name, text)) return name;
@@ -173,7 +175,7 @@ struct Placemark {
   Attributes attributes;
 };
 
-/// What the folders around a placemark hand down to it.
+/// What a placemark takes over from the folders around it.
 struct Around {
   TimeTexts time;
   std::string names;
@@ -204,7 +206,7 @@ Checked<Placemark> placemark_of(const Element& element, const Around& around) {
   return placemark;
 }
 
-/// Gathers the placemarks below `element`.
+/// Collects the placemarks below `element`.
 Checked<bool> gather(const Element& element, const Around& around, std::vector<Placemark>& placemarks) {
   const std::string name = element.text_of("name");
   const Around here{narrower(around.time, time_of(element)),
@@ -226,7 +228,8 @@ Checked<bool> gather(const Element& element, const Around& around, std::vector<P
   return true;
 }
 
-/// Columns for every attribute, one for each time that a placemark has its name.
+/// Adds columns to the layer for all attributes. A name that a placemark has several times gets several
+/// columns.
 std::map<std::pair<std::string, int>, int> add_columns(OGRLayer& layer,
                                                        const std::vector<Placemark>& placemarks) {
   std::map<std::pair<std::string, int>, int> columns;

@@ -17,9 +17,9 @@
 namespace floeplan::ingest {
 namespace {
 
-constexpr double most_deviation_m = 10.0;  // far below the margins that anybody draws an area with
-constexpr int most_divisions = 12;         // of an edge: 4096 parts
-constexpr double pole_step_deg = 60.0;     // between corners at a pole, which has all longitudes
+constexpr double most_deviation_m = 10.0;  // chosen: far below the margins with which areas are drawn
+constexpr int most_divisions = 12;         // of one edge, so at most 4096 parts
+constexpr double pole_step_deg = 60.0;     // between added corners at a pole, which lies on all longitudes
 
 geo::LonLat middle(geo::LonLat a, geo::LonLat b) {
   return {geo::wrap_longitude(a.lon_deg + 0.5 * geo::longitude_difference(a.lon_deg, b.lon_deg)),
@@ -28,7 +28,7 @@ geo::LonLat middle(geo::LonLat a, geo::LonLat b) {
 
 bool is_pole(double lat_deg) { return std::abs(lat_deg) == 90.0; }
 
-/// Corners on the way from one longitude to another, without its ends.
+/// Adds corners between two corners, at most 60 degrees of longitude apart; without the two themselves.
 void add_way(geo::Ring& ring, geo::LonLat from, geo::LonLat to) {
   const double steps = std::ceil(std::abs(to.lon_deg - from.lon_deg) / pole_step_deg - 1e-9);
   for (double i = 1.0; i < steps; ++i)
@@ -36,8 +36,8 @@ void add_way(geo::Ring& ring, geo::LonLat from, geo::LonLat to) {
                     from.lat_deg + (to.lat_deg - from.lat_deg) * i / steps});
 }
 
-/// Whether all corners lie on one meridian, counted from -180 and from 180 or from 0 and from 360: the ring encloses
-/// nothing unless its edges lead round the Earth.
+/// Whether all corners lie on one meridian, counted as -180 and 180 or as 0 and 360 degrees. Such a ring
+/// encloses an area only if its edges lead around the Earth.
 bool spans_the_globe(const OGRLineString& line) {
   bool leads_round = false;
   for (int i = 0; i < line.getNumPoints(); ++i) {
@@ -114,7 +114,7 @@ Checked<geo::Ring> PolygonShapes::ring(const OGRLinearRing& line) const {
                                   *corner, most_divisions, ring);
       if (!divided) return refuse(divided.error());
     }
-    // The short way between the ends of such an edge is none at all.
+    // Such an edge leads around the Earth; without corners in between, it would count as having no length.
     if (!ring.empty() && straight_ &&
         (global || (is_pole(ring.back().lat_deg) && ring.back().lat_deg == corner->lat_deg)))
       add_way(ring, ring.back(), *corner);

@@ -18,21 +18,22 @@ class OGRPolygon;
 
 namespace floeplan::ingest {
 
-/// Polygons of a file as places on WGS84.
-/// Edges    straight where the file has them straight: those of a projection are divided until they keep within
-///          10 m of it between corners that are straight in longitude and latitude; on a projection an outline round a
-///          pole is cut open along the antimeridian
+/// Converts polygons of a file to polygons on WGS84.
+/// Edges    an edge is straight in the coordinates of the file. Edges of a projection are divided until the
+///          straight line in longitude and latitude deviates by less than 10 m; an outline around a pole on a
+///          projection is cut open along the antimeridian
 class PolygonShapes {
  public:
   /// Shapes whose coordinates are already longitude and latitude on WGS84.
   PolygonShapes();
-  /// Errors   a reference system that cannot be brought to WGS84
+  /// Errors   the reference system cannot be transformed to WGS84
   [[nodiscard]] static Checked<PolygonShapes> in(const OGRSpatialReference& crs);
   PolygonShapes(PolygonShapes&&) noexcept;
   ~PolygonShapes();
 
-  /// The polygons of a polygon, a multipolygon or a collection of them; curves are laid out as lines.
-  /// Errors   other geometries; rings of fewer than three corners; corners that are no places
+  /// The polygons of a polygon, a multipolygon or a collection of them. Curves are approximated by lines.
+  /// Errors   other geometries; rings of fewer than three corners; corners that are not positions on the
+  ///          Earth
   [[nodiscard]] Checked<std::vector<geo::Polygon>> polygons(const OGRGeometry* geometry) const;
 
  private:
@@ -45,20 +46,23 @@ class PolygonShapes {
   [[nodiscard]] Checked<bool> divide(double x0, double y0, geo::LonLat from, double x1, double y1,
                                      geo::LonLat to, int depth, geo::Ring& ring) const;
 
-  std::unique_ptr<OGRCoordinateTransformation, Release> to_wgs84_;  // null: they are on it
+  // null: the coordinates are on WGS84 already
+  std::unique_ptr<OGRCoordinateTransformation, Release> to_wgs84_;
   bool straight_{true};  // edges are straight in longitude and latitude
 };
 
-/// Counts the longitudes of every ring on, beyond 180 degrees, where it crosses the antimeridian with a jump. What
-/// leads along a whole parallel or along a pole stays as it is.
+/// Makes the longitudes of every ring continuous, beyond 180 degrees where the ring jumps across the
+/// antimeridian. An edge along a whole parallel or along a pole stays unchanged.
 void remove_jumps(OGRGeometry& geometry);
 
-/// A ring that leads round a pole, cut open along the antimeridian and closed round that pole; else as it is.
-/// Errors   a ring round the Earth on both sides of the equator: which side is its inside is not known
+/// Cuts a ring around a pole open along the antimeridian and closes it over that pole. Other rings stay
+/// unchanged.
+/// Errors   the ring surrounds the Earth on both sides of the equator, so its inside is not defined
 [[nodiscard]] Checked<geo::Ring> closed_over_pole(geo::Ring ring);
 
-/// The reference system of a layer, or the one stated for layers without one, longitudes and eastings first.
-/// Errors   none of both; one that is not known
+/// The reference system of a layer, or the stated one if the layer has none; longitude or easting comes
+/// first.
+/// Errors   neither exists; the reference system is not known
 [[nodiscard]] Checked<OGRSpatialReference> crs_of(OGRLayer& layer, const std::optional<std::string>& stated);
 
 }  // namespace floeplan::ingest

@@ -27,15 +27,16 @@ using xml::Element;
 constexpr const char* geographic_crs = "EPSG:4326";
 constexpr const char* undetermined_total = "99";
 
-/// Partial stages in the order of icesod: three of the egg, traces, and the rest.
+/// Attributes for the partial stages in the order of icesod: three of the egg code, traces, and the rest.
 constexpr std::array stage_names{"SA", "SB", "SC", "CN", "CD"};
-/// Partial concentrations and forms in the order of iceapc and iceflz, which people are shown: those of the egg.
+/// Attributes of the egg code for partial concentrations and forms, in the order of iceapc and iceflz; for
+/// display only.
 constexpr std::array part_names{"CA", "CB", "CC"};
 constexpr std::array form_names{"FA", "FB", "FC"};
 
 struct IceArea {
   std::unique_ptr<OGRPolygon> shape;
-  std::string crs;  // as the file has it
+  std::string crs;  // the reference system, as text of the file
   std::string total;
   std::vector<std::string> stages;
   std::vector<std::string> parts;
@@ -48,7 +49,7 @@ tl::unexpected<Messages> corners_unreadable(const Element& element) {
   return refuse(about(line_words(element), messages::ingest_feature_message<"ice-gml-corners-unreadable">()));
 }
 
-/// "[87, '85', 99]" and "87" as their numbers, without what stands round them.
+/// The numbers in "[87, '85', 99]" or "87", without brackets, quotes and commas.
 std::vector<std::string> codes_in(const std::string& text) {
   std::vector<std::string> codes;
   for (const char c : text) {
@@ -63,7 +64,7 @@ std::vector<std::string> codes_in(const std::string& text) {
   return codes;
 }
 
-/// A code of SIGRID-3 for a total concentration.
+/// The SIGRID-3 code for a total concentration.
 std::string total_of(const std::string& iceact) {
   const std::vector<std::string> codes = codes_in(iceact);
   if (codes.size() != 1) return undetermined_total;
@@ -73,7 +74,7 @@ std::string total_of(const std::string& iceact) {
 
 std::string stage_of(const std::string& icesod) { return icesod == "1" || icesod == "01" ? "00" : icesod; }
 
-/// The corners of a ring; `latitude_first` turns them to x and y.
+/// The corners of a ring; `latitude_first` says that x and y have to be exchanged.
 Checked<OGRLinearRing> ring_of(const Element& boundary, bool latitude_first) {
   const Element* const ring = boundary.child("LinearRing");
   const Element* const list = ring == nullptr ? nullptr : ring->child("posList");
@@ -85,7 +86,7 @@ Checked<OGRLinearRing> ring_of(const Element& boundary, bool latitude_first) {
     if (!value) return corners_unreadable(*list);
     numbers.push_back(*value);
   }
-  if (numbers.size() < 8 || numbers.size() % 2 != 0)  // three corners, and the first once more
+  if (numbers.size() < 8 || numbers.size() % 2 != 0)  // three corners and the first one repeated
     return corners_unreadable(*list);
   for (std::size_t i = 0; i < numbers.size(); i += 2) {
     if (latitude_first && std::abs(numbers[i]) > 90.0)
@@ -111,7 +112,7 @@ Checked<std::unique_ptr<OGRPolygon>> area_polygon(const Element& element, bool l
   return polygon;
 }
 
-/// "EPSG:3995" of any of the ways to write it.
+/// "EPSG:3995" from any notation of a reference system's name.
 std::string crs_of_name(const std::string& srs_name) {
   if (srs_name.empty()) return geographic_crs;
   const std::size_t end = srs_name.find_last_not_of("0123456789");

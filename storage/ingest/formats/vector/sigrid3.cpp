@@ -19,7 +19,8 @@ namespace {
 constexpr auto total_names = std::to_array<std::string_view>({"ct"});
 constexpr auto polygon_names = std::to_array<std::string_view>({"polytype", "polyty"});
 
-/// The code of an attribute, of two digits; empty where the chart leaves it open. Numeric columns lose a leading zero.
+/// The code in an attribute, two digits; empty if the chart leaves it open. A numeric column has lost a
+/// leading zero.
 std::string code_of(const OGRFeature& feature, std::string_view name) {
   std::string text = text_of_feature(feature, std::array{name}).value_or("");
   if (const auto value = parse_number(text);
@@ -29,7 +30,7 @@ std::string code_of(const OGRFeature& feature, std::string_view name) {
   return text == "-9" ? "" : text;
 }
 
-/// The greatest concentration of a code; nothing of one that there is not.
+/// The greatest concentration that a code stands for; nullopt if the code does not exist.
 std::optional<double> most_concentration(const std::string& code) {
   if (code == "00" || code == "55") return 0.0;  // ice free
   if (code == "01" || code == "02") return 0.1;  // open water, bergy water: less than one tenth
@@ -44,7 +45,7 @@ std::optional<double> most_concentration(const std::string& code) {
   return 0.1 * upper_tenths;
 }
 
-/// A stage of development and the upper end of its range of thickness; infinite where it has none.
+/// A stage of development and its greatest thickness, metres; infinite if there is no limit.
 struct Stage {
   std::string_view code;
   double most_m;
@@ -75,7 +76,7 @@ constexpr auto stages = std::to_array<Stage>({
     {"99", unbounded},  // undetermined
 });
 
-/// The thickest stage that the polygon names; infinite where it names none.
+/// The greatest thickness among the polygon's stages, metres; infinite if it names none.
 Checked<double> most_thickness(const OGRFeature& feature) {
   double most_m = 0.0;
   bool named = false;
@@ -91,7 +92,7 @@ Checked<double> most_thickness(const OGRFeature& feature) {
   return named ? most_m : unbounded;
 }
 
-/// Names of the egg code's numbers in the exchange format; some charts write the first three alone.
+/// Attributes of the egg code in SIGRID-3; some charts contain only the first three.
 constexpr auto egg_names = std::to_array<std::string_view>(
     {"CT", "CA", "SA", "FA", "CB", "SB", "FB", "CC", "SC", "FC", "SO", "SD", "CN", "CD", "CF"});
 constexpr std::size_t longest_code = 4;  // CF names two forms

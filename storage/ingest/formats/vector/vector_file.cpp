@@ -14,14 +14,15 @@ namespace floeplan::ingest {
 
 namespace {
 
-/// GDAL ends a layer early, as if it held no more, where a feature cannot be read; only its error tells.
+/// Reads all features once. Where a feature cannot be read, GDAL ends the layer early; only its error state
+/// shows that.
 Checked<void> every_feature_can_be_read(GDALDataset& dataset) {
   CPLErrorReset();
   for (OGRLayer* const layer : dataset.GetLayers()) {
     layer->ResetReading();
     for (const auto& feature : *layer) {
       static_cast<void>(feature);
-      // GDAL gives the feature without that attribute: a rule would lose its period.
+      // GDAL returns the feature without the attribute; a zone's rule could lose its period without notice.
       if (std::string_view{CPLGetLastErrorMsg()}.starts_with("Invalid content for record"))
         return refuse(messages::ingest_feature_message<"table-value-too-long">(CPLGetLastErrorMsg()));
     }
@@ -37,7 +38,7 @@ bool is_raster(const std::string& path, const char* const* drivers, const char* 
   return GDALDatasetUniquePtr{GDALDataset::Open(path.c_str(), GDAL_OF_RASTER, drivers, options)} != nullptr;
 }
 
-/// Looks at the schema of a GeoPackage before GDAL does, whose functions it could call.
+/// Checks the schema of a GeoPackage before GDAL opens it, because a schema can call GDAL's functions.
 Checked<void> holds_plain_tables(const std::filesystem::path& file) {
   try {
     const auto part = sql::active_part_of(file);

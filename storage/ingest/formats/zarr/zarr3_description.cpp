@@ -14,7 +14,7 @@ namespace {
 
 using nlohmann::json;
 
-/// The types that both versions have: version 2 says the order of the bytes with each.
+/// Names of the number types in versions 3 and 2. In version 2 the byte order stands before the name.
 constexpr std::array number_types{
     std::pair<std::string_view, std::string_view>{"bool", "b1"},
     std::pair<std::string_view, std::string_view>{"int8", "i1"},
@@ -29,7 +29,7 @@ constexpr std::array number_types{
     std::pair<std::string_view, std::string_view>{"float64", "f8"},
 };
 
-/// The member of an object, or null.
+/// The member of an object; null if there is none.
 const json& member(const json& object, const char* name) {
   static const json nothing;
   if (!object.is_object()) return nothing;
@@ -59,9 +59,10 @@ std::optional<std::vector<std::uint64_t>> counts(const json& numbers) {
   return result;
 }
 
-/// What version 2 calls a compressor; null when it has no such one.
+/// The compressor of version 2 for a codec of version 3; null if there is none.
 json compressor_of(const std::string& name, const json& configuration) {
-  if (name == "gzip" || name == "zstd") return {{"id", name}, {"level", 1}};  // of no meaning to a reader
+  // the level does not matter for reading
+  if (name == "gzip" || name == "zstd") return {{"id", name}, {"level", 1}};
   if (name != "blosc") return nullptr;
   const std::string cname = text_or_empty(member(configuration, "cname"));
   if (cname.empty()) return nullptr;
@@ -70,10 +71,10 @@ json compressor_of(const std::string& name, const json& configuration) {
 
 struct Codecs {
   char order_of_bytes{'<'};
-  json compressor;  // null: none
+  json compressor;  // null: not compressed
 };
 
-/// Numbers as bytes, then at most one compressor.
+/// Reads the list of codecs: first one that turns numbers into bytes, then at most one compressor.
 Checked<Codecs> codecs_of(const json& list) {
   if (!list.is_array() || list.empty()) return refuse(damaged("has no codecs"));
   Codecs codecs;
@@ -98,7 +99,7 @@ Checked<Codecs> codecs_of(const json& list) {
   return codecs;
 }
 
-/// How the files of chunks are called: prefix and separator.
+/// Prefix and separator of the names of chunk files.
 std::optional<std::pair<std::string, std::string>> chunk_keys(const json& encoding) {
   const std::string name = text_or_empty(member(encoding, "name"));
   if (name != "default" && name != "v2") return std::nullopt;
@@ -108,7 +109,7 @@ std::optional<std::pair<std::string, std::string>> chunk_keys(const json& encodi
   return std::pair{name == "v2" ? std::string{} : "c" + separator, separator};
 }
 
-/// Eight bytes in base64 as a number, the lowest byte first.
+/// A number from its eight bytes in base64, lowest byte first.
 std::optional<double> number_in_base64(const std::string& text) {
   constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   if (text.size() != 12 || text.back() != '=') return std::nullopt;
@@ -128,7 +129,8 @@ std::optional<double> number_in_base64(const std::string& text) {
   return std::bit_cast<double>(bits);
 }
 
-/// Numbers are read as they are; a fill that is not finite needs no mark.
+/// The attributes, with _FillValue as a number instead of base64. A fill value that is not finite is dropped:
+/// it needs no mark.
 json attributes_of(const json& array) {
   json attributes = member(array, "attributes");
   if (!attributes.is_object()) attributes = json::object();

@@ -20,10 +20,10 @@ namespace fs = std::filesystem;
 
 constexpr const char* prefix = "/vsizarr3/";  // GDAL keeps the pointer
 
-/// What GDAL finds under a path: a text, or a file or a folder of the store.
+/// What GDAL sees under a path: a translated text, or a file or folder of the store.
 struct Seen {
   std::optional<std::string> text;
-  std::string file;  // where there is no text
+  std::string file;  // path in the store; used if there is no text
 };
 
 bool is_there(const fs::path& file) {
@@ -40,7 +40,7 @@ std::optional<Zarr3Array> array_in(const fs::path& folder) {
   return array ? std::move(*array) : std::nullopt;
 }
 
-/// A chunk lies below the folder of its array, which may be some folders up.
+/// The file of a chunk. Its array's folder may be several levels up.
 std::string file_of_chunk(const fs::path& file) {
   for (fs::path folder = file.parent_path(); folder.has_relative_path(); folder = folder.parent_path()) {
     if (!is_there(folder / "zarr.json")) continue;
@@ -52,7 +52,7 @@ std::string file_of_chunk(const fs::path& file) {
   return file.string();
 }
 
-/// nullopt: there is no such thing. GDAL gives `path` without the prefix.
+/// Finds what GDAL sees under a path; nullopt if nothing exists. GDAL passes `path` without the prefix.
 std::optional<Seen> seen_under(const char* path) {
   const fs::path file = "/" + std::string{path};
   const std::string name = file.filename().string();

@@ -26,7 +26,7 @@ messages::Message damaged_store(const fs::path& file, const std::string& why) {
       "the description " + array + "/" + file.filename().string(), why);
 }
 
-/// The product of the numbers; nullopt when one is no count or the product is beyond `most`.
+/// The product of the numbers; nullopt if one is not a positive whole number or the product exceeds `most`.
 std::optional<std::uint64_t> product_of_counts(const json& numbers, std::uint64_t most) {
   if (!numbers.is_array()) return std::nullopt;
   std::uint64_t result = 1;
@@ -39,7 +39,7 @@ std::optional<std::uint64_t> product_of_counts(const json& numbers, std::uint64_
   return result;
 }
 
-/// The description of an array as version 2 has it; null of what is none.
+/// The description of an array in the form of version 2; null if the description is not of an array.
 Checked<json> array_of(const fs::path& description, int version) {
   if (fs::file_size(description) > max_zarr_description_bytes)
     return refuse(damaged_store(description, "is over 1 MB long"));

@@ -9,11 +9,11 @@
 
 namespace floeplan::ingest {
 
-/// How long a description in a store may be.
+/// The greatest length of a description in a store. Chosen.
 inline constexpr std::uint64_t max_zarr_description_bytes = 1'000'000;
 
-/// The files of a Zarr store of version 2 or 3, a folder, after checks that cost nothing: what a few bytes of
-/// description make a reader allocate is bounded here.
+/// The files of a Zarr store of version 2 or 3, which is a folder. The store was checked first: a few bytes
+/// of description could otherwise make a reader allocate any amount of memory.
 struct ZarrStore {
   std::vector<std::filesystem::path> files;  // by name
   std::uint64_t bytes{};
@@ -22,15 +22,16 @@ struct ZarrStore {
 
 /// Whether a folder is a Zarr store, or a part of one, of any version.
 [[nodiscard]] bool is_zarr(const std::filesystem::path& folder);
-/// Whether it is one of version 3.
+/// Whether a folder is a store, or a part of one, of version 3.
 [[nodiscard]] bool is_zarr3(const std::filesystem::path& folder);
 
-/// Errors   a store of version 3 of another layout than version 2 has; one that is no group; links and other things
-///          that are no files; more than a hundred thousand files; an array whose description is damaged, whose chunks
-///          unpack to more than 256 MB or that has fewer chunks than a tenth of those that its shape needs
+/// Lists and checks the files of a store.
+/// Errors   a store of version 3 whose layout version 2 does not have; not a group; links and special files;
+///          more than 100,000 files; an array with a damaged description, with chunks that unpack to more
+///          than 256 MB, or with less than a tenth of the chunks that its shape needs
 [[nodiscard]] Checked<ZarrStore> open_zarr(const std::filesystem::path& folder);
 
-/// The size of all files; 0 of what is no store.
+/// The size of all files in bytes; 0 for a folder that is no store.
 [[nodiscard]] std::uint64_t bytes_of_zarr(const std::filesystem::path& folder);
 /// SHA-256 over the names and the digests of all files.
 [[nodiscard]] Checked<std::string> sha256_of_zarr(const std::filesystem::path& folder);

@@ -10,7 +10,7 @@
 namespace floeplan::ingest {
 namespace {
 
-/// Some locales write decimals with a comma, which GDAL reads as the point that it stands for.
+/// Whether a word is a number. Some programs write a decimal comma, which GDAL reads as a point.
 bool is_number(std::string word) {
   std::ranges::replace(word, ',', '.');
   return parse_number(word).has_value();

@@ -18,7 +18,8 @@ namespace {
 constexpr float deepest_sea_m = 12000.0F;
 constexpr float highest_land_m = 9000.0F;
 
-/// With the range of its cells, and what of it GDAL or HDF5 holds meanwhile, a quarter of what a reader may take.
+/// Nodes in a band. With the range of its cells and the buffers of GDAL or HDF5, a band takes a quarter of a
+/// reader's memory.
 constexpr std::size_t band_nodes = 4'000'000;
 
 using Rows = std::function<Checked<RawRows>(std::size_t, std::size_t)>;
@@ -39,7 +40,7 @@ std::size_t rows_of_band(Sides sides) {
   return std::max<std::size_t>(band_nodes / sides.columns / together, 1) * together;
 }
 
-/// Calls `visit` with the first row and the rows of each band; ends with the first refusal.
+/// Calls `visit` with the first row and the rows of each band; stops at the first refusal.
 template <class Visit>
 Checked<bool> for_each_band(Sides sides, const Rows& read, const Visit& visit) {
   const std::size_t step = rows_of_band(sides);
@@ -51,8 +52,8 @@ Checked<bool> for_each_band(Sides sides, const Rows& read, const Visit& visit) {
   return true;
 }
 
-/// Numbers that producers write for "missing". 9999 also is a depth: it counts only if nothing else is as
-/// large.
+/// Whether producers use this number for "missing". 9999 is not among them: it is also a possible depth, and
+/// counts as a mark only if no other value is as large.
 bool is_certain_marker(float value) {
   constexpr std::array markers{32767.0F, 32768.0F, 99999.0F, 999999.0F};
   const float size = std::abs(value);
@@ -61,13 +62,13 @@ bool is_certain_marker(float value) {
 
 bool is_doubtful_marker(float value) { return std::abs(value) == 9999.0F; }
 
-/// A value and where it was met first.
+/// A value and the first node that has it.
 struct Extreme {
   float value{};
   std::size_t node{};
 };
 
-/// What has to be known of all values before the first can be stored.
+/// Facts about all values that are needed before the first can be stored.
 class Survey {
  public:
   explicit Survey(std::size_t columns) : columns_{columns} {}
@@ -97,7 +98,7 @@ class Survey {
     return is_certain_marker(value) || (is_doubtful_marker(value) && !other_is_large_);
   }
   [[nodiscard]] std::int64_t markers() const { return certain_ + (other_is_large_ ? 0 : doubtful_); }
-  /// Empty when every value is missing.
+  /// The lowest and the highest value; empty if every value is missing.
   [[nodiscard]] std::optional<std::pair<Extreme, Extreme>> range() const {
     Range range = without_;
     if (other_is_large_ && with_doubtful_) {
@@ -106,18 +107,18 @@ class Survey {
     }
     return range;
   }
-  /// The shoalest that a cell reaches; empty where the range of cells is not known.
+  /// The shoalest value in any cell; empty if the ranges of cells are not known.
   [[nodiscard]] std::optional<Extreme> shoalest_cell(VerticalSense sense) const {
     if (!cells_ || !has_shoaler_cells(sense)) return std::nullopt;
     return sense == VerticalSense::up ? cells_->second : cells_->first;
   }
-  /// Whether a cell is shoaler than its value.
+  /// Whether any cell has values shoaler than the value of its node.
   [[nodiscard]] bool has_shoaler_cells(VerticalSense sense) const {
     return sense == VerticalSense::up ? reaches_higher_ : reaches_lower_;
   }
 
  private:
-  using Range = std::optional<std::pair<Extreme, Extreme>>;  // lowest, highest
+  using Range = std::optional<std::pair<Extreme, Extreme>>;  // lowest and highest value
 
   static void widen(Range& range, const Extreme& met) {
     if (!range) range = {met, met};
@@ -128,7 +129,7 @@ class Survey {
   std::size_t columns_;
   Range without_;
   Range with_doubtful_;
-  Range cells_;  // of the nodes that are no markers
+  Range cells_;  // range of the cells of nodes that are not missing
   std::int64_t certain_{};
   std::int64_t doubtful_{};
   bool other_is_large_{false};
@@ -163,10 +164,10 @@ std::optional<messages::Message> fault_of_depths(const RawBathymetry& raw, Verti
   return std::nullopt;
 }
 
-/// Rows as they are stored: positive down, markers left out.
+/// Rows in the form in which they are stored: positive down, NaN for missing.
 struct DepthRows {
   std::vector<float> depth_m;
-  std::vector<float> shoalest_m;  // of each cell; empty where the range of cells is not known
+  std::vector<float> shoalest_m;  // shoalest depth of each cell; empty if the ranges of cells are not known
 };
 
 DepthRows depths_of(const RawRows& rows, VerticalSense sense, const Survey& survey) {
@@ -181,8 +182,7 @@ DepthRows depths_of(const RawRows& rows, VerticalSense sense, const Survey& surv
   result.shoalest_m = result.depth_m;
   for (std::size_t i = 0; i < bounds.size(); ++i) {
     const float bound = depth(bounds[i]);
-    if (bound < result.shoalest_m[i])
-      result.shoalest_m[i] = bound;  // of a missing one nothing is known: it compares as false
+    if (bound < result.shoalest_m[i]) result.shoalest_m[i] = bound;  // false for a missing bound (NaN)
   }
   return result;
 }
@@ -232,7 +232,7 @@ void widen(RawRows& rows, const std::vector<float>& uncertainty_m) {
   if (rows.lowest_m.empty()) rows.lowest_m = rows.values_m;
   if (rows.highest_m.empty()) rows.highest_m = rows.values_m;
   for (std::size_t i = 0; i < uncertainty_m.size(); ++i) {
-    if (!(uncertainty_m[i] > 0.0F) || uncertainty_m[i] > 1000.0F) continue;  // missing, or a marker for it
+    if (!(uncertainty_m[i] > 0.0F) || uncertainty_m[i] > 1000.0F) continue;  // missing, or a mark for missing
     rows.lowest_m[i] -= uncertainty_m[i];
     rows.highest_m[i] += uncertainty_m[i];
   }

@@ -14,8 +14,8 @@
 
 namespace floeplan::ingest {
 
-/// Depths or elevations in a file, before it is known which of both they are. They are read a band at a time, because
-/// charts of an ocean do not fit into the memory of a reading process.
+/// The depths or elevations of a file; which of the two they are is not yet known. They are read in bands of
+/// rows, because an ocean's grid does not fit into the memory of a reading process.
 struct RawBathymetry {
   ocean::HorizontalGrid grid;
   /// A model's own points, at which the depths are kept, one to a row; empty: they lie at the grid's nodes.
@@ -26,16 +26,19 @@ struct RawBathymetry {
   std::function<Checked<RawRows>(std::size_t first_row, std::size_t rows)> read;
 };
 
-/// Hands out rows that are all in memory.
+/// A function that returns rows from `all`, which is in memory.
 [[nodiscard]] std::function<Checked<RawRows>(std::size_t, std::size_t)> rows_in_memory(RawRows all,
                                                                                        std::size_t columns);
 
-/// The bed may lie higher or lower than measured by as much as the measurement may be wrong.
-/// `uncertainty_m`  as the values; not above 0, or above 1000: not known
+/// Widens the range of each cell by the uncertainty of its value, so that the bed may lie higher or lower by
+/// this much.
+/// `uncertainty_m`  same shape as the values; values up to 0 and above 1000 count as unknown
 void widen(RawRows& rows, const std::vector<float>& uncertainty_m);
 
-/// Decides the sense, leaves out markers for "missing" that the file does not declare, and checks the extent.
-/// Errors   nothing but missing values; deeper than 12000 m or higher than 9000 m; sense unknown; those of `read`
+/// Finds whether the values are depths or elevations, removes marks of missing values that the file does not
+/// declare, and checks the range.
+/// Errors   all values missing; deeper than 12000 m or higher than 9000 m; depth or elevation unknown; those
+///          of `read`
 [[nodiscard]] Checked<PreparedDataset> prepare_bathymetry(RawBathymetry raw,
                                                           const std::optional<std::string>& positive);
 

@@ -24,7 +24,8 @@ bool is_plane(const NetcdfVariable& variable) {
   return variable.is_numeric() && dimensions.size() >= 2 && long_ones <= 2;
 }
 
-/// A description without the level from which it counts: "depth of the bed below the sea surface" is no sea surface.
+/// A description without its reference level: "depth of the bed below the sea surface" does not describe the
+/// sea surface.
 std::string without_level(std::string description) {
   for (const std::string_view level : {"below sea surface", "below the sea surface", "below mean sea surface",
                                        "below the mean sea surface", "below_sea_surface"})
@@ -50,7 +51,7 @@ bool is_called_bathymetry(const NetcdfVariable& variable) {
                       {"bathymetr", "topograph", "relief of", "sea floor depth", "elevation relative"});
 }
 
-/// The least and the greatest of a cell are depths, too, but not of the whole cell.
+/// The least and the greatest depth in a cell are depths too, but other variables are preferred.
 bool is_extreme(Statistic statistic) {
   return statistic == Statistic::minimum || statistic == Statistic::maximum;
 }

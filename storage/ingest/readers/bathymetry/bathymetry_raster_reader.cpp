@@ -26,8 +26,8 @@
 namespace floeplan::ingest {
 namespace {
 
-constexpr std::int64_t max_nodes = 4'000'000'000;   // the grid of GEBCO has 3.7e9
-constexpr std::int64_t max_resampled = 20'000'000;  // which are held in memory, with their extremes
+constexpr std::int64_t max_nodes = 4'000'000'000;   // GEBCO's grid has 3.7e9
+constexpr std::int64_t max_resampled = 20'000'000;  // resampled grids are held in memory, with their extremes
 
 bool is_picture(GDALDataset& dataset) {
   GDALRasterBand* band = dataset.GetRasterBand(1);
@@ -35,7 +35,8 @@ bool is_picture(GDALDataset& dataset) {
   return band->GetColorTable() != nullptr || colour == GCI_PaletteIndex || colour == GCI_RedBand;
 }
 
-/// The band that says it holds depths or elevations, else the first that is no statistic of them, else the first.
+/// Number of the band to read: the first described as depths or elevations; else the first that is not a
+/// statistic; else 1.
 int depth_band(GDALDataset& dataset) {
   int first = 0;
   for (int i = 1; i <= dataset.GetRasterCount(); ++i) {
@@ -63,7 +64,7 @@ Checked<DatasetPtr> resampled(GDALDataset& dataset, const OGRSpatialReference& c
   return result;
 }
 
-/// One band of a raster and what its numbers mean.
+/// One band of a raster with the meaning of its numbers.
 struct Plane {
   GDALRasterBand* band{};  // borrowed
   AxisNodes x;
@@ -107,7 +108,7 @@ std::vector<double> centres(double origin, double step, int count) {
   return values;
 }
 
-/// A band whose coordinates the engine understands.
+/// Reads the grid of a band whose reference system the engine can use.
 Checked<Plane> plane_of(GDALDataset& dataset, const geo::GridFrame& frame, int band_number) {
   RasterTransform t{};
   if (dataset.GetGeoTransform(t.data()) != CE_None || t[2] != 0.0 || t[4] != 0.0)
@@ -129,11 +130,11 @@ Checked<Plane> plane_of(GDALDataset& dataset, const geo::GridFrame& frame, int b
   return Plane{band, std::move(*x), std::move(*y), *factor};
 }
 
-/// A grid, and where a cell of it stands for several measurements, the lowest and the highest of them.
+/// A raster and, if a cell combines several measurements, rasters of the lowest and the highest of them.
 struct Views {
   DatasetPtr middle;
-  DatasetPtr lowest;   // null: one measurement a cell
-  DatasetPtr highest;  // likewise
+  DatasetPtr lowest;   // null: one measurement per cell
+  DatasetPtr highest;  // null: one measurement per cell
 };
 
 DatasetPtr open_raster(const std::filesystem::path& file, const char* driver,
@@ -143,7 +144,8 @@ DatasetPtr open_raster(const std::filesystem::path& file, const char* driver,
                                       GDAL_OF_RASTER | GDAL_OF_VERBOSE_ERROR, drivers, options)};
 }
 
-/// A BAG of variable resolution on one grid as fine as its finest part: the plain view shows a cell of its coarsest.
+/// Opens a BAG of variable resolution on one grid with its finest spacing; GDAL's default view has the
+/// coarsest spacing.
 DatasetPtr open_finest(const std::filesystem::path& file, const char* population) {
   const char* const options[] = {"MODE=RESAMPLED_GRID", population, nullptr};
   return open_raster(file, "BAG", options);
@@ -176,7 +178,8 @@ Checked<Views> open_views(const std::filesystem::path& file, const char* driver)
   return views;
 }
 
-/// Resamples to a grid of the store. A value between nodes is a mean, so the extremes of all values behind it are kept too.
+/// Resamples to a grid of the store. A resampled value is a mean, so the extremes of the values behind it are
+/// kept too.
 Checked<Views> resampled(const Views& views, const OGRSpatialReference& crs, const char* target_crs) {
   const auto from = [](const DatasetPtr& own, const DatasetPtr& otherwise) -> GDALDataset& {
     return own ? *own : *otherwise;
@@ -191,16 +194,17 @@ Checked<Views> resampled(const Views& views, const OGRSpatialReference& crs, con
   return Views{std::move(*middle), std::move(*lowest), std::move(*highest)};
 }
 
-/// The band with the uncertainty of the depths, as BAG and what is made from it has; 0: none.
+/// Number of the band with the uncertainty of the depths, which BAG files and their conversions have; 0 if
+/// there is none.
 int uncertainty_band(GDALDataset& dataset) {
   for (int i = 1; i <= dataset.GetRasterCount(); ++i)
     if (contains_any(lower(dataset.GetRasterBand(i)->GetDescription()), {"uncertainty"})) return i;
   return 0;
 }
 
-/// What is known of each cell; all on the same nodes.
+/// The values, extremes and uncertainty of each cell, all on the same nodes.
 struct Planes {
-  Views views;  // to which the planes belong
+  Views views;  // rasters that own the planes' bands
   Plane middle;
   std::optional<Plane> lowest{};
   std::optional<Plane> highest{};

@@ -14,40 +14,41 @@ namespace floeplan::ingest {
 /// Bathymetry from a raster file: GeoTIFF, ESRI ASCII grid, XYZ or BAG (its elevation layer). Geographic,
 /// polar stereographic and transverse Mercator grids keep their nodes; others are resampled to longitude and
 /// latitude.
-/// Edges    values stand for pixel centres; axis order is always easting or longitude first
-/// Errors   pictures;
-///          no CRS (plain text grids may be recognised as degrees, with a warning); rotated grids
+/// Edges    values belong to pixel centres; easting or longitude always comes first
+/// Errors   pictures; no CRS (a plain text grid may be recognised as degrees, with a warning); rotated grids
 [[nodiscard]] Checked<PreparedDataset> read_raster_bathymetry(const std::filesystem::path& file,
                                                               const char* driver,
                                                               const IngestOptions& options);
 
-/// The same from a table with named columns, whose column also tells depth from elevation.
+/// The same for a table with named columns; the name of its column tells whether it holds depths or
+/// elevations.
 [[nodiscard]] Checked<PreparedDataset> read_depth_table(const std::filesystem::path& file,
                                                         const IngestOptions& options);
 
-/// The variable that holds depths or elevations; null when none claims to. With `any_plane` a lone variable
-/// over two dimensions is taken whatever its name.
+/// The variable that holds depths or elevations; null if none says so by its name or attributes. With
+/// `any_plane` the only variable over two dimensions is accepted, whatever its name.
 [[nodiscard]] const NetcdfVariable* find_bathymetry(const NetcdfFile& file, bool any_plane);
 
-/// Bathymetry from the coordinate variables of a NetCDF file (never from a mean grid step, which real axes do
-/// not keep).
+/// Bathymetry of a NetCDF file. The positions come from its coordinate variables, never from a mean grid
+/// step, because real axes are not perfectly regular.
 [[nodiscard]] Checked<PreparedDataset> read_netcdf_bathymetry(std::shared_ptr<const NetcdfFile> file,
                                                               const IngestOptions& options);
 
-/// Checks that an ESRI ASCII grid holds as many values as its header announces. Needed because GDAL 3.6 waits
-/// for ever for the values of a file that was cut short.
+/// Checks that an ESRI ASCII grid has as many values as its header states. GDAL 3.6 would wait for ever for
+/// the missing values of a file that was cut short.
 /// Returns  the number of values
 /// Errors   no usable ncols and nrows; too few values
 [[nodiscard]] Checked<std::uint64_t> ascii_grid_length(const std::filesystem::path& file);
 
-/// Bathymetry from a cell of an electronic chart (S-57 ENC), with its updates, on a grid of half a millimetre at the
-/// chart's scale: at each node the middle of its depth area, and beside it the least depth that anything charted in the
-/// cell may have. Outside the cell's coverage and where the chart gives no depth area nothing is known.
-/// Errors   as read_s57_cell; a coverage of more nodes than this program accepts
+/// Bathymetry from a cell of an electronic chart (S-57 ENC) with its updates, on a grid of half a millimetre
+/// at the chart's scale. Each node has the middle of its depth area's range, and the least depth of any
+/// object in its cell. There is no value outside the chart's coverage, nor where the chart has no depth area.
+/// Errors   those of read_s57_cell; a grid of more nodes than this program accepts
 [[nodiscard]] Checked<PreparedDataset> read_s57_bathymetry(const std::filesystem::path& base);
 
-/// Depths of IHO S-102, positive down, with the uncertainty of each: the bed may lie as much higher.
-/// Errors   as s100_coverage; a unit that is no length
+/// Depths of an IHO S-102 file, positive down, with the uncertainty of each: the bed may lie higher by that
+/// much.
+/// Errors   those of s100_coverage; a unit that is not a length
 /// Source   IHO S-102 edition 3.0.0, tables 10-2 to 10-8
 [[nodiscard]] Checked<PreparedDataset> read_s102_bathymetry(const std::filesystem::path& file);
 

@@ -20,9 +20,11 @@ namespace floeplan::ingest {
 namespace {
 
 constexpr std::size_t max_rows = 20'000'000;  // 500 MB of text
-// A grid may have gaps over land; scattered soundings fill hardly any of the grid that their places span.
+// Least share of nodes with a value. A grid may have gaps over land; scattered soundings fill only a few
+// nodes of a grid.
 constexpr double least_share_of_nodes = 0.2;
-// Coordinates are written with few digits: nodes of one step may lie this share of it away from where they belong.
+// Tolerance as a share of the step. Tables round coordinates to few digits, so nodes may lie beside the
+// regular grid.
 constexpr double off_node = 0.05;
 
 struct Columns {
@@ -70,7 +72,7 @@ Checked<std::vector<Row>> rows_of(std::istream& in, const DelimitedText& table, 
   return rows;
 }
 
-/// Nodes of even step through the different values that occur.
+/// Equidistant nodes that fit all values of a coordinate.
 struct EvenNodes {
   double first{};
   double step{};
@@ -89,7 +91,8 @@ std::optional<EvenNodes> even_nodes(const std::vector<Row>& rows, double Row::* 
   std::ranges::transform(rows, values.begin(), coordinate);
   std::ranges::sort(values);
   const double extent = values.back() - values.front();
-  // Far below any step that a grid of at most max_rows nodes can have, far above the rounding of its coordinates.
+  // Values closer than this are equal: far below the step of any grid with max_rows nodes, far above rounding
+  // errors.
   const double same = extent / (4.0 * static_cast<double>(max_rows));
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 1; i < values.size(); ++i)

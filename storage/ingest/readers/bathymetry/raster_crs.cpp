@@ -19,8 +19,8 @@
 namespace floeplan::ingest {
 namespace {
 
-/// Plain text grids often come without a CRS. Degrees betray themselves: within the globe, and a step that is
-/// a whole number of arc seconds below a degree, which metres hardly ever are.
+/// Plain text grids often have no CRS. They are probably in degrees if they lie within the globe and the step
+/// is a whole number of arc seconds below a degree; steps in metres hardly ever are.
 bool looks_like_degrees(const RasterTransform& t, int columns, int rows) {
   const double east = t[0] + t[1] * columns;
   const double south = t[3] + t[5] * rows;
@@ -34,7 +34,8 @@ bool looks_like_degrees(const RasterTransform& t, int columns, int rows) {
   return on_the_globe && whole_arc_seconds(t[1]) && whole_arc_seconds(t[5]);
 }
 
-/// The horizontal reference system that the description of a BAG names by its code alone; GDAL knows full texts only.
+/// The horizontal reference system that the metadata of a BAG names only by its code; GDAL reads only full
+/// definitions.
 std::optional<OGRSpatialReference> crs_named_in_bag(GDALDataset& dataset) {
   char** const description = dataset.GetMetadata("xml:BAG");
   if (description == nullptr || *description == nullptr) return std::nullopt;
@@ -102,7 +103,7 @@ Checked<OGRSpatialReference> crs_of_raster(GDALDataset& dataset, std::string_vie
 
 const char* target_crs_for(GDALDataset& dataset, const OGRSpatialReference& crs) {
   constexpr double least_lat_deg = 45.0;
-  constexpr int parts = 32;  // of each side
+  constexpr int parts = 32;  // points checked along each side
   RasterTransform t{};
   dataset.GetGeoTransform(t.data());
   OGRSpatialReference wgs84;

@@ -51,9 +51,9 @@ std::optional<double> number_of(const OGRFeature& feature, const char* field) {
   return feature.GetFieldAsDouble(index);
 }
 
-/// How many records a file of ISO/IEC 8211 has, the one that describes it included, by the length that each states of
-/// itself. GDAL reads a file that was cut short as far as it goes.
-/// Errors   a length that is no number or runs beyond the end of the file
+/// Number of records in an ISO/IEC 8211 file, including the one that describes it, counted by the length at
+/// the start of each record. GDAL does not report that a file was cut short.
+/// Errors   a length that is not a number or exceeds the end of the file
 /// Source   ISO/IEC 8211:1994, 6.2: the first five octets of a leader
 Checked<std::size_t> iso8211_records(const std::filesystem::path& file) {
   constexpr std::uint64_t leader_octets = 24;
@@ -74,8 +74,8 @@ Checked<std::size_t> iso8211_records(const std::filesystem::path& file) {
   return records;
 }
 
-/// How many records a base cell has by its own word: its description, its identification, its parameters, and all that
-/// it counts.
+/// Number of records that a base cell states for itself: its description, identification and parameters, and
+/// all records that it counts.
 std::size_t records_stated(const OGRFeature& dsid) {
   double records = 3.0;
   for (const char* count : {"DSSI_NOMR", "DSSI_NOCR", "DSSI_NOGR", "DSSI_NOLR", "DSSI_NOIN", "DSSI_NOCN",
@@ -89,7 +89,7 @@ Checked<void> check_head(GDALDataset& cell, std::size_t records, ChartCell& char
   const OGRFeatureUniquePtr dsid{head == nullptr ? nullptr : head->GetNextFeature()};
   if (!dsid)
     return refuse(messages::ingest_depth_message<"chart-damaged">("has no head that says what it is"));
-  constexpr double is_update = 2.0;  // EXPP, appendix B.1: 1 of a new data set, 2 of an update
+  constexpr double is_update = 2.0;  // EXPP, appendix B.1: 1 new data set, 2 update
   if (number_of(*dsid, "DSID_EXPP") == is_update)
     return refuse(messages::ingest_depth_message<"chart-update-alone">());
   if (records < records_stated(*dsid))
@@ -106,7 +106,7 @@ Checked<void> check_head(GDALDataset& cell, std::size_t records, ChartCell& char
   return {};
 }
 
-/// What a class of objects says of depths.
+/// What an object class states about depths.
 enum class Meaning { area, sounding, danger, land, coverage };
 
 struct ObjectClass {
@@ -126,7 +126,7 @@ bool is_area(const OGRGeometry& geometry) {
   return type == wkbPolygon || type == wkbMultiPolygon;
 }
 
-/// Counts of what the chart leaves open.
+/// Numbers of objects without a depth in the chart.
 struct Unstated {
   int dangers{};
   int areas{};
@@ -202,7 +202,7 @@ std::vector<std::filesystem::path> parts_of_s57(const std::filesystem::path& bas
 
 Checked<ChartCell> read_s57_cell(const std::filesystem::path& base) {
   ChartCell chart;
-  std::size_t records = 0;  // of the base cell, which comes last
+  std::size_t records = 0;  // in the last file read, which is the base cell
   for (const auto& file : parts_of_s57(base) | std::views::reverse) {
     const auto counted = iso8211_records(file);
     if (!counted) return refuse(counted.error());

@@ -11,25 +11,26 @@ class OGRGeometry;
 
 namespace floeplan::ingest {
 
-/// A thing on a chart with a depth, metres below the sounding datum, positive down; what dries is negative.
+/// An object of a chart with a depth: metres below the sounding datum, positive down, negative for drying
+/// heights.
 struct ChartedDepth {
   std::shared_ptr<const OGRGeometry> geometry;  // longitude and latitude, WGS 84
   double depth_m{};
 };
 
-/// What a cell of an electronic chart says of depths.
+/// The depths in a cell of an electronic chart.
 struct ChartCell {
   std::vector<std::shared_ptr<const OGRGeometry>>
-      covered;                      // M_COVR; outside nothing is known, not even that it is deep
-  std::vector<ChartedDepth> areas;  // DEPARE and DRGARE at the middle of their range, land at 0
-  /// Everything that may be as shoal as said: depth areas at their least depth, soundings, rocks, wrecks, obstructions,
-  /// land and what is built into the water; at 0 where the chart gives no depth.
+      covered;                      // M_COVR; outside of it nothing is known about the depth
+  std::vector<ChartedDepth> areas;  // DEPARE and DRGARE at the middle of their depth range, land at 0
+  /// Everything that may be as shoal as stated: depth areas at their least depth, soundings, rocks, wrecks,
+  /// obstructions, land and structures in the water; 0 if the chart states no depth.
   std::vector<ChartedDepth> shoals;
-  int scale{};  // the denominator
+  int scale{};  // denominator of the scale
   Messages warnings;
 };
 
-/// The base cell and, beside it, its updates .001, .002, ... in order.
+/// The base cell and the updates beside it, .001, .002, ..., in order.
 [[nodiscard]] std::vector<std::filesystem::path> parts_of_s57(const std::filesystem::path& base);
 
 /// Reads a base cell with the updates beside it.

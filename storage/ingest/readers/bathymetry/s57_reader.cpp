@@ -20,7 +20,7 @@
 namespace floeplan::ingest {
 namespace {
 
-constexpr double paper_m = 0.0005;  // on the chart: about the width of its thickest line
+constexpr double paper_m = 0.0005;  // grid spacing on paper, about the width of the thickest line of a chart
 constexpr double metres_per_degree = 111'195.0;
 constexpr double finest_m = 5.0;
 constexpr double most_chart_nodes = 6'000'000.0;
@@ -71,7 +71,7 @@ Checked<Frame> frame_of(const ChartCell& chart) {
   return frame;
 }
 
-/// One value a node, rows from the south.
+/// A raster with one value per node; the southernmost row comes first.
 class BurntPlane {
  public:
   BurntPlane(const Frame& frame, float value)
@@ -82,7 +82,8 @@ class BurntPlane {
     raster_->GetRasterBand(1)->Fill(static_cast<double>(value));
   }
 
-  /// Later shapes replace earlier ones. `touched`: also the cells that a shape only touches.
+  /// Writes the depths of shapes into the raster; later shapes replace earlier ones. `touched`: also into
+  /// cells that a shape only touches.
   [[nodiscard]] bool burn(const std::vector<ChartedDepth>& shapes, bool touched) {
     std::vector<OGRGeometryH> geometries;
     std::vector<double> values;
@@ -99,7 +100,7 @@ class BurntPlane {
                                    values.data(), options, nullptr, nullptr) == CE_None;
   }
 
-  /// Empty when they cannot be read.
+  /// The values of all nodes; empty if they cannot be read.
   [[nodiscard]] std::vector<float> values() const {
     const int columns = raster_->GetRasterXSize();
     const int rows = raster_->GetRasterYSize();
@@ -114,7 +115,7 @@ class BurntPlane {
   std::unique_ptr<GDALDataset> raster_;
 };
 
-/// The shoalest last, so that it is what stays.
+/// Sorts the shapes so that the shoalest is written last and replaces all others.
 std::vector<ChartedDepth> deepest_first(std::vector<ChartedDepth> shapes) {
   std::ranges::stable_sort(shapes, [](const auto& a, const auto& b) { return a.depth_m > b.depth_m; });
   return shapes;
@@ -130,7 +131,7 @@ Checked<PreparedDataset> read_s57_bathymetry(const std::filesystem::path& base) 
   std::vector<ChartedDepth> covered;
   for (const auto& geometry : chart->covered) covered.push_back({geometry, 1.0});
 
-  constexpr float deep = 1e6F;  // deeper than anything that is burnt over it
+  constexpr float deep = 1e6F;  // deeper than any depth written over it
   BurntPlane coverage{*frame, 0.0F};
   BurntPlane areas{*frame, missing};
   BurntPlane shoals{*frame, deep};

@@ -27,8 +27,8 @@ std::optional<VerticalSense> stated_sense(const VerticalDescription& description
   return sense_of_words(lower(description.name + " " + description.long_name));
 }
 
-/// A relief that only makes sense one way round: the deepest ocean trenches and the highest mountains of a
-/// whole globe.
+/// The direction in which a global relief makes sense: the ocean is deeper than 9000 m, and no mountain is
+/// higher than 9000 m.
 std::optional<VerticalSense> unmistakable_relief(const VerticalEvidence& evidence) {
   if (!evidence.covers_the_globe) return std::nullopt;
   if (evidence.lowest_m < -9000.0 && evidence.highest_m > 5000.0 && evidence.highest_m < 9000.0)

@@ -10,7 +10,7 @@ namespace floeplan::ingest {
 /// Whether larger numbers mean higher (elevation) or deeper (depth).
 enum class VerticalSense { up, down };
 
-/// What a file says of its depths or heights; empty where it says nothing.
+/// What a file states about the direction of its depths or heights; texts are empty where it states nothing.
 struct VerticalDescription {
   std::string name;  // of the variable or band
   std::string standard_name;
@@ -18,7 +18,7 @@ struct VerticalDescription {
   std::string positive;
 };
 
-/// Extent of the values as the file has them, in metres, and of the grid.
+/// Range of the values in the file, in metres, and whether the grid is global.
 struct VerticalEvidence {
   double lowest_m{};
   double highest_m{};
@@ -30,10 +30,10 @@ struct VerticalFinding {
   std::optional<messages::Message> warning;
 };
 
-/// Decides the sense from the user's word, then from the file's words, then from relief that only one sense
-/// explains: a global grid that reaches below -9000 and above 5000 can only be elevation. Never guesses from
-/// the values of a region.
-/// Errors   nothing decides it, or the values contradict the file's words: the user is asked for --positive
+/// Decides the direction: by the user's statement, or else by the file's statements, or else by a relief that
+/// makes sense in one direction only. A global grid that reaches below -9000 and above 5000 can only hold
+/// elevations. The values of a regional grid are never used.
+/// Errors   nothing decides, or the values contradict the file's statements; the user has to give --positive
 [[nodiscard]] Checked<VerticalFinding> vertical_sense_of(const std::optional<std::string>& user_word,
                                                          const VerticalDescription& description,
                                                          const VerticalEvidence& evidence);

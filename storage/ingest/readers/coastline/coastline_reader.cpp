@@ -22,8 +22,8 @@ struct Gathering {
   bool others{false};
 };
 
-/// Land round a pole in longitude and latitude is Antarctica, or ice round the north pole: its inside holds the pole.
-/// Returns what is not clear of the outline; empty: nothing
+/// Makes an outline around a pole include the pole: such land is Antarctica, or ice around the north pole.
+/// Returns why the inside of the outline is uncertain; empty if it is not.
 std::string close_over_pole(geo::Polygon& polygon) {
   constexpr double polar_lat_deg = 60.0;
   const bool polar = std::ranges::all_of(

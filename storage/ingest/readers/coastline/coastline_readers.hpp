@@ -1,18 +1,20 @@
 #pragma once
 
+#include <filesystem>
+
+#include "engine/core/progress.hpp"
 #include "storage/ingest/common/ingest_options.hpp"
 #include "storage/ingest/common/prepared_dataset.hpp"
-#include <filesystem>
-#include "engine/core/progress.hpp"
 #include "storage/ingest/common/refusal.hpp"
 
 class GDALDataset;
 
 namespace floeplan::ingest {
 
-/// Land from the polygons of every layer, brought to WGS84. Ice shelves count as land: nothing passes below them.
-/// Errors   any polygon that cannot be used refuses the file: land that silently went missing would be run
-///          aground on. A layer without a reference system, unless the options state one
+/// Land from the polygons of all layers, transformed to WGS84. Ice shelves count as land, because nothing
+/// passes below them.
+/// Errors   a polygon that cannot be used: the file is refused, because a route could run aground on land
+///          that is missing; a layer without a reference system, unless the options state one
 [[nodiscard]] Checked<PreparedDataset> read_coastline(GDALDataset& dataset, const IngestOptions& options);
 
 /// The land of the whole globe from a GSHHG shoreline as GMT bins it (see is_gshhg), as one coastline

@@ -9,8 +9,7 @@ namespace {
 constexpr int side_steps = 65535;
 constexpr int round_steps = 4 * side_steps;
 
-/// How far round the bin a point of a side lies, counter-clockwise from the south-west corner, in [0,
-/// round_steps).
+/// Position of a point along the bin's border, anticlockwise from the south-west corner, in [0, round_steps).
 int way_round(BinSide side, BinPoint point) {
   switch (side) {
     case BinSide::south: return point.east;
@@ -30,7 +29,8 @@ int distance_round(int from, int to) { return (to - from + round_steps) % round_
 
 bool is_closed(const ShoreSegment& segment) { return segment.entry == BinSide::none; }
 
-/// Where a segment enters the bin; entries not yet used wait in a list ordered by way round, then by index.
+/// Where a segment enters the bin. Unused entries are in a list sorted by position along the border, then by
+/// index.
 struct Entry {
   int at{};
   std::size_t segment{};
@@ -63,7 +63,7 @@ class RingBuilder {
   void add(const std::vector<BinPoint>& points) {
     for (const BinPoint point : points) add(point);
   }
-  /// The corners strictly between two places on the bin's sides, going counter-clockwise.
+  /// Adds the corners strictly between two positions on the bin's border, anticlockwise.
   void add_corners_between(int from, int to) {
     for (int i = 1; i <= 4; ++i) {
       const int corner = (from / side_steps + i) % 4;
@@ -94,8 +94,8 @@ geo::Ring closed_ring(const ShoreBin& bin, const ShoreSegment& segment) {
   return std::move(ring).finished();
 }
 
-/// Follows segments with the dry side on the left; where one leaves the bin, goes on counter-clockwise along
-/// the sides to where the next one enters, until the first is met again.
+/// Traces an outer ring: follows a segment, with the dry side on the left, to where it leaves the bin, then
+/// the border anticlockwise to the next entry, until the first segment is reached again.
 geo::Ring trace(const ShoreBin& bin, std::vector<Entry>& waiting) {
   RingBuilder ring{bin};
   const std::size_t first = waiting.front().segment;
@@ -112,7 +112,8 @@ geo::Ring trace(const ShoreBin& bin, std::vector<Entry>& waiting) {
   }
 }
 
-/// The piece of land that a lake lies in: the smallest box among the pieces that contain one of its points.
+/// The piece of land around a lake: of the pieces that contain a point of its shore, the one with the
+/// smallest box.
 geo::Polygon* piece_around(std::vector<geo::Polygon>& land, const std::vector<geo::BoundingBox>& boxes,
                            geo::LonLat shore) {
   geo::Polygon* best = nullptr;
@@ -127,7 +128,7 @@ geo::Polygon* piece_around(std::vector<geo::Polygon>& land, const std::vector<ge
   return best;
 }
 
-/// Boxes within one bin, which never crosses the antimeridian.
+/// The box of a ring within one bin; a bin never crosses the antimeridian.
 geo::BoundingBox box_of(const geo::Ring& ring) {
   const auto [west, east] = std::ranges::minmax(ring, {}, &geo::LonLat::lon_deg);
   const auto [south, north] = std::ranges::minmax(ring, {}, &geo::LonLat::lat_deg);

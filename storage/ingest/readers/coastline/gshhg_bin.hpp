@@ -17,12 +17,11 @@ struct BinPoint {
   friend bool operator==(BinPoint, BinPoint) = default;
 };
 
-/// The sides of a bin in the order in which they are met going round counter-clockwise from the south-west
-/// corner.
+/// The sides of a bin, in anticlockwise order from the south-west corner.
 enum class BinSide { south, east, north, west, none };
 
-/// A stretch of shoreline inside one bin, with the dry side on its left. `none`: a closed ring that meets no
-/// side.
+/// A stretch of shoreline inside one bin; the dry side is on its left. `none` as its sides: a closed ring
+/// that meets no side of the bin.
 struct ShoreSegment {
   int level{};  // 1 coast, 2 lake shore, 3 island in a lake, 4 pond on such an island
   BinSide entry{BinSide::none};
@@ -38,8 +37,8 @@ struct ShoreBin {
   std::vector<ShoreSegment> segments;
 };
 
-/// The dry part of a bin; lakes that lie wholly inside are holes, others are bays of the outer ring.
-/// Frame    longitudes run on from the bin's south-west corner without a jump
+/// The land in a bin. Lakes that lie wholly inside are holes; other lakes are bays of the outer ring.
+/// Frame    longitudes are continuous from the bin's south-west corner on
 /// Source   data layout of Wessel and Smith 1996, J. Geophys. Res. 101, 8741-8743, as GMT stores it
 [[nodiscard]] std::vector<geo::Polygon> land_of(const ShoreBin& bin);
 

@@ -10,13 +10,14 @@ namespace {
 
 constexpr double band_deg = 20.0;  // a whole number of bins at every resolution (1 to 20 degrees)
 constexpr int bands = 9;
-constexpr double checking_share = 0.1;  // of the whole time, measured; the rest is writing
-constexpr double inside_deg = 0.01;     // a band that touches its neighbour's bins would bring them twice
+constexpr double checking_share = 0.1;  // share of checking in the whole time, measured; the rest is writing
+// margin that keeps a band from including its neighbour's bins, which would come twice
+constexpr double inside_deg = 0.01;
 
 using Land = std::vector<geo::Polygon>;
 
-/// Hands over the land of one band after the other, southwards from the pole; `told` hears the share that is
-/// done.
+/// Passes the land of each band to `use`, from the north pole southwards; `told` is called with the completed
+/// share.
 Checked<bool> for_each_band(const std::filesystem::path& file, const std::function<void(const Land&)>& use,
                             const std::function<void(double)>& told) {
   for (int band = 0; band < bands; ++band) {

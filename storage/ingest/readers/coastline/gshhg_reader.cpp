@@ -27,11 +27,12 @@ constexpr std::array array_names{"Bin_size_in_minutes",
                                  "Id_of_first_point_in_a_segment",
                                  "Relative_longitude_from_SW_corner_of_bin",
                                  "Relative_latitude_from_SW_corner_of_bin"};
-constexpr auto ice_front_array = "Embedded_ANT_flag";  // only in files that hold both outlines of Antarctica
+// exists only in files with both outlines of Antarctica
+constexpr auto ice_front_array = "Embedded_ANT_flag";
 constexpr int grounding_line_level = 6;
 constexpr int deepest_level = 4;
 
-/// The file contradicts itself; carried up to the one public function, which answers with it.
+/// Thrown when the file contradicts itself; the public function catches it and returns a violation.
 struct Contradiction : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -180,7 +181,8 @@ class BinnedShoreline {
     north_ = read<std::int16_t>(group, array_names[9], point_range_.first, point_range_.end);
   }
 
-  /// Empty for the grounding line of Antarctica, which lies inside the ice front.
+  /// The segment with this index; empty for the grounding line of Antarctica, which lies inside the ice
+  /// front.
   [[nodiscard]] std::optional<ShoreSegment> segment(std::uint64_t index) const {
     const std::size_t at = index - segment_range_.first;
     const auto info = static_cast<std::uint32_t>(segment_info_[at]);

@@ -13,7 +13,7 @@
 namespace floeplan::ingest {
 namespace {
 
-constexpr std::uintmax_t head_bytes = 4096;  // three lines
+constexpr std::uintmax_t head_bytes = 4096;  // enough for the first three lines
 
 class AdcircSource : public VelocitySource {
  public:
@@ -51,12 +51,12 @@ class AdcircSource : public VelocitySource {
 
  private:
   AdcircOutput currents_;
-  std::optional<AdcircOutput> elevations_;  // empty: not given
+  std::optional<AdcircOutput> elevations_;  // empty: no fort.63 was given
   std::vector<geo::LonLat> nodes_;
   SourceShape shape_;
 };
 
-/// The file of the group that holds a part; empty where none does.
+/// The file of the group with this part of the run; empty if there is none.
 std::optional<std::filesystem::path> part_of(const FileGroup& files, AdcircPart part) {
   for (const std::filesystem::path& file : files) {
     const auto head = adcirc_head(first_bytes(file, head_bytes));

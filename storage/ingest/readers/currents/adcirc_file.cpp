@@ -15,14 +15,14 @@ namespace floeplan::ingest {
 namespace {
 
 constexpr double dry = -99999.0;
-constexpr std::size_t numbers_looked_at = 8;  // of a line that are looked at
+constexpr std::size_t numbers_looked_at = 8;  // at most so many numbers of a line are read
 
-/// The numbers at the beginning of a line, up to the first word that is none.
+/// The numbers at the beginning of a line, up to the first word that is not a number.
 struct Numbers {
   std::array<double, numbers_looked_at> values{};
   std::size_t count{};
 
-  /// A whole number from `least` on; empty: it is none.
+  /// The number at this index, if it is a whole number of at least `least`; otherwise empty.
   [[nodiscard]] std::optional<std::size_t> whole(std::size_t at, double least) const {
     constexpr double most = 4e9;
     if (at >= count || std::floor(values[at]) != values[at] || values[at] < least || values[at] > most)
@@ -31,7 +31,7 @@ struct Numbers {
   }
 };
 
-/// As Fortran writes it: also "1.5D+02".
+/// A number in Fortran's notation, also "1.5D+02".
 std::optional<double> fortran_number(std::string_view word) {
   if (word.find_first_of("dD") == std::string_view::npos) return parse_number(word);
   std::string text{word};
@@ -56,8 +56,9 @@ Numbers numbers_of(std::string_view line) {
 
 std::size_t component_count(AdcircPart part) { return part == AdcircPart::currents ? 2 : 1; }
 
-/// What the second and the third line say. An output: times, nodes, seconds and steps from one to the next, and 1 or 2
-/// components. A mesh: elements and nodes, and behind them the first node.
+/// Recognises a file by its second and third line. An output has the numbers of times and nodes, seconds and
+/// steps from one time to the next, and 1 or 2 components. A mesh has the numbers of elements and nodes; the
+/// first node follows.
 std::optional<AdcircHead> head_of_lines(std::string_view second, std::string_view third) {
   const Numbers sizes = numbers_of(second);
   const Numbers next = numbers_of(third);
@@ -72,7 +73,8 @@ std::optional<AdcircHead> head_of_lines(std::string_view second, std::string_vie
   return AdcircHead{AdcircPart::mesh, *nodes};
 }
 
-/// Lines of a file, counted from one. A last one without its end was cut within a number, maybe, and is none.
+/// The lines of a file, counted from one. A last line without a line end is ignored: its last number may be
+/// cut off.
 class Lines {
  public:
   explicit Lines(const std::filesystem::path& file) : in_{file, std::ios::binary} {}
@@ -104,7 +106,7 @@ messages::Message ends_early(const Lines& lines, const std::string& expected) {
   return messages::ingest_current_message<"adcirc-file-cut-short">(lines.number(), expected);
 }
 
-/// The next line with so many numbers at least.
+/// The next line, which must have at least `count` numbers.
 Checked<Numbers> next_numbers(Lines& lines, std::size_t count, const std::string& expected) {
   if (!lines.next()) return refuse(ends_early(lines, expected));
   const Numbers found = numbers_of(lines.line());
@@ -112,13 +114,13 @@ Checked<Numbers> next_numbers(Lines& lines, std::size_t count, const std::string
   return found;
 }
 
-/// Reads past the title to the sizes.
+/// Skips the title and reads the line with the numbers of elements or times, and nodes.
 Checked<Numbers> sizes_of(Lines& lines, std::size_t count) {
   if (!lines.next()) return refuse(ends_early(lines, "the title of the run"));
   return next_numbers(lines, count, "the number of nodes");
 }
 
-/// No more lines than the file can hold: of a damaged number nothing is reserved.
+/// Whether a file is long enough for this number of lines. Prevents allocating memory for a damaged number.
 bool holds_lines(const std::filesystem::path& file, std::size_t lines) {
   constexpr std::uintmax_t shortest_line = 4;  // "1 0" with its end
   return lines <= std::filesystem::file_size(file) / shortest_line;

@@ -13,8 +13,8 @@
 
 namespace floeplan::ingest {
 
-/// What a text file of the model ADCIRC holds: its mesh (fort.14), elevations of the surface (fort.63) or currents
-/// averaged over depth (fort.64).
+/// The content of a text file of the model ADCIRC: its mesh (fort.14), elevations of the surface (fort.63) or
+/// currents averaged over depth (fort.64).
 /// Source  ADCIRC user's manual, "Grid and Boundary Information File" and "Elevation Time Series at All Nodes",
 ///         "Depth-averaged Velocity Time Series at All Nodes"
 enum class AdcircPart { mesh, elevations, currents };
@@ -24,23 +24,24 @@ struct AdcircHead {
   std::size_t nodes{};
 };
 
-/// By the first bytes of a file; nullopt for any other text.
+/// The head of a file, from its first bytes; nullopt for any other text.
 [[nodiscard]] std::optional<AdcircHead> adcirc_head(std::string_view text);
 
-/// Nodes and triangles of fort.14; its boundaries are not read.
-/// Errors   lines that are no nodes or elements, or are missing; places that are no longitudes and latitudes
+/// Reads nodes and triangles of a fort.14 file; its boundaries are not read.
+/// Errors   lines that are not nodes or elements, or are missing; positions that are not longitudes and
+///          latitudes
 [[nodiscard]] Checked<ocean::Mesh> read_adcirc_mesh(const std::filesystem::path& file);
 
 /// Values at all nodes and times of fort.63 or fort.64, in their full or their compact form.
 /// Threads  one thread at a time
 class AdcircOutput {
  public:
-  /// Reads the file once to its end and remembers where each time begins.
-  /// Errors   lines that are no values, are missing or too many; times that do not rise
+  /// Reads the file once to its end and remembers the position of each time.
+  /// Errors   lines that are not values; too few or too many lines; times that do not increase
   [[nodiscard]] static Checked<AdcircOutput> open(const std::filesystem::path& file);
 
   [[nodiscard]] const AdcircHead& head() const { return head_; }
-  /// From the start of the model's run.
+  /// Times of the output, in seconds since the start of the run.
   [[nodiscard]] const std::vector<double>& seconds() const { return seconds_; }
   /// Shape   [component][node]; NaN where the file marks a node as dry
   /// Errors  the file can no longer be read
@@ -48,10 +49,10 @@ class AdcircOutput {
 
  private:
   struct Record {
-    std::streamoff start{};  // of its first line of values
+    std::streamoff start{};  // offset of its first line of values
     std::size_t first_line{};
     std::size_t lines{};
-    double otherwise{};  // at the nodes without a line
+    double otherwise{};  // value at nodes without a line
   };
 
   std::filesystem::path file_;

@@ -9,7 +9,8 @@
 namespace floeplan::ingest {
 namespace {
 
-/// What is known of a cell of the model. `dry`: none of its faces shows that there is water.
+/// What the faces of a model's cell have shown. `dry`: no face has shown water, and no mask or zero has shown
+/// land.
 enum class Cell { dry, water, land };
 
 /// All cells of one level at one time.
@@ -18,7 +19,7 @@ class Cells {
   explicit Cells(const Staggering& way) : cells_(way.all_rows * way.all_columns, Cell::dry) {}
 
   void add_face(const CentresBeside& centres, double value, const ZeroLand* land) {
-    // Where land is written as zeros, a zero shows no water.
+    // If the file marks land by zeros, a zero is no evidence of water.
     if (std::isnan(value) || (land != nullptr && value == 0.0)) return;
     for (const auto centre : {centres.before, centres.after})
       if (centre) cells_[*centre] = Cell::water;
@@ -38,7 +39,7 @@ class Cells {
     return centre && cells_[*centre] == what;
   }
 
-  /// What a face has whose value in the file is `value`, missing over land.
+  /// The value of a face, from the file's `value`, which is NaN over land.
   [[nodiscard]] float face(const CentresBeside& centres, double value) const {
     const bool at_land = is(centres.before, Cell::land) || is(centres.after, Cell::land);
     if (!std::isnan(value) && !at_land) return static_cast<float>(value);

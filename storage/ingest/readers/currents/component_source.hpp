@@ -15,37 +15,38 @@
 
 namespace floeplan::ingest {
 
-/// A velocity on a staggered or bent grid as its file has it.
+/// A velocity on a staggered or curvilinear grid, in the arrangement of its file.
 struct GridComponents {
-  NetcdfFiles files;  // kept open
+  NetcdfFiles files;  // references that keep the files open
   VelocityComponent first;
   VelocityComponent second;
   Staggering staggering;
   WaterMask first_mask;
   WaterMask second_mask;
-  WaterMask centre_mask;                    // of all the model's centres
+  WaterMask centre_mask;                    // water among all the model's centres
   std::shared_ptr<const BedLevels> levels;  // at all centres; null: the levels are depths, or there are none
 
-  /// One level of both components at one time, m/s along the axis of each; without a value where a mask says land.
+  /// Both components of one level at one time, m/s along each component's axis; NaN where a mask says land.
   /// Errors  the file can no longer be read
   [[nodiscard]] Checked<std::pair<ComponentSlice, ComponentSlice>> read(std::size_t time,
                                                                         std::size_t level) const;
 };
 
-/// The components of one level at one time, m/s along the axis of each.
+/// Components of one level at one time, m/s along the axis of each point.
 struct PointComponents {
   std::vector<float> values;        // at the first component's points, then at the second's
-  repository::SampleSteps steps{};  // in which the file counts them, if it does
+  repository::SampleSteps steps{};  // steps in which the file stores the values, if they are packed
 };
 
-/// The two components of a C grid at points of their own: the faces between the model's cells.
-/// A face between two cells with water has the file's own value. One between water and land is closed: no water flows
-/// through it, and its value is 0, whatever the file has there. One between two cells of land, and one that flags forbid
-/// to use, has none. Land is what a mask says, what the file holds as zeros or a cell without a known face.
+/// The two components of a C grid at their own points: the faces between the model's cells. A face between
+/// two cells of water has the file's value. A face between water and land has the value 0, whatever the file
+/// says, because no water flows through it. A face between two cells of land, or with a bad quality flag, has
+/// no value. A cell is land if a mask or the file's zeros say so, or if none of its faces has a value.
 /// Threads  one thread at a time
 class ComponentSource {
  public:
-  /// So many points has the part of each component's plane that has places, [row][column] from the plane's first one on.
+  /// Numbers of points with a position of each component, [row][column] counted from the component's first
+  /// point.
   struct Planes {
     std::size_t first_rows{};
     std::size_t first_columns{};
@@ -57,21 +58,22 @@ class ComponentSource {
   ComponentSource(std::shared_ptr<const GridComponents> parts, Planes planes, ocean::ComponentAxes axes)
       : parts_{std::move(parts)}, planes_{planes}, axes_{std::move(axes)} {}
 
-  /// The same with one level alone.
+  /// The same source reduced to one level.
   [[nodiscard]] ComponentSource of_level(std::size_t level) const;
 
   [[nodiscard]] const ocean::ComponentAxes& axes() const { return axes_; }
-  /// `land`  that was found in the zeros of the file; null: none
+  /// `land`  land found from zeros in the file; null: none
   /// Errors  the file can no longer be read
   [[nodiscard]] Checked<PointComponents> read(std::size_t time, std::size_t level,
                                               const ZeroLand* land) const;
-  /// As VelocitySource has it: the mean of the centres on either side of a point, beside a coast that of the water; of the
-  /// sea bed the deeper one, so that each cell has currents down to its own bed.
+  /// Depth of a level at every point, as in VelocitySource: the mean of the centres on either side; beside a
+  /// coast the depth on the water side. For the sea bed it is the deeper of the two, so that each cell has
+  /// currents down to its own bed.
   [[nodiscard]] Checked<std::vector<float>> level_depths(std::size_t time, std::size_t level) const;
 
  private:
-  /// Calls `visit(point, sample, centres)` for each point of the first component, then of the second; `sample` counts in
-  /// that component's plane.
+  /// Calls `of_first` or `of_second` with (point, sample, centres) for each point of the first component,
+  /// then of the second. `sample` is the index among that component's values in the file.
   template <class First, class Second>
   void for_each_point(const First& of_first, const Second& of_second) const;
   [[nodiscard]] std::size_t points() const { return axes_.first_rad.size(); }

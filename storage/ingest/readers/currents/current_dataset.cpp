@@ -46,8 +46,8 @@ class OneLevel : public VelocitySource {
   SourceShape shape_;
 };
 
-/// One level of a source, as if it were all there is.
-/// `depth_m`  where it lies; nullopt: without a depth
+/// A source with only one level of another source.
+/// `depth_m`  depth of the level, positive down; nullopt: without a depth
 std::shared_ptr<const VelocitySource> one_level(std::shared_ptr<const VelocitySource> source,
                                                 std::size_t level, std::optional<double> depth_m) {
   return std::make_shared<const OneLevel>(std::move(source), level, depth_m);
@@ -57,10 +57,11 @@ std::shared_ptr<const VelocitySource> one_level(std::shared_ptr<const VelocitySo
 struct StoredCurrents {
   std::shared_ptr<const VelocitySource> source;
   std::shared_ptr<const ZeroLand> land;
-  std::shared_ptr<const ComponentSource> components;   // null: both lie at the source's points
-  ocean::HorizontalGrid grid;                          // of its points, or on which they are used
-  std::optional<repository::MeshInBlocks> own_points;  // empty: they are the grid's nodes
-  std::optional<std::vector<double>> depths_m;  // of the levels, or of plans where those follow the sea bed
+  std::shared_ptr<const ComponentSource> components;   // null: both components lie at the source's points
+  ocean::HorizontalGrid grid;                          // the grid of the points, or the grid for use in plans
+  std::optional<repository::MeshInBlocks> own_points;  // empty: the points are the grid's nodes
+  // depths of the levels; if the levels follow the sea bed, depths for use in plans
+  std::optional<std::vector<double>> depths_m;
 
   [[nodiscard]] std::size_t times() const { return source->shape().times_s.size(); }
 
@@ -71,7 +72,7 @@ struct StoredCurrents {
     return slice;
   }
 
-  /// In the order in which they are kept.
+  /// The values in the order in which they are stored.
   [[nodiscard]] std::vector<float> as_kept(std::vector<float> values) const {
     if (!own_points) return values;
     std::vector<float> kept;
@@ -81,7 +82,7 @@ struct StoredCurrents {
   }
 };
 
-/// The slice of one level at one time.
+/// Writes the slice of one level at one time.
 Checked<void> write_slice(const StoredCurrents& currents, std::size_t time, std::size_t level,
                           repository::FieldRepository& fields, const repository::DatasetId& id) {
   if (currents.components) {
@@ -98,7 +99,7 @@ Checked<void> write_slice(const StoredCurrents& currents, std::size_t time, std:
   return {};
 }
 
-/// All slices of one time.
+/// Writes all slices of one time.
 Checked<void> write_time(const StoredCurrents& currents, std::size_t time,
                          repository::FieldRepository& fields, const repository::DatasetId& id) {
   const SourceShape& shape = currents.source->shape();
@@ -137,7 +138,7 @@ Checked<void> write_currents(const StoredCurrents& currents, const core::Progres
   return {};
 }
 
-/// The depth of the deepest sea bed at the first time.
+/// The greatest depth of the sea bed at the first time.
 Checked<double> deepest_m(const VelocitySource& source) {
   const auto bed_m = source.level_depths(0, source.shape().levels);
   if (!bed_m) return refuse(bed_m.error());
@@ -148,7 +149,7 @@ Checked<double> deepest_m(const VelocitySource& source) {
   return deepest;
 }
 
-/// The grid on which currents of a mesh are used.
+/// The grid to which plans interpolate currents of a mesh.
 Checked<ocean::HorizontalGrid> grid_of_use(const CurrentInput& input) {
   auto grid = ocean::lattice_for(input.mesh);
   if (!grid) return refuse(messages::ingest_grid_message<"positions-enclose-no-area">());
@@ -159,7 +160,7 @@ Checked<ocean::HorizontalGrid> grid_of_use(const CurrentInput& input) {
   return std::move(*grid);
 }
 
-/// Where the source is kept: on its own grid, or at its own points.
+/// Decides where the values are stored: on the source's grid, or at its own points.
 Checked<StoredCurrents> placed(const CurrentInput& input, std::shared_ptr<const ZeroLand> land) {
   const SourceShape& shape = input.source->shape();
   std::optional<std::vector<double>> depths_m = shape.depths_m;
@@ -181,7 +182,7 @@ Checked<StoredCurrents> placed(const CurrentInput& input, std::shared_ptr<const 
                         std::move(depths_m)};
 }
 
-/// What the file's own quality flags left of its values.
+/// Warns of values with the file's own quality flags.
 void warn_of_flags(const FlagCount& flagged, Messages& warnings) {
   if (flagged.bad > 0)
     warnings.push_back(messages::ingest_current_message<"flagged-bad-left-out">(flagged.bad));
@@ -189,9 +190,10 @@ void warn_of_flags(const FlagCount& flagged, Messages& warnings) {
     warnings.push_back(messages::ingest_current_message<"flagged-suspect-kept">(flagged.doubtful));
 }
 
-/// What is taken for the water above the first level, where that is no model's uppermost layer.
+/// A warning about the water above the first level, if that level is deeper than any model's uppermost layer.
 std::optional<messages::Message> above_the_first_level(const StoredCurrents& currents) {
-  constexpr double uppermost_layer_m = 10.0;  // of coarse global models, such as ORCA2 of NEMO (31 levels)
+  // uppermost layer of coarse global models, such as ORCA2 of NEMO (31 levels)
+  constexpr double uppermost_layer_m = 10.0;
   if (!currents.depths_m || currents.depths_m->front() <= uppermost_layer_m) return std::nullopt;
   const std::string first_m = number(currents.depths_m->front());
   return messages::ingest_current_message<"current-above-first-level">(first_m);

@@ -16,28 +16,28 @@
 
 namespace floeplan::ingest {
 
-/// Currents, or wind, ready to be checked and stored.
+/// Currents, or wind, to be checked and stored.
 struct CurrentInput {
   Moving what{Moving::sea};
   std::shared_ptr<const VelocitySource> source;
   std::optional<ocean::HorizontalGrid>
-      grid;  // its nodes are the source's points; empty: those of the mesh are
+      grid;  // its nodes are the source's points; empty: the points are those of the mesh
   ocean::Mesh mesh;
   std::shared_ptr<const ComponentSource>
-      components{};    // of a staggered grid: what lies at the points of the mesh; null: the source
-  std::string layout;  // of a mesh, in words
+      components{};    // for a staggered grid: components at the points of the mesh; null: use the source
+  std::string layout;  // layout of a mesh, in words
   std::vector<std::string> variables;
   bool states_unit{true};
   Messages warnings;
 };
 
-/// Leaves one level of the input, at a depth or at none.
+/// Reduces the input to one level, with this depth or without one.
 void keep_level(CurrentInput& input, std::size_t level, std::optional<double> depth_m);
 
-/// Reads the source once to check every value and a second time to write it, slice by slice, so memory holds a few
-/// slices whatever the file's size. Every value is kept as it is, at the source's own points and levels.
-/// Errors   nothing but missing values; nothing but zeros; faster than 10 m/s, wind
-///          than 100 m/s; more than this program accepts
+/// Reads the source twice: to check every value, then to write it. It is read slice by slice, so that memory
+/// holds only a few slices. Every value is stored unchanged, at the source's own points and levels.
+/// Errors   all values missing or zero; currents over 10 m/s, wind over 100 m/s; more values than this
+///          program accepts
 [[nodiscard]] Checked<PreparedDataset> prepare_currents(CurrentInput input,
                                                         const core::ProgressCallback& progress);
 

@@ -11,7 +11,7 @@
 namespace floeplan::ingest {
 namespace {
 
-/// The strongest mean winds that were measured at sea level are below 90 m/s.
+/// The strongest mean winds measured at sea level are below 90 m/s.
 constexpr double max_wind_m_s = 100.0;
 
 struct SpeedCount {

@@ -11,17 +11,17 @@
 
 namespace floeplan::ingest {
 
-/// What reading every value of a source once has shown.
+/// Facts found by reading every value of a source once.
 struct CurrentSurvey {
   std::int64_t valid{};
   std::int64_t undeclared_fill{};
   FlagCount flagged{};
   bool everything_is_zero{true};
-  std::shared_ptr<const ZeroLand> land;    // null: no land that was written as still water
-  std::optional<messages::Message> doubt;  // about a number that may mark missing values
+  std::shared_ptr<const ZeroLand> land;    // null: no land was written as still water
+  std::optional<messages::Message> doubt;  // warning about a number that may mark missing values
 };
 
-/// Errors  a current that no ocean has, or a wind that never blows; the file cannot be read to its end
+/// Errors  a current or a wind faster than any that occurs; the file cannot be read to its end
 [[nodiscard]] Checked<CurrentSurvey> survey(const VelocitySource& source, Moving what, bool states_unit,
                                             const core::ProgressCallback& progress);
 

@@ -22,14 +22,14 @@
 namespace floeplan::ingest {
 namespace {
 
-constexpr double straight_deg = 1.0;  // a grid turned by less is as good as along east and north
+constexpr double straight_deg = 1.0;  // a grid rotated by less counts as along east and north
 
 struct ComponentPlane {
   PlaneDimensions dimensions;
   std::optional<Positions> positions;
 };
 
-/// Both components at the centres of their grid, at those that have all their points.
+/// Both components at those centres of their grid that have all their points.
 class CurvilinearSource : public VelocitySource {
  public:
   CurvilinearSource(std::shared_ptr<const GridComponents> parts, std::vector<geo::LonLat> centres,
@@ -89,9 +89,9 @@ class CurvilinearSource : public VelocitySource {
     return both;
   }
 
-  /// The mean of the two points of each component beside a centre. No water flows through a coast: a point on it
-  /// counts as zero, and a centre with water on no side is land. A point that is flagged as bad is no coast: beside it
-  /// the current is not known.
+  /// The mean of the two points of each component beside a centre. No water flows through a coast, so a point
+  /// on a coast counts as zero. A centre without water on any side is land. If a point has a bad quality
+  /// flag, the current at the centre is not known.
   [[nodiscard]] std::optional<Components> at_centre(const ComponentSlice& first, const ComponentSlice& second,
                                                     std::size_t row, std::size_t column) const {
     const Staggering& way = parts_->staggering;
@@ -117,7 +117,7 @@ class CurvilinearSource : public VelocitySource {
   SourceShape shape_;
 };
 
-/// POP, whose components are known to run along its grid although its files do not always say so.
+/// Whether the model is POP. Its components run along its grid, although its files do not always say so.
 /// Source  Smith et al. 2010, The Parallel Ocean Program (POP) Reference Manual, section 3.2
 bool is_model_of_grid_axes(const NetcdfVariable& variable) { return lower(variable.name()) == "uvel"; }
 
@@ -150,7 +150,7 @@ bool falls(const NetcdfFile& file, const NetcdfDimension& dimension) {
   return values && values->size() > 1 && values->front() > values->back();
 }
 
-/// Where the points lie and how they are arranged.
+/// Positions and arrangement of the points.
 struct Arrangement {
   Staggering staggering;
   Positions first;
@@ -158,7 +158,7 @@ struct Arrangement {
   std::vector<geo::LonLat> centres;
 };
 
-/// Arrangement of points without positions around centres that have positions.
+/// The arrangement for components without positions of their own, from the positions of the centres.
 Checked<Arrangement> arrangement_round_centres(const NetcdfFiles& files, const VelocityPair& pair,
                                                const ComponentPlane& first, const ComponentPlane& second) {
   const auto centres = centre_positions(files);
@@ -201,13 +201,13 @@ Checked<Arrangement> arrangement_of(const NetcdfFiles& files, const VelocityPair
   return Arrangement{*way, std::move(*first.positions), std::move(*second.positions), std::move(centres)};
 }
 
-/// Directions of the components at the centres and, of a staggered grid, at points of their own.
+/// Directions of the components at the centres and, for a staggered grid, at their own points.
 struct Directions {
   GridDirections at_centres;
   ocean::ComponentAxes of_components;
 };
 
-/// None to turn where the components already point east and north.
+/// Finds the directions; no rotation is needed if the components already point east and north.
 Checked<Directions> directions_for(const NetcdfFiles& files, const VelocityPair& pair,
                                    const ComponentPlane& first, const Arrangement& arrangement,
                                    const CentreTables& tables, Messages& warnings) {
@@ -241,7 +241,8 @@ Checked<Directions> directions_for(const NetcdfFiles& files, const VelocityPair&
   return result;
 }
 
-/// Collocated components are kept where they lie, towards east and north; those of a staggered grid each at its own points.
+/// Stores collocated components at their points, towards east and north, and those of a staggered grid at
+/// their own points.
 MeshCurrents kept_at_points(std::shared_ptr<const GridComponents> parts, Arrangement arrangement,
                             Directions directions, bool straight_axes) {
   const Staggering way = arrangement.staggering;

@@ -17,7 +17,7 @@ constexpr int oceanography = 10;
 constexpr int currents_category = 1;
 constexpr int meteorology = 0;
 constexpr int momentum_category = 2;
-constexpr int east_number = 2;  // of both: direction and speed are 0 and 1, u and v 2 and 3
+constexpr int east_number = 2;  // both for current and wind: direction and speed are 0 and 1, u and v 2 and 3
 constexpr int north_number = 3;
 constexpr int depth_surface = 160;
 constexpr int sea_surface = 1;
@@ -57,7 +57,8 @@ std::string words_of_level(const GribField& field) {
          std::to_string(field.second_surface_type) + " (code table 4.5)";
 }
 
-/// "the wind at 100 m above the ground and at a pressure of 850 hPa", of all wind in a file; empty: it has none.
+/// All wind of a file in words: "the wind at 100 m above the ground and at a pressure of 850 hPa"; empty if
+/// it has none.
 std::string wind_in_words(const std::vector<GribField>& fields) {
   std::vector<std::string> levels;
   for (const GribField& field : fields) {
@@ -68,7 +69,7 @@ std::string wind_in_words(const std::vector<GribField>& fields) {
   return levels.empty() ? std::string{} : "the wind " + enumeration(levels);
 }
 
-/// What a value of the current is a mean over; of one depth both are the same.
+/// The layer over which a current is averaged; at a single depth both are equal.
 struct Layer {
   double top_m{};
   double bottom_m{};
@@ -79,7 +80,7 @@ struct Layer {
 
 bool is_depth(int surface_type) { return surface_type == depth_surface || surface_type == sea_surface; }
 
-/// Errors  a surface that is no depth
+/// The layer of a field. Errors  a surface that is not a depth
 Checked<Layer> layer_of(const GribField& field) {
   if (!is_depth(field.surface_type))
     return refuse(messages::ingest_grib_message<"grib-surface-not-a-depth">(field.surface_type));
@@ -96,7 +97,7 @@ std::string words_of_layer(const Layer& layer) {
   return number(layer.top_m) + (layer.top_m < layer.bottom_m ? " to " + number(layer.bottom_m) : "") + " m";
 }
 
-/// Why layers, from the uppermost on, make no profile: their means are of the same water.
+/// The fault if layers overlap, because overlapping means make no profile; the uppermost layer comes first.
 std::optional<messages::Message> overlap_of(const std::set<Layer>& layers) {
   const Layer* deepest = nullptr;
   for (const Layer& layer : layers) {
@@ -108,7 +109,7 @@ std::optional<messages::Message> overlap_of(const std::set<Layer>& layers) {
   return std::nullopt;
 }
 
-/// "0 to 10 m and 10 to 50 m"; empty where all are single depths.
+/// "0 to 10 m and 10 to 50 m"; empty if all are single depths.
 std::string words_of_layers(const std::set<Layer>& layers) {
   std::vector<std::string> words;
   for (const Layer& layer : layers)
@@ -116,7 +117,8 @@ std::string words_of_layers(const std::set<Layer>& layers) {
   return words.empty() ? std::string{} : enumeration(words);
 }
 
-/// Extremes, sums and deviations over a period are no state of the sea or the air.
+/// Whether a field is a value or a mean. Extremes, sums and deviations over a period are not the state of the
+/// sea or the air.
 bool is_state(const GribField& field) { return field.statistic == 0; }
 
 messages::Message nothing_in_grib(Moving what, const std::vector<GribField>& fields, bool direction,

@@ -13,31 +13,33 @@
 
 namespace floeplan::ingest {
 
-/// Raster bands of the two components at one time and depth, from 1.
+/// Numbers of the raster bands of the two components at one time and depth; the first band is 1.
 struct GribBands {
   int east{};
   int north{};
 };
 
-/// Which band holds what.
+/// The content of the bands of a GRIB file.
 struct GribContents {
   std::vector<double> times_s;
-  std::vector<double> depths_m;  // of a layer its middle
+  std::vector<double> depths_m;  // for a layer its middle
   std::vector<GribBands> bands;  // [time][depth]
   std::optional<core::UtcTime>
-      run;           // when the model run began; empty: the fields are of several, or do not say
-  std::string grid;  // the octets of section 3 of all those fields
+      run;           // when the model run began; empty: the fields are from several runs or do not say
+  std::string grid;  // the octets of section 3, equal for all these fields
   bool along_grid{false};
   bool has_depths{true};
-  std::string layers;  // "0 to 10 m and 10 to 50 m", where the values are means over layers; else empty
+  std::string layers;  // "0 to 10 m and 10 to 50 m" if the values are means over layers; otherwise empty
 };
 
-/// Where among the fields of a GRIB file the components of the current, or of the wind 10 m above the ground, are.
-/// Errors  no such fields, or speed and direction instead; a component missing at a time or depth, or there twice;
-///         fields on different grids; a surface that is no depth; layers that overlap
+/// Finds the components of the current, or of the wind 10 m above the ground, among the fields of a GRIB
+/// file.
+/// Errors  no such fields, or speed and direction instead; a component is missing at a time or depth, or
+///         occurs twice; fields on different grids; a surface that is not a depth; overlapping layers
 [[nodiscard]] Checked<GribContents> grib_contents(const std::vector<GribField>& fields, Moving what);
 
-/// Currents, wind or both; currents where there is neither, whose reader then says so.
+/// The kinds of data in a GRIB file: currents, wind or both. If it has neither, currents, whose reader then
+/// says so.
 /// Errors   as grib_fields
 [[nodiscard]] Checked<std::vector<repository::DatasetKind>> kinds_of_grib(const std::filesystem::path& file);
 

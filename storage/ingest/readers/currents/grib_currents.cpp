@@ -28,17 +28,17 @@ namespace {
 
 constexpr double fill_from = 9990.0;  // GDAL writes 9999 where a bitmap has no value
 
-/// Where the values of a raster lie.
+/// Positions of the values of a raster.
 struct RasterPlace {
-  std::vector<geo::LonLat> places;            // [row][column], rows from south to north (by the grid's own y)
-  std::optional<ocean::HorizontalGrid> grid;  // in longitude and latitude
-  GridDirections directions;                  // of x at every node of another plane
-  std::vector<std::size_t> columns;           // of the raster, in ascending order of x
+  std::vector<geo::LonLat> places;            // [row][column], rows in ascending order of the grid's y
+  std::optional<ocean::HorizontalGrid> grid;  // set if the grid is in longitude and latitude
+  GridDirections directions;                  // directions of x at every node of a projection
+  std::vector<std::size_t> columns;           // column numbers of the raster, in ascending order of x
   std::size_t rows{};
 };
 
-/// To longitude and latitude of the projection's own sphere or ellipsoid, as the producer means them; null when there is
-/// none.
+/// Transformation to longitude and latitude on the projection's own sphere or ellipsoid, as the producer
+/// means them; null if there is none.
 std::unique_ptr<OGRCoordinateTransformation> way_to_places(const OGRSpatialReference& plane) {
   OGRSpatialReference from{plane};
   from.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
@@ -97,8 +97,8 @@ Checked<RasterPlace> raster_place(const GribGrid& grid) {
   return place;
 }
 
-/// The file as a raster whose rows run from north to south and whose columns from west to east, as GDAL reorders every
-/// scanning mode, and whose first column is the grid's westernmost one wherever that lies.
+/// Opens the file as a raster. GDAL reorders every scanning mode to rows from north to south and columns from
+/// west to east. The first column stays the grid's westernmost one, whatever its longitude.
 std::shared_ptr<GDALDataset> open_in_rows(const std::filesystem::path& file) {
   const CPLConfigOptionSetter as_they_lie{"GRIB_ADJUST_LONGITUDE_RANGE", "NO", false};
   const char* const drivers[] = {"GRIB", nullptr};
@@ -151,7 +151,7 @@ class GribSource : public VelocitySource {
   }
 
  private:
-  /// One band, rows from south to north and columns from west to east.
+  /// The values of a band, rows from south to north and columns from west to east.
   [[nodiscard]] Checked<std::vector<float>> read_band(int number_of_band) const {
     const GdalMessages messages;
     const int width = raster_->GetRasterXSize();

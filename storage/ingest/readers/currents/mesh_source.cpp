@@ -17,15 +17,16 @@ namespace floeplan::ingest {
 namespace {
 
 struct MeshParts {
-  NetcdfFiles files;  // kept open
+  NetcdfFiles files;  // references that keep the files open
   VelocityComponent first;
   VelocityComponent second;
   bool in_faces{false};
   MeshFaces faces;
-  std::vector<geo::LonLat> points;  // the nodes, and behind them the middles of faces that have currents
+  std::vector<geo::LonLat> points;  // the nodes, then the middles of faces with currents
   std::size_t nodes{};
-  std::shared_ptr<const BedLevels> levels;  // null: depths, or none
-  bool levels_in_faces{false};              // else at the nodes
+  std::shared_ptr<const BedLevels> levels;  // null: levels are depths, or there are none
+  // true: depths of levels are known in the faces; false: at the nodes
+  bool levels_in_faces{false};
 };
 
 class MeshSource : public VelocitySource {
@@ -76,7 +77,7 @@ class MeshSource : public VelocitySource {
   }
 
  private:
-  /// At each node the mean of the known values in the faces round it.
+  /// At each node the mean of the values in the faces around it that are not missing.
   [[nodiscard]] std::vector<float> means_at_nodes(std::span<const float> in_faces) const {
     std::vector<double> sums(parts_.nodes, 0.0);
     std::vector<int> count(parts_.nodes, 0);
@@ -97,7 +98,8 @@ class MeshSource : public VelocitySource {
   SourceShape shape_;
 };
 
-/// Whether a place sees every side of a face from the same hand, so that the triangles between them tile the face.
+/// Whether all sides of a face run the same way around a place. Triangles from the place to the sides then
+/// fill the face.
 bool sees_all_sides(geo::LonLat place, const MeshTopology& mesh, MeshFaces::Corners face) {
   const geo::UnitVector middle = geo::unit_vector(place);
   const auto from_middle = [&](std::uint32_t node) {
@@ -117,7 +119,7 @@ bool sees_all_sides(geo::LonLat place, const MeshTopology& mesh, MeshFaces::Corn
   return any_left != any_right;
 }
 
-/// Where the value of a face lies: where the file says, if that is inside it; else in the middle of its corners.
+/// The position of a face's value: the file's, if it is inside the face; otherwise the mean of its corners.
 geo::LonLat middle_of(const MeshTopology& mesh, std::size_t number) {
   const MeshFaces::Corners face = mesh.faces[number];
   if (!mesh.middles.empty() && sees_all_sides(mesh.middles[number], mesh, face)) return mesh.middles[number];
@@ -129,7 +131,8 @@ geo::LonLat middle_of(const MeshTopology& mesh, std::size_t number) {
   return geo::lon_lat(sum);
 }
 
-/// Faces as cells of three or four corners: those of more as triangles that meet in their first corner.
+/// The faces as cells of three or four corners. A larger face is divided into triangles that share its first
+/// corner.
 std::vector<ocean::Mesh::Cell> cells_of(const MeshFaces& faces) {
   std::vector<ocean::Mesh::Cell> cells;
   for (std::size_t i = 0; i < faces.size(); ++i) {
@@ -144,7 +147,7 @@ std::vector<ocean::Mesh::Cell> cells_of(const MeshFaces& faces) {
   return cells;
 }
 
-/// Each face as triangles between its middle and its sides.
+/// Divides each face into triangles between its middle and its sides.
 std::vector<ocean::Mesh::Cell> split_faces(const MeshTopology& mesh) {
   std::vector<ocean::Mesh::Cell> cells;
   for (std::size_t i = 0; i < mesh.faces.size(); ++i) {

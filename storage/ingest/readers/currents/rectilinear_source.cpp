@@ -15,7 +15,7 @@
 namespace floeplan::ingest {
 namespace {
 
-/// Direction of the grid's x axis at each node, counterclockwise from east.
+/// Direction of the grid's x axis at each node, anticlockwise from east.
 GridDirections x_directions_of(const ocean::HorizontalGrid& grid) {
   GridDirections directions;
   const double step = std::max(1.0, 1e-3 * grid.x().mean_step());
@@ -94,7 +94,7 @@ class RectilinearSource : public VelocitySource {
   }
 
  private:
-  NetcdfFiles files_;  // kept open
+  NetcdfFiles files_;  // references that keep the files open
   VelocityComponent first_;
   VelocityComponent second_;
   ocean::HorizontalGrid grid_;

@@ -24,7 +24,7 @@ constexpr const char* feature_name = "SurfaceCurrent";
 constexpr const char* speed_name = "surfaceCurrentSpeed";
 constexpr const char* direction_name = "surfaceCurrentDirection";
 
-/// "20260111T002000Z", as S-100 writes a time, or with the marks of ISO 8601.
+/// A time in the notation of S-100, "20260111T002000Z", or in ISO 8601 with separators.
 std::optional<core::UtcTime> s111_time(std::string text) {
   constexpr std::size_t basic_length = 16;
   if (text.size() == basic_length) {
@@ -34,7 +34,7 @@ std::optional<core::UtcTime> s111_time(std::string text) {
   return core::parse_iso8601(text);
 }
 
-/// Times of the records in ascending order, and which record each belongs to.
+/// Times of the records in ascending order, and the index of the record for each.
 Checked<AxisNodes> record_times(const std::vector<Hdf5Group>& records) {
   std::vector<double> times_s;
   for (const Hdf5Group& record : records) {
@@ -46,16 +46,17 @@ Checked<AxisNodes> record_times(const std::vector<Hdf5Group>& records) {
   return sorted_nodes("timePoint", std::move(times_s));
 }
 
-/// Where in the water the currents are.
+/// The depth of the currents.
 struct Level {
   std::optional<double> depth_m;               // empty: the file does not say
-  std::optional<messages::Message> warning{};  // empty: none
+  std::optional<messages::Message> warning{};  // empty: no warning
 };
 
-/// What the depth of the currents counts from, or that it is the thickness of a layer below the surface.
+/// From where the depth of the currents counts; `layer`: it is the thickness of a layer below the surface.
 enum class Reference : std::uint8_t { layer, surface, datum, bed, unknown };
 
-/// The edition of the product specification: 1.2 of "INT.IHO.S-111.1.2". A file that states none counts as of the newest one.
+/// The edition of the product specification: 1.2 for "INT.IHO.S-111.1.2". Without one, the newest edition is
+/// assumed.
 double edition_of(const Hdf5Group& file) {
   constexpr double today = 2.0;
   constexpr std::size_t digits = 3;  // "1.2"
@@ -66,7 +67,8 @@ double edition_of(const Hdf5Group& file) {
                                  : parse_number(product.substr(at + marker.size(), digits)).value_or(today);
 }
 
-/// The codes of depthTypeIndex changed with edition 1.2; from then on it is the vertical datum that counts.
+/// The reference of the depth. Since edition 1.2 the vertical datum gives it; before, the code
+/// depthTypeIndex.
 Reference reference_of(const Hdf5Group& file) {
   constexpr double sea_floor = 47.0;  // S-100 edition 5, part 17, vertical and sounding datums
   constexpr double sea_surface = 48.0;
@@ -90,7 +92,7 @@ Checked<Level> s111_level(const Hdf5Group& file) {
   if (!stated) return Level{};
   if (!std::isfinite(*stated)) return refuse(messages::ingest_hdf5_message<"s-depth-missing">());
   const double depth_m =
-      std::abs(*stated);  // below a surface it is negative, though not every producer has it so
+      std::abs(*stated);  // below a surface it should be negative, but not all producers write it so
   switch (reference_of(file)) {
     case Reference::surface: return Level{depth_m};
     case Reference::layer:
@@ -103,13 +105,14 @@ Checked<Level> s111_level(const Hdf5Group& file) {
   return refuse(messages::ingest_hdf5_message<"s-depth-from-the-bed">());
 }
 
-/// Speeds and directions towards which the water flows, degrees from true north, as components; what is none is missing.
+/// Components from speeds and from directions towards which the water flows, degrees from true north; NaN for
+/// fill values.
 VelocitySlice components_of(std::vector<float> speeds, std::vector<float> directions, double unit_m_s) {
   VelocitySlice slice{std::move(speeds), std::move(directions)};
   for (std::size_t i = 0; i < slice.east.size(); ++i) {
     const double speed_m_s = unit_m_s * static_cast<double>(slice.east[i]);
     const double direction_deg = static_cast<double>(slice.north[i]);
-    if (speed_m_s == 0.0) {  // and no direction
+    if (speed_m_s == 0.0) {  // a speed of zero may have no direction
       slice.east[i] = slice.north[i] = 0.0F;
     } else if (!(speed_m_s > 0.0 && direction_deg >= 0.0 && direction_deg <= 360.0)) {
       slice.east[i] = slice.north[i] = missing;
@@ -122,7 +125,7 @@ VelocitySlice components_of(std::vector<float> speeds, std::vector<float> direct
   return slice;
 }
 
-/// What the layouts of S-111 have in common: one level, and speeds with directions.
+/// The common part of the layouts of S-111: one level, and speeds with directions.
 class S111Source : public VelocitySource {
  public:
   [[nodiscard]] const SourceShape& shape() const override { return shape_; }
@@ -152,7 +155,7 @@ class S111Source : public VelocitySource {
   [[nodiscard]] virtual Checked<std::vector<float>> values(std::size_t record, const char* name) const = 0;
 
  private:
-  std::vector<std::size_t> records_;  // by time
+  std::vector<std::size_t> records_;  // index of the record for each time
   double unit_m_s_;
   SourceShape shape_;
 };
@@ -178,7 +181,7 @@ class S111GridSource : public S111Source {
   S100Coverage currents_;
 };
 
-/// Currents at places of their own.
+/// Currents at listed positions.
 class S111PointSource : public S111Source {
  public:
   S111PointSource(S100Points currents, AxisNodes times, std::optional<double> depth_m, double unit_m_s)
@@ -195,7 +198,7 @@ class S111PointSource : public S111Source {
   S100Points currents_;
 };
 
-/// What is said of all values of a file, whatever their layout.
+/// The metadata of all values of a file, whatever their layout.
 struct S111Head {
   double unit_m_s{};
   AxisNodes times;

@@ -14,7 +14,7 @@
 namespace floeplan::ingest {
 namespace {
 
-/// Whether each of the two dimensions of the plane has an axis of its own, geographic or projected.
+/// Whether each of the two horizontal dimensions has its own axis, geographic or projected.
 bool has_plain_axes(const NetcdfFile& file, const NetcdfVariable& variable) {
   const auto plane = plane_of(file, variable);
   if (!plane) return false;
@@ -33,14 +33,15 @@ bool have_positions(const NetcdfFiles& files, const VelocityPair& pair) {
   return plane && has_positions(files, *pair.first_file, *pair.first, *plane);
 }
 
-/// Whether the dimensions are called as ROMS and CROCO do: their tables of positions may be in a file of their own.
+/// Whether the dimensions have ROMS' or CROCO's names. The tables of positions may then be in another file.
 bool is_roms(const VelocityPair& pair) {
   return std::ranges::any_of(pair.first->dimensions(), [](const NetcdfDimension& dimension) {
     return lower(dimension.name).starts_with("xi_");
   });
 }
 
-/// Whether levels follow the sea bed: they are placed on grids of every shape by the reader of bent ones.
+/// Whether levels follow the sea bed. Such levels are read by the reader of curvilinear grids, whatever the
+/// grid.
 bool has_bed_levels(const VelocityPair& pair) {
   return std::ranges::any_of(pair.first->dimensions(), [&](const NetcdfDimension& dimension) {
     const NetcdfVariable* coordinate = coordinate_of(*pair.first_file, dimension);
@@ -48,7 +49,7 @@ bool has_bed_levels(const VelocityPair& pair) {
   });
 }
 
-/// Whether the components lie on different points: then plain axes do not tell them apart enough to be stored.
+/// Whether the components lie at different points. One set of plain axes cannot then describe both.
 bool are_staggered(const VelocityPair& pair) {
   const auto first = plane_of(*pair.first_file, *pair.first);
   const auto second = plane_of(*pair.second_file, *pair.second);
@@ -58,20 +59,20 @@ bool are_staggered(const VelocityPair& pair) {
   return a[first->y].name != b[second->y].name || a[first->x].name != b[second->x].name;
 }
 
-/// Whether the currents are stored on the axes of their file. Not when plain axes are only nominal beside tables of the
-/// true positions, or those of a projection that contradicts such tables; nor when the components are staggered.
+/// Whether the currents are stored on the axes of their file. They are not if tables of true positions show
+/// that the axes are only nominal or contradict their projection; nor if the components are staggered.
 bool lie_on_axes(const NetcdfFiles& files, const VelocityPair& pair,
                  const std::optional<std::string>& stated_crs) {
   if (!has_plain_axes(*pair.first_file, *pair.first)) return false;
   const bool positions = have_positions(files, pair);
   const auto layout = layout_of(*pair.first_file, *pair.first);
-  if (!layout) return true;  // what is wrong with the axes is said when they are read
+  if (!layout) return true;  // the fault of the axes is reported when they are read
   if (layout->projected && positions)
     return grid_of(*pair.first_file, *pair.first, *layout, stated_crs).has_value();
   return !are_staggered(pair) && !(positions && pair.axes == VelocityAxes::grid);
 }
 
-/// Two components on whatever layout they have.
+/// Prepares two components without looking at their names for a depth.
 Checked<CurrentInput> input_as_laid_out(const NetcdfFiles& files, const VelocityPair& pair,
                                         const std::optional<std::string>& stated_crs) {
   CurrentInput input;
@@ -105,7 +106,7 @@ Checked<CurrentInput> input_as_laid_out(const NetcdfFiles& files, const Velocity
   return input;
 }
 
-/// Currents without an axis of depth lie where their names say.
+/// Gives currents without a depth axis the depth in their names.
 void place_by_words(CurrentInput& input, const VelocityPair& pair) {
   const SourceShape& shape = input.source->shape();
   if (shape.depths_m || shape.levels_follow_bed) return;

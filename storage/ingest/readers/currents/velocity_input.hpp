@@ -8,11 +8,11 @@
 
 namespace floeplan::ingest {
 
-/// Two components on whatever layout they have: regular grids are to be kept on their axes, every other one at its own points.
-/// Currents without an axis of depth that say that they are of the surface or at one depth get that level; means over
-/// the water column stay without one.
-/// `stated_crs`  the projection of a file that states none
-/// Errors   levels above the surface; see rectilinear_currents, curvilinear_currents and mesh_currents
+/// Prepares the two components of a velocity in any layout. Regular grids are stored on their axes, all
+/// others at their own points. Currents without a depth axis get a level if their names say that they are at
+/// the surface or at one depth; means over the water column get none.
+/// `stated_crs`  the projection for a file that states none
+/// Errors   levels above the surface; those of rectilinear_currents, curvilinear_currents and mesh_currents
 [[nodiscard]] Checked<CurrentInput> velocity_input(const NetcdfFiles& files, const VelocityPair& pair,
                                                    const std::optional<std::string>& stated_crs);
 

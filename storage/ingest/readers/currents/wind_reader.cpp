@@ -12,7 +12,7 @@
 namespace floeplan::ingest {
 namespace {
 
-/// The level at 10 m: heights count upwards, so that they are negative depths.
+/// The index of the level at 10 m. Heights count upwards, so they are negative depths.
 Checked<std::size_t> level_at_10_m(const SourceShape& shape) {
   if (!shape.depths_m) return std::size_t{0};
   const auto level = std::ranges::find_if(
@@ -22,14 +22,14 @@ Checked<std::size_t> level_at_10_m(const SourceShape& shape) {
       messages::ingest_current_message<"wind-at-other-height">(number(std::abs(shape.depths_m->back()))));
 }
 
-/// Whether its name or long name says so. Near-surface wind (uas) is at 10 m by custom.
+/// Whether a name or long name states 10 m. By convention uas, near-surface wind, is at 10 m.
 bool names_ten_metres(const NetcdfVariable& variable) {
   const auto level = wind_level_in_words(variable);
   return (level && level->at_10_m) || lower(variable.name()) == "uas";
 }
 
-/// A level of the model's own: one that it counts, or one that follows the ground. By its standard name: "sigma" alone,
-/// which files list beside winds at 10 m, is the level of other variables.
+/// Whether a coordinate counts the model's own levels or follows the ground. Only its standard name decides:
+/// files list "sigma" beside winds at 10 m as the level of other variables.
 /// Source   CF conventions 1.8, appendix D: the vertical coordinates of the air
 bool is_model_level(const NetcdfVariable& coordinate) {
   const std::string standard_name = lower(coordinate.attribute("standard_name"));
@@ -37,7 +37,7 @@ bool is_model_level(const NetcdfVariable& coordinate) {
          (standard_name.starts_with("atmosphere_") && standard_name.ends_with("_coordinate"));
 }
 
-/// The coordinate by which a wind lies on such a level; null: none says so.
+/// The coordinate of model levels on which a wind lies; null if there is none.
 const NetcdfVariable* model_level_of(const NetcdfFile& file, const NetcdfVariable& wind) {
   for (const NetcdfDimension& dimension : wind.dimensions()) {
     const NetcdfVariable* coordinate = coordinate_of(file, dimension);

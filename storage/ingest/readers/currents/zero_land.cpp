@@ -15,7 +15,7 @@ ZeroLand::ZeroLand(std::size_t columns, std::size_t rows, std::size_t levels)
     : columns_{columns}, nodes_{columns * rows}, zero_(nodes_ * levels, true) {}
 
 void ZeroLand::add(std::size_t level, std::span<const float> u, std::span<const float> v) {
-  if (any_missing_) return;  // then none is found
+  if (any_missing_) return;  // no land is found then
   for (std::size_t i = 0; i < nodes_; ++i) {
     if (std::isnan(u[i]) || std::isnan(v[i])) any_missing_ = true;
     if (u[i] != 0.0F || v[i] != 0.0F) zero_[level * nodes_ + i] = false;

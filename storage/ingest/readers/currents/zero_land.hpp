@@ -6,14 +6,14 @@
 
 namespace floeplan::ingest {
 
-/// Finds land that a model wrote as still water: nodes where both components are exactly zero at all times,
-/// lying together in a large patch, in a field that has no missing node at all (as NEMO and POP write it).
+/// Finds land that a model wrote as still water, as NEMO and POP do: nodes where both components are exactly
+/// zero at all times and that form a large patch, in a field without any missing node.
 /// Shape    slices are [y][x], last index fastest
 class ZeroLand {
  public:
   ZeroLand(std::size_t columns, std::size_t rows, std::size_t levels);
 
-  /// One slice of one time; NaN marks a missing sample.
+  /// Adds one slice of one time; NaN marks a missing sample.
   void add(std::size_t level, std::span<const float> u, std::span<const float> v);
 
   [[nodiscard]] bool everything_is_zero() const;
@@ -22,7 +22,7 @@ class ZeroLand {
   [[nodiscard]] bool is_land(std::size_t level, std::size_t node) const {
     return zero_[level * nodes_ + node];
   }
-  /// Share of the nodes of the uppermost level that are always zero.
+  /// Share of nodes of the uppermost level that are always zero.
   [[nodiscard]] double share() const;
 
  private:

@@ -18,7 +18,7 @@ int number_at(const std::string& digits, std::size_t begin, std::size_t count) {
   return std::atoi(digits.substr(begin, count).c_str());
 }
 
-/// `date` is yyyymmdd; `clock` hhmm or hhmmss, or empty.
+/// The time of texts: `date` is yyyymmdd; `clock` is hhmm or hhmmss, or empty.
 std::optional<core::UtcTime> moment(const std::string& date, const std::string& clock) {
   const std::chrono::year_month_day day{std::chrono::year{number_at(date, 0, 4)},
                                         std::chrono::month{static_cast<unsigned>(number_at(date, 4, 2))},
@@ -33,7 +33,7 @@ std::optional<core::UtcTime> moment(const std::string& date, const std::string& 
          core::Seconds{3600.0 * hour + 60.0 * minute};
 }
 
-/// The moment that a run of digits is, with what follows it.
+/// The time that a run of digits in a name, and the text after it, stands for.
 std::optional<core::UtcTime> moment_of(const std::string& digits, const std::string& name, std::size_t end) {
   if (digits.size() == 12 || digits.size() == 14) return moment(digits, digits.substr(8));
   if (digits.size() != 8) return std::nullopt;

@@ -20,9 +20,9 @@ namespace floeplan::ingest {
 namespace {
 
 constexpr auto thickness_names = std::to_array<std::string_view>({"thicknessm", "thickness"});
-constexpr double thickest_level_m = 20.0;  // of sea ice that froze in place
+constexpr double thickest_level_m = 20.0;  // greatest thickness of sea ice that froze in place
 
-/// The moment of the chart, and a warning where only its name tells it.
+/// The time of the chart, with a warning if only its name states it.
 Checked<core::UtcTime> chart_time(const std::filesystem::path& file, const IngestOptions& options,
                                   Messages& warnings) {
   if (options.time) return *options.time;
@@ -33,7 +33,7 @@ Checked<core::UtcTime> chart_time(const std::filesystem::path& file, const Inges
   return *time;
 }
 
-/// Ice of a polygon that has no codes: all of it is ice.
+/// Ice of a polygon without codes; its concentration is 1.
 Checked<std::optional<IceOfPolygon>> plain_ice(const OGRFeature& feature) {
   if (meaning_of(feature) == PolygonMeaning::ice_shelf) return IceOfPolygon{1.0, ice_shelf_thickness_m};
   const auto text = text_of_feature(feature, thickness_names);
@@ -44,17 +44,17 @@ Checked<std::optional<IceOfPolygon>> plain_ice(const OGRFeature& feature) {
   return IceOfPolygon{1.0, thickness_m};
 }
 
-/// Polygons as they are gathered, and everything that is wrong with them.
+/// The polygons collected so far, and all faults found.
 struct ChartGathering {
   std::vector<IcePolygon> polygons;
-  std::vector<repository::ChartPolygon> outlines;  // of those that have codes
+  std::vector<repository::ChartPolygon> outlines;  // outlines of polygons with egg codes
   Messages faults;
   bool coded{false};
   bool uncoded{false};
 };
 
-/// What is drawn of a polygon. One whose outline is no area on the Earth is not drawn: its ice lies on the grid all the
-/// same.
+/// Adds the outlines of a polygon for drawing. A polygon whose outline is not a valid area is not drawn; its
+/// ice is still on the grid.
 void gather_outlines(ChartGathering& all, const OGRFeature& feature, const PolygonShapes& shapes) {
   auto outlines = shapes.polygons(feature.GetGeometryRef());
   if (!outlines) return;
@@ -69,7 +69,7 @@ void gather_ice(ChartGathering& all, const OGRFeature& feature, const std::strin
   (coded ? all.coded : all.uncoded) = true;
   const auto ice = coded ? read_ice_codes(feature) : plain_ice(feature);
   if (!ice) return all.faults.push_back(about(label, ice.error().front()));
-  if (!*ice || geometry == nullptr) return;  // land and what was not looked at
+  if (!*ice || geometry == nullptr) return;  // land, or an area without observation
   if (OGR_GT_IsSubClassOf(wkbFlatten(geometry->getGeometryType()), wkbSurface) == 0 &&
       OGR_GT_IsSubClassOf(wkbFlatten(geometry->getGeometryType()), wkbMultiSurface) == 0)
     return all.faults.push_back(about(label, messages::ingest_ice_message<"ice-not-a-polygon">()));
@@ -88,7 +88,8 @@ Checked<ChartGathering> gather_polygons(GDALDataset& dataset, const IngestOption
     const auto shapes = PolygonShapes::in(*crs);
     if (!shapes) return refuse(shapes.error());
     const std::unique_ptr<OGRSpatialReference, void (*)(OGRSpatialReference*)> counted{
-        crs->Clone(), [](OGRSpatialReference* reference) { reference->Release(); }};  // geometries keep it
+        // shared, because geometries refer to it
+        crs->Clone(), [](OGRSpatialReference* reference) { reference->Release(); }};
     int number_of_feature = 0;
     layer->ResetReading();
     for (const auto& feature : *layer)

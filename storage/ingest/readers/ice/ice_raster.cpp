@@ -21,13 +21,15 @@ namespace {
 
 constexpr float without_bound = std::numeric_limits<float>::max();
 constexpr double most_raster_nodes =
-    2'000'000.0;                            // 16 MB for both quantities, and as much while they are filled
+    // 16 MB for both quantities, and as much again while they are filled
+    2'000'000.0;
 constexpr double finest_spacing_m = 250.0;  // charts are drawn at 1:1 000 000 and coarser
-constexpr double longest_edge_deg = 0.1;    // before it is bent by the projection: within metres of it
+// of an edge before projection; a shorter edge deviates by metres only
+constexpr double longest_edge_deg = 0.1;
 
-/// Square cells over a box, in metres of the projection.
+/// Square cells of a box, in metres of the projection.
 struct Cells {
-  double west_m{};  // of the first node
+  double west_m{};  // west coordinate of the first node
   double south_m{};
   double spacing_m{};
   int columns{};
@@ -38,13 +40,13 @@ Cells cells_over(const OGREnvelope& box) {
   const double width = box.MaxX - box.MinX;
   const double height = box.MaxY - box.MinY;
   const double spacing = std::max(finest_spacing_m, std::sqrt(width * height / most_raster_nodes));
-  constexpr double around = 2.0;  // cells, for what is spread to the neighbours
+  constexpr double around = 2.0;  // margin in cells, because values spread to neighbours
   return {box.MinX - around * spacing, box.MinY - around * spacing, spacing,
           static_cast<int>(std::ceil(width / spacing + 2.0 * around)) + 1,
           static_cast<int>(std::ceil(height / spacing + 2.0 * around)) + 1};
 }
 
-/// A reference system that geometries share and count.
+/// Releases a reference to a reference system that geometries share.
 struct Uncount {
   void operator()(OGRSpatialReference* crs) const { crs->Release(); }
 };
@@ -57,7 +59,7 @@ SharedCrs crs_of_epsg(int code) {
   return crs;
 }
 
-/// Brings every polygon to the projection and returns the box of them all.
+/// Projects every polygon and returns the box around all of them.
 Checked<OGREnvelope> project(std::vector<IcePolygon>& polygons, OGRSpatialReference& target) {
   OGREnvelope box;
   for (IcePolygon& polygon : polygons) {
@@ -72,7 +74,8 @@ Checked<OGREnvelope> project(std::vector<IcePolygon>& polygons, OGRSpatialRefere
   return box;
 }
 
-/// Burns values in ascending order, so that the greatest stays. NaN where no polygon touches the cell.
+/// Writes the polygons into cells in ascending order of their values, so that the greatest stays. NaN where
+/// no polygon touches the cell.
 std::vector<float> burn(const std::vector<IcePolygon>& polygons, const std::vector<float>& values,
                         const Cells& cells) {
   std::vector<std::size_t> order(polygons.size());
@@ -108,7 +111,7 @@ std::vector<float> burn(const std::vector<IcePolygon>& polygons, const std::vect
   return result;
 }
 
-/// The greatest of each cell and its eight neighbours; zeros do not spread to where nothing is known.
+/// The greatest value of each cell and its eight neighbours. A zero does not spread to cells without a value.
 std::vector<float> spread(const std::vector<float>& values, const Cells& cells) {
   const int columns = cells.columns;
   const auto place = [columns](int row, int column) {
@@ -137,7 +140,8 @@ ocean::Axis nodes(double first, double step, int count) {
   return ocean::Axis{std::move(all)};
 }
 
-/// Long edges in degrees are bent by the projection. A polygon without a reference system is on WGS84.
+/// Assigns WGS84 to polygons without a reference system, and divides long edges in degrees, because
+/// projecting bends them.
 Checked<bool> prepare_polygons(std::vector<IcePolygon>& polygons) {
   bool north = false;
   bool south = false;

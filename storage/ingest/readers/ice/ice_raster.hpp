@@ -11,13 +11,13 @@ class OGRGeometry;
 
 namespace floeplan::ingest {
 
-/// An area and its ice.
+/// An area with its ice.
 struct IcePolygon {
   std::unique_ptr<OGRGeometry> area;
   IceOfPolygon ice;
 };
 
-/// Ice on a grid; NaN where nothing is known, of the thickness also where it has no upper bound.
+/// Ice on a grid. NaN where nothing is known; the thickness is also NaN where it has no upper limit.
 /// Shape    [y][x], last index fastest
 struct IceRaster {
   ocean::HorizontalGrid grid;
@@ -25,10 +25,11 @@ struct IceRaster {
   std::vector<float> thickness_m;
 };
 
-/// Lays polygons in longitude and latitude (of which long edges are divided already) or in a reference system on a
-/// polar stereographic grid, true to scale at 70 degrees, of at most two million nodes; the greatest value of all
-/// polygons that touch a cell or one beside it counts.
-/// Errors   corners that the projection cannot take, polygons on both hemispheres
+/// Puts polygons on a polar stereographic grid that is true to scale at 70 degrees and has at most two
+/// million nodes. The polygons are in longitude and latitude, with long edges already divided, or in a
+/// reference system. A node gets the greatest value of all polygons that touch its cell or a neighbouring
+/// cell.
+/// Errors   corners outside the range of the projection; polygons in both hemispheres
 [[nodiscard]] Checked<IceRaster> lay_on_grid(std::vector<IcePolygon> polygons);
 
 }  // namespace floeplan::ingest

@@ -17,21 +17,23 @@
 namespace floeplan::ingest {
 namespace {
 
-/// Deepest level that counts as the surface: models often place their surface fields at their uppermost level.
+/// Deepest level that counts as the surface. Models often give surface fields the depth of their uppermost
+/// level.
 constexpr double deepest_top_level_m = 20.0;
 
-/// Thickness of floating level ice over its draft: 1025 kg/m3 of sea water over 915 kg/m3 of ice, without snow.
+/// Ratio of thickness to draft of floating level ice without snow: densities 1025 kg/m3 of sea water, 915
+/// kg/m3 of ice.
 /// Source  Timco and Frederking 1996, A review of sea ice density, doi:10.1016/0165-232X(95)00007-X
 constexpr double thickness_over_draft = 1025.0 / 915.0;
 
-/// One variable and how its numbers are read.
+/// One variable, with the meaning of its numbers.
 struct Quantity {
   const NetcdfVariable* variable{nullptr};
   MissingMarks marks;
   IceUnit unit;
 };
 
-/// Everything needed to read slices of one file, now or later.
+/// All that is needed to read slices of a file, for checking and later for writing.
 struct IceSource {
   std::shared_ptr<const NetcdfFile> file;
   std::vector<Quantity> concentrations;
@@ -43,7 +45,7 @@ struct IceSource {
   [[nodiscard]] std::size_t times() const { return layout.times_s->nodes.size(); }
 };
 
-/// Reads every value of a variable once.
+/// Reads every value of a variable once and returns what they show.
 Checked<Found> look_through(const Quantity& quantity, const NetcdfLayout& layout) {
   constexpr double infinite = std::numeric_limits<double>::infinity();
   Found found{.extent = {infinite, -infinite}, .whole_numbers = true, .values = 0, .undeclared = 0};
@@ -103,7 +105,7 @@ Checked<Quantity> thickness_of(const NetcdfVariable& variable, bool is_draft, co
   return quantity;
 }
 
-/// The greatest of the quantities at each node, [y][x], within [0, most]; NaN where all are missing.
+/// The greatest of several quantities at each node, [y][x], limited to [0, most]; NaN where all are missing.
 Checked<std::vector<float>> read_greatest(const std::vector<Quantity>& quantities, const NetcdfLayout& layout,
                                           std::size_t time, double most) {
   std::vector<float> result(layout.x.nodes.size() * layout.y.nodes.size(), missing);
@@ -144,7 +146,7 @@ Checked<void> write(const IceSource& source, const core::ProgressCallback& progr
   return {};
 }
 
-/// The user's word counts where the file has none: daily charts often carry their date in the name alone.
+/// Uses the user's time if the file states none: the date of a daily chart is often only in its name.
 Checked<bool> settle_time(NetcdfLayout& layout, const std::optional<core::UtcTime>& stated) {
   if (layout.times_s && stated) layout.warnings.push_back(messages::ingest_ice_message<"ice-time-in-file">());
   if (!layout.times_s && !stated) return refuse(messages::ingest_ice_message<"ice-time-missing">());
@@ -152,7 +154,7 @@ Checked<bool> settle_time(NetcdfLayout& layout, const std::optional<core::UtcTim
   return true;
 }
 
-/// The layout with its times, which ice must have.
+/// The layout of ice, which must have times and no depths.
 Checked<NetcdfLayout> layout_of_ice(NetcdfLayout layout, const NetcdfVariable& variable,
                                     const std::optional<core::UtcTime>& stated_time) {
   if (const auto settled = settle_time(layout, stated_time); !settled) return refuse(settled.error());

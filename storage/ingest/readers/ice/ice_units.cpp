@@ -11,16 +11,17 @@
 namespace floeplan::ingest {
 namespace {
 
-constexpr double share_rounding = 0.005;  // half a per cent: what byte-packed products round to
-constexpr double thickest_m = 50.0;       // keels of ridges reach 47 m; no cell of a grid averages more
+constexpr double share_rounding = 0.005;  // half a per cent, the rounding of products packed in bytes
+constexpr double thickest_m = 50.0;       // keels of ridges reach 47 m; the mean of a grid cell is less
 constexpr double thickness_rounding_m = 0.01;
 
 bool is_one_of(const std::string& unit, std::initializer_list<std::string_view> words) {
   return std::find(words.begin(), words.end(), unit) != words.end();
 }
 
-/// Models that take up observations may overshoot: files of the reanalysis GLORYS12 reach 1.0096 and declare values up
-/// to 1.043 valid. So much more is possible as the variable's own valid_max says, not beyond this.
+/// Models that assimilate observations may exceed a concentration of 1: files of the reanalysis GLORYS12
+/// reach 1.0096 and declare values up to 1.043 valid. Values up to the variable's own valid_max are accepted,
+/// but not beyond this excess.
 constexpr double most_overshoot = 0.05;
 
 IceUnit unit_with(double factor) {
@@ -43,7 +44,8 @@ bool states_unit(const NetcdfVariable& variable) {
   return !is_one_of(lower(variable.attribute("units")), {"", "unitless", "none"});
 }
 
-/// Whether the greatest value that the variable declares valid is a share of 1. NOAA's OISST says percent beside it.
+/// Whether the greatest valid value that the variable declares is 1. NOAA's OISST has such a range with the
+/// unit percent.
 bool declares_shares(const NetcdfVariable& variable) {
   const auto range = variable.numbers("valid_range");
   const auto packed = range.size() == 2 ? std::optional{range[1]} : variable.numeric_attribute("valid_max");

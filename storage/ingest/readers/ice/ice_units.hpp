@@ -10,37 +10,37 @@
 
 namespace floeplan::ingest {
 
-/// What all values of a variable show about its unit.
+/// Facts about all values of a variable, from which its unit can be inferred.
 struct Found {
-  Extent extent{};           // of the values that are not missing
-  bool whole_numbers{true};  // all of them
+  Extent extent{};           // range of the values that are not missing
+  bool whole_numbers{true};  // all values are whole numbers
   std::int64_t values{};
-  std::int64_t undeclared{};  // outside what is possible, taken as missing
+  std::int64_t undeclared{};  // number of impossible values, which count as missing
 };
 
-/// How a variable's numbers become shares of one or metres.
+/// Conversion of a variable's numbers to fractions of 1 or to metres.
 struct IceUnit {
   double factor{1.0};
   Extent possible{};  // in the variable's unit
 };
 
-/// The unit that a concentration states ("1", "%", tenths). A variable without a unit has the one that the user gave
-/// for it (IngestOptions::unit: "share" or "percent"); if the user gave none, the extent for which every unit is possible
-/// and a factor of zero.
-/// Errors   a unit that is no share
+/// The unit of a concentration: the one that the variable states ("1", "%", tenths), or else the one given by
+/// the user (IngestOptions::unit, "share" or "percent"). If there is neither: factor zero, and the range that
+/// is possible in any unit.
+/// Errors   a unit that is not a fraction
 [[nodiscard]] Checked<IceUnit> stated_unit_of_concentration(const NetcdfVariable& variable,
                                                             const std::optional<std::string>& given);
 
-/// Settles the unit by the values of the variable: they must fit the unit that was stated or given; without such a unit
-/// they are shares of one or percent if only one of both is possible.
-/// Errors   values that contradict the unit, or that both units could have
+/// Confirms the unit by the values of the variable. They must fit the stated or given unit. Without one, they
+/// are fractions or percent, if only one of the two is possible.
+/// Errors   values that contradict the unit, or that are possible in both units
 [[nodiscard]] Checked<IceUnit> settled_unit_of_concentration(const NetcdfVariable& variable, IceUnit stated,
                                                              const Found& found, Messages& warnings);
 
-/// Metres in one of the unit of a thickness; without a unit metres, said in `warnings`.
+/// Metres per unit of a thickness. Without a unit it is metres, with a warning.
 [[nodiscard]] Checked<IceUnit> unit_of_thickness(const NetcdfVariable& variable, Messages& warnings);
 
-/// Errors   thicker than any sea ice
+/// Refuses a thickness that no sea ice has. Errors   thicker than 50 m
 [[nodiscard]] Checked<bool> check_thickness(const NetcdfVariable& variable, const IceUnit& unit,
                                             const Found& found);
 

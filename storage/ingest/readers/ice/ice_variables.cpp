@@ -32,11 +32,11 @@ bool has_name_of_thickness(const NetcdfVariable& variable) {
   return is_named_any(variable, {"sithick", "sit", "hice", "ice_thickness", "sea_ice_thickness"});
 }
 
-/// A quantity of sea ice that this program reads: how a file names it.
+/// A quantity of sea ice that this program reads, with the names that files use for it.
 struct IceQuantity {
   std::string_view standard_name;
   bool (*has_name)(const NetcdfVariable&);
-  std::initializer_list<std::string_view> words;  // of its long name
+  std::initializer_list<std::string_view> words;  // words of its long name
 };
 
 const IceQuantity concentration_of_ice{
@@ -46,8 +46,8 @@ const IceQuantity concentration_of_ice{
 const IceQuantity thickness_of_ice{"sea_ice_thickness", has_name_of_thickness, {"ice thickness"}};
 const IceQuantity draft_of_ice{"sea_ice_draft", [](const NetcdfVariable&) { return false; }, {}};
 
-/// Statements about an estimate, other stages of it, other ice: words that count where name and standard name do not
-/// both speak for the quantity.
+/// Whether a description contains words of errors, intermediate results or other quantities. They exclude a
+/// variable unless both its name and its standard name are those of the quantity.
 bool speaks_of_something_else(const NetcdfVariable& variable) {
   return contains_any(description(variable),
                       {"error", "uncertain", "stdev", "status", "flag", "quality", "confidence", "raw",
@@ -60,7 +60,7 @@ bool is_state_on_a_plane(const NetcdfVariable& variable) {
          statistic_of(variable) == Statistic::none;
 }
 
-/// Whether the standard name says that it is another quantity, so that no other words count.
+/// Whether the standard name names another quantity; other words then do not count.
 bool is_named_otherwise(const NetcdfVariable& variable, const IceQuantity& quantity) {
   const std::string standard_name = standard_name_of(variable);
   if (standard_name.find('_') == std::string::npos || standard_name == quantity.standard_name) return false;
@@ -101,7 +101,7 @@ bool on_same_dimensions(const NetcdfVariable& a, const NetcdfVariable& b) {
   return std::ranges::equal(a.dimensions(), b.dimensions(), same);
 }
 
-/// The thickness on the dimensions of the concentration; a draft only where there is none.
+/// Adds a thickness on the dimensions of the concentration, or a draft if there is no thickness.
 void add_thickness(const NetcdfFile& file, IceVariables& ice) {
   const NetcdfVariable& concentration = *ice.concentrations.front();
   const auto take = [&](bool is_draft, const IceQuantity& quantity) {

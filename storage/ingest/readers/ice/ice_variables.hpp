@@ -9,12 +9,13 @@
 
 namespace floeplan::ingest {
 
-/// What a file says of sea ice: estimates of its concentration (several where several methods were used) and its
+/// The variables of sea ice in a file: estimates of its concentration (one for each method), and its
 /// thickness or the draft of its level part.
 struct IceVariables {
   std::vector<const NetcdfVariable*> concentrations;  // at least one, all on the same dimensions
   const NetcdfVariable* thickness{nullptr};           // null: none
-  bool thickness_is_draft{false};                     // from the surface of the sea to the underside
+  // draft: from the sea surface down to the underside of the ice
+  bool thickness_is_draft{false};
   Messages warnings;
 };
 
@@ -24,11 +25,11 @@ struct IceVariables {
 /// Whether any variable claims to be a thickness of sea ice.
 [[nodiscard]] bool holds_ice_thickness(const NetcdfFile& file);
 
-/// Why a statistic of the concentration is none; empty where the file has no such statistic.
+/// The message that a statistic of the concentration is not the concentration; empty if the file has none.
 [[nodiscard]] std::optional<messages::Message> ice_left_out(const NetcdfFile& file);
 
-/// Chooses by standard name, then by well-known names. Statistics, uncertainties, flags, raw and unfiltered estimates and
-/// ice of lakes are never taken. `wanted` names one concentration to use alone.
+/// Chooses the variables by standard name, then by well-known names. Statistics, uncertainties, flags, raw or
+/// unfiltered estimates and lake ice are never chosen. `wanted` is the name of the only concentration to use.
 /// Errors   no concentration, or none of the wanted name; a grid that this program does not read
 [[nodiscard]] Checked<IceVariables> find_ice(const NetcdfFile& file,
                                              const std::optional<std::string>& wanted);

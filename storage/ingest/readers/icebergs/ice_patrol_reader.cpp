@@ -16,7 +16,8 @@
 namespace floeplan::ingest {
 namespace {
 
-// Without the words that the yearly files put before them: "ICE-YEAR" and "ICEBERG_YEAR", "DATE" and "SIGHTING_DATE".
+// Endings of the columns' names; the yearly files differ: "ICE-YEAR" and "ICEBERG_YEAR", "DATE" and
+// "SIGHTING_DATE".
 constexpr std::array<std::string_view, 9> column_names{"YEAR",      "NUMBER", "DATE", "TIME", "LATITUDE",
                                                        "LONGITUDE", "METHOD", "SIZE", "SHAPE"};
 enum Column { ice_year, berg_number, date, time_of_day, latitude, longitude, method, size, shape };
@@ -59,7 +60,7 @@ std::optional<ocean::IcebergSize> size_of_code(const std::string& code) {
   return std::nullopt;
 }
 
-/// "10/7/2013" or "2013-10-07", and "2139" (leading zeros may have been lost) in UTC.
+/// UTC time from "10/7/2013" or "2013-10-07", and "2139" (leading zeros may have been lost).
 std::optional<core::UtcTime> sighting_time(const std::string& date_text, const std::string& time_text) {
   const bool american = date_text.find('/') != std::string::npos;
   const auto date = american ? us_date(date_text) : core::parse_iso8601(date_text);
@@ -73,7 +74,7 @@ std::optional<core::UtcTime> sighting_time(const std::string& date_text, const s
   return *date + core::Seconds{hour * 3600.0 + minute * 60.0};
 }
 
-/// The sighting of one row, or why it has none.
+/// The sighting of one row, or why the row is bad.
 Checked<ocean::Iceberg> sighting(const std::vector<std::string>& fields, const ColumnNumbers& columns) {
   const auto field = [&](Column column) { return trimmed(fields[columns[column]]); };
   ocean::Iceberg iceberg;

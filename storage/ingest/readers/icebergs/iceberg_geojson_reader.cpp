@@ -24,7 +24,7 @@
 namespace floeplan::ingest {
 namespace {
 
-/// Text of the first of the properties that is there; empty when none is.
+/// Text of the first of these properties that has a value; empty if none has.
 std::string property(const OGRFeature& feature, std::initializer_list<const char*> names) {
   for (const char* name : names) {
     const int index = feature.GetFieldIndex(name);
@@ -41,7 +41,7 @@ std::optional<std::string> confidence_of(const OGRFeature& feature) {
   return std::nullopt;
 }
 
-/// A length property in metres, or why it is none.
+/// A length property in metres, empty if not stated; or why it is not a length.
 Checked<std::optional<core::Metres>> length_property(const OGRFeature& feature, const char* name,
                                                      double most_m) {
   const std::string text = property(feature, {name});
@@ -55,7 +55,7 @@ std::vector<std::string> names_of_fields(OGRLayer& layer) {
   return names;
 }
 
-/// A time that the file keeps as one: with its zone, or a day alone, which counts from its beginning on.
+/// The time of a field of type time or date: with its zone, or a day, which counts from its beginning.
 std::optional<core::UtcTime> time_of_field(const OGRFeature& feature, int index) {
   const OGRFieldType type = feature.GetFieldDefnRef(index)->GetType();
   if (type != OFTDateTime && type != OFTDate) return std::nullopt;
@@ -65,7 +65,7 @@ std::optional<core::UtcTime> time_of_field(const OGRFeature& feature, int index)
   int hour = 0;
   int minute = 0;
   float second = 0.0F;
-  int zone = 0;  // 1: local time of nobody knows where; 100: UTC; one more for every quarter of an hour east
+  int zone = 0;  // 1: unspecified local time; 100: UTC; plus 1 for every quarter of an hour east
   if (!feature.GetFieldAsDateTime(index, &year, &month, &day, &hour, &minute, &second, &zone))
     return std::nullopt;
   if (type == OFTDateTime && zone < 2) return std::nullopt;
@@ -91,17 +91,18 @@ Checked<core::UtcTime> observed_of(const OGRFeature& feature) {
   return refuse(messages::ingest_iceberg_message<"iceberg-time-unusable">("observed", "", ""));
 }
 
-/// Where an iceberg is, and how long it is where its outline says it.
+/// Position of an iceberg, and its length if it follows from an outline.
 struct PlaceAndLength {
   geo::LonLat place;
   std::optional<core::Metres> length;
 };
 
-/// The middle of the box of an outline, and twice the way to its farthest corner: a circle that holds all of it.
+/// The middle of an outline's box, and twice the distance to its farthest corner: a circle around all of it.
 Checked<PlaceAndLength> extent_of(const std::vector<geo::LonLat>& corners) {
   for (const geo::LonLat corner : corners)
     if (auto fault = fault_of_place(corner)) return refuse(std::move(*fault));
-  double west = 0.0;  // of the first corner, so that an outline across the date line stays in one piece
+  // relative to the first corner, so that an outline across the date line stays in one piece
+  double west = 0.0;
   double east = 0.0;
   double south = corners.front().lat_deg;
   double north = south;
@@ -182,7 +183,7 @@ Checked<ocean::Iceberg> iceberg_of(const OGRFeature& feature, const PositionErro
 
 using Transformation = std::unique_ptr<OGRCoordinateTransformation>;
 
-/// Null where the layer is in degrees already, or does not say otherwise.
+/// The transformation of a layer to degrees; null if it is in degrees already or states no reference system.
 Checked<Transformation> transformation_to_degrees(OGRLayer& layer) {
   const OGRSpatialReference* stated = layer.GetSpatialRef();
   if (stated == nullptr) return Transformation{};

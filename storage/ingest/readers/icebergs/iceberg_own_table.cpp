@@ -19,11 +19,11 @@ namespace {
 
 struct LengthColumn {
   std::size_t index{};
-  double metres{1.0};  // in one of its unit
+  double metres{1.0};  // metres per unit
 };
 
-/// The only column called so and by a unit of length: "length_m", "length_ft". In tables of icebergs "nm" is a nautical
-/// mile.
+/// The only column whose name is the quantity and a unit of length: "length_m", "length_ft". In tables of
+/// icebergs "nm" is a nautical mile.
 std::optional<LengthColumn> length_column(const DelimitedText& table, const std::string& quantity) {
   constexpr double nautical_mile_m = 1852.0;
   std::optional<LengthColumn> found;
@@ -40,7 +40,7 @@ std::optional<LengthColumn> length_column(const DelimitedText& table, const std:
 }
 
 struct BergColumns {
-  std::optional<std::size_t> id;  // empty: of a list of detections
+  std::optional<std::size_t> id;  // empty in a list of detections
   std::size_t lat{};
   std::size_t lon{};
   std::size_t observed{};
@@ -51,7 +51,7 @@ struct BergColumns {
   std::optional<std::size_t> size;
   std::optional<std::size_t> shape;
   std::optional<std::size_t> method;
-  std::optional<std::size_t> confidence;  // of a list of detections
+  std::optional<std::size_t> confidence;  // only in a list of detections
 };
 
 std::optional<BergColumns> berg_columns_of(const DelimitedText& table) {
@@ -81,13 +81,13 @@ std::optional<BergColumns> berg_columns_of(const DelimitedText& table) {
   return columns;
 }
 
-/// Whether the columns themselves tell that these are icebergs.
+/// Whether the names of the columns show that the rows are icebergs.
 bool name_icebergs(const DelimitedText& table, const BergColumns& columns) {
   return (columns.id && contains_any(table.columns()[*columns.id], {"berg"})) || columns.length ||
          columns.draft || columns.size;
 }
 
-/// Whether there are an id and a sighting, and nothing that a sighting of an iceberg does not have.
+/// Whether there are only an id and the columns of a sighting.
 bool are_sightings_alone(const DelimitedText& table, const BergColumns& columns) {
   std::size_t known = 4 + std::size_t{columns.shape.has_value()} + std::size_t{columns.method.has_value()};
   for (std::size_t i = 0; i < table.columns().size(); ++i)
@@ -95,7 +95,7 @@ bool are_sightings_alone(const DelimitedText& table, const BergColumns& columns)
   return columns.id && table.columns()[*columns.id] == "id" && known == table.columns().size();
 }
 
-/// Warnings of columns that state a size or a position error in a way that this program does not read.
+/// Warns of columns that seem to state a size or a position error but are not read.
 Messages warnings_of(const DelimitedText& table, const BergColumns& columns) {
   Messages warnings = columns.position_errors.warnings();
   if (columns.confidence) warnings.push_back(messages::ingest_iceberg_message<"detections-all-count">());
@@ -109,7 +109,7 @@ Messages warnings_of(const DelimitedText& table, const BergColumns& columns) {
   return warnings;
 }
 
-/// One line, by what its columns mean.
+/// One line; its fields are found by the meaning of their columns.
 class Row {
  public:
   Row(const DelimitedText& table, const BergColumns& columns, std::vector<std::string> fields)

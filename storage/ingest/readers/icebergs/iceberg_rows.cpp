@@ -12,8 +12,8 @@ namespace {
 
 constexpr std::size_t max_reasons = 10;
 
-/// Between these latitudes nobody has seen an iceberg: the farthest on record were met in the South Atlantic in 1894,
-/// at 26.5 S, and off Bermuda in 1926, at 30.3 N.
+/// Latitudes of the icebergs seen nearest to the equator: in the South Atlantic in 1894, at 26.5 S, and off
+/// Bermuda in 1926, at 30.3 N.
 constexpr double southern_record_deg = -26.5;
 constexpr double northern_record_deg = 30.3;
 

@@ -34,7 +34,7 @@ std::string bare(std::string line) {
   return line;
 }
 
-/// The header of a table, by column.
+/// The header of a table, which gives the column of each name.
 class Header {
  public:
   explicit Header(const std::string& line) : names_{csv_fields(bare(line))} {
@@ -55,12 +55,12 @@ class Header {
   std::vector<std::string> names_;
 };
 
-/// One row of a table, by the names of its columns.
+/// One row of a table; values are found by the names of the columns.
 class TableRow {
  public:
   TableRow(const Header& header, const std::vector<std::string>& fields) : header_{header}, fields_{fields} {}
 
-  /// Empty when there is no such column.
+  /// Text in the column with this name; empty if there is none.
   [[nodiscard]] std::string text(std::string_view name) const {
     const auto column = header_.column(name);
     return column ? trimmed(fields_[*column]) : std::string{};
@@ -121,7 +121,7 @@ bool is_beacon(const Header& header) {
   return header.has_all({"beacon_id", "datetime_data", "latitude", "longitude"});
 }
 
-/// Radius of an Argos position of a class.
+/// Accuracy radius of an Argos position of this class; empty without a class.
 std::optional<core::Metres> argos_accuracy(const std::string& loc_class) {
   if (loc_class.empty()) return std::nullopt;
   if (loc_class == "3" || loc_class == "3.0") return core::Metres{250.0};
@@ -147,7 +147,7 @@ Checked<ocean::Iceberg> row_of_beacon(const TableRow& row) {
   return iceberg;
 }
 
-/// The sensors of a consolidated track that its columns name, in the order in which they are believed.
+/// The sensors of a consolidated track, from the names of its columns; the most trusted first.
 std::vector<std::string> sensors_of(const Header& header) {
   std::vector<std::string> sensors;
   for (const char* sensor :
@@ -159,7 +159,7 @@ std::vector<std::string> sensors_of(const Header& header) {
 
 bool is_track(const Header& header) { return header.column("date") && !sensors_of(header).empty(); }
 
-/// What a sensor says of a day; nullopt where it says nothing.
+/// A sensor's position of one day.
 struct SensorFix {
   geo::LonLat place;
   bool seen{};
@@ -174,7 +174,7 @@ std::optional<SensorFix> sensor_fix_of(const TableRow& row, const std::string& s
   return SensorFix{{*lon, *lat}, flag == 1.0, sensor};
 }
 
-/// Reads the rows of one berg's track, which carries its size from row to row.
+/// Reads the rows of one berg's track. A size stated in one row applies to the rows after it.
 class Track {
  public:
   Track(std::string id, const Header& header) : id_{std::move(id)}, sensors_{sensors_of(header)} {}

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::string_view error_words[]{"error", "errors", "err",       "uncertainty", "uncertain", "uncert",
                                          "unc",   "acc",    "precision", "accuracy",    "inaccuracy"};
-/// Words of a spread. They mean a position error only beside a word of a position.
+/// Words for a statistical spread. They mean a position error only together with a word for a position.
 constexpr std::string_view spread_words[]{"sigma", "std",  "stddev", "stdev", "sd",
                                           "rms",   "rmse", "cep",    "radius"};
 constexpr std::string_view position_words[]{"position",    "positions",  "positional", "pos",   "posn",
@@ -31,7 +31,7 @@ bool is_in(std::span<const std::string_view> words, std::string_view word) {
 bool is_lower(char c) { return c >= 'a' && c <= 'z'; }
 bool is_upper(char c) { return c >= 'A' && c <= 'Z'; }
 
-/// "poserr" as "pos" and "err".
+/// Adds a word; a word such as "poserr" is split into "pos" and "err".
 void add_word(std::vector<std::string>& words, const std::string& word) {
   for (std::size_t length = 1; length < word.size(); ++length) {
     const std::string first = word.substr(0, length);
@@ -43,7 +43,7 @@ void add_word(std::vector<std::string>& words, const std::string& word) {
   if (!word.empty()) words.push_back(word);
 }
 
-/// In lower case: "posErrM", "Pos. err (m)" and "POS_ERR_M" have the same three.
+/// The words of a name in lower case: "posErrM", "Pos. err (m)" and "POS_ERR_M" give the same three words.
 std::vector<std::string> words_of(const std::string& name) {
   std::vector<std::string> words;
   std::string word;
@@ -63,7 +63,7 @@ std::vector<std::string> words_of(const std::string& name) {
   return words;
 }
 
-/// Metres in one of the unit that the last words name, which are taken off.
+/// Metres per unit, if the last words name a unit of length; removes these words.
 std::optional<double> take_unit(std::vector<std::string>& words) {
   constexpr double nautical_mile_m = 1852.0;
   for (const std::size_t length : {std::size_t{2}, std::size_t{1}}) {
@@ -79,7 +79,7 @@ std::optional<double> take_unit(std::vector<std::string>& words) {
   return std::nullopt;
 }
 
-/// Whether the words, without their unit, mean the error of a position and nothing else.
+/// Whether the words, without the unit, can only mean a position error.
 bool mean_position_error(const std::vector<std::string>& words) {
   const auto any = [&](std::span<const std::string_view> set) {
     return std::ranges::any_of(words, [&](const std::string& word) { return is_in(set, word); });

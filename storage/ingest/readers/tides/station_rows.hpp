@@ -10,23 +10,25 @@
 
 namespace floeplan::ingest {
 
-/// A harmonic constant as its file gives it.
+/// A harmonic constant with the values of its file.
 struct ConstituentRow {
   std::string name;
   double amplitude{};
-  double phase_deg{};  // behind Greenwich
+  double phase_deg{};  // phase lag behind the equilibrium tide at Greenwich
   std::optional<double> speed_deg_h;
 };
 
 /// Collects the constants of one station.
 class StationRows {
  public:
-  /// `metres` is the length of the unit of the amplitude. Rows without an amplitude and unknown constituents add nothing.
-  /// Errors   an amplitude below 0 or over 20 m, a phase beyond two turns, a speed of another constituent, one twice
+  /// Adds a constant. `metres` is the length of one unit of the amplitude. Rows without an amplitude and
+  /// unknown constituents are ignored.
+  /// Errors   an amplitude below 0 or over 20 m; a phase over two turns; a speed of another constituent; a
+  ///          constituent twice
   [[nodiscard]] Checked<bool> add(const ConstituentRow& row, double metres);
 
   [[nodiscard]] std::vector<tide::HarmonicConstant> constants() && { return std::move(constants_); }
-  /// Tells of the unknown constituents.
+  /// Adds a warning that names the unknown constituents.
   void warn(Messages& warnings) const;
 
  private:
@@ -35,15 +37,15 @@ class StationRows {
   double unknown_m_{};
 };
 
-/// Degrees an hour.
+/// Speed of a constituent in degrees per hour.
 [[nodiscard]] double speed_deg_h(tide::Constituent constituent);
-/// Whether a file's speed is that of the constituent, within what lists round to: 0.001 degrees an hour.
+/// Whether a file's speed is that of the constituent, within the usual rounding of 0.001 degrees per hour.
 [[nodiscard]] bool is_speed_of(tide::Constituent constituent, double stated_deg_h);
 
-/// Metres in one of a unit; empty where it is none of length.
+/// Metres per unit; empty if it is not a unit of length.
 [[nodiscard]] std::optional<double> metres_of(const std::string& unit);
 
-/// Errors   no station, or one without constants
+/// The dataset of the stations. Errors   no station, or one without constants
 [[nodiscard]] Checked<PreparedDataset> prepared_stations(std::vector<repository::TideStation> stations,
                                                          Messages warnings);
 

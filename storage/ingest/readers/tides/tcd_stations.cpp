@@ -14,23 +14,23 @@
 namespace floeplan::ingest {
 namespace {
 
-/// Whether this program predicts the tide of a constituent as its file means it. Names with another speed, and names
-/// with the reference of somebody else ("SA-IOS"), are of other constituents.
+/// Whether this program knows the constituent with the file's speed. The same name with another speed, and
+/// names with another reference ("SA-IOS"), are other constituents.
 bool is_known(const TcdConstituent& constituent) {
   const auto line = tide::find_constituent(constituent.name);
   return line && is_speed_of(*line, constituent.speed_deg_h);
 }
 
-/// The mark of a station whose place is not known: libtcd.html, TIDE_STATION_HEADER.
+/// Whether the position is known. Zero and zero mark an unknown one: libtcd.html, TIDE_STATION_HEADER.
 bool has_place(const TcdStation& station) { return station.lon_deg != 0.0 || station.lat_deg != 0.0; }
 
-/// What a file holds that is not stored.
+/// Counts of the file's content that is not stored.
 struct LeftOut {
   std::int64_t currents{};
   std::int64_t differences{};
   std::int64_t incomplete{};
   std::set<std::string> constituents;
-  double greatest_m{};  // of them
+  double greatest_m{};  // greatest amplitude of the ignored constituents
   std::string greatest_at;
 
   [[nodiscard]] std::int64_t stations() const { return currents + differences + incomplete; }

@@ -46,13 +46,13 @@ const NetcdfVariable* find_any(const NetcdfFile& file, const std::vector<std::st
   return nullptr;
 }
 
-/// The values along one dimension, and which dimension of the field that is.
+/// The values along one dimension of the field, and the index of the dimension.
 struct FieldAxis {
   std::size_t dimension{};
   std::vector<double> values;
 };
 
-/// An axis out of a list of coordinates, or out of a table in which it is the same along every line.
+/// An axis from a list of coordinates, or from a table in which every line holds the same values.
 std::optional<FieldAxis> axis_along(const NetcdfVariable& field, const NetcdfVariable& coordinate) {
   const auto values = coordinate.read_all();
   if (!values) return std::nullopt;
@@ -83,7 +83,8 @@ std::optional<FieldAxis> axis_along(const NetcdfVariable& field, const NetcdfVar
   return is_slow ? along_slow : along_fast;
 }
 
-/// The projection of a regional model: a PROJ string or a grid mapping, else the stated one.
+/// The projection of a regional model: from a PROJ string or a grid mapping of the file, or else the stated
+/// one.
 std::optional<geo::GridFrame> stated_frame(const NetcdfFile& file, const NetcdfVariable& field,
                                            const std::optional<std::string>& stated_crs) {
   OGRSpatialReference crs;
@@ -91,7 +92,7 @@ std::optional<geo::GridFrame> stated_frame(const NetcdfFile& file, const NetcdfV
   for (const NetcdfVariable& variable : file.variables()) {
     std::string proj = variable.attribute("spatial_proj4");
     if (proj.empty()) continue;
-    // The axes are turned into metres by their own unit.
+    // Metres, because the axes are converted to metres by their own unit.
     if (const std::size_t at = proj.find("+units=km"); at != std::string::npos)
       proj.replace(at, 9, "+units=m");
     if (crs.SetFromUserInput(proj.c_str()) == OGRERR_NONE) return grid_frame_of(crs);
@@ -119,7 +120,7 @@ std::optional<std::size_t> other_dimension(const NetcdfVariable& field, std::siz
   return std::nullopt;
 }
 
-/// Equal but for the rounding of coordinates in single precision, 3e-5 degrees near 360.
+/// Whether two grids are equal within the rounding of single precision, 3e-5 degrees near 360.
 bool are_same_nodes(const ocean::HorizontalGrid& a, const ocean::HorizontalGrid& b) {
   const auto alike = [](const ocean::Axis& one, const ocean::Axis& other) {
     const double tolerance = 1e-3 * one.mean_step();

@@ -17,23 +17,24 @@ using ocean::TideQuantity;
 constexpr double highest_m =
     20.0;  // the greatest tide on Earth, in the Bay of Fundy, has an amplitude of 8 m
 constexpr double fastest_tide_m_s = 10.0;  // the fastest tidal stream, Saltstraumen, reaches about this
-constexpr double shallowest_m = 1.0;       // a transport over less water is no speed of the sea
+constexpr double shallowest_m = 1.0;       // dividing a transport by less water gives unrealistic speeds
 
 struct Part {
   TideVariables variables;
   TideLayout layout;
-  std::vector<double> depths_m;  // of transports; else empty
+  std::vector<double> depths_m;  // depths for transports; otherwise empty
 };
 
-/// Everything needed to read fields of one file, now or later.
+/// All that is needed to read fields of a file, for checking and later for writing.
 struct TideSource {
-  NetcdfFiles files;  // kept open
+  NetcdfFiles files;  // references that keep the files open
   std::vector<Part> parts;
-  std::vector<std::optional<tide::Constituent>> lines;  // empty: one that this program does not know
-  ocean::HorizontalGrid grid;                           // of the store
+  // constituent of each line; empty: unknown to this program
+  std::vector<std::optional<tide::Constituent>> lines;
+  ocean::HorizontalGrid grid;  // grid on which the tide is stored
 };
 
-/// The field of one line at the part's own nodes, in metres or m/s.
+/// The field of one constituent at its own nodes, in metres or m/s.
 Checked<ocean::TideGrid::Field> read_at_own_nodes(const Part& part, std::size_t line) {
   const auto raw = read_tide_field(part.variables, part.layout, line);
   if (!raw) return refuse(raw.error());
@@ -58,7 +59,7 @@ bool same_nodes(const ocean::HorizontalGrid& a, const ocean::HorizontalGrid& b) 
   return a.x().nodes() == b.x().nodes() && a.y().nodes() == b.y().nodes();
 }
 
-/// The field at the nodes of the store, linear between its own.
+/// The field at the nodes of the stored grid, interpolated linearly.
 Checked<ocean::TideGrid::Field> read_line(const TideSource& source, const Part& part, std::size_t line) {
   auto field = read_at_own_nodes(part, line);
   if (!field || same_nodes(part.layout.grid, source.grid)) return field;
@@ -75,7 +76,8 @@ Checked<ocean::TideGrid::Field> read_line(const TideSource& source, const Part& 
   return result;
 }
 
-/// The nodes of the elevations; of a C-grid without them, the longitudes of v and the latitudes of u.
+/// The stored grid: the nodes of the elevations, or, for a C grid without them, the longitudes of v and the
+/// latitudes of u.
 ocean::HorizontalGrid grid_of_store(const std::vector<Part>& parts) {
   const auto part = [&](TideQuantity quantity) {
     return std::ranges::find_if(parts, [&](const Part& p) { return p.variables.quantity == quantity; });
@@ -111,7 +113,7 @@ struct TideInFile {
   TideVariables variables;
 };
 
-/// The tides of the first file, and of the others the component that it lacks.
+/// The tides of the first file; from other files only the component that is missing.
 Checked<std::vector<TideInFile>> find_in_all(const NetcdfFiles& files) {
   std::vector<TideInFile> all;
   const auto has = [&](TideQuantity quantity) {
@@ -162,7 +164,7 @@ Checked<TideSource> open_source(const NetcdfFiles& files, const std::string& ste
   return TideSource{files, std::move(parts), std::move(*names), grid};
 }
 
-/// Reads every field once. Returns how many nodes have a value.
+/// Reads every field once. Returns the number of nodes with a value.
 Checked<std::int64_t> look_through(const TideSource& source, const core::ProgressCallback& progress) {
   std::int64_t nodes = 0;
   const double steps = static_cast<double>(source.parts.size() * source.lines.size());

@@ -72,10 +72,10 @@ std::string text_in(const json& object, const char* key) {
   return found != object.end() && found->is_string() ? found->get<std::string>() : std::string{};
 }
 
-/// The time from which phases count.
+/// The time to which phases refer.
 enum class PhaseTime { unstated, greenwich, local };
 
-/// What a text in lower case says of it.
+/// The time to which phases refer according to a text in lower case.
 PhaseTime phase_time_of(std::string_view text) {
   PhaseTime stated = PhaseTime::unstated;
   for (const std::string& line : split_line(text, "\r\n")) {
@@ -124,7 +124,7 @@ std::optional<TableColumns> table_columns(const std::string& line) {
           columns.unit = trimmed(field.substr(mark + 1, field.find(')') - mark - 1));
       }
       const bool of_phase = field.starts_with("phase") || field.starts_with("g_deg");
-      // If a table has phases in two times, those that count from Greenwich are used.
+      // If a table has phases for two times, those for Greenwich are used.
       if (of_phase && (!phase || phase_time_of(columns.phase_name) != PhaseTime::greenwich)) {
         phase = i;
         columns.phase_name = field;
@@ -140,7 +140,7 @@ std::optional<TableColumns> table_columns(const std::string& line) {
   return std::nullopt;
 }
 
-/// The first lines that are no comment.
+/// The first line that is no comment. `rest` moves behind it.
 std::string header_of(std::string_view text, std::size_t& rest) {
   while (rest < text.size()) {
     const std::size_t end = std::min(text.find('\n', rest), text.size());
@@ -175,7 +175,7 @@ Checked<PreparedDataset> read_tide_json(const std::filesystem::path& file, const
       document.contains("HarmonicConstituents") ? "HarmonicConstituents" : "harmonic_constituents";
   if (!document.is_object() || !document.contains(key) || !document[key].is_array())
     return refuse(messages::ingest_tide_message<"station-json-damaged">());
-  const bool of_database = std::string_view{key} == "harmonic_constituents";  // which is in metres throughout
+  const bool of_database = std::string_view{key} == "harmonic_constituents";  // this list is always in metres
   const auto metres = unit_of(of_database ? "m" : text_in(document, "units"), options);
   if (!metres) return refuse(metres.error());
   const auto place = station_place(number_in(document, {"longitude", "lng"}),
@@ -240,7 +240,7 @@ Checked<PreparedDataset> read_tide_table(const std::filesystem::path& file, cons
 Checked<PreparedDataset> read_otps_extract(const std::filesystem::path& file) {
   const auto text = text_of_file(file);
   if (!text) return refuse(text.error());
-  std::vector<std::string> names;  // of the constituents, once the header is found
+  std::vector<std::string> names;  // names of the constituents, after the header was found
   std::vector<TideStation> stations;
   Messages warnings;
   std::int64_t outside = 0;

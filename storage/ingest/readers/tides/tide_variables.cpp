@@ -41,8 +41,8 @@ const NetcdfVariable* field_named(const NetcdfFile& file, const std::string& low
   return nullptr;
 }
 
-/// Whether a file has both parts of a pair. Winds and geostrophic currents are named ua and ug, too: a phase is an
-/// angle.
+/// Whether a file has both variables of a pair. Winds and geostrophic currents can also be named ua and ug,
+/// so a phase must have a unit of angle.
 bool has_pair(const NetcdfFile& file, const KnownTidePair& pair) {
   const NetcdfVariable* second = field_named(file, pair.second);
   if (field_named(file, pair.first) == nullptr || second == nullptr) return false;
@@ -50,7 +50,7 @@ bool has_pair(const NetcdfFile& file, const KnownTidePair& pair) {
   return !pair.amplitude_and_phase || unit.empty() || unit.starts_with("deg") || unit.starts_with("rad");
 }
 
-/// Whether a variable says in its own words that it is the other component.
+/// Whether a variable's attributes say that it is the other component.
 bool contradicts(const NetcdfVariable& variable, TideQuantity quantity) {
   const auto stated = stated_component(variable);
   return stated && ((quantity == TideQuantity::east && *stated == Component::second) ||
@@ -66,7 +66,7 @@ bool has_depths(const NetcdfFile& file) {
   return field_named(file, "hu") != nullptr && field_named(file, "hv") != nullptr;
 }
 
-/// "centimeter^2/sec" as "cm2/s".
+/// A unit in short form: "cm2/s" for "centimeter^2/sec".
 std::string plain_unit(std::string unit) {
   unit = lower(unit);
   const auto replace = [&](std::string_view from, std::string_view to) {

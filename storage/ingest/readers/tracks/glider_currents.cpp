@@ -13,7 +13,7 @@
 namespace floeplan::ingest {
 namespace {
 
-/// A dive lasts many rows: a current that changes more often than this many rows was interpolated from row to row.
+/// A dive has many rows. A current that lasts fewer rows than this was interpolated from row to row.
 constexpr std::size_t least_rows_a_current = 4;
 constexpr std::size_t few_currents = 100;
 
@@ -29,7 +29,7 @@ Pair find_named_pair(const NetcdfFile& file) {
                         {"barotropic_northward_sea_water_velocity", "northward_sea_water_velocity"})};
 }
 
-/// The components as they say themselves where their names say the contrary.
+/// The pair of components; exchanged if both describe themselves as the other component, against their names.
 Pair find_pair(const NetcdfFile& file) {
   const Pair named = find_named_pair(file);
   if (named.east == nullptr || named.north == nullptr) return named;
@@ -38,7 +38,7 @@ Pair find_pair(const NetcdfFile& file) {
   return crossed ? Pair{named.north, named.east} : named;
 }
 
-/// Whether one of them says that it is the other, and that one does not.
+/// Whether exactly one of the two describes itself as the other component.
 bool contradicts_itself(const Pair& pair) {
   return stated_component(*pair.east) == Component::second ||
          stated_component(*pair.north) == Component::first;
@@ -49,7 +49,7 @@ bool is_alone(const NetcdfVariable& variable) {
                              [](const auto& dimension) { return dimension.size == 1; });
 }
 
-/// All values, flagged ones as NaN; of a scalar its one.
+/// All values, with NaN for bad flags; one value for a scalar.
 Checked<std::vector<double>> values_of(const NetcdfFile& file, const NetcdfVariable& variable) {
   if (is_alone(variable)) {
     auto values = variable.read_all();
@@ -66,7 +66,8 @@ Checked<std::vector<double>> values_of(const NetcdfFile& file, const NetcdfVaria
   return line->read(0, static_cast<std::size_t>(line->size()));
 }
 
-/// Values that stand beside those of the currents; NaN throughout where the file has none of the same number.
+/// Values of a variable that belong to the currents; all NaN if the file does not have the same number of
+/// them.
 Checked<std::vector<double>> values_beside(const NetcdfFile& file, const NetcdfVariable* variable,
                                            std::size_t count) {
   std::vector<double> none(count, std::nan(""));
@@ -76,8 +77,8 @@ Checked<std::vector<double>> values_beside(const NetcdfFile& file, const NetcdfV
   return values;
 }
 
-/// The variable that says when or where the currents were met: by its name, or that of the rows where the currents have
-/// a value for each row.
+/// The variable with the times or positions of the currents: found by its own name, or the variable of the
+/// rows, if the currents have a value for each row.
 const NetcdfVariable* beside(const NetcdfFile& file, const std::vector<std::string_view>& names,
                              std::string_view of_rows, const NetcdfVariable& current) {
   if (const NetcdfVariable* own = find_measured(file, names, {})) return own;
@@ -96,14 +97,14 @@ std::optional<core::UtcTime> time_at(const std::optional<CfTime>& calendar, doub
 
 core::UtcTime middle_time(core::UtcTime first, core::UtcTime last) { return first + 0.5 * (last - first); }
 
-/// The same current from one row to another.
+/// A current that stays the same from one row to another.
 struct Run {
   geo::VelocityEn current;
   std::size_t first{};
   std::size_t last{};
 };
 
-/// Rows without a current do not end the run that they lie in.
+/// Rows without a current do not end the run around them.
 std::vector<Run> runs_of(const std::vector<double>& east, const std::vector<double>& north,
                          double east_factor, double north_factor) {
   std::vector<Run> runs;
@@ -116,7 +117,7 @@ std::vector<Run> runs_of(const std::vector<double>& east, const std::vector<doub
   return runs;
 }
 
-/// Writers of NetCDF name the vehicle's sensor that they took a variable from.
+/// Programs that write NetCDF name the vehicle's sensor from which a variable comes.
 bool is_of_vehicle_axes(const NetcdfVariable& variable) {
   return contains_any(lower(variable.attribute("source")), {"_water_vx", "_water_vy"});
 }

@@ -7,17 +7,17 @@
 
 namespace floeplan::ingest {
 
-/// When the rows of a file begin and end.
+/// Time of the first and of the last row of a file.
 struct TimeSpanOfRows {
   core::UtcTime first;
   core::UtcTime last;
 };
 
-/// Names of the variables that hold the depth-averaged currents of a file; empty where there are none.
+/// Names of the variables with the depth-averaged currents of a file; empty if there are none.
 [[nodiscard]] std::vector<std::string> names_of_currents(const NetcdfFile& file);
 
-/// Adds the depth-averaged currents of a file to its track: see read_glider_netcdf. A current that states no time is
-/// that of the middle of the rows. What is left out is told.
+/// Adds the depth-averaged currents of a file to its track; see read_glider_netcdf. A current without a time
+/// gets the middle of the rows' time span. Warnings tell what was ignored.
 /// Errors   values that cannot be read
 [[nodiscard]] Checked<bool> add_currents(const NetcdfFile& file, const TimeSpanOfRows& rows,
                                          TrackBuilder& track);

@@ -16,18 +16,18 @@ namespace {
 
 constexpr std::size_t rows_at_once = 65'536;
 
-/// What a row of a track is read from.
+/// The variables from which a row of a track is read.
 struct Columns {
   MeasurementLine time;
   MeasurementLine lat;
   MeasurementLine lon;
-  std::optional<MeasurementLine> depth{};  // or the pressure
+  std::optional<MeasurementLine> depth{};  // depth or pressure
   double depth_factor{};                   // to metres, positive down; for pressure: to decibars
   bool is_pressure{false};
   CfTime calendar;
 };
 
-/// Decibars in one of the unit.
+/// Decibars per unit.
 std::optional<double> pressure_factor(std::string_view unit) {
   const std::string name = lower(unit);
   if (name == "dbar" || name == "decibar" || name == "decibars") return 1.0;
@@ -37,7 +37,7 @@ std::optional<double> pressure_factor(std::string_view unit) {
   return std::nullopt;
 }
 
-/// Saunders 1981, equations 1 and 2: metres of depth below a pressure in decibars.
+/// Depth in metres of a pressure in decibars: Saunders 1981, equations 1 and 2.
 double depth_of(double pressure_dbar, double lat_deg) {
   const double sine = std::sin(core::degrees_to_radians(lat_deg));
   const double linear = (5.92 + 5.25 * sine * sine) * 1e-3;
@@ -91,7 +91,7 @@ Checked<Columns> columns_of(const NetcdfFile& file, TrackBuilder& track) {
   return columns;
 }
 
-/// Rows of one file, and when they begin and end; empty: none has a time.
+/// Adds the rows of one file and returns their time span; empty if no row has a time.
 Checked<std::optional<TimeSpanOfRows>> add_rows(const Columns& columns, TrackBuilder& track) {
   std::optional<TimeSpanOfRows> span;
   for (std::uint64_t first = 0; first < columns.time.size(); first += rows_at_once) {
@@ -132,7 +132,7 @@ std::vector<std::string> names_of(const Columns& columns, const NetcdfFile& file
   return names;
 }
 
-/// Texts of the variable that names the trajectory, by whatever name it has.
+/// Texts of the variable that names the trajectory; its own name varies.
 std::vector<std::string> trajectories_of(const NetcdfFile& file) {
   for (const NetcdfVariable& variable : file.variables())
     if (lower(variable.name()) == "trajectory" || lower(variable.attribute("cf_role")) == "trajectory_id")

@@ -15,7 +15,7 @@ namespace floeplan::ingest {
 namespace {
 
 constexpr std::uintmax_t most_bytes_of_text = 128'000'000;
-constexpr double at_surface = 116.0;  // where it takes fixes and transmits
+constexpr double at_surface = 116.0;  // the state in which it takes fixes and transmits
 
 std::vector<std::string> semicolon_fields(std::string_view line) {
   std::vector<std::string> fields;
@@ -27,7 +27,7 @@ std::vector<std::string> semicolon_fields(std::string_view line) {
   return fields;
 }
 
-/// "17/05/2019 22:28:41.230", in UTC.
+/// A time such as "17/05/2019 22:28:41.230", in UTC.
 std::optional<core::UtcTime> seaexplorer_time(const std::string& text) {
   constexpr std::size_t date_length = 10;
   if (text.size() < 19 || text[2] != '/' || text[5] != '/' || text[date_length] != ' ') return std::nullopt;
@@ -35,7 +35,7 @@ std::optional<core::UtcTime> seaexplorer_time(const std::string& text) {
                              text.substr(date_length + 1) + "Z");
 }
 
-/// Where the columns that a track is made of stand; empty: there is none of that name.
+/// Positions of the columns that a track needs; empty if there is no such column.
 struct SeaexplorerColumns {
   std::optional<std::size_t> time, lat, lon, depth, state;
 };
@@ -54,7 +54,7 @@ SeaexplorerColumns columns_in(const std::vector<std::string>& names) {
           .state = find("NavState", "NAV_RESOURCE")};
 }
 
-/// Takes the rows of one file.
+/// Adds the rows of one file to a track.
 class SeaexplorerRows {
  public:
   SeaexplorerRows(SeaexplorerColumns columns, TrackBuilder& track) : columns_{columns}, track_{track} {}
@@ -67,7 +67,8 @@ class SeaexplorerRows {
         *columns_.time < fields.size() ? seaexplorer_time(fields[*columns_.time]) : std::nullopt;
     const auto lat = number(columns_.lat);
     const auto lon = number(columns_.lon);
-    // Zeros: no fix since it was switched on, when its clock may be years off.
+    // Zeros mean that there was no fix since the vehicle was switched on. Its clock may then be wrong by
+    // years.
     if (!time || !lat || !lon || (*lat == 0.0 && *lon == 0.0)) return track_.refuse_row();
     const bool surfaced = number(columns_.state) == at_surface;
     TrackRow row{.time = *time, .fixed = surfaced};
@@ -84,7 +85,7 @@ class SeaexplorerRows {
   SeaexplorerColumns columns_;
   TrackBuilder& track_;  // borrowed
   bool has_last_{false};
-  double last_lon_{};  // packed, of the row before
+  double last_lon_{};  // packed, from the row before
   double last_lat_{};
 };
 

@@ -13,12 +13,13 @@
 namespace floeplan::ingest {
 namespace {
 
-constexpr double no_fix = 99.0;  // of a dilution of precision
-/// A receiver whose count of weeks has run over is years off; the fixes of a dive lie within hours of it.
+constexpr double no_fix = 99.0;  // a dilution of precision that means no fix
+/// The fixes of a dive are within hours of it. A receiver whose week counter has overflowed is wrong by
+/// years.
 constexpr core::Seconds longest_from_dive{86'400.0 * 30.0};
 constexpr double metres_in_centimetre = 0.01;
 
-/// Without the percent sign that stands before lines of a record's head.
+/// The line without the percent sign that begins lines in the head of a record.
 std::string_view plain(std::string_view line) { return line.starts_with('%') ? line.substr(1) : line; }
 
 std::vector<std::string> lines_of(std::string_view text) {
@@ -41,7 +42,7 @@ std::vector<std::string> fields_of(std::string_view line) {
   return fields;
 }
 
-/// The moment of numbers that are a date and a time; empty where they are none.
+/// The time of a date and a time of day; empty if they are out of range.
 std::optional<core::UtcTime> dive_moment(int year, double month, double day, double hour, double minute,
                                          double second) {
   const std::chrono::year_month_day date{std::chrono::year{year},
@@ -55,7 +56,7 @@ std::optional<core::UtcTime> dive_moment(int year, double month, double day, dou
          core::Seconds{3600.0 * hour + 60.0 * minute + second};
 }
 
-/// "5 4 116 20 33 7": month, day, years from 1900, hour, minute, second.
+/// Start time from "5 4 116 20 33 7": month, day, years since 1900, hour, minute, second.
 std::optional<core::UtcTime> start_of(const std::string& text) {
   std::vector<double> numbers;
   for (const std::string& word : words_between_blanks(text))
@@ -66,7 +67,7 @@ std::optional<core::UtcTime> start_of(const std::string& text) {
                      numbers[5]);
 }
 
-/// "040516" and "203244", or without seconds.
+/// Time from "040516" and "203244"; the seconds may be missing.
 std::optional<core::UtcTime> time_of_fix(const std::string& date, const std::string& time) {
   const auto part = [](const std::string& digits, std::size_t at) {
     return parse_number(std::string_view{digits}.substr(at, 2)).value_or(-1.0);
@@ -77,7 +78,7 @@ std::optional<core::UtcTime> time_of_fix(const std::string& date, const std::str
                      part(time, 2), time.size() == 6 ? part(time, 4) : 0.0);
 }
 
-/// The fix of "$GPS2,040516,203244,7017.119,838.198,20,1.3,20,1.1".
+/// The fix in a line such as "$GPS2,040516,203244,7017.119,838.198,20,1.3,20,1.1".
 std::optional<SeagliderFix> fix_in(const std::vector<std::string>& fields, core::UtcTime start) {
   constexpr std::size_t dilution_field = 6;
   if (fields.size() <= dilution_field) return std::nullopt;
@@ -92,7 +93,7 @@ std::optional<SeagliderFix> fix_in(const std::vector<std::string>& fields, core:
   return SeagliderFix{*time, *place};
 }
 
-/// "$CURRENT,0.138, 12.9,1".
+/// The current in a line such as "$CURRENT,0.138, 12.9,1".
 std::optional<geo::VelocityEn> current_in(const std::vector<std::string>& fields) {
   if (fields.size() < 4 || parse_number(fields[3]) != 1.0) return std::nullopt;
   const auto speed_m_s = parse_number(fields[1]);

@@ -13,14 +13,14 @@
 
 namespace floeplan::ingest {
 
-/// Whether a text begins as what a Seaglider writes of a dive: its log, or its engineering record.
+/// Whether a text begins like a Seaglider's file of a dive: its log, or its engineering record.
 [[nodiscard]] bool is_seaglider_log(std::string_view head);
 [[nodiscard]] bool is_seaglider_record(std::string_view head);
 
-/// Which dive of which vehicle a file is of, by its first lines.
+/// Vehicle and dive of a file, from its first lines.
 struct SeagliderDive {
-  std::string glider;   // "sg561"; empty: the file does not say
-  std::string mission;  // "sg561 mission 6": the same of all dives of one mission
+  std::string glider;   // "sg561"; empty: unknown
+  std::string mission;  // "sg561 mission 6": equal for all dives of one mission
   int dive{};
   core::UtcTime start;
 };
@@ -31,22 +31,23 @@ struct SeagliderFix {
   geo::LonLat place;
 };
 
-/// What a log tells of the way of its dive.
+/// Positions and current of a dive, from its log.
 struct SeagliderLog {
   SeagliderDive dive;
-  std::optional<SeagliderFix> before{};      // $GPS1: as it came up from the dive before
-  std::optional<SeagliderFix> dived{};       // $GPS2: the last one before it dived
-  std::optional<SeagliderFix> surfaced{};    // $GPS: the first one after the dive
-  std::optional<geo::VelocityEn> current{};  // of the dive, as the vehicle estimates it
-  std::int64_t fixes_left_out{};             // without a place, or more than a day from their dive
+  std::optional<SeagliderFix> before{};      // $GPS1: fix after it surfaced from the dive before
+  std::optional<SeagliderFix> dived{};       // $GPS2: last fix before the dive
+  std::optional<SeagliderFix> surfaced{};    // $GPS: first fix after the dive
+  std::optional<geo::VelocityEn> current{};  // depth-averaged over the dive, as estimated by the vehicle
+  std::int64_t fixes_left_out{};             // fixes without a position, or too far in time from their dive
 };
 
-/// $GPS lines are date (ddmmyy), time (hhmm or hhmmss), latitude and longitude in packed degrees; a horizontal dilution
-/// of 99 is no fix. $CURRENT, of firmware 67 on, is speed in m/s, direction in degrees towards which it flows from true
-/// north, and whether it is valid; that it is the average over the dive and true is inferred: in dive 1 of sg180 (2026)
-/// it is 0.275 m/s towards 9.0 degrees where the basestation computes 0.261 m/s towards 9.2, with a variation of 15.1.
+/// Reads a log. A $GPS line has date (ddmmyy), time (hhmm or hhmmss), latitude and longitude in packed
+/// degrees; a horizontal dilution of 99 means no fix. $CURRENT, since firmware 67, has the speed in m/s, the
+/// direction of flow in degrees from true north, and whether it is valid. That it is the average over the
+/// dive and refers to true north is inferred: in dive 1 of sg180 (2026) it is 0.275 m/s towards 9.0 degrees,
+/// and the basestation computes 0.261 m/s towards 9.2; the magnetic variation is 15.1 degrees.
 /// Source   iop-apl-uw/basestation3 GPS.py and LogFile.py
-/// Errors   no glider, dive or start
+/// Errors   no glider, dive or start time
 [[nodiscard]] Checked<SeagliderLog> read_seaglider_log(std::string_view text);
 
 struct SeagliderDepth {
@@ -54,9 +55,9 @@ struct SeagliderDepth {
   core::Metres depth;
 };
 
-/// The columns elaps_t, seconds from the start of the dive, and depth, in centimetres as the basestation states of the
-/// same column in its NetCDF. Rows whose depth is not a number are left out.
-/// Errors   no glider, dive or start; no such columns
+/// Reads the columns elaps_t, seconds since the start of the dive, and depth, in centimetres, the unit that
+/// the basestation states for this column in its NetCDF. Rows whose depth is not a number are skipped.
+/// Errors   no glider, dive or start time; no such columns
 [[nodiscard]] Checked<std::vector<SeagliderDepth>> read_seaglider_record(std::string_view text);
 
 }  // namespace floeplan::ingest

@@ -33,7 +33,7 @@ void add_log(const SeagliderLog& log, TrackBuilder& track) {
   track.warn(messages::ingest_track_message<"seaglider-current-of-log">());
 }
 
-/// A column of measurements with the times beside it.
+/// A column of measurements, with their times.
 struct TimedColumn {
   MeasurementLine time;
   MeasurementLine values;
@@ -49,10 +49,10 @@ Checked<std::optional<TimedColumn>> timed(const NetcdfFile& file, const char* ti
   return std::optional<TimedColumn>{{std::move(*time), std::move(*values), std::move(*calendar)}};
 }
 
-/// What a flag of the basestation says of what it belongs to.
+/// What a flag of the basestation says about its value.
 enum class Worth : std::uint8_t { good, bad, unreadable };
 
-/// The flags are texts of one character, which GDAL 3.6 does not read.
+/// The flags are texts of one character, which GDAL 3.6 does not read; HDF5 reads them.
 Worth worth_of(const std::filesystem::path& path, const NetcdfFile& file, const char* flag) {
   if (file.find(flag) == nullptr) return Worth::good;
   const auto root = Hdf5Group::root_of(path);
@@ -65,7 +65,7 @@ Checked<std::vector<double>> all_values(const MeasurementLine& line) {
   return line.read(0, static_cast<std::size_t>(line.size()));
 }
 
-/// An attribute of the file, which older basestations wrote as a text.
+/// A numeric attribute of the file as text; older basestations wrote it as a text.
 std::string stated_number(const NetcdfFile& file, const std::string& name) {
   const auto value = file.numeric_attribute(name);
   return value ? number(*value) : file.attribute(name);
@@ -73,7 +73,8 @@ std::string stated_number(const NetcdfFile& file, const std::string& name) {
 
 std::string seaglider_name_of(const NetcdfFile& file) { return "sg" + stated_number(file, "glider"); }
 
-/// In seconds from 1970, as the basestation has them whatever their attributes.
+/// The fixes of a dive. Their times are seconds since 1970, whatever the attributes say, because the
+/// basestation writes them so.
 Checked<std::vector<SeagliderFix>> fixes_of(const NetcdfFile& file) {
   std::vector<std::vector<double>> columns;
   for (const char* const name : {"log_gps_time", "log_gps_lat", "log_gps_lon"}) {
@@ -159,7 +160,7 @@ Checked<bool> add_current(const std::filesystem::path& path, const NetcdfFile& f
     if (!*read) return refuse(read->error());
   if (u->size() != 1 || v->size() != 1 || !std::isfinite(u->front()) || !std::isfinite(v->front()))
     return true;
-  // The last two fixes are those before and after the dive.
+  // The last two fixes are the one before and the one after the dive.
   track.add(TrackCurrent{.time = middle_of(fixes[fixes.size() - 2].time, fixes.back().time),
                          .place = std::nullopt,
                          .current = {{*east_factor * u->front()}, {*north_factor * v->front()}}});

@@ -12,11 +12,11 @@ namespace floeplan::ingest {
 namespace {
 
 constexpr double state_under_water = 1.0;
-/// For logs without the state: deeper than dive_m is a dive, shallower than surface_m the surface; waves reach in
-/// between.
+/// For logs without the state: deeper than dive_m is a dive, shallower than surface_m the surface. The range
+/// between them allows for waves.
 constexpr double dive_m = 3.0;
 constexpr double surface_m = 1.5;
-/// No glider is faster, and its receiver no further off.
+/// Limits beyond any glider's speed and any error of its receiver.
 constexpr double fastest_between_fixes_m_s = 10.0;
 constexpr double slack_m = 1'000.0;
 
@@ -112,7 +112,7 @@ void SlocumDives::begin_log(int segment) {
 
 void SlocumDives::take(const SlocumRow& row) {
   const auto& seconds = row[SlocumSensor::time];
-  if (!seconds || !(*seconds > 0.0) || *seconds > 7.3e9) {  // the year 2201: what follows is no time of a log
+  if (!seconds || !(*seconds > 0.0) || *seconds > 7.3e9) {  // times after the year 2201 are damaged
     track_.refuse_row();
     return;
   }

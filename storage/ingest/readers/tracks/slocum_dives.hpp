@@ -10,31 +10,37 @@
 
 namespace floeplan::ingest {
 
-/// Follows the rows of a Slocum's logs, segment after segment, from dive to dive.
-/// Places   fixes of the receiver, else the vehicle's own reckoning, which jumps where a fix corrects it. What it
-///          reckons before its first fix may be where it was switched off: what no glider could reach from there is
-///          left out
-/// Currents the vehicle knows the current of a dive once it is up: m_initial_water right after it surfaced,
-///          m_final_water after the drift at the surface, in the next segment. What changed between this dive and the
-///          next is of this dive, the final one before the first; what it dived with (m_water) was of an earlier one
-/// Frame    logged in the vehicle's own axes; given to the track towards true east and north, with the axes' convergence
-///          where the dive was. Where nothing tells the axes (see ocean::LoggedAxes) the currents are left out, and told
-/// Source   x_dr_state 1: under water, of the vendor's data dictionary of firmware 10.5; m_gps_status 0: a valid fix
+/// Finds the dives of a Slocum, with their positions and currents, in the rows of its logs, segment after
+/// segment.
+/// Places   fixes, or else the vehicle's own dead reckoning, which jumps where a fix corrects it. Positions
+///          reckoned before the first fix may be those where it was switched off; they are ignored if no
+///          glider could have reached the fix from there
+/// Currents the vehicle estimates the current of a dive after it has surfaced: first m_initial_water, then,
+/// after the drift
+///          at the surface and in the next segment, m_final_water. A value that changes between this dive and
+///          the next is
+///          this dive's current; m_final_water is preferred. m_water, known while diving, is from an earlier
+///          dive
+/// Frame    logged along the vehicle's own axes; added to the track towards true east and north, by the axes'
+///          convergence at the dive. If the axes are unknown (see ocean::LoggedAxes) the currents are
+///          ignored, with a warning
+/// Source   x_dr_state 1: under water, in the vendor's data dictionary of firmware 10.5; m_gps_status 0: a
+///          valid fix
 class SlocumDives {
  public:
   explicit SlocumDives(TrackBuilder& track) : track_{track} {}
 
-  /// The rows from now on are of this segment of their mission; 0: the first, or not told. Where segments between are
-  /// not there, what the vehicle knows next is of their dives.
+  /// Tells that the next rows are from this segment of the mission; 0: the first segment, or unknown. If
+  /// segments in between are missing, the next estimates belong to the missing dives.
   void begin_log(int segment);
   void take(const SlocumRow& row);
-  /// After the last row.
+  /// Call after the last row.
   void finish();
 
  private:
   using Current = std::optional<geo::VelocityLmc>;
 
-  /// What the vehicle knows of currents after a row.
+  /// The vehicle's estimates of the current after a row.
   struct Known {
     Current water;
     Current initial;
@@ -45,16 +51,16 @@ class SlocumDives {
     core::UtcTime dived;
     std::optional<geo::LonLat> from;
     std::optional<core::UtcTime> surfaced;
-    std::optional<geo::LonLat> to;  // the first fix after it
-    Known known;                    // when it came up
-    std::size_t axes{};             // of the coordinates of the vehicle's dead reckoning
+    std::optional<geo::LonLat> to;  // first fix after the dive
+    Known known;                    // estimates when it surfaced
+    std::size_t axes{};             // number of the dead reckoning's axes in `axes_`
   };
 
-  /// The current of a dive, in the axes of a number of `axes_`.
+  /// The current of a dive, along the axes with a number in `axes_`.
   struct Met {
     core::UtcTime time;
-    std::optional<geo::LonLat> place;  // in the middle of the dive
-    std::optional<geo::LonLat> near;   // the same, or where it began or ended
+    std::optional<geo::LonLat> place;  // position in the middle of the dive
+    std::optional<geo::LonLat> near;   // the same, or else where the dive began or ended
     geo::VelocityLmc current;
     std::size_t axes{};
   };

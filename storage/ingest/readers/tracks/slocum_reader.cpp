@@ -14,7 +14,7 @@ namespace {
 
 bool lists(const SlocumLog& log, SlocumSensor sensor) { return log.has.at(static_cast<std::size_t>(sensor)); }
 
-/// What a log lacks without which it is no track; empty: nothing.
+/// Sensors that a log needs for a track but does not have; empty if none is missing.
 std::string missing_in(const SlocumLog& log) {
   if (!lists(log, SlocumSensor::time)) return "m_present_time";
   const bool fixes = lists(log, SlocumSensor::gps_lat) && lists(log, SlocumSensor::gps_lon);

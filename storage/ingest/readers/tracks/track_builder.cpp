@@ -15,22 +15,22 @@
 namespace floeplan::ingest {
 namespace {
 
-/// The sensors of depth read a little above the surface in waves and when their zero has drifted.
+/// Depth sensors read a little above the surface in waves, and when their zero has drifted.
 constexpr double highest_m = -20.0;
 constexpr double deepest_m = 12'000.0;  // the deepest sea has 11 km
-/// A glider makes 0.3 m/s through the water, its carrier or a ship that recovers it 10 m/s.
+/// A glider makes 0.3 m/s through the water, an aircraft carrier or a ship that recovers it 10 m/s.
 constexpr double fastest_m_s = 10.0;
 /// Times of logs and files are often whole seconds, so shorter steps say nothing of the speed.
 constexpr core::Seconds least_step{1.0};
-/// What the receivers of fixes scatter by.
+/// Scatter of the fixes of a receiver.
 constexpr double scatter_m = 100.0;
 
 bool is_place(geo::LonLat place) {
-  // A vehicle that has had no fix yet logs zeros.
+  // A vehicle without a fix logs zeros.
   return geo::is_valid(place) && place != geo::LonLat{0.0, 0.0};
 }
 
-/// What lies at a share of the way between two places.
+/// The position at a time between two rows, interpolated.
 geo::LonLat between(const TrackRow& before, const TrackRow& after, core::UtcTime time) {
   return ocean::place_at(
       {{.time = before.time, .place = *before.place}, {.time = after.time, .place = *after.place}}, time);

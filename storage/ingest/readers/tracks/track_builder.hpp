@@ -11,23 +11,23 @@
 
 namespace floeplan::ingest {
 
-/// One row of a glider's data. A row without a place lies between its neighbours that have one.
+/// One row of a glider's data. A row without a position gets one by interpolation between rows that have one.
 struct TrackRow {
   core::UtcTime time;
   std::optional<geo::LonLat> place{};
   std::optional<core::Metres> depth{};
-  bool fixed{true};  // the place was measured
+  bool fixed{true};  // true: a fix; false: reckoned
 };
 
-/// A current that a file states, where it says so with its place.
+/// A current of a file, with its position if the file states one.
 struct TrackCurrent {
   core::UtcTime time;
   std::optional<geo::LonLat> place{};
   geo::VelocityEn current;
 };
 
-/// Collects the rows of one glider from its files, checks them and makes a track of them.
-/// Bounds   `most_rows` rows: of more every second one is kept, as often as it takes, and the track says so
+/// Collects the rows of one glider from its files, checks them and makes a track.
+/// Bounds   `most_rows` rows; beyond that every second row is dropped, repeatedly, and the track says so
 class TrackBuilder {
  public:
   static constexpr std::size_t most_rows = 1'000'000;
@@ -35,21 +35,21 @@ class TrackBuilder {
   explicit TrackBuilder(std::string glider) : glider_{std::move(glider)} {}
 
   void add(const TrackRow& row);
-  /// Towards true east and north, as the file states it unless `turned_from` says otherwise.
+  /// Adds a current towards true east and north, as stated by the file unless `turned_from` was called.
   void add(const TrackCurrent& current) { currents_.push_back(current); }
-  /// The currents were turned from these axes; the first ones count.
+  /// Tells that the currents were rotated from these axes; only the first call counts.
   void turned_from(const ocean::VehicleAxes& axes) {
     if (!turned_from_) turned_from_ = axes;
   }
-  /// A row that cannot be used at all.
+  /// Counts a row that cannot be used at all.
   void refuse_row() { ++rows_refused_; }
-  /// For the user, in the order of the calls; the same words are said once.
+  /// Adds a warning for the user, in the order of the calls; the same text is added once.
   void warn(messages::Message told);
 
-  /// The track, with its times ascending. Left out and told: places that are none, depths and currents that cannot be,
-  /// currents of exactly nothing. Told alone: a speed over ground between fixes that no glider has, and currents whose
-  /// frame is only stated.
-  /// Errors   no row with a place is left
+  /// The track, with ascending times. Ignored, with a warning: invalid positions, impossible depths and
+  /// currents, currents of exactly zero. Only a warning: a speed over ground between fixes that no glider
+  /// reaches, and currents whose frame is only stated, not verified.
+  /// Errors   no row with a position is left
   [[nodiscard]] Checked<PreparedDataset> prepared(std::vector<std::string> variables) &&;
 
  private:

@@ -9,7 +9,8 @@
 namespace floeplan::ingest {
 namespace {
 
-constexpr double bent_above_lat_deg = 60.0;  // with a margin of some degrees
+// chosen: some degrees below the 65 degrees where tripolar grids begin
+constexpr double bent_above_lat_deg = 60.0;
 
 /// Equal but for the rounding of float32 coordinates.
 bool are_alike(const std::optional<AxisNodes>& a, const std::optional<AxisNodes>& b, double tolerance) {

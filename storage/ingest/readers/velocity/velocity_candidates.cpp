@@ -25,7 +25,7 @@ bool can_be_stored(const VelocityCandidate& candidate, const std::vector<std::st
   return !meaning.on_request || !wanted.empty();
 }
 
-/// What is taken first; equal of pairs between which nothing decides.
+/// Sort key of a pair; a smaller one is preferred. Pairs with equal keys are ambiguous.
 auto order_of(const CandidatePair& pair) {
   const VelocityMeaning& meaning = pair.meaning();
   const int alone = pair.second == nullptr ? 1 : 0;
@@ -48,7 +48,7 @@ std::vector<VelocityCandidate> velocity_candidates(const NetcdfFiles& files, Mov
     for (const NetcdfVariable& variable : file->variables()) {
       auto meaning = velocity_meaning(variable, what);
       if (!meaning) continue;
-      if (has_levels(*file, variable)) {  // which say more than words
+      if (has_levels(*file, variable)) {  // levels are better evidence than words
         if (meaning->part != WaterPart::bed) meaning->part = WaterPart::unstated;
         meaning->depth_m = std::nullopt;
       }

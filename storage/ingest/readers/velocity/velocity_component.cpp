@@ -12,11 +12,11 @@
 namespace floeplan::ingest {
 namespace {
 
-/// No marker for "missing" is smaller.
+/// All undeclared marks of missing values are larger.
 constexpr double below_markers = 500.0;
 
-/// Numbers that producers write for "missing" without declaring them, when they are also too large for a
-/// current.
+/// Whether a value is a common mark for "missing" that the file does not declare. It must also be too large
+/// for a current.
 bool is_undeclared_fill(double value, double factor) {
   constexpr std::array markers{999.0, 9999.0, 99999.0, 32767.0, 32768.0};
   if (std::abs(value) * factor <= max_speed_m_s) return false;
@@ -24,9 +24,9 @@ bool is_undeclared_fill(double value, double factor) {
          std::find(markers.begin(), markers.end(), std::abs(value)) != markers.end();
 }
 
-/// The declared range, unpacked. CF has it packed; ends that could be speeds of water or air as they stand are taken as
-/// such, because many files state them so and none packs a speed in so few steps. A range on one side of zero is none
-/// of a component.
+/// The declared valid range, unpacked. CF defines it in packed values, but many files state it unpacked.
+/// Limits that are possible speeds of water or air are taken as unpacked, because no file packs a speed in so
+/// few steps. A range on one side of zero is ignored, because a component has both signs.
 Extent valid_range_of(const NetcdfVariable& variable, double factor) {
   constexpr double infinite = std::numeric_limits<double>::infinity();
   constexpr double most_m_s = 300.0;
@@ -40,7 +40,7 @@ Extent valid_range_of(const NetcdfVariable& variable, double factor) {
     return std::isinf(value) || std::abs(value) * factor <= most_m_s;
   };
   if (!(range.least < 0.0 && range.greatest > 0.0)) return {-infinite, infinite};
-  // A float32 of the file may lie beyond the end that its decimals name.
+  // A float32 value in the file may exceed the decimal limit by rounding.
   constexpr double slack = 1e-6;
   if (is_speed(range.least) && is_speed(range.greatest)) return {range.least - slack, range.greatest + slack};
   const auto unpacked = [&](double value) { return value * variable.scale() + variable.offset(); };
@@ -48,8 +48,8 @@ Extent valid_range_of(const NetcdfVariable& variable, double factor) {
   return {least - slack, greatest + slack};
 }
 
-/// Metres per second in one of the variable's (unpacked) unit. A variable without a unit is taken as m/s and says so
-/// in `warnings`; the size of its values has to confirm that.
+/// Metres per second per (unpacked) unit of the variable. A variable without a unit is read as m/s, with a
+/// warning; its values must then be of a plausible size.
 Checked<double> speed_factor_of(const NetcdfVariable& variable, Messages& warnings) {
   const std::string unit = variable.attribute("units");
   if (unit.empty()) {

@@ -9,38 +9,38 @@ namespace floeplan::ingest {
 /// What moves: the sea, or the air 10 m above it.
 enum class Moving { sea, air };
 
-/// Whether wind that is known at this height is the one 10 m above the sea.
+/// Whether wind at this height counts as wind 10 m above the sea.
 [[nodiscard]] inline bool is_height_of_wind(double height_m) { return std::abs(height_m - 10.0) <= 0.5; }
 
-/// What the two components of a velocity are measured along.
+/// The axes along which a velocity's two components point.
 enum class VelocityAxes {
   east_north,  // true east and true north
   grid,        // the axes of the model's grid
   unstated     // the file does not say
 };
 
-/// Which of its two components a variable is.
+/// Which component of a velocity a variable is.
 enum class Component {
   first,  // towards east, or along the grid's first axis
   second
 };
 
-/// How much of the motion of the water a velocity holds.
+/// The part of the water's motion that a velocity contains.
 enum class CurrentContent {
-  whole,         // nothing to the contrary is said
-  total,         // the tide, too, and perhaps the drift by waves
-  without_tide,  // all but the tide
-  geostrophic,   // what the slope of the sea's surface tells
-  tide,          // nothing but the tide
-  wave_drift,    // nothing but the drift by waves (Stokes)
-  other_part     // another part: Ekman, baroclinic, of eddies
+  whole,         // the file mentions no part
+  total,         // includes the tide, and perhaps the drift by waves
+  without_tide,  // everything except the tide
+  geostrophic,   // the current that balances the slope of the sea surface
+  tide,          // only the tide
+  wave_drift,    // only the drift by waves (Stokes drift)
+  other_part     // another part: Ekman, baroclinic, eddies
 };
 
-/// Which water a velocity without levels of its own is of.
+/// Where in the water column a velocity without levels is.
 enum class WaterPart { unstated, surface, column_mean, bed };
 
-/// The names of the components to use where a file holds several pairs, as the user gives them: one, or both with a
-/// comma between. Names that belong to no velocity of the file are those of other data.
+/// The user's choice of components if a file has several pairs: one name, or both separated by a comma. Names
+/// that are no velocity of the file refer to other data.
 using WantedVariables = std::optional<std::string>;
 
 }  // namespace floeplan::ingest

@@ -18,7 +18,7 @@ std::string standard_and_long_name(const NetcdfVariable& variable) {
   return lower(variable.attribute("standard_name") + " " + variable.attribute("long_name"));
 }
 
-/// Words of a long name for the first component and for the second one.
+/// Words in long names: of the first component and of the second.
 constexpr std::pair<std::string_view, std::string_view> component_words[]{
     {"eastward", "northward"},
     {"zonal", "meridional"},
@@ -45,7 +45,7 @@ constexpr std::pair<std::string_view, std::string_view> component_words[]{
     {"u velocity", "v velocity"},
     {"u wind", "v wind"}};
 
-/// Whether it occurs where a word begins: "y velocity", not "eddy velocity".
+/// Whether `wanted` occurs at the beginning of a word: "y velocity", but not in "eddy velocity".
 bool has_word(std::string_view words, std::string_view wanted) {
   for (std::size_t at = words.find(wanted); at != std::string_view::npos; at = words.find(wanted, at + 1))
     if (at == 0 || words[at - 1] < 'a' || words[at - 1] > 'z') return true;
@@ -67,7 +67,7 @@ std::string in_words(Component component, VelocityAxes axes) {
   return component == Component::first ? "the eastward one" : "the northward one";
 }
 
-/// What the words of one component say; the names alone tell only where a convention stands behind them.
+/// The axes according to the words of a component. A name alone counts only if it follows a convention.
 VelocityAxes stated_axes(const NetcdfVariable& variable, Moving what) {
   const std::string name = lower(variable.name());
   const std::string words = standard_and_long_name(variable);
@@ -91,7 +91,8 @@ VelocityAxes stated_axes(const NetcdfVariable& variable, Moving what) {
   return VelocityAxes::unstated;
 }
 
-/// Whether a variable whose name water, air and ice share speaks of what moves.
+/// Whether the words are about water (or air, by `what`). Needed for names that are used for water, air and
+/// ice.
 bool speaks_of(const std::string& words, Moving what) {
   const bool water = contains_any(words, {"sea water", "seawater", "sea_water", "water velocity",
                                           "water_velocity", "current", "ocean velocity", "eulerian"});
@@ -102,8 +103,8 @@ bool speaks_of(const std::string& words, Moving what) {
   return water || (!air && !ice);
 }
 
-/// A transport or a stress has words of a velocity in its long name; its unit tells them apart. Not so of the shear of
-/// the wind.
+/// Whether words of a velocity in the long name mean another quantity: a transport or a stress, which has
+/// another unit, or the shear of the wind.
 bool is_no_speed(const NetcdfVariable& variable, const std::string& words, Moving what) {
   const std::string unit = variable.attribute("units");
   const bool speed = !unit.empty() && speed_factor(unit);
@@ -153,7 +154,7 @@ WaterPart part_in_words(const std::string& words) {
   return WaterPart::unstated;
 }
 
-/// The first that is not the plain one.
+/// The first value that is not the default.
 template <class Kind>
 Kind first_stated(std::initializer_list<Kind> all) {
   for (const Kind one : all)
@@ -161,15 +162,15 @@ Kind first_stated(std::initializer_list<Kind> all) {
   return Kind{};
 }
 
-/// What the evidence for one component says, in the order in which it counts.
+/// The component according to each kind of evidence, strongest first.
 struct ComponentEvidence {
   std::optional<Component> standard_name;
   std::optional<Component> long_name;
   std::optional<Component> name;
 };
 
-/// Settles the component, or says why it cannot be: the standard name holds unless both other witnesses, or a long name
-/// alone, say the contrary.
+/// Decides the component, or notes the contradiction. The standard name decides, unless the long name
+/// contradicts it and the name does not confirm it.
 void settle_component(VelocityMeaning& meaning, const NetcdfVariable& variable,
                       const ComponentEvidence& evidence) {
   const auto differ = [](std::optional<Component> a, std::optional<Component> b) {
@@ -196,7 +197,8 @@ void settle_component(VelocityMeaning& meaning, const NetcdfVariable& variable,
         variable.name(), in_words(*settled, meaning.axes));
 }
 
-/// Nobody means the negative of a component without saying so; which sign then holds is not known.
+/// A message if a component is described as westward or southward. It is then not clear which sign its values
+/// have.
 std::optional<messages::Message> against_custom(const NetcdfVariable& variable, const std::string& words) {
   const bool west = contains_any(words, {"westward"}) && !contains_any(words, {"eastward"});
   const bool south = contains_any(words, {"southward"}) && !contains_any(words, {"northward"});
@@ -224,7 +226,7 @@ void describe_current(VelocityMeaning& meaning, const NetcdfVariable& variable,
   meaning.depth_m = depth_in_words(variable);
 }
 
-/// Whether the variable is the amplitude of one tidal constituent, which means nothing without its phase.
+/// Whether the variable is the amplitude of one tidal constituent, which is useless without its phase.
 bool is_amplitude(const NetcdfVariable& variable) {
   return contains_any(lower(variable.attribute("long_name")), {"amplitude"}) ||
          std::ranges::any_of(parts_of_name(variable.name()), [](const std::string& part) {
@@ -309,8 +311,7 @@ WaterPart part_in_name(std::string_view name) {
     if (part == "sur" || part == "surf" || part == "surface" || part == "sfc") return WaterPart::surface;
     if (part == "ubar" || part == "vbar" || part == "bar" || part == "barotropic" || part == "davg")
       return WaterPart::column_mean;
-    const bool is_mean =
-        part == "averaged" || part == "average" || part == "avg";  // over the depth, or over time
+    const bool is_mean = part == "averaged" || part == "average" || part == "avg";  // over depth or over time
     if (is_mean && contains_any(lower(name), {"depth"})) return WaterPart::column_mean;
     if (part == "bottom" || part == "bot" || part == "seafloor" || part == "bed") return WaterPart::bed;
   }
@@ -346,7 +347,7 @@ std::optional<VelocityMeaning> velocity_meaning(const NetcdfVariable& variable, 
   if (!standard && known->generic && !speaks_of(words, what)) return std::nullopt;
   if (!standard && known->needs_words && part_in_words(words) != known->part) return std::nullopt;
   if (is_no_speed(variable, words, what)) return std::nullopt;
-  // Names that no producer is known for count where the unit is that of a speed.
+  // Names that are not known count only if the unit is a speed.
   const bool is_guess = !standard && known->rank == unknown_rank(what);
   if (is_guess && (variable.dimensions().size() < 2 || !speed_factor(variable.attribute("units"))))
     return std::nullopt;

@@ -78,9 +78,10 @@ std::span<const KnownPair> known_pairs_of(Moving what) {
   return winds_known;
 }
 
-using Ends = std::pair<std::string_view, std::string_view>;  // of the first component and of the second
+// endings of the first and of the second component
+using Ends = std::pair<std::string_view, std::string_view>;
 
-/// What differs between two parts of names.
+/// Parts in which the names of two components differ.
 constexpr Ends differences[]{{"u", "v"},    {"x", "y"},   {"east", "north"},
                              {"e", "n"},    {"ew", "ns"}, {"zonal", "meridional"},
                              {"lon", "lat"}};
@@ -99,7 +100,7 @@ bool differ_by_component(std::string_view a, std::string_view b) {
   });
 }
 
-/// Cores of standard names and their components.
+/// Core of a standard name, and its component.
 struct Core {
   std::string_view text;
   Component component;
@@ -117,7 +118,7 @@ constexpr Core winds[]{{"eastward_wind", Component::first},
                        {"x_wind", Component::first},
                        {"y_wind", Component::second}};
 
-/// Whether all words before the core are known; what they say is taken into the velocity.
+/// Whether all words before the core are known. Adds their meaning to `velocity`.
 bool take_before(std::string_view before, StandardVelocity& velocity) {
   return std::ranges::all_of(parts_of_name(before), [&](const std::string& word) {
     if (word == "surface") {
@@ -137,7 +138,8 @@ bool take_before(std::string_view before, StandardVelocity& velocity) {
   });
 }
 
-/// The same of the words behind it. Of currents "assuming sea level for geoid" are anomalies: nothing that runs.
+/// The same for the words after the core. "assuming sea level for geoid" marks an anomaly, which is not a
+/// current.
 bool take_behind(std::string_view behind, StandardVelocity& velocity) {
   if (behind.empty()) return true;
   if (behind == "_assuming_no_tide") {
@@ -166,16 +168,16 @@ bool is_one_of(std::string_view word, const Words& words) {
   return std::ranges::find(words, word) != std::end(words);
 }
 
-/// Words of a name that only a current of the sea has.
+/// Words in a name that only currents of the sea have.
 constexpr std::string_view of_currents[]{"current", "currents", "curr", "cur"};
-/// Words that may stand beside those and beside the component, or without the former where the long name speaks of the
-/// sea. What else a name says (stress, error, ice) makes it another quantity.
+/// Words that may accompany the words above and the component; without the words above only if the long name
+/// names the sea. Any other word (stress, error, ice) makes the name another quantity.
 constexpr std::string_view beside_currents[]{
     "sea",     "water",    "ocean", "vel",        "velocity", "component", "comp",
     "total",   "surface",  "surf",  "sur",        "sfc",      "depth",     "avg",
     "average", "averaged", "mean",  "barotropic", "residual", "tidal",     "tide"};
 
-/// A name that joins a component with words for a current: "curr_east", "ucurr", "u_residual".
+/// Meaning of a name that joins a component with words for a current: "curr_east", "ucurr", "u_residual".
 std::optional<KnownName> composed_name(const std::string& plain) {
   const std::vector<std::string> parts = parts_of_name(plain);
   KnownName known{.generic = true};
@@ -195,14 +197,14 @@ std::optional<KnownName> composed_name(const std::string& plain) {
       return std::nullopt;
     }
   }
-  const bool bare = parts.size() == 1 && known.generic;  // "x", "east": an axis
+  const bool bare = parts.size() == 1 && known.generic;  // "x" or "east" alone is an axis
   if (first == second || bare) return std::nullopt;
   known.component = first ? Component::first : Component::second;
   known.rank = unknown_rank(Moving::sea);
   return known;
 }
 
-/// Meaning of a variable's name that is spelt as a standard name; empty for any other.
+/// Meaning of a variable's name that is spelt like a standard name; otherwise empty.
 std::optional<KnownName> standard_as_name(const std::string& plain, Moving what) {
   const auto velocity = standard_velocity(plain);
   if (!velocity || velocity->what != what) return std::nullopt;

@@ -8,31 +8,31 @@
 
 namespace floeplan::ingest {
 
-/// What the customs of producers say of a name.
+/// The usual meaning of a variable's name.
 struct KnownName {
   Component component{};
   CurrentContent content{CurrentContent::whole};
   WaterPart part{WaterPart::unstated};
-  bool generic{false};  // used of water, air and ice alike
+  bool generic{false};  // used for water, air and ice
   bool needs_words{
-      false};  // used of much else, too: means this where the long name speaks of the same part of the water
-  std::size_t rank{};  // in the order in which pairs are taken
+      false};  // used for other quantities too: counts only if the long name names the same part of the water
+  std::size_t rank{};  // pairs with a smaller rank are preferred
 };
 
-/// Meaning of a whole name in any case: one that producers are known to use, one spelt as a standard name, or, for a
-/// current, one put together of a component and words of currents ("curr_east", "ucurr").
+/// Meaning of a name, in upper or lower case: a name that producers are known to use, one spelt like a
+/// standard name, or, for a current, a component joined with words for currents ("curr_east", "ucurr").
 [[nodiscard]] std::optional<KnownName> known_name(std::string_view name, Moving what);
-/// Behind the last rank.
+/// The rank of unknown names, after all known ones.
 [[nodiscard]] std::size_t unknown_rank(Moving what);
 
-/// Whether two names differ only by what tells components apart: "uo_glor" and "vo_glor", "curr_east" and "curr_north",
-/// in whichever order.
+/// Whether two names, in any order, differ only in the part that names the component: "uo_glor" and
+/// "vo_glor", "curr_east" and "curr_north".
 [[nodiscard]] bool name_one_pair(std::string_view a, std::string_view b);
 
-/// The component that parts of a name tell; nullopt: none, or both.
+/// The component in the parts of a name; nullopt: none, or both.
 [[nodiscard]] std::optional<Component> component_in_name(std::string_view name);
 
-/// What a velocity of water says of itself by its standard name.
+/// The meaning of a standard name of a velocity.
 struct StandardVelocity {
   Moving what{Moving::sea};
   Component component{};
@@ -40,12 +40,14 @@ struct StandardVelocity {
   WaterPart part{WaterPart::unstated};
 };
 
-/// Meaning of a standard name without modifier, in lower case: those of CF for currents and wind with what may stand
-/// before and behind them, and some that producers use beside them (x_sea_water_velocity, eastward_water_velocity).
+/// Meaning of a standard name in lower case without its modifier: the CF names of currents and wind with
+/// their usual prefixes and suffixes, and some others that producers use (x_sea_water_velocity,
+/// eastward_water_velocity).
 /// Source  CF standard name table, version 85
 [[nodiscard]] std::optional<StandardVelocity> standard_velocity(std::string_view standard_name);
 
-/// Whether it names something that is no horizontal velocity of what moves, so that no other words count.
+/// Whether a standard name is another quantity than the horizontal velocity of `what`; other words then do
+/// not count.
 [[nodiscard]] bool names_another_quantity(std::string_view standard_name, Moving what);
 
 }  // namespace floeplan::ingest

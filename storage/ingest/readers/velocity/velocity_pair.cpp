@@ -17,7 +17,7 @@ namespace {
 
 NetcdfFiles borrowed(const NetcdfFile& file) { return {{std::shared_ptr<const NetcdfFile>{}, &file}}; }
 
-/// The best of one file, not yet checked.
+/// The best pair or single component of one file; not yet checked.
 std::optional<CandidatePair> best_of(const std::vector<VelocityCandidate>& candidates,
                                      const WantedVariables& wanted) {
   const auto pairs = pairs_to_store(candidates, wanted_names(wanted));
@@ -25,14 +25,15 @@ std::optional<CandidatePair> best_of(const std::vector<VelocityCandidate>& candi
   return pairs.front();
 }
 
-/// What a variable that is not stored holds; empty: it could be stored.
+/// What a variable holds that is not stored, in words; empty if it could be stored.
 std::string left_out_words(const VelocityMeaning& meaning, Moving what) {
   if (!meaning.instead.empty()) return meaning.instead;
   if (what == Moving::sea && meaning.part == WaterPart::bed) return "the current at the sea bed";
   return meaning.on_request ? content_words(meaning.content) : std::string{};
 }
 
-/// `"uo_std" and "vo_std" hold a standard deviation; ...`: of all that cannot be stored, by what it is.
+/// A message with all variables that cannot be stored, grouped by their content: `"uo_std" and "vo_std" hold
+/// a standard deviation; ...`.
 std::optional<messages::Message> left_out(const std::vector<VelocityCandidate>& candidates, Moving what) {
   std::vector<std::pair<std::string, std::vector<std::string>>> groups;
   std::string on_request;
@@ -60,7 +61,7 @@ std::optional<messages::Message> left_out(const std::vector<VelocityCandidate>& 
       on_request.empty() ? "" : ", or store a part of the current on its own with --variable " + on_request);
 }
 
-/// Files whose components say one thing by their names and another by their standard names.
+/// The fault if two variables are a pair by their names, but the same component by their standard names.
 std::optional<messages::Message> both_the_same(const std::vector<CandidatePair>& pairs) {
   for (const CandidatePair& a : pairs)
     for (const CandidatePair& b : pairs)
@@ -78,14 +79,15 @@ messages::Message described_differently(const CandidatePair& pair, const std::st
                                                                                consequence);
 }
 
-/// Two that are the only ones left although their names say that each belongs to another: "uo_a" and "vo_b".
+/// Whether the names of the two remaining components show that each belongs to another pair: "uo_a" and
+/// "vo_b".
 bool belong_to_others(const CandidatePair& pair) {
   const std::string& first = pair.first->variable->name();
   const std::string& second = pair.second->variable->name();
   return component_in_name(first) && component_in_name(second) && !name_one_pair(first, second);
 }
 
-/// Why a pair cannot be used although both components are there.
+/// Why a pair cannot be used although it has both components.
 std::optional<messages::Message> fault_of(const CandidatePair& pair, const std::vector<std::string>& wanted) {
   if (belong_to_others(pair) && !(is_wanted(*pair.first, wanted) && is_wanted(*pair.second, wanted)))
     return messages::ingest_velocity_message<"components-do-not-belong">(pair.names());
@@ -156,7 +158,7 @@ void warn_of_content(const CandidatePair& pair, Messages& warnings) {
   }
 }
 
-/// What else could have been taken. Not the same currents at fewer depths or along other axes.
+/// Warns of other pairs that could be chosen, except the same currents at fewer depths or along other axes.
 void warn_of_others(const std::vector<CandidatePair>& pairs, Moving what, Messages& warnings) {
   const CandidatePair& taken = pairs.front();
   std::string others;
@@ -187,7 +189,7 @@ void warn_of_meaning(const CandidatePair& pair, Moving what, Messages& warnings)
     warnings.push_back(messages::ingest_velocity_message<"taken-as-currents-by-name">(pair.names()));
 }
 
-/// Pairs that are equal in all that decides.
+/// The fault if several pairs have the same rank.
 std::optional<messages::Message> ambiguity(const std::vector<CandidatePair>& pairs, Moving what) {
   std::vector<std::string> names;
   for (const CandidatePair& pair : pairs)
@@ -262,7 +264,7 @@ Checked<VelocityPair> find_velocity_pair(const NetcdfFiles& files, Moving what,
           doubt_in_title(pair.first_file->attribute("title"), best.names(), what, best.meaning().content))
     pair.warnings.push_back(std::move(*doubt));
   if (what == Moving::sea) warn_of_content(best, pair.warnings);
-  // Parts that are stored on request alone are told, too.
+  // Also names parts that are stored only on request.
   std::vector<const VelocityCandidate*> all;
   for (const VelocityCandidate& candidate : candidates)
     if (candidate.meaning.instead.empty() && candidate.meaning.part != WaterPart::bed)

@@ -18,32 +18,33 @@ struct VelocityPair {
   const NetcdfFile* second_file{nullptr};
   Moving what{Moving::sea};
   VelocityAxes axes{VelocityAxes::unstated};
-  WaterPart part{WaterPart::unstated};  // of currents without an axis of depth
-  std::optional<double> depth_m;        // likewise, where a name states it
-  Messages warnings;                    // what the choice means for the pilot
+  WaterPart part{WaterPart::unstated};  // for currents without a depth axis
+  std::optional<double> depth_m;        // for currents without a depth axis whose name states the depth
+  Messages warnings;                    // consequences of the choice, for the pilot
 };
 
-/// Whether any variable is a component of what moves that can be stored, alone or in a pair.
+/// Whether a file has a component of a velocity that can be stored, single or in a pair.
 [[nodiscard]] bool holds_velocity(const NetcdfFile& file, Moving what,
                                   const WantedVariables& wanted = std::nullopt);
 
-/// Whether the wanted variables are components of currents.
+/// Whether the variables that the user named are components of currents.
 [[nodiscard]] bool names_velocity(const NetcdfFile& file, const WantedVariables& wanted);
 
-/// Which components of currents a file holds.
+/// The components of currents in a file.
 enum class VelocityParts { none, first_alone, second_alone, both };
 [[nodiscard]] VelocityParts velocity_parts(const NetcdfFile& file);
 
-/// One of its components; null when it holds none.
+/// One component of the currents; null if there is none.
 [[nodiscard]] const NetcdfVariable* find_some_velocity(const NetcdfFile& file);
 
-/// Why variables that claim to be velocities of what moves cannot be stored as such; empty where there are none.
+/// Why variables that seem to be velocities of `what` cannot be stored; empty if there are none.
 [[nodiscard]] std::optional<messages::Message> velocities_left_out(const NetcdfFile& file, Moving what);
 
-/// Chooses the pair: the whole current before a part of it, at levels before the surface and the mean over depth, by
-/// well-known names before standard names alone. Statistics, anomalies and currents at the bed are never taken, the tide
-/// alone and the drift by waves alone only where they are wanted. What else the file holds is told.
-/// Errors   no velocity; one component alone; several pairs between which nothing decides; components that contradict
+/// Chooses the pair. Preferred are: the whole current to a part of it; currents at levels to those at the surface
+/// or averaged over depth; well-known names to standard names alone. Statistics, anomalies and currents at the
+/// bed are never chosen; the tide alone and the drift by waves alone only if the user names them. Warnings name
+/// the pairs not chosen.
+/// Errors   no velocity; a single component; several pairs of the same rank; components that contradict
 ///          themselves or each other
 [[nodiscard]] Checked<VelocityPair> find_velocity_pair(const NetcdfFiles& files, Moving what,
                                                        const WantedVariables& wanted = std::nullopt);

@@ -18,7 +18,8 @@ namespace {
 
 using repository::DatasetKind;
 
-/// Attributes that say what a feature is: ours, Natural Earth's, the Antarctic Digital Database's and common ones.
+/// Names of attributes that tell what a feature is: this program's, Natural Earth's, the Antarctic Digital
+/// Database's and common ones.
 constexpr auto kind_names = std::to_array<std::string_view>(
     {"kind", "type", "featurecla", "surface", "class", "category", "featuretype", "natural", "icetype"});
 constexpr auto level_names = std::to_array<std::string_view>({"level"});
@@ -39,7 +40,7 @@ PolygonMeaning meaning_of_word(std::string_view word) {
 
 Checked<DatasetKind> kind_of_polygons(const std::set<PolygonMeaning>& meanings) {
   if (meanings.contains(PolygonMeaning::zone))
-    return DatasetKind::zones;  // whose reader names each that is none
+    return DatasetKind::zones;  // its reader reports each polygon that is no zone
   if (meanings.contains(PolygonMeaning::chart_of_ice)) return DatasetKind::ice;
   if (meanings.contains(PolygonMeaning::unstated))
     return refuse(messages::ingest_area_message<"polygons-do-not-say-what-they-are">());
@@ -48,7 +49,7 @@ Checked<DatasetKind> kind_of_polygons(const std::set<PolygonMeaning>& meanings) 
   return refuse(messages::ingest_area_message<"land-and-fast-ice">());
 }
 
-/// What the geometries of a file are, and what its polygons say.
+/// The kinds of geometry in a file, and what its polygons are.
 struct Contents {
   bool points{false};
   bool polygons{false};
@@ -87,7 +88,8 @@ PolygonMeaning meaning_of(const OGRFeature& feature) {
     const PolygonMeaning meaning = meaning_of_word(core::plain_word(*text));
     if (meaning != PolygonMeaning::unstated) return meaning;
   }
-  // GSHHG: 1 land, 5 Antarctica by its ice front, 6 by its grounding line; lakes and what lies in them are not sea.
+  // GSHHG: 1 land, 5 Antarctica to its ice front, 6 to its grounding line. The other levels are lakes and
+  // land in lakes.
   const auto level = text_of_feature(feature, level_names);
   if (level == "1" || level == "5" || level == "6") return PolygonMeaning::land;
   return PolygonMeaning::unstated;
@@ -96,7 +98,7 @@ PolygonMeaning meaning_of(const OGRFeature& feature) {
 Checked<DatasetKind> kind_of_features(GDALDataset& dataset, std::optional<DatasetKind> wanted,
                                       bool zone_kind_stated) {
   if (wanted == DatasetKind::zones)
-    return DatasetKind::zones;  // whose reader names each feature that is none
+    return DatasetKind::zones;  // its reader reports each feature that is no zone
   const Contents contents = contents_of(dataset);
   const bool ruled =
       contents.meanings.contains(PolygonMeaning::zone) || (zone_kind_stated && !contents.points);

@@ -25,9 +25,9 @@ using ocean::AttributeMeaning;
 constexpr std::size_t longest_name = 200;   // bytes
 constexpr std::size_t longest_quote = 120;  // bytes, of free text
 
-/// One of a feature's attributes that has a value.
+/// An attribute of a feature that has a value.
 struct Attribute {
-  std::string name;  // as the file writes it
+  std::string name;  // in the spelling of the file
   std::string text;
   AttributeMeaning meaning{};
 };
@@ -35,7 +35,7 @@ struct Attribute {
 std::string cut(std::string text, std::size_t most_bytes) {
   if (text.size() <= most_bytes) return text;
   text.resize(most_bytes);
-  while (CPLIsUTF8(text.c_str(), -1) == 0) text.pop_back();  // cut inside a character
+  while (CPLIsUTF8(text.c_str(), -1) == 0) text.pop_back();  // the text was cut inside a character
   return text;
 }
 
@@ -45,7 +45,7 @@ std::string said(const Attribute& attribute) {
          (is_whole ? "\"" : "...\"");
 }
 
-/// A period from a first to a last moment, either of which may be open.
+/// A period; an end without a value is open.
 struct Period {
   std::optional<core::UtcTime> first;
   std::optional<core::UtcTime> last;
@@ -63,14 +63,14 @@ Period common_part(const Period& one, const Period& other) {
   return {later(one.first, other.first), earlier(one.last, other.last)};
 }
 
-/// What attributes say of one thing, all of them the same.
+/// A value stated by one or several attributes, which agree.
 template <class Value>
 struct Stated {
   std::optional<Value> value;
-  std::string by;  // the first attribute
+  std::string by;  // name of the first of these attributes
 };
 
-/// Reads attributes and notes what is wrong with them.
+/// Reads attributes and collects their faults.
 class AttributeReader {
  public:
   AttributeReader(const OGRFeature& feature, AttributeMeanings& meanings) {
@@ -117,7 +117,7 @@ class AttributeReader {
     return *kind_of_others;
   }
 
-  /// The common part of its own and the folder's.
+  /// The period of a zone: the common part of its own period and the folder's.
   [[nodiscard]] Period period() {
     const Period own = own_period();
     const Period around = folder_period();
@@ -158,7 +158,7 @@ class AttributeReader {
   [[nodiscard]] std::vector<Unheeded>& unheeded() { return unheeded_; }
 
  private:
-  /// Where it belongs, if it is none of the zone's own attributes.
+  /// Where to store an attribute that the KML reader added; null for the zone's own attributes.
   [[nodiscard]] std::optional<Attribute>* kml_attribute(std::string_view name) {
     if (name == folder_begin) return &folder_begins_;
     if (name == folder_end) return &folder_ends_;
@@ -255,7 +255,8 @@ class AttributeReader {
       }
     }
     for (const Attribute& date : dates) {
-      // What stands in other words twice, as KML's timestamp, or is a number that looks like one, is no news.
+      // No message for a date that repeats another attribute, as KML's timestamp does, nor for a number that
+      // looks like a date.
       const bool is_number = parse_number(date.text).has_value();
       if (date.meaning == AttributeMeaning::some_date ? !first.value && !last.value : !is_number)
         leave_unheeded(date, messages::ingest_area_message<"zone-date-not-obeyed">(said(date)));

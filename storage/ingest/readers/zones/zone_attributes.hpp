@@ -13,7 +13,7 @@ class OGRFeature;
 
 namespace floeplan::ingest {
 
-/// What the names of a file's attributes mean, each understood once.
+/// Meanings of the names of a file's attributes. Each name is interpreted once and remembered.
 class AttributeMeanings {
  public:
   [[nodiscard]] ocean::AttributeMeaning of(const std::string& name);
@@ -22,13 +22,13 @@ class AttributeMeanings {
   std::map<std::string, ocean::AttributeMeaning> known_;
 };
 
-/// What an attribute seems to say of a zone and is not obeyed.
+/// An attribute that seems to say something about a zone but is not applied.
 struct Unheeded {
   std::string attribute;
   messages::Message told;
 };
 
-/// What the attributes of a feature say of a zone, and all that is wrong with them.
+/// What the attributes of a feature say about a zone, and all their faults.
 struct ZoneAttributes {
   ocean::Zone zone;  // without its area
   Messages faults;
@@ -36,15 +36,18 @@ struct ZoneAttributes {
 };
 
 /// Reads the attributes by the words of their names, as `ocean::meaning_of_attribute` understands them.
-/// Rule     no_go (no-go, keep_out, exclusion), stay_in (keep_in, inclusion) under any name but the zone's: what the file
-///          says is stronger than `kind_of_others`, the rule of a feature that states none
-/// Times    as `stated_period` and `stated_interval` read them: a day, a month or a year is the whole of it; "permanent"
-///          and the like have no end. Of a KML file the time span of the folders around holds too, the narrower of both
-/// Depths   as `stated_depth` reads them; by default from the surface down to the sea bed
-/// Edges    an empty attribute is as none; attributes that mean the same must agree
-/// Faults   what is understood and cannot be read; a date that begins or ends something unknown
-/// Unheeded a type that is no rule where none is stated, and words of the other rule than `kind_of_others`, also of the
-///          folders around; dates and depths of something unknown
+/// Rule     no_go (no-go, keep_out, exclusion) or stay_in (keep_in, inclusion), in any attribute except the
+///          zone's name. The file's rule has priority over `kind_of_others`, which is for features without a
+///          rule
+/// Times    read by `stated_period` and `stated_interval`: a day, a month or a year is the whole of it;
+///          "permanent" and the like have no end. In a KML file the time span of the folders around applies
+///          too; the common part counts
+/// Depths   read by `stated_depth`; without any, from the surface to the sea bed
+/// Edges    an empty attribute counts as absent; attributes with the same meaning must agree
+/// Faults   an attribute that is understood but cannot be read; a begin or end of something unknown
+/// Unheeded a type that is no rule if none is stated; words of the rule opposite to `kind_of_others`, also in
+/// the names of
+///          folders; dates and depths of something unknown
 [[nodiscard]] ZoneAttributes read_zone_attributes(const OGRFeature& feature, AttributeMeanings& meanings,
                                                   std::optional<ocean::ZoneKind> kind_of_others);
 

@@ -20,7 +20,7 @@
 namespace floeplan::ingest {
 namespace {
 
-/// A ring with longitudes that do not jump, as GEOS wants it.
+/// A ring with continuous longitudes, as GEOS needs it.
 struct Unrolled {
   OGRLinearRing ring;
   bool jumps{};
@@ -41,7 +41,7 @@ Unrolled unrolled(const geo::Ring& ring) {
   return result;
 }
 
-/// What is wrong with the outline of a zone; empty: nothing.
+/// The fault in the outline of a zone; empty if there is none.
 std::optional<messages::Message> fault_of(const geo::Polygon& polygon) {
   if (const std::string doubt = geo::doubt_in_turns(polygon); !doubt.empty())
     return messages::ingest_area_message<"zone-outline-doubtful">(doubt);
@@ -71,7 +71,7 @@ std::size_t corners_of(const geo::Polygon& polygon) {
   return corners;
 }
 
-/// Zones as they are gathered, and everything that is wrong with them.
+/// The zones collected so far, and all faults found.
 struct ZoneGathering {
   std::vector<ocean::Zone> zones;
   Messages faults;
@@ -83,7 +83,7 @@ struct ZoneGathering {
     messages::Message told;
     int features{};
   };
-  std::map<std::string, FirstUnheeded> unheeded;  // by attribute: where it is first, and how often
+  std::map<std::string, FirstUnheeded> unheeded;  // by attribute: where it occurs first, and how often
 
   void note(const Unheeded& attribute, const std::string& subject) {
     ++unheeded.try_emplace(attribute.attribute, FirstUnheeded{subject, attribute.told})
@@ -128,14 +128,15 @@ void gather_zones(ZoneGathering& all, const OGRFeature& feature, const std::stri
   }
 }
 
-/// Brings the layer's coordinates to WGS84.
+/// The converter of the layer's coordinates to WGS84.
 Checked<PolygonShapes> shapes_of(OGRLayer& layer, const IngestOptions& options) {
   const auto crs = crs_of(layer, options.crs);
   if (!crs) return refuse(crs.error());
   return PolygonShapes::in(*crs);
 }
 
-/// The earliest beginning and the latest end; empty where a zone has none.
+/// Sets the dataset's period: the earliest begin and the latest end of the zones; unset if a zone has no
+/// begin or no end.
 void set_period(PreparedDataset& data, const std::vector<ocean::Zone>& zones) {
   const bool begin =
       std::ranges::all_of(zones, [](const ocean::Zone& zone) { return zone.from.has_value(); });

@@ -16,7 +16,7 @@ using fields::Process;
 using nlohmann::json;
 using testing::HasSubstr;
 
-/// What a pilot may write behind the flag; empty where it takes nothing.
+/// A valid value of the flag on the command line; empty if it takes none.
 std::string written(const Field& field) {
   switch (field.kind) {
     case Kind::number:
@@ -29,19 +29,19 @@ std::string written(const Field& field) {
   }
 }
 
-/// A flag that names a file.
+/// Whether the flag takes a file.
 bool is_file(const Field& field) { return field.name == "goals_file" || field.name == "areas"; }
 
 json inputs_of(const std::vector<Field>& fields, std::vector<std::string> words) {
   CLI::App app;
   InputFlags flags;
   flags.add(app, fields);
-  std::ranges::reverse(words);  // as the parser takes them
+  std::ranges::reverse(words);  // in the order that the parser expects
   app.parse(words);
   return flags.inputs();
 }
 
-/// Law: each flag gives its field a value, and nothing else; without flags nothing is given.
+/// Each flag sets its own field and no other; without flags no field is set.
 TEST(InputFlags, GiveTheFieldsThatTheyAreFor) {
   for (const Process process : {Process::plan_route, Process::evaluate_route, Process::reach}) {
     const std::vector<Field> fields = fields::fields_of(process);

@@ -14,7 +14,7 @@
 namespace floeplan::cli::terminal_progress_test {
 namespace {
 
-/// Standard error of this process on a terminal of its own, or through a pipe, for as long as this lives.
+/// Redirects this process's standard error to a new terminal or a pipe, until it is destroyed.
 class OtherStderr {
  public:
   enum class To { terminal, pipe };
@@ -36,7 +36,7 @@ class OtherStderr {
   OtherStderr(const OtherStderr&) = delete;
   OtherStderr& operator=(const OtherStderr&) = delete;
 
-  /// All that was written; to be asked once.
+  /// The whole output; call it once.
   std::string written() const {
     constexpr std::string_view end{"END"};
     if (write(STDERR_FILENO, end.data(), end.size()) != static_cast<ssize_t>(end.size()))
@@ -56,7 +56,7 @@ class OtherStderr {
   int reader_{-1};
 };
 
-/// Two plans one after the other, each from nothing to the end; a second for each word.
+/// The output of two plans, each from the start to the end, with one second between updates.
 std::string written_by_two_plans(OtherStderr::To to) {
   const OtherStderr errors{to};
   {

@@ -53,7 +53,7 @@ TEST(ApiHandler, TakesABodyInWhenTheStoreDoesItsPart) {
   EXPECT_FALSE(api.refuse(upload()));
 }
 
-/// A server's API on a store of its own, which another program has open as well.
+/// A server's API on its own store, which another program has also opened.
 class AtOnce : public testing::Test {
  protected:
   static routes::Request get(const std::string& path) {

@@ -4,12 +4,12 @@
 
 namespace floeplan::ingest {
 
-/// A run of ADCIRC of two times in a bay of triangles, as text files. Its currents are numbers that a float holds exactly.
+/// An ADCIRC run with two times in a bay of triangles, as text files. Its currents are exact as floats.
 struct AdcircBay {
   static constexpr int columns = 9;
   static constexpr int rows = 8;
   static constexpr int nodes = columns * rows;
-  static constexpr int dry_node = 40;  // by its current; by the elevations it is the next one
+  static constexpr int dry_node = 40;  // the dry node by the currents; by the elevations it is the next one
 
   static double lon_of(int node) { return -9.0 + 0.1 * ((node - 1) % columns); }
   static double lat_of(int node) { return 54.0 + 0.05 * ((node - 1) / columns); }

@@ -7,15 +7,15 @@
 
 namespace floeplan::ingest {
 
-/// Names and contents.
+/// Names and contents of the files in an archive.
 using ArchiveMembers = std::vector<std::pair<std::string, std::string>>;
 
 enum class Packing { zip, tar_gz, gzip, bzip2, xz, zstd };
 
-/// Writes an archive with libarchive; of one compressed file the first member's content alone.
+/// Writes an archive with libarchive; for a single compressed file only the first member's content.
 void write_archive(const std::filesystem::path& file, Packing packing, const ArchiveMembers& members);
 
-/// Members that are the files of these names.
+/// Reads these files as members, with their names below `folder`.
 [[nodiscard]] ArchiveMembers members_of(const std::vector<std::filesystem::path>& files,
                                         const std::string& folder = "");
 

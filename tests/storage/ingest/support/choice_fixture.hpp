@@ -20,14 +20,14 @@ inline const std::string eastward_current = "eastward_sea_water_velocity";
 inline const std::string northward_current = "northward_sea_water_velocity";
 inline const geo::BoundingBox everywhere{-180.0, -90.0, 180.0, 90.0};
 
-/// A variable with the same value everywhere, in m/s where nothing else is said.
+/// A variable with the same value everywhere, in m/s unless stated otherwise.
 struct Field {
   std::string name;
   double value{};
   Texts texts{};
 };
 
-/// A level beside the variables or along a dimension of theirs.
+/// A level as a separate variable or as a dimension of the variables.
 struct Level {
   std::string name;
   double value{};
@@ -35,7 +35,7 @@ struct Level {
   bool is_dimension{false};
 };
 
-/// Files from which a reader has to choose, and what became of them.
+/// Writes files from which a reader has to choose, and returns the result.
 class Choice : public StoreFixture {
  protected:
   std::filesystem::path write(const std::vector<Field>& fields,
@@ -75,14 +75,14 @@ class Choice : public StoreFixture {
     return path("choice.nc");
   }
 
-  /// The one dataset of a file, or its refusal; the store is as empty before as after it.
+  /// The report on the only dataset of a file, which is ingested into a new store.
   IngestReport outcome(const std::filesystem::path& file, const IngestOptions& options = {}) {
     db_ = repository::open_store_in_memory();
     const auto reports = ingest_all(file, options);
     return reports.empty() ? IngestReport{} : reports.front();
   }
 
-  /// What was stored, as one number for each component, or nothing.
+  /// The stored current as one number for each component; empty if nothing was stored.
   std::optional<std::pair<double, double>> stored(const IngestReport& report) {
     if (report.status != IngestStatus::stored) return std::nullopt;
     const ocean::CurrentGrid field = currents_of(report);

@@ -15,7 +15,8 @@ constexpr double sphere_m = 6371229.0;  // code table 3.2, entry 6
 constexpr double true_lat_deg = 60.0;
 constexpr double vertical_lon_deg = 20.0;
 constexpr double from_pole_m = 600000.0;
-constexpr geo::LonLat turned_origin{-40.0, 60.0};  // where the turned equator crosses its first meridian
+// the intersection of the rotated equator and its first meridian
+constexpr geo::LonLat turned_origin{-40.0, 60.0};
 
 /// Octets of a section, numbers with their most significant octet first.
 class Octets {
@@ -24,7 +25,7 @@ class Octets {
     for (int i = count - 1; i >= 0; --i) text_ += static_cast<char>(value >> (8 * i) & 0xFFU);
     return *this;
   }
-  /// The first bit is the sign.
+  /// Puts a number whose first bit is the sign.
   Octets& put_signed(std::int64_t value, int count) {
     const std::uint64_t sign = value < 0 ? std::uint64_t{1} << (8 * count - 1) : 0;
     return put(static_cast<std::uint64_t>(std::abs(value)) | sign, count);
@@ -64,7 +65,7 @@ struct Node {
   int row{};     // from the south
 };
 
-/// The nodes in the order in which a scanning mode has them.
+/// The nodes in the order of the scanning mode.
 std::vector<Node> scanned(const GribMessage& message) {
   const bool along_j = (message.scanning & 0x20) != 0;
   const int lines = along_j ? message.columns : message.rows;
@@ -83,7 +84,7 @@ std::vector<Node> scanned(const GribMessage& message) {
   return nodes;
 }
 
-/// Section 3 from its 15th octet on.
+/// Writes section 3 from its 15th octet.
 void put_grid(Octets& grid, const GribMessage& message) {
   const bool westward = (message.scanning & 0x80) != 0;
   const bool northward = (message.scanning & 0x40) != 0;
@@ -233,7 +234,7 @@ std::string GribMessage::octets() const {
            1)
       .put(layer_ends_m ? 2 : 255, 1)
       .put(layer_ends_m ? static_cast<std::uint64_t>(std::llround(*layer_ends_m * 100.0)) : 0xFFFFFFFFU, 4);
-  if (statistic) {  // of one range of six hours that ends on 2026-11-20
+  if (statistic) {  // the range is six hours and ends on 2026-11-20
     product.put(2026, 2).put(11, 1).put(20, 1).put(static_cast<std::uint64_t>(forecast_h), 1).put(0, 2);
     product.put(1, 1).put(0, 4).put(static_cast<std::uint64_t>(*statistic), 1).put(2, 1);
     product.put(1, 1).put(6, 4).put(255, 1).put(0, 4);

@@ -11,15 +11,15 @@ namespace floeplan::ingest {
 /// Templates 3.0, 3.1, 3.10, 3.20 (twice) and 3.30, all on one sphere.
 enum class GribPlane { latitude_longitude, turned_pole, mercator, north_polar, south_polar, lambert };
 
-/// One field of a GRIB2 file for tests, in 16-bit simple packing. Where its nodes lie is computed here by formulas of
-/// its own.
+/// One field of a GRIB2 file for tests, in 16-bit simple packing. The positions of its nodes are computed
+/// here by independent formulas.
 /// Source  Snyder 1987, Map Projections (USGS PP 1395), equations for the sphere
 struct GribMessage {
   GribPlane plane{GribPlane::latitude_longitude};
   int number{2};           // of oceanography, currents: 2 eastward, 3 northward; 0 and 1: direction and speed
   bool along_grid{false};  // the component flag
   int scanning{0x40};      // flag table 3.4, its first four bits
-  std::optional<int> stated_scanning;  // where the file says another mode than it follows
+  std::optional<int> stated_scanning;  // a scanning mode that the file states but does not follow
   bool states_increments{true};        // of latitude and longitude
   int columns{12};
   int rows{10};

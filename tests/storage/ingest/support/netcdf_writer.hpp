@@ -33,17 +33,17 @@ class NetcdfWriter {
   explicit NetcdfWriter(const std::filesystem::path& file);
   ~NetcdfWriter();
 
-  /// A group below the one that is written to, made unless it is there, in which everything from now on lies.
+  /// Enters a group of the present one, created if missing; everything written afterwards is in it.
   void enter(const std::string& group);
-  /// Back to the top level.
+  /// Returns to the top level.
   void leave_groups();
   void dimension(const std::string& name, std::size_t size);
   void variable(const Variable& variable);
-  /// A single text.
+  /// Writes a variable with a single text.
   void text(const std::string& name, const std::string& value);
-  /// What the file says of itself as a whole.
+  /// Writes a global attribute.
   void attribute(const std::string& name, const std::string& value);
-  /// A dimension and its coordinate variable.
+  /// Writes a dimension and its coordinate variable.
   void axis(const std::string& name, const std::vector<double>& values,
             std::map<std::string, std::string> texts);
 
@@ -53,7 +53,7 @@ class NetcdfWriter {
   std::map<std::string, std::shared_ptr<GDALDimension>> dimensions_;
 };
 
-/// A current file as test after test varies it: two times, a few latitudes and longitudes.
+/// A file of currents with a few times, latitudes and longitudes, which tests change.
 struct CurrentFile {
   std::vector<double> lons{0.0, 1.0, 2.0, 3.0};
   std::vector<double> lats{50.0, 51.0, 52.0};
@@ -76,8 +76,8 @@ struct CurrentFile {
   std::vector<std::string> order{"time", "depth", "lat", "lon"};  // "depth" is left out when there are none
   bool with_north{true};
   std::optional<std::string> title{};
-  /// Packed value of a component ('u', 'v') at time, depth, latitude and longitude indices as the axes above
-  /// have them.
+  /// Packed value of a component ('u', 'v') for the indices of time, depth, latitude and longitude, with the
+  /// axes above.
   std::function<double(char, std::size_t, std::size_t, std::size_t, std::size_t)> value{
       [](char component, std::size_t t, std::size_t z, std::size_t y, std::size_t x) {
         return 0.001 * static_cast<double>(1000 * t + 100 * z + 10 * y + x + 1) *

@@ -9,7 +9,7 @@
 
 namespace floeplan::ingest {
 
-/// A file of the S-100 family with one feature on one regular grid; tests change what they are about.
+/// A file of the S-100 family with one feature on one regular grid; tests change its members.
 struct S100Sample {
   struct Value {
     std::string code;
@@ -34,12 +34,12 @@ struct S100Sample {
   std::size_t columns{};
   std::size_t rows{};
   std::vector<Record> records;
-  double announced_records{-1.0};  // less than 0: as many as there are
+  double announced_records{-1.0};  // less than 0: the actual number
   int areas{1};                    // all alike
   std::map<std::string, std::string> file_texts{};
   std::vector<std::pair<double, double>>
-      places{};  // longitude and latitude of values that lie on no grid; one row
-  std::vector<std::array<int, 3>> triangles{};  // of places; none: the file has none
+      places{};  // longitude and latitude of values that are not on a grid; one row
+  std::vector<std::array<int, 3>> triangles{};  // indices of places; empty: the file has none
 
   std::filesystem::path write(const std::filesystem::path& path) const;
 };

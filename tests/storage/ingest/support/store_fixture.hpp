@@ -14,7 +14,7 @@
 
 namespace floeplan::ingest {
 
-/// A store in memory and a folder of its own for files that the test writes.
+/// A store in memory and a temporary folder for the test's files.
 class StoreFixture : public testing::Test {
  protected:
   StoreFixture();
@@ -25,19 +25,19 @@ class StoreFixture : public testing::Test {
   std::filesystem::path write_file(const std::string& name, const std::string& content) const;
   [[nodiscard]] std::vector<IngestReport> ingest_all(const std::filesystem::path& file,
                                                      const IngestOptions& options = {});
-  /// The report of a file that holds one kind of data.
+  /// Ingests a file with one kind of data and returns its report.
   [[nodiscard]] IngestReport ingest(const std::filesystem::path& file, const IngestOptions& options = {});
-  /// The reports of files that are given in one command.
+  /// Ingests files that are given in one command and returns their reports.
   [[nodiscard]] std::vector<IngestReport> ingest_all_together(const std::vector<std::filesystem::path>& files,
                                                               const IngestOptions& options = {});
-  /// The report of files that make one dataset.
+  /// Ingests files that make one dataset and returns its report.
   [[nodiscard]] IngestReport ingest_together(const std::vector<std::filesystem::path>& files,
                                              const IngestOptions& options = {});
-  /// All currents of the dataset that a report names.
-  /// Errors  std::runtime_error with the words of a report that names none
+  /// All currents of the dataset named in a report.
+  /// Errors  std::runtime_error with the report's text if it names none
   [[nodiscard]] ocean::CurrentGrid currents_of(const IngestReport& report);
   [[nodiscard]] std::size_t stored_datasets();
-  /// Expects a refusal whose reason contains `reason`, and a store as it was before.
+  /// Expects a refusal whose reason contains `reason`, and an unchanged store.
   void expect_refused(const std::filesystem::path& file, const std::string& reason,
                       const IngestOptions& options = {});
 
@@ -47,17 +47,17 @@ class StoreFixture : public testing::Test {
   std::filesystem::path folder_;
 };
 
-/// GDAL's drivers that the program reads with, and the one that tests write KML with.
+/// Registers the GDAL drivers that the program reads with, and the one with which tests write KML.
 void register_writers();
 
-/// The folder of real sample files; empty when it is not on this machine.
+/// The folder of real sample files; empty if this machine does not have it.
 [[nodiscard]] std::filesystem::path sample_folder();
 
-/// How many damaged variants of a file a test tries: `in_every_run`, or as many as FLOEPLAN_DAMAGED_FILES says in a
-/// long run.
+/// Number of damaged variants of a file in a test: `in_every_run`, or in a long run the number in
+/// FLOEPLAN_DAMAGED_FILES.
 [[nodiscard]] std::uint64_t damaged_variants(std::uint64_t in_every_run);
 
-/// Everything a report says, for the message of a failed test.
+/// The whole text of a report, for the message of a failed test.
 [[nodiscard]] std::string words(const IngestReport& report);
 
 }  // namespace floeplan::ingest

@@ -5,7 +5,7 @@ import { destination, inverse } from '../../geo/geodesic';
 /** Forecasts of the icebergs in view, from their last sightings on. */
 export const drifts = signal<IcebergDrift[]>([]);
 
-/** How many more icebergs are in view than the server forecasts in one answer. */
+/** The number of icebergs in view beyond the server's limit for one answer. */
 export const driftsLeftOut = signal(0);
 
 export interface Expected {
@@ -15,7 +15,7 @@ export interface Expected {
 
 const known = new WeakMap<IcebergDrift, number[]>();
 
-/** The times of a forecast. They are kept, because each step of the clock asks for those of every iceberg. */
+/** The times of a forecast, cached because each clock step needs them for every iceberg. */
 function momentsOf(drift: IcebergDrift): number[] {
   const moments_ms = known.get(drift) ?? drift.time.map((text) => Date.parse(text));
   known.set(drift, moments_ms);
@@ -50,7 +50,7 @@ export function errorAt({ error_m }: IcebergDrift, { after, share }: { after: nu
   return share === 1 ? most_m : (1 - share) * (error_m[after - 1] ?? NaN) + share * most_m;
 }
 
-/** Where a berg is expected at a moment. */
+/** The expected position of a berg at a time. */
 export function expectedAt(drift: IcebergDrift, at_ms: number): Expected | undefined {
   const { lon, lat } = drift;
   const steps = stepsAt(drift, at_ms);
@@ -63,10 +63,12 @@ export function expectedAt(drift: IcebergDrift, at_ms: number): Expected | undef
   return { place: leg.distance_m === 0 ? from : destination(from, leg.azimuth_deg, steps.share * leg.distance_m), error_m };
 }
 
-/** The line that a berg is forecast to drift along. */
+/** The forecast track of a berg. */
 export const driftLineOf = ({ lon, lat }: IcebergDrift): Position[] => lon.map((x, i) => [x, lat[i] ?? NaN]);
 
-/** The same without the tide, for maps of a small scale: the first and last place, and places one period of M2 apart. */
+/**
+ * The track without the tide, for maps of a small scale: the first and last place, and places one period of M2 apart.
+ */
 export function plainLineOf(drift: IcebergDrift): Position[] {
   const line = driftLineOf(drift);
   const moments_ms = momentsOf(drift);

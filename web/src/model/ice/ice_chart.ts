@@ -7,7 +7,7 @@ import { draft } from '../setup/draft';
 import { longestSeaIceHold_ms } from './sea_ice';
 import { age, shortTime } from '../time';
 
-/** Charts with codes name them as variables (SIGRID-3); one tells of a single moment. */
+/** Charts with codes have the SIGRID-3 codes as variables and a single time. */
 const isChart = ({ variables, time_start }: Dataset): boolean => variables.includes('CT') && time_start !== null;
 const momentOf = ({ time_start }: Dataset): number => Date.parse(time_start ?? '');
 
@@ -19,7 +19,7 @@ export const chosenChart = computed<Dataset | undefined>(() => {
     .reduce<Dataset | undefined>((newest, one) => (newest && momentOf(newest) >= momentOf(one) ? newest : one), undefined);
 });
 
-/** Its polygons for the area in view; of a chart that an older version stored there are none. */
+/** The chart's polygons for the area in view; charts stored by older versions have none. */
 export const iceChart = signal<IceChart | undefined>(undefined);
 
 /** The ice chart on the map: its age at the time of the clock, and whether plans still use it at that time. */
@@ -35,12 +35,12 @@ export const drawnChart = computed(() => {
 export const chartInWords = ({ time_ms: drawn_ms, age_ms }: { time_ms: number; age_ms: number }): string =>
   `${shortTime(drawn_ms)}, ${age(age_ms / 1000)}`;
 
-/** The egg of the polygon that holds a place; undefined where none does. */
+/** The egg code of the polygon that contains a place; undefined if none does. */
 export function eggAt(place: Position): IceEgg | undefined {
   return iceChart.value?.features.find(({ geometry }) => holds(geometry.coordinates, place))?.properties;
 }
 
-/** Even-odd over all rings, so that holes are left out. Longitudes may run on past 180. */
+/** Even-odd rule over all rings, so that holes are outside. Longitudes may exceed 180. */
 function holds(rings: Position[][], [lon, lat]: Position): boolean {
   let inside = false;
   for (const ring of rings) {

@@ -22,7 +22,7 @@ export function isStale({ observed }: IcebergProperties, at_ms: number): boolean
   return at_ms - Date.parse(observed) > validity_h * hour_ms;
 }
 
-/** The least that a sighting is drawn with, however old: it still says that there is a berg. */
+/** Least opacity of a sighting, however old, because there is still a berg. */
 const faintest = 0.35;
 
 /** Opacity of a sighting: paler with age, down to the age at which plans ignore it. */
@@ -31,13 +31,13 @@ export function strengthOf({ observed }: IcebergProperties, at_ms: number, limit
   return 1 - (1 - faintest) * Math.min(Math.max(spent, 0), 1);
 }
 
-/** How the symbol of a sighting looks at a moment. */
+/** The appearance of the symbol of a sighting at a time. */
 export interface Look {
   stale: boolean;
   strength: number;
 }
 
-/** Opacity in steps that the eye hardly tells apart: each step has all symbols drawn anew, and a clock that plays passes many hours. */
+/** Number of opacity steps: each step redraws all symbols, and a playing clock passes many hours. */
 const strengthSteps = 20;
 
 export const lookOf = (berg: IcebergProperties, at_ms: number, limit_days: number): Look => ({
@@ -50,7 +50,9 @@ const metresIn = (text: string, usual: number): number => {
   return value !== undefined && value >= 0 ? value : usual;
 };
 
-/** What the set-up says of the keep-out distance. It is read once: each step of the clock asks for that of every iceberg. */
+/**
+ * Settings of the set-up for the keep-out distance, computed once because each clock step needs them for every iceberg.
+ */
 const keepOutRules = computed(() => {
   const { margin_m, max_inflation_m } = requestFields;
   return { margin_m: metresIn(draft.value.margin_m, margin_m.usual), most_m: metresIn(draft.value.max_inflation_m, max_inflation_m.usual) };

@@ -46,13 +46,16 @@ export const belowIce_m = ({ surfacing }: Plan): number | null => surfacing?.bel
 /** Time on it, in seconds. */
 export const belowIce_s = ({ surfacing }: Plan): number | null => surfacing?.below_ice_s ?? null;
 
-/** At how many waypoints the vehicle may not surface; null where nothing is known of ice. */
+/** The number of waypoints where the vehicle may not surface; null if nothing is known about ice. */
 export function closedWaypoints({ waypoints }: Plan): number | null {
   const known = waypoints.filter(({ may_surface }) => typeof may_surface === 'boolean');
   return known.length === 0 ? null : known.filter(({ may_surface }) => may_surface === false).length;
 }
 
-/** How deep the dives of the leg with the deepest ice must turn; null where nothing is known of ice, and 0 in open water. */
+/**
+ * The depth below which dives must turn on the leg with the deepest ice; null if nothing is known about ice, and 0 in
+ * open water.
+ */
 export function deepestTurn_m({ waypoints }: Plan): number | null {
   const turns_m = waypoints.flatMap(({ leg_upper_turn_m }) => (typeof leg_upper_turn_m === 'number' ? [leg_upper_turn_m] : []));
   return turns_m.length === 0 ? null : Math.max(...turns_m);
@@ -61,5 +64,5 @@ export function deepestTurn_m({ waypoints }: Plan): number | null {
 /** How deep dives turn, rounded down the water, as in the mission files and the brief. */
 export const turnFigure = (turn_m: number | null | undefined): string => (typeof turn_m === 'number' ? String(Math.ceil(turn_m)) : none);
 
-/** In a cell of a table: yes, no, or the dash where nothing is known of ice. */
+/** The text for a table cell: yes, no, or the dash if nothing is known about ice. */
 export const maySurface = ({ may_surface }: Waypoint): string => (may_surface === true ? 'yes' : may_surface === false ? 'no' : none);

@@ -9,7 +9,7 @@ export interface StoredAlternative {
   plan: Plan;
 }
 
-/** The alternatives to a plan that are still stored, the best first. */
+/** The alternatives to a plan that are still stored, best first. */
 export function alternativesTo({ alternatives = [] }: Plan): StoredAlternative[] {
   return alternatives.flatMap((alternative) => {
     const plan = plans.value.find(({ plan_id }) => plan_id === alternative.plan_id);
@@ -17,7 +17,7 @@ export function alternativesTo({ alternatives = [] }: Plan): StoredAlternative[]
   });
 }
 
-/** The plan that another plan is an alternative to, and what was said of it there. */
+/** The plan that another plan is an alternative to, with its entry there. */
 export function bestOf({ plan_id }: Plan): { best: Plan; alternative: Alternative } | undefined {
   for (const best of plans.value) {
     const alternative = best.alternatives?.find((each) => each.plan_id === plan_id);
@@ -40,7 +40,7 @@ export function showBesideAlternatives(plan: Plan): void {
   select(plan.plan_id);
 }
 
-/** Why a set-up cannot ask for alternatives, as the server would refuse it; undefined where it can. */
+/** Why a set-up cannot request alternatives, by the server's rules; undefined if it can. */
 export function whyNoAlternatives({ depart_until, arrive_by, method }: Draft): string | undefined {
   if (depart_until.trim() !== '') return 'Alternatives are for one departure. Choose it first, then clear “Latest departure”.';
   if (arrive_by.trim() !== '') return 'Alternatives are for one departure. Choose it first, then clear “Latest arrival”.';

@@ -4,17 +4,17 @@ import { placesIn } from '../setup/draft';
 import { selectedId, waypointLabel } from './plans';
 import { remember } from '../undo';
 
-/** Which mission files of a plan are wanted. */
+/** The mission files that the user has chosen. */
 export type FileSet = 'lists' | 'full' | 'seaglider';
 
-/** The options of the mission files, as a person types them. An empty one takes the server's default. */
+/** The options of the mission files, as texts of the form. For an empty one the server's default is used. */
 export interface ExportOptions {
   set: FileSet;
   number: string;
   mission: string;
   firmware: string;
   glider: string;
-  safe: string; // one place a line
+  safe: string; // one place on each line
   iceberg_depth_m: string;
   science: string; // bands between semicolons
 }
@@ -53,7 +53,7 @@ export const exportLabels = {
   safe: 'Safe places under ice', iceberg_depth_m: 'Deepest iceberg', science: 'Science bands',
 } as const satisfies Record<keyof ExportOptions, string>;
 
-/** The labels of what a refusal may speak of, by the server's names. */
+/** The labels of the fields that a refusal may name, by the server's names. */
 const labels: Partial<Record<string, string>> = {
   ...exportLabels,
   under_ice: 'A full mission for work under ice', format: exportLabels.set, plan_id: 'This plan', waypoints: 'Waypoints', dive_depth_m: 'The dive depth of the vehicle',
@@ -68,14 +68,14 @@ export function exportLabelOf(place: string): string {
   return labels[name] ?? place;
 }
 
-/** Larger numbers belong to the vehicle's firmware. */
+/** Larger numbers are reserved for the vehicle's firmware. */
 export const lastList = 97;
 
 export type ExportQuery = Record<string, string | number | boolean | undefined>;
 
 export interface ExportWish {
-  query: ExportQuery; // what the text of the files depends on
-  folder: ExportQuery; // what the archive depends on besides
+  query: ExportQuery; // options that change the text of the files
+  folder: ExportQuery; // further options of the archive
   faults: Partial<Record<keyof ExportOptions, string>>;
 }
 
@@ -84,7 +84,7 @@ export const pairs = (places: Position[]): string => places.map(([lon, lat]) => 
 
 const stated = (text: string): string | undefined => (text.trim() === '' ? undefined : text.trim());
 
-/** The parameters of the request that the chosen files have. The server refuses wrong values. */
+/** The query parameters that the chosen files use. The server refuses wrong values. */
 export function exportWish({ set, number, mission, firmware, glider, safe, iceberg_depth_m, science }: ExportOptions): ExportWish {
   const faults: ExportWish['faults'] = {};
   const folder = { glider: stated(glider) };

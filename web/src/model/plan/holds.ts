@@ -2,7 +2,7 @@ import type { Plan, Waypoint } from '../../contract/types';
 import { waypointLabel } from './plans';
 import { duration } from '../time';
 
-/** How long the vehicle holds at a waypoint before its next leg; 0: it goes on at once. */
+/** The duration of the hold at a waypoint before its next leg; 0: no hold. */
 export const hold_s = ({ wait_s }: Waypoint): number => wait_s ?? 0;
 
 /** "hold 2 h 40 min" */
@@ -12,5 +12,5 @@ export const holdText = (waypoint: Waypoint): string => `hold ${duration(hold_s(
 export const holdsOf = ({ waypoints }: Plan): string[] =>
   waypoints.filter((waypoint) => hold_s(waypoint) > 0).map((waypoint) => `${holdText(waypoint)} at waypoint ${waypointLabel(waypoint.index)}`);
 
-/** All holds of a plan together. */
+/** The sum of all holds of a plan. */
 export const allHolds_s = ({ waypoints }: Plan): number => waypoints.reduce((sum, waypoint) => sum + hold_s(waypoint), 0);

@@ -1,7 +1,7 @@
 import type { MissionPreview } from '../../contract/types';
 import { waypointLabel } from './plans';
 
-/** Where a waypoint stands: what it is called, its index in JSON documents, and its row in a waypoint list. */
+/** A waypoint's label, its index in JSON documents, and its row in a waypoint list. */
 export interface ListRow {
   label: string;
   index: number;

@@ -124,7 +124,7 @@ export function vehicleAt(plan: Plan, at_ms: number): OnTheWay | undefined {
 /** Which leg the selected plan is on at the clock's time. It changes once a leg, not at each tick. */
 export const legUnderWay = computed(() => selectedPlan.value && vehicleAt(selectedPlan.value, time_ms.value)?.leg);
 
-/** What a waypoint is called everywhere: S for the start, then 1, 2, ... by row, which are the JSON indices and the counting of mission files. */
+/** The name of a waypoint: S for the start, then 1, 2, …, equal to the JSON indices and the rows of mission files. */
 export const waypointLabel = (index: number): string => (index === 0 ? 'S' : String(index));
 
 export const routeOf = (plan: Plan): Position[] => plan.waypoints.map(({ lon, lat }) => [lon, lat]);
@@ -132,7 +132,7 @@ export const routeOf = (plan: Plan): Position[] => plan.waypoints.map(({ lon, la
 /** Whether ice covers the start, so that no vehicle can be launched there; not known of plans that were made without ice. */
 export const startsUnderIce = ({ waypoints }: Plan): boolean => waypoints[0]?.may_surface === false;
 
-/** "Plan 4": a name for a plan whose maker gave none, one past the highest number in use. */
+/** "Plan 4": a name for a plan without one: one past the highest number in use. */
 export function nextName(): string {
   const numbers = plans.value.map(({ name }) => Number(/^Plan (\d+)$/.exec(name)?.[1] ?? 0));
   return `Plan ${Math.max(0, ...numbers) + 1}`;

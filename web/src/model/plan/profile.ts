@@ -2,7 +2,7 @@ import type { Position } from '../../contract/data_types';
 import type { Plan, Probe } from '../../contract/types';
 import { destination, inverse } from '../../geo/geodesic';
 
-/** What the vehicle meets along a plan, at moments spread over it. */
+/** The data along a plan, at times spread over it. */
 export interface ProfilePoint {
   time_ms: number;
   place: Position;
@@ -45,7 +45,7 @@ export function currentAlong_m_s({ probe, course_deg }: ProfilePoint): number | 
   return u_m_s * Math.sin(course) + v_m_s * Math.cos(course);
 }
 
-/** How deep level ice floats: nine tenths of its thickness lie under water. */
+/** Draft of level ice as a share of its thickness. */
 const submerged = 0.9;
 
 /** Draft of the deepest keel over the thickness of level ice, as plans take it (planning::keel_over_thickness: Lemieux et al. 2016). */

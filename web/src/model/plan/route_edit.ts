@@ -6,22 +6,22 @@ import { routeOf, select, selectedId, selectedWaypoint, titleOf, waypointLabel }
 import { conditionsOf } from '../setup/requests';
 import { forgetChanges, remember } from '../undo';
 
-/** What the server says of the present route. */
+/** The server's answer for the present route. */
 export type Verdict =
   | { state: 'pending' }
   | { state: 'ok'; plan: Plan }
   | { state: 'infeasible'; answer: Infeasible }
   | { state: 'failed'; detail: string };
 
-/** A copy of a plan's route under change; the plan itself is never touched. */
+/** An edited copy of a plan's route; the plan itself does not change. */
 export interface RouteEdit {
   origin: Plan;
   conditions: Conditions;
-  conditionsKnown: boolean; // false: the plan's own request is not known, and the margin of the set-up counts
+  conditionsKnown: boolean; // false: the plan's own request is unknown, so the set-up's margin is used
   route: Position[];
   number: number; // grows with each change of the route; an answer to an earlier number is ignored
   verdict: Verdict;
-  figures: Plan; // of the last route that could be evaluated, perhaps not this one
+  figures: Plan; // the last plan that could be evaluated, possibly of an earlier route
 }
 
 export const routeEdit = signal<RouteEdit | undefined>(undefined);
@@ -29,7 +29,7 @@ export const routeEdit = signal<RouteEdit | undefined>(undefined);
 /** The edit in view: that of the selected plan. */
 export const openEdit = computed(() => (routeEdit.value?.origin.plan_id === selectedId.value ? routeEdit.value : undefined));
 
-/** What undo knows the changes of an edit by. */
+/** The key of an edit's changes for undo. */
 const changesOf = ({ origin }: RouteEdit): string => `route of ${origin.plan_id}`;
 
 /** Opens the edit of a plan and closes the one before. Undo brings that back. */
@@ -86,13 +86,13 @@ function change(title: string, next: (route: Position[]) => Position[]): void {
 export const moveWaypoint = (index: number, place: Position): void =>
   change(`moving waypoint ${waypointLabel(index)}`, (route) => route.map((old, i) => (i === index ? place : old)));
 
-/** Puts a new waypoint before number `index`, which then has that number, and selects it. */
+/** Inserts a new waypoint before number `index`, which then has that number, and selects it. */
 export function insertWaypoint(index: number, place: Position): void {
   change(`inserting waypoint ${waypointLabel(index)}`, (route) => [...route.slice(0, index), place, ...route.slice(index)]);
   selectedWaypoint.value = index;
 }
 
-/** Puts one half-way along the leg that leaves `index`, or along the last leg. */
+/** Inserts a waypoint in the middle of the leg that leaves `index`, or of the last leg. */
 export function insertAfter(index: number): void {
   const route = routeEdit.value?.route ?? [];
   const first = Math.min(index, route.length - 2);
@@ -102,7 +102,7 @@ export function insertAfter(index: number): void {
 
 export const canRemove = (): boolean => (routeEdit.value?.route.length ?? 0) > 2;
 
-/** Takes one out; two must remain. */
+/** Removes a waypoint; two must remain. */
 export function removeWaypoint(index: number): void {
   if (canRemove()) change(`removing waypoint ${waypointLabel(index)}`, (route) => route.filter((_, i) => i !== index));
 }

@@ -60,7 +60,7 @@ function viaEdit(input: string, to: unknown, form: Draft): Partial<Draft> | unde
   return { via: lines.map((line, i) => (i === index ? exactPosition(to, line) : line)).join('\n') };
 }
 
-/** The areas without the one that the input names; none where it names them all. */
+/** The areas without the one that the input names, or none if it names them all; undefined if there is no such area. */
 function areasEdit(input: string, form: Draft): Partial<Draft> | undefined {
   if (input === 'areas') return { areas: [] };
   const index = Number(input.split('/')[2]);

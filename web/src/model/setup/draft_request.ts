@@ -8,7 +8,7 @@ import { emptyDraft, hasGoalsFile, isEnsemble, numberIn, placesIn, type Draft, t
 import { checkFields, factorOf, numberFields, timeFields } from '../fields';
 import { isoOf, parseTime } from '../time';
 
-/** Fields that are sent only where they differ from what the server takes anyway. */
+/** Fields that are sent only if they differ from the server's default. */
 const sentWhenChanged: Field[] = ['via_order', 'objective', 'thruster', 'wind', ...checkFields.filter((name) => name !== 'refine' && name !== 'steady')];
 
 /** Fields in which several datasets may be named. */
@@ -94,7 +94,7 @@ function placesOf(form: Draft, found: Faults): Pick<PlanInputs, 'from' | 'to' | 
   return { ...start, to: rounded(to.value), ...(via.places.length > 0 ? { via: via.places.map(rounded) } : {}) };
 }
 
-/** Whether a field has no effect on what is asked for. */
+/** Whether a field has no effect on the request. */
 function isLeftOut(field: Field, form: Draft): boolean {
   if (field === 'alternatives') return whyNoAlternatives(form) !== undefined;
   if (field.startsWith('objective.')) return form.objective !== 'both';
@@ -136,7 +136,7 @@ function nested(values: Partial<Record<Field, number | string | boolean>>): Reco
   return inputs;
 }
 
-/** Seven decimals are a centimetre. */
+/** Rounds to seven decimals, a centimetre. */
 function rounded([lon, lat]: Position): Position {
   return [Math.round(lon * 1e7) / 1e7, Math.round(lat * 1e7) / 1e7];
 }

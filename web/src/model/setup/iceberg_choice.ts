@@ -9,16 +9,17 @@ import { shownPlans } from '../plan/plans';
 import { oldestThatCounts_ms, sighting_days } from './sighting_age';
 import { isoOf, parseTime } from '../time';
 
-/** Which icebergs the map shows: of all datasets unless some are named, and of sightings so many days old. */
+/** The icebergs that the map shows: datasets (default all) and greatest age of sightings. */
 export interface IcebergChoice {
   datasets: string[] | undefined;
-  max_sighting_age_days: number | undefined; // the server's own where nobody says
-  departure: string | undefined; // at which ages are counted once the clock is past it; undefined: at the clock's time
+  max_sighting_age_days: number | undefined; // undefined: the server's default
+  // ages are counted at this departure once the clock has passed it; undefined: at the clock's time
+  departure: string | undefined;
 }
 
 type Wish = Pick<IcebergChoice, 'datasets' | 'max_sighting_age_days'>;
 
-/** What the set-up asks for; undefined: no icebergs. */
+/** The icebergs of the set-up; undefined: none. */
 const draftWish = computed<Wish | undefined>(() => {
   const wish = draft.value.icebergs;
   if (wish === 'none') return undefined;
@@ -35,7 +36,7 @@ const idsUnderWay = computed(() =>
     .join(' '),
 );
 
-/** The plans on the map that are under way at the clock's time and obey icebergs: what they obey is drawn. */
+/** Plans on the map that are under way at the clock's time and obey icebergs; the map shows their icebergs. */
 const underWay = computed<Plan[]>(() => {
   const ids = idsUnderWay.value.split(' ');
   return shownPlans.value.map(({ plan }) => plan).filter((plan) => ids.includes(plan.plan_id) && bergsOf(plan).length > 0);
@@ -43,10 +44,10 @@ const underWay = computed<Plan[]>(() => {
 
 const bergsOf = (plan: Plan): string[] => plan.datasets.filter(({ kind }) => kind === 'icebergs').map(({ id }) => id);
 
-/** When the ages of its sightings were counted. */
+/** The time at which the ages of its sightings were counted. */
 export const countedAt_ms = ({ departure, sightings }: Plan): number => Math.min(Date.parse(departure), sightings ? Date.parse(sightings.as_of) : Infinity);
 
-/** What the set-up asks for and what the plans under way obey; undefined: no icebergs. */
+/** The icebergs of the set-up and of the plans under way; undefined: none. */
 export const icebergChoice = computed<IcebergChoice | undefined>(() => {
   const wish = draftWish.value;
   const plans = underWay.value;
@@ -59,16 +60,18 @@ export const icebergChoice = computed<IcebergChoice | undefined>(() => {
   return { datasets, max_sighting_age_days: longest === sighting_days ? undefined : longest, departure };
 });
 
-/** The datasets that it takes them from. */
+/** The datasets of the shown icebergs. */
 export const shownIcebergs = computed<Dataset[]>(() => {
   const choice = icebergChoice.value;
   return choice ? ofKind('icebergs').filter(({ id }) => !choice.datasets || choice.datasets.includes(id)) : [];
 });
 
-/** The moment after which the set-up lets no sighting count; undefined: that of the clock, as always while a plan is under way. */
+/**
+ * The time up to which the set-up counts sightings; undefined: the clock's time, always so while a plan is under way.
+ */
 export const knownAt_ms = computed(() => (underWay.value.length > 0 ? undefined : parseTime(draft.value.icebergs_as_of)));
 
-/** In words, what the map shows other than every recent sighting; undefined: just that. */
+/** Describes the shown icebergs if they are not simply all recent ones; otherwise undefined. */
 export const choiceInWords = computed<string | undefined>(() => {
   const choice = icebergChoice.value;
   if (!choice) return 'left out by the set-up';

@@ -1,6 +1,6 @@
 import { readPosition } from '../position';
 
-/** "Start: ", "WP 3 = ", "2) ": what lists write before a position. */
+/** Labels before a position in lists: "Start: ", "WP 3 = ", "2) ". */
 const label = /^\s*(?:[A-Za-z][\w .-]*[:=]|\d{1,3}[.):])\s+/;
 
 /** Start, via points and goal of a list of positions, one a line; undefined for any other text. */

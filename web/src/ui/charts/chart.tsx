@@ -7,11 +7,11 @@ export type { Line } from './plot';
 
 interface ChartProps extends PlotSpec {
   title: string;
-  description: string; // for those who do not see it; the figures stand in the table beside it
+  description: string; // for screen readers; the values are in the table beside it
   mark_ms?: number | undefined;
 }
 
-/** A small chart over time with its unit and a key of its lines. A click tells the time clicked at. */
+/** A small chart over time with its unit and a legend. A click reports the time at that place. */
 export function Chart({ title, description, mark_ms, ...spec }: ChartProps): VNode {
   const box = useRef<HTMLDivElement>(null);
   const [plot, setPlot] = useState<Plot | undefined>(undefined);

@@ -10,7 +10,9 @@ import { palette } from '../../theme/palette';
 import { Icon } from '../common/icon';
 import { Chart, type Line } from './chart';
 
-/** The travel time for each departure of the window; one is chosen by a click or in the table, and planned. */
+/**
+ * The travel time for each departure of the window; a departure is chosen by a click or in the table, and then planned.
+ */
 export function Departures({ plan, departures }: { plan: Plan; departures: Departure[] }): VNode {
   const planned = nearest(departures, Date.parse(plan.departure));
   const [chosen, choose] = useState<Departure | undefined>(undefined);

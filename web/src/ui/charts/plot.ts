@@ -2,7 +2,7 @@ import uPlot from 'uplot';
 import 'uplot/dist/uPlot.min.css';
 import type { Palette } from '../../theme/palette';
 
-/** A line over time; undefined figures leave a gap. */
+/** A line over time; undefined values leave a gap. */
 export interface Line {
   label: string; // none: not named in the key
   values: (number | null)[];
@@ -30,7 +30,9 @@ export interface Plot {
   destroy: () => void;
 }
 
-/** Draws a chart into `box` as wide as it is and keeps it so. Loaded with the first chart only. */
+/**
+ * Draws a chart with the width of `box` and adapts it when that changes. This module is loaded with the first chart.
+ */
 export function makePlot(box: HTMLElement, spec: PlotSpec, colours: Palette): Plot {
   const plot = new uPlot(optionsOf(box, spec, colours), [spec.times_s, ...spec.lines.map(({ values }) => values)], box);
   const marker = document.createElement('div');
@@ -97,7 +99,7 @@ function optionsOf(box: HTMLElement, spec: PlotSpec, colours: Palette): uPlot.Op
   };
 }
 
-/** The ends of an axis with a little room; figures that hardly differ are not drawn as if they did. */
+/** The ends of an axis with a little space; nearly equal values are not magnified. */
 export function rangeOf(low: number | null, high: number | null, fromZero: boolean): [number, number] {
   if (low === null || high === null) return [0, 1];
   const start = fromZero ? Math.min(0, low) : low;
@@ -108,7 +110,7 @@ export function rangeOf(low: number | null, high: number | null, fromZero: boole
 
 const months = ['Jan', 'Feb', 'Mar', 'Apr', 'May', 'Jun', 'Jul', 'Aug', 'Sep', 'Oct', 'Nov', 'Dec'];
 
-/** "06Z", and the day where it begins or the axis does. */
+/** Tick label "06Z", with the day where it changes or the axis begins. */
 function tickText(time_s: number, before_s: number | undefined): string {
   const date = new Date(1000 * time_s);
   const newDay = before_s === undefined || new Date(1000 * before_s).getUTCDate() !== date.getUTCDate();

@@ -12,7 +12,7 @@ import { depth, distanceFigure, distanceUnit, none, speedFigure, speedUnit } fro
 import { palette } from '../../theme/palette';
 import { Chart, type Line } from './chart';
 
-/** What the vehicle meets along a plan, over time, with the clock's time marked; a click sets the clock. */
+/** The data along a plan over time, with the clock's time marked; a click sets the clock. */
 export function Profile({ plan }: { plan: Plan }): VNode {
   const [points, setPoints] = useState<ProfilePoint[] | undefined>(undefined);
   const [fault, setFault] = useState<string | undefined>(undefined);
@@ -81,7 +81,7 @@ function Charts({ plan, points }: { plan: Plan; points: ProfilePoint[] }): VNode
   );
 }
 
-/** How deep the vehicle was asked to dive, where that is known. */
+/** The planned dive depth, if it is known. */
 function diveDepthOf(plan: Plan): number | undefined {
   const vehicle = vehicles.value.find(({ name }) => name === plan.vehicle);
   return requestOf(plan.plan_id)?.dive_depth_m ?? vehicle?.dive_depth_m;

@@ -64,7 +64,7 @@ function zoomByWheel(event: WheelEvent): void {
   zoomSlider(event.deltaY > 0 ? 1.25 : 0.8);
 }
 
-/** Hours since the selected plan departs, or the set-up where none is selected; nothing before. */
+/** Hours since the departure of the selected plan, or of the set-up if none is selected; empty before it. */
 function sinceDeparture(now_ms: number, lead: string): string {
   const depart_ms = selectedPlan.value ? Date.parse(selectedPlan.value.departure) : parseTime(draft.value.depart);
   if (depart_ms === undefined || now_ms < depart_ms) return '';
@@ -124,7 +124,7 @@ function Timeline({ span }: { span: Span }): VNode {
   );
 }
 
-/** Lets the clock run while it plays; in steps of an hour where motion is not wanted. */
+/** Moves the clock during playback; in steps of an hour if the user prefers reduced motion. */
 function usePlayback(): void {
   const on = playing.value;
   useEffect(() => {

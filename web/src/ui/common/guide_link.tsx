@@ -1,7 +1,7 @@
 import type { VNode } from 'preact';
 import type { GuidePage } from '../../model/guide_pages';
 
-/** Leads to the page of the guide on what it stands beside, in a tab of its own. */
+/** A link to the guide's page about the subject beside it, opened in a new tab. */
 export function GuideLink({ page: { address, about } }: { page: GuidePage }): VNode {
   return (
     <a class="guide-link" href={address === '' ? '/guide' : `/guide/${address}`} target="_blank" rel="noopener">

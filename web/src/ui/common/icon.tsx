@@ -51,7 +51,7 @@ const icons = {
 
 export type IconName = keyof typeof icons;
 
-/** A decorative drawing; what it stands beside or the button around it carries the words. */
+/** A decorative drawing; the text beside it or the button around it has the words. */
 export function Icon({ name, size = 16 }: { name: IconName; size?: number }): VNode {
   const inner = icons[name].replace(/^[\s\S]*?<svg[\s\S]*?>/, '').replace('</svg>', '');
   return (
@@ -66,7 +66,7 @@ export function Icon({ name, size = 16 }: { name: IconName; size?: number }): VN
 interface IconButtonProps {
   icon: IconName;
   label: string;
-  hint?: string | undefined; // shown when pointed at, and read out after the label
+  hint?: string | undefined; // tooltip, also read after the label
   onClick: (event: MouseEvent) => void;
   pressed?: boolean;
   disabled?: boolean;

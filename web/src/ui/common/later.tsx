@@ -27,7 +27,7 @@ export function later<Props extends object>(fetchIt: () => Promise<ComponentType
   };
 }
 
-/** A dialog, likewise; it stays closed where it cannot be had. */
+/** The same for a dialog; it stays closed if its code cannot be loaded. */
 export const dialogLater = (fetchIt: () => Promise<ComponentType>): (() => VNode | null) => {
   const Dialog = later<object>(fetchIt, () => {
     dialog.value = undefined;

@@ -7,7 +7,7 @@ import { dialog } from '../../model/screen';
 import { settings } from '../../model/settings';
 import { Icon } from './icon';
 
-/** What the pilot is told, by rank: dangers, then cautions, then notes, which stay folded. */
+/** Messages to the pilot by rank: dangers, then cautions, then notes, which are folded at first. */
 export function Messages({ of }: { of: Told }): VNode {
   const told = messagesOf(of);
   const ranked = (rank: Rank): Message[] => told.filter((message) => message.rank === rank);
@@ -42,7 +42,7 @@ function show(message: Message): void {
   showMessage(message);
 }
 
-/** Each with its place, where it has one: a press moves the map there. */
+/** The messages of a rank; one with a place has a button that moves the map there. */
 export function MessageList({ messages }: { messages: Message[] }): VNode {
   return (
     <ul class="messages">

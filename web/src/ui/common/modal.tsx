@@ -6,7 +6,10 @@ import { tool } from '../../model/view';
 import { GuideLink } from './guide_link';
 import { IconButton } from './icon';
 
-/** A modal dialog: traps the focus, closes with Esc, gives the focus back to where it was, or to the map where a tool waits for a place. */
+/**
+ * A modal dialog: traps the focus, closes with Esc, returns the focus to the element before, or to the map if a tool
+ * waits for a place.
+ */
 export function Modal({ title, guide, wide, children }: { title: string; guide: GuideTopic; wide?: boolean; children: ComponentChildren }): VNode {
   const box = useRef<HTMLDialogElement>(null);
   const isOpen = useRef(true);
@@ -22,9 +25,9 @@ export function Modal({ title, guide, wide, children }: { title: string; guide: 
     };
   }, []);
   const close = (): void => {
-    if (isOpen.current) dialog.value = undefined; // the element tells of its end only after another may have taken its place
+    if (isOpen.current) dialog.value = undefined; // the close event may come after another dialog was opened in its place
   };
-  // Left to itself, the element vanishes at once but tells of it later: keys pressed in between would be lost.
+  // By default the element disappears at once but reports it later: keys pressed in between would be lost.
   const closeAtOnce = (event: Event): void => {
     event.preventDefault();
     close();

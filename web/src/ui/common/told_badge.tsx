@@ -3,7 +3,7 @@ import type { Plan } from '../../contract/types';
 import { countOf, ofRank, type Rank } from '../../model/messages';
 import { Icon } from './icon';
 
-/** How many messages of a rank a plan has; the messages where it is pointed at. */
+/** The number of a plan's messages of a rank; the tooltip shows the messages. */
 export function ToldBadge({ plan, rank }: { plan: Plan; rank: Rank }): VNode | null {
   const told = ofRank(plan, rank);
   if (told.length === 0) return null;

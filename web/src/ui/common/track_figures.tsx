@@ -4,7 +4,7 @@ import { directionTowards_deg } from '../../geo/vectors';
 import { shortTime } from '../../model/time';
 import { course, depth, speed } from '../../model/units';
 
-/** When a glider was under way, how deep it dived and which current it met on the whole. */
+/** Period, dive depth and mean current of a glider track. */
 export function TrackFigures({ track: { properties } }: { track: GliderTrackFeature }): VNode {
   const { current_frame, deepest_m, end, mean_east_m_s: east, mean_north_m_s: north, start } = properties;
   return (

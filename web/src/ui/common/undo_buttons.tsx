@@ -3,7 +3,7 @@ import { tell } from '../../model/screen';
 import { lastDone, lastUndone, redo, undo } from '../../model/undo';
 import { IconButton } from './icon';
 
-/** Takes the last change back, whatever it was, and says which. */
+/** A button that undoes the last change and names it. */
 export function undoAndTell(): void {
   const change = undo();
   if (change) tell(`Undone: ${change.title}.`);
@@ -14,7 +14,7 @@ export function redoAndTell(): void {
   if (change) tell(`Done again: ${change.title}.`);
 }
 
-/** Undo and redo: the same wherever they stand. */
+/** Undo and redo for all changes, the same in every place. */
 export function UndoButtons(): VNode {
   const [back, again] = [lastDone.value, lastUndone.value];
   return (

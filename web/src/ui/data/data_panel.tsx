@@ -8,7 +8,7 @@ import { FileChooser } from './file_chooser';
 import { HandMadePart } from './hand_made_part';
 import { ImportCard } from './import_card';
 
-/** What the store holds, and the way into it. */
+/** The content of the store, and the import of files. */
 export function DataPanel(): VNode {
   return (
     <div class="data-panel">

@@ -13,7 +13,7 @@ import { borderOf } from '../../geo/boxes';
 import { Icon, IconButton } from '../common/icon';
 import { TrackList } from './track_list';
 
-/** Every dataset of the store with its times, sizes and warnings. */
+/** All stored datasets with their times, sizes and warnings. */
 export function DatasetList(): VNode {
   if (datasets.value === undefined) {
     return <p class="quiet">{connectionFault.value ? 'What the store holds is not known: the server does not answer.' : 'Reading the store …'}</p>;
@@ -70,7 +70,7 @@ function Row({ dataset }: { dataset: Dataset }): VNode {
   );
 }
 
-/** Plans keep their figures, but can no longer be judged on a dataset that is gone. */
+/** Plans keep their values, but cannot be evaluated again with a deleted dataset. */
 function question({ id, name }: Dataset): string {
   const using = plans.value.filter((plan) => plan.datasets.some((used) => used.id === id)).length;
   const consequence = using === 0 ? '' : `\n\n${using === 1 ? 'One plan was' : `${using} plans were`} made on it and cannot be evaluated on it any more.`;

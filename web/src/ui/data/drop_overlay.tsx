@@ -7,12 +7,12 @@ import { take } from './file_chooser';
 const dragged = signal(false);
 const holdsFiles = (event: DragEvent): boolean => event.dataTransfer?.types.includes('Files') ?? false;
 
-/** Takes files dropped anywhere on the page, and says so while they are held over it. */
+/** Accepts files dropped anywhere on the page, and shows a hint while they are dragged over it. */
 export function DropOverlay(): VNode | null {
   useEffect(() => {
     const over = (event: DragEvent): void => {
       if (!holdsFiles(event)) return;
-      event.preventDefault(); // else the browser opens the file in place of the page
+      event.preventDefault(); // otherwise the browser opens the file instead of the page
       dragged.value = true;
     };
     const leave = (event: DragEvent): void => {

@@ -8,10 +8,10 @@ import { drawer, leftTab } from '../../model/screen';
 import { Icon } from '../common/icon';
 import { RoleNote } from '../common/role_note';
 
-/** The kind that the next files are taken for; empty where they are recognised. */
+/** The kind of the files chosen next; empty: recognised from the file. */
 const kind = signal('');
 
-/** Sends files and shows what becomes of them. */
+/** Sends files and shows the results. */
 export function take(files: FileList | null): void {
   if (!files || files.length === 0 || forbids('pilot', 'Adding data')) return;
   leftTab.value = 'data';
@@ -20,7 +20,7 @@ export function take(files: FileList | null): void {
   if ('options' in stated) void importFiles([...files], stated.options);
 }
 
-/** A button that lets files be chosen; dropping them works anywhere on the page. */
+/** A button that opens the file chooser; files can also be dropped anywhere on the page. */
 export function FileChooser(): VNode {
   const input = useRef<HTMLInputElement>(null);
   if (!may('pilot')) return <RoleNote role="pilot" what="Adding data" />;

@@ -10,7 +10,7 @@ import { AreaFields } from '../setup/areas_field';
 
 const sizes = ['growler', 'bergy_bit', 'small', 'medium', 'large', 'very_large', 'unknown', 'radar_target'];
 
-/** One iceberg or zone, typed or picked on the map, until it is stored. */
+/** The form of a new or changed iceberg or zone, typed or picked on the map. */
 export function HandMadeForm({ form }: { form: OpenForm }): VNode {
   const { before, berg, faults, state, zone } = form;
   const what = berg ? 'iceberg' : 'zone';
@@ -35,7 +35,7 @@ export function HandMadeForm({ form }: { form: OpenForm }): VNode {
   );
 }
 
-/** What kept it from being stored, and the ways out. */
+/** Why the entry could not be stored, with the possible actions. */
 function Trouble({ form: { before, detail, kind, state } }: { form: OpenForm }): VNode | null {
   if (state === 'typing' || state === 'saving') return null;
   return (

@@ -14,7 +14,7 @@ import { UndoButtons } from '../common/undo_buttons';
 import { goOnByKey } from '../placing_keys';
 import { HandMadeForm } from './hand_made_form';
 
-/** Icebergs and zones that people report themselves: added, moved, changed and retired, step by step and back. */
+/** Icebergs and zones that users report: add, move, change and retire them, with undo. */
 export function HandMadePart(): VNode | null {
   const listed: [HandMadeKind, HandMade][] = [
     ...bergsByHand.value.map((one): [HandMadeKind, HandMade] => ['icebergs', one]),
@@ -38,7 +38,7 @@ export function HandMadePart(): VNode | null {
   );
 }
 
-/** New ones, on the map or typed. */
+/** Buttons that add an entry, on the map or typed. */
 function Beginnings(): VNode {
   const begin = (event: MouseEvent, form: OpenForm | undefined, next: Tool): void => {
     openForm.value = form;
@@ -61,7 +61,7 @@ function Beginnings(): VNode {
   );
 }
 
-/** A small one in the middle of the map, for a start. */
+/** The corners of a small zone in the middle of the map, as a first outline. */
 function squareInView(): [number, number][] {
   const [west, south, east, north] = view.value?.box ?? [-52, 69, -51, 69.2];
   const [x, y] = view.value?.centre ?? [(west + east) / 2, (south + north) / 2];

@@ -6,7 +6,7 @@ import { fileSize } from '../../model/units';
 import { Icon, IconButton } from '../common/icon';
 import { Report } from './report';
 
-/** Files on their way into the store: how far each is, and at the end what became of them. */
+/** Imports with the progress of each file and, at the end, its result. */
 export function ImportCard({ one }: { one: Import }): VNode {
   const { files, state, number } = one;
   const title = files.length === 1 ? (files[0]?.name ?? '') : `${files.length} files`;

@@ -9,7 +9,7 @@ import { Icon } from '../common/icon';
 const titles = { stored: 'Stored', unchanged: 'In the store already', refused: 'Refused' } as const;
 const shownAtFirst = 3;
 
-/** What became of one kind of data in a file: every violation and warning, and what the file leaves open is asked. */
+/** The result for one kind of data in a file: every violation and warning, and questions about missing information. */
 export function Report({ report, number }: { report: FileReport; number: number }): VNode {
   const { dataset_id, errors, file, kind, name, rows_accepted = 0, rows_refused = 0, status, warnings } = report;
   const isCovered = dataset_id !== null && covered.value.includes(dataset_id);
@@ -40,7 +40,7 @@ function Texts({ texts, title }: { texts: string[]; title: string }): VNode | nu
   );
 }
 
-/** The options that the refusal asks for, the others behind a fold, and the button that tries again. */
+/** Fields for the options that the refusal asks for, the other options folded, and the button that tries again. */
 function Options({ report, number }: { report: FileReport; number: number }): VNode {
   const [form, setForm] = useState<IngestForm>(emptyForm);
   const [fault, setFault] = useState<string | undefined>(undefined);

@@ -5,7 +5,7 @@ import { chosenTrackId, gliderTracks, placesOf } from '../../model/tracks';
 import { ask } from '../../model/view';
 import { TrackFigures } from '../common/track_figures';
 
-/** The tracks of a dataset with their figures; choosing one brings the map and the clock to it. */
+/** The tracks of a dataset with their values; choosing one moves the map and the clock to it. */
 export function TrackList({ dataset, name }: { dataset: string; name: string }): VNode | null {
   const tracks = gliderTracks.value.filter(({ properties }) => properties.dataset_id === dataset);
   if (tracks.length === 0) return null;

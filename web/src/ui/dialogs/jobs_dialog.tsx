@@ -10,7 +10,7 @@ import { Modal } from '../common/modal';
 
 const pause_ms = 1000;
 
-/** What the server works on and has worked on, newest first; looks again every second while it is open. */
+/** The server's present and past jobs, newest first; updated every second while the dialog is open. */
 export function JobsDialog(): VNode {
   const [listed, setListed] = useState<JobStatus[] | undefined>(undefined);
   const [fault, setFault] = useState<string | undefined>(undefined);

@@ -6,7 +6,7 @@ import { dialog } from '../../model/screen';
 import { shortTime } from '../../model/time';
 import { Modal } from '../common/modal';
 
-/** Shows the token to the server once; to those who are signed in, who they are and the way out. */
+/** Sends the token to the server once; for a user who is signed in, shows the name and the logout button. */
 export function LoginDialog(): VNode {
   const who = signedIn.value;
   if (who && !locked.value) return <Modal title="Signed in" guide="login"><Account who={who} /></Modal>;

@@ -20,7 +20,7 @@ const others: [ExportFormat, string][] = [
   ['targets', 'Seaglider targets'], ['html', 'Brief (HTML)'], ['pdf', 'Brief (PDF)'],
 ];
 
-/** The mission files as the server would write them, and the downloads. */
+/** A preview of the mission files that the server would write, and the downloads. */
 export function ExportDialog(): VNode | null {
   const plan = selectedPlan.value;
   return plan ? <Export plan={plan} /> : null;
@@ -123,7 +123,7 @@ interface OptionsProps {
   change: (part: Partial<ExportOptions>) => void;
 }
 
-/** Which files are written, and what is asked of them. */
+/** The choice of files, and their options. */
 function Options({ options, faults, change }: OptionsProps): VNode {
   const text = (name: Exclude<keyof ExportOptions, 'set' | 'safe'>, unit: string, placeholder = ''): VNode => {
     const fault = faults[name];
@@ -179,7 +179,7 @@ function Options({ options, faults, change }: OptionsProps): VNode {
   );
 }
 
-/** What the pilot has to confirm before any file is handed out. */
+/** The dangers that the pilot has to confirm before the server returns files. */
 function Dangers({ dangers, accepted, accept }: { dangers: Message[]; accepted: boolean; accept: (yes: boolean) => void }): VNode | null {
   if (dangers.length === 0) return null;
   return (
@@ -193,7 +193,7 @@ function Dangers({ dangers, accepted, accept }: { dangers: Message[]; accepted: 
   );
 }
 
-/** Which row of which file a waypoint is. */
+/** A table of the rows of each waypoint in each file. */
 function Rows({ preview }: { preview: MissionPreview }): VNode | null {
   const rows = listRows(preview.files);
   if (rows.length === 0) return null;
@@ -214,7 +214,7 @@ function Rows({ preview }: { preview: MissionPreview }): VNode | null {
   );
 }
 
-/** Why the server writes no mission files of the plan: the other downloads are only its route. */
+/** Why the server writes no mission files of the plan; the other downloads contain only its route. */
 function Refusal({ faults }: { faults: string[] }): VNode | null {
   if (faults.length === 0) return null;
   return (
@@ -231,7 +231,7 @@ interface DownloadProps {
   query: ExportQuery;
   title: string;
   accepted: boolean;
-  closed: boolean; // dangers are not confirmed yet, or an option is at fault
+  closed: boolean; // dangers are not confirmed yet, or an option is wrong
   primary?: boolean;
 }
 

@@ -10,12 +10,12 @@ import { Icon } from '../common/icon';
 
 type MissionFile = MissionPreview['files'][number];
 
-/** What the file is compared with. */
+/** The file for the comparison. */
 type Other = { plan_id: string } | { file: MissionFile };
 
 const signs = { both: ' ', other: '−', this: '+' } as const;
 
-/** The file that is shown beside that of another plan, or beside one that the vehicle has on board. */
+/** Shows the differences of the file to that of another plan, or to one that the vehicle has on board. */
 export function ListDifference({ file, plan, query }: { file: MissionFile; plan: Plan; query: ExportQuery }): VNode {
   const [other, setOther] = useState<Other | undefined>(undefined);
   const [beside, setBeside] = useState<{ file?: MissionFile; fault?: string } | undefined>(undefined);

@@ -13,7 +13,7 @@ import { Chart, type Line } from '../charts/chart';
 
 const signed = (metres: number): string => `${distance(Math.abs(metres))} ${metres < 0 ? 'left' : 'right'}`;
 
-/** A flight played back by the clock: where it is now, its errors and depths over time, what happened when. */
+/** A flight played back by the clock: present state, errors and depths over time, and events. */
 export function FlightView({ plan, flight }: { plan: Plan; flight: Flight }): VNode {
   return (
     <section class="flight" aria-label={`Flight ${flight.run + 1}`}>
@@ -27,7 +27,7 @@ export function FlightView({ plan, flight }: { plan: Plan; flight: Flight }): VN
   );
 }
 
-/** What the lines and signs of a flight on the map mean. */
+/** The legend of a flight on the map. */
 function Key(): VNode {
   return (
     <ul class="flight-key">
@@ -110,7 +110,7 @@ const titles: Partial<Record<Flight['events'][number]['kind'], string>> = {
   surfacing: 'Surfaced', waypoint: 'Waypoint reached', contact: 'Contact', end: 'End',
 };
 
-/** Surfacings, waypoints, contacts, the closest approaches and each manoeuvre, in the order of time. */
+/** Surfacings, waypoints, contacts, the closest approaches and each manoeuvre, by time. */
 function happeningsOf({ approaches, track, events, departure }: Flight): Happening[] {
   const told = events.flatMap(({ kind, text, time, lon, lat }): Happening[] => {
     const title = titles[kind];

@@ -14,7 +14,7 @@ import { RoleNote } from '../common/role_note';
 import { FlightView } from './flight_view';
 import { SimulationView } from './simulation_view';
 
-/** The test bed: flies the plan once or many times and shows its flights. */
+/** Simulates the plan once or many times and shows the flights. */
 export function FlightsPanel({ plan }: { plan: Plan }): VNode {
   useEffect(() => void listSimulations(plan.plan_id), [plan.plan_id]);
   const listed = stored.value[plan.plan_id];

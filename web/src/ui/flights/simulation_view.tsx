@@ -10,11 +10,11 @@ import { Icon } from '../common/icon';
 import { Messages } from '../common/messages';
 
 const percent = (share: number): string => `${(100 * share).toFixed(share > 0 && share < 0.1 ? 1 : 0)} %`;
-/** A figure that is not torn from its unit at the end of a line. */
+/** A number that stays on the same line as its unit. */
 const whole = (text: string): string => text.replaceAll(' ', '\u00a0');
 const between = ([low, high]: Interval, text: (value: number) => string): string => `${whole(text(low))} – ${whole(text(high))}`;
 
-/** A simulation as a whole: how its flights ended, with intervals of 95 %, and each of them. */
+/** The summary of a simulation: how its flights ended, with 95 % intervals, and a list of the flights. */
 export function SimulationView({ simulation }: { simulation: Simulation }): VNode {
   const { flights, runs, simulation_id, statistics, tracks } = simulation;
   return (
@@ -57,7 +57,7 @@ export function SimulationView({ simulation }: { simulation: Simulation }): VNod
   );
 }
 
-/** An interval of confidence reckons with values on both sides: of a figure that is never negative it ends at 0. */
+/** A confidence interval is symmetric: for a value that is never negative it is cut off at 0. */
 const possible = ([low, high]: Interval, { least }: Distribution): Interval => [least >= 0 ? Math.max(0, low) : low, high];
 
 function Spread({ title, of, text }: { title: string; of: Distribution | null; text: (value: number) => string }): VNode | null {

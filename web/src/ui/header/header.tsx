@@ -9,7 +9,7 @@ import { addressOfView } from '../../model/shared_view';
 import { age, shortTime } from '../../model/time';
 import { Icon, IconButton } from '../common/icon';
 
-/** The bar on top: which data, which projection, which units. */
+/** The bar at the top: data in use, projection, units. */
 export function Header(): VNode {
   const now = settings.value;
   return (
@@ -37,7 +37,7 @@ export function Header(): VNode {
   );
 }
 
-/** Where the clipboard is out of reach the link is copied from the address bar. */
+/** Shown if the clipboard cannot be used: the link is copied from the address bar. */
 async function copyLink(): Promise<void> {
   try {
     await navigator.clipboard.writeText(addressOfView());
@@ -63,7 +63,7 @@ function ThemeButton(): VNode {
   return <IconButton icon={wanted === 'dark' ? 'moon' : 'sun'} label={`Use the ${wanted} theme`} onClick={() => change({ theme: wanted })} />;
 }
 
-/** Who is signed in; nothing where nobody has to. */
+/** The user who is signed in; empty if no login is needed. */
 function AccountButton(): VNode | null {
   const who = signedIn.value;
   if (!who && !locked.value) return null;
@@ -80,7 +80,7 @@ function openData(): void {
   drawer.value = 'left';
 }
 
-/** The data in use by name and time; all of it on the left. */
+/** The data in use with names and times; the panel on the left shows them all. */
 function DataBar(): VNode {
   const currents = chosenCurrents.value;
   const ice = chosenSeaIce.value;
@@ -115,7 +115,10 @@ function spanOf({ time_start, time_end }: Dataset): string | undefined {
   return time_start === time_end ? hourOf(time_start) : `${hourOf(time_start)} – ${hourOf(time_end)}`;
 }
 
-/** How old the newest sighting is once it is past, and when it was: where there is little room the age stays. */
+/**
+ * The age and the time of the newest sighting, or only its time if that is in the future; the age comes first, because
+ * it stays visible if there is little room.
+ */
 function sightedAt(time: string): string {
   const age_s = (Date.now() - Date.parse(time)) / 1000;
   return age_s > 0 ? `${age(age_s)}, ${hourOf(time)}` : `to ${hourOf(time)}`;

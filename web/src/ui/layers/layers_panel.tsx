@@ -5,10 +5,10 @@ import { layerNames, layerTitles, toggleLayer, visible } from '../../model/layer
 import { GuideLink } from '../common/guide_link';
 import { IconButton } from '../common/icon';
 
-/** Below this size of the window the list starts folded, so that the set-up and its messages keep their room. */
+/** If the window is smaller, the list is folded at first, so that the set-up and its messages have room. */
 const roomy = '(min-height: 800px) and (min-width: 901px)';
 
-/** What the map shows, each with an eye. */
+/** The layers of the map, each with a button that shows or hides it. */
 export function LayersPanel(): VNode {
   const [open] = useState(() => matchMedia(roomy).matches);
   return (

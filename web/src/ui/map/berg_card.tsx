@@ -7,7 +7,7 @@ import { shortTime } from '../../model/time';
 import { depth, distance, none } from '../../model/units';
 import { IconButton } from '../common/icon';
 
-/** What is known of the iceberg that was chosen on the map: its sighting with its source, its history and its forecast. */
+/** The iceberg chosen on the map: its sighting with its source, its history and its forecast. */
 export function BergCard(): VNode | null {
   const berg = openBerg.value;
   if (!berg) return null;

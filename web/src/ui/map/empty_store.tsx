@@ -7,7 +7,7 @@ import { silence } from '../../actions/http';
 import { Icon } from '../common/icon';
 import { FileChooser } from '../data/file_chooser';
 
-/** What to do when there is nothing to plan with, or nobody to ask. */
+/** Instructions if there are no data for planning, or the server cannot be reached. */
 export function EmptyStore(): VNode | null {
   const again = (
     <button type="button" onClick={() => void refresh()}>

@@ -26,7 +26,7 @@ roomy.addEventListener('change', ({ matches }) => {
 });
 const open = computed(() => settings.value.legend ?? hasRoom.value);
 
-/** What the colours and signs mean, with units. */
+/** The meaning of colours and signs, with units. */
 export function Legend(): VNode | null {
   const shown = visible.value;
   const depths = shown.bathymetry && chosenBathymetry.value;

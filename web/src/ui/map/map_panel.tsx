@@ -19,7 +19,7 @@ import { ScaleBar } from './scale_bar';
 const map_keys =
   'Map. Arrow keys move it, with Shift a little, plus and minus zoom, N turns north up, question mark lists all keys. With a tool, Space sets the place in the middle.';
 
-/** The map and what lies on its frame. */
+/** The map and the elements on its frame. */
 export function MapPanel(): VNode {
   const target = useRef<HTMLDivElement>(null);
   useEffect(() => {
@@ -75,7 +75,7 @@ function Toolbar(): VNode {
   );
 }
 
-/** What a click on the map will do, while a tool waits for one. */
+/** The effect of a click on the map, while a tool waits for one. */
 function Prompt(): VNode | null {
   const toClose = drawnCorners.value >= fewestCorners ? '; Enter, a double click or the first corner closes it' : '';
   const texts = {

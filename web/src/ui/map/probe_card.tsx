@@ -12,7 +12,7 @@ import { shortTime } from '../../model/time';
 import { distance, none } from '../../model/units';
 import { IconButton } from '../common/icon';
 
-/** Everything the server knows at the place last probed, with its sources. */
+/** All data at the place probed last, with their sources. */
 export function ProbeCard(): VNode | null {
   const probe = probed.value;
   if (!probe) return null;
@@ -58,7 +58,10 @@ function Answer({ answer }: { answer: Probe }): VNode {
   );
 }
 
-/** The name of an iceberg. Where the iceberg is in view, it opens its card in place of the probe's: the keel stands there. */
+/**
+ * The name of an iceberg. If the iceberg is in view, a click opens its card, which also shows the keel, instead of the
+ * probe's.
+ */
 function BergName({ id }: { id: string }): VNode {
   if (!icebergs.value.some(({ properties }) => properties.berg_id === id)) return <>{id}</>;
   const openCard = (): void => {
@@ -68,7 +71,7 @@ function BergName({ id }: { id: string }): VNode {
   return <button type="button" class="link" title="Show its size, keel, history and forecast" onClick={openCard}>{id}</button>;
 }
 
-/** What the data of a kind tell, where plans of the set-up have any. */
+/** The values of one kind of data, if plans of the set-up use it. */
 function Told({ of, children }: { of: PlanningKind; children: ComponentChildren }): VNode {
   return isLeftOut(of) ? <dd>{none}<small>left out by the set-up</small></dd> : <dd>{children}</dd>;
 }
@@ -97,7 +100,7 @@ function Egg({ place }: { place: Position }): VNode | null {
   );
 }
 
-/** A dataset, and the steps of it that the value lies between. */
+/** The name of a dataset, and its two steps around the value. */
 function Source({ name, from, to }: { name: string; from: string | null; to: string | null }): VNode {
   const [start, end] = [from, to].map((time) => (time === null ? undefined : shortTime(Date.parse(time))));
   const steps = start && end ? (start === end ? `, ${start}` : `, ${start} to ${end}`) : '';

@@ -10,7 +10,10 @@ import { hoveredTrack } from '../../model/tracks';
 import { hoveredBerg, pointer } from '../../model/view';
 import { TrackFigures } from '../common/track_figures';
 
-/** Position, depth, current and sea ice under the pointer, as the probe tells them; a berg's sighting or a glider's track when it points at one. */
+/**
+ * Position, depth, current and sea ice under the pointer, from the probe; the sighting of a berg or the track of a
+ * glider under the pointer.
+ */
 export function Readout(): VNode | null {
   const place = pointer.value;
   if (!place) return null;

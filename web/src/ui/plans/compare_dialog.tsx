@@ -21,7 +21,7 @@ interface Column {
   difference: (value: number) => string;
 }
 
-/** A difference in words; ±0 also where it is too small for its figures. */
+/** A difference as text; ±0 also if it is smaller than the last digit. */
 const signed = (value: number, text: (size: number) => string): string =>
   text(Math.abs(value)) === text(0) ? '±0' : `${value < 0 ? '−' : '+'}${text(Math.abs(value))}`;
 const metres: Pick<Column, 'text' | 'difference'> = {
@@ -62,7 +62,7 @@ const columns: Column[] = [
   { title: 'Cautions', value: (plan) => ofRank(plan, 'caution').length, text: String, difference: (value) => signed(value, String) },
 ];
 
-/** What a plan was asked for and made on; words, which differ or do not. */
+/** Inputs and data of a plan as texts, which are equal or not. */
 const inputs: { title: string; words: (plan: Plan) => string }[] = [
   { title: 'Departure', words: (plan) => shortTime(Date.parse(plan.departure)) },
   { title: 'Vehicle', words: (plan) => plan.vehicle },
@@ -75,7 +75,7 @@ const dataOf = ({ datasets }: Plan, kind: DatasetKind): string => datasets.filte
 
 const order = signal<{ column: number; descending: boolean } | undefined>(undefined);
 
-/** The plans on the map beside each other, each cell with its difference to the baseline. */
+/** A table of the plans on the map, each cell with its difference to the baseline. */
 export function CompareDialog(): VNode {
   const base = baseline.value;
   const rows = [...shownPlans.value];

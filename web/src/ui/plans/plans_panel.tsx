@@ -15,7 +15,7 @@ import { ToldBadge } from '../common/told_badge';
 const many = 10;
 const wanted = signal('');
 
-/** Every stored plan; ticked ones are on the map and in the comparison. */
+/** The list of all stored plans; ticked ones are on the map and in the comparison. */
 export function PlansPanel(): VNode {
   if (plans.value.length === 0) {
     return <p class="quiet">No plans yet. Give a start and a goal under <b>Set-up</b> and press <b>Plan route</b>.</p>;

@@ -12,10 +12,13 @@ const choices: Choice[] = [
 
 const hintId = 'hint-alternatives';
 
-/** How many routes round the other side of large obstacles are looked for. */
+/** The number of routes around the other side of large obstacles. */
 export const AlternativesField = (): VNode => <SelectField name="alternatives" choices={choices} closed={whyNoAlternatives(draft.value) && hintId} />;
 
-/** What that number means, or why none can be chosen. It stands below the row of the field, over the whole width. */
+/**
+ * The meaning of that number, or why alternatives cannot be chosen. It is below the row of the field, over the whole
+ * width.
+ */
 export function AlternativesHint(): VNode | null {
   const why = whyNoAlternatives(draft.value);
   if (why) return <p class="hint" id={hintId}>{why}</p>;

@@ -13,7 +13,7 @@ import { ask } from '../../model/view';
 import { Icon, IconButton } from '../common/icon';
 import { Messages } from '../common/messages';
 
-/** Changes that each make a plan possible, as buttons that make the change and plan again. */
+/** Buttons for changes that each make a plan possible; a button makes the change and plans again. */
 function Changes({ possible }: { possible: Change[] }): VNode {
   return (
     <div class="changes" role="group" aria-label="Changes that help">

@@ -40,7 +40,7 @@ export interface Choice {
   title: string;
 }
 
-/** `closed`: nothing but the first choice is offered, for a reason that stands in the element of this id. */
+/** `closed`: only the first choice is offered; the element with this id gives the reason. */
 export function SelectField({ name, choices, closed }: { name: TextField; choices: Choice[]; closed?: string | undefined }): VNode {
   const fault = faults.value[name];
   return (

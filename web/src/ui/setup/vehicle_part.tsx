@@ -6,7 +6,7 @@ import { factorOf, formOf, type NumberField } from '../../model/fields';
 import { CheckField, SelectField, TextField } from './field';
 import { Part } from './part';
 
-/** The objective, how the vehicle flies, and how this vehicle differs from its profile. */
+/** The objective, the flight parameters, and the differences of this vehicle from its profile. */
 export function VehiclePart(): VNode {
   return (
     <Part title="Vehicle">

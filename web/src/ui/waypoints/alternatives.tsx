@@ -68,7 +68,7 @@ function Key({ plan }: { plan: Plan }): VNode | null {
   return shown ? <PlanKey letter={shown.letter} style={shown.style} /> : null;
 }
 
-/** Round what it leads, with the place of that on the map. */
+/** The obstacle that an alternative leads around, with a button that shows it on the map. */
 function Reason({ alternative: { message } }: { alternative: Alternative }): VNode {
   const place = placeOf(message);
   return (

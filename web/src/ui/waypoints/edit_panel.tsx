@@ -17,7 +17,7 @@ import { UndoButtons } from '../common/undo_buttons';
 import { EditTable } from './edit_table';
 import { Figures } from './figures';
 
-/** A copy of a plan that is being edited: its figures beside the plan's own, and the button that makes it a plan. */
+/** An edited copy of a plan: its values beside those of the plan, and the button that stores it as a new plan. */
 export function EditPanel({ edit, shown }: { edit: RouteEdit; shown: ShownPlan }): VNode {
   const { verdict, figures, origin } = edit;
   const pending = verdict.state !== 'ok';

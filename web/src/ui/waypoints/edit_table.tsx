@@ -12,7 +12,7 @@ import { distanceFigure, distanceUnit, none } from '../../model/units';
 import { ask } from '../../model/view';
 import { IconButton } from '../common/icon';
 
-/** The route under change as a table: everything that can be dragged can be typed. */
+/** The edited route as a table: everything that can be dragged can also be typed. */
 export function EditTable({ edit }: { edit: RouteEdit }): VNode {
   const route = edit.route;
   const figures = edit.verdict.state === 'ok' ? edit.verdict.plan.waypoints : [];
@@ -42,7 +42,7 @@ interface RowProps {
   index: number;
   place: Position;
   figures: Waypoint | undefined;
-  depart_ms: number; // whose year the times need not repeat
+  depart_ms: number; // times in the year of this departure are shown without the year
   removable: boolean;
 }
 
@@ -69,7 +69,10 @@ function Row({ index, place, figures, depart_ms, removable }: RowProps): VNode {
   );
 }
 
-/** Takes effect when it is left or Enter is pressed; what cannot be read stays, with its fault, and changes nothing. */
+/**
+ * A field that takes effect when it loses the focus or Enter is pressed; a text that cannot be read stays, with its
+ * fault, and changes nothing.
+ */
 function PositionInput({ index, place }: { index: number; place: Position }): VNode {
   const written = editablePosition(place);
   const [typed, setTyped] = useState<string | undefined>(undefined);

@@ -9,8 +9,8 @@ import { distance, energy, none } from '../../model/units';
 interface Figure {
   title: string;
   text: (plan: Plan) => string;
-  why?: (plan: Plan) => string; // shown when pointed at
-  value?: (plan: Plan) => number | null; // compared with the plan the figures are set beside
+  why?: (plan: Plan) => string; // tooltip
+  value?: (plan: Plan) => number | null; // the value compared with that of the other plan
   difference?: (value: number) => string;
   iceberg?: (plan: Plan) => string | null; // that the figure is of; a press shows it
 }
@@ -103,7 +103,7 @@ const figures: Figure[] = [
   },
 ];
 
-/** A plan in figures; beside another plan with the differences to it, and dimmed while they are worked out anew. */
+/** The values of a plan; beside another plan with the differences to it, and dimmed while they are computed again. */
 export function Figures({ plan, beside, pending = false }: { plan: Plan; beside?: Plan; pending?: boolean }): VNode {
   const shown = figures.filter(({ title, text }) => text(plan) !== none || !/^(Energy|Battery|Iceberg enc|Sea ice unk|Time below|Arrival, |Chance|Holds)/.test(title));
   return (

@@ -10,7 +10,7 @@ import { distance } from '../../model/units';
 import { ask } from '../../model/view';
 import { Icon } from '../common/icon';
 
-/** Says that newer data have come in since a plan was made, and judges it on them. */
+/** Reports data that are newer than the plan, and evaluates the plan with them. */
 export function StaleBox({ plan }: { plan: Plan }): VNode | null {
   const newer = staleness(plan);
   if (newer.length === 0) return null;

@@ -10,7 +10,7 @@ import { shortTime } from '../../model/time';
 import { course, distanceFigure, distanceUnit, speedFigure, speedUnit, wholeMetres } from '../../model/units';
 import { ask } from '../../model/view';
 
-/** The waypoints in figures; the leg under way at the clock's time is marked. */
+/** The table of waypoints; the leg under way at the clock's time is marked. */
 export function WaypointTable({ plan }: { plan: Plan }): VNode {
   const leg = legUnderWay.value;
   return (

@@ -27,7 +27,7 @@ const FlightsPanel = later(async () => (await import('../flights/flights_panel')
 const Departures = later(async () => (await import('../charts/departures')).Departures);
 const Profile = later(async () => (await import('../charts/profile')).Profile);
 
-/** What was got: the selected plan in figures, its messages and its waypoints. */
+/** The result: the values of the selected plan, its messages and its waypoints. */
 export function WaypointsPanel(): VNode {
   const shown = selectedShown.value;
   if (!shown) {
