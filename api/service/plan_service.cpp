@@ -70,7 +70,7 @@ planning::WindowPlan make_plan(const ocean::Environment& environment, const plan
           .plan = planning::plan_route(environment, request, stop, progress, wider, executor)};
 }
 
-std::vector<GivenPlace> places_of(const planning::PlanRequest& request) {
+std::vector<GivenPlace> given_places(const planning::PlanRequest& request) {
   std::vector<GivenPlace> places{{"from", request.from}};
   for (std::size_t i = 0; i < request.via.size(); ++i)
     places.emplace_back("via/" + std::to_string(i), request.via[i]);
@@ -149,7 +149,7 @@ tl::expected<json, core::Violations> plan_route_document(sql::Connection& db, co
                                                          const core::ProgressCallback& progress,
                                                          core::UtcTime now, KeptWork* kept) {
   if (progress) progress("loading data", 0.0);
-  if (auto swapped = swapped_places(db, places_of(inputs.request), inputs.data); !swapped.empty())
+  if (auto swapped = swapped_places(db, given_places(inputs.request), inputs.data); !swapped.empty())
     return tl::unexpected(std::move(swapped));
   const auto environment = repository::load_environment(db, inputs.data, reading(stop, kept));
   if (!environment) return tl::unexpected(environment.error());

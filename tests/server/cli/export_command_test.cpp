@@ -71,7 +71,7 @@ TEST(Export, WritesEveryFormat) {
   const Program program;
   const std::string id = planned(program);
   const std::string out = (program.folder() / "out").string();
-  for (const char* format : {"gpx", "kml", "geojson", "csv", "nmea", "targets", "imc", "html", "pdf"}) {
+  for (const char* format : {"gpx", "kml", "geojson", "csv", "nmea", "targets", "imc"}) {
     const Outcome outcome = program.run({"export", id, "--format", format, "--out", out, "--json"});
     ASSERT_EQ(outcome.exit_code, 0) << format << outcome.err;
     EXPECT_GT(fs::file_size(outcome.json()["files"][0].get<std::string>()), 50U) << format;
@@ -155,12 +155,12 @@ TEST(Export, RefusesAPlanThatNewerDataClose) {
   const std::vector<std::string> accepted{"export", id, "--out", out.string(), "--accept-dangers"};
   const Outcome written = program.run(accepted);
   EXPECT_EQ(written.exit_code, 0);
-  EXPECT_THAT(written.err, HasSubstr("In the newest data"));
+  EXPECT_THAT(written.err, HasSubstr("The newest data close leg 1"));
   EXPECT_EQ(program.run(accepted).exit_code, 1) << "nor the reverse";
 }
 
-/// Every way out of the store is guarded alike.
-TEST(Export, RefusesSuchAPlanInEveryFormat) {
+/// Every way out of the store is guarded alike, but for the brief, which prints the danger itself.
+TEST(Export, RefusesSuchAPlanInEveryFormatOfAVehicleOrChart) {
   const Program program;
   const std::string id = planned(program);
   const fs::path island = program.folder() / "coast.geojson";
@@ -171,7 +171,7 @@ TEST(Export, RefusesSuchAPlanInEveryFormat) {
   const support::ServedProgram served{program.folder() / "store"};
 
   for (const std::string format :
-       {"gliderdos", "seaglider", "gpx", "kml", "geojson", "csv", "nmea", "targets", "imc", "html", "pdf"}) {
+       {"gliderdos", "seaglider", "gpx", "kml", "geojson", "csv", "nmea", "targets", "imc"}) {
     EXPECT_EQ(program.run({"export", id, "--format", format, "--out", out.string(), "--force"}).exit_code, 1)
         << format;
     EXPECT_FALSE(fs::exists(out)) << format;
@@ -180,6 +180,14 @@ TEST(Export, RefusesSuchAPlanInEveryFormat) {
         "/collections/plans/items/" + id + "/mission" + (set ? "?format=" : ".") + format;
     EXPECT_EQ(served.get(path).status, 409) << format;
     EXPECT_EQ(served.get(path + (set ? "&" : "?") + "accept_dangers=true").status, 200) << format;
+  }
+  for (const std::string format : {"html", "pdf"}) {
+    const Outcome brief = program.run({"export", id, "--format", format, "--out", out.string()});
+    EXPECT_EQ(brief.exit_code, 0) << brief.err;
+    EXPECT_THAT(brief.err, HasSubstr("danger: The newest data close leg 1"));
+    const auto served_brief = served.get("/collections/plans/items/" + id + "/mission." + format);
+    EXPECT_EQ(served_brief.status, 200);
+    if (format == "html") EXPECT_THAT(served_brief.body, HasSubstr("The newest data close leg 1"));
   }
 }
 

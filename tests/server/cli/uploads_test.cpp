@@ -107,7 +107,7 @@ TEST_F(Uploads, NeedNotFitIntoTheLimitOfOtherBodies) {
 TEST_F(Uploads, OfTheSameNameAreNotIngestedTogether) {
   const auto refused = served_.execute("ingest", {{"uploads", {send(bed, "a.asc"), send(cut_bed, "a.asc")}}});
   EXPECT_EQ(refused.status, 400);
-  EXPECT_THAT(refused.body, HasSubstr("one by one"));
+  EXPECT_THAT(refused.body, HasSubstr("one after the other"));
 }
 
 TEST(UploadLimit, IsWhatTheServerWasTold) {

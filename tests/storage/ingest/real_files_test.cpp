@@ -154,7 +154,7 @@ INSTANTIATE_TEST_SUITE_P(
         Sample{"bathymetry/nw_atlantic_etopo1_4min.xyz", "--positive", "", "", 0, "", {}},
         Sample{"bathymetry/wrt_depth_window.asc", "--positive", "", "", 0, "", {}},
         Sample{"bathymetry/sample-2.0.1.bag", "--positive", "", "", 0, "", {}},
-        Sample{"bathymetry/wrt_depth_window.prj", "unrecognised", "", "", 0, "", {}},
+        Sample{"bathymetry/wrt_depth_window.prj", "not recognised", "", "", 0, "", {}},
         Sample{"bathymetry/Sample_VR_BAG-gzip.bag", "stored", "", "", 10000, "", {}},
         Sample{"bathymetry/NZ52201_truncated.KAP", "picture of a chart", "", "", 0, "", {}},
         Sample{"bathymetry/s57/US4MD81M.000", "stored", "", "", 2226654, "3 updates were applied", {}},
@@ -212,7 +212,7 @@ INSTANTIATE_TEST_SUITE_P(
         Sample{"tides/otps_tpxo9v2a_extract_HC_sample_out.txt", "stored", "", "", 3, "", {}},
         Sample{"tides/oce_noaa_harmonics_sample.tsv", "--unit", "", "", 0, "", {}},
         Sample{"tides/utide_HNL2010_coef_matlab.csv", "--at LON,LAT", "", "", 0, "", {}},
-        Sample{"tides/otps_tpxo9v2a_predict_tide_sample_out.txt", "unrecognised", "", "", 0, "", {}},
+        Sample{"tides/otps_tpxo9v2a_predict_tide_sample_out.txt", "not recognised", "", "", 0, "", {}},
         Sample{"tides/roms_tidal_forcing_v3.zarr", "forcing of a ROMS model", "", "", 0, "", {}}));
 
 INSTANTIATE_TEST_SUITE_P(ZarrStores, SampleFile,

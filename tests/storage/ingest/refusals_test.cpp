@@ -130,7 +130,7 @@ TEST_F(Refusals, ANetworkAddress) { expect_refused("/vsicurl/http://127.0.0.1:9/
 
 TEST_F(Refusals, AVirtualFormat) {
   expect_refused(write_file("sea.vrt", "<VRTDataset rasterXSize=\"1\" rasterYSize=\"1\"/>\n"),
-                 "unrecognised");
+                 "not recognised");
 }
 
 TEST_F(Refusals, ANetcdf4FileThatWasCutShort) {

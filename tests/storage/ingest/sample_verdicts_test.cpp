@@ -30,14 +30,14 @@ TEST_P(SampleWithoutData, IsRefusedWithTheReason) {
 INSTANTIATE_TEST_SUITE_P(Gliders, SampleWithoutData,
                          testing::Values(Refused{"glider/1f35be3b.cac", "sensors"},
                                          Refused{"glider/62d8b5da.cac", "sensors"},
-                                         Refused{"glider/S102791A002_Barrow_v2_avgd.ad2cp", "unrecognised"},
+                                         Refused{"glider/S102791A002_Barrow_v2_avgd.ad2cp", "not recognised"},
                                          Refused{"glider/seaglider_p5610005.eng", "no positions"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Meshes, SampleWithoutData,
     testing::Values(Refused{"mesh/simplebox_from_direction_clm.nc", "a speed and a direction"},
                     Refused{"mesh/simplebox_to_direction_clm.nc", "a speed and a direction"},
-                    Refused{"mesh/dflow_simplebox_hex7_map.nc", "unstructured"}));
+                    Refused{"mesh/dflow_simplebox_hex7_map.nc", "mesh of triangles"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Tides, SampleWithoutData,
@@ -45,10 +45,10 @@ INSTANTIATE_TEST_SUITE_P(
                     Refused{"tides/tmd25_cats2008_ellipse_relabelled_a.csv", "does not know"},
                     Refused{"tides/tmd25_cats2008_U_cms_a.csv", "does not know"},
                     Refused{"tides/tmd25_cats2008_V_cms_a.csv", "does not know"},
-                    Refused{"tides/aviso_fes2014_v12_fes_slev.txt", "unrecognised"},
-                    Refused{"tides/utide_HNL2010_prediction_a_2010-03.csv", "unrecognised"},
-                    Refused{"tides/utide_HNL2010_prediction_a_2016-07.csv", "unrecognised"},
-                    Refused{"tides/utide_HNL2010_hourly_mm.asc", "unrecognised"},
+                    Refused{"tides/aviso_fes2014_v12_fes_slev.txt", "not recognised"},
+                    Refused{"tides/utide_HNL2010_prediction_a_2010-03.csv", "not recognised"},
+                    Refused{"tides/utide_HNL2010_prediction_a_2016-07.csv", "not recognised"},
+                    Refused{"tides/utide_HNL2010_hourly_mm.asc", "not recognised"},
                     Refused{"tides/ttide_constituents_const.nc", "no currents, depths, sea ice or wind"},
                     Refused{"tides/ttide_constituents_sat.nc", "no currents, depths, sea ice or wind"},
                     Refused{"tides/ttide_constituents_shallow.nc", "no currents, depths, sea ice or wind"},

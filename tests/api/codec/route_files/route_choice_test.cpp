@@ -153,7 +153,8 @@ TEST(RouteChoice, IsTheSameForEveryFormat) {
           }
         }
       }
-      EXPECT_THAT(fault_of(name, text, "nothing"), HasSubstr("holds no route \"nothing\"; it holds 1 "));
+      EXPECT_THAT(fault_of(name, text, "nothing"),
+                  HasSubstr("holds no route \"nothing\"; its routes are 1 "));
     }
   });
 }

@@ -158,7 +158,7 @@ TEST(LoggedPositions, ThatContradictTheirUnitOrEachOtherAreRefused) {
 
 TEST(LoggedPositions, ThatNothingTellsAreRefusedWithBothPlacesAndWhatToDo) {
   const std::string refusal = refusal_of("m_present_time,m_lat,m_lon\ntimestamp,lat,lon\n1,54.3,7.5\n");
-  EXPECT_THAT(refusal, HasSubstr("/m_lat and m_lon could be"));
+  EXPECT_THAT(refusal, HasSubstr("/m_lat and m_lon may be"));
   EXPECT_THAT(refusal, HasSubstr("0.905 N 0.125 E or 54.3 N 7.5 E"));
   EXPECT_THAT(refusal, HasSubstr("Write the unit ddmm or deg"));
 }

@@ -155,7 +155,7 @@ TEST_F(Archives, ThatLeadOutOfTheirFolderAreRefused) {
 
 TEST_F(Archives, WithOneNameTwiceAreRefused) {
   expect_unpack_refused(pack("twice.zip", Packing::zip, {{"a.geojson", berg}, {"a.geojson", berg + " "}}),
-                        "the name a.geojson twice");
+                        "two files of the name a.geojson");
 }
 
 TEST_F(Archives, WithoutDataAreRefused) {

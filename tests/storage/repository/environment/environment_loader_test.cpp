@@ -694,7 +694,7 @@ TEST_F(EnvironmentLoaderTest, KeepsTheBergsOfAnEarlierListThatALaterOneDoesNotNa
   EXPECT_EQ(moved->earlier.front().time, sample_time - 30 * hour);
   EXPECT_THAT(cited(environment), UnorderedElementsAre("list", "update"));
   EXPECT_THAT(messages::sentences(environment.messages),
-              Contains(AllOf(HasSubstr("joined"), HasSubstr("59 of"), HasSubstr("2 of"))));
+              Contains(AllOf(HasSubstr("several datasets"), HasSubstr("59 of"), HasSubstr("2 of"))));
 }
 
 TEST_F(EnvironmentLoaderTest, FollowsABergThatLeftTheArea) {

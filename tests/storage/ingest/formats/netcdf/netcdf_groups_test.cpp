@@ -64,7 +64,7 @@ TEST_F(NetcdfGroups, AreLookedIntoHoweverDeepTheDataLie) {
 
     ASSERT_EQ(report.status, IngestStatus::stored) << words(report);
     EXPECT_NEAR(first_value(report), scale, 1e-6);
-    EXPECT_THAT(words(report), HasSubstr("the data lie in the group " + group + " of the file"));
+    EXPECT_THAT(words(report), HasSubstr("the data were read from the group " + group + " of the file"));
   });
 }
 
@@ -92,8 +92,9 @@ TEST_F(NetcdfGroups, AreFoundAmongManyBesideAndBelowEachOther) {
 
     ASSERT_EQ(report.status, IngestStatus::stored) << words(report);
     EXPECT_NEAR(first_value(report), 0.01, 1e-6);
-    EXPECT_THAT(words(report), HasSubstr("the data lie in the group /" + name("outer", chosen / inner) + "/" +
-                                         name("inner", chosen % inner) + " of the file"));
+    EXPECT_THAT(words(report),
+                HasSubstr("the data were read from the group /" + name("outer", chosen / inner) + "/" +
+                          name("inner", chosen % inner) + " of the file"));
   });
 }
 
@@ -122,7 +123,7 @@ TEST_F(NetcdfGroups, BesideTheTopLevelAreToldAndReadWhereTheirKindIsWanted) {
   const auto currents = ingest(path("groups.nc"), {.kind = DatasetKind::currents});
 
   ASSERT_EQ(wind.dataset.value().kind, DatasetKind::wind) << words(wind);
-  EXPECT_THAT(words(wind), HasSubstr("its groups /ocean"));
+  EXPECT_THAT(words(wind), HasSubstr("Its groups /ocean"));
   ASSERT_EQ(currents.status, IngestStatus::stored) << words(currents);
   EXPECT_NEAR(first_value(currents), 0.01, 1e-6);
 }
@@ -142,7 +143,7 @@ TEST_F(NetcdfGroups, WithDataOfTheSameKindAsTheTopLevelAreTold) {
 
   ASSERT_EQ(report.status, IngestStatus::stored) << words(report);
   EXPECT_NEAR(first_value(report), 0.01, 1e-6);
-  EXPECT_THAT(words(report), HasSubstr("its groups /monthly (currents) were not"));
+  EXPECT_THAT(words(report), HasSubstr("Its groups /monthly (currents) were not"));
 }
 
 TEST_F(NetcdfGroups, BelowAGroupWithDataOfTheSameKindHaveToBeChosenFrom) {

@@ -287,7 +287,8 @@ TEST_F(BathymetryTraps, PlainTextInMetresIsNotTakenForDegrees) {
 TEST_F(BathymetryTraps, AnAsciiGridThatWasCutShortIsRefused) {
   const std::string header =
       "ncols 2\nnrows 2\nxllcorner 10\nyllcorner 20\ncellsize 0.5\nNODATA_value -9999\n";
-  expect_refused(write_file("cut.asc", header + "1 2\n3"), "announces 4 values, but it has 3", positive_up);
+  expect_refused(write_file("cut.asc", header + "1 2\n3"), "announces 4 values, but it has only 3",
+                 positive_up);
   expect_refused(write_file("cut.asc", "ncols 2\nnro"), "no usable ncols and nrows", positive_up);
 }
 

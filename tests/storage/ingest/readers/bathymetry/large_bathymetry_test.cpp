@@ -51,7 +51,7 @@ class LargeBathymetry : public StoreFixture {
   void expect_stored(const std::filesystem::path& file, const std::vector<float>& elevation_m) {
     const auto report = ingest(file, {.positive = "up"});
     ASSERT_EQ(report.status, IngestStatus::stored) << words(report);
-    EXPECT_THAT(words(report), HasSubstr("1 value left out: it stands for a missing depth"));
+    EXPECT_THAT(words(report), HasSubstr("1 value was left out, because it stands for a missing depth"));
     const auto sea = repository::FieldRepository{db_}.load_bathymetry(report.dataset->id, everywhere_);
     ASSERT_EQ(sea->depth_m().size(), rows * columns);
     std::size_t different = 0;

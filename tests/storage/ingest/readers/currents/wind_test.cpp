@@ -77,7 +77,7 @@ TEST_F(Wind, IsNeverFasterThanAnyWind) {
   CurrentFile file = wind_file();
   file.value = [](char, std::size_t, std::size_t, std::size_t, std::size_t) { return 75.0; };
   file.write(path("wind.nc"));
-  expect_refused(path("wind.nc"), "no wind is that strong");
+  expect_refused(path("wind.nc"), "stronger than any wind");
 }
 
 TEST_F(Wind, OfOneComponentAloneIsRefused) {

@@ -47,7 +47,7 @@ TEST_F(IcebergOutline, OfAContinentIsNoIceberg) {
   const IngestReport report = read("[[-60,-80],[-20,-80],[-20,-65],[-60,-65],[-60,-80]]",
                                    R"({"name":"land","observed":"2026-11-20T06:00:00Z"})");
   EXPECT_EQ(report.status, IngestStatus::refused);
-  EXPECT_THAT(words(report), testing::HasSubstr("longer than any iceberg"));
+  EXPECT_THAT(words(report), testing::HasSubstr("larger than any iceberg"));
 }
 
 TEST_F(IcebergOutline, GivesWayToAStatedLength) {

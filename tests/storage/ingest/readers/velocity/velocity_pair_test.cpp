@@ -48,8 +48,9 @@ TEST_P(PublicFile, IsStoredAsItsProducerMeansItOrRefused) {
 INSTANTIATE_TEST_SUITE_P(
     WordsOfLongNames, PublicFile,
     testing::Values(
-        PublicCase{"01-cmems-merged-total/total_and_tide.nc", 0.3825, "hold the tide and the drift by waves"},
-        PublicCase{"01-cmems-merged-total/total_only.nc", 0.3825, "hold the tide and the drift by waves"},
+        PublicCase{"01-cmems-merged-total/total_and_tide.nc", 0.3825,
+                   "include the tide and the drift by waves"},
+        PublicCase{"01-cmems-merged-total/total_only.nc", 0.3825, "include the tide and the drift by waves"},
         PublicCase{"01-cmems-merged-total/tide_only.nc", {}, "\"utide\" and \"vtide\" hold the tide alone"},
         PublicCase{"01-cmems-merged-total/all.nc", 0.3125,
                    "\"utotal\" and \"vtotal\" (currents with the tide)"},
@@ -370,11 +371,11 @@ TEST_F(Choice, TellsOfTheSurfaceBesideAMeanAndOfATotalBesideTheRest) {
   auto mean = pair_of("ubar", "vbar", 0.5);
   for (auto& field : mean) field.texts["standard_name"] = "barotropic_" + field.texts["standard_name"];
   surface.insert(surface.end(), mean.begin(), mean.end());
-  EXPECT_THAT(words(outcome(write(surface))), HasSubstr("the file also holds"));
+  EXPECT_THAT(words(outcome(write(surface))), HasSubstr("were stored, but"));
 
   auto plain = pair_of("u", "v", 0.25);
   for (auto& field : pair_of("u_total", "v_total", 0.5)) plain.push_back(field);
-  EXPECT_THAT(words(outcome(write(plain))), HasSubstr("the file also holds"));
+  EXPECT_THAT(words(outcome(write(plain))), HasSubstr("were stored, but"));
 }
 
 TEST_F(Choice, TakesAPartOfTheCurrentForNoWhole) {
@@ -402,9 +403,9 @@ TEST_F(Choice, SaysWhatThePairHolds) {
   expect_pair(stored(tide), 0.25, tide);
   EXPECT_THAT(words(tide), HasSubstr("hold the tide alone, as their long names say"));
   const auto waves = report_of("", "Eulerian velocity and drift by waves");
-  EXPECT_THAT(words(waves), HasSubstr("already hold the drift by waves"));
+  EXPECT_THAT(words(waves), HasSubstr("already include the drift by waves"));
   const auto sum = report_of("", "Eulerian current plus Stokes drift");
-  EXPECT_THAT(words(sum), HasSubstr("already hold the drift by waves"));
+  EXPECT_THAT(words(sum), HasSubstr("already include the drift by waves"));
   const auto climatology = outcome(
       write(pair_of("uo", "vo", 0.25, {{"cell_methods", "time: mean within years time: mean over years"}})));
   EXPECT_THAT(words(climatology), HasSubstr("climatology"));
