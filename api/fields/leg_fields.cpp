@@ -1,6 +1,6 @@
 #include "api/fields/request_fields.hpp"
 
-/// Rows of the route: where and when it leads, by what, in which legs, and which other routes are looked for.
+/// Rows of the legs: how many there may be, and how long.
 namespace floeplan::fields {
 namespace {
 

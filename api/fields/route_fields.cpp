@@ -1,6 +1,6 @@
 #include "api/fields/request_fields.hpp"
 
-/// Rows of the route: where and when it leads, by what, in which legs, and which other routes are looked for.
+/// Rows of the route: where and when it leads, by what, and which other routes are looked for.
 namespace floeplan::fields {
 namespace {
 
